@@ -1,0 +1,23 @@
+// Error metrics between a reference and a test image of equal size.
+#pragma once
+
+#include "image/image.h"
+
+namespace harness {
+
+struct Metrics {
+    double mse = 0;      // linear, mean over pixels and channels
+    double mseTm = 0;    // after x/(1+x), then ^(1/2.2)
+    double relMse = 0;   // mean of (a-b)^2 / (reference^2 + 1e-2)
+    double psnr = 0;     // of mseTm, in dB; infinite for equal images
+    double psnrPeak = 1; // the peak the PSNR is relative to
+    double flip = 0;     // LDR-FLIP mean on the tone-mapped images (Andersson et al. 2020)
+    double flipP95 = 0;  // its 95th percentile
+    double maxAbs = 0;   // largest linear channel difference
+    double pixelsPerDegree = 67; // FLIP's viewing condition
+};
+
+// Throws std::runtime_error where sizes differ or a channel is not finite.
+Metrics compareImages(const Image& reference, const Image& test);
+
+} // namespace harness
