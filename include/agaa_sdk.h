@@ -1,0 +1,543 @@
+/* AGAA SDK: anti-aliasing for deferred shading without history.
+ * SPDX-License-Identifier: MIT
+ *
+ * Pure C99. Sources named below: "AGAA" is Crassin et al., Aggregate G-Buffer Anti-Aliasing, TVCG 2016.
+ *
+ * Conventions
+ *   Errors     Every function that can fail returns an AgaaResult: 0 ok, > 0 not an error, < 0 an error.
+ *              An error is also told through the log callback in one sentence. A call that fails
+ *              validation has recorded and changed nothing.
+ *   Lifetime   Pointers in parameters need to live until the call returns, unless stated otherwise.
+ *   Threading  Functions without a handle may be called from any thread. Calls that share a context
+ *              must not overlap in time.
+ *   Spaces     Shading space: the host's axes with the origin at the eye ("camera-relative world").
+ *              View space: right-handed, x right, y up, looking down -z. Matrices are column-major.
+ *              Colours are linear. Lengths are in the host's unit.
+ */
+#ifndef AGAA_SDK_H
+#define AGAA_SDK_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define AGAA_VERSION_MAJOR 0
+#define AGAA_VERSION_MINOR 1
+#define AGAA_VERSION_PATCH 0
+#define AGAA_HEADER_VERSION                                                                         \
+    (((uint32_t)AGAA_VERSION_MAJOR << 22) | ((uint32_t)AGAA_VERSION_MINOR << 12) |                  \
+     (uint32_t)AGAA_VERSION_PATCH)
+
+#if defined(_WIN32)
+#if defined(AGAA_BUILDING)
+#define AGAA_API __declspec(dllexport)
+#else
+#define AGAA_API __declspec(dllimport)
+#endif
+#define AGAA_CALL __cdecl
+#else
+#define AGAA_API __attribute__((visibility("default")))
+#define AGAA_CALL
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- handles ------------------------------------------------------------------------------- */
+
+typedef struct AgaaContext_T* AgaaContext; /* one per device */
+typedef struct AgaaView_T* AgaaView;       /* one per camera and size: the frame's surfaces */
+
+/* ---- results: one list, so that names and values cannot part ------------------------------- */
+
+#define AGAA_RESULT_LIST(X)                                                                         \
+    X(AGAA_OK, 0, "success")                                                                        \
+    X(AGAA_NOT_READY, 1, "the result is not there yet")                                             \
+    X(AGAA_ERROR_INVALID_ARGUMENT, -1, "an argument is null or has no valid value")                 \
+    X(AGAA_ERROR_VERSION, -2, "header and library versions do not match")                           \
+    X(AGAA_ERROR_STRUCT, -3, "a struct has the wrong sType or structSize")                          \
+    X(AGAA_ERROR_UNKNOWN_STRUCT, -4, "a struct of unknown type is in a pNext chain")                \
+    X(AGAA_ERROR_OUT_OF_RANGE, -5, "a value is out of its range")                                   \
+    X(AGAA_ERROR_UNSUPPORTED, -6, "the device or this build cannot do what was asked")              \
+    X(AGAA_ERROR_LAYOUT, -7, "a G-buffer layout cannot be packed")                                  \
+    X(AGAA_ERROR_TOO_LARGE, -8, "a size exceeds a limit of the device or of 64-bit arithmetic")     \
+    X(AGAA_ERROR_OUT_OF_MEMORY, -9, "memory could not be allocated")                                \
+    X(AGAA_ERROR_DEVICE, -10, "the graphics API reported an error")                                 \
+    X(AGAA_ERROR_CALLBACK, -11, "a host callback reported failure; nothing was recorded")           \
+    X(AGAA_ERROR_PARTIAL, -12, "a frame was recorded in part; discard the command buffer")          \
+    X(AGAA_ERROR_WRONG_ORDER, -13, "calls came in the wrong order")                                 \
+    X(AGAA_ERROR_BUFFER_TOO_SMALL, -14, "the caller's array is too small")                          \
+    X(AGAA_ERROR_INTERNAL, -15, "an internal error")
+
+typedef enum AgaaResultCode {
+#define AGAA_RESULT_ENUM(name, value, text) name = (value),
+    AGAA_RESULT_LIST(AGAA_RESULT_ENUM)
+#undef AGAA_RESULT_ENUM
+        AGAA_RESULT_MAX_ENUM = 0x7FFFFFFF
+} AgaaResultCode;
+typedef int32_t AgaaResult;
+
+/* Never null; "unknown result" for values of a newer library. Static storage. */
+AGAA_API const char* AGAA_CALL agaaResultString(AgaaResult result);
+AGAA_API const char* AGAA_CALL agaaResultName(AgaaResult result);
+/* Version of the library, encoded as AGAA_HEADER_VERSION. */
+AGAA_API uint32_t AGAA_CALL agaaGetVersion(void);
+
+/* ---- struct types -------------------------------------------------------------------------- */
+
+typedef enum AgaaStructType {
+    AGAA_STRUCTURE_TYPE_LOG = 1,
+    AGAA_STRUCTURE_TYPE_LAYOUT = 2,
+    AGAA_STRUCTURE_TYPE_CONFIG = 3,
+    AGAA_STRUCTURE_TYPE_SCENE_FACTS = 4,
+    AGAA_STRUCTURE_TYPE_VIEW = 5,
+    AGAA_STRUCTURE_TYPE_DEVICE_CAPS = 6,
+    AGAA_STRUCTURE_TYPE_REQUIREMENTS = 7,
+    AGAA_STRUCTURE_TYPE_MEMORY_REPORT = 8,
+    AGAA_STRUCTURE_TYPE_FRAME = 9,
+    AGAA_STRUCTURE_TYPE_FRAME_STATISTICS = 10,
+    AGAA_STRUCTURE_TYPE_VK_CONTEXT = 1000,
+    AGAA_STRUCTURE_TYPE_VK_FRAME = 1001,
+    AGAA_STRUCTURE_TYPE_VK_DRAW_PASS = 1002,
+    /* A chained struct whose type has this bit may be ignored by a library that does not know it. */
+    AGAA_STRUCTURE_TYPE_OPTIONAL_BIT = 0x40000000,
+    AGAA_STRUCTURE_TYPE_MAX_ENUM = 0x7FFFFFFF
+} AgaaStructType;
+
+/* First members of every versioned struct; AGAA_…_INIT sets them and the defaults. */
+typedef struct AgaaStructHeader {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+} AgaaStructHeader;
+
+/* ---- log and host memory ------------------------------------------------------------------- */
+
+typedef enum AgaaSeverity {
+    AGAA_SEVERITY_INFO = 0,
+    AGAA_SEVERITY_WARNING = 1,
+    AGAA_SEVERITY_ERROR = 2,
+    AGAA_SEVERITY_MAX_ENUM = 0x7FFFFFFF
+} AgaaSeverity;
+
+/* Called on the thread of the failing call; message is UTF-8 and valid during the call only.
+ * Callbacks must not throw and must not call the SDK. */
+typedef void(AGAA_CALL* AgaaLogCallback)(void* user, uint32_t severity, AgaaResult code,
+                                         const char* message);
+
+typedef struct AgaaLog {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    AgaaLogCallback callback; /* may be null */
+    void* user;
+} AgaaLog;
+#define AGAA_LOG_INIT {AGAA_STRUCTURE_TYPE_LOG, (uint32_t)sizeof(AgaaLog), NULL, NULL, NULL}
+
+/* Host memory for the objects behind handles. alignment is a power of two. Both or neither. */
+typedef void*(AGAA_CALL* AgaaAllocateCallback)(void* user, size_t size, size_t alignment);
+typedef void(AGAA_CALL* AgaaFreeCallback)(void* user, void* memory);
+
+/* ---- G-buffer layout (AGAA section 4.3, figure 7) ------------------------------------------- */
+
+typedef enum AgaaSemantic {
+    AGAA_SEMANTIC_DIFFUSE = 0,   /* 3 channels: diffuse albedo */
+    AGAA_SEMANTIC_SPECULAR = 1,  /* 3 channels: specular reflectance at normal incidence */
+    AGAA_SEMANTIC_NORMAL = 2,    /* 3 channels per aggregate, stored as 2 per sample */
+    AGAA_SEMANTIC_ROUGHNESS = 3, /* 1 channel: alpha squared */
+    AGAA_SEMANTIC_EMISSIVE = 4,  /* 3 channels, or 1: a factor of the diffuse albedo */
+    AGAA_SEMANTIC_COUNT = 5,
+    AGAA_SEMANTIC_MAX_ENUM = 0x7FFFFFFF
+} AgaaSemantic;
+
+typedef enum AgaaEncoding {
+    AGAA_ENCODING_UNORM = 0, /* value / range in [0,1] */
+    AGAA_ENCODING_YCBCR = 1, /* luma at `bits`, both chroma channels at `chromaBits` (aggregates) */
+    AGAA_ENCODING_FOLDED = 2, /* roughness only: shortens the normal, takes no bits (aggregates) */
+    AGAA_ENCODING_MAX_ENUM = 0x7FFFFFFF
+} AgaaEncoding;
+
+typedef struct AgaaLayoutAttribute {
+    uint32_t semantic;      /* AgaaSemantic, each at most once; DIFFUSE and NORMAL are mandatory */
+    uint32_t channels;      /* as at AgaaSemantic */
+    uint32_t sampleBits;    /* per channel in the multisampled G-buffer: 8, 10 or 16 */
+    uint32_t aggregateBits; /* per channel and aggregate before summing: [6;16] */
+    uint32_t chromaBits;    /* YCBCR: [6;16] */
+    uint32_t encoding;      /* AgaaEncoding */
+    float range;            /* (0;65504]: the value that full scale stands for; 1 except EMISSIVE */
+    uint32_t reserved;      /* 0 */
+} AgaaLayoutAttribute;
+
+#define AGAA_MAX_LAYOUT_ATTRIBUTES 5
+typedef struct AgaaLayout {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t attributeCount;
+    uint32_t reserved; /* 0 */
+    AgaaLayoutAttribute attributes[AGAA_MAX_LAYOUT_ATTRIBUTES];
+} AgaaLayout;
+
+/* Built-in layouts: "paper16" (AGAA figure 7) and "precise" (the default: 11 bits or more per
+ * fragment and channel, roughness beside the normal). */
+AGAA_API AgaaResult AGAA_CALL agaaGetBuiltinLayout(const char* name, AgaaLayout* outLayout);
+
+/* ---- configuration -------------------------------------------------------------------------- */
+
+typedef enum AgaaBrdf {
+    AGAA_BRDF_BLINN_PHONG = 0,
+    AGAA_BRDF_GGX = 1,
+    AGAA_BRDF_MAX_ENUM = 0x7FFFFFFF
+} AgaaBrdf;
+
+/* How the spread of normals inside an aggregate widens the specular lobe (AGAA section 3.5.2). */
+typedef enum AgaaNdf {
+    AGAA_NDF_NONE = 0, /* no widening: for ablation */
+    AGAA_NDF_TOKSVIG = 1,
+    AGAA_NDF_MAX_ENUM = 0x7FFFFFFF
+} AgaaNdf;
+
+typedef enum AgaaSeeds {
+    AGAA_SEEDS_MAXIMIN = 0,
+    AGAA_SEEDS_SUM_OF_SQUARES = 1, /* AGAA algorithm 1 (e) as printed, for comparison */
+    AGAA_SEEDS_MAX_ENUM = 0x7FFFFFFF
+} AgaaSeeds;
+
+typedef enum AgaaTier {
+    AGAA_TIER_AUTO = 0,
+    /* visibility */
+    AGAA_TIER_NATIVE = 1,
+    AGAA_TIER_NV_MULTICAST = 2,
+    AGAA_TIER_SCALED_TARGET = 3, /* a target of SX x SY sub-pixels at the device's sample count */
+    AGAA_TIER_LAYERS = 4,
+    /* generation */
+    AGAA_TIER_NV_MIXED_SAMPLES = 16,  /* the paper's: additive blending with coverage override */
+    AGAA_TIER_POST_DEPTH_ATOMICS = 17, /* fragment coverage after the depth test, integer atomics */
+    AGAA_TIER_PER_SAMPLE = 18,         /* one invocation per sample, integer atomics */
+    AGAA_TIER_GBUFFER = 19,            /* from a full multisampled G-buffer */
+    AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
+} AgaaTier;
+
+/* Bits of AgaaConfig::flags. */
+#define AGAA_CONFIG_COUNTERS UINT64_C(0x01)   /* count events; see AgaaCounters */
+#define AGAA_CONFIG_TIMESTAMPS UINT64_C(0x02) /* time each pass */
+#define AGAA_CONFIG_READBACK UINT64_C(0x04)   /* surfaces may be copied from; no aliasing */
+#define AGAA_CONFIG_NO_DIFFUSE_FILTER UINT64_C(0x08)
+#define AGAA_CONFIG_NO_SHADOW_FILTER UINT64_C(0x10) /* one tap at the aggregate's mean position */
+#define AGAA_CONFIG_NO_STENCIL UINT64_C(0x20) /* first come, first kept; not repeatable on ties */
+#define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2 (c), for comparison */
+
+typedef struct AgaaConfig {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    const char* technique;    /* "single", "ssaa", "agaa" */
+    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16, 32 */
+    uint32_t aggregates;      /* c, [1;4]; used by techniques that aggregate */
+    const AgaaLayout* layout; /* null: "precise" */
+    uint32_t brdf;            /* AgaaBrdf */
+    uint32_t ndf;             /* AgaaNdf */
+    float characteristicLength;            /* k of equation 1, in host units, [0;inf) */
+    float characteristicLengthPerDistance; /* added: this times the distance, [0;1]; k must be > 0 */
+    float aggregateThreshold; /* t: a further aggregate must be farther than this, [0;inf) */
+    uint32_t seeds;           /* AgaaSeeds */
+    uint32_t shadowTaps;      /* per aggregate and shadowed light, at most; 0: chosen by n */
+    uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
+    uint32_t generationTier;  /* AgaaTier; AUTO: best that runs */
+    uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
+    uint64_t flags;           /* AGAA_CONFIG_… */
+} AgaaConfig;
+#define AGAA_CONFIG_INIT                                                                            \
+    {AGAA_STRUCTURE_TYPE_CONFIG, (uint32_t)sizeof(AgaaConfig), NULL, "agaa", 8, 2, NULL,             \
+     AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.01f, 0.02f, AGAA_SEEDS_MAXIMIN, 0, AGAA_TIER_AUTO,     \
+     AGAA_TIER_AUTO, 1, 0}
+
+/* What the scene calls for. The planner drops what is not named here. */
+#define AGAA_FACT_SPECULAR UINT64_C(0x01)
+#define AGAA_FACT_EMISSIVE UINT64_C(0x02)
+#define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04)
+#define AGAA_FACT_AMBIENT UINT64_C(0x08)
+#define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10) /* materials write depth or discard on their own */
+#define AGAA_FACT_ALL_SHADED (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED | AGAA_FACT_AMBIENT)
+
+#define AGAA_MAX_SHADOW_MAPS 4
+#define AGAA_MAX_SHADOW_LAYERS 6
+typedef struct AgaaSceneFacts {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint64_t flags;          /* AGAA_FACT_… */
+    uint32_t maxLights;      /* [0;4096] */
+    uint32_t shadowMapCount; /* [0;AGAA_MAX_SHADOW_MAPS] */
+} AgaaSceneFacts;
+#define AGAA_SCENE_FACTS_INIT                                                                       \
+    {AGAA_STRUCTURE_TYPE_SCENE_FACTS, (uint32_t)sizeof(AgaaSceneFacts), NULL,                       \
+     AGAA_FACT_ALL_SHADED, 64, 1}
+
+#define AGAA_VIEW_REVERSED_Z UINT64_C(0x01) /* near is 1, far is 0; wants a float depth format */
+
+typedef struct AgaaViewDesc {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t width;  /* pixels, >= 1 */
+    uint32_t height; /* pixels, >= 1 */
+    const AgaaConfig* config;
+    const AgaaSceneFacts* facts;
+    uint64_t flags; /* AGAA_VIEW_… */
+} AgaaViewDesc;
+#define AGAA_VIEW_DESC_INIT                                                                         \
+    {AGAA_STRUCTURE_TYPE_VIEW, (uint32_t)sizeof(AgaaViewDesc), NULL, 0, 0, NULL, NULL, 0}
+
+/* ---- questions answered without a context --------------------------------------------------- */
+
+#define AGAA_DEVICE_POST_DEPTH_COVERAGE UINT64_C(0x01)
+#define AGAA_DEVICE_FRAGMENT_ATOMICS UINT64_C(0x02)
+#define AGAA_DEVICE_SAMPLE_RATE_SHADING UINT64_C(0x04)
+#define AGAA_DEVICE_DYNAMIC_RENDERING UINT64_C(0x08)
+#define AGAA_DEVICE_STORAGE_FORMATS UINT64_C(0x10) /* extended storage formats, write w/o format */
+#define AGAA_DEVICE_NV_MIXED_SAMPLES UINT64_C(0x20)
+#define AGAA_DEVICE_D24S8 UINT64_C(0x40)
+#define AGAA_DEVICE_D32S8 UINT64_C(0x80)
+
+typedef struct AgaaDeviceCaps {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    char deviceName[128];
+    char driverName[128];
+    uint32_t sampleCounts; /* bit i: 2^i samples for colour and depth that can also be sampled */
+    uint32_t maxImageSize; /* texels */
+    uint64_t maxStorageRange; /* bytes */
+    uint64_t flags;        /* AGAA_DEVICE_… */
+} AgaaDeviceCaps;
+#define AGAA_DEVICE_CAPS_INIT                                                                       \
+    {AGAA_STRUCTURE_TYPE_DEVICE_CAPS, (uint32_t)sizeof(AgaaDeviceCaps), NULL, {0}, {0}, 0, 0, 0, 0}
+
+typedef enum AgaaStage {
+    AGAA_STAGE_PREPASS = 0,
+    AGAA_STAGE_DEFINITION = 1,
+    AGAA_STAGE_GENERATION = 2,
+    AGAA_STAGE_SHADING = 3,
+    AGAA_STAGE_OTHER = 4,
+    AGAA_STAGE_MAX_ENUM = 0x7FFFFFFF
+} AgaaStage;
+
+typedef struct AgaaCapability {
+    const char* technique; /* static storage */
+    uint32_t samples;
+    uint32_t stage; /* AgaaStage */
+    uint32_t tier;  /* AgaaTier; AUTO where the stage cannot run */
+    uint32_t isNative;
+    float relativePrice; /* measured time of the stage relative to its best tier; 1 for the best */
+    char reason[244];    /* one sentence */
+} AgaaCapability;
+
+/* Names as written on command lines ("scaled-target"); "unknown" for others. Static storage. */
+AGAA_API const char* AGAA_CALL agaaTierName(uint32_t tier);
+AGAA_API const char* AGAA_CALL agaaStageName(uint32_t stage);
+AGAA_API AgaaResult AGAA_CALL agaaTierFromName(const char* name, uint32_t* outTier);
+
+/* Techniques of this library; names have static storage. Two-call: with names null, writes the
+ * count; otherwise fills up to *count. */
+AGAA_API AgaaResult AGAA_CALL agaaEnumerateTechniques(uint32_t* count, const char** names);
+
+/* How each technique, n and stage would run on a device. caps null: an ideal device. Two-call. */
+AGAA_API AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count,
+                                                    AgaaCapability* capabilities);
+
+typedef struct AgaaSurface {
+    char name[48];
+    char format[32];
+    uint32_t width, height, samples, layers;
+    uint64_t bytes;      /* payload */
+    uint32_t isPerPixel; /* 0: constants, uploads and read-back, which do not grow with the target */
+    uint32_t firstPass, lastPass; /* of the plan; a surface lives from the one to the other */
+    uint32_t reserved;
+} AgaaSurface;
+
+typedef struct AgaaMemoryReport {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint64_t totalBytes;    /* per-pixel payload */
+    uint64_t constantBytes; /* payload of what does not grow with the target */
+    uint64_t peakBytes;     /* per-pixel payload with surfaces of disjoint lifetimes aliased */
+    double bytesPerPixel;   /* totalBytes / (width * height) */
+    double bytesPerAggregate; /* 0 where nothing is aggregated */
+} AgaaMemoryReport;
+#define AGAA_MEMORY_REPORT_INIT                                                                     \
+    {AGAA_STRUCTURE_TYPE_MEMORY_REPORT, (uint32_t)sizeof(AgaaMemoryReport), NULL, 0, 0, 0, 0.0, 0.0}
+
+/* Memory of a view by the plan that would allocate it. caps null: an ideal device with every
+ * feature. surfaces: two-call as above. log may be null. */
+AGAA_API AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
+                                              const AgaaLog* log, AgaaMemoryReport* outReport,
+                                              uint32_t* surfaceCount, AgaaSurface* surfaces);
+
+/* The plan as JSON. Two-call: with text null, writes the size including the final zero. */
+AGAA_API AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
+                                             const AgaaLog* log, size_t* size, char* text);
+
+/* ---- host draw passes ----------------------------------------------------------------------- */
+
+typedef enum AgaaDrawPassId {
+    AGAA_DRAW_PASS_VISIBILITY = 1, /* depth and geometric normals */
+    AGAA_DRAW_PASS_AGGREGATE = 2,  /* materials, accumulated into aggregates; no colour output */
+    AGAA_DRAW_PASS_GBUFFER = 3,    /* materials into a multisampled G-buffer */
+    AGAA_DRAW_PASS_MAX_ENUM = 0x7FFFFFFF
+} AgaaDrawPassId;
+
+typedef enum AgaaCompare {
+    AGAA_COMPARE_LESS = 0,
+    AGAA_COMPARE_GREATER = 1,
+    AGAA_COMPARE_EQUAL = 2,
+    AGAA_COMPARE_ALWAYS = 3,
+    AGAA_COMPARE_MAX_ENUM = 0x7FFFFFFF
+} AgaaCompare;
+
+/* Fixed-function state that the host's pipelines must have in this pass. Cull mode is the host's
+ * choice and must be the same in all passes of a frame. No blending, no alpha-to-coverage. */
+typedef struct AgaaDrawState {
+    uint32_t depthCompare; /* AgaaCompare */
+    uint32_t depthWrite;
+    uint32_t stencilTest;  /* 1: pass where stencil EQUAL 0 (mask 0xFF), then INCREMENT_AND_CLAMP */
+    uint32_t stencilTestMasked; /* the same for alpha-masked materials */
+    uint32_t colorAttachmentCount;
+    uint32_t colorWriteMask; /* RGBA bits 1, 2, 4, 8, the same for all attachments */
+    uint32_t samples;        /* of the target */
+    uint32_t sampleShading;  /* 1: one invocation per sample (minSampleShading 1) */
+} AgaaDrawState;
+
+typedef struct AgaaDrawTarget {
+    uint32_t pass;          /* AgaaDrawPassId */
+    uint32_t width, height; /* viewport and scissor, from (0,0): the scaled target */
+    uint32_t scaleX, scaleY; /* sub-pixels per pixel; multiply derivatives by these */
+    AgaaDrawState state;
+    uint64_t pipelineKey; /* changes when pipelines and shaders of this pass must be rebuilt */
+    void* commandBuffer;  /* backend's: VkCommandBuffer, inside rendering */
+    uint64_t descriptorSet; /* backend's: bind at the index given at context creation */
+} AgaaDrawTarget;
+
+/* Draw the scene's opaque and alpha-masked geometry. Called with rendering begun by the SDK, which
+ * also ends it; nothing is bound, viewport and scissor are unset. Return AGAA_OK, or any other value to
+ * give up the frame. Must not throw, must not call the SDK. */
+typedef AgaaResult(AGAA_CALL* AgaaDrawCallback)(void* user, const AgaaDrawTarget* target);
+
+/* ---- frame ---------------------------------------------------------------------------------- */
+
+typedef enum AgaaLightType {
+    AGAA_LIGHT_DIRECTIONAL = 0,
+    AGAA_LIGHT_POINT = 1,
+    AGAA_LIGHT_SPOT = 2,
+    AGAA_LIGHT_MAX_ENUM = 0x7FFFFFFF
+} AgaaLightType;
+
+#define AGAA_NO_SHADOW 0xFFFFFFFFu
+
+typedef struct AgaaLight {
+    uint32_t type;      /* AgaaLightType */
+    uint32_t shadowMap; /* index into AgaaFrame::shadows, or AGAA_NO_SHADOW */
+    float position[3];  /* shading space */
+    float direction[3]; /* unit, the way the light travels, shading space */
+    float color[3];     /* irradiance (directional) or intensity, >= 0 */
+    float range;        /* > 0, or 0: infinite */
+    float cosInner;     /* spot: cosines of the half angles, inner >= outer */
+    float cosOuter;
+    float reserved[2];  /* 0 */
+} AgaaLight;
+
+/* A shadow map is a 2D array of depth layers, each with its matrix. A point uses the first layer whose
+ * clip volume holds it: one layer is a plain map, several in order of detail are cascades, six are the
+ * faces of a cube. Points in no layer are lit. Compared as: lit where depth - bias <= stored. */
+typedef struct AgaaShadow {
+    uint32_t layerCount; /* [1;AGAA_MAX_SHADOW_LAYERS] */
+    float depthBias;     /* in the map's depth, >= 0 */
+    float matrices[AGAA_MAX_SHADOW_LAYERS][16]; /* shading space to the layer's clip space, z in [0,w] */
+} AgaaShadow;
+
+/* Segments of a frame, so that a host can use what one leaves before it records the next. */
+#define AGAA_SEGMENT_PREPASS UINT64_C(0x1)    /* visibility */
+#define AGAA_SEGMENT_GENERATION UINT64_C(0x2) /* definition and material passes */
+#define AGAA_SEGMENT_SHADING UINT64_C(0x4)
+#define AGAA_SEGMENT_ALL UINT64_C(0x7)
+
+typedef struct AgaaFrame {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint64_t frameIndex;     /* increases by at least one each frame, from 1 */
+    uint64_t completedFrame; /* newest frame whose GPU work is known to have finished; 0: none */
+    uint64_t segments;       /* AGAA_SEGMENT_…, in order, each once per frame */
+    float view[16];       /* shading to view space: a rotation, its translation is zero */
+    float projection[16]; /* as the rasteriser uses it, y flip and sub-pixel jitter included */
+    uint32_t lightCount;
+    uint32_t shadowCount;
+    const AgaaLight* lights;
+    const AgaaShadow* shadows;
+    float ambient[3];    /* radiance from all sides */
+    float background[4]; /* colour, and 1; or 0 to composite over what the output holds */
+    AgaaDrawCallback draw;
+    void* drawUser;
+} AgaaFrame;
+#define AGAA_FRAME_INIT                                                                             \
+    {AGAA_STRUCTURE_TYPE_FRAME, (uint32_t)sizeof(AgaaFrame), NULL, 0, 0, AGAA_SEGMENT_ALL,           \
+     {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, 0, 0, NULL, NULL,                        \
+     {0, 0, 0}, {0, 0, 0, 1}, NULL, NULL}
+
+/* ---- statistics ------------------------------------------------------------------------------ */
+
+/* Exact counts of one frame; all 0 without AGAA_CONFIG_COUNTERS. */
+typedef struct AgaaCounters {
+    uint64_t visible;       /* samples with geometry after the prepass */
+    uint64_t once;          /* of these, accumulated exactly once */
+    uint64_t missed;        /* of these, never accumulated */
+    uint64_t multi;         /* accumulated more than once */
+    uint64_t ties;          /* sample writes refused because an equal depth came first; counted by
+                               NO_STENCIL and by masked materials, hidden by the stencil test */
+    uint64_t sanitised;     /* fragments with a non-finite attribute */
+    uint64_t shadingEvents; /* full lighting evaluations of a sample or an aggregate */
+    uint64_t shadowTaps;
+    uint64_t widenedLobes;  /* events whose specular lobe the NDF widened */
+    uint64_t shadedPixels;  /* pixels with at least one event */
+    uint64_t maxEventsPerPixel;
+} AgaaCounters;
+
+#define AGAA_MAX_PASSES 16
+typedef struct AgaaPassTime {
+    char name[48];
+    uint32_t stage;  /* AgaaStage */
+    uint32_t isTimed;
+    double milliseconds;
+} AgaaPassTime;
+
+typedef struct AgaaFrameStatistics {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint64_t frameIndex; /* the frame that the figures belong to */
+    AgaaCounters counters;
+    uint32_t passCount;
+    uint32_t geometryPasses;
+    AgaaPassTime passes[AGAA_MAX_PASSES];
+    uint64_t payloadBytes; /* as created: per-pixel surfaces */
+    uint64_t driverBytes;  /* what the driver asked for, all surfaces added up */
+    uint64_t peakBytes;    /* what was allocated, with aliasing */
+} AgaaFrameStatistics;
+#define AGAA_FRAME_STATISTICS_INIT                                                                  \
+    {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0,           \
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, {{{0}, 0, 0, 0.0}}, 0, 0, 0}
+
+/* Figures of the newest finished frame (by completedFrame of the last record call).
+ * AGAA_NOT_READY where none has finished. */
+AGAA_API AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
+                                                     AgaaFrameStatistics* outStatistics);
+
+/* Destroying null is legal. Every frame recorded with the object must have finished. */
+AGAA_API void AGAA_CALL agaaDestroyView(AgaaView view);
+AGAA_API void AGAA_CALL agaaDestroyContext(AgaaContext context);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* AGAA_SDK_H */

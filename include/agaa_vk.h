@@ -1,0 +1,151 @@
+/* AGAA SDK on Vulkan. Includes no Vulkan header: dispatchable handles are void*, others uint64_t
+ * (cast a VkImage with (uint64_t)), enums uint32_t with Vulkan's own values.
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef AGAA_VK_H
+#define AGAA_VK_H
+
+#include "agaa_sdk.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef void (*AgaaVkFunction)(void);
+/* As vkGetInstanceProcAddr; must also resolve global functions with a null instance. */
+typedef AgaaVkFunction(AGAA_CALL* AgaaVkGetInstanceProcAddr)(void* instance, const char* name);
+
+/* ---- before a device exists ------------------------------------------------------------------ */
+
+/* What a device must and should offer. Names have static storage. */
+typedef struct AgaaVkRequirements {
+    uint32_t apiVersion; /* VK_API_VERSION_1_2 */
+    uint32_t reserved;
+    uint32_t requiredFeatureCount;
+    const char* const* requiredFeatures; /* member names of VkPhysicalDeviceFeatures… */
+    uint32_t optionalFeatureCount;
+    const char* const* optionalFeatures;
+    uint32_t optionalDeviceExtensionCount; /* enable those the device has */
+    const char* const* optionalDeviceExtensions;
+} AgaaVkRequirements;
+AGAA_API AgaaResult AGAA_CALL agaaVkGetRequirements(AgaaVkRequirements* outRequirements);
+
+/* Capabilities of a physical device, to be passed to the queries of agaa_sdk.h. log may be null. */
+AGAA_API AgaaResult AGAA_CALL agaaVkGetDeviceCaps(void* instance, void* physicalDevice,
+                                                  AgaaVkGetInstanceProcAddr getProcAddr,
+                                                  const AgaaLog* log, AgaaDeviceCaps* outCaps);
+
+/* ---- context --------------------------------------------------------------------------------- */
+
+typedef enum AgaaVkRendering {
+    AGAA_VK_RENDERING_AUTO = 0, /* dynamic where the device was created with it */
+    AGAA_VK_RENDERING_DYNAMIC = 1,
+    AGAA_VK_RENDERING_RENDER_PASS = 2,
+    AGAA_VK_RENDERING_MAX_ENUM = 0x7FFFFFFF
+} AgaaVkRendering;
+
+typedef enum AgaaVkRecording {
+    /* Draw callbacks get a secondary command buffer of the SDK's: a callback that fails leaves the
+     * host's command buffer untouched. */
+    AGAA_VK_RECORDING_SECONDARY = 0,
+    /* Draw callbacks get the host's command buffer: a callback that fails is AGAA_ERROR_PARTIAL. */
+    AGAA_VK_RECORDING_INLINE = 1,
+    AGAA_VK_RECORDING_MAX_ENUM = 0x7FFFFFFF
+} AgaaVkRecording;
+
+typedef struct AgaaVkContextDesc {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    void* instance;       /* VkInstance */
+    void* physicalDevice; /* VkPhysicalDevice */
+    void* device;         /* VkDevice; features and extensions as in AgaaVkRequirements */
+    uint32_t queueFamily; /* of the command buffers; graphics and compute */
+    uint32_t apiVersion;  /* that the instance and device were created for */
+    AgaaVkGetInstanceProcAddr getProcAddr;
+    const char* const* enabledExtensions; /* device extensions enabled by the host */
+    uint32_t enabledExtensionCount;
+    uint32_t rendering;      /* AgaaVkRendering */
+    uint32_t recording;      /* AgaaVkRecording */
+    uint32_t descriptorSet;  /* index of the SDK's set in the host's pipeline layouts, [0;7] */
+    uint64_t pipelineCache;  /* VkPipelineCache or 0 */
+    uint32_t framesInFlight; /* [1;8] */
+    uint32_t reserved;       /* 0 */
+    const AgaaLog* log;      /* may be null; copied */
+    AgaaAllocateCallback allocate; /* may be null */
+    AgaaFreeCallback free;
+    void* allocateUser;
+} AgaaVkContextDesc;
+#define AGAA_VK_CONTEXT_DESC_INIT                                                                   \
+    {AGAA_STRUCTURE_TYPE_VK_CONTEXT, (uint32_t)sizeof(AgaaVkContextDesc), NULL, NULL, NULL, NULL, 0, \
+     0, NULL, NULL, 0, AGAA_VK_RENDERING_AUTO, AGAA_VK_RECORDING_SECONDARY, 0, 0, 2, 0, NULL, NULL,  \
+     NULL, NULL}
+
+/* headerVersion: pass AGAA_HEADER_VERSION. The host's device must outlive the context. */
+AGAA_API AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion,
+                                                  const AgaaVkContextDesc* desc,
+                                                  AgaaContext* outContext);
+
+/* Allocates the view's surfaces. */
+AGAA_API AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* desc,
+                                               AgaaView* outView);
+
+/* ---- host draw passes, known before anything is recorded -------------------------------------- */
+
+/* A host fragment shader is: #version 450, extensions, declarations, the host's own code, which fills an
+ * AgaaSurfaceInput and calls agaa_emit() once. Compile the same text for each pass. */
+typedef struct AgaaVkDrawPass {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t pass; /* AgaaDrawPassId */
+    uint32_t stage; /* AgaaStage */
+    const char* name;
+    uint64_t pipelineKey;
+    uint32_t width, height, scaleX, scaleY;
+    AgaaDrawState state;
+    uint32_t colorFormats[4];    /* VkFormat; state.colorAttachmentCount are used */
+    uint32_t depthStencilFormat; /* VkFormat */
+    uint32_t reserved;
+    uint64_t renderPass;          /* VkRenderPass, subpass 0; 0 with dynamic rendering */
+    uint64_t descriptorSetLayout; /* VkDescriptorSetLayout of the SDK's set */
+    const char* glslExtensions;   /* owned by the view */
+    const char* glslDeclarations; /* owned by the view */
+} AgaaVkDrawPass;
+#define AGAA_VK_DRAW_PASS_INIT                                                                      \
+    {AGAA_STRUCTURE_TYPE_VK_DRAW_PASS, (uint32_t)sizeof(AgaaVkDrawPass), NULL, 0, 0, NULL, 0, 0, 0,  \
+     0, 0, {0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0, 0, NULL, NULL}
+
+/* Two-call: with passes null, writes the count; otherwise every element must be initialised. */
+AGAA_API AgaaResult AGAA_CALL agaaVkGetDrawPasses(AgaaView view, uint32_t* count,
+                                                  AgaaVkDrawPass* passes);
+
+/* ---- recording --------------------------------------------------------------------------------- */
+
+typedef struct AgaaVkFrame {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    void* commandBuffer; /* primary, recording, outside rendering */
+    /* Output: 2D, one layer, of the view's size, usage STORAGE, a float format whose storage view can be
+     * written (and, with background[3] = 0, read) without a format. Needed by the shading segment. */
+    uint64_t outputImage;
+    uint64_t outputView;
+    uint32_t outputLayoutIn;  /* VkImageLayout; UNDEFINED: contents are not kept */
+    uint32_t outputLayoutOut; /* VkImageLayout the SDK leaves it in, visible to all later commands */
+    /* Depth array views, readable by compute in SHADER_READ_ONLY_OPTIMAL, one per AgaaFrame::shadows. */
+    uint64_t shadowViews[AGAA_MAX_SHADOW_MAPS];
+} AgaaVkFrame;
+#define AGAA_VK_FRAME_INIT                                                                          \
+    {AGAA_STRUCTURE_TYPE_VK_FRAME, (uint32_t)sizeof(AgaaVkFrame), NULL, NULL, 0, 0, 0, 1, {0, 0, 0, 0}}
+
+/* Records the frame's segments. Pipeline, descriptor, viewport and dynamic state of the command buffer
+ * is undefined afterwards. Returns AGAA_ERROR_CALLBACK with nothing recorded where a draw callback
+ * failed (SECONDARY recording). */
+AGAA_API AgaaResult AGAA_CALL agaaVkRecordFrame(AgaaView view, const AgaaFrame* frame,
+                                                const AgaaVkFrame* vkFrame);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* AGAA_VK_H */

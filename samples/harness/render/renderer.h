@@ -1,0 +1,72 @@
+// What the command line and the tests ask of a backend's sample engine: load a scene, render frames
+// through the SDK, read the image and the figures back.
+#pragma once
+
+#include "agaa_sdk.h"
+#include "image/image.h"
+#include "scene/scene.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace harness {
+
+struct RendererOptions {
+    bool validation = true;      // API validation and synchronisation validation, where installed
+    bool renderPass = false;     // Vulkan: VkRenderPass instead of dynamic rendering
+    bool inlineRecording = false; // Vulkan: callbacks record into the host's command buffer
+    uint32_t shadowMapSize = 2048;
+};
+
+struct RenderSettings {
+    AgaaConfig config = AGAA_CONFIG_INIT;
+    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT; // completed from the scene by the renderer
+    uint32_t width = 640;
+    uint32_t height = 360;
+    Camera camera;
+    std::vector<Light> lights;
+    glm::vec3 ambient{0.25f};
+    glm::vec4 background{0.32f, 0.45f, 0.65f, 1.0f};
+    bool reversedZ = true;      // with an infinite far plane
+    glm::dvec2 jitter{0};       // of the image plane, in pixels
+    uint32_t drawOrderSeed = 0; // != 0: draws are shuffled by this seed
+    glm::dvec3 worldOffset{0};  // added to scene, lights and camera: tests precision far from 0
+    uint32_t frames = 1;
+    uint32_t warmup = 0;
+    bool splitSegments = false; // record each segment by a call of its own
+};
+
+struct RenderResult {
+    Image image; // of the last frame, linear
+    std::vector<double> frameMs; // submission to completion, per counted frame, without warm-up
+    std::vector<AgaaFrameStatistics> statistics; // per counted frame
+    AgaaMemoryReport memory = AGAA_MEMORY_REPORT_INIT; // predicted for this device
+    std::vector<std::pair<std::string, std::string>> tiers; // stage, tier
+};
+
+// One line per message of the API's validation that the allow-list does not excuse.
+struct ApiMessage {
+    std::string severity;
+    std::string id;
+    std::string text;
+};
+
+class Renderer {
+public:
+    virtual ~Renderer() = default;
+    virtual const AgaaDeviceCaps& caps() const = 0;
+    // Uploads a scene in place of the one before. Throws std::runtime_error.
+    virtual void load(const Scene& scene) = 0;
+    // Throws std::runtime_error with the SDK's own sentence where the SDK refuses.
+    virtual RenderResult render(const RenderSettings& settings) = 0;
+    // Messages since the last call.
+    virtual std::vector<ApiMessage> takeMessages() = 0;
+};
+
+std::unique_ptr<Renderer> makeVulkanRenderer(const RendererOptions& options);
+
+// Facts of a scene and its lights, as the SDK wants them declared.
+AgaaSceneFacts sceneFacts(const Scene& scene, const std::vector<Light>& lights);
+
+} // namespace harness
