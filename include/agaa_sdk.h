@@ -224,6 +224,8 @@ typedef enum AgaaTier {
 #define AGAA_CONFIG_READBACK UINT64_C(0x04)   /* surfaces may be copied from; no aliasing */
 #define AGAA_CONFIG_NO_DIFFUSE_FILTER UINT64_C(0x08)
 #define AGAA_CONFIG_NO_SHADOW_FILTER UINT64_C(0x10) /* one tap at the aggregate's mean position */
+#define AGAA_CONFIG_SHADOW_ALONG_DEPTH UINT64_C(0x80) /* AGAA 3.5.3: taps along the view ray by the
+                                                         aggregate's depth variance, not at samples */
 #define AGAA_CONFIG_NO_STENCIL UINT64_C(0x20) /* first come, first kept; not repeatable on ties */
 #define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2 (c), for comparison */
 

@@ -1,0 +1,29 @@
+# Shaders in the library: passes as SPIR-V, one array a permutation; host GLSL as text.
+find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+set(AGAA_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_text.cmake)
+
+# agaa_compile_pass(OUT_SPV PASS NAME DEFINES...): adds a command, appends the .spv to OUT_SPV.
+function(agaa_compile_pass out_list pass name)
+  set(spv ${CMAKE_CURRENT_BINARY_DIR}/spirv/${name}.inc)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/shaders/math/*.glsl
+       ${CMAKE_SOURCE_DIR}/src/shaders/passes/*)
+  add_custom_command(
+    OUTPUT ${spv}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/spirv
+    COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/src/shaders
+            ${ARGN} --vn spirv_${name} -o ${spv}
+            ${CMAKE_SOURCE_DIR}/src/shaders/passes/${pass}.comp
+    DEPENDS ${sources}
+    COMMENT "Compiling ${name}" VERBATIM)
+  set(${out_list} ${${out_list}} ${spv} PARENT_SCOPE)
+endfunction()
+
+# agaa_embed_text(OUTPUT BASE FILES...): a C++ include file of {"path", R"(text)"} rows.
+function(agaa_embed_text output base)
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} "-DOUTPUT=${output}" "-DBASE=${base}" "-DFILES=${ARGN}" -P
+            ${AGAA_EMBED_SCRIPT}
+    DEPENDS ${ARGN} ${AGAA_EMBED_SCRIPT}
+    COMMENT "Embedding text" VERBATIM)
+endfunction()

@@ -1,0 +1,20 @@
+// LDR-FLIP: how visible the difference is when a viewer flips between two images.
+// Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild: "FLIP: A Difference Evaluator
+// for Alternating Images", HPG 2020.
+#pragma once
+
+#include "image/image.h"
+
+#include <vector>
+
+namespace harness {
+
+// Error of each pixel in [0, 1], rows from top to bottom. Both images hold sRGB-encoded display
+// values; what lies outside [0, 1] is clamped. They must be finite and of equal size.
+std::vector<float> flipErrorMap(const Image& reference, const Image& test, double pixelsPerDegree);
+
+// The value below which the given fraction of the values lies, interpolated linearly between the
+// two nearest order statistics. `values` must not be empty.
+double percentile(std::vector<float> values, double fraction);
+
+} // namespace harness

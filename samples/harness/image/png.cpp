@@ -1,0 +1,107 @@
+// Tone-mapped PNG files, for looking at.
+#include "image/check.h"
+#include "image/image.h"
+#include "image/tonemap.h"
+
+#include <stb_image_write.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace harness {
+
+namespace {
+
+using Pixel = std::array<uint8_t, 3>;
+// A value that is no number must be seen, and no sensible shading gives this colour.
+constexpr Pixel magenta = {255, 0, 255};
+
+uint8_t toByte(double value) {
+    return uint8_t(std::lround(std::clamp(value, 0.0, 1.0) * 255));
+}
+
+bool isFinite(const float* rgb) {
+    return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]);
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
+    throw std::runtime_error("Could not write the PNG file \"" + path.string() + "\": " + reason +
+                             ".");
+}
+
+void requireForFile(const std::filesystem::path& path, const Image& image) {
+    try {
+        requireConsistent(image, "the image");
+    } catch (const std::exception& error) {
+        std::string reason = error.what();
+        reason.pop_back(); // fail() ends the sentence itself
+        fail(path, reason);
+    }
+}
+
+void appendBytes(void* context, void* data, int size) {
+    auto& bytes = *static_cast<std::vector<char>*>(context);
+    const char* begin = static_cast<const char*>(data);
+    bytes.insert(bytes.end(), begin, begin + size);
+}
+
+// Encodes into memory first: the library's own file writing does not report a full disk.
+void writeBytes(const std::filesystem::path& path, uint32_t width, uint32_t height,
+                const std::vector<Pixel>& pixels) {
+    std::vector<char> encoded;
+    if (!stbi_write_png_to_func(appendBytes, &encoded, int(width), int(height), 3, pixels.data(),
+                                int(width * 3)))
+        fail(path, "it could not be encoded");
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    if (!file)
+        fail(path, "it could not be opened for writing");
+    file.write(encoded.data(), std::streamsize(encoded.size()));
+    file.close();
+    if (!file)
+        fail(path, "not all of it could be written");
+}
+
+} // namespace
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+    requireForFile(path, image);
+    std::vector<Pixel> pixels(image.pixelCount());
+    for (size_t i = 0; i < pixels.size(); ++i) {
+        const float* rgb = &image.rgb[3 * i];
+        if (!isFinite(rgb)) {
+            pixels[i] = magenta;
+            continue;
+        }
+        for (size_t c = 0; c < 3; ++c)
+            pixels[i][c] = toByte(toneMap(rgb[c]));
+    }
+    writeBytes(path, image.width, image.height, pixels);
+}
+
+void writeDifferencePng(const std::filesystem::path& path, const Image& a, const Image& b,
+                        float gain) {
+    requireForFile(path, a);
+    requireForFile(path, b);
+    if (a.width != b.width || a.height != b.height)
+        fail(path, "the two images differ in size");
+    if (!std::isfinite(gain) || gain < 0)
+        fail(path, "the gain must be a number of at least 0");
+    std::vector<Pixel> pixels(a.pixelCount());
+    for (size_t i = 0; i < pixels.size(); ++i) {
+        const float* left = &a.rgb[3 * i];
+        const float* right = &b.rgb[3 * i];
+        if (!isFinite(left) || !isFinite(right)) {
+            pixels[i] = magenta;
+            continue;
+        }
+        for (size_t c = 0; c < 3; ++c)
+            pixels[i][c] = toByte(std::abs(toneMap(left[c]) - toneMap(right[c])) * gain);
+    }
+    writeBytes(path, a.width, a.height, pixels);
+}
+
+} // namespace harness

@@ -1,0 +1,17 @@
+// The scene's lights in the SDK's terms.
+#pragma once
+
+#include "render/renderer.h"
+
+#include <vector>
+
+namespace harness {
+
+// Indices of the lights that get a shadow map, in the order of the maps: as many as the SDK takes.
+std::vector<size_t> shadowedLights(const std::vector<Light>& lights);
+
+// Positions become relative to the eye in double.
+std::vector<AgaaLight> toAgaaLights(const std::vector<Light>& lights, const glm::dvec3& worldOffset,
+                                    const glm::dvec3& eye);
+
+} // namespace harness

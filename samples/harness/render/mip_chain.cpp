@@ -1,0 +1,207 @@
+#include "render/mip_chain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace harness {
+
+namespace {
+
+struct FloatLevel {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<glm::vec4> texels;
+};
+
+float srgbToLinear(float v) {
+    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+float linearToSrgb(float v) {
+    return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
+}
+
+uint8_t toByte(float v) {
+    return uint8_t(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+const std::array<float, 256>& decodeTable() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> t{};
+        for (size_t i = 0; i < t.size(); ++i)
+            t[i] = srgbToLinear(float(i) / 255);
+        return t;
+    }();
+    return table;
+}
+
+// Fine enough that the steepest part of the curve, 12.92 at 0, moves by a fifth of a code per
+// entry.
+constexpr size_t encodeSize = 16384;
+const std::array<uint8_t, encodeSize + 1>& encodeTable() {
+    static const std::array<uint8_t, encodeSize + 1> table = [] {
+        std::array<uint8_t, encodeSize + 1> t{};
+        for (size_t i = 0; i < t.size(); ++i)
+            t[i] = toByte(linearToSrgb(float(i) / encodeSize));
+        return t;
+    }();
+    return table;
+}
+
+uint8_t encodeSrgb(float v) {
+    return encodeTable()[size_t(std::clamp(v, 0.0f, 1.0f) * encodeSize + 0.5f)];
+}
+
+FloatLevel decode(const Texture& texture) {
+    FloatLevel level{texture.width, texture.height, {}};
+    level.texels.resize(size_t(texture.width) * texture.height);
+    const auto& table = decodeTable();
+    for (size_t i = 0; i < level.texels.size(); ++i) {
+        const uint8_t* in = &texture.rgba[i * 4];
+        if (texture.srgb)
+            level.texels[i] = {table[in[0]], table[in[1]], table[in[2]], float(in[3]) / 255};
+        else
+            level.texels[i] = glm::vec4(in[0], in[1], in[2], in[3]) / 255.0f;
+    }
+    return level;
+}
+
+// Odd sizes: the last row or column of the level above goes into the last texel with the others, by
+// the part of it that the box covers.
+struct Taps {
+    std::array<uint32_t, 3> index{};
+    std::array<float, 3> weight{};
+    int count = 0;
+};
+
+Taps boxTaps(uint32_t out, uint32_t outSize, uint32_t inSize) {
+    const double scale = double(inSize) / outSize;
+    const double begin = out * scale;
+    const double end = begin + scale;
+    Taps taps;
+    for (uint32_t i = uint32_t(begin); i < inSize && double(i) < end && taps.count < 3; ++i) {
+        const double covered = std::min(end, i + 1.0) - std::max(begin, double(i));
+        if (covered <= 0)
+            continue;
+        taps.index[size_t(taps.count)] = i;
+        taps.weight[size_t(taps.count)] = float(covered / scale);
+        ++taps.count;
+    }
+    return taps;
+}
+
+std::vector<Taps> rowTaps(uint32_t outSize, uint32_t inSize) {
+    std::vector<Taps> taps;
+    for (uint32_t i = 0; i < outSize; ++i)
+        taps.push_back(boxTaps(i, outSize, inSize));
+    return taps;
+}
+
+FloatLevel halve(const FloatLevel& in, bool weightByAlpha) {
+    FloatLevel out{std::max(in.width / 2, 1u), std::max(in.height / 2, 1u), {}};
+    out.texels.resize(size_t(out.width) * out.height);
+    const std::vector<Taps> columns = rowTaps(out.width, in.width);
+    for (uint32_t y = 0; y < out.height; ++y) {
+        const Taps rows = boxTaps(y, out.height, in.height);
+        for (uint32_t x = 0; x < out.width; ++x) {
+            const Taps& column = columns[x];
+            glm::vec4 sum(0);
+            glm::vec3 weighted(0);
+            for (size_t j = 0; j < size_t(rows.count); ++j) {
+                for (size_t i = 0; i < size_t(column.count); ++i) {
+                    const glm::vec4& texel =
+                        in.texels[size_t(rows.index[j]) * in.width + column.index[i]];
+                    const float weight = rows.weight[j] * column.weight[i];
+                    sum += weight * texel;
+                    weighted += weight * texel.a * glm::vec3(texel);
+                }
+            }
+            if (weightByAlpha && sum.a > 1e-4f)
+                sum = glm::vec4(weighted / sum.a, sum.a);
+            out.texels[size_t(y) * out.width + x] = sum;
+        }
+    }
+    return out;
+}
+
+double coverage(const FloatLevel& level, float cutoff, float scale) {
+    size_t passing = 0;
+    for (const glm::vec4& texel : level.texels)
+        passing += texel.a * scale >= cutoff;
+    return double(passing) / double(level.texels.size());
+}
+
+// The scale of alpha by which as large a part passes the test as in level 0.
+float alphaScale(const FloatLevel& level, float cutoff, double wanted) {
+    float low = 0;
+    float high = 16;
+    for (int step = 0; step < 16; ++step) {
+        const float middle = (low + high) / 2;
+        (coverage(level, cutoff, middle) < wanted ? low : high) = middle;
+    }
+    // Few texels reach few values: the nearer side, and where 1 is as near, the level is left alone.
+    const auto miss = [&](float scale) { return std::abs(coverage(level, cutoff, scale) - wanted); };
+    const float best = miss(low) < miss(high) ? low : high;
+    return miss(1) <= miss(best) ? 1.0f : best;
+}
+
+MipLevel encode(const FloatLevel& level, bool srgb, const MipOptions& options, float alpha) {
+    MipLevel out{level.width, level.height, {}};
+    out.rgba.resize(level.texels.size() * 4);
+    for (size_t i = 0; i < level.texels.size(); ++i) {
+        glm::vec3 color(level.texels[i]);
+        if (options.isNormalMap) {
+            const glm::vec3 normal = color * 2.0f - 1.0f;
+            const float length = glm::length(normal);
+            color = (length > 1e-4f ? normal / length : glm::vec3(0, 0, 1)) * 0.5f + 0.5f;
+        }
+        for (int c = 0; c < 3; ++c)
+            out.rgba[i * 4 + size_t(c)] = srgb ? encodeSrgb(color[c]) : toByte(color[c]);
+        out.rgba[i * 4 + 3] = toByte(level.texels[i].a * alpha);
+    }
+    return out;
+}
+
+} // namespace
+
+std::vector<MipLevel> makeMipChain(const Texture& texture, const MipOptions& options) {
+    if (texture.width == 0 || texture.height == 0 ||
+        texture.rgba.size() != size_t(texture.width) * texture.height * 4)
+        throw std::runtime_error("The size of the texture \"" + texture.name +
+                                 "\" is 0 or does not fit its bytes.");
+    std::vector<MipLevel> levels;
+    levels.push_back({texture.width, texture.height, texture.rgba});
+
+    const bool isTested = options.alphaCutoff > 0;
+    FloatLevel level = decode(texture);
+    const double wanted = isTested ? coverage(level, options.alphaCutoff, 1) : 0;
+    while (level.width > 1 || level.height > 1) {
+        level = halve(level, isTested);
+        // Nothing or all passes: no scale is better than another.
+        const bool isScaled = isTested && wanted > 0 && wanted < 1;
+        const float alpha = isScaled ? alphaScale(level, options.alphaCutoff, wanted) : 1.0f;
+        levels.push_back(encode(level, texture.srgb, options, alpha));
+    }
+    return levels;
+}
+
+std::vector<MipOptions> mipOptions(const Scene& scene) {
+    std::vector<MipOptions> options(scene.textures.size());
+    const auto find = [&](int texture) {
+        return texture >= 0 && size_t(texture) < options.size() ? &options[size_t(texture)]
+                                                                : nullptr;
+    };
+    for (const Material& material : scene.materials) {
+        if (MipOptions* normal = find(material.normalTexture))
+            normal->isNormalMap = true;
+        MipOptions* base = find(material.baseColorTexture);
+        if (base && material.alphaMode == AlphaMode::Mask && material.baseColor.a > 0 &&
+            base->alphaCutoff <= 0)
+            base->alphaCutoff = std::max(material.alphaCutoff / material.baseColor.a, 1.0f / 255);
+    }
+    return options;
+}
+
+} // namespace harness

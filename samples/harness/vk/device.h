@@ -1,0 +1,70 @@
+// The sample engine's Vulkan instance, device and queue, created with what the SDK asks for.
+#pragma once
+
+#include "agaa_vk.h"
+#include "render/renderer.h"
+#include "vk/check.h"
+#include "vk/messages.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace harness::vk {
+
+class Device {
+public:
+    explicit Device(const RendererOptions& options);
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    VkInstance instance() const { return instance_; }
+    VkPhysicalDevice physicalDevice() const { return physicalDevice_; }
+    VkDevice get() const { return device_; }
+    uint32_t queueFamily() const { return queueFamily_; }
+    uint32_t apiVersion() const { return apiVersion_; }
+    const std::vector<const char*>& extensions() const { return extensions_; }
+    const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
+    const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
+    std::string name() const { return properties_.deviceName; }
+    bool hasDynamicRendering() const { return hasDynamicRendering_; }
+    bool hasAnisotropy() const { return hasAnisotropy_; }
+    std::vector<ApiMessage> takeMessages() { return messages_.take(); }
+
+    // Records, submits and waits.
+    void runCommands(const std::function<void(VkCommandBuffer)>& record) const;
+    // The same in steps.
+    VkCommandBuffer beginCommands() const;
+    // Ends, runs and frees; returns the milliseconds from the submission to the fence.
+    double submitAndWait(VkCommandBuffer commands) const;
+    void discardCommands(VkCommandBuffer commands) const; // frees without running
+
+    // For AgaaVkContextDesc.
+    static AgaaVkFunction AGAA_CALL getProcAddr(void* instance, const char* name);
+
+private:
+    void createInstance(bool useValidation);
+    void choosePhysicalDevice();
+    void createDevice(bool useDynamicRendering);
+    void destroy();
+
+    MessageCollector messages_;
+    VkInstance instance_ = VK_NULL_HANDLE;
+    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    CommandPool commandPool_;
+    Fence fence_;
+    uint32_t instanceVersion_ = 0;
+    uint32_t apiVersion_ = 0;
+    uint32_t queueFamily_ = 0;
+    VkPhysicalDeviceProperties properties_{};
+    VkPhysicalDeviceMemoryProperties memory_{};
+    std::vector<const char*> extensions_;
+    bool hasDynamicRendering_ = false;
+    bool hasAnisotropy_ = false;
+};
+
+} // namespace harness::vk

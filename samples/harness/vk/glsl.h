@@ -1,0 +1,17 @@
+// GLSL to SPIR-V at run time: the SDK hands its declarations over as text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace harness::vk {
+
+enum class ShaderStage { Vertex, Fragment };
+
+// Throws std::runtime_error with the compiler's messages and the lines they name. `name` is told in
+// the error.
+std::vector<uint32_t> compileGlsl(ShaderStage stage, const std::string& source,
+                                  const std::string& name);
+
+} // namespace harness::vk

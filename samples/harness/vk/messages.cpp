@@ -1,0 +1,112 @@
+#include "vk/messages.h"
+
+#include "vk_embedded.h"
+
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace harness::vk {
+
+namespace {
+
+std::string trim(const std::string& text) {
+    const size_t begin = text.find_first_not_of(" \t\r");
+    if (begin == std::string::npos)
+        return {};
+    return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+struct AllowList {
+    std::mutex mutex;
+    std::vector<AllowedMessage> entries = parseAllowedMessages(embedded::allowed_messages_txt);
+};
+
+AllowList& allowList() {
+    static AllowList list;
+    return list;
+}
+
+bool isAllowed(const ApiMessage& message) {
+    AllowList& list = allowList();
+    const std::lock_guard lock(list.mutex);
+    for (AllowedMessage& entry : list.entries) {
+        if (entry.id == message.id && message.text.find(entry.substring) != std::string::npos) {
+            entry.isUsed = true;
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+std::vector<AllowedMessage> allowedMessages() {
+    AllowList& list = allowList();
+    const std::lock_guard lock(list.mutex);
+    return list.entries;
+}
+
+std::vector<AllowedMessage> parseAllowedMessages(const std::string& text) {
+    std::vector<AllowedMessage> entries;
+    std::istringstream lines(text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        line = trim(line);
+        if (line.empty() || line[0] == '#')
+            continue;
+        const size_t first = line.find('|');
+        const size_t second = first == std::string::npos ? first : line.find('|', first + 1);
+        AllowedMessage entry;
+        if (second != std::string::npos) {
+            entry.id = trim(line.substr(0, first));
+            entry.substring = trim(line.substr(first + 1, second - first - 1));
+            entry.reason = trim(line.substr(second + 1));
+        }
+        if (entry.id.empty() || entry.substring.empty() || entry.reason.empty())
+            throw std::runtime_error("Line " + std::to_string(number) +
+                                     " of the list of allowed messages is not of the form "
+                                     "\"id | substring | reason\".");
+        entries.push_back(entry);
+    }
+    return entries;
+}
+
+VkDebugUtilsMessengerCreateInfoEXT MessageCollector::messengerInfo() {
+    VkDebugUtilsMessengerCreateInfoEXT info{};
+    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+    info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                           VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+    info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT |
+                       VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
+                       VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+    info.pfnUserCallback = onMessage;
+    info.pUserData = this;
+    return info;
+}
+
+std::vector<ApiMessage> MessageCollector::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(messages_, {});
+}
+
+VkBool32 MessageCollector::onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                     VkDebugUtilsMessageTypeFlagsEXT,
+                                     const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+    ApiMessage message;
+    message.severity =
+        severity >= VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT ? "error" : "warning";
+    message.id = data->pMessageIdName ? data->pMessageIdName : std::to_string(data->messageIdNumber);
+    message.text = data->pMessage ? data->pMessage : "";
+    static_cast<MessageCollector*>(user)->add(std::move(message));
+    return VK_FALSE;
+}
+
+void MessageCollector::add(ApiMessage message) {
+    if (isAllowed(message))
+        return;
+    const std::lock_guard lock(mutex_);
+    messages_.push_back(std::move(message));
+}
+
+} // namespace harness::vk

@@ -1,0 +1,45 @@
+// Collects what validation layers and drivers report, less what the allow-list excuses.
+#pragma once
+
+#include "render/renderer.h"
+
+#include <vulkan/vulkan.h>
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace harness::vk {
+
+// One line of allowed_messages.txt, and whether this process has met a message that it excuses.
+struct AllowedMessage {
+    std::string id;
+    std::string substring;
+    std::string reason;
+    bool isUsed = false;
+};
+
+// The allow-list as used so far by all renderers of this process: tests fail on unused entries.
+std::vector<AllowedMessage> allowedMessages();
+
+// Parses the allow-list. Throws std::runtime_error naming the line that is not of its form.
+std::vector<AllowedMessage> parseAllowedMessages(const std::string& text);
+
+class MessageCollector {
+public:
+    // For VkInstanceCreateInfo::pNext and vkCreateDebugUtilsMessengerEXT. The collector must stay
+    // where it is as long as the messenger lives.
+    VkDebugUtilsMessengerCreateInfoEXT messengerInfo();
+    std::vector<ApiMessage> take();
+
+private:
+    static VKAPI_ATTR VkBool32 VKAPI_CALL
+    onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT types,
+              const VkDebugUtilsMessengerCallbackDataEXT* data, void* user);
+    void add(ApiMessage message);
+
+    std::mutex mutex_; // drivers may report from threads of their own
+    std::vector<ApiMessage> messages_;
+};
+
+} // namespace harness::vk

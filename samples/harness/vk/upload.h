@@ -1,0 +1,28 @@
+// Copies vertices, indices, constants and textures to the device through a staging buffer.
+#pragma once
+
+#include "render/mip_chain.h"
+#include "vk/arena.h"
+
+#include <span>
+
+namespace harness::vk {
+
+class Uploader {
+public:
+    explicit Uploader(const Device& device);
+
+    // The buffer needs VK_BUFFER_USAGE_TRANSFER_DST_BIT.
+    void fill(const BufferResource& buffer, std::span<const std::byte> bytes);
+    // A sampled RGBA8 image in SHADER_READ_ONLY_OPTIMAL.
+    ImageResource texture(Arena& arena, const std::vector<MipLevel>& levels, bool srgb);
+
+private:
+    const BufferResource& staging(VkDeviceSize size);
+
+    const Device* device_;
+    Arena arena_;
+    BufferResource staging_;
+};
+
+} // namespace harness::vk

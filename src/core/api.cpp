@@ -1,0 +1,144 @@
+// The part of the C ABI that needs no graphics API.
+#include "core/api_guard.h"
+#include "core/checked.h"
+#include "core/layout.h"
+#include "core/names.h"
+#include "core/planner.h"
+#include "core/tiers.h"
+#include "core/validate.h"
+
+#include <cstring>
+
+using namespace agaa;
+
+namespace {
+
+AgaaDeviceCaps capsOrIdeal(const AgaaDeviceCaps* caps) {
+    if (!caps)
+        return idealDevice();
+    return checkStruct(caps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
+}
+
+Log checkedLog(const AgaaLog* log) {
+    return log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize == sizeof(AgaaLog)
+               ? Log(log)
+               : Log();
+}
+
+AgaaSurface surfaceOf(const Resource& resource) {
+    AgaaSurface surface{};
+    std::strncpy(surface.name, resource.name.c_str(), sizeof surface.name - 1);
+    std::strncpy(surface.format, formatName(resource.format), sizeof surface.format - 1);
+    surface.width = resource.width;
+    surface.height = resource.height;
+    surface.samples = resource.samples;
+    surface.layers = resource.layers;
+    surface.bytes = checkedMultiply(resource.bytes, resource.copies);
+    surface.isPerPixel = resource.isPerPixel();
+    surface.firstPass = resource.firstPass;
+    surface.lastPass = resource.lastPass;
+    return surface;
+}
+
+} // namespace
+
+extern "C" {
+
+const char* AGAA_CALL agaaResultString(AgaaResult result) {
+    switch (result) {
+#define AGAA_RESULT_CASE(name, value, text)                                                        \
+    case value:                                                                                    \
+        return text;
+        AGAA_RESULT_LIST(AGAA_RESULT_CASE)
+#undef AGAA_RESULT_CASE
+    default:
+        return "unknown result";
+    }
+}
+
+const char* AGAA_CALL agaaResultName(AgaaResult result) {
+    switch (result) {
+#define AGAA_RESULT_CASE(name, value, text)                                                        \
+    case value:                                                                                    \
+        return #name;
+        AGAA_RESULT_LIST(AGAA_RESULT_CASE)
+#undef AGAA_RESULT_CASE
+    default:
+        return "unknown result";
+    }
+}
+
+uint32_t AGAA_CALL agaaGetVersion(void) { return AGAA_HEADER_VERSION; }
+
+const char* AGAA_CALL agaaTierName(uint32_t tier) { return tierName(tier); }
+
+const char* AGAA_CALL agaaStageName(uint32_t stage) { return stageName(stage); }
+
+AgaaResult AGAA_CALL agaaTierFromName(const char* name, uint32_t* outTier) {
+    return name && outTier && tierFromName(name, *outTier) ? AGAA_OK : AGAA_ERROR_INVALID_ARGUMENT;
+}
+
+AgaaResult AGAA_CALL agaaGetBuiltinLayout(const char* name, AgaaLayout* outLayout) {
+    return guarded(Log(), "agaaGetBuiltinLayout", [&]() -> AgaaResult {
+        require(name && outLayout, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+        *outLayout = builtinLayout(name);
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaEnumerateTechniques(uint32_t* count, const char** names) {
+    return guarded(Log(), "agaaEnumerateTechniques", [&] {
+        std::vector<const char*> list;
+        for (const Technique* technique : techniques())
+            list.push_back(technique->name);
+        return writeArray(list, count, names);
+    });
+}
+
+AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count,
+                                           AgaaCapability* capabilities) {
+    return guarded(Log(), "agaaQueryCapabilities", [&] {
+        return writeArray(listCapabilities(capsOrIdeal(caps)), count, capabilities);
+    });
+}
+
+AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
+                                     const AgaaLog* log, AgaaMemoryReport* outReport,
+                                     uint32_t* surfaceCount, AgaaSurface* surfaces) {
+    return guarded(checkedLog(log), "agaaQueryMemory", [&]() -> AgaaResult {
+        checkViewDesc(view);
+        const Plan plan = makePlan(*view, capsOrIdeal(caps), 2);
+        if (outReport) {
+            checkStruct(outReport, AGAA_STRUCTURE_TYPE_MEMORY_REPORT, "AgaaMemoryReport");
+            outReport->totalBytes = plan.totalBytes();
+            outReport->constantBytes = plan.constantBytes();
+            outReport->peakBytes = plan.peakBytes();
+            outReport->bytesPerPixel = plan.bytesPerPixel();
+            outReport->bytesPerAggregate = plan.bytesPerAggregate;
+        }
+        if (!surfaceCount)
+            return AGAA_OK;
+        std::vector<AgaaSurface> list;
+        for (const Resource& resource : plan.resources)
+            if (!resource.isHosts())
+                list.push_back(surfaceOf(resource));
+        return writeArray(list, surfaceCount, surfaces);
+    });
+}
+
+AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
+                                    const AgaaLog* log, size_t* size, char* text) {
+    return guarded(checkedLog(log), "agaaPlanToJson", [&]() -> AgaaResult {
+        checkViewDesc(view);
+        require(size, AGAA_ERROR_INVALID_ARGUMENT, "the size pointer is null.");
+        const std::string json = planToJson(makePlan(*view, capsOrIdeal(caps), 2));
+        if (text) {
+            require(*size > json.size(), AGAA_ERROR_BUFFER_TOO_SMALL, "the text buffer is too small.");
+            std::memcpy(text, json.c_str(), json.size() + 1);
+        }
+        *size = json.size() + 1;
+        return AGAA_OK;
+    });
+}
+
+} // extern "C"

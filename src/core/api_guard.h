@@ -1,0 +1,69 @@
+// The boundary of the C ABI: nothing throws across it, every failure is logged in one sentence.
+#pragma once
+
+#include "core/error.h"
+
+#include <new>
+
+namespace agaa {
+
+// A copy of the host's log; safe to keep.
+class Log {
+public:
+    Log() = default;
+    explicit Log(const AgaaLog* log) {
+        if (log) {
+            callback_ = log->callback;
+            user_ = log->user;
+        }
+    }
+    void write(AgaaSeverity severity, AgaaResult code, const std::string& message) const {
+        if (callback_)
+            callback_(user_, severity, code, message.c_str());
+    }
+
+private:
+    AgaaLogCallback callback_ = nullptr;
+    void* user_ = nullptr;
+};
+
+template <typename Body>
+AgaaResult guarded(const Log& log, const char* function, Body&& body) noexcept {
+    const auto report = [&](AgaaResult code, const char* text) {
+        try {
+            log.write(AGAA_SEVERITY_ERROR, code, std::string(function) + ": " + text);
+        } catch (...) {
+            // Out of memory while reporting: the code alone has to do.
+        }
+        return code;
+    };
+    try {
+        return body();
+    } catch (const Error& error) {
+        return report(error.code, error.message.c_str());
+    } catch (const std::bad_alloc&) {
+        return report(AGAA_ERROR_OUT_OF_MEMORY, "host memory is exhausted.");
+    } catch (...) {
+        return report(AGAA_ERROR_INTERNAL, "an unexpected internal failure.");
+    }
+}
+
+// Two-call convention: without an array writes the count; with one copies at most *count elements.
+template <typename Container, typename Element>
+AgaaResult writeArray(const Container& source, uint32_t* count, Element* destination) {
+    require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
+    const uint32_t available = uint32_t(source.size());
+    if (!destination) {
+        *count = available;
+        return AGAA_OK;
+    }
+    if (*count < available)
+        fail(AGAA_ERROR_BUFFER_TOO_SMALL,
+             format("the array holds %u elements where %u are needed.", *count, available));
+    for (uint32_t i = 0; i < available; ++i)
+        destination[i] = source[i];
+    *count = available;
+    return AGAA_OK;
+}
+
+} // namespace agaa

@@ -1,0 +1,37 @@
+// Errors inside the library: thrown as values, turned into result codes at the ABI (api_guard.h).
+#pragma once
+
+#include "agaa_sdk.h"
+
+#include <cstdarg>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace agaa {
+
+struct Error {
+    AgaaResult code;
+    std::string message; // one sentence
+};
+
+// printf formatting keeps call sites short and needs no locale.
+[[gnu::format(printf, 1, 2)]] inline std::string format(const char* pattern, ...) {
+    va_list arguments;
+    va_start(arguments, pattern);
+    char text[1024];
+    std::vsnprintf(text, sizeof text, pattern, arguments);
+    va_end(arguments);
+    return text;
+}
+
+[[noreturn]] inline void fail(AgaaResult code, std::string message) {
+    throw Error{code, std::move(message)};
+}
+
+inline void require(bool condition, AgaaResult code, const char* message) {
+    if (!condition)
+        fail(code, message);
+}
+
+} // namespace agaa

@@ -1,0 +1,65 @@
+#include "core/frame_data.h"
+
+#include "core/sample_patterns.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace agaa {
+
+FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame) {
+    FrameConstants out{};
+    std::memcpy(out.view, frame.view, sizeof out.view);
+    const float* p = frame.projection;
+    // One step of the stored depth: absolute for fixed point, relative for float (half an ulp at 1).
+    const float quantum = plan.depthFormat == Format::D24S8 ? std::ldexp(1.0f, -24) : std::ldexp(1.0f, -24);
+    const float projection[8] = {p[0],  p[5],  p[8],                   p[9],
+                                 p[10], p[14], p[15] == 1.0f ? 1.0f : 0.0f, quantum};
+    std::memcpy(out.projection, projection, sizeof projection);
+    out.size[0] = plan.width;
+    out.size[1] = plan.height;
+    out.size[2] = frame.lightCount;
+    out.size[3] = frame.background[3] == 0.0f;
+    out.cluster[0] = plan.config.characteristicLength;
+    out.cluster[1] = plan.config.characteristicLengthPerDistance;
+    out.cluster[2] = plan.config.aggregateThreshold;
+    std::memcpy(out.ambient, frame.ambient, sizeof frame.ambient);
+    out.ambient[3] = plan.layout.emissiveRange();
+    std::memcpy(out.background, frame.background, sizeof frame.background);
+    const auto positions = samplePositions(plan.hwSamples, plan.scaleX, plan.scaleY);
+    for (size_t i = 0; i < positions.size(); ++i) {
+        out.samples[i][0] = positions[i].x;
+        out.samples[i][1] = positions[i].y;
+    }
+    return out;
+}
+
+void writeLights(const AgaaFrame& frame, void* destination) {
+    auto* shadows = static_cast<GpuShadow*>(destination);
+    for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i) {
+        GpuShadow shadow{};
+        if (i < frame.shadowCount) {
+            std::memcpy(shadow.matrices, frame.shadows[i].matrices, sizeof shadow.matrices);
+            shadow.bias = frame.shadows[i].depthBias;
+            shadow.layerCount = frame.shadows[i].layerCount;
+        }
+        std::memcpy(&shadows[i], &shadow, sizeof shadow);
+    }
+    auto* lights = reinterpret_cast<GpuLight*>(shadows + AGAA_MAX_SHADOW_MAPS);
+    for (uint32_t i = 0; i < frame.lightCount; ++i) {
+        const AgaaLight& source = frame.lights[i];
+        GpuLight light{};
+        std::memcpy(light.position, source.position, sizeof light.position);
+        light.range = source.range;
+        std::memcpy(light.direction, source.direction, sizeof light.direction);
+        light.type = source.type;
+        std::memcpy(light.color, source.color, sizeof light.color);
+        light.shadowMap = source.shadowMap;
+        light.cosInner = source.cosInner;
+        light.cosOuter = source.cosOuter;
+        std::memcpy(&lights[i], &light, sizeof light);
+    }
+}
+
+} // namespace agaa

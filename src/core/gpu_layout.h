@@ -1,0 +1,60 @@
+// Buffers shared with shaders, byte for byte (src/shaders/passes/frame.glsl, std140 and std430).
+#pragma once
+
+#include "agaa_sdk.h"
+
+#include <cstdint>
+
+namespace agaa {
+
+struct FrameConstants {
+    float view[16];        // shading to view space, a rotation
+    float projection[8];   // p00, p11, p20, p21; p22, p32, orthographic, depth quantum
+    uint32_t size[4];      // width, height, light count, background comes from the output
+    float cluster[4];      // k, k per distance, t, 0
+    float ambient[4];      // rgb, emissive range
+    float background[4];
+    float samples[32][4];  // xy in the pixel, [0;1]
+};
+static_assert(sizeof(FrameConstants) == 64 + 32 + 16 * 4 + 512);
+
+struct GpuShadow {
+    float matrices[AGAA_MAX_SHADOW_LAYERS][16];
+    float bias;
+    uint32_t layerCount;
+    uint32_t padding[2];
+};
+
+struct GpuLight {
+    float position[3];
+    float range;
+    float direction[3];
+    uint32_t type;
+    float color[3];
+    uint32_t shadowMap;
+    float cosInner, cosOuter;
+    float padding[2];
+};
+static_assert(sizeof(GpuLight) == 64);
+
+inline uint64_t lightBufferBytes(uint32_t maxLights) {
+    return AGAA_MAX_SHADOW_MAPS * sizeof(GpuShadow) + uint64_t(maxLights ? maxLights : 1) * sizeof(GpuLight);
+}
+
+// Each count as two words, low first; maxEvents is one word.
+struct CounterBuffer {
+    uint32_t visible[2];
+    uint32_t once[2];
+    uint32_t missed[2];
+    uint32_t written[2]; // more than `once`: some samples were written twice
+    uint32_t ties[2];
+    uint32_t sanitised[2];
+    uint32_t shadingEvents[2];
+    uint32_t shadowTaps[2];
+    uint32_t widenedLobes[2];
+    uint32_t shadedPixels[2];
+    uint32_t maxEvents;
+    uint32_t padding;
+};
+
+} // namespace agaa

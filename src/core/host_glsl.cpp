@@ -1,0 +1,144 @@
+#include "core/host_glsl.h"
+
+#include "core/embedded.h"
+#include "core/error.h"
+
+#include <set>
+
+namespace agaa {
+
+namespace {
+
+// Text of a file with its #include lines replaced, each file once.
+void appendExpanded(std::string& out, const std::string& path, std::set<std::string>& seen) {
+    if (!seen.insert(path).second)
+        return;
+    const std::string_view text = embeddedGlsl(path);
+    if (text.empty())
+        fail(AGAA_ERROR_INTERNAL, "the shader text " + path + " is not in the library.");
+    const std::string folder = path.substr(0, path.find('/') + 1);
+    size_t begin = 0;
+    while (begin < text.size()) {
+        const size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = text.substr(begin, end - begin);
+        if (line.starts_with("#include \"")) {
+            std::string name(line.substr(10, line.find('"', 10) - 10));
+            appendExpanded(out, name.find('/') == std::string::npos ? folder + name : name, seen);
+        } else {
+            out += line;
+            out += '\n';
+        }
+        begin = end + 1;
+    }
+}
+
+void define(std::string& out, const char* name, uint32_t value) {
+    out += format("#define %s %uu\n", name, value);
+}
+
+// Preprocessor conditions cannot hold a `u` suffix in every compiler's eyes, so switches are plain.
+void defineSwitch(std::string& out, const char* name, uint32_t value) {
+    out += format("#define %s %u\n", name, value);
+}
+
+constexpr const char* channelValues[ChannelCount] = {
+    "d.x", "d.y", "d.z", "s.x", "s.y", "s.z", "n.x", "n.y", "n.z", "alpha2", "e.x", "e.y", "e.z"};
+
+// Writes every channel that the layout has into its field.
+std::string putFields(const Constants& constants) {
+    std::string out = "void agaa_putField(inout uint words[AGAA_WORDS], uint field, float value);\n"
+                      "void agaa_putFields(inout uint words[AGAA_WORDS], vec3 d, vec3 s, vec3 n, "
+                      "float alpha2, vec3 e) {\n";
+    for (uint32_t i = 0; i < ChannelCount; ++i) {
+        const uint32_t field = constants[AGAA_FIELD_DIFFUSE_R + i];
+        if (field >> 16)
+            out += format("    agaa_putField(words, %uu, %s);\n", field, channelValues[i]);
+    }
+    return out + "}\n";
+}
+
+std::string storeAttachments(const Plan& plan, const Pass& pass) {
+    std::string out;
+    for (size_t i = 0; i < pass.colorTargets.size(); ++i)
+        out += format("layout(location = %zu) out vec4 agaa_out%zu;\n", i, i);
+    out += "void agaa_store(float c[13]) {\n";
+    for (size_t i = 0; i < pass.colorTargets.size(); ++i) {
+        std::string components[4] = {"0.0", "0.0", "0.0", "0.0"};
+        for (uint32_t channel = 0; channel < ChannelCount; ++channel) {
+            const uint32_t field = pass.constants[AGAA_FIELD_DIFFUSE_R + channel];
+            if (field >> 16 && (field & 0xFF) == i)
+                components[field >> 8 & 0xFF] = format("c[%u]", channel);
+        }
+        out += format("    agaa_out%zu = vec4(%s, %s, %s, %s);\n", i, components[0].c_str(),
+                      components[1].c_str(), components[2].c_str(), components[3].c_str());
+    }
+    (void)plan;
+    return out + "}\n";
+}
+
+std::string defines(const Plan& plan, const Pass& pass, uint32_t descriptorSet) {
+    std::string out;
+    const Constants& c = pass.constants;
+    defineSwitch(out, "AGAA_SET", descriptorSet);
+    defineSwitch(out, "AGAA_PASS", pass.drawPass);
+    defineSwitch(out, "AGAA_NEEDS_MATERIAL", pass.drawPass != AGAA_DRAW_PASS_VISIBILITY);
+    defineSwitch(out, "AGAA_SAMPLES", plan.samples);
+    defineSwitch(out, "AGAA_HW_SAMPLES", plan.hwSamples);
+    define(out, "AGAA_SCALE_X", plan.scaleX);
+    define(out, "AGAA_SCALE_Y", plan.scaleY);
+    defineSwitch(out, "AGAA_AGGREGATES", std::max(plan.aggregates, 1u));
+    defineSwitch(out, "AGAA_COUNTING", c[AGAA_COUNTERS]);
+    defineSwitch(out, "AGAA_PER_SAMPLE", pass.drawState.sampleShading);
+    defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE", !pass.extensions.empty());
+    defineSwitch(out, "AGAA_FIRST_SAMPLE_ROUTING",
+                 (plan.config.flags & AGAA_CONFIG_FIRST_SAMPLE_ROUTING) != 0);
+    define(out, "AGAA_EMISSIVE_CHANNELS", c[AGAA_EMISSIVE_CHANNELS]);
+    out += format("#define AGAA_EMISSIVE_RANGE %.9g\n", double(plan.layout.emissiveRange()));
+    if (out.back() == '\n' && plan.layout.emissiveRange() == float(int(plan.layout.emissiveRange())))
+        out.insert(out.size() - 1, ".0");
+    if (pass.drawPass == AGAA_DRAW_PASS_AGGREGATE) {
+        defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
+        define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
+        defineSwitch(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
+        defineSwitch(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
+    }
+    if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
+        define(out, "AGAA_FIELD_NORMAL_X", c[AGAA_FIELD_NORMAL_X]);
+    return out;
+}
+
+} // namespace
+
+std::string hostExtensions(const Plan&, const Pass& pass) {
+    return pass.extensions.empty() ? "" : "#extension GL_ARB_post_depth_coverage : require\n";
+}
+
+std::string hostDeclarations(const Plan& plan, const Pass& pass, uint32_t descriptorSet) {
+    std::set<std::string> seen;
+    std::string out = "#ifndef AGAA_ALPHA_MASKED\n#define AGAA_ALPHA_MASKED 0\n#endif\n";
+    out += defines(plan, pass, descriptorSet);
+    for (const char* path : {"passes/frame.glsl", "math/sanitise.glsl", "math/encoding.glsl",
+                             "math/ndf.glsl", "math/depth.glsl", "host/surface.glsl"})
+        appendExpanded(out, path, seen);
+    if (pass.constants[AGAA_COUNTERS])
+        out += "layout(std430, set = AGAA_SET, binding = 3) buffer agaa_CounterBlock {\n"
+               "    uint words[22];\n} agaa_counterBuffer;\n";
+    switch (pass.drawPass) {
+    case AGAA_DRAW_PASS_VISIBILITY:
+        appendExpanded(out, "host/visibility.glsl", seen);
+        break;
+    case AGAA_DRAW_PASS_GBUFFER:
+        out += storeAttachments(plan, pass);
+        appendExpanded(out, "host/gbuffer.glsl", seen);
+        break;
+    case AGAA_DRAW_PASS_AGGREGATE:
+        out += putFields(pass.constants);
+        appendExpanded(out, "host/aggregate.glsl", seen);
+        break;
+    default:
+        fail(AGAA_ERROR_INTERNAL, "a draw pass of unknown kind.");
+    }
+    return out;
+}
+
+} // namespace agaa

@@ -1,0 +1,240 @@
+#include "core/layout.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace agaa {
+
+// 0 in aggregateBits stands for "as many as a 16-bit sum holds": 16 - log2(n).
+static constexpr uint32_t bitsOfHalfWord = 0;
+
+static AgaaLayout makeLayout(std::initializer_list<AgaaLayoutAttribute> attributes) {
+    AgaaLayout layout{};
+    layout.sType = AGAA_STRUCTURE_TYPE_LAYOUT;
+    layout.structSize = sizeof(AgaaLayout);
+    for (const AgaaLayoutAttribute& attribute : attributes)
+        layout.attributes[layout.attributeCount++] = attribute;
+    return layout;
+}
+
+AgaaLayout builtinLayout(const char* name) {
+    if (std::strcmp(name, "paper16") == 0)
+        return makeLayout({
+            {AGAA_SEMANTIC_NORMAL, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 1, 0},
+            {AGAA_SEMANTIC_DIFFUSE, 3, 8, 10, 0, AGAA_ENCODING_UNORM, 1, 0},
+            {AGAA_SEMANTIC_EMISSIVE, 1, 8, 8, 0, AGAA_ENCODING_UNORM, 16, 0},
+            {AGAA_SEMANTIC_SPECULAR, 3, 8, 16, 8, AGAA_ENCODING_YCBCR, 1, 0},
+            {AGAA_SEMANTIC_ROUGHNESS, 1, 8, 0, 0, AGAA_ENCODING_FOLDED, 1, 0},
+        });
+    if (std::strcmp(name, "precise") == 0)
+        return makeLayout({
+            {AGAA_SEMANTIC_DIFFUSE, 3, 16, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, 0},
+            {AGAA_SEMANTIC_ROUGHNESS, 1, 16, 16, 0, AGAA_ENCODING_UNORM, 1, 0},
+            {AGAA_SEMANTIC_NORMAL, 3, 16, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, 0},
+            {AGAA_SEMANTIC_SPECULAR, 3, 10, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, 0},
+            {AGAA_SEMANTIC_EMISSIVE, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 16, 0},
+        });
+    fail(AGAA_ERROR_LAYOUT, format("no built-in layout is called \"%.64s\".", name));
+}
+
+static const char* semanticName(uint32_t semantic) {
+    static constexpr const char* names[] = {"diffuse", "specular", "normal", "roughness",
+                                            "emissive"};
+    return semantic < AGAA_SEMANTIC_COUNT ? names[semantic] : "unknown";
+}
+
+static void checkAttribute(const AgaaLayoutAttribute& a) {
+    const auto bad = [&](const char* what) {
+        fail(AGAA_ERROR_LAYOUT, format("layout attribute %s: %s.", semanticName(a.semantic), what));
+    };
+    const bool isRoughness = a.semantic == AGAA_SEMANTIC_ROUGHNESS;
+    const bool isEmissive = a.semantic == AGAA_SEMANTIC_EMISSIVE;
+    if (!(a.channels == (isRoughness ? 1u : 3u) || (isEmissive && a.channels == 1)))
+        bad("wrong number of channels");
+    if (a.sampleBits != 8 && a.sampleBits != 10 && a.sampleBits != 16)
+        bad("sampleBits is not 8, 10 or 16");
+    if (a.semantic == AGAA_SEMANTIC_NORMAL && a.sampleBits == 10)
+        bad("two octahedral components do not pack into 10-bit channels; use 8 or 16");
+    if ((a.sampleBits == 10) && a.channels != 3)
+        bad("10-bit channels come in threes");
+    if (a.reserved)
+        bad("reserved is not 0");
+    if (!(a.range > 0 && a.range <= 65504.0f) || (!isEmissive && a.range != 1))
+        bad("range must be 1, or (0;65504] for emissive");
+    if (a.encoding == AGAA_ENCODING_FOLDED) {
+        if (!isRoughness)
+            bad("only roughness can be folded into the normal");
+        return;
+    }
+    if (a.encoding > AGAA_ENCODING_YCBCR)
+        bad("its encoding is not known");
+    if (a.encoding == AGAA_ENCODING_YCBCR) {
+        if (a.semantic != AGAA_SEMANTIC_SPECULAR)
+            bad("only specular can be encoded as luma and chroma");
+        if (a.chromaBits < 6 || a.chromaBits > 16)
+            bad("chromaBits is outside [6;16]");
+    }
+    if (a.aggregateBits != bitsOfHalfWord && (a.aggregateBits < 6 || a.aggregateBits > 16))
+        bad("aggregateBits is neither 0 (fill 16-bit sums) nor in [6;16]");
+}
+
+Layout checkLayout(const AgaaLayout* pointer) {
+    const AgaaLayout source = pointer ? *pointer : builtinLayout("precise");
+    if (source.sType != AGAA_STRUCTURE_TYPE_LAYOUT || source.structSize != sizeof(AgaaLayout))
+        fail(AGAA_ERROR_STRUCT, "AgaaLayout has a wrong sType or structSize.");
+    if (source.pNext)
+        fail(AGAA_ERROR_UNKNOWN_STRUCT, "no struct may be chained to AgaaLayout.");
+    if (source.attributeCount > AGAA_MAX_LAYOUT_ATTRIBUTES)
+        fail(AGAA_ERROR_LAYOUT, "AgaaLayout has more attributes than there are semantics.");
+    Layout layout;
+    for (uint32_t i = 0; i < source.attributeCount; ++i) {
+        const AgaaLayoutAttribute& attribute = source.attributes[i];
+        if (attribute.semantic >= AGAA_SEMANTIC_COUNT)
+            fail(AGAA_ERROR_LAYOUT, "AgaaLayout has an attribute of unknown semantic.");
+        if (layout.attributes[attribute.semantic].channels)
+            fail(AGAA_ERROR_LAYOUT,
+                 format("AgaaLayout names %s twice.", semanticName(attribute.semantic)));
+        checkAttribute(attribute);
+        layout.attributes[attribute.semantic] = attribute;
+    }
+    if (!layout.has(AGAA_SEMANTIC_DIFFUSE) || !layout.has(AGAA_SEMANTIC_NORMAL))
+        fail(AGAA_ERROR_LAYOUT, "AgaaLayout has no diffuse or no normal attribute.");
+    packGBuffer(layout); // throws where the samples do not fit the attachments
+    return layout;
+}
+
+Layout reduceLayout(Layout layout, uint64_t factFlags) {
+    if (!(factFlags & AGAA_FACT_SPECULAR)) {
+        layout.attributes[AGAA_SEMANTIC_SPECULAR] = {};
+        layout.attributes[AGAA_SEMANTIC_ROUGHNESS] = {};
+    }
+    if (!(factFlags & AGAA_FACT_EMISSIVE))
+        layout.attributes[AGAA_SEMANTIC_EMISSIVE] = {};
+    return layout;
+}
+
+static constexpr uint32_t firstChannel[] = {ChannelDiffuseR, ChannelSpecularR, ChannelNormalX,
+                                            ChannelRoughness, ChannelEmissiveR};
+
+AggregatePacking packAggregate(const Layout& layout, uint32_t samples) {
+    const uint32_t growth = uint32_t(std::countr_zero(samples));
+    AggregatePacking packing;
+    struct Piece {
+        uint32_t bits; // in the word, growth included
+        Field* field;
+    };
+    std::vector<Piece> pieces;
+    for (uint32_t semantic = 0; semantic < AGAA_SEMANTIC_COUNT; ++semantic) {
+        const AgaaLayoutAttribute& a = layout.attributes[semantic];
+        if (a.encoding == AGAA_ENCODING_FOLDED)
+            continue;
+        for (uint32_t i = 0; i < a.channels; ++i) {
+            const bool isChroma = a.encoding == AGAA_ENCODING_YCBCR && i > 0;
+            const uint32_t bits = isChroma                             ? a.chromaBits
+                                  : a.aggregateBits == bitsOfHalfWord ? 16 - growth
+                                                                      : a.aggregateBits;
+            Field& field = packing.fields[firstChannel[semantic] + i];
+            field.bits = bits;
+            pieces.push_back({bits + growth, &field});
+        }
+    }
+    packing.coverage.bits = samples;
+    pieces.push_back({samples, &packing.coverage});
+    // First fit, longest first: few enough pieces that nothing better is needed.
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const Piece& a, const Piece& b) { return a.bits > b.bits; });
+    std::vector<uint32_t> used;
+    for (const Piece& piece : pieces) {
+        auto word = std::find_if(used.begin(), used.end(),
+                                 [&](uint32_t bits) { return bits + piece.bits <= 32; });
+        if (word == used.end())
+            word = used.insert(used.end(), 0);
+        piece.field->word = uint32_t(word - used.begin());
+        piece.field->shift = *word;
+        *word += piece.bits;
+    }
+    packing.words = uint32_t(used.size());
+    return packing;
+}
+
+static Format attachmentFormat(uint32_t bits, uint32_t components) {
+    if (bits == 10)
+        return Format::RGB10A2;
+    const bool wide = bits == 16;
+    switch (components) {
+    case 1:
+        return wide ? Format::R16 : Format::R8;
+    case 2:
+        return wide ? Format::RG16 : Format::RG8;
+    default:
+        return wide ? Format::RGBA16 : Format::RGBA8;
+    }
+}
+
+GBufferPacking packGBuffer(const Layout& layout) {
+    GBufferPacking packing;
+    for (uint32_t bits : {16u, 8u, 10u}) {
+        const uint32_t capacity = bits == 10 ? 3 : 4;
+        uint32_t component = capacity; // of the attachment being filled
+        const auto close = [&] {
+            if (!packing.attachments.empty() && component < capacity &&
+                packing.attachments.back() == Format::None)
+                packing.attachments.back() = attachmentFormat(bits, component);
+        };
+        for (uint32_t semantic = 0; semantic < AGAA_SEMANTIC_COUNT; ++semantic) {
+            const AgaaLayoutAttribute& a = layout.attributes[semantic];
+            if (!a.channels || a.sampleBits != bits)
+                continue;
+            const uint32_t channels = semantic == AGAA_SEMANTIC_NORMAL ? 2 : a.channels;
+            for (uint32_t i = 0; i < channels; ++i) {
+                if (component == capacity) {
+                    packing.attachments.push_back(Format::None);
+                    component = 0;
+                }
+                packing.fields[firstChannel[semantic] + i] = {
+                    uint32_t(packing.attachments.size() - 1), component, bits};
+                if (++component == capacity)
+                    packing.attachments.back() = attachmentFormat(bits, capacity);
+            }
+        }
+        close();
+    }
+    if (packing.attachments.size() > 4)
+        fail(AGAA_ERROR_LAYOUT, format("the layout needs %zu colour attachments; 4 are the most.",
+                                       packing.attachments.size()));
+    return packing;
+}
+
+std::vector<NativeSurface> packNativeAggregate(const Layout& layout) {
+    std::vector<NativeSurface> surfaces;
+    const auto rgb = [](uint32_t bits) { return bits <= 8    ? Format::RGBA8
+                                                : bits <= 10 ? Format::RGB10A2
+                                                             : Format::RGB16; };
+    const auto add = [&](AgaaSemantic semantic, const char* name) {
+        const AgaaLayoutAttribute& a = layout[semantic];
+        if (!a.channels || a.encoding == AGAA_ENCODING_FOLDED)
+            return;
+        const uint32_t bits = a.aggregateBits == bitsOfHalfWord ? 16 : a.aggregateBits;
+        if (a.encoding == AGAA_ENCODING_YCBCR) {
+            surfaces.push_back({"aggregate-specular-luma", bits <= 8 ? Format::R8 : Format::R16});
+            surfaces.push_back(
+                {"aggregate-specular-chroma", a.chromaBits <= 8 ? Format::RG8 : Format::RG16});
+        } else if (a.channels == 1) {
+            surfaces.push_back({name, bits <= 8 ? Format::R8 : Format::R16});
+        } else {
+            surfaces.push_back({name, rgb(bits)});
+        }
+    };
+    add(AGAA_SEMANTIC_NORMAL, "aggregate-normal");
+    add(AGAA_SEMANTIC_DIFFUSE, "aggregate-diffuse");
+    add(AGAA_SEMANTIC_SPECULAR, "aggregate-specular");
+    add(AGAA_SEMANTIC_EMISSIVE, "aggregate-emissive");
+    add(AGAA_SEMANTIC_ROUGHNESS, "aggregate-roughness");
+    return surfaces;
+}
+
+} // namespace agaa

@@ -1,0 +1,93 @@
+// G-buffer layouts and how they are packed: into attachments of a multisampled G-buffer, and into the
+// 32-bit words that integer atomics sum fragments of an aggregate in.
+#pragma once
+
+#include "agaa_sdk.h"
+#include "core/format.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace agaa {
+
+// Channels that a shader reads and writes. Order is that of the specialisation constants.
+enum Channel : uint32_t {
+    ChannelDiffuseR,
+    ChannelDiffuseG,
+    ChannelDiffuseB,
+    ChannelSpecularR, // or Y'
+    ChannelSpecularG, // or Cb
+    ChannelSpecularB, // or Cr
+    ChannelNormalX,
+    ChannelNormalY,
+    ChannelNormalZ,
+    ChannelRoughness,
+    ChannelEmissiveR,
+    ChannelEmissiveG,
+    ChannelEmissiveB,
+    ChannelCount
+};
+
+// Where a channel lies. bits == 0: absent. As a shader constant: word | shift << 8 | bits << 16.
+struct Field {
+    uint32_t word = 0;  // or attachment
+    uint32_t shift = 0; // or component
+    uint32_t bits = 0;  // of one fragment's value
+
+    uint32_t constant() const { return word | shift << 8 | bits << 16; }
+};
+using Fields = std::array<Field, ChannelCount>;
+
+// A validated layout: attributes by semantic; absent ones have channels == 0.
+struct Layout {
+    std::array<AgaaLayoutAttribute, AGAA_SEMANTIC_COUNT> attributes{};
+
+    const AgaaLayoutAttribute& operator[](AgaaSemantic semantic) const {
+        return attributes[semantic];
+    }
+    bool has(AgaaSemantic semantic) const { return attributes[semantic].channels != 0; }
+    bool foldsRoughness() const {
+        return has(AGAA_SEMANTIC_ROUGHNESS) &&
+               attributes[AGAA_SEMANTIC_ROUGHNESS].encoding == AGAA_ENCODING_FOLDED;
+    }
+    bool specularIsYCbCr() const {
+        return has(AGAA_SEMANTIC_SPECULAR) &&
+               attributes[AGAA_SEMANTIC_SPECULAR].encoding == AGAA_ENCODING_YCBCR;
+    }
+    float emissiveRange() const {
+        return has(AGAA_SEMANTIC_EMISSIVE) ? attributes[AGAA_SEMANTIC_EMISSIVE].range : 1.0f;
+    }
+};
+
+// Throws AGAA_ERROR_LAYOUT with the reason where the layout is not valid. null: "precise".
+Layout checkLayout(const AgaaLayout* layout);
+AgaaLayout builtinLayout(const char* name); // throws for unknown names
+// Without the attributes that the scene does not call for.
+Layout reduceLayout(Layout layout, uint64_t factFlags);
+
+// Sums of n fragments in 32-bit words. A field has bits + log2(n) bits, so that n values of full scale
+// do not carry into the next (hard case 36); a coverage mask of n bits is one more field.
+struct AggregatePacking {
+    uint32_t words = 0;
+    Fields fields;
+    Field coverage; // bits == n
+    uint32_t bytes() const { return 4 * words; }
+};
+AggregatePacking packAggregate(const Layout& layout, uint32_t samples);
+
+struct GBufferPacking {
+    std::vector<Format> attachments; // at most 4
+    Fields fields;                   // NormalX and NormalY hold the octahedral code
+};
+GBufferPacking packGBuffer(const Layout& layout);
+
+// The paper's surfaces of one aggregate (figure 7), for native additive blending.
+struct NativeSurface {
+    const char* name;
+    Format format;
+};
+std::vector<NativeSurface> packNativeAggregate(const Layout& layout);
+
+} // namespace agaa

@@ -1,0 +1,88 @@
+#include "core/plan.h"
+
+#include "core/checked.h"
+
+#include <algorithm>
+
+namespace agaa {
+
+uint64_t Plan::totalBytes() const {
+    uint64_t total = 0;
+    for (const Resource& resource : resources)
+        if (resource.isPerPixel())
+            total = checkedAdd(total, resource.bytes);
+    return total;
+}
+
+uint64_t Plan::constantBytes() const {
+    uint64_t total = 0;
+    for (const Resource& resource : resources)
+        if (!resource.isPerPixel() && !resource.isHosts())
+            total = checkedAdd(total, checkedMultiply(resource.bytes, resource.copies));
+    return total;
+}
+
+uint64_t Plan::peakBytes() const {
+    std::vector<ArenaBlock> blocks;
+    for (const Resource& resource : resources)
+        if (resource.isPerPixel())
+            blocks.push_back({resource.bytes, 1, resource.firstPass, resource.lastPass, 0});
+    if (config.flags & AGAA_CONFIG_READBACK)
+        return totalBytes();
+    return placeBlocks(blocks);
+}
+
+uint32_t Plan::geometryPasses() const {
+    return uint32_t(std::count_if(passes.begin(), passes.end(), [](const Pass& pass) {
+        return pass.kind == PassKind::HostDraw;
+    }));
+}
+
+uint64_t placeBlocks(std::vector<ArenaBlock>& blocks) {
+    // Largest first, each at the lowest offset that no block alive at the same time covers.
+    std::vector<size_t> order(blocks.size());
+    for (size_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return blocks[a].size > blocks[b].size; });
+    uint64_t height = 0;
+    for (size_t i = 0; i < order.size(); ++i) {
+        ArenaBlock& block = blocks[order[i]];
+        std::vector<const ArenaBlock*> neighbours;
+        for (size_t j = 0; j < i; ++j) {
+            const ArenaBlock& other = blocks[order[j]];
+            if (other.firstPass <= block.lastPass && block.firstPass <= other.lastPass)
+                neighbours.push_back(&other);
+        }
+        std::sort(neighbours.begin(), neighbours.end(),
+                  [](const ArenaBlock* a, const ArenaBlock* b) { return a->offset < b->offset; });
+        block.offset = 0;
+        for (const ArenaBlock* other : neighbours) {
+            if (checkedAdd(block.offset, block.size) <= other->offset)
+                break;
+            block.offset = std::max(block.offset, alignUp(checkedAdd(other->offset, other->size),
+                                                          block.alignment));
+        }
+        height = std::max(height, checkedAdd(block.offset, block.size));
+    }
+    return height;
+}
+
+uint64_t hostPassKey(const Plan& plan, const Pass& pass) {
+    // FNV-1a over everything a host's shaders and pipelines depend on.
+    uint64_t key = 1469598103934665603ull;
+    const auto mix = [&](const void* data, size_t size) {
+        for (size_t i = 0; i < size; ++i)
+            key = (key ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
+    };
+    const auto mixValue = [&](auto value) { mix(&value, sizeof value); };
+    mixValue(uint32_t(pass.drawPass));
+    mix(&pass.drawState, sizeof pass.drawState);
+    mix(pass.hostDefines.data(), pass.hostDefines.size());
+    for (ResourceId target : pass.colorTargets)
+        mixValue(uint32_t(plan.resources[target].format));
+    mixValue(uint32_t(plan.resources[pass.depthTarget].format));
+    return key;
+}
+
+} // namespace agaa

@@ -1,0 +1,142 @@
+// A frame as a value: resources and passes. Executors run it, memory is accounted from it, tests read
+// it. It knows no graphics API; executors know no technique.
+#pragma once
+
+#include "agaa_sdk.h"
+#include "core/format.h"
+#include "core/layout.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace agaa {
+
+// Specialisation constants by name; see src/shaders/passes/constants.inc.
+enum Constant : uint32_t {
+#define AGAA_CONSTANT(id, name, value) name = id,
+#include "shaders/passes/constants.inc"
+#undef AGAA_CONSTANT
+    ConstantCount = 34
+};
+using Constants = std::array<uint32_t, ConstantCount>;
+
+using ResourceId = uint32_t;
+inline constexpr ResourceId noResource = ~0u;
+
+enum class ResourceKind {
+    Image,        // per pixel
+    Buffer,       // per pixel
+    SmallBuffer,  // device local, does not grow with the target
+    UploadBuffer, // written by the CPU, one per frame in flight
+    ReadbackBuffer, // read by the CPU, one per frame in flight
+    Output,       // the host's image
+    ShadowMap,    // the host's, sampled with comparison
+};
+
+struct Resource {
+    std::string name;
+    ResourceKind kind = ResourceKind::Image;
+    Format format = Format::None;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    uint32_t samples = 1;
+    uint32_t layers = 1;
+    uint64_t bytes = 0;      // payload of one copy
+    uint32_t copies = 1;     // frames in flight for uploads and read-back
+    uint32_t firstPass = 0;  // lifetime, by index into Plan::passes
+    uint32_t lastPass = 0;
+
+    bool isPerPixel() const { return kind == ResourceKind::Image || kind == ResourceKind::Buffer; }
+    bool isHosts() const { return kind == ResourceKind::Output || kind == ResourceKind::ShadowMap; }
+};
+
+enum class BindingType {
+    UniformBuffer,
+    StorageBuffer,
+    Texture,       // fetched by texel
+    StorageImage,
+    ShadowTexture, // 2D array, compared
+};
+
+struct Binding {
+    uint32_t slot = 0;
+    BindingType type = BindingType::Texture;
+    ResourceId resource = noResource;
+    bool writes = false;
+};
+
+enum class PassKind { HostDraw, Compute, Fill, Copy };
+
+struct Pass {
+    std::string name;
+    AgaaStage stage = AGAA_STAGE_OTHER;
+    PassKind kind = PassKind::Compute;
+    uint64_t segment = AGAA_SEGMENT_SHADING;
+    std::vector<Binding> bindings;
+    std::vector<std::string> extensions; // that the pass relies on
+
+    // Compute: one invocation per pixel, 8 x 8 a group.
+    std::string shader;
+    bool multisampled = false; // variant for targets with more than one sample a texel
+    Constants constants{};
+
+    // HostDraw
+    AgaaDrawPassId drawPass = AGAA_DRAW_PASS_VISIBILITY;
+    AgaaDrawState drawState{};
+    std::vector<ResourceId> colorTargets;
+    ResourceId depthTarget = noResource;
+    bool clear = false; // targets: colour 0, depth far, stencil 0
+    std::string hostDefines; // GLSL, before the host declarations
+
+    // Fill (with zero), Copy
+    ResourceId source = noResource;
+    ResourceId destination = noResource;
+};
+
+struct Plan {
+    std::string technique;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    uint32_t samples = 1;
+    uint32_t aggregates = 0; // 0 where nothing is aggregated
+    uint32_t hwSamples = 1;
+    uint32_t scaleX = 1;
+    uint32_t scaleY = 1;
+    AgaaTier visibilityTier = AGAA_TIER_NATIVE;
+    AgaaTier generationTier = AGAA_TIER_AUTO;
+    std::vector<std::string> notes; // why a tier or a format was chosen
+    std::vector<std::string> effects; // that run
+    AgaaConfig config{};
+    AgaaSceneFacts facts{};
+    Layout layout;
+    bool reversedZ = false;
+    Format depthFormat = Format::None;
+    std::vector<Resource> resources;
+    std::vector<Pass> passes;
+    uint32_t bytesPerAggregate = 0;
+    bool runnable = true; // false: a model to be priced, not to be run
+
+    uint64_t totalBytes() const;    // per-pixel payload
+    uint64_t constantBytes() const;
+    uint64_t peakBytes() const;     // per-pixel payload with disjoint lifetimes aliased
+    double bytesPerPixel() const { return double(totalBytes()) / (double(width) * height); }
+    uint32_t geometryPasses() const;
+};
+
+// Offsets for blocks of given size, alignment and lifetime so that blocks of disjoint lifetimes may
+// share memory; returns the height of the arena.
+struct ArenaBlock {
+    uint64_t size = 0;
+    uint64_t alignment = 1;
+    uint32_t firstPass = 0;
+    uint32_t lastPass = 0;
+    uint64_t offset = 0; // out
+};
+uint64_t placeBlocks(std::vector<ArenaBlock>& blocks);
+
+std::string planToJson(const Plan& plan);
+uint64_t hostPassKey(const Plan& plan, const Pass& pass);
+
+} // namespace agaa

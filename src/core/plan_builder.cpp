@@ -1,0 +1,319 @@
+#include "core/plan_builder.h"
+
+#include "core/checked.h"
+#include "core/gpu_layout.h"
+#include "core/validate.h"
+
+#include <algorithm>
+
+namespace agaa {
+
+PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
+                         uint32_t framesInFlight)
+    : caps_(caps), framesInFlight_(framesInFlight) {
+    plan.width = view.width;
+    plan.height = view.height;
+    plan.reversedZ = view.flags & AGAA_VIEW_REVERSED_Z;
+    plan.config = checkConfig(view.config);
+    plan.facts = checkFacts(view.facts);
+    plan.layout = reduceLayout(checkLayout(plan.config.layout), plan.facts.flags);
+    plan.config.layout = nullptr; // the host's pointer does not outlive the call
+    const Technique& technique = *findTechnique(plan.config.technique);
+    plan.config.technique = technique.name; // static storage
+    plan.technique = technique.name;
+    if (!technique.multisampled)
+        plan.config.samples = 1;
+    plan.samples = plan.config.samples;
+    plan.aggregates =
+        technique.aggregates ? std::min(plan.config.aggregates, plan.samples) : 0;
+    chooseVisibilityTier();
+    if (technique.aggregates) {
+        const GenerationChoice choice =
+            chooseGeneration(caps_, plan.hwSamples, plan.config.generationTier);
+        if (choice.tier == AGAA_TIER_AUTO)
+            fail(AGAA_ERROR_UNSUPPORTED, "generation cannot run: " + choice.reason);
+        plan.generationTier = choice.tier;
+        plan.runnable = plan.runnable && choice.runnable;
+        note("generation: " + choice.reason);
+        if (hasFact(AGAA_FACT_CUSTOM_DEPTH))
+            fail(AGAA_ERROR_UNSUPPORTED,
+                 "materials that write depth or discard on their own need the gbuffer tier, which "
+                 "this version has only in the techniques \"single\" and \"ssaa\".");
+    }
+    setConstants();
+    frame_ = add({.name = "frame-constants",
+                  .kind = ResourceKind::UploadBuffer,
+                  .format = Format::Buffer,
+                  .bytes = sizeof(FrameConstants),
+                  .copies = framesInFlight});
+    lights_ = add({.name = "lights",
+                   .kind = ResourceKind::UploadBuffer,
+                   .format = Format::Buffer,
+                   .bytes = lightBufferBytes(plan.facts.maxLights),
+                   .copies = framesInFlight});
+    if (counts()) {
+        counters_ = add({.name = "counters",
+                         .kind = ResourceKind::SmallBuffer,
+                         .format = Format::Buffer,
+                         .bytes = sizeof(CounterBuffer)});
+        fill("clear counters", AGAA_STAGE_OTHER, counters_, AGAA_SEGMENT_PREPASS);
+    }
+}
+
+void PlanBuilder::chooseVisibilityTier() {
+    const VisibilityChoice choice =
+        chooseVisibility(caps_, plan.samples, plan.config.visibilityTier);
+    if (choice.tier == AGAA_TIER_AUTO)
+        fail(AGAA_ERROR_UNSUPPORTED, "visibility cannot run: " + choice.reason);
+    plan.visibilityTier = choice.tier;
+    plan.hwSamples = choice.hwSamples;
+    plan.scaleX = choice.scaleX;
+    plan.scaleY = choice.scaleY;
+    note("visibility: " + choice.reason);
+}
+
+void setFields(Constants& constants, const Fields& fields) {
+    static_assert(AGAA_FIELD_EMISSIVE_B - AGAA_FIELD_DIFFUSE_R + 1 == ChannelCount);
+    for (uint32_t i = 0; i < ChannelCount; ++i)
+        constants[AGAA_FIELD_DIFFUSE_R + i] = fields[i].constant();
+}
+
+void PlanBuilder::setConstants() {
+    const AgaaConfig& config = plan.config;
+    Constants& c = constants_;
+    c[AGAA_SAMPLES] = plan.samples;
+    c[AGAA_HW_SAMPLES] = plan.hwSamples;
+    c[AGAA_SCALE_X] = plan.scaleX;
+    c[AGAA_SCALE_Y] = plan.scaleY;
+    c[AGAA_AGGREGATES] = std::max(plan.aggregates, 1u);
+    c[AGAA_BRDF] = config.brdf;
+    c[AGAA_NDF] = config.ndf;
+    c[AGAA_FILTER_DIFFUSE] = !(config.flags & AGAA_CONFIG_NO_DIFFUSE_FILTER);
+    c[AGAA_SHADOW_MAPS] = plan.facts.shadowMapCount;
+    // Eight taps at n = 8 are every sample of the pixel, so that visibility is exact; at higher n
+    // eight of an aggregate's samples still span it.
+    c[AGAA_SHADOW_TAPS] = config.shadowTaps ? config.shadowTaps : 8;
+    c[AGAA_SHADOW_FILTER] = config.flags & AGAA_CONFIG_NO_SHADOW_FILTER      ? 0
+                            : config.flags & AGAA_CONFIG_SHADOW_ALONG_DEPTH ? 2
+                                                                            : 1;
+    c[AGAA_COUNTERS] = counts();
+    c[AGAA_SEEDS] = config.seeds;
+    c[AGAA_EMISSIVE_CHANNELS] = plan.layout[AGAA_SEMANTIC_EMISSIVE].channels;
+    c[AGAA_HAS_SPECULAR] = plan.layout.has(AGAA_SEMANTIC_SPECULAR);
+    c[AGAA_HAS_AMBIENT] = hasFact(AGAA_FACT_AMBIENT);
+    c[AGAA_SHADING_COST] = config.shadingCost;
+}
+
+ResourceId PlanBuilder::add(Resource resource) {
+    plan.resources.push_back(std::move(resource));
+    return ResourceId(plan.resources.size() - 1);
+}
+
+ResourceId PlanBuilder::image(std::string name, Format format, bool atTargetRate) {
+    Resource r;
+    r.name = std::move(name);
+    r.format = format;
+    r.width = atTargetRate ? uint32_t(std::min<uint64_t>(uint64_t(plan.width) * plan.scaleX, ~0u))
+                           : plan.width;
+    r.height = atTargetRate
+                   ? uint32_t(std::min<uint64_t>(uint64_t(plan.height) * plan.scaleY, ~0u))
+                   : plan.height;
+    r.samples = atTargetRate ? plan.hwSamples : 1;
+    r.bytes = checkedMultiply(checkedMultiply(uint64_t(r.width) * r.height, r.samples),
+                              bytesPerTexel(format));
+    return add(std::move(r));
+}
+
+ResourceId PlanBuilder::modelSurface(std::string name, Format format, uint32_t samples) {
+    const ResourceId id = image(std::move(name), format, false);
+    plan.resources[id].samples = samples;
+    plan.resources[id].bytes = checkedMultiply(plan.resources[id].bytes, samples);
+    return id;
+}
+
+ResourceId PlanBuilder::pixelBuffer(std::string name, uint64_t bytesPerPixel) {
+    Resource r;
+    r.name = std::move(name);
+    r.kind = ResourceKind::Buffer;
+    r.format = Format::Buffer;
+    r.width = plan.width;
+    r.height = plan.height;
+    r.bytes = checkedMultiply(uint64_t(plan.width) * plan.height, bytesPerPixel);
+    return add(std::move(r));
+}
+
+ResourceId PlanBuilder::depth(bool needsStencil) {
+    const bool d24 = caps_.flags & AGAA_DEVICE_D24S8;
+    const bool d32s8 = caps_.flags & AGAA_DEVICE_D32S8;
+    if (plan.reversedZ) {
+        plan.depthFormat = needsStencil && d32s8 ? Format::D32S8 : Format::D32;
+        note(format("depth: %s, 4 bytes%s, because reversed z wants a float format.",
+                    formatName(plan.depthFormat),
+                    plan.depthFormat == Format::D32S8 ? " and 1 for stencil" : ""));
+    } else if (d24) {
+        plan.depthFormat = Format::D24S8;
+        note("depth: D24_UNORM_S8_UINT, 4 bytes with stencil.");
+    } else {
+        plan.depthFormat = needsStencil && d32s8 ? Format::D32S8 : Format::D32;
+        note(format("depth: %s, because the device has no D24_UNORM_S8_UINT.",
+                    formatName(plan.depthFormat)));
+    }
+    return image("depth", plan.depthFormat, true);
+}
+
+Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass,
+                            uint64_t segment) {
+    Pass pass;
+    pass.name = std::move(name);
+    pass.stage = stage;
+    pass.kind = PassKind::HostDraw;
+    pass.segment = segment;
+    pass.drawPass = drawPass;
+    pass.drawState.samples = plan.hwSamples;
+    pass.drawState.colorWriteMask = 0xF;
+    pass.constants = constants_;
+    plan.passes.push_back(std::move(pass));
+    bind(plan.passes.back(), host_slot::Frame, BindingType::UniformBuffer, frame_);
+    return plan.passes.back();
+}
+
+Pass& PlanBuilder::compute(std::string name, AgaaStage stage, std::string shader,
+                           uint64_t segment) {
+    Pass pass;
+    pass.name = std::move(name);
+    pass.stage = stage;
+    pass.shader = std::move(shader);
+    pass.segment = segment;
+    pass.multisampled = plan.hwSamples > 1;
+    pass.constants = constants_;
+    plan.passes.push_back(std::move(pass));
+    return plan.passes.back();
+}
+
+Pass& PlanBuilder::fill(std::string name, AgaaStage stage, ResourceId destination,
+                        uint64_t segment) {
+    Pass pass;
+    pass.name = std::move(name);
+    pass.stage = stage;
+    pass.kind = PassKind::Fill;
+    pass.segment = segment;
+    pass.destination = destination;
+    plan.passes.push_back(std::move(pass));
+    return plan.passes.back();
+}
+
+void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
+                       bool writes) {
+    pass.bindings.push_back({slot, type, resource, writes});
+}
+
+void PlanBuilder::bindCommon(Pass& pass) {
+    const bool host = pass.kind == PassKind::HostDraw;
+    if (!host)
+        bind(pass, slot::Frame, BindingType::UniformBuffer, frame_);
+    if (counts())
+        bind(pass, host ? uint32_t(host_slot::Counters) : uint32_t(slot::Counters),
+             BindingType::StorageBuffer, counters_, true);
+}
+
+void PlanBuilder::bindLighting(Pass& pass) {
+    bind(pass, slot::Lights, BindingType::StorageBuffer, lights_);
+    output_ = add({.name = "output", .kind = ResourceKind::Output, .width = plan.width,
+                   .height = plan.height});
+    bind(pass, slot::Output, BindingType::StorageImage, output_, true);
+    for (uint32_t i = 0; i < plan.facts.shadowMapCount; ++i) {
+        shadows_.push_back(
+            add({.name = format("shadow-map-%u", i), .kind = ResourceKind::ShadowMap}));
+        bind(pass, slot::Shadow0 + i, BindingType::ShadowTexture, shadows_.back());
+    }
+    if (plan.layout.has(AGAA_SEMANTIC_SPECULAR))
+        effect("specular");
+    if (plan.layout.has(AGAA_SEMANTIC_EMISSIVE))
+        effect("emissive");
+    if (hasFact(AGAA_FACT_AMBIENT))
+        effect("ambient");
+    if (hasFact(AGAA_FACT_ALPHA_MASKED))
+        effect("alpha-mask");
+    if (plan.facts.shadowMapCount)
+        effect("shadows");
+    if (plan.aggregates) {
+        if (plan.facts.shadowMapCount && constants_[AGAA_SHADOW_FILTER])
+            effect("shadow-filter");
+        if (constants_[AGAA_FILTER_DIFFUSE])
+            effect("filtered-diffuse");
+        if (constants_[AGAA_NDF] && plan.layout.has(AGAA_SEMANTIC_SPECULAR))
+            effect("ndf-widening");
+    }
+}
+
+void PlanBuilder::copyCounters() {
+    if (!counts())
+        return;
+    const ResourceId readback = add({.name = "counters-readback",
+                                     .kind = ResourceKind::ReadbackBuffer,
+                                     .format = Format::Buffer,
+                                     .bytes = sizeof(CounterBuffer),
+                                     .copies = framesInFlight_});
+    Pass pass;
+    pass.name = "read counters";
+    pass.kind = PassKind::Copy;
+    pass.segment = AGAA_SEGMENT_SHADING;
+    pass.source = counters_;
+    pass.destination = readback;
+    plan.passes.push_back(std::move(pass));
+}
+
+void PlanBuilder::findLifetimes() {
+    for (Resource& resource : plan.resources) {
+        resource.firstPass = ~0u;
+        resource.lastPass = 0;
+    }
+    for (uint32_t i = 0; i < plan.passes.size(); ++i) {
+        const auto use = [&](ResourceId id) {
+            if (id == noResource)
+                return;
+            Resource& resource = plan.resources[id];
+            resource.firstPass = std::min(resource.firstPass, i);
+            resource.lastPass = std::max(resource.lastPass, i);
+        };
+        const Pass& pass = plan.passes[i];
+        for (const Binding& binding : pass.bindings)
+            use(binding.resource);
+        for (ResourceId target : pass.colorTargets)
+            use(target);
+        use(pass.depthTarget);
+        use(pass.source);
+        use(pass.destination);
+    }
+    for (Resource& resource : plan.resources)
+        if (resource.firstPass == ~0u) { // a model's surface that no pass of ours names
+            resource.firstPass = 0;
+            resource.lastPass = plan.passes.empty() ? 0 : uint32_t(plan.passes.size() - 1);
+        }
+}
+
+void PlanBuilder::checkLimits() const {
+    for (const Resource& r : plan.resources) {
+        if (r.kind == ResourceKind::Image &&
+            (r.width > caps_.maxImageSize || r.height > caps_.maxImageSize))
+            fail(AGAA_ERROR_TOO_LARGE,
+                 format("%s would be %ux%u texels; the device allows %u. Ask for fewer samples or a "
+                        "smaller view.",
+                        r.name.c_str(), r.width, r.height, caps_.maxImageSize));
+        if (r.kind == ResourceKind::Buffer && r.bytes > caps_.maxStorageRange)
+            fail(AGAA_ERROR_TOO_LARGE,
+                 format("%s would take %llu bytes; the device allows %llu in one storage buffer. Ask "
+                        "for fewer aggregates or a smaller view.",
+                        r.name.c_str(), static_cast<unsigned long long>(r.bytes),
+                        static_cast<unsigned long long>(caps_.maxStorageRange)));
+    }
+    plan.totalBytes(); // throws where the sum overflows
+}
+
+Plan PlanBuilder::finish() {
+    findLifetimes();
+    checkLimits();
+    return std::move(plan);
+}
+
+} // namespace agaa

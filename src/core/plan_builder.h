@@ -1,0 +1,84 @@
+// What technique files write plans with: resources and passes by name, sizes checked.
+#pragma once
+
+#include "core/planner.h"
+#include "core/tiers.h"
+
+namespace agaa {
+
+// Binding slots of the SDK's compute passes (src/shaders/passes/bindings.glsl).
+namespace slot {
+enum : uint32_t {
+    Frame = 0,
+    Lights = 1,
+    Counters = 2,
+    Depth = 3,
+    Surface0 = 4, // normals or G-buffer attachments
+    Metadata = 8,
+    MetadataOut = 9,
+    Aggregates = 10,
+    Output = 11,
+    Shadow0 = 12,
+};
+}
+// Binding slots of the set that hosts bind (src/shaders/host/).
+namespace host_slot {
+enum : uint32_t { Frame = 0, Metadata = 1, Aggregates = 2, Counters = 3 };
+}
+
+class PlanBuilder {
+public:
+    PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight);
+
+    Plan finish(); // lifetimes, limits
+
+    const AgaaConfig& config() const { return plan.config; }
+    const AgaaDeviceCaps& caps() const { return caps_; }
+    bool counts() const { return plan.config.flags & AGAA_CONFIG_COUNTERS; }
+    bool hasFact(uint64_t fact) const { return plan.facts.flags & fact; }
+
+    // One texel a pixel, or with atTargetRate the scaled, multisampled target.
+    ResourceId image(std::string name, Format format, bool atTargetRate);
+    ResourceId pixelBuffer(std::string name, uint64_t bytesPerPixel);
+    ResourceId modelSurface(std::string name, Format format, uint32_t samples);
+
+    // The depth target; needsStencil only where the plan tests it.
+    ResourceId depth(bool needsStencil);
+
+    Pass& hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment);
+    Pass& compute(std::string name, AgaaStage stage, std::string shader, uint64_t segment);
+    Pass& fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment);
+
+    void bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
+              bool writes = false);
+    // Frame constants and, where counted, counters.
+    void bindCommon(Pass& pass);
+    // Lights, shadow maps and output of a pass that shades.
+    void bindLighting(Pass& pass);
+    void copyCounters();
+    void effect(const char* name) { plan.effects.push_back(name); }
+    void note(std::string text) { plan.notes.push_back(std::move(text)); }
+
+    Plan plan;
+
+private:
+    void chooseVisibilityTier();
+    void setConstants();
+    void checkLimits() const;
+    void findLifetimes();
+    ResourceId add(Resource resource);
+
+    AgaaDeviceCaps caps_;
+    Constants constants_{};
+    ResourceId frame_ = noResource;
+    ResourceId lights_ = noResource;
+    ResourceId counters_ = noResource;
+    ResourceId output_ = noResource;
+    std::vector<ResourceId> shadows_;
+    uint32_t framesInFlight_;
+};
+
+// Fields of a packing as specialisation constants.
+void setFields(Constants& constants, const Fields& fields);
+
+} // namespace agaa

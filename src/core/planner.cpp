@@ -1,0 +1,34 @@
+#include "core/planner.h"
+
+#include "core/plan_builder.h"
+#include "core/validate.h"
+
+namespace agaa {
+
+const Technique* findTechnique(std::string_view name) {
+    for (const Technique* technique : techniques())
+        if (name == technique->name)
+            return technique;
+    return nullptr;
+}
+
+AgaaDeviceCaps idealDevice() {
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    caps.sampleCounts = 0x3F;
+    caps.maxImageSize = 1u << 20;
+    caps.maxStorageRange = UINT64_C(1) << 48;
+    caps.flags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS |
+                 AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_DYNAMIC_RENDERING |
+                 AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_NV_MIXED_SAMPLES | AGAA_DEVICE_D24S8 |
+                 AGAA_DEVICE_D32S8;
+    return caps;
+}
+
+Plan makePlan(const AgaaViewDesc& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
+    checkViewDesc(&view);
+    PlanBuilder builder(view, caps, framesInFlight);
+    findTechnique(builder.plan.technique)->build(builder);
+    return builder.finish();
+}
+
+} // namespace agaa

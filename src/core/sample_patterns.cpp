@@ -1,0 +1,43 @@
+#include "core/sample_patterns.h"
+
+namespace agaa {
+
+// Vulkan's standard sample locations (also those of Direct3D), in sixteenths of a pixel.
+static const uint8_t (*standardPattern(uint32_t samples))[2] {
+    static constexpr uint8_t one[][2] = {{8, 8}};
+    static constexpr uint8_t two[][2] = {{12, 12}, {4, 4}};
+    static constexpr uint8_t four[][2] = {{6, 2}, {14, 6}, {2, 10}, {10, 14}};
+    static constexpr uint8_t eight[][2] = {{9, 5}, {7, 11}, {13, 9},  {5, 3},
+                                           {3, 13}, {1, 7},  {11, 15}, {15, 1}};
+    static constexpr uint8_t sixteen[][2] = {{9, 9},  {7, 5},   {5, 10},  {12, 7},
+                                             {3, 6},  {10, 13}, {13, 11}, {11, 3},
+                                             {6, 14}, {8, 1},   {4, 2},   {2, 12},
+                                             {0, 8},  {15, 4},  {14, 15}, {1, 0}};
+    switch (samples) {
+    case 2:
+        return two;
+    case 4:
+        return four;
+    case 8:
+        return eight;
+    case 16:
+        return sixteen;
+    default:
+        return one;
+    }
+}
+
+std::array<SamplePosition, 32> samplePositions(uint32_t hwSamples, uint32_t scaleX,
+                                               uint32_t scaleY) {
+    std::array<SamplePosition, 32> positions{};
+    const auto* pattern = standardPattern(hwSamples);
+    for (uint32_t i = 0; i < hwSamples * scaleX * scaleY && i < 32; ++i) {
+        const uint32_t group = i / hwSamples;
+        const uint8_t* at = pattern[i % hwSamples];
+        positions[i] = {(float(group % scaleX) + float(at[0]) / 16.0f) / float(scaleX),
+                        (float(group / scaleX) + float(at[1]) / 16.0f) / float(scaleY)};
+    }
+    return positions;
+}
+
+} // namespace agaa

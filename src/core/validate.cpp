@@ -1,0 +1,173 @@
+#include "core/validate.h"
+
+#include "core/planner.h"
+
+#include <bit>
+
+namespace agaa {
+
+void checkHeader(const void* structure, uint32_t sType, size_t structSize, const char* name) {
+    if (!structure)
+        fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is null.", name));
+    const auto* header = static_cast<const AgaaStructHeader*>(structure);
+    if (header->sType != sType)
+        fail(AGAA_ERROR_STRUCT, format("%s has sType %u where %u is expected; start from its _INIT.",
+                                       name, header->sType, sType));
+    if (header->structSize != structSize)
+        fail(AGAA_ERROR_STRUCT, format("%s has structSize %u where this library's is %zu.", name,
+                                       header->structSize, structSize));
+    for (const auto* next = static_cast<const AgaaStructHeader*>(header->pNext); next;
+         next = static_cast<const AgaaStructHeader*>(next->pNext))
+        if (!(next->sType & AGAA_STRUCTURE_TYPE_OPTIONAL_BIT))
+            fail(AGAA_ERROR_UNKNOWN_STRUCT,
+                 format("the chain of %s holds a struct of type %u, which is not known here.", name,
+                        next->sType));
+}
+
+void checkRange(double value, double low, double high, const char* name) {
+    if (!(value >= low && value <= high)) // false for NaN too
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("%s is %g, outside [%g;%g].", name, value, low, high));
+}
+
+void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name) {
+    if (value < low || value > high)
+        fail(AGAA_ERROR_OUT_OF_RANGE,
+             format("%s is %llu, outside [%llu;%llu].", name, static_cast<unsigned long long>(value),
+                    static_cast<unsigned long long>(low), static_cast<unsigned long long>(high)));
+}
+
+AgaaConfig checkConfig(const AgaaConfig* pointer) {
+    const AgaaConfig& config = checkStruct(pointer, AGAA_STRUCTURE_TYPE_CONFIG, "AgaaConfig");
+    require(config.technique, AGAA_ERROR_INVALID_ARGUMENT, "AgaaConfig::technique is null.");
+    if (!findTechnique(config.technique))
+        fail(AGAA_ERROR_UNSUPPORTED, format("no technique is called \"%.64s\".", config.technique));
+    if (config.samples < 1 || config.samples > 32 || !std::has_single_bit(config.samples))
+        fail(AGAA_ERROR_OUT_OF_RANGE,
+             format("AgaaConfig::samples is %u, not one of 1, 2, 4, 8, 16, 32.", config.samples));
+    checkRange(uint64_t(config.aggregates), 1, 4, "AgaaConfig::aggregates");
+    checkRange(uint64_t(config.brdf), 0, AGAA_BRDF_GGX, "AgaaConfig::brdf");
+    checkRange(uint64_t(config.ndf), 0, AGAA_NDF_TOKSVIG, "AgaaConfig::ndf");
+    checkRange(uint64_t(config.seeds), 0, AGAA_SEEDS_SUM_OF_SQUARES, "AgaaConfig::seeds");
+    checkRange(uint64_t(config.shadowTaps), 0, 32, "AgaaConfig::shadowTaps");
+    checkRange(uint64_t(config.shadingCost), 1, 64, "AgaaConfig::shadingCost");
+    checkFinite(config.characteristicLength, "AgaaConfig::characteristicLength");
+    checkRange(double(config.characteristicLength), 0.0, 3.4e38, "AgaaConfig::characteristicLength");
+    checkRange(double(config.characteristicLengthPerDistance), 0.0, 1.0,
+               "AgaaConfig::characteristicLengthPerDistance");
+    // k = 0 divides by zero in equation 1 (hard case 21).
+    require(config.characteristicLength > 0 || config.characteristicLengthPerDistance > 0,
+            AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaConfig::characteristicLength and its share per distance are both 0; k must be > 0.");
+    checkRange(double(config.aggregateThreshold), 0.0, 1e6, "AgaaConfig::aggregateThreshold");
+    constexpr uint64_t known = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK |
+                               AGAA_CONFIG_NO_DIFFUSE_FILTER | AGAA_CONFIG_NO_SHADOW_FILTER |
+                               AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_NO_STENCIL |
+                               AGAA_CONFIG_FIRST_SAMPLE_ROUTING;
+    require((config.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaConfig::flags has bits that are not known here.");
+    return config;
+}
+
+AgaaSceneFacts checkFacts(const AgaaSceneFacts* pointer) {
+    const AgaaSceneFacts& facts =
+        checkStruct(pointer, AGAA_STRUCTURE_TYPE_SCENE_FACTS, "AgaaSceneFacts");
+    checkRange(uint64_t(facts.maxLights), 0, 4096, "AgaaSceneFacts::maxLights");
+    checkRange(uint64_t(facts.shadowMapCount), 0, AGAA_MAX_SHADOW_MAPS,
+               "AgaaSceneFacts::shadowMapCount");
+    constexpr uint64_t known = AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH;
+    require((facts.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaSceneFacts::flags has bits that are not known here.");
+    return facts;
+}
+
+void checkViewDesc(const AgaaViewDesc* pointer) {
+    const AgaaViewDesc& desc = checkStruct(pointer, AGAA_STRUCTURE_TYPE_VIEW, "AgaaViewDesc");
+    require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaViewDesc has no pixels: width and height must be at least 1.");
+    require((desc.flags & ~AGAA_VIEW_REVERSED_Z) == 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaViewDesc::flags has bits that are not known here.");
+}
+
+static void checkMatrices(const AgaaFrame& frame) {
+    for (float element : frame.view)
+        checkFinite(element, "AgaaFrame::view");
+    for (float element : frame.projection)
+        checkFinite(element, "AgaaFrame::projection");
+    const float* v = frame.view;
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j) {
+            const float dot =
+                v[4 * i] * v[4 * j] + v[4 * i + 1] * v[4 * j + 1] + v[4 * i + 2] * v[4 * j + 2];
+            if (std::fabs(dot - (i == j ? 1.0f : 0.0f)) > 1e-3f)
+                fail(AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::view is not a rotation.");
+        }
+    if (v[12] != 0 || v[13] != 0 || v[14] != 0)
+        fail(AGAA_ERROR_OUT_OF_RANGE,
+             "AgaaFrame::view has a translation; shading space has its origin at the eye.");
+    const float* p = frame.projection;
+    const bool perspective = p[11] == -1.0f && p[15] == 0.0f;
+    const bool orthographic = p[11] == 0.0f && p[15] == 1.0f;
+    require(perspective || orthographic, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaFrame::projection is neither perspective (looking down -z) nor orthographic.");
+    require(p[0] != 0 && p[5] != 0 && (perspective ? p[14] : p[10]) != 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaFrame::projection is singular.");
+}
+
+static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCount) {
+    const auto bad = [&](const char* what) {
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("light %u: %s.", index, what));
+    };
+    if (light.type > AGAA_LIGHT_SPOT)
+        bad("its type is not known");
+    if (light.shadowMap != AGAA_NO_SHADOW && light.shadowMap >= shadowCount)
+        bad("its shadow map is not among the frame's shadows");
+    for (int i = 0; i < 3; ++i) {
+        if (!std::isfinite(light.position[i]) || !std::isfinite(light.direction[i]))
+            bad("its position or direction is not finite");
+        if (!(light.color[i] >= 0 && light.color[i] <= 1e30f))
+            bad("its colour is negative or not finite");
+    }
+    if (!(light.range >= 0 && light.range <= 1e30f))
+        bad("its range is negative or not finite");
+    if (light.type != AGAA_LIGHT_POINT) {
+        const float* d = light.direction;
+        if (std::fabs(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - 1.0f) > 1e-2f)
+            bad("its direction is not a unit vector");
+    }
+    if (light.type == AGAA_LIGHT_SPOT &&
+        !(light.cosInner >= light.cosOuter && light.cosOuter >= -1 && light.cosInner <= 1))
+        bad("its cone is not inner cosine >= outer cosine in [-1;1]");
+}
+
+void checkFrame(const AgaaFrame* pointer, const AgaaSceneFacts& facts) {
+    const AgaaFrame& frame = checkStruct(pointer, AGAA_STRUCTURE_TYPE_FRAME, "AgaaFrame");
+    require(frame.segments != 0 && (frame.segments & ~AGAA_SEGMENT_ALL) == 0,
+            AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::segments names no segment or an unknown one.");
+    require(frame.completedFrame < frame.frameIndex, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaFrame::completedFrame is not before frameIndex.");
+    require(frame.draw, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::draw is null.");
+    checkMatrices(frame);
+    checkRange(uint64_t(frame.lightCount), 0, facts.maxLights,
+               "AgaaFrame::lightCount (against AgaaSceneFacts::maxLights)");
+    checkRange(uint64_t(frame.shadowCount), 0, facts.shadowMapCount,
+               "AgaaFrame::shadowCount (against AgaaSceneFacts::shadowMapCount)");
+    require(!frame.lightCount || frame.lights, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaFrame::lights is null.");
+    require(!frame.shadowCount || frame.shadows, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaFrame::shadows is null.");
+    for (uint32_t i = 0; i < frame.lightCount; ++i)
+        checkLight(frame.lights[i], i, frame.shadowCount);
+    for (uint32_t i = 0; i < frame.shadowCount; ++i) {
+        checkRange(uint64_t(frame.shadows[i].layerCount), 1, AGAA_MAX_SHADOW_LAYERS,
+                   "AgaaShadow::layerCount");
+        checkRange(double(frame.shadows[i].depthBias), 0.0, 1.0, "AgaaShadow::depthBias");
+        for (uint32_t j = 0; j < 16 * frame.shadows[i].layerCount; ++j)
+            checkFinite(frame.shadows[i].matrices[0][j], "AgaaShadow::matrices");
+    }
+    for (float value : frame.ambient)
+        checkRange(double(value), 0.0, 65504.0, "AgaaFrame::ambient");
+    for (float value : frame.background)
+        checkRange(double(value), 0.0, 65504.0, "AgaaFrame::background");
+}
+
+} // namespace agaa

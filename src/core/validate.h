@@ -1,0 +1,35 @@
+// Checks of what a host passes in, before anything is recorded or changed.
+#pragma once
+
+#include "core/error.h"
+
+#include <cmath>
+#include <initializer_list>
+
+namespace agaa {
+
+// sType, structSize and the pNext chain. known: types that may be chained to this struct.
+void checkHeader(const void* structure, uint32_t sType, size_t structSize, const char* name);
+
+// Reads a versioned struct of the host: null is an error, its header is checked.
+template <typename Struct>
+const Struct& checkStruct(const Struct* structure, uint32_t sType, const char* name) {
+    checkHeader(structure, sType, sizeof(Struct), name);
+    return *structure;
+}
+
+inline void checkFinite(float value, const char* name) {
+    if (!std::isfinite(value))
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("%s is not finite.", name));
+}
+
+void checkRange(double value, double low, double high, const char* name);
+void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name);
+
+AgaaConfig checkConfig(const AgaaConfig* config);
+AgaaSceneFacts checkFacts(const AgaaSceneFacts* facts);
+void checkFrame(const AgaaFrame* frame, const AgaaSceneFacts& facts);
+// Name, chain and size of a view; the planner checks the rest against the device.
+void checkViewDesc(const AgaaViewDesc* desc);
+
+} // namespace agaa

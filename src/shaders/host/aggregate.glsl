@@ -1,0 +1,115 @@
+// Generation pass: a fragment's attributes are added to the aggregates that its visible samples belong
+// to, split exactly (AGAA algorithm 2). Sums are of integers, so that order does not matter.
+layout(early_fragment_tests) in;
+#if AGAA_POST_DEPTH_COVERAGE
+layout(post_depth_coverage) in;
+#endif
+#if AGAA_AGGREGATES > 1
+layout(set = AGAA_SET, binding = 1) uniform usampler2D agaa_metadata;
+#endif
+layout(std430, set = AGAA_SET, binding = 2) buffer agaa_AggregateBlock {
+    uint words[];
+} agaa_aggregates;
+
+// Samples of the pixel that this invocation stands for.
+uint agaa_fragmentMask(AgaaSurfaceInput s) {
+#if AGAA_HW_SAMPLES == 1
+    uint mask = 1u;
+#elif AGAA_PER_SAMPLE
+    uint mask = 1u << gl_SampleID;
+#else
+    uint mask = uint(gl_SampleMaskIn[0]);
+#endif
+#if AGAA_ALPHA_MASKED
+    mask &= agaa_alphaMask(s.alpha, s.primitiveSeed);
+#endif
+    return mask << (agaa_hostGroup() * AGAA_HW_SAMPLES);
+}
+
+// Samples of each aggregate, from the bit planes of their ids.
+uint agaa_samplesOf(uint aggregate, uvec2 planes) {
+    uint mask = (aggregate & 1u) != 0u ? planes.x : ~planes.x;
+    return mask & ((aggregate & 2u) != 0u ? planes.y : ~planes.y);
+}
+
+uvec2 agaa_readPlanes(uvec2 pixel) {
+#if AGAA_AGGREGATES > 1
+    uvec2 planes = texelFetch(agaa_metadata, ivec2(pixel), 0).xy;
+#if AGAA_AGGREGATES > 2 && AGAA_SAMPLES < 32
+    planes.y = planes.x >> AGAA_SAMPLES;
+#elif AGAA_AGGREGATES <= 2
+    planes.y = 0u;
+#endif
+    return planes;
+#else
+    return uvec2(0u);
+#endif
+}
+
+// One fragment's values in the words of an aggregate, to be multiplied by its number of samples.
+void agaa_putField(inout uint words[AGAA_WORDS], uint field, float value) {
+    words[field & 0xFFu] |= agaa_quantise(value, field >> 16) << (field >> 8 & 0xFFu);
+}
+
+void agaa_packSurface(AgaaSurfaceInput s, inout uint words[AGAA_WORDS]) {
+    vec3 n = s.normal;
+#if AGAA_FOLDED_ROUGHNESS
+    n *= agaa_foldedLength(s.alpha2);
+#endif
+    vec3 specular = s.specular;
+#if AGAA_YCBCR_SPECULAR
+    specular = agaa_rgbToYCbCr(specular);
+#endif
+    vec3 e = s.emissive / AGAA_EMISSIVE_RANGE;
+    if (AGAA_EMISSIVE_CHANNELS == 1u)
+        e.x = agaa_scalarEmissive(s);
+    agaa_putFields(words, s.diffuse, specular, n * 0.5 + 0.5, s.alpha2, e);
+}
+
+void agaa_emit(AgaaSurfaceInput s) {
+    uint mask = agaa_fragmentMask(s);
+    if (mask == 0u || gl_HelperInvocation)
+        return;
+    uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
+#if AGAA_COUNTING
+    if (bad != 0u)
+        atomicAdd(agaa_counterBuffer.words[10], 1u);
+#endif
+    uint words[AGAA_WORDS];
+    for (uint w = 0u; w < AGAA_WORDS; ++w)
+        words[w] = 0u;
+    agaa_packSurface(s, words);
+    uvec2 pixel = agaa_hostPixel();
+    uvec2 planes = agaa_readPlanes(pixel);
+    uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_WORDS);
+    const uint coverageShift = AGAA_FIELD_COVERAGE >> 8 & 0xFFu;
+#if AGAA_FIRST_SAMPLE_ROUTING
+    uint first = uint(findLSB(mask));
+    uint only = (planes.x >> first & 1u) | (planes.y >> first & 1u) << 1u;
+#endif
+    for (uint a = 0u; a < AGAA_AGGREGATES; ++a, base += AGAA_WORDS) {
+#if AGAA_FIRST_SAMPLE_ROUTING
+        uint own = a == only ? mask : 0u;
+#else
+        uint own = mask & agaa_samplesOf(a, planes);
+#endif
+        if (own == 0u)
+            continue;
+        // First come, first kept: coplanar duplicates must not count twice (hard case 25).
+        uint before = atomicOr(agaa_aggregates.words[base + (AGAA_FIELD_COVERAGE & 0xFFu)],
+                               own << coverageShift) >> coverageShift;
+        uint fresh = own & ~before;
+#if AGAA_COUNTING
+        if (fresh != own)
+            atomicAdd(agaa_counterBuffer.words[8], uint(bitCount(own & before)));
+        if (fresh != 0u)
+            atomicAdd(agaa_counterBuffer.words[6], uint(bitCount(fresh)));
+#endif
+        if (fresh == 0u)
+            continue;
+        uint count = uint(bitCount(fresh));
+        for (uint w = 0u; w < AGAA_WORDS; ++w)
+            if (words[w] != 0u)
+                atomicAdd(agaa_aggregates.words[base + w], words[w] * count);
+    }
+}

@@ -1,0 +1,104 @@
+// Reflectance lobes in forms that keep their digits in single precision.
+// Sources: AGAA (Crassin et al., TVCG 2016) sections 3.5.1 and 3.5.2; Walter et al. 2007 (GGX);
+// Heitz 2014, "Understanding the Masking-Shadowing Function" (height-correlated Smith); Schlick
+// 1994; Blinn 1977; hard cases 8 and 58; the rectified diffuse is item 4 of section 3 of the SDK's
+// accuracy measurements (a closed form of the mean of max(n.l, 0) over Toksvig's distribution).
+#ifndef AGAA_MATH_BRDF_GLSL
+#define AGAA_MATH_BRDF_GLSL
+#include "real.glsl"
+#include "ndf.glsl"
+
+// log(1 + x) without the cancellation of 1 + x near x = 0, for x > -1. The series of the inverse
+// hyperbolic tangent is used in the place of Kahan's (u-1) correction, which a compiler that may
+// reassociate turns into x.
+real agaa_log1p(real x) {
+    real result = real(0.0);
+    if (abs(x) < real(0.5)) {
+        const real z = x / (real(2.0) + x);
+        const real q = z * z;
+        real p = real(1.0) / real(17.0);
+        p = p * q + real(1.0) / real(15.0);
+        p = p * q + real(1.0) / real(13.0);
+        p = p * q + real(1.0) / real(11.0);
+        p = p * q + real(1.0) / real(9.0);
+        p = p * q + real(1.0) / real(7.0);
+        p = p * q + real(1.0) / real(5.0);
+        p = p * q + real(1.0) / real(3.0);
+        p = p * q + real(1.0);
+        result = real(2.0) * z * p;
+    } else {
+        result = log(max(real(1.0) + x, real(1e-37)));
+    }
+    return result;
+}
+
+// GGX from |n x h|^2: the textbook 1 - (n.h)^2 has no digits left for small alpha. The denominator
+// of unit vectors cannot fall below alpha2, so the maximum 1/(pi alpha2) is kept as a guard.
+real agaa_ggxD(real alpha2, real NoH, real NxH2) {
+    const real a2 = clamp(alpha2, agaa_minAlpha2(), real(1.0));
+    const real c = max(NoH, real(0.0));
+    const real d = max(max(NxH2, real(0.0)) + a2 * c * c, a2);
+    return a2 / (agaa_pi() * d * d);
+}
+
+// Height-correlated Smith visibility, G / (4 NoL NoV). Both cosines 0 give a large finite number.
+real agaa_ggxV(real alpha2, real NoV, real NoL) {
+    const real a2 = clamp(alpha2, agaa_minAlpha2(), real(1.0));
+    const real v = agaa_saturate(NoV);
+    const real l = agaa_saturate(NoL);
+    const real maskV = l * sqrt(a2 + (real(1.0) - a2) * v * v);
+    const real maskL = v * sqrt(a2 + (real(1.0) - a2) * l * l);
+    return real(0.5) / max(maskV + maskL, real(1e-7));
+}
+
+rvec3 agaa_fresnelSchlick(rvec3 f0, real VoH) {
+    const real m = real(1.0) - agaa_saturate(VoH);
+    const real m2 = m * m;
+    const real m5 = m2 * m2 * m;
+    return rvec3(f0.x + (real(1.0) - f0.x) * m5, f0.y + (real(1.0) - f0.y) * m5,
+                 f0.z + (real(1.0) - f0.z) * m5);
+}
+
+// The Blinn-Phong distribution (s+2)/(2 pi) (n.h)^s, which integrates to 1 against n.h. pow() of a
+// cosine near 1 loses everything at high exponents, so the logarithm comes from |n x h|^2 there and
+// from the cosine where that is small.
+real agaa_blinnPhong(real exponent, real NxH2, real NoH) {
+    const real s = max(exponent, real(0.0));
+    real d = real(0.0);
+    if (NoH > real(0.0)) {
+        real logCosine = real(0.0);
+        if (NxH2 < real(0.5)) {
+            logCosine = real(0.5) * agaa_log1p(-max(NxH2, real(0.0)));
+        } else {
+            logCosine = log(clamp(NoH, real(1e-30), real(1.0)));
+        }
+        // exp() flushes anyway below -87; the bound keeps its argument in the range it is exact in.
+        d = (s + real(2.0)) / (real(2.0) * agaa_pi()) * exp(max(s * logCosine, real(-80.0)));
+    }
+    return d;
+}
+
+// Mean of max(n.l, 0) over the normals of an aggregate, of which mean (NoL_mean = dot(Na, l), Na
+// not normalised), direction (noL_unit = dot(Na/|Na|, l)) and length are known. Exactly
+// max(NoL_mean, 0) at length 1.
+real agaa_rectifiedDiffuse(real NoL_mean, real noL_unit, real meanLength) {
+    const real len = agaa_saturate(meanLength);
+    const real u2 = min(noL_unit * noL_unit, real(1.0));
+    const real across = (real(1.0) - len) * (real(1.0) + len) * (real(1.0) - u2);
+    const real along = agaa_sq(real(1.0) - len) * u2;
+    // 0.6366 is 2/pi: at mu = 0 the result is the mean of a rectified Gaussian, s/sqrt(2 pi).
+    const real spread = real(0.63661977236758134) * real(0.5) * (across + along);
+    real d = max(NoL_mean, real(0.0));
+    if (spread > real(0.0)) {
+        const real root = sqrt(NoL_mean * NoL_mean + spread);
+        if (NoL_mean >= real(0.0)) {
+            d = real(0.5) * (NoL_mean + root);
+        } else {
+            // Same value; mu + root would cancel for a mean that faces away.
+            d = real(0.5) * spread / (root - NoL_mean);
+        }
+    }
+    return d;
+}
+
+#endif

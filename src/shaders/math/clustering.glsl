@@ -1,0 +1,233 @@
+// Aggregate definition: which samples of a pixel are shaded together.
+// Sources: AGAA (Crassin et al., TVCG 2016) section 3.3, Equation 1 and Algorithm 1, with these
+// corrections: seeds by maximin distance (the printed rule (e) picks existing seeds), a new aggregate
+// only farther than t from every earlier seed, ties broken by content, averages in integers; hard
+// cases 10, 18, 20 to 24, 29 and 30.
+//
+// The including file defines AGAA_MAX_SAMPLES (at most 32) and fills the agaa_sample* inputs. The
+// arrays are globals in GLSL and members of a struct in C++. Nothing here depends on the order of
+// the samples except the names of samples that are equal in content.
+#ifndef AGAA_MATH_CLUSTERING_GLSL
+#define AGAA_MATH_CLUSTERING_GLSL
+#include "real.glsl"
+#include "metadata.glsl"
+
+rvec3 agaa_samplePosition[AGAA_MAX_SAMPLES]; // view space, relative to anything
+rvec3 agaa_sampleNormal[AGAA_MAX_SAMPLES];   // unit
+uint agaa_sampleKeyA[AGAA_MAX_SAMPLES];      // depth key
+uint agaa_sampleKeyB[AGAA_MAX_SAMPLES];      // normal code and sub-pixel position key
+uint agaa_sampleAggregate[AGAA_MAX_SAMPLES]; // result; 0 for samples without geometry
+uint agaa_sampleNearest[AGAA_MAX_SAMPLES];   // quantised distance to the nearest seed so far
+uint agaa_seedSample[8];                     // sample that founded each aggregate
+
+// Distances are compared as multiples of 1/4096: finer than the 4e-4 below which the 8-bit normal
+// codes are noise, coarser than what two drivers' roundings differ by.
+real agaa_distanceScale() { return real(4096.0); }
+
+// The position term stops growing at 1000 k, so that its square times the scale fits 32 bits.
+real agaa_maxPositionTerm() { return real(1e6); }
+
+// 1/k^2 with k held in [1e-15, 1e15]: k of 0, negative or NaN counts as tiny, infinite as huge
+// (normals only). The API refuses such values; here they must only not do harm.
+real agaa_inverseK2(real k) {
+    real kk = real(1e-15);
+    if (k > kk) {
+        kk = min(k, real(1e15));
+    }
+    return real(1.0) / (kk * kk);
+}
+
+// Equation 1, with (1 - na.nb)/2 written as |na - nb|^2 / 4. For unit vectors both are the same, but
+// the difference is exactly 0 for equal normals and keeps its digits for similar ones.
+real agaa_sampleDistance(rvec3 pa, rvec3 pb, rvec3 na, rvec3 nb, real inverseK2) {
+    const rvec3 dx = pa - pb;
+    const rvec3 dn = na - nb;
+    return min(dot(dx, dx) * inverseK2, agaa_maxPositionTerm()) +
+           min(real(0.25) * dot(dn, dn), real(1.0));
+}
+
+uint agaa_quantiseDistance(real d) {
+    const real top = agaa_maxPositionTerm() + real(1.0);
+    return uint(clamp(d, real(0.0), top) * agaa_distanceScale() + real(0.5));
+}
+
+bool agaa_sampleIsCovered(uint covered, uint i) { return ((covered >> i) & 1u) != 0u; }
+
+// Content decides before position in the array does. Equal content means equal keys; then it does
+// not matter which of the two is taken, and the index makes the choice definite.
+bool agaa_contentPrecedes(uint a, uint b) {
+    bool precedes = a < b;
+    if (agaa_sampleKeyA[a] != agaa_sampleKeyA[b]) {
+        precedes = agaa_sampleKeyA[a] < agaa_sampleKeyA[b];
+    } else if (agaa_sampleKeyB[a] != agaa_sampleKeyB[b]) {
+        precedes = agaa_sampleKeyB[a] < agaa_sampleKeyB[b];
+    }
+    return precedes;
+}
+
+// True if sample i with value d beats the best so far.
+bool agaa_isFartherSample(uint i, uint d, uint best, uint bestDistance, bool haveBest) {
+    return !haveBest || d > bestDistance || (d == bestDistance && agaa_contentPrecedes(i, best));
+}
+
+uint agaa_quantisedSampleDistance(uint a, uint b, real inverseK2) {
+    return agaa_quantiseDistance(agaa_sampleDistance(agaa_samplePosition[a], agaa_samplePosition[b],
+                                                     agaa_sampleNormal[a], agaa_sampleNormal[b],
+                                                     inverseK2));
+}
+
+// Founds aggregate `id` at sample `seed`: moves every sample that is nearer to it than to its seed so
+// far and returns the sample that is then farthest from all seeds, the next candidate. A sample as
+// near to two seeds goes to the seed of lower content.
+uint agaa_addSeed(uint n, uint covered, uint id, uint seed, real inverseK2) {
+    agaa_seedSample[id] = seed;
+    uint best = seed;
+    uint bestDistance = 0u;
+    bool haveBest = false;
+    for (uint i = 0u; i < n; ++i) {
+        if (agaa_sampleIsCovered(covered, i)) {
+            const uint d = agaa_quantisedSampleDistance(i, seed, inverseK2);
+            bool moves = id == 0u || d < agaa_sampleNearest[i];
+            if (!moves && d == agaa_sampleNearest[i]) {
+                moves = agaa_contentPrecedes(seed, agaa_seedSample[agaa_sampleAggregate[i]]);
+            }
+            if (moves) {
+                agaa_sampleNearest[i] = d;
+                agaa_sampleAggregate[i] = id;
+            }
+            if (agaa_isFartherSample(i, agaa_sampleNearest[i], best, bestDistance, haveBest)) {
+                best = i;
+                bestDistance = agaa_sampleNearest[i];
+                haveBest = true;
+            }
+        }
+    }
+    return best;
+}
+
+// Rule (e) as printed: the sample with the largest sum of squared distances from all seeds. Equation
+// 1 is itself a squared distance (of position/k and half the normal), so its values are summed.
+uint agaa_literalCandidate(uint n, uint covered, uint seeds, real inverseK2) {
+    uint best = 0u;
+    uint bestSum = 0u;
+    bool haveBest = false;
+    for (uint i = 0u; i < n; ++i) {
+        if (agaa_sampleIsCovered(covered, i)) {
+            uint sum = 0u;
+            for (uint s = 0u; s < seeds; ++s) {
+                const uint d = agaa_quantisedSampleDistance(i, agaa_seedSample[s], inverseK2);
+                sum = min(sum, 0xFFFFFFFFu - d) + d;
+            }
+            if (agaa_isFartherSample(i, sum, best, bestSum, haveBest)) {
+                best = i;
+                bestSum = sum;
+                haveBest = true;
+            }
+        }
+    }
+    return best;
+}
+
+// Seed 0, the sample farthest from the average. Sums of floats depend on their order; offsets from
+// the lower corner of the bounding box, in integers of 2^-20 of its size, do not.
+uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real inverseK2) {
+    const real steps = real(1048576.0);
+    const real size = clamp(extent, real(1e-30), real(1e30));
+    const real scale = steps / size;
+    uint count = 0u;
+    uvec3 sumP = uvec3(0u, 0u, 0u);
+    uvec3 sumN = uvec3(0u, 0u, 0u);
+    for (uint i = 0u; i < n; ++i) {
+        if (agaa_sampleIsCovered(covered, i)) {
+            const rvec3 p = agaa_samplePosition[i] - lowest;
+            const rvec3 m = agaa_sampleNormal[i];
+            sumP.x += uint(clamp(p.x * scale, real(0.0), steps) + real(0.5));
+            sumP.y += uint(clamp(p.y * scale, real(0.0), steps) + real(0.5));
+            sumP.z += uint(clamp(p.z * scale, real(0.0), steps) + real(0.5));
+            sumN.x += uint((clamp(m.x, real(-1.0), real(1.0)) + real(1.0)) * steps + real(0.5));
+            sumN.y += uint((clamp(m.y, real(-1.0), real(1.0)) + real(1.0)) * steps + real(0.5));
+            sumN.z += uint((clamp(m.z, real(-1.0), real(1.0)) + real(1.0)) * steps + real(0.5));
+            count += 1u;
+        }
+    }
+    const real inverse = real(1.0) / (steps * real(max(count, 1u)));
+    const rvec3 meanP = rvec3(real(sumP.x), real(sumP.y), real(sumP.z)) * (inverse * size);
+    // The mean normal is left unnormalised: its distance is then the mean of the distances to all
+    // normals up to a constant, and there is no direction to invent where normals cancel.
+    const rvec3 meanN = rvec3(real(sumN.x) * inverse - real(1.0), real(sumN.y) * inverse - real(1.0),
+                              real(sumN.z) * inverse - real(1.0));
+    uint best = 0u;
+    uint bestDistance = 0u;
+    bool haveBest = false;
+    for (uint i = 0u; i < n; ++i) {
+        if (agaa_sampleIsCovered(covered, i)) {
+            const uint d = agaa_quantiseDistance(
+                agaa_sampleDistance(agaa_samplePosition[i] - lowest, meanP, agaa_sampleNormal[i],
+                                    meanN, inverseK2));
+            if (agaa_isFartherSample(i, d, best, bestDistance, haveBest)) {
+                best = i;
+                bestDistance = d;
+                haveBest = true;
+            }
+        }
+    }
+    return best;
+}
+
+// Partitions the covered samples into at most c (1 to 8) aggregates, whose number it returns; ids go
+// to agaa_sampleAggregate in the order of the seeds. `covered` has a bit for each sample with
+// geometry; t is the smallest distance of a new aggregate from the others; literalSeeds != 0 takes
+// the paper's rule (e) for the third and later seeds. O(n c), O(n c^2) for literal seeds.
+uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint literalSeeds) {
+    const uint samples = min(n, uint(AGAA_MAX_SAMPLES));
+    // A shift by 32 is undefined, hence the case distinction.
+    const uint present = samples < 32u ? covered & ((1u << samples) - 1u) : covered;
+    const uint limit = clamp(c, 1u, 8u);
+    rvec3 lowest = rvec3(real(0.0), real(0.0), real(0.0));
+    rvec3 highest = lowest;
+    rvec3 lowestNormal = lowest;
+    rvec3 highestNormal = lowest;
+    bool any = false;
+    for (uint i = 0u; i < samples; ++i) {
+        agaa_sampleAggregate[i] = 0u;
+        if (agaa_sampleIsCovered(present, i)) {
+            const rvec3 p = agaa_samplePosition[i];
+            const rvec3 m = agaa_sampleNormal[i];
+            lowest = any ? min(lowest, p) : p;
+            highest = any ? max(highest, p) : p;
+            lowestNormal = any ? min(lowestNormal, m) : m;
+            highestNormal = any ? max(highestNormal, m) : m;
+            any = true;
+        }
+    }
+    uint aggregates = any ? 1u : 0u;
+    if (any && limit > 1u) {
+        const real inverseK2 = agaa_inverseK2(k);
+        const uint threshold = agaa_quantiseDistance(max(t, real(0.0)));
+        // The short way: two samples are never farther apart than the corners of their bounding
+        // boxes. The margin covers the rounding of the distances that are not computed.
+        const real bound =
+            agaa_sampleDistance(lowest, highest, lowestNormal, highestNormal, inverseK2);
+        if (agaa_quantiseDistance(bound * real(1.00001)) > threshold) {
+            const rvec3 size = highest - lowest;
+            const real extent = max(size.x, max(size.y, size.z));
+            uint seed = agaa_firstSeed(samples, present, lowest, extent, inverseK2);
+            uint candidate = agaa_addSeed(samples, present, 0u, seed, inverseK2);
+            bool more = true;
+            for (uint id = 1u; id < limit && more; ++id) {
+                seed = candidate;
+                if (literalSeeds != 0u && id > 1u) {
+                    seed = agaa_literalCandidate(samples, present, id, inverseK2);
+                }
+                more = agaa_sampleNearest[seed] > threshold;
+                if (more) {
+                    candidate = agaa_addSeed(samples, present, id, seed, inverseK2);
+                    aggregates = id + 1u;
+                }
+            }
+        }
+    }
+    return aggregates;
+}
+
+#endif

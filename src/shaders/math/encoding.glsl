@@ -1,0 +1,165 @@
+// Fixed-point encodings of normals, colours and means.
+// Sources: AGAA (Crassin et al., TVCG 2016) section 3.2 and figure 7; Cigolle et al. 2014, "A Survey
+// of Efficient Representations for Independent Unit Vectors" (octahedral and hemi-octahedral maps);
+// Duff et al. 2017, "Building an Orthonormal Basis, Revisited"; hard cases 10, 11, 18, 32, 33.
+#ifndef AGAA_MATH_ENCODING_GLSL
+#define AGAA_MATH_ENCODING_GLSL
+#include "real.glsl"
+#include "sanitise.glsl"
+
+// ---- frame of a view ray ---------------------------------------------------------------------
+
+// Orthonormal t, b with cross(t, b) == v for unit v. No branch on a pole: the sign of v.z moves the
+// singularity away, so v.z == -1 is as exact as v.z == 1.
+void agaa_viewBasis(rvec3 v, OUT(rvec3) t, OUT(rvec3) b) {
+    const real s = v.z < real(0.0) ? real(-1.0) : real(1.0);
+    const real a = real(-1.0) / (s + v.z);
+    const real m = v.x * v.y * a;
+    t = rvec3(real(1.0) + s * v.x * v.x * a, s * m, -s * v.x);
+    b = rvec3(m, s + v.y * v.y * a, -v.y);
+}
+
+// ---- codes with an exact centre --------------------------------------------------------------
+
+// The largest code of a UNORM channel. Channels have 1 to 24 bits: more do not fit into a float.
+uint agaa_maxCode(uint bits) { return (1u << min(bits, 24u)) - 1u; }
+
+// Signed codes lie in 1..2^bits-1 around the centre 2^(bits-1): an odd number of codes, so that 0 is
+// represented exactly, and code 0 stays free to say "no geometry".
+uint agaa_signedCode(real v, uint bits) {
+    const uint centre = 1u << (clamp(bits, 2u, 24u) - 1u);
+    const real span = real(centre - 1u);
+    const real c = clamp(v, real(-1.0), real(1.0)) * span + real(0.5);
+    // floor() of a value in [-span + 0.5, span + 0.5], made non-negative before it becomes unsigned.
+    return uint(floor(c) + real(centre));
+}
+
+real agaa_fromSignedCode(uint code, uint bits) {
+    const uint centre = 1u << (clamp(bits, 2u, 24u) - 1u);
+    const real span = real(centre - 1u);
+    return clamp((real(code) - real(centre)) / span, real(-1.0), real(1.0));
+}
+
+// A vector scaled so that its largest component is 1, or +z if it has no direction. Scaling first
+// keeps sums of components away from overflow and underflow.
+rvec3 agaa_directionOrZ(rvec3 n) {
+    rvec3 result = rvec3(real(0.0), real(0.0), real(1.0));
+    if (agaa_isFinite3(n)) {
+        const real m = max(abs(n.x), max(abs(n.y), abs(n.z)));
+        if (m > real(1e-30)) {
+            result = rvec3(n.x / m, n.y / m, n.z / m);
+        }
+    }
+    return result;
+}
+
+// ---- hemi-octahedral, two times 8 bits -------------------------------------------------------
+
+// n in the frame whose +z points to the viewer. Below the horizon z is set to 0, which keeps the
+// azimuth and does not mirror the normal. Without a direction left the code is that of +z.
+uvec2 agaa_encodeHemiOct8(rvec3 n) {
+    const rvec3 d = agaa_directionOrZ(n);
+    const real z = max(d.z, real(0.0));
+    const real s = abs(d.x) + abs(d.y) + z;
+    uvec2 code = uvec2(128u, 128u);
+    if (s > real(1e-30)) {
+        const real px = d.x / s;
+        const real py = d.y / s;
+        code = uvec2(agaa_signedCode(px + py, 8u), agaa_signedCode(px - py, 8u));
+    }
+    return code;
+}
+
+rvec3 agaa_decodeHemiOct8(uvec2 code) {
+    const real u = agaa_fromSignedCode(code.x, 8u);
+    const real v = agaa_fromSignedCode(code.y, 8u);
+    const real x = (u + v) * real(0.5);
+    const real y = (u - v) * real(0.5);
+    // |x| + |y| == max(|u|, |v|), so z never comes out negative by rounding.
+    const real z = real(1.0) - max(abs(u), abs(v));
+    return normalize(rvec3(x, y, z));
+}
+
+// ---- octahedral, full sphere -----------------------------------------------------------------
+
+// The value to store in two UNORM channels of `bits` bits each (2 to 16). Neither is ever code 0.
+rvec2 agaa_encodeOct(rvec3 n, uint bits) {
+    const rvec3 d = agaa_directionOrZ(n);
+    const real s = abs(d.x) + abs(d.y) + abs(d.z);
+    const real px = d.x / s;
+    const real py = d.y / s;
+    real x = px;
+    real y = py;
+    if (d.z < real(0.0)) {
+        // The lower half folds outwards over the diagonals; a component of 0 counts as positive.
+        x = (real(1.0) - abs(py)) * (px < real(0.0) ? real(-1.0) : real(1.0));
+        y = (real(1.0) - abs(px)) * (py < real(0.0) ? real(-1.0) : real(1.0));
+    }
+    const real top = real(agaa_maxCode(bits));
+    return rvec2(real(agaa_signedCode(x, bits)) / top, real(agaa_signedCode(y, bits)) / top);
+}
+
+rvec3 agaa_decodeOct(rvec2 u, uint bits) {
+    const real top = real(agaa_maxCode(bits));
+    // The channel returns code/top with rounding of its own; going back to the code removes it.
+    const real cx = agaa_saturate(u.x) * top + real(0.5);
+    const real cy = agaa_saturate(u.y) * top + real(0.5);
+    const real x = agaa_fromSignedCode(uint(cx), bits);
+    const real y = agaa_fromSignedCode(uint(cy), bits);
+    const real z = real(1.0) - abs(x) - abs(y);
+    rvec3 n = rvec3(x, y, z);
+    if (z < real(0.0)) {
+        n.x = (real(1.0) - abs(y)) * (x < real(0.0) ? real(-1.0) : real(1.0));
+        n.y = (real(1.0) - abs(x)) * (y < real(0.0) ? real(-1.0) : real(1.0));
+    }
+    return normalize(n);
+}
+
+// ---- unsigned fixed point --------------------------------------------------------------------
+
+// Round to nearest after clamping to [0, 1]; everything non-finite becomes 0, as in agaa_sanitise.
+// Exact for up to 16 bits; between 17 and 24 bits the float sum itself rounds (at most one code).
+uint agaa_quantise(real v, uint bits) {
+    const uint top = agaa_maxCode(bits);
+    uint code = 0u;
+    if (agaa_isFinite(v)) {
+        code = min(uint(agaa_saturate(v) * real(top) + real(0.5)), top);
+    }
+    return code;
+}
+
+// The mean, in [0, 1], of `count` codes whose integer sum is `sum`. No sample, no mean: 0. Sums up
+// to 2^24 (32 samples of 16 bits are 2^21) and the divisor are exact in a float.
+real agaa_meanOfSum(uint sum, uint count, uint bits) {
+    real mean = real(0.0);
+    if (count > 0u) {
+        mean = min(real(sum) / (real(count) * real(agaa_maxCode(bits))), real(1.0));
+    }
+    return mean;
+}
+
+real agaa_signedToUnorm(real v) { return v * real(0.5) + real(0.5); }
+
+real agaa_unormToSigned(real u) { return u * real(2.0) - real(1.0); }
+
+// ---- colour ----------------------------------------------------------------------------------
+
+// Full-range YCbCr with the weights of ITU-R BT.601 (those of JFIF). The map is linear, so means of
+// YCbCr are means of RGB; Cb and Cr are biased by 1/2 to fit a UNORM channel.
+rvec3 agaa_rgbToYCbCr(rvec3 c) {
+    const real y = real(0.299) * c.x + real(0.587) * c.y + real(0.114) * c.z;
+    return rvec3(y, (c.z - y) / real(1.772) + real(0.5), (c.x - y) / real(1.402) + real(0.5));
+}
+
+rvec3 agaa_yCbCrToRgb(rvec3 c) {
+    const real cb = c.y - real(0.5);
+    const real cr = c.z - real(0.5);
+    const real r = c.x + real(1.402) * cr;
+    const real b = c.x + real(1.772) * cb;
+    // From Y = .299 R + .587 G + .114 B with R and B replaced by their differences to Y.
+    const real g = c.x - (real(0.299) * real(1.402) / real(0.587)) * cr -
+                   (real(0.114) * real(1.772) / real(0.587)) * cb;
+    return rvec3(r, g, b);
+}
+
+#endif

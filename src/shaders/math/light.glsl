@@ -1,0 +1,91 @@
+// Light falloff and the shading of one sample or aggregate for one light direction.
+// Sources: AGAA (Crassin et al., TVCG 2016) sections 3.5.1 and 3.5.2; Karis 2013, "Real Shading in
+// Unreal Engine 4" (windowed inverse square); hard cases 39 and 40.
+#ifndef AGAA_MATH_LIGHT_GLSL
+#define AGAA_MATH_LIGHT_GLSL
+#include "real.glsl"
+#include "ndf.glsl"
+#include "brdf.glsl"
+
+// Inverse square law, 0 from `range` on (range 0: no end); d2 is the squared distance, rMin2 the
+// squared radius of the lamp, within which the law would diverge.
+real agaa_pointAttenuation(real d2, real range, real rMin2) {
+    real window = real(1.0);
+    if (range > real(0.0)) {
+        const real q = min(d2 / max(range * range, real(1e-20)), real(1.0));
+        window = agaa_sq(real(1.0) - q * q);
+    }
+    return window / max(d2, max(rMin2, real(1e-12)));
+}
+
+// Unit vector along toLight; at the light itself it fades to the zero vector, which lights nothing.
+rvec3 agaa_lightDirection(rvec3 toLight, real rMin2) {
+    const real d2 = dot(toLight, toLight);
+    const real scale = real(1.0) / sqrt(max(d2, max(min(rMin2, real(1e-6)), real(1e-12))));
+    return rvec3(toLight.x * scale, toLight.y * scale, toLight.z * scale);
+}
+
+// Linear in the cosine between the two cones; equal cones make a step that is 1e-4 wide.
+real agaa_spotCone(real cosAngle, real cosInner, real cosOuter) {
+    return agaa_saturate((cosAngle - cosOuter) / max(cosInner - cosOuter, real(1e-4)));
+}
+
+struct agaa_Surface {
+    rvec3 diffuse;
+    rvec3 specular; // reflectance at normal incidence
+    rvec3 emissive;
+    rvec3 normal;    // unit
+    real meanLength; // of the mean normal: 1 for a single sample
+    real alpha2;     // already widened by agaa_toksvigAlpha2
+};
+
+// BRDF times cosine for unit radiance from l; v and l are unit vectors away from the surface.
+// brdf 0: Blinn-Phong with the exponent of the same width and the implicit visibility 1/4;
+// brdf 1: GGX with height-correlated Smith. Both take Schlick's Fresnel term, so that a change of
+// lobe changes the lobe only. Vectors and reflectances are clamped to their legal ranges first:
+// whatever finite values come in, a finite colour goes out.
+rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse) {
+    const rvec3 n = clamp(s.normal, real(-1.0), real(1.0));
+    const rvec3 toEye = clamp(v, real(-1.0), real(1.0));
+    const rvec3 toLight = clamp(l, real(-1.0), real(1.0));
+    const rvec3 albedo = clamp(s.diffuse, real(0.0), real(1.0));
+    const rvec3 f0 = clamp(s.specular, real(0.0), real(1.0));
+
+    const real noL = clamp(dot(n, toLight), real(-1.0), real(1.0));
+    const real cosine = max(noL, real(0.0));
+    real diffuse = cosine;
+    if (filterDiffuse != 0u) {
+        diffuse = agaa_rectifiedDiffuse(noL * agaa_saturate(s.meanLength), noL, s.meanLength);
+    }
+    diffuse = diffuse / agaa_pi();
+
+    real lobe = real(0.0);
+    rvec3 fresnel = f0;
+    if (cosine > real(0.0)) {
+        // Opposite v and l have no half vector; the normal is its limit in the plane of reflection.
+        rvec3 h = rvec3(toEye.x + toLight.x, toEye.y + toLight.y, toEye.z + toLight.z);
+        const real h2 = dot(h, h);
+        if (h2 > real(1e-10)) {
+            const real scale = real(1.0) / sqrt(h2);
+            h = rvec3(h.x * scale, h.y * scale, h.z * scale);
+        } else {
+            h = n;
+        }
+        const rvec3 c = cross(n, h);
+        const real NxH2 = min(dot(c, c), real(1.0));
+        const real NoH = agaa_saturate(dot(n, h));
+        fresnel = agaa_fresnelSchlick(f0, dot(toEye, h));
+        if (brdf == 0u) {
+            lobe = real(0.25) * agaa_blinnPhong(agaa_exponentFromAlpha2(s.alpha2), NxH2, NoH);
+        } else {
+            // Interpolated normals may face away from the eye; the floor keeps Smith's term bounded.
+            const real NoV = clamp(dot(n, toEye), real(1e-4), real(1.0));
+            lobe = agaa_ggxD(s.alpha2, NoH, NxH2) * agaa_ggxV(s.alpha2, NoV, cosine);
+        }
+        lobe = lobe * cosine;
+    }
+    return rvec3(albedo.x * diffuse + fresnel.x * lobe, albedo.y * diffuse + fresnel.y * lobe,
+                 albedo.z * diffuse + fresnel.z * lobe);
+}
+
+#endif

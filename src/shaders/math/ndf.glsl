@@ -1,0 +1,91 @@
+// Normal distributions: conversions between roughness conventions and Toksvig widening.
+// Sources: AGAA (Crassin et al., TVCG 2016) sections 3.4.1 and 3.5.2; Toksvig 2005, "Mipmapping
+// Normal Maps"; hard cases 1 to 5 and 9.
+//
+// alpha is the width of the GGX lobe (the paper's r), alpha2 its square, perceptual roughness the
+// square root of alpha. Everything downstream takes alpha2; the conversions live here and nowhere
+// else, because widening alpha in the place of alpha2 under-filters without looking wrong.
+#ifndef AGAA_MATH_NDF_GLSL
+#define AGAA_MATH_NDF_GLSL
+#include "real.glsl"
+#include "encoding.glsl"
+#include "sanitise.glsl"
+
+// alpha >= .002025: below, D overflows half floats and loses its digits in single precision.
+real agaa_minAlpha2() { return real(4.100625e-6); }
+
+// Blinn-Phong exponent of the lobe of the same width, in [0, 487729].
+real agaa_exponentFromAlpha2(real a2) {
+    return real(2.0) / clamp(a2, agaa_minAlpha2(), real(1.0)) - real(2.0);
+}
+
+real agaa_alpha2FromExponent(real s) { return real(2.0) / (max(s, real(0.0)) + real(2.0)); }
+
+real agaa_alpha2FromRoughness(real perceptual) {
+    return max(agaa_sq(agaa_sq(agaa_saturate(perceptual))), agaa_minAlpha2());
+}
+
+// alpha2 widened by the variance that the length of a mean of unit normals tells. The five steps of
+// section 3.5.2, (alpha2 -> exponent -> Toksvig factor -> exponent -> alpha2), reduced to one
+// fraction that has no infinity for alpha2 = 0 and no pole for lengths above 1.
+real agaa_toksvigAlpha2(real alpha2, real meanLength) {
+    const real a = agaa_saturate(alpha2);
+    const real len = agaa_saturate(meanLength);
+    const real t = real(2.0) * (real(1.0) - a) * (real(1.0) - len);
+    const real denominator = len + t;
+    real widened = real(1.0);
+    if (denominator > real(0.0)) {
+        widened = clamp((a * len + t) / denominator, a, real(1.0));
+    }
+    return widened;
+}
+
+// How far the length of a mean of stored unit normals can be from 1 by rounding alone: each of three
+// components is off by half a step of 2/(2^bits-1), once if integer codes are summed exactly
+// (roundings = 1), n times if a blender rounds after each of n additions (roundings = n).
+real agaa_storedLengthBound(uint roundings, uint bits) {
+    return real(1.7320508075688772) * real(roundings) / real(agaa_maxCode(bits));
+}
+
+// The mean length with a deficit 1-L up to `bound` taken for rounding: deficit' =
+// max(0, deficit - bound) / (1 - bound). Linear above the bound, hence continuous; 1 stays 1 and 0
+// stays 0, so fully scattered normals are still fully scattered.
+real agaa_varianceFloor(real meanLength, real bound) {
+    const real b = clamp(bound, real(0.0), real(0.5));
+    const real deficit = real(1.0) - agaa_saturate(meanLength);
+    return real(1.0) - max(deficit - b, real(0.0)) / (real(1.0) - b);
+}
+
+// The paper's folded layout keeps roughness in the length of the normal itself: L = s/(1+s), in
+// terms of alpha2 (2-2a)/(2-a), which is its own inverse. The length is held above 1/256 because
+// alpha2 = 1 would otherwise store a zero vector and lose the direction.
+real agaa_foldedLength(real alpha2) {
+    const real a = clamp(alpha2, agaa_minAlpha2(), real(1.0));
+    const real folded = real(2.0) * (real(1.0) - a) / (real(2.0) - a);
+    return max(folded, real(0.00390625));
+}
+
+real agaa_alpha2FromFoldedLength(real meanLength) {
+    const real len = agaa_saturate(meanLength);
+    const real a = real(2.0) * (real(1.0) - len) / (real(2.0) - len);
+    return max(a, agaa_minAlpha2());
+}
+
+// Direction and length of a mean normal. Where opposite normals cancel there is no direction: the
+// fallback (a normal of one of the samples) is returned with length 0, the widest lobe.
+void agaa_meanDirection(rvec3 sumDir, rvec3 fallback, OUT(rvec3) n, OUT(real) len) {
+    const real m = max(abs(sumDir.x), max(abs(sumDir.y), abs(sumDir.z)));
+    // The rounding of 32 cancelling unit vectors leaves some 1e-6; less than that is no direction.
+    if (agaa_isFinite3(sumDir) && m > real(2e-6)) {
+        // Scaling by the largest component keeps the squares in range.
+        const rvec3 scaled = rvec3(sumDir.x / m, sumDir.y / m, sumDir.z / m);
+        const real scaledLength = sqrt(dot(scaled, scaled));
+        n = rvec3(scaled.x / scaledLength, scaled.y / scaledLength, scaled.z / scaledLength);
+        len = m < real(1.0) ? min(m * scaledLength, real(1.0)) : real(1.0);
+    } else {
+        n = normalize(agaa_directionOrZ(fallback));
+        len = real(0.0);
+    }
+}
+
+#endif

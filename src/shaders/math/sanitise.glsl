@@ -1,0 +1,33 @@
+// Guards against NaN and infinity in what a host's material returns.
+// Source: hard cases 37 (one NaN poisons the aggregate) and 56 (guards a compiler cannot fold).
+#ifndef AGAA_MATH_SANITISE_GLSL
+#define AGAA_MATH_SANITISE_GLSL
+#include "real.glsl"
+
+bool agaa_isFinite(real x) { return !agaa_exponentIsAllOnes(x); }
+
+bool agaa_isFinite3(rvec3 v) {
+    return agaa_isFinite(v.x) && agaa_isFinite(v.y) && agaa_isFinite(v.z);
+}
+
+// Non-finite values become lo and set bad to 1; finite values are clamped and leave bad alone, so
+// that one flag collects a whole material.
+real agaa_sanitise(real x, real lo, real hi, INOUT(uint) bad) {
+    real result = lo;
+    if (agaa_isFinite(x)) {
+        result = clamp(x, lo, hi);
+    } else {
+        bad = 1u;
+    }
+    return result;
+}
+
+rvec3 agaa_sanitise3(rvec3 v, real lo, real hi, INOUT(uint) bad) {
+    rvec3 result = rvec3(lo, lo, lo);
+    result.x = agaa_sanitise(v.x, lo, hi, bad);
+    result.y = agaa_sanitise(v.y, lo, hi, bad);
+    result.z = agaa_sanitise(v.z, lo, hi, bad);
+    return result;
+}
+
+#endif

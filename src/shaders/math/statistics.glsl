@@ -1,0 +1,60 @@
+// Mean and variance over the samples of an aggregate, and what shadows and metrics make of them.
+// Sources: AGAA (Crassin et al., TVCG 2016) sections 3.4.1 and 3.5.3; Hollaender et al. 2013
+// (adaptive image-space sampling metrics); hard cases 12, 13, 14, 19 and 41.
+#ifndef AGAA_MATH_STATISTICS_GLSL
+#define AGAA_MATH_STATISTICS_GLSL
+#include "real.glsl"
+
+// Sums of differences to `shift`, which should be one of the samples (the first): E[x^2] - E[x]^2
+// of raw values cancels as soon as the mean exceeds the spread by a few thousand.
+struct agaa_Moments {
+    real shift;
+    real sum;
+    real sumSq;
+    real count;
+};
+
+agaa_Moments agaa_momentsInit(real shift) {
+    agaa_Moments m;
+    m.shift = shift;
+    m.sum = real(0.0);
+    m.sumSq = real(0.0);
+    m.count = real(0.0);
+    return m;
+}
+
+void agaa_momentsAdd(INOUT(agaa_Moments) m, real x) {
+    const real d = x - m.shift;
+    m.sum = m.sum + d;
+    m.sumSq = m.sumSq + d * d;
+    m.count = m.count + real(1.0);
+}
+
+// Without samples the mean is the shift.
+real agaa_momentsMean(agaa_Moments m) { return m.shift + m.sum / max(m.count, real(1.0)); }
+
+// Never negative, and exactly 0 for one sample, whatever the compiler contracts.
+real agaa_momentsVariance(agaa_Moments m) {
+    real variance = real(0.0);
+    if (m.count > real(1.5)) {
+        const real mean = m.sum / m.count;
+        variance = max(m.sumSq / m.count - mean * mean, real(0.0));
+    }
+    return variance;
+}
+
+// Upper bound of the lit fraction at distance t behind occluders of the given moments (Chebyshev).
+real agaa_chebyshevVisibility(real mean, real variance, real t, real minVariance) {
+    const real v = max(variance, max(minVariance, real(1e-12)));
+    const real d = min(max(t - mean, real(0.0)), real(1e12));
+    return v / (v + d * d);
+}
+
+// Normal metric for a sample count: sqrt(1 - smallest n.n), of signed dot products of normals that
+// were turned to the viewer, so that a flipped sample counts as different. Rounded unit vectors reach
+// products above 1, whose root would be NaN.
+real agaa_normalMetric(real smallestDot) {
+    return sqrt(max(real(1.0) - smallestDot, real(0.0)));
+}
+
+#endif

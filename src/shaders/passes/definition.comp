@@ -1,0 +1,58 @@
+// Aggregate definition: which aggregate each sample of a pixel belongs to (AGAA section 3.3).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_shader_image_load_formatted : require
+#define AGAA_SET 0
+#define AGAA_COUNTING 0
+#define AGAA_MAX_SAMPLES 32
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/target.glsl"
+#include "math/encoding.glsl"
+#include "math/clustering.glsl"
+
+layout(set = AGAA_SET, binding = 3) uniform AGAA_TARGET_TEXTURE agaa_depth;
+layout(set = AGAA_SET, binding = 4) uniform AGAA_TARGET_TEXTURE agaa_normals;
+layout(set = AGAA_SET, binding = 9) writeonly uniform uimage2D agaa_metadata;
+
+void main() {
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (any(greaterThanEqual(pixel, agaa_frame.size.xy)))
+        return;
+    uint covered = 0u;
+    float nearest2 = 3.0e38;
+    float quantum = 0.0;
+    for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
+        uvec2 code = uvec2(AGAA_FETCH(agaa_normals, pixel, i).xy * 255.0 + 0.5);
+        if (code.x + code.y == 0u)
+            continue;
+        covered |= 1u << i;
+        float depth = AGAA_FETCH(agaa_depth, pixel, i).x;
+        vec3 position = agaa_sampleViewPosition(pixel, i, depth);
+        agaa_samplePosition[i] = position;
+        agaa_sampleNormal[i] = agaa_decodeHemiOct8(code);
+        agaa_sampleKeyA[i] = floatBitsToUint(depth);
+        uvec2 place = uvec2(agaa_frame.samplePosition[i].xy * 128.0);
+        agaa_sampleKeyB[i] = code.x << 24 | code.y << 16 | place.x << 8 | place.y;
+        nearest2 = min(nearest2, dot(position, position));
+        quantum = max(quantum, agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x,
+                                                 agaa_frame.projection1.y, agaa_isOrthographic(),
+                                                 agaa_frame.projection1.w));
+    }
+    float k = agaa_frame.cluster.x + agaa_frame.cluster.y * sqrt(nearest2) + quantum;
+    uvec2 planes = uvec2(0u);
+    if (covered != 0u &&
+        agaa_defineAggregates(AGAA_SAMPLES, covered, AGAA_AGGREGATES, k, agaa_frame.cluster.z,
+                              AGAA_SEEDS) > 1u) {
+        for (uint i = 0u; i < AGAA_SAMPLES; ++i)
+            if ((covered >> i & 1u) != 0u) {
+                planes.x |= (agaa_sampleAggregate[i] & 1u) << i;
+                planes.y |= (agaa_sampleAggregate[i] >> 1u & 1u) << i;
+            }
+    }
+    // Two planes side by side in one word while they fit, else in two channels.
+    if (AGAA_AGGREGATES > 2u && AGAA_SAMPLES < 32u)
+        planes.x |= planes.y << (AGAA_SAMPLES & 31u);
+    imageStore(agaa_metadata, ivec2(pixel), uvec4(planes, 0u, 0u));
+}

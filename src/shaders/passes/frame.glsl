@@ -1,0 +1,14 @@
+// Constants of a frame; the layout is FrameConstants of core/gpu_layout.h.
+#ifndef AGAA_FRAME_GLSL
+#define AGAA_FRAME_GLSL
+layout(std140, set = AGAA_SET, binding = 0) uniform agaa_FrameBlock {
+    mat4 view;        // shading to view space, a rotation
+    vec4 projection0; // p00, p11, p20, p21
+    vec4 projection1; // p22, p32, orthographic, depth quantum
+    uvec4 size;       // width, height, light count, background comes from the output
+    vec4 cluster;     // k, k per distance, t, 0
+    vec4 ambient;     // rgb, emissive range
+    vec4 background;
+    vec4 samplePosition[32]; // xy in the pixel
+} agaa_frame;
+#endif

@@ -1,0 +1,108 @@
+// All lights on one surface or aggregate, and the shadow lookups they share.
+#ifndef AGAA_LIGHTING_GLSL
+#define AGAA_LIGHTING_GLSL
+#include "math/brdf.glsl"
+#include "math/light.glsl"
+#include "math/ndf.glsl"
+
+struct agaa_GpuShadow {
+    mat4 matrices[6];
+    float bias;
+    uint layerCount;
+    uint padding0;
+    uint padding1;
+};
+struct agaa_GpuLight {
+    vec4 positionRange;
+    vec4 directionType;
+    vec4 colorShadow;
+    vec4 cone;
+};
+layout(std430, set = AGAA_SET, binding = 1) readonly buffer agaa_LightBlock {
+    agaa_GpuShadow shadows[4];
+    agaa_GpuLight lights[];
+} agaa_lightBuffer;
+
+#if AGAA_SHADOWS
+layout(set = AGAA_SET, binding = 12) uniform sampler2DArrayShadow agaa_shadowMap0;
+layout(set = AGAA_SET, binding = 13) uniform sampler2DArrayShadow agaa_shadowMap1;
+layout(set = AGAA_SET, binding = 14) uniform sampler2DArrayShadow agaa_shadowMap2;
+layout(set = AGAA_SET, binding = 15) uniform sampler2DArrayShadow agaa_shadowMap3;
+
+// The first layer whose clip volume holds the point; outside all of them it is lit. Points behind a
+// layer's eye (w <= 0) would read the mirrored map (hard case 41).
+bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
+    for (uint layer = 0u; layer < agaa_lightBuffer.shadows[map].layerCount; ++layer) {
+        vec4 clip = agaa_lightBuffer.shadows[map].matrices[layer] * vec4(p, 1.0);
+        if (clip.w > 0.0 && abs(clip.x) <= clip.w && abs(clip.y) <= clip.w && clip.z >= 0.0 &&
+            clip.z <= clip.w) {
+            vec3 ndc = clip.xyz / clip.w;
+            coordinate = vec4(ndc.xy * 0.5 + 0.5, float(layer),
+                              ndc.z - agaa_lightBuffer.shadows[map].bias);
+            return true;
+        }
+    }
+    return false;
+}
+
+// Samplers are named one by one: drivers without dynamic indexing of sampler arrays run this too.
+float agaa_shadowTap(uint map, vec3 p) {
+    vec4 at;
+    if (!agaa_shadowCoordinate(map, p, at))
+        return 1.0;
+    if (map == 0u)
+        return texture(agaa_shadowMap0, at);
+    if (AGAA_SHADOW_MAPS > 1u && map == 1u)
+        return texture(agaa_shadowMap1, at);
+    if (AGAA_SHADOW_MAPS > 2u && map == 2u)
+        return texture(agaa_shadowMap2, at);
+    return texture(agaa_shadowMap3, at);
+}
+#endif
+
+float agaa_visibility[4]; // per shadow map, for the surface at hand
+
+vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
+    agaa_GpuLight light = agaa_lightBuffer.lights[index];
+    uint type = floatBitsToUint(light.directionType.w);
+    vec3 toLight = -light.directionType.xyz;
+    float intensity = 1.0;
+    if (type != 0u) {
+        vec3 d = light.positionRange.xyz - position;
+        float d2 = dot(d, d);
+        intensity = agaa_pointAttenuation(d2, light.positionRange.w, 1e-8);
+        if (intensity <= 0.0)
+            return vec3(0.0);
+        toLight = d * inversesqrt(max(d2, 1e-12));
+        if (type == 2u)
+            intensity *= agaa_spotCone(dot(-toLight, light.directionType.xyz), light.cone.x,
+                                       light.cone.y);
+    }
+    uint map = floatBitsToUint(light.colorShadow.w);
+    if (map < 4u)
+        intensity *= agaa_visibility[map];
+    if (intensity <= 0.0)
+        return vec3(0.0);
+    return agaa_shade(s, toEye, toLight, AGAA_BRDF, AGAA_FILTER_DIFFUSE) * light.colorShadow.rgb *
+           intensity;
+}
+
+vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
+    vec3 sum = s.emissive;
+    if (AGAA_HAS_AMBIENT != 0u)
+        sum += agaa_frame.ambient.rgb * (s.diffuse + s.specular);
+    for (uint i = 0u; i < agaa_frame.size.z; ++i)
+        sum += agaa_oneLight(s, position, toEye, i);
+    return sum;
+}
+
+// The cost axis of measurements: the same lighting several times over. The offset is zero, which the
+// compiler cannot know.
+vec3 agaa_lightSurface(agaa_Surface s, vec3 position) {
+    vec3 toEye = agaa_toEye(position);
+    vec3 sum = agaa_allLights(s, position, toEye);
+    for (uint i = 1u; i < AGAA_SHADING_COST; ++i)
+        sum += agaa_allLights(s, position + float(i) * agaa_frame.cluster.w, toEye);
+    return AGAA_SHADING_COST > 1u ? sum / float(AGAA_SHADING_COST) : sum;
+}
+#endif

@@ -1,0 +1,174 @@
+// Shading once per aggregate, weighted by its share of the pixel's samples (AGAA section 3.5).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_shader_image_load_formatted : require
+#define AGAA_SET 0
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/target.glsl"
+#include "passes/counters.glsl"
+#include "passes/lighting.glsl"
+#include "passes/output.glsl"
+#include "math/encoding.glsl"
+#include "math/statistics.glsl"
+
+layout(set = AGAA_SET, binding = 3) uniform AGAA_TARGET_TEXTURE agaa_depth;
+#if AGAA_COUNTING
+layout(set = AGAA_SET, binding = 4) uniform AGAA_TARGET_TEXTURE agaa_normals;
+#endif
+layout(std430, set = AGAA_SET, binding = 10) readonly buffer agaa_AggregateBlock {
+    uint words[];
+} agaa_aggregates;
+
+uint agaa_base;  // first word of the aggregate at hand
+uint agaa_count_; // its samples
+
+uint agaa_field(uint field) {
+    uint bits = field >> 16;
+    uint word = agaa_aggregates.words[agaa_base + (field & 0xFFu)];
+    return bitfieldExtract(word, int(field >> 8u & 0xFFu), int(bits));
+}
+
+uint agaa_coverage() { return agaa_field(AGAA_FIELD_COVERAGE); }
+
+// Sums take log2(n) bits more than one fragment's value.
+float agaa_mean(uint field) {
+    uint growth = uint(findMSB(AGAA_SAMPLES));
+    return agaa_meanOfSum(agaa_field(field + (growth << 16)), agaa_count_, field >> 16);
+}
+
+vec3 agaa_mean3(uint r, uint g, uint b) { return vec3(agaa_mean(r), agaa_mean(g), agaa_mean(b)); }
+
+// Largest length deficit that rounding to the layout's bits can cause in a unit normal (hard case 5).
+float agaa_lengthBound() { return 1.7321 / float((1u << (AGAA_FIELD_NORMAL_X >> 16)) - 1u); }
+
+agaa_Surface agaa_aggregateSurface(vec3 toEye) {
+    agaa_Surface s;
+    s.diffuse = agaa_mean3(AGAA_FIELD_DIFFUSE_R, AGAA_FIELD_DIFFUSE_G, AGAA_FIELD_DIFFUSE_B);
+    vec3 mean = agaa_mean3(AGAA_FIELD_NORMAL_X, AGAA_FIELD_NORMAL_Y, AGAA_FIELD_NORMAL_Z) * 2.0 - 1.0;
+    float meanLength;
+    agaa_meanDirection(mean, toEye, s.normal, meanLength);
+    s.specular = vec3(0.0);
+    s.alpha2 = 1.0;
+    s.meanLength = agaa_varianceFloor(meanLength, agaa_lengthBound());
+    if (AGAA_HAS_SPECULAR != 0u) {
+        s.specular = agaa_mean3(AGAA_FIELD_SPECULAR_R, AGAA_FIELD_SPECULAR_G, AGAA_FIELD_SPECULAR_B);
+        if (AGAA_YCBCR_SPECULAR != 0u)
+            s.specular = max(agaa_yCbCrToRgb(s.specular), vec3(0.0));
+        if (AGAA_FOLDED_ROUGHNESS != 0u) {
+            // The length says spread and roughness at once; the diffuse term cannot tell them apart.
+            s.alpha2 = agaa_alpha2FromFoldedLength(meanLength);
+            s.meanLength = 1.0;
+        } else {
+            float own = AGAA_FIELD_ROUGHNESS >> 16 != 0u ? agaa_mean(AGAA_FIELD_ROUGHNESS) : 1.0;
+            s.alpha2 = AGAA_NDF != 0u ? agaa_toksvigAlpha2(own, s.meanLength) : own;
+            agaa_count(AGAA_COUNT_WIDENED, s.alpha2 > own ? 1u : 0u);
+        }
+    }
+    s.emissive = vec3(0.0);
+    if (AGAA_EMISSIVE_CHANNELS == 3u)
+        s.emissive = agaa_frame.ambient.w *
+                     agaa_mean3(AGAA_FIELD_EMISSIVE_R, AGAA_FIELD_EMISSIVE_G, AGAA_FIELD_EMISSIVE_B);
+    if (AGAA_EMISSIVE_CHANNELS == 1u)
+        s.emissive = agaa_frame.ambient.w * agaa_mean(AGAA_FIELD_EMISSIVE_R) * s.diffuse;
+    return s;
+}
+
+// Mean position, and the aggregate's share of each shadow map's light: at up to AGAA_SHADOW_TAPS of its
+// own samples, evenly chosen, or along the view ray by the variance of its depth.
+vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
+    vec3 mean = vec3(0.0);
+    vec3 first = vec3(0.0);
+    agaa_Moments depthMoments = agaa_momentsInit(0.0);
+    uint taps = min(agaa_count_, AGAA_SHADOW_TAPS);
+    uint seen = 0u;
+    uint tapped = 0u;
+#if AGAA_SHADOWS
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] = 0.0;
+#endif
+    for (uint left = mask; left != 0u; left &= left - 1u) {
+        uint i = uint(findLSB(left));
+        vec3 position = agaa_sampleViewPosition(pixel, i, AGAA_FETCH(agaa_depth, pixel, i).x);
+        if (seen == 0u) { // sums are relative to the first sample (hard case 14)
+            first = position;
+            depthMoments = agaa_momentsInit(position.z);
+        }
+        mean += position - first;
+        if (AGAA_SHADOW_FILTER == 2u)
+            agaa_momentsAdd(depthMoments, position.z);
+#if AGAA_SHADOWS
+        // Tap j falls on sample floor((j + 1/2) count / taps).
+        if (AGAA_SHADOW_FILTER == 1u && tapped < taps &&
+            (2u * tapped + 1u) * agaa_count_ / (2u * taps) == seen) {
+            vec3 p = agaa_toShadingSpace(position);
+            for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+                agaa_visibility[map] += agaa_shadowTap(map, p);
+            ++tapped;
+        }
+#endif
+        ++seen;
+    }
+    mean = first + mean / float(agaa_count_);
+#if AGAA_SHADOWS
+    if (AGAA_SHADOW_FILTER != 1u) {
+        float sigma = AGAA_SHADOW_FILTER == 2u ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
+        taps = sigma > 0.0 ? 4u : 1u;
+        for (uint j = 0u; j < taps; ++j) {
+            // Four taps of equal weight whose spread is that of a Gaussian: +-0.45 and +-1.34 sigma.
+            float offset = sigma * (j < 2u ? 0.45 : 1.34) * ((j & 1u) != 0u ? 1.0 : -1.0);
+            float along = abs(mean.z) > 0.0 ? 1.0 + offset / mean.z : 1.0;
+            vec3 at = agaa_isOrthographic() != 0u ? mean + vec3(0.0, 0.0, offset) : mean * along;
+            vec3 p = agaa_toShadingSpace(at);
+            for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+                agaa_visibility[map] += agaa_shadowTap(map, p);
+        }
+        tapped = taps;
+    }
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] /= float(tapped);
+    agaa_count(AGAA_COUNT_SHADOW_TAPS, tapped * AGAA_SHADOW_MAPS);
+#endif
+    return agaa_toShadingSpace(mean);
+}
+
+void agaa_shadePixel(uvec2 pixel) {
+    uint pixelBase = (pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES * AGAA_WORDS;
+    vec3 color = vec3(0.0);
+    uint covered = 0u;
+    uint events = 0u;
+    for (uint a = 0u; a < AGAA_AGGREGATES; ++a) {
+        agaa_base = pixelBase + a * AGAA_WORDS;
+        uint mask = agaa_coverage();
+        if (mask == 0u)
+            continue;
+        agaa_count_ = uint(bitCount(mask));
+        covered += agaa_count_;
+        ++events;
+        vec3 position = agaa_placeAggregate(pixel, mask);
+        agaa_Surface s = agaa_aggregateSurface(agaa_toEye(position));
+        color += agaa_lightSurface(s, position) * float(agaa_count_);
+    }
+#if AGAA_COUNTING
+    uint visible = 0u;
+    for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
+        vec2 code = AGAA_FETCH(agaa_normals, pixel, i).xy;
+        visible += code.x + code.y > 0.0 ? 1u : 0u;
+    }
+    agaa_count(AGAA_COUNT_VISIBLE, visible);
+    agaa_count(AGAA_COUNT_ONCE, covered);
+    agaa_count(AGAA_COUNT_MISSED, visible - min(covered, visible));
+    agaa_count(AGAA_COUNT_EVENTS, events);
+    agaa_count(AGAA_COUNT_PIXELS, events != 0u ? 1u : 0u);
+#endif
+    agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), covered);
+}
+
+void main() {
+    agaa_countBegin();
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (all(lessThan(pixel, agaa_frame.size.xy)))
+        agaa_shadePixel(pixel);
+    agaa_countEnd();
+}

@@ -1,0 +1,42 @@
+// Texels of the scaled, multisampled target by pixel and sample.
+#ifndef AGAA_TARGET_GLSL
+#define AGAA_TARGET_GLSL
+#include "math/depth.glsl"
+
+#if AGAA_MULTISAMPLED
+#define AGAA_TARGET_TEXTURE sampler2DMS
+#define AGAA_FETCH(image, pixel, i) texelFetch(image, agaa_texel(pixel, i), int((i) % AGAA_HW_SAMPLES))
+#else
+#define AGAA_TARGET_TEXTURE sampler2D
+#define AGAA_FETCH(image, pixel, i) texelFetch(image, agaa_texel(pixel, i), 0)
+#endif
+
+ivec2 agaa_texel(uvec2 pixel, uint i) {
+    uint group = i / AGAA_HW_SAMPLES;
+    return ivec2(pixel * uvec2(AGAA_SCALE_X, AGAA_SCALE_Y) +
+                 uvec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X));
+}
+
+uint agaa_isOrthographic() { return agaa_frame.projection1.z != 0.0 ? 1u : 0u; }
+
+float agaa_sampleViewZ(float depth) {
+    return agaa_viewZFromDepth(depth, agaa_frame.projection1.x, agaa_frame.projection1.y,
+                               agaa_isOrthographic());
+}
+
+vec3 agaa_sampleViewPosition(uvec2 pixel, uint i, float depth) {
+    vec2 ndc = (vec2(pixel) + agaa_frame.samplePosition[i].xy) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
+    return agaa_viewPosition(ndc, agaa_sampleViewZ(depth), agaa_frame.projection0.x,
+                             agaa_frame.projection0.y, agaa_frame.projection0.z,
+                             agaa_frame.projection0.w, agaa_isOrthographic());
+}
+
+vec3 agaa_toShadingSpace(vec3 viewPosition) { return transpose(mat3(agaa_frame.view)) * viewPosition; }
+
+// From a point in shading space toward the eye; for an orthographic view, against the view direction.
+vec3 agaa_toEye(vec3 position) {
+    vec3 towards = agaa_isOrthographic() != 0u ? transpose(mat3(agaa_frame.view))[2] : -position;
+    float d2 = dot(towards, towards);
+    return d2 > 0.0 ? towards * inversesqrt(d2) : vec3(0.0, 0.0, 1.0);
+}
+#endif

@@ -1,0 +1,73 @@
+// Every file of the shared mathematics in one Vulkan compute shader, each function called once so
+// that nothing is dropped before it has been compiled.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+#define AGAA_MAX_SAMPLES 32
+
+#include "../../src/shaders/math/real.glsl"
+#include "../../src/shaders/math/sanitise.glsl"
+#include "../../src/shaders/math/encoding.glsl"
+#include "../../src/shaders/math/metadata.glsl"
+#include "../../src/shaders/math/ndf.glsl"
+#include "../../src/shaders/math/brdf.glsl"
+#include "../../src/shaders/math/depth.glsl"
+#include "../../src/shaders/math/statistics.glsl"
+#include "../../src/shaders/math/light.glsl"
+#include "../../src/shaders/math/clustering.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(set = 0, binding = 0) readonly buffer Input { vec4 inputs[]; };
+layout(set = 0, binding = 1) writeonly buffer Output { vec4 outputs[]; };
+
+void main() {
+    const uint id = gl_GlobalInvocationID.x;
+    const vec4 x = inputs[id];
+    uint bad = 0u;
+    vec3 v = agaa_sanitise3(x.xyz, 0.0, 65504.0, bad);
+    vec3 t;
+    vec3 b;
+    agaa_viewBasis(normalize(v), t, b);
+    vec3 n;
+    float len;
+    agaa_meanDirection(v, t, n, len);
+    vec3 acc = agaa_decodeHemiOct8(agaa_encodeHemiOct8(n)) + t + b;
+    acc += agaa_decodeOct(agaa_encodeOct(n, 10u), 10u);
+    acc += agaa_yCbCrToRgb(agaa_rgbToYCbCr(v));
+    acc.x += agaa_unormToSigned(agaa_signedToUnorm(x.w)) +
+             agaa_meanOfSum(agaa_quantise(x.x, 11u), 3u, 11u);
+    acc.y += agaa_toksvigAlpha2(agaa_alpha2FromRoughness(x.y),
+                                agaa_varianceFloor(len, agaa_storedLengthBound(1u, 16u)));
+    acc.z += agaa_alpha2FromFoldedLength(agaa_foldedLength(x.z)) +
+             agaa_alpha2FromExponent(agaa_exponentFromAlpha2(x.z));
+    agaa_Moments m = agaa_momentsInit(x.x);
+    agaa_momentsAdd(m, x.y);
+    acc.x += agaa_momentsMean(m) + agaa_momentsVariance(m) + agaa_normalMetric(x.y);
+    acc.y += agaa_chebyshevVisibility(x.x, x.y, x.z, 1e-6);
+    const float z = agaa_viewZFromDepth(x.x, x.y, x.z, bad);
+    acc.z += agaa_depthQuantum(z, x.x, x.y, x.z, bad, 1e-6);
+    acc += agaa_viewPosition(x.xy, z, x.x, x.y, x.z, x.w, bad);
+    agaa_Surface s;
+    s.diffuse = v;
+    s.specular = v;
+    s.emissive = v;
+    s.normal = n;
+    s.meanLength = len;
+    s.alpha2 = x.w;
+    acc += agaa_shade(s, t, agaa_lightDirection(b, 1e-4), bad, id & 1u) *
+           agaa_pointAttenuation(x.x, x.y, 1e-4) * agaa_spotCone(x.x, x.y, x.z);
+    for (uint i = 0u; i < 32u; ++i) {
+        agaa_samplePosition[i] = inputs[id * 32u + i].xyz;
+        agaa_sampleNormal[i] = n;
+        agaa_sampleKeyA[i] = i;
+        agaa_sampleKeyB[i] = i;
+    }
+    const uint count = agaa_defineAggregates(32u, 0xFFFFFFFFu, 4u, 0.1, 0.02, id & 1u);
+    const uint bits = agaa_bitsPerAggregateId(4u);
+    uvec4 words = uvec4(0u);
+    for (uint i = 0u; i < 32u; ++i) {
+        agaa_packAggregateId(words, i, bits, agaa_sampleAggregate[i]);
+    }
+    outputs[id] = vec4(acc, float(count + agaa_unpackAggregateId(words, 31u, bits)));
+}

@@ -1,0 +1,26 @@
+// All files of src/shaders/math in the namespace of one precision. The guards are dropped first,
+// because the same files are wanted once for each precision.
+#undef AGAA_MATH_REAL_GLSL
+#undef AGAA_MATH_SANITISE_GLSL
+#undef AGAA_MATH_ENCODING_GLSL
+#undef AGAA_MATH_METADATA_GLSL
+#undef AGAA_MATH_NDF_GLSL
+#undef AGAA_MATH_BRDF_GLSL
+#undef AGAA_MATH_DEPTH_GLSL
+#undef AGAA_MATH_STATISTICS_GLSL
+#undef AGAA_MATH_LIGHT_GLSL
+#undef AGAA_MATH_CLUSTERING_GLSL
+
+#include "../../src/shaders/math/real.glsl"
+#include "../../src/shaders/math/sanitise.glsl"
+#include "../../src/shaders/math/encoding.glsl"
+#include "../../src/shaders/math/metadata.glsl"
+#include "../../src/shaders/math/ndf.glsl"
+#include "../../src/shaders/math/brdf.glsl"
+#include "../../src/shaders/math/depth.glsl"
+#include "../../src/shaders/math/statistics.glsl"
+#include "../../src/shaders/math/light.glsl"
+
+struct Clustering {
+#include "../../src/shaders/math/clustering.glsl"
+};
