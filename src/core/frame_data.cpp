@@ -12,8 +12,10 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame) {
     FrameConstants out{};
     std::memcpy(out.view, frame.view, sizeof out.view);
     const float* p = frame.projection;
-    // One step of the stored depth: absolute for fixed point, relative for float (half an ulp at 1).
-    const float quantum = plan.depthFormat == Format::D24S8 ? std::ldexp(1.0f, -24) : std::ldexp(1.0f, -24);
+    // One step of the stored depth: of the whole range for fixed point, of the depth itself (told by
+    // the sign) for float.
+    const float step = std::ldexp(1.0f, -24);
+    const float quantum = plan.depthFormat == Format::D24S8 ? step : -step;
     const float projection[8] = {p[0],  p[5],  p[8],                   p[9],
                                  p[10], p[14], p[15] == 1.0f ? 1.0f : 0.0f, quantum};
     std::memcpy(out.projection, projection, sizeof projection);

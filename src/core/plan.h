@@ -78,8 +78,7 @@ struct Pass {
     std::vector<std::string> extensions; // that the pass relies on
 
     // Compute: one invocation per pixel, 8 x 8 a group.
-    std::string shader;
-    bool multisampled = false; // variant for targets with more than one sample a texel
+    std::string shader; // permutation in the library
     Constants constants{};
 
     // HostDraw

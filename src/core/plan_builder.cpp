@@ -177,14 +177,20 @@ Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId dr
     return plan.passes.back();
 }
 
-Pass& PlanBuilder::compute(std::string name, AgaaStage stage, std::string shader,
-                           uint64_t segment) {
+Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string& shader,
+                           const char* permutation, uint64_t segment) {
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
-    pass.shader = std::move(shader);
+    pass.shader = shader + "_";
+    for (const char* letter = permutation; *letter; ++letter) {
+        const bool on = *letter == 'm'   ? plan.hwSamples > 1
+                        : *letter == 's' ? plan.facts.shadowMapCount > 0
+                                         : counts();
+        pass.shader += *letter;
+        pass.shader += on ? '1' : '0';
+    }
     pass.segment = segment;
-    pass.multisampled = plan.hwSamples > 1;
     pass.constants = constants_;
     plan.passes.push_back(std::move(pass));
     return plan.passes.back();
@@ -221,9 +227,11 @@ void PlanBuilder::bindLighting(Pass& pass) {
     output_ = add({.name = "output", .kind = ResourceKind::Output, .width = plan.width,
                    .height = plan.height});
     bind(pass, slot::Output, BindingType::StorageImage, output_, true);
-    for (uint32_t i = 0; i < plan.facts.shadowMapCount; ++i) {
-        shadows_.push_back(
-            add({.name = format("shadow-map-%u", i), .kind = ResourceKind::ShadowMap}));
+    // The shader names all four maps; slots beyond the count repeat the last and are not read.
+    for (uint32_t i = 0; plan.facts.shadowMapCount && i < AGAA_MAX_SHADOW_MAPS; ++i) {
+        if (i < plan.facts.shadowMapCount)
+            shadows_.push_back(
+                add({.name = format("shadow-map-%u", i), .kind = ResourceKind::ShadowMap}));
         bind(pass, slot::Shadow0 + i, BindingType::ShadowTexture, shadows_.back());
     }
     if (plan.layout.has(AGAA_SEMANTIC_SPECULAR))

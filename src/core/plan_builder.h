@@ -46,7 +46,10 @@ public:
     ResourceId depth(bool needsStencil);
 
     Pass& hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment);
-    Pass& compute(std::string name, AgaaStage stage, std::string shader, uint64_t segment);
+    // permutation: switches that the shader is compiled for, of m (multisampled target), s (shadows)
+    // and c (counters); see src/CMakeLists.txt.
+    Pass& compute(std::string name, AgaaStage stage, const std::string& shader,
+                  const char* permutation, uint64_t segment);
     Pass& fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment);
 
     void bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,

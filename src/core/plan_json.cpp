@@ -139,10 +139,8 @@ void writePass(Writer& w, const Plan& plan, const Pass& pass) {
     w.field("stage", stageName(pass.stage));
     w.field("kind", kindName(pass.kind));
     w.field("segment", pass.segment);
-    if (!pass.shader.empty()) {
+    if (!pass.shader.empty())
         w.field("shader", pass.shader);
-        w.field("multisampled", pass.multisampled);
-    }
     w.key("reads");
     w.open('[');
     for (const Binding& binding : pass.bindings)

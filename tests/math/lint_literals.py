@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-LITERAL = re.compile(r"(?<![\w.])(?:\d+\.\d*|\.\d+|\d+(?=[eE][+-]?\d))(?:[eE][+-]?\d+)?[fF]?\b")
+LITERAL = re.compile(r"(?<![\w.])(?:\d+\.\d*|\.\d+|\d+(?=[eE][+-]?\d))(?:[eE][+-]?\d+)?[fF]?(?!\w)")
 REAL_LITERAL = re.compile(r"\breal\(\s*-?\s*(?:\d+\.\d*|\.\d+|\d+)(?:[eE][+-]?\d+)?\s*\)")
 SWIZZLE = re.compile(r"\.(?:[xyzw]{2,4}|[rgba]{1,4}|[stpq]{1,4})\b(?!\()")
 FUNCTION = re.compile(r"^(?:real|rvec[234]|uvec[234]|uint|bool|void|agaa_\w+)\s+(\w+)\s*\(", re.M)

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include <glm/glm.hpp>
+#include <glm/integer.hpp>
 
 #define AGAA_MATH_CPP
 #define AGAA_MAX_SAMPLES 32
@@ -21,21 +22,22 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 
-#define AGAA_MATH_USINGS                                                                             \
-    using glm::uint;                                                                                 \
-    using glm::uvec2;                                                                                \
-    using glm::uvec3;                                                                                \
-    using glm::uvec4;                                                                                \
-    using glm::abs;                                                                                  \
-    using glm::clamp;                                                                                \
-    using glm::cross;                                                                                \
-    using glm::dot;                                                                                  \
-    using glm::exp;                                                                                  \
-    using glm::floor;                                                                                \
-    using glm::log;                                                                                  \
-    using glm::max;                                                                                  \
-    using glm::min;                                                                                  \
-    using glm::normalize;                                                                            \
+#define AGAA_MATH_USINGS                                                                           \
+    using glm::uint;                                                                               \
+    using glm::uvec2;                                                                              \
+    using glm::uvec3;                                                                              \
+    using glm::uvec4;                                                                              \
+    using glm::abs;                                                                                \
+    using glm::clamp;                                                                              \
+    using glm::cross;                                                                              \
+    using glm::dot;                                                                                \
+    using glm::exp;                                                                                \
+    using glm::findMSB;                                                                            \
+    using glm::floor;                                                                              \
+    using glm::log;                                                                                \
+    using glm::max;                                                                                \
+    using glm::min;                                                                                \
+    using glm::normalize;                                                                          \
     using glm::sqrt;
 
 namespace math_f {

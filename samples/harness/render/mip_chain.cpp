@@ -141,8 +141,11 @@ float alphaScale(const FloatLevel& level, float cutoff, double wanted) {
         const float middle = (low + high) / 2;
         (coverage(level, cutoff, middle) < wanted ? low : high) = middle;
     }
-    // Few texels reach few values: the nearer side, and where 1 is as near, the level is left alone.
-    const auto miss = [&](float scale) { return std::abs(coverage(level, cutoff, scale) - wanted); };
+    // Few texels reach few values: the nearer side, and where 1 is as near, the level is left
+    // alone.
+    const auto miss = [&](float scale) {
+        return std::abs(coverage(level, cutoff, scale) - wanted);
+    };
     const float best = miss(low) < miss(high) ? low : high;
     return miss(1) <= miss(best) ? 1.0f : best;
 }

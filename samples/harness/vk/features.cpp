@@ -27,7 +27,9 @@ FeatureChain::FeatureChain(uint32_t apiVersion, bool hasDynamicRendering,
         append(synchronization2_);
 }
 
-void FeatureChain::query(VkPhysicalDevice device) { vkGetPhysicalDeviceFeatures2(device, &core_); }
+void FeatureChain::query(VkPhysicalDevice device) {
+    vkGetPhysicalDeviceFeatures2(device, &core_);
+}
 
 bool FeatureChain::isSet(std::string_view name) const {
     const VkBool32* feature = find(name);

@@ -96,7 +96,8 @@ VkBool32 MessageCollector::onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT seve
     ApiMessage message;
     message.severity =
         severity >= VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT ? "error" : "warning";
-    message.id = data->pMessageIdName ? data->pMessageIdName : std::to_string(data->messageIdNumber);
+    message.id =
+        data->pMessageIdName ? data->pMessageIdName : std::to_string(data->messageIdNumber);
     message.text = data->pMessage ? data->pMessage : "";
     static_cast<MessageCollector*>(user)->add(std::move(message));
     return VK_FALSE;

@@ -33,9 +33,9 @@ public:
     std::vector<ApiMessage> take();
 
 private:
-    static VKAPI_ATTR VkBool32 VKAPI_CALL
-    onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT types,
-              const VkDebugUtilsMessengerCallbackDataEXT* data, void* user);
+    static VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(
+        VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT types,
+        const VkDebugUtilsMessengerCallbackDataEXT* data, void* user);
     void add(ApiMessage message);
 
     std::mutex mutex_; // drivers may report from threads of their own

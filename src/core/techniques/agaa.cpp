@@ -34,7 +34,7 @@ static Surfaces prepassAndDefinition(PlanBuilder& b, bool stencil) {
     if (c == 1)
         return s; // nothing to define: no metadata, no pass
     s.metadata = b.image("metadata", metadataFormat(b.plan.samples, c), false);
-    Pass& define = b.compute("define aggregates", AGAA_STAGE_DEFINITION, "definition",
+    Pass& define = b.compute("define aggregates", AGAA_STAGE_DEFINITION, "definition", "m",
                              AGAA_SEGMENT_GENERATION);
     b.bindCommon(define);
     b.bind(define, slot::Depth, BindingType::Texture, s.depth);
@@ -103,7 +103,7 @@ static void buildAtomics(PlanBuilder& b) {
     };
     setPacking(draw);
 
-    Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates",
+    Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", "msc",
                             AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     b.bindLighting(shade);

@@ -2,6 +2,8 @@
 // per fragment, lighting once per sample, as multisampled deferred engines do.
 #include "core/techniques/techniques.h"
 
+#include <algorithm>
+
 namespace agaa {
 
 static void build(PlanBuilder& b) {
@@ -23,13 +25,15 @@ static void build(PlanBuilder& b) {
     draw.clear = true;
     setFields(draw.constants, packing.fields);
 
-    Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples",
+    Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples", "msc",
                             AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bind(shade, slot::Depth, BindingType::Texture, depth);
-    for (uint32_t i = 0; i < attachments.size(); ++i)
-        b.bind(shade, slot::Surface0 + i, BindingType::Texture, attachments[i]);
+    // The shader names four attachments; slots beyond the layout's repeat the last and are not used.
+    for (uint32_t i = 0; i < 4; ++i)
+        b.bind(shade, slot::Surface0 + i, BindingType::Texture,
+               attachments[std::min<size_t>(i, attachments.size() - 1)]);
     setFields(shade.constants, packing.fields);
     b.copyCounters();
 }

@@ -5,8 +5,8 @@
 // accuracy measurements (a closed form of the mean of max(n.l, 0) over Toksvig's distribution).
 #ifndef AGAA_MATH_BRDF_GLSL
 #define AGAA_MATH_BRDF_GLSL
-#include "real.glsl"
 #include "ndf.glsl"
+#include "real.glsl"
 
 // log(1 + x) without the cancellation of 1 + x near x = 0, for x > -1. The series of the inverse
 // hyperbolic tangent is used in the place of Kahan's (u-1) correction, which a compiler that may

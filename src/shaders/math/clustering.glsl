@@ -1,16 +1,16 @@
 // Aggregate definition: which samples of a pixel are shaded together.
 // Sources: AGAA (Crassin et al., TVCG 2016) section 3.3, Equation 1 and Algorithm 1, with these
-// corrections: seeds by maximin distance (the printed rule (e) picks existing seeds), a new aggregate
-// only farther than t from every earlier seed, ties broken by content, averages in integers; hard
-// cases 10, 18, 20 to 24, 29 and 30.
+// corrections: seeds by maximin distance (the printed rule (e) picks existing seeds), a new
+// aggregate only farther than t from every earlier seed, ties broken by content, averages in
+// integers; hard cases 10, 18, 20 to 24, 29 and 30.
 //
 // The including file defines AGAA_MAX_SAMPLES (at most 32) and fills the agaa_sample* inputs. The
 // arrays are globals in GLSL and members of a struct in C++. Nothing here depends on the order of
 // the samples except the names of samples that are equal in content.
 #ifndef AGAA_MATH_CLUSTERING_GLSL
 #define AGAA_MATH_CLUSTERING_GLSL
-#include "real.glsl"
 #include "metadata.glsl"
+#include "real.glsl"
 
 rvec3 agaa_samplePosition[AGAA_MAX_SAMPLES]; // view space, relative to anything
 rvec3 agaa_sampleNormal[AGAA_MAX_SAMPLES];   // unit
@@ -21,11 +21,15 @@ uint agaa_sampleNearest[AGAA_MAX_SAMPLES];   // quantised distance to the neares
 uint agaa_seedSample[8];                     // sample that founded each aggregate
 
 // Distances are compared as multiples of 1/4096: finer than the 4e-4 below which the 8-bit normal
-// codes are noise, coarser than what two drivers' roundings differ by.
-real agaa_distanceScale() { return real(4096.0); }
+// codes are noise.
+real agaa_distanceScale() {
+    return real(4096.0);
+}
 
 // The position term stops growing at 1000 k, so that its square times the scale fits 32 bits.
-real agaa_maxPositionTerm() { return real(1e6); }
+real agaa_maxPositionTerm() {
+    return real(1e6);
+}
 
 // 1/k^2 with k held in [1e-15, 1e15]: k of 0, negative or NaN counts as tiny, infinite as huge
 // (normals only). The API refuses such values; here they must only not do harm.
@@ -37,8 +41,8 @@ real agaa_inverseK2(real k) {
     return real(1.0) / (kk * kk);
 }
 
-// Equation 1, with (1 - na.nb)/2 written as |na - nb|^2 / 4. For unit vectors both are the same, but
-// the difference is exactly 0 for equal normals and keeps its digits for similar ones.
+// Equation 1, with (1 - na.nb)/2 written as |na - nb|^2 / 4. For unit vectors both are the same,
+// but the difference is exactly 0 for equal normals and keeps its digits for similar ones.
 real agaa_sampleDistance(rvec3 pa, rvec3 pb, rvec3 na, rvec3 nb, real inverseK2) {
     const rvec3 dx = pa - pb;
     const rvec3 dn = na - nb;
@@ -46,12 +50,20 @@ real agaa_sampleDistance(rvec3 pa, rvec3 pb, rvec3 na, rvec3 nb, real inverseK2)
            min(real(0.25) * dot(dn, dn), real(1.0));
 }
 
+// From 4 on the step is 1/8192 to 1/16384 of the value, because 14 significant bits are coarser
+// than what the roundings of two devices differ by: equal distances stay ties, which content
+// decides. Monotone, so that comparisons of the rounded values never contradict those of the exact
+// ones.
 uint agaa_quantiseDistance(real d) {
     const real top = agaa_maxPositionTerm() + real(1.0);
-    return uint(clamp(d, real(0.0), top) * agaa_distanceScale() + real(0.5));
+    const uint q = uint(clamp(d, real(0.0), top) * agaa_distanceScale() + real(0.5));
+    const uint drop = uint(max(findMSB(q) - 13, 0));
+    return ((q + ((1u << drop) >> 1u)) >> drop) << drop;
 }
 
-bool agaa_sampleIsCovered(uint covered, uint i) { return ((covered >> i) & 1u) != 0u; }
+bool agaa_sampleIsCovered(uint covered, uint i) {
+    return ((covered >> i) & 1u) != 0u;
+}
 
 // Content decides before position in the array does. Equal content means equal keys; then it does
 // not matter which of the two is taken, and the index makes the choice definite.
@@ -76,9 +88,9 @@ uint agaa_quantisedSampleDistance(uint a, uint b, real inverseK2) {
                                                      inverseK2));
 }
 
-// Founds aggregate `id` at sample `seed`: moves every sample that is nearer to it than to its seed so
-// far and returns the sample that is then farthest from all seeds, the next candidate. A sample as
-// near to two seeds goes to the seed of lower content.
+// Founds aggregate `id` at sample `seed`: moves every sample that is nearer to it than to its seed
+// so far and returns the sample that is then farthest from all seeds, the next candidate. A sample
+// as near to two seeds goes to the seed of lower content.
 uint agaa_addSeed(uint n, uint covered, uint id, uint seed, real inverseK2) {
     agaa_seedSample[id] = seed;
     uint best = seed;
@@ -105,8 +117,9 @@ uint agaa_addSeed(uint n, uint covered, uint id, uint seed, real inverseK2) {
     return best;
 }
 
-// Rule (e) as printed: the sample with the largest sum of squared distances from all seeds. Equation
-// 1 is itself a squared distance (of position/k and half the normal), so its values are summed.
+// Rule (e) as printed: the sample with the largest sum of squared distances from all seeds.
+// Equation 1 is itself a squared distance (of position/k and half the normal), so its values are
+// summed.
 uint agaa_literalCandidate(uint n, uint covered, uint seeds, real inverseK2) {
     uint best = 0u;
     uint bestSum = 0u;
@@ -154,16 +167,16 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
     const rvec3 meanP = rvec3(real(sumP.x), real(sumP.y), real(sumP.z)) * (inverse * size);
     // The mean normal is left unnormalised: its distance is then the mean of the distances to all
     // normals up to a constant, and there is no direction to invent where normals cancel.
-    const rvec3 meanN = rvec3(real(sumN.x) * inverse - real(1.0), real(sumN.y) * inverse - real(1.0),
-                              real(sumN.z) * inverse - real(1.0));
+    const rvec3 meanN =
+        rvec3(real(sumN.x) * inverse - real(1.0), real(sumN.y) * inverse - real(1.0),
+              real(sumN.z) * inverse - real(1.0));
     uint best = 0u;
     uint bestDistance = 0u;
     bool haveBest = false;
     for (uint i = 0u; i < n; ++i) {
         if (agaa_sampleIsCovered(covered, i)) {
-            const uint d = agaa_quantiseDistance(
-                agaa_sampleDistance(agaa_samplePosition[i] - lowest, meanP, agaa_sampleNormal[i],
-                                    meanN, inverseK2));
+            const uint d = agaa_quantiseDistance(agaa_sampleDistance(
+                agaa_samplePosition[i] - lowest, meanP, agaa_sampleNormal[i], meanN, inverseK2));
             if (agaa_isFartherSample(i, d, best, bestDistance, haveBest)) {
                 best = i;
                 bestDistance = d;
@@ -174,8 +187,8 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
     return best;
 }
 
-// Partitions the covered samples into at most c (1 to 8) aggregates, whose number it returns; ids go
-// to agaa_sampleAggregate in the order of the seeds. `covered` has a bit for each sample with
+// Partitions the covered samples into at most c (1 to 8) aggregates, whose number it returns; ids
+// go to agaa_sampleAggregate in the order of the seeds. `covered` has a bit for each sample with
 // geometry; t is the smallest distance of a new aggregate from the others; literalSeeds != 0 takes
 // the paper's rule (e) for the third and later seeds. O(n c), O(n c^2) for literal seeds.
 uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint literalSeeds) {

@@ -2,17 +2,19 @@
 // Sources: AGAA (Crassin et al., TVCG 2016) Algorithm 1(a); hard cases 16 (reversed depth, infinite
 // far plane), 20 (depth quantum against k) and 22 (camera-relative clustering).
 //
-// View space looks down -z; clip = P * view with P column-major, p22 = P[2][2], p32 = P[3][2]; depth
-// is clip.z / clip.w in [0, 1], either direction, far plane finite or not.
+// View space looks down -z; clip = P * view with P column-major, p22 = P[2][2], p32 = P[3][2];
+// depth is clip.z / clip.w in [0, 1], either direction, far plane finite or not.
 #ifndef AGAA_MATH_DEPTH_GLSL
 #define AGAA_MATH_DEPTH_GLSL
 #include "real.glsl"
 
 // Depths that would lie further away are put here: squares and cubes of it fit into a float.
-real agaa_maxViewDistance() { return real(1e12); }
+real agaa_maxViewDistance() {
+    return real(1e12);
+}
 
-// |d + p22|, which for every perspective projection has the sign of p32 in front of the camera, held
-// away from the zero at an infinite far plane.
+// |d + p22|, which for every perspective projection has the sign of p32 in front of the camera,
+// held away from the zero at an infinite far plane.
 real agaa_depthDenominator(real d, real p22, real p32) {
     const real sum = p32 < real(0.0) ? -(d + p22) : d + p22;
     return max(sum, max(abs(p32) / agaa_maxViewDistance(), real(1e-25)));
@@ -28,8 +30,8 @@ real agaa_viewZFromDepth(real d, real p22, real p32, uint orthographic) {
     return clamp(z, -agaa_maxViewDistance(), agaa_maxViewDistance());
 }
 
-// The step in view z that one step `quantum` of the depth buffer makes at depth d, |dz/dd| * quantum.
-// For a 24-bit format quantum is 2^-24, for a float format the spacing of floats at d.
+// The step in view z that one step `quantum` of the depth buffer makes at depth d, |dz/dd| *
+// quantum. For a 24-bit format quantum is 2^-24, for a float format the spacing of floats at d.
 real agaa_depthQuantum(real z, real d, real p22, real p32, uint orthographic, real quantum) {
     const real q = agaa_saturate(quantum);
     real dz = real(0.0);
@@ -42,8 +44,8 @@ real agaa_depthQuantum(real z, real d, real p22, real p32, uint orthographic, re
     return min(dz, agaa_maxViewDistance());
 }
 
-// p20, p21 are P[2][0], P[2][1] (an off-centre frustum, jitter); an orthographic projection is taken
-// to be centred.
+// p20, p21 are P[2][0], P[2][1] (an off-centre frustum, jitter); an orthographic projection is
+// taken to be centred.
 rvec3 agaa_viewPosition(rvec2 ndc, real z, real p00, real p11, real p20, real p21,
                         uint orthographic) {
     const real ix = agaa_guardedReciprocal(p00);
@@ -54,6 +56,13 @@ rvec3 agaa_viewPosition(rvec2 ndc, real z, real p00, real p11, real p20, real p2
         p.y = -z * (ndc.y + p21) * iy;
     }
     return p;
+}
+
+// The characteristic length for Equation 1 at view depth z: k, or perDistance * |z| where that is
+// more (0 keeps k), plus as much that two samples of one surface, which the depth buffer may put a
+// whole step apart, stay at a quarter of the threshold t: (step / k')^2 <= t / 4.
+real agaa_characteristicLength(real k, real perDistance, real z, real depthStep, real t) {
+    return max(k, perDistance * abs(z)) + real(2.0) * depthStep / sqrt(max(t, real(1e-4)));
 }
 
 #endif

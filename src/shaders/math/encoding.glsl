@@ -1,7 +1,8 @@
 // Fixed-point encodings of normals, colours and means.
-// Sources: AGAA (Crassin et al., TVCG 2016) section 3.2 and figure 7; Cigolle et al. 2014, "A Survey
-// of Efficient Representations for Independent Unit Vectors" (octahedral and hemi-octahedral maps);
-// Duff et al. 2017, "Building an Orthonormal Basis, Revisited"; hard cases 10, 11, 18, 32, 33.
+// Sources: AGAA (Crassin et al., TVCG 2016) section 3.2 and figure 7; Cigolle et al. 2014, "A
+// Survey of Efficient Representations for Independent Unit Vectors" (octahedral and hemi-octahedral
+// maps); Duff et al. 2017, "Building an Orthonormal Basis, Revisited"; hard cases 10, 11, 18,
+// 32, 33.
 #ifndef AGAA_MATH_ENCODING_GLSL
 #define AGAA_MATH_ENCODING_GLSL
 #include "real.glsl"
@@ -22,15 +23,18 @@ void agaa_viewBasis(rvec3 v, OUT(rvec3) t, OUT(rvec3) b) {
 // ---- codes with an exact centre --------------------------------------------------------------
 
 // The largest code of a UNORM channel. Channels have 1 to 24 bits: more do not fit into a float.
-uint agaa_maxCode(uint bits) { return (1u << min(bits, 24u)) - 1u; }
+uint agaa_maxCode(uint bits) {
+    return (1u << min(bits, 24u)) - 1u;
+}
 
-// Signed codes lie in 1..2^bits-1 around the centre 2^(bits-1): an odd number of codes, so that 0 is
-// represented exactly, and code 0 stays free to say "no geometry".
+// Signed codes lie in 1..2^bits-1 around the centre 2^(bits-1): an odd number of codes, so that 0
+// is represented exactly, and code 0 stays free to say "no geometry".
 uint agaa_signedCode(real v, uint bits) {
     const uint centre = 1u << (clamp(bits, 2u, 24u) - 1u);
     const real span = real(centre - 1u);
     const real c = clamp(v, real(-1.0), real(1.0)) * span + real(0.5);
-    // floor() of a value in [-span + 0.5, span + 0.5], made non-negative before it becomes unsigned.
+    // floor() of a value in [-span + 0.5, span + 0.5], made non-negative before it becomes
+    // unsigned.
     return uint(floor(c) + real(centre));
 }
 
@@ -138,9 +142,13 @@ real agaa_meanOfSum(uint sum, uint count, uint bits) {
     return mean;
 }
 
-real agaa_signedToUnorm(real v) { return v * real(0.5) + real(0.5); }
+real agaa_signedToUnorm(real v) {
+    return v * real(0.5) + real(0.5);
+}
 
-real agaa_unormToSigned(real u) { return u * real(2.0) - real(1.0); }
+real agaa_unormToSigned(real u) {
+    return u * real(2.0) - real(1.0);
+}
 
 // ---- colour ----------------------------------------------------------------------------------
 

@@ -3,9 +3,9 @@
 // Unreal Engine 4" (windowed inverse square); hard cases 39 and 40.
 #ifndef AGAA_MATH_LIGHT_GLSL
 #define AGAA_MATH_LIGHT_GLSL
-#include "real.glsl"
-#include "ndf.glsl"
 #include "brdf.glsl"
+#include "ndf.glsl"
+#include "real.glsl"
 
 // Inverse square law, 0 from `range` on (range 0: no end); d2 is the squared distance, rMin2 the
 // squared radius of the lamp, within which the law would diverge.
@@ -78,7 +78,8 @@ rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse
         if (brdf == 0u) {
             lobe = real(0.25) * agaa_blinnPhong(agaa_exponentFromAlpha2(s.alpha2), NxH2, NoH);
         } else {
-            // Interpolated normals may face away from the eye; the floor keeps Smith's term bounded.
+            // Interpolated normals may face away from the eye; the floor keeps Smith's term
+            // bounded.
             const real NoV = clamp(dot(n, toEye), real(1e-4), real(1.0));
             lobe = agaa_ggxD(s.alpha2, NoH, NxH2) * agaa_ggxV(s.alpha2, NoV, cosine);
         }

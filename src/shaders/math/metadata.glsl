@@ -1,6 +1,7 @@
 // Aggregate ids of the samples of one pixel, packed.
-// Source: AGAA (Crassin et al., TVCG 2016) section 3.3, figure 5 and Algorithm 2; hard cases 29 (the
-// printed mask c-1 loses an id for c=3) and 30 (64 bits of metadata, shifts of 32 are undefined).
+// Source: AGAA (Crassin et al., TVCG 2016) section 3.3, figure 5 and Algorithm 2; hard cases 29
+// (the printed mask c-1 loses an id for c=3) and 30 (64 bits of metadata, shifts of 32 are
+// undefined).
 //
 // An id never straddles two words: with 1 or 2 bits that costs nothing (n ids take exactly
 // n * bits bits), with 3 bits 10 ids fill a word.
@@ -19,9 +20,13 @@ uint agaa_bitsPerAggregateId(uint c) {
     return bits;
 }
 
-uint agaa_aggregateIdMask(uint bits) { return (1u << min(bits, 31u)) - 1u; }
+uint agaa_aggregateIdMask(uint bits) {
+    return (1u << min(bits, 31u)) - 1u;
+}
 
-uint agaa_metadataWord(uint index, uint bits) { return bits == 0u ? 0u : index / (32u / bits); }
+uint agaa_metadataWord(uint index, uint bits) {
+    return bits == 0u ? 0u : index / (32u / bits);
+}
 
 uint agaa_metadataShift(uint index, uint bits) {
     return bits == 0u ? 0u : (index % (32u / bits)) * bits;

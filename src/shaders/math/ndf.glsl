@@ -7,19 +7,23 @@
 // else, because widening alpha in the place of alpha2 under-filters without looking wrong.
 #ifndef AGAA_MATH_NDF_GLSL
 #define AGAA_MATH_NDF_GLSL
-#include "real.glsl"
 #include "encoding.glsl"
+#include "real.glsl"
 #include "sanitise.glsl"
 
 // alpha >= .002025: below, D overflows half floats and loses its digits in single precision.
-real agaa_minAlpha2() { return real(4.100625e-6); }
+real agaa_minAlpha2() {
+    return real(4.100625e-6);
+}
 
 // Blinn-Phong exponent of the lobe of the same width, in [0, 487729].
 real agaa_exponentFromAlpha2(real a2) {
     return real(2.0) / clamp(a2, agaa_minAlpha2(), real(1.0)) - real(2.0);
 }
 
-real agaa_alpha2FromExponent(real s) { return real(2.0) / (max(s, real(0.0)) + real(2.0)); }
+real agaa_alpha2FromExponent(real s) {
+    return real(2.0) / (max(s, real(0.0)) + real(2.0));
+}
 
 real agaa_alpha2FromRoughness(real perceptual) {
     return max(agaa_sq(agaa_sq(agaa_saturate(perceptual))), agaa_minAlpha2());
@@ -40,8 +44,8 @@ real agaa_toksvigAlpha2(real alpha2, real meanLength) {
     return widened;
 }
 
-// How far the length of a mean of stored unit normals can be from 1 by rounding alone: each of three
-// components is off by half a step of 2/(2^bits-1), once if integer codes are summed exactly
+// How far the length of a mean of stored unit normals can be from 1 by rounding alone: each of
+// three components is off by half a step of 2/(2^bits-1), once if integer codes are summed exactly
 // (roundings = 1), n times if a blender rounds after each of n additions (roundings = n).
 real agaa_storedLengthBound(uint roundings, uint bits) {
     return real(1.7320508075688772) * real(roundings) / real(agaa_maxCode(bits));

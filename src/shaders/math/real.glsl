@@ -22,11 +22,17 @@ bool agaa_exponentIsAllOnes(real x) {
 }
 #endif
 
-real agaa_pi() { return real(3.14159265358979323846); }
+real agaa_pi() {
+    return real(3.14159265358979323846);
+}
 
-real agaa_saturate(real x) { return clamp(x, real(0.0), real(1.0)); }
+real agaa_saturate(real x) {
+    return clamp(x, real(0.0), real(1.0));
+}
 
-real agaa_sq(real x) { return x * x; }
+real agaa_sq(real x) {
+    return x * x;
+}
 
 // 1/x with the sign of x kept and the magnitude of x held above 1e-25, so that the result is finite
 // even if x is 0 or denormal.

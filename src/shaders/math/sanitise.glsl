@@ -4,7 +4,9 @@
 #define AGAA_MATH_SANITISE_GLSL
 #include "real.glsl"
 
-bool agaa_isFinite(real x) { return !agaa_exponentIsAllOnes(x); }
+bool agaa_isFinite(real x) {
+    return !agaa_exponentIsAllOnes(x);
+}
 
 bool agaa_isFinite3(rvec3 v) {
     return agaa_isFinite(v.x) && agaa_isFinite(v.y) && agaa_isFinite(v.z);

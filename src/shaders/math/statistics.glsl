@@ -31,7 +31,9 @@ void agaa_momentsAdd(INOUT(agaa_Moments) m, real x) {
 }
 
 // Without samples the mean is the shift.
-real agaa_momentsMean(agaa_Moments m) { return m.shift + m.sum / max(m.count, real(1.0)); }
+real agaa_momentsMean(agaa_Moments m) {
+    return m.shift + m.sum / max(m.count, real(1.0));
+}
 
 // Never negative, and exactly 0 for one sample, whatever the compiler contracts.
 real agaa_momentsVariance(agaa_Moments m) {
@@ -51,8 +53,8 @@ real agaa_chebyshevVisibility(real mean, real variance, real t, real minVariance
 }
 
 // Normal metric for a sample count: sqrt(1 - smallest n.n), of signed dot products of normals that
-// were turned to the viewer, so that a flipped sample counts as different. Rounded unit vectors reach
-// products above 1, whose root would be NaN.
+// were turned to the viewer, so that a flipped sample counts as different. Rounded unit vectors
+// reach products above 1, whose root would be NaN.
 real agaa_normalMetric(real smallestDot) {
     return sqrt(max(real(1.0) - smallestDot, real(0.0)));
 }

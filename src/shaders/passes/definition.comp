@@ -36,9 +36,11 @@ void main() {
         uvec2 place = uvec2(agaa_frame.samplePosition[i].xy * 128.0);
         agaa_sampleKeyB[i] = code.x << 24 | code.y << 16 | place.x << 8 | place.y;
         nearest2 = min(nearest2, dot(position, position));
+        float step = agaa_frame.projection1.w;
+        step = step < 0.0 ? -step * depth : step; // float formats: relative
         quantum = max(quantum, agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x,
                                                  agaa_frame.projection1.y, agaa_isOrthographic(),
-                                                 agaa_frame.projection1.w));
+                                                 step));
     }
     float k = agaa_frame.cluster.x + agaa_frame.cluster.y * sqrt(nearest2) + quantum;
     uvec2 planes = uvec2(0u);

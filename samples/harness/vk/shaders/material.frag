@@ -7,6 +7,7 @@ layout(location = 2) in vec4 inTangent;
 layout(location = 3) in vec2 inUv;
 layout(location = 4) in vec4 inColor;
 layout(location = 5) flat in uint inSeed;
+layout(location = 6) in float inOne;
 
 layout(set = 2, binding = 0) uniform sampler2D baseColorMap;
 layout(set = 2, binding = 1) uniform sampler2D normalMap;
@@ -27,10 +28,14 @@ const uint normalBit = 2u;
 const uint metalRoughBit = 4u;
 const uint emissiveBit = 8u;
 
+// Mesa's software rasteriser (22.3) interpolates at a centroid or sample with the 1/w of the pixel's
+// centre: a value comes out too large by the factor that a constant 1 comes out by. Elsewhere this is 1.
+float insideScale() { return 1.0 / AGAA_INSIDE(inOne); }
+
 // Texture coordinates are taken inside the primitive: at the pixel's centre they extrapolate where
 // the primitive is thinner than a pixel.
 vec4 baseColor(vec2 uv, vec2 dx, vec2 dy) {
-    vec4 color = material.baseColor * max(AGAA_INSIDE(inColor), vec4(0.0));
+    vec4 color = material.baseColor * max(AGAA_INSIDE(inColor) * insideScale(), vec4(0.0));
     if ((material.maps & baseColorBit) != 0u)
         color *= textureGrad(baseColorMap, uv, dx, dy);
     return color;
@@ -69,10 +74,10 @@ vec3 shadingNormal(vec3 position, vec2 uv, vec2 dx, vec2 dy) {
 
 void main() {
     AgaaSurfaceInput surface = agaa_surfaceInput();
-    vec2 uv = AGAA_INSIDE(inUv);
+    vec2 uv = AGAA_INSIDE(inUv) * insideScale();
     vec2 dx = agaa_dFdx(inUv);
     vec2 dy = agaa_dFdy(inUv);
-    surface.position = AGAA_INSIDE(inPosition);
+    surface.position = AGAA_INSIDE(inPosition) * insideScale();
     surface.geometricNormal = agaa_planeNormal(inPosition);
     surface.primitiveSeed = inSeed;
 

@@ -13,6 +13,7 @@ layout(location = 2) out vec4 outTangent;
 layout(location = 3) out vec2 outUv;
 layout(location = 4) out vec4 outColor;
 layout(location = 5) flat out uint outSeed;
+layout(location = 6) out float outOne; // see insideScale() in material.frag
 
 layout(set = 0, binding = 0, std140) uniform Camera { mat4 viewProjection; } camera;
 
@@ -39,6 +40,7 @@ void main() {
                       vertexTangent.w * draw.handedness);
     outUv = vertexUv;
     outColor = vertexColor;
+    outOne = 1.0;
     // Of the primitive's first vertex.
     uint seed = (draw.seed ^ uint(gl_VertexIndex)) * 0x9E3779B1u;
     outSeed = seed ^ (seed >> 15);

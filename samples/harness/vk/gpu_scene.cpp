@@ -1,0 +1,222 @@
+#include "vk/gpu_scene.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <stdexcept>
+
+namespace harness::vk {
+
+namespace {
+
+// As the shaders' Material block, std140.
+struct MaterialConstants {
+    glm::vec4 baseColor{1};
+    glm::vec3 emissive{0};
+    float metallic = 0;
+    float roughness = 1;
+    float normalScale = 1;
+    float alphaCutoff = -1;
+    uint32_t maps = 0;
+};
+static_assert(sizeof(MaterialConstants) == 48);
+
+MaterialConstants constantsOf(const Material& material,
+                              const std::array<int, materialTextureCount>& maps) {
+    MaterialConstants c;
+    c.baseColor = material.baseColor;
+    c.emissive = material.emissive;
+    c.metallic = material.metallic;
+    c.roughness = material.roughness;
+    c.normalScale = material.normalScale;
+    c.alphaCutoff =
+        material.alphaMode == AlphaMode::Mask ? std::max(material.alphaCutoff, 0.0f) : -1;
+    for (size_t i = 0; i < maps.size(); ++i)
+        c.maps |= maps[i] >= 0 ? 1u << i : 0u;
+    return c;
+}
+
+VkSamplerAddressMode addressMode(Wrap wrap) {
+    switch (wrap) {
+    case Wrap::Mirror:
+        return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case Wrap::Clamp:
+        return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    case Wrap::Repeat:
+        break;
+    }
+    return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+}
+
+} // namespace
+
+GpuScene::GpuScene(const Device& device, const Scene& scene) : device_(&device), arena_(device) {
+    Uploader uploader(device);
+    uploadGeometry(uploader, scene);
+    uploadTextures(uploader, scene);
+    createMaterials(uploader, scene);
+}
+
+void GpuScene::uploadGeometry(Uploader& uploader, const Scene& scene) {
+    for (const Mesh& mesh : scene.meshes) {
+        if (uint64_t(mesh.firstIndex) + mesh.indexCount > scene.indices.size() ||
+            uint64_t(mesh.firstVertex) + mesh.vertexCount > scene.vertices.size())
+            throw std::runtime_error("A mesh of the scene \"" + scene.name +
+                                     "\" reaches beyond its vertices or indices.");
+    }
+    const auto vertices = std::as_bytes(std::span(scene.vertices));
+    const auto indices = std::as_bytes(std::span(scene.indices));
+    // A scene may be empty; buffers may not.
+    vertices_ =
+        arena_.deviceBuffer(std::max(vertices.size(), sizeof(Vertex)),
+                            VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    indices_ =
+        arena_.deviceBuffer(std::max(indices.size(), sizeof(uint32_t)),
+                            VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    uploader.fill(vertices_, vertices);
+    uploader.fill(indices_, indices);
+}
+
+void GpuScene::uploadTextures(Uploader& uploader, const Scene& scene) {
+    const std::vector<MipOptions> options = mipOptions(scene);
+    for (size_t i = 0; i < scene.textures.size(); ++i) {
+        const Texture& texture = scene.textures[i];
+        if (std::max(texture.width, texture.height) > device_->limits().maxImageDimension2D)
+            throw std::runtime_error("The texture \"" + texture.name +
+                                     "\" is larger than the device allows.");
+        textures_.push_back(
+            uploader.texture(arena_, makeMipChain(texture, options[i]), texture.srgb));
+        textureWraps_.emplace_back(texture.wrapU, texture.wrapV);
+    }
+    // Bound where a material has no texture: a driver may read every binding of a bound set.
+    textures_.push_back(uploader.texture(arena_, {{1, 1, {255, 255, 255, 255}}}, false));
+    textureWraps_.emplace_back(Wrap::Repeat, Wrap::Repeat);
+}
+
+VkSampler GpuScene::sampler(Wrap u, Wrap v) {
+    Sampler& sampler = samplers_[{u, v}];
+    if (!sampler) {
+        VkSamplerCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+        info.magFilter = VK_FILTER_LINEAR;
+        info.minFilter = VK_FILTER_LINEAR;
+        info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+        info.addressModeU = addressMode(u);
+        info.addressModeV = addressMode(v);
+        info.addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT;
+        info.anisotropyEnable = device_->hasAnisotropy();
+        info.maxAnisotropy = std::min(8.0f, device_->limits().maxSamplerAnisotropy);
+        info.maxLod = VK_LOD_CLAMP_NONE;
+        sampler = make<Sampler>(device_->get(), vkCreateSampler, info, "create a sampler");
+    }
+    return sampler.get();
+}
+
+void GpuScene::createMaterials(Uploader& uploader, const Scene& scene) {
+    std::vector<Material> materials = scene.materials;
+    materials.emplace_back();
+    const uint32_t count = uint32_t(materials.size());
+
+    std::array<VkDescriptorSetLayoutBinding, materialTextureCount + 1> bindings{};
+    for (uint32_t i = 0; i < bindings.size(); ++i)
+        bindings[i] = {i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
+                       VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
+    bindings[materialConstantsBinding].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    VkDescriptorSetLayoutCreateInfo layout{};
+    layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    layout.bindingCount = uint32_t(bindings.size());
+    layout.pBindings = bindings.data();
+    layout_ = make<DescriptorSetLayout>(device_->get(), vkCreateDescriptorSetLayout, layout,
+                                        "create a descriptor set layout");
+
+    const std::array<VkDescriptorPoolSize, 2> sizes = {
+        {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count * materialTextureCount},
+         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count}}};
+    VkDescriptorPoolCreateInfo pool{};
+    pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    pool.maxSets = count;
+    pool.poolSizeCount = uint32_t(sizes.size());
+    pool.pPoolSizes = sizes.data();
+    pool_ = make<DescriptorPool>(device_->get(), vkCreateDescriptorPool, pool,
+                                 "create a descriptor pool");
+    const std::vector<VkDescriptorSetLayout> layouts(count, layout_.get());
+    VkDescriptorSetAllocateInfo allocation{};
+    allocation.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+    allocation.descriptorPool = pool_.get();
+    allocation.descriptorSetCount = count;
+    allocation.pSetLayouts = layouts.data();
+    materialSets_.resize(count);
+    check(vkAllocateDescriptorSets(device_->get(), &allocation, materialSets_.data()),
+          "allocate descriptor sets");
+
+    const VkDeviceSize alignment =
+        std::max<VkDeviceSize>(device_->limits().minUniformBufferOffsetAlignment, 1);
+    const VkDeviceSize stride = (sizeof(MaterialConstants) + alignment - 1) / alignment * alignment;
+    std::vector<std::byte> constants(size_t(stride) * count);
+    materialConstants_ = arena_.deviceBuffer(
+        constants.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+
+    for (uint32_t m = 0; m < count; ++m) {
+        const Material& material = materials[m];
+        std::array<int, materialTextureCount> maps = {
+            material.baseColorTexture, material.normalTexture, material.metalRoughTexture,
+            material.emissiveTexture};
+        std::array<VkDescriptorImageInfo, materialTextureCount> images{};
+        for (size_t i = 0; i < maps.size(); ++i) {
+            if (maps[i] >= int(scene.textures.size()))
+                maps[i] = -1;
+            const size_t texture = maps[i] >= 0 ? size_t(maps[i]) : scene.textures.size();
+            const auto& [wrapU, wrapV] = textureWraps_[texture];
+            images[i] = {sampler(wrapU, wrapV), textures_[texture].view.get(),
+                         VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+        }
+        const MaterialConstants values = constantsOf(material, maps);
+        std::memcpy(&constants[size_t(stride) * m], &values, sizeof values);
+
+        const VkDescriptorBufferInfo buffer{materialConstants_.buffer.get(), stride * m,
+                                            sizeof(MaterialConstants)};
+        std::array<VkWriteDescriptorSet, 2> writes{};
+        for (VkWriteDescriptorSet& write : writes) {
+            write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+            write.dstSet = materialSets_[m];
+        }
+        writes[0].descriptorCount = materialTextureCount;
+        writes[0].descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+        writes[0].pImageInfo = images.data();
+        writes[1].dstBinding = materialConstantsBinding;
+        writes[1].descriptorCount = 1;
+        writes[1].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+        writes[1].pBufferInfo = &buffer;
+        vkUpdateDescriptorSets(device_->get(), uint32_t(writes.size()), writes.data(), 0, nullptr);
+    }
+    uploader.fill(materialConstants_, constants);
+}
+
+VkDescriptorSet GpuScene::materialSet(uint32_t material) const {
+    return materialSets_[std::min(size_t(material), materialSets_.size() - 1)];
+}
+
+void GpuScene::bindGeometry(VkCommandBuffer commands) const {
+    const VkBuffer vertices = vertices_.buffer.get();
+    const VkDeviceSize offset = 0;
+    vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
+    vkCmdBindIndexBuffer(commands, indices_.buffer.get(), 0, VK_INDEX_TYPE_UINT32);
+}
+
+VertexInput::VertexInput(uint32_t locations) {
+    binding = {0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
+    attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},
+                  {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)},
+                  {2, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)},
+                  {3, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)},
+                  {4, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(Vertex, color)}};
+    std::erase_if(attributes,
+                  [locations](const auto& a) { return !(locations >> a.location & 1); });
+    state.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
+    state.vertexBindingDescriptionCount = 1;
+    state.pVertexBindingDescriptions = &binding;
+    state.vertexAttributeDescriptionCount = uint32_t(attributes.size());
+    state.pVertexAttributeDescriptions = attributes.data();
+}
+
+} // namespace harness::vk

@@ -1,0 +1,72 @@
+// The sample engine's pipelines for the SDK's draw passes. The SDK says when they must be rebuilt
+// by a key, so they are kept by it, also across views.
+#pragma once
+
+#include "render/draw_list.h"
+#include "vk/pipeline_state.h"
+
+#include <array>
+#include <map>
+#include <optional>
+
+namespace harness::vk {
+
+// Descriptor sets of a pass's pipeline layout.
+constexpr uint32_t cameraSetIndex = 0;
+constexpr uint32_t agaaSetIndex = 1;
+constexpr uint32_t materialSetIndex = 2;
+
+// As material.vert's push constants.
+struct DrawConstants {
+    std::array<glm::vec4, 3> toShading;
+    std::array<glm::vec4, 3> normalToShading;
+    uint32_t seed;
+    float handedness;
+};
+static_assert(sizeof(DrawConstants) <= 128, "Vulkan promises no more push constants than this.");
+
+DrawConstants drawConstants(const Draw& draw);
+
+struct Variant {
+    bool isMasked = false;
+    bool isDoubleSided = false;
+    bool isMirrored = false;
+
+    bool operator==(const Variant&) const = default;
+    size_t index() const { return size_t(isMasked) | isDoubleSided << 1 | isMirrored << 2; }
+};
+constexpr size_t variantCount = 8;
+
+Variant variantOf(const Scene& scene, const Draw& draw);
+
+class PassPipelines {
+public:
+    PassPipelines(const Device& device, VkDescriptorSetLayout cameraLayout);
+
+    // Makes what the draws need and is not there yet. Before recording: pipelines take time.
+    void prepare(const AgaaVkDrawPass& pass, const Scene& scene, const std::vector<Draw>& draws,
+                 VkDescriptorSetLayout materialLayout);
+    // Both throw std::runtime_error where prepare() was not called for it.
+    VkPipelineLayout layout(uint64_t pipelineKey) const;
+    VkPipeline pipeline(uint64_t pipelineKey, const Variant& variant) const;
+    void clear() { programs_.clear(); }
+
+private:
+    struct Program {
+        std::string text;
+        PipelineLayout layout;
+        std::array<ShaderModule, 2> fragments; // opaque, masked
+        std::array<Pipeline, variantCount> pipelines;
+    };
+    const Program& program(uint64_t pipelineKey) const;
+    PipelineLayout makeLayout(const AgaaVkDrawPass& pass, VkDescriptorSetLayout materials) const;
+    Pipeline makePipeline(const AgaaVkDrawPass& pass, const Program& program,
+                          const Variant& variant) const;
+
+    const Device* device_;
+    VkDescriptorSetLayout cameraLayout_;
+    ShaderModule vertex_;
+    std::map<uint64_t, Program> programs_;
+};
+
+} // namespace harness::vk

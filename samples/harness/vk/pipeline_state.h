@@ -1,0 +1,37 @@
+// What the sample engine's graphics pipelines have in common.
+#pragma once
+
+#include "vk/check.h"
+#include "vk/glsl.h"
+#include "vk/gpu_scene.h"
+
+#include <string>
+#include <vector>
+
+namespace harness::vk {
+
+ShaderModule makeShader(const Device& device, ShaderStage stage, const std::string& source,
+                        const std::string& name);
+
+// Triangles, dynamic viewport and scissor, no depth, stencil or colour until the user sets them.
+class PipelineState {
+public:
+    explicit PipelineState(uint32_t colorAttachments);
+    PipelineState(const PipelineState&) = delete;
+    PipelineState& operator=(const PipelineState&) = delete;
+
+    // fragment may be null.
+    Pipeline create(const Device& device, VkShaderModule vertex, VkShaderModule fragment,
+                    VkPipelineLayout layout, VkRenderPass renderPass, const void* next = nullptr);
+
+    uint32_t vertexLocations = 0x1F; // bits of the attributes that the vertex shader reads
+    VkPipelineRasterizationStateCreateInfo rasterization{};
+    VkPipelineMultisampleStateCreateInfo multisample{};
+    VkPipelineDepthStencilStateCreateInfo depthStencil{};
+    std::vector<VkPipelineColorBlendAttachmentState> blends;
+};
+
+// The whole target.
+void setViewport(VkCommandBuffer commands, uint32_t width, uint32_t height);
+
+} // namespace harness::vk

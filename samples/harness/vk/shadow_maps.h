@@ -1,0 +1,48 @@
+// Depth maps of the lights that cast shadows, rendered once for a scene, its lights and a camera.
+#pragma once
+
+#include "render/camera_matrices.h"
+#include "vk/gpu_scene.h"
+#include "vk/pipeline_state.h"
+
+#include <vector>
+
+namespace harness::vk {
+
+class ShadowMaps {
+public:
+    ShadowMaps(const Device& device, uint32_t size);
+
+    // Renders where the lights, the camera or the offset differ from the last call. The camera's
+    // jitter and image size do not matter: all frames of a view share their maps.
+    void update(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
+                const CameraMatrices& camera);
+    // The scene has changed.
+    void invalidate();
+
+    const std::vector<AgaaShadow>& shadows() const { return shadows_; }
+    VkImageView view(size_t shadow) const { return maps_[shadow].view.get(); }
+
+private:
+    void renderMap(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
+                   const glm::dvec3& eye, const std::vector<glm::dmat4>& layers);
+    void createPipelines(VkDescriptorSetLayout materialLayout);
+    void renderLayer(VkCommandBuffer commands, const GpuScene& gpuScene, const Scene& scene,
+                     const RenderSettings& settings, const glm::dvec3& eye,
+                     const glm::dmat4& toClip) const;
+
+    const Device* device_;
+    uint32_t size_;
+    RenderPass renderPass_;
+    ShaderModule vertex_;
+    ShaderModule fragment_;
+    PipelineLayout layout_;
+    Pipeline opaque_;
+    Pipeline masked_;
+    Arena arena_;
+    std::vector<ImageResource> maps_;
+    std::vector<AgaaShadow> shadows_;
+    std::vector<double> key_; // what the maps were rendered for
+};
+
+} // namespace harness::vk

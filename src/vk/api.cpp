@@ -1,0 +1,166 @@
+// The Vulkan part of the C ABI.
+#include "core/validate.h"
+#include "vk/formats.h"
+#include "vk/view.h"
+
+#include <new>
+
+using namespace agaa;
+
+namespace {
+
+// Objects behind handles live in the host's memory.
+template <typename T, typename... Arguments>
+T* construct(const vk::HostAllocator& allocator, Arguments&&... arguments) {
+    void* memory = allocator.allocate(sizeof(T), alignof(T));
+    try {
+        return new (memory) T(std::forward<Arguments>(arguments)...);
+    } catch (...) {
+        allocator.free(memory);
+        throw;
+    }
+}
+
+template <typename T>
+void destroy(const vk::HostAllocator& allocator, T* object) {
+    object->~T();
+    allocator.free(object);
+}
+
+void checkContextDesc(const AgaaVkContextDesc* pointer) {
+    const AgaaVkContextDesc& desc =
+        checkStruct(pointer, AGAA_STRUCTURE_TYPE_VK_CONTEXT, "AgaaVkContextDesc");
+    require(desc.instance && desc.physicalDevice && desc.device && desc.getProcAddr,
+            AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaVkContextDesc lacks an instance, physical device, device or getProcAddr.");
+    require(!desc.enabledExtensionCount || desc.enabledExtensions, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaVkContextDesc::enabledExtensions is null.");
+    require(desc.apiVersion >= VK_API_VERSION_1_2, AGAA_ERROR_UNSUPPORTED,
+            "AgaaVkContextDesc::apiVersion is below Vulkan 1.2.");
+    checkRange(uint64_t(desc.rendering), 0, AGAA_VK_RENDERING_RENDER_PASS,
+               "AgaaVkContextDesc::rendering");
+    checkRange(uint64_t(desc.recording), 0, AGAA_VK_RECORDING_INLINE,
+               "AgaaVkContextDesc::recording");
+    checkRange(uint64_t(desc.descriptorSet), 0, 7, "AgaaVkContextDesc::descriptorSet");
+    checkRange(uint64_t(desc.framesInFlight), 1, 8, "AgaaVkContextDesc::framesInFlight");
+    require(desc.reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaVkContextDesc::reserved is not 0.");
+    require(!desc.allocate == !desc.free, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaVkContextDesc has only one of allocate and free.");
+    if (desc.log)
+        checkStruct(desc.log, AGAA_STRUCTURE_TYPE_LOG, "AgaaLog");
+}
+
+Log logOf(const AgaaVkContextDesc* desc) {
+    return desc && desc->log && desc->structSize == sizeof *desc ? Log(desc->log) : Log();
+}
+
+Log logOf(AgaaView view) { return view ? view->context.log : Log(); }
+
+void describe(const AgaaView_T& view, size_t index, AgaaVkDrawPass& out) {
+    const Plan& plan = view.plan;
+    const Pass& pass = plan.passes[index];
+    const vk::HostPassObjects& host = view.passes[index].host;
+    const Resource& depth = plan.resources[pass.depthTarget];
+    out.pass = pass.drawPass;
+    out.stage = pass.stage;
+    out.name = pass.name.c_str();
+    out.pipelineKey = host.key;
+    out.width = depth.width;
+    out.height = depth.height;
+    out.scaleX = plan.scaleX;
+    out.scaleY = plan.scaleY;
+    out.state = pass.drawState;
+    for (size_t i = 0; i < 4; ++i)
+        out.colorFormats[i] = i < pass.colorTargets.size()
+                                  ? vk::vkFormat(plan.resources[pass.colorTargets[i]].format)
+                                  : VK_FORMAT_UNDEFINED;
+    out.depthStencilFormat = vk::vkFormat(depth.format);
+    out.renderPass = (uint64_t)host.renderPass;
+    out.descriptorSetLayout = (uint64_t)view.passes[index].setLayout;
+    out.glslExtensions = host.extensions.c_str();
+    out.glslDeclarations = host.declarations.c_str();
+}
+
+} // namespace
+
+extern "C" {
+
+AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion, const AgaaVkContextDesc* desc,
+                                         AgaaContext* outContext) {
+    return guarded(logOf(desc), "agaaVkCreateContext", [&]() -> AgaaResult {
+        if ((headerVersion >> 12) != (AGAA_HEADER_VERSION >> 12))
+            fail(AGAA_ERROR_VERSION,
+                 format("the host was built for version %u.%u, this library is %u.%u.",
+                        headerVersion >> 22, headerVersion >> 12 & 0x3FF, AGAA_VERSION_MAJOR,
+                        AGAA_VERSION_MINOR));
+        require(outContext, AGAA_ERROR_INVALID_ARGUMENT, "the context pointer is null.");
+        checkContextDesc(desc);
+        const vk::HostAllocator allocator{desc->allocate, desc->free, desc->allocateUser};
+        *outContext = construct<AgaaContext_T>(allocator, *desc);
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* desc,
+                                      AgaaView* outView) {
+    return guarded(context ? context->log : Log(), "agaaVkCreateView", [&]() -> AgaaResult {
+        require(context && outView, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+        checkViewDesc(desc);
+        *outView = construct<AgaaView_T>(context->allocator, *context, *desc);
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaVkGetDrawPasses(AgaaView view, uint32_t* count, AgaaVkDrawPass* passes) {
+    return guarded(logOf(view), "agaaVkGetDrawPasses", [&]() -> AgaaResult {
+        require(view && count, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+        const uint32_t available = view->plan.geometryPasses();
+        if (passes) {
+            require(*count >= available, AGAA_ERROR_BUFFER_TOO_SMALL,
+                    "the array is too small for the draw passes.");
+            for (uint32_t i = 0; i < available; ++i)
+                checkStruct(&passes[i], AGAA_STRUCTURE_TYPE_VK_DRAW_PASS, "AgaaVkDrawPass");
+            uint32_t next = 0;
+            for (size_t i = 0; i < view->plan.passes.size(); ++i)
+                if (view->plan.passes[i].kind == PassKind::HostDraw)
+                    describe(*view, i, passes[next++]);
+        }
+        *count = available;
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaVkRecordFrame(AgaaView view, const AgaaFrame* frame,
+                                       const AgaaVkFrame* vkFrame) {
+    return guarded(logOf(view), "agaaVkRecordFrame", [&]() -> AgaaResult {
+        require(view && frame && vkFrame, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+        return view->record(*frame, *vkFrame);
+    });
+}
+
+AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
+                                            AgaaFrameStatistics* outStatistics) {
+    return guarded(logOf(view), "agaaGetFrameStatistics", [&]() -> AgaaResult {
+        require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
+        checkStruct(outStatistics, AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, "AgaaFrameStatistics");
+        return view->statistics(completedFrame, *outStatistics);
+    });
+}
+
+void AGAA_CALL agaaDestroyView(AgaaView view) {
+    if (view)
+        destroy(vk::HostAllocator(view->context.allocator), view);
+}
+
+void AGAA_CALL agaaDestroyContext(AgaaContext context) {
+    if (!context)
+        return;
+    if (context->viewCount) {
+        context->log.write(AGAA_SEVERITY_ERROR, AGAA_ERROR_WRONG_ORDER,
+                           "agaaDestroyContext: views of the context still exist; it was kept.");
+        return;
+    }
+    destroy(vk::HostAllocator(context->allocator), context);
+}
+
+} // extern "C"

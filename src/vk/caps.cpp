@@ -1,0 +1,146 @@
+// What a Vulkan device must, should and does offer.
+#include "vk/context.h"
+
+#include "core/api_guard.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace agaa::vk {
+
+namespace {
+
+constexpr const char* requiredFeatures[] = {
+    "fragmentStoresAndAtomics",
+    "shaderStorageImageExtendedFormats",
+    "shaderStorageImageReadWithoutFormat",
+    "shaderStorageImageWriteWithoutFormat",
+};
+constexpr const char* optionalFeatures[] = {"sampleRateShading", "dynamicRendering"};
+constexpr const char* optionalExtensions[] = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME,
+                                              VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME};
+
+std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk,
+                                                    VkPhysicalDevice device) {
+    uint32_t count = 0;
+    check(vk.EnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr),
+          "vkEnumerateDeviceExtensionProperties");
+    std::vector<VkExtensionProperties> list(count);
+    check(vk.EnumerateDeviceExtensionProperties(device, nullptr, &count, list.data()),
+          "vkEnumerateDeviceExtensionProperties");
+    return list;
+}
+
+// Sample counts that depth, normals and G-buffers of any layout can be rendered and fetched with.
+VkSampleCountFlags usableSamples(const InstanceTable& vk, VkPhysicalDevice device,
+                                 const VkPhysicalDeviceLimits& limits, VkFormat depth) {
+    VkSampleCountFlags counts = limits.framebufferColorSampleCounts &
+                                limits.framebufferDepthSampleCounts &
+                                limits.sampledImageColorSampleCounts &
+                                limits.sampledImageDepthSampleCounts;
+    const auto restrict = [&](VkFormat format, VkImageUsageFlags usage) {
+        VkImageFormatProperties properties{};
+        if (vk.GetPhysicalDeviceImageFormatProperties(device, format, VK_IMAGE_TYPE_2D,
+                                                      VK_IMAGE_TILING_OPTIMAL, usage, 0,
+                                                      &properties) == VK_SUCCESS)
+            counts &= properties.sampleCounts;
+        else
+            counts = 0;
+    };
+    for (VkFormat format : {VK_FORMAT_R8G8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_R16_UNORM,
+                            VK_FORMAT_R16G16_UNORM, VK_FORMAT_R16G16B16A16_UNORM,
+                            VK_FORMAT_A2B10G10R10_UNORM_PACK32})
+        restrict(format, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+    restrict(depth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+    return counts;
+}
+
+bool rendersAndSamples(const InstanceTable& vk, VkPhysicalDevice device, VkFormat format) {
+    VkFormatProperties properties{};
+    vk.GetPhysicalDeviceFormatProperties(device, format, &properties);
+    constexpr VkFormatFeatureFlags needed = VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                            VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+    return (properties.optimalTilingFeatures & needed) == needed;
+}
+
+} // namespace
+
+AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    VkPhysicalDeviceDriverProperties driver{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES, nullptr, VkDriverId(0), {}, {}, {}};
+    VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver,
+                                           {}};
+    vk.GetPhysicalDeviceProperties2(device, &properties);
+    const VkPhysicalDeviceLimits& limits = properties.properties.limits;
+    std::snprintf(caps.deviceName, sizeof caps.deviceName, "%.127s",
+                  properties.properties.deviceName);
+    std::snprintf(caps.driverName, sizeof caps.driverName, "%.60s %.60s", driver.driverName,
+                  driver.driverInfo);
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, nullptr, {}};
+    vk.GetPhysicalDeviceFeatures2(device, &features);
+    const VkPhysicalDeviceFeatures& f = features.features;
+
+    caps.maxImageSize = limits.maxImageDimension2D;
+    caps.maxImageSize = std::min({caps.maxImageSize, limits.maxFramebufferWidth,
+                                  limits.maxFramebufferHeight, limits.maxViewportDimensions[0],
+                                  limits.maxViewportDimensions[1]});
+    caps.maxStorageRange = limits.maxStorageBufferRange;
+    const auto set = [&](bool on, uint64_t flag) { caps.flags |= on ? flag : 0; };
+    set(f.fragmentStoresAndAtomics, AGAA_DEVICE_FRAGMENT_ATOMICS);
+    set(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
+    set(f.shaderStorageImageExtendedFormats && f.shaderStorageImageReadWithoutFormat &&
+            f.shaderStorageImageWriteWithoutFormat,
+        AGAA_DEVICE_STORAGE_FORMATS);
+    set(rendersAndSamples(vk, device, VK_FORMAT_D24_UNORM_S8_UINT), AGAA_DEVICE_D24S8);
+    set(rendersAndSamples(vk, device, VK_FORMAT_D32_SFLOAT_S8_UINT), AGAA_DEVICE_D32S8);
+    set(properties.properties.apiVersion >= VK_API_VERSION_1_3, AGAA_DEVICE_DYNAMIC_RENDERING);
+    for (const VkExtensionProperties& extension : deviceExtensions(vk, device)) {
+        const std::string_view name = extension.extensionName;
+        set(name == VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME, AGAA_DEVICE_POST_DEPTH_COVERAGE);
+        set(name == VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME, AGAA_DEVICE_DYNAMIC_RENDERING);
+    }
+    VkSampleCountFlags counts = usableSamples(vk, device, limits, VK_FORMAT_D32_SFLOAT);
+    for (VkFormat depth : {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT})
+        if (rendersAndSamples(vk, device, depth))
+            counts &= usableSamples(vk, device, limits, depth);
+    caps.sampleCounts = counts & 0x3F;
+    return caps;
+}
+
+} // namespace agaa::vk
+
+using namespace agaa;
+
+extern "C" {
+
+AgaaResult AGAA_CALL agaaVkGetRequirements(AgaaVkRequirements* out) {
+    return guarded(Log(), "agaaVkGetRequirements", [&]() -> AgaaResult {
+        require(out, AGAA_ERROR_INVALID_ARGUMENT, "the requirements pointer is null.");
+        *out = {VK_API_VERSION_1_2,
+                0,
+                uint32_t(std::size(vk::requiredFeatures)),
+                vk::requiredFeatures,
+                uint32_t(std::size(vk::optionalFeatures)),
+                vk::optionalFeatures,
+                uint32_t(std::size(vk::optionalExtensions)),
+                vk::optionalExtensions};
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaVkGetDeviceCaps(void* instance, void* physicalDevice,
+                                         AgaaVkGetInstanceProcAddr getProcAddr, const AgaaLog* log,
+                                         AgaaDeviceCaps* outCaps) {
+    return guarded(Log(log), "agaaVkGetDeviceCaps", [&]() -> AgaaResult {
+        require(instance && physicalDevice && getProcAddr && outCaps, AGAA_ERROR_INVALID_ARGUMENT,
+                "a pointer is null.");
+        const vk::InstanceTable functions =
+            vk::loadInstanceTable(getProcAddr, static_cast<VkInstance>(instance));
+        *outCaps = vk::queryCaps(functions, static_cast<VkPhysicalDevice>(physicalDevice));
+        return AGAA_OK;
+    });
+}
+
+} // extern "C"

@@ -1,0 +1,96 @@
+// The Vulkan functions of one device, loaded from the host's proc-address function and checked once.
+#pragma once
+
+#include "agaa_vk.h"
+#include "vk/vulkan.h"
+
+namespace agaa::vk {
+
+#define AGAA_VK_INSTANCE_FUNCTIONS(X)                                                              \
+    X(GetPhysicalDeviceProperties2)                                                                \
+    X(GetPhysicalDeviceFeatures2)                                                                  \
+    X(GetPhysicalDeviceMemoryProperties)                                                           \
+    X(GetPhysicalDeviceFormatProperties)                                                           \
+    X(GetPhysicalDeviceImageFormatProperties)                                                      \
+    X(GetPhysicalDeviceQueueFamilyProperties)                                                      \
+    X(EnumerateDeviceExtensionProperties)                                                          \
+    X(GetDeviceProcAddr)
+
+#define AGAA_VK_DEVICE_FUNCTIONS(X)                                                                \
+    X(AllocateCommandBuffers)                                                                      \
+    X(AllocateDescriptorSets)                                                                      \
+    X(AllocateMemory)                                                                              \
+    X(BeginCommandBuffer)                                                                          \
+    X(BindBufferMemory)                                                                            \
+    X(BindImageMemory)                                                                             \
+    X(CmdBeginRenderPass)                                                                          \
+    X(CmdBindDescriptorSets)                                                                       \
+    X(CmdBindPipeline)                                                                             \
+    X(CmdCopyBuffer)                                                                               \
+    X(CmdDispatch)                                                                                 \
+    X(CmdEndRenderPass)                                                                            \
+    X(CmdExecuteCommands)                                                                          \
+    X(CmdFillBuffer)                                                                               \
+    X(CmdPipelineBarrier)                                                                          \
+    X(CmdResetQueryPool)                                                                           \
+    X(CmdWriteTimestamp)                                                                           \
+    X(CreateBuffer)                                                                                \
+    X(CreateCommandPool)                                                                           \
+    X(CreateComputePipelines)                                                                      \
+    X(CreateDescriptorPool)                                                                        \
+    X(CreateDescriptorSetLayout)                                                                   \
+    X(CreateFramebuffer)                                                                           \
+    X(CreateImage)                                                                                 \
+    X(CreateImageView)                                                                             \
+    X(CreatePipelineLayout)                                                                        \
+    X(CreateQueryPool)                                                                             \
+    X(CreateRenderPass)                                                                            \
+    X(CreateSampler)                                                                               \
+    X(CreateShaderModule)                                                                          \
+    X(DestroyBuffer)                                                                               \
+    X(DestroyCommandPool)                                                                          \
+    X(DestroyDescriptorPool)                                                                       \
+    X(DestroyDescriptorSetLayout)                                                                  \
+    X(DestroyFramebuffer)                                                                          \
+    X(DestroyImage)                                                                                \
+    X(DestroyImageView)                                                                            \
+    X(DestroyPipeline)                                                                             \
+    X(DestroyPipelineLayout)                                                                       \
+    X(DestroyQueryPool)                                                                            \
+    X(DestroyRenderPass)                                                                           \
+    X(DestroySampler)                                                                              \
+    X(DestroyShaderModule)                                                                         \
+    X(EndCommandBuffer)                                                                            \
+    X(FreeMemory)                                                                                  \
+    X(GetBufferMemoryRequirements)                                                                 \
+    X(GetImageMemoryRequirements)                                                                  \
+    X(GetQueryPoolResults)                                                                         \
+    X(MapMemory)                                                                                   \
+    X(UpdateDescriptorSets)
+
+struct InstanceTable {
+#define AGAA_VK_MEMBER(name) PFN_vk##name name = nullptr;
+    AGAA_VK_INSTANCE_FUNCTIONS(AGAA_VK_MEMBER)
+};
+
+struct DeviceTable {
+    AGAA_VK_DEVICE_FUNCTIONS(AGAA_VK_MEMBER)
+#undef AGAA_VK_MEMBER
+    // Dynamic rendering; null with VkRenderPass.
+    PFN_vkCmdBeginRendering CmdBeginRendering = nullptr;
+    PFN_vkCmdEndRendering CmdEndRendering = nullptr;
+    // Debug utilities; null where the host's instance has them not.
+    PFN_vkCmdBeginDebugUtilsLabelEXT CmdBeginDebugUtilsLabelEXT = nullptr;
+    PFN_vkCmdEndDebugUtilsLabelEXT CmdEndDebugUtilsLabelEXT = nullptr;
+    PFN_vkSetDebugUtilsObjectNameEXT SetDebugUtilsObjectNameEXT = nullptr;
+};
+
+// Both throw AGAA_ERROR_UNSUPPORTED naming the first function that is missing.
+InstanceTable loadInstanceTable(AgaaVkGetInstanceProcAddr getProcAddr, VkInstance instance);
+DeviceTable loadDeviceTable(const InstanceTable& functions, AgaaVkGetInstanceProcAddr getProcAddr,
+                            VkInstance instance, VkDevice device, bool dynamicRendering);
+
+// Throws where a Vulkan call failed.
+void check(VkResult result, const char* call);
+
+} // namespace agaa::vk

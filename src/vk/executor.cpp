@@ -1,0 +1,285 @@
+// Recording a frame: validate, call the host, then passes with the barriers between them.
+#include "vk/view.h"
+
+#include "core/checked.h"
+#include "core/frame_data.h"
+#include "core/validate.h"
+
+#include <cstring>
+
+using namespace agaa;
+using namespace agaa::vk;
+
+void AgaaView_T::checkOrder(const AgaaFrame& frame) const {
+    const FrameSlot& slot = slots[frame.frameIndex % slots.size()];
+    if (frame.frameIndex == currentFrame) {
+        require((frame.segments & recordedSegments) == 0, AGAA_ERROR_WRONG_ORDER,
+                "a segment of this frame was recorded before.");
+        // Segments come in order: each bit needs all lower ones.
+        const uint64_t lowest = frame.segments & (~frame.segments + 1);
+        require((recordedSegments & (lowest - 1)) == lowest - 1, AGAA_ERROR_WRONG_ORDER,
+                "an earlier segment of this frame is missing.");
+        return;
+    }
+    require(frame.frameIndex > currentFrame, AGAA_ERROR_WRONG_ORDER,
+            "AgaaFrame::frameIndex does not increase.");
+    require((frame.segments & AGAA_SEGMENT_PREPASS) != 0, AGAA_ERROR_WRONG_ORDER,
+            "a frame begins with AGAA_SEGMENT_PREPASS.");
+    if (slot.frame > frame.completedFrame)
+        fail(AGAA_ERROR_WRONG_ORDER,
+             format("frame %llu uses what frame %llu has not finished with; wait for it or create "
+                    "the context with more framesInFlight.",
+                    static_cast<unsigned long long>(frame.frameIndex),
+                    static_cast<unsigned long long>(slot.frame)));
+}
+
+void AgaaView_T::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const {
+    require(vkFrame.commandBuffer, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaVkFrame::commandBuffer is null.");
+    // Contiguous segments only: 101 would shade what was not generated.
+    const uint64_t run = frame.segments / (frame.segments & (~frame.segments + 1));
+    require((run & (run + 1)) == 0, AGAA_ERROR_WRONG_ORDER,
+            "AgaaFrame::segments leaves one out between others.");
+    if (!(frame.segments & AGAA_SEGMENT_SHADING))
+        return;
+    require(vkFrame.outputImage && vkFrame.outputView, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaVkFrame has no output image or view.");
+    require(vkFrame.outputLayoutOut != VK_IMAGE_LAYOUT_UNDEFINED &&
+                vkFrame.outputLayoutOut != VK_IMAGE_LAYOUT_PREINITIALIZED,
+            AGAA_ERROR_OUT_OF_RANGE, "AgaaVkFrame::outputLayoutOut is not a layout to be left in.");
+    require(vkFrame.outputLayoutIn != VK_IMAGE_LAYOUT_UNDEFINED || frame.background[3] != 0.0f,
+            AGAA_ERROR_OUT_OF_RANGE,
+            "the frame composites over an output whose contents outputLayoutIn throws away.");
+    for (uint32_t i = 0; i < std::max(frame.shadowCount, std::min(plan.facts.shadowMapCount, 1u)); ++i)
+        if (!vkFrame.shadowViews[i])
+            fail(AGAA_ERROR_INVALID_ARGUMENT,
+                 format("AgaaVkFrame::shadowViews[%u] is null.", i));
+}
+
+void AgaaView_T::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
+    for (ResourceId id = 0; id < plan.resources.size(); ++id) {
+        const Resource& resource = plan.resources[id];
+        if (resource.kind != ResourceKind::UploadBuffer)
+            continue;
+        void* memory = (*resources)[id].mapped[slot];
+        if (resource.bytes == sizeof(FrameConstants) && resource.name == "frame-constants") {
+            const FrameConstants constants = frameConstants(plan, frame);
+            std::memcpy(memory, &constants, sizeof constants);
+        } else {
+            writeLights(frame, memory);
+        }
+    }
+}
+
+void AgaaView_T::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot) {
+    std::vector<VkWriteDescriptorSet> writes;
+    // Reserved, so that pointers into them stay.
+    std::vector<VkDescriptorBufferInfo> buffers;
+    std::vector<VkDescriptorImageInfo> images;
+    size_t total = 0;
+    for (const Pass& pass : plan.passes)
+        total += pass.bindings.size();
+    buffers.reserve(total);
+    images.reserve(total);
+    uint32_t shadow = 0;
+    std::vector<uint32_t> shadowOf(plan.resources.size(), 0);
+    for (ResourceId id = 0; id < plan.resources.size(); ++id)
+        if (plan.resources[id].kind == ResourceKind::ShadowMap)
+            shadowOf[id] = shadow++;
+    for (size_t i = 0; i < passes.size(); ++i)
+        for (const Binding& binding : plan.passes[i].bindings) {
+            const Resource& resource = plan.resources[binding.resource];
+            const GpuResource& gpu = (*resources)[binding.resource];
+            VkWriteDescriptorSet write{};
+            write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+            write.dstSet = passes[i].sets[slot];
+            write.dstBinding = binding.slot;
+            write.descriptorCount = 1;
+            const auto image = [&](VkDescriptorType type, VkSampler sampler, VkImageView view,
+                                   VkImageLayout layout) {
+                images.push_back({sampler, view, layout});
+                write.descriptorType = type;
+                write.pImageInfo = &images.back();
+            };
+            const auto buffer = [&](VkDescriptorType type) {
+                buffers.push_back({gpu.buffers[resource.copies > 1 ? slot : 0], 0, VK_WHOLE_SIZE});
+                write.descriptorType = type;
+                write.pBufferInfo = &buffers.back();
+            };
+            switch (binding.type) {
+            case BindingType::UniformBuffer:
+                buffer(VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
+                break;
+            case BindingType::StorageBuffer:
+                buffer(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+                break;
+            case BindingType::StorageImage: {
+                const bool output = resource.kind == ResourceKind::Output;
+                if (output && !vkFrame.outputView)
+                    continue; // a segment that does not shade
+                image(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_NULL_HANDLE,
+                      output ? (VkImageView)vkFrame.outputView : gpu.fetchView,
+                      VK_IMAGE_LAYOUT_GENERAL);
+                break;
+            }
+            case BindingType::ShadowTexture: {
+                const uint64_t own = vkFrame.shadowViews[shadowOf[binding.resource]];
+                const uint64_t view = own ? own : vkFrame.shadowViews[0];
+                if (!view)
+                    continue;
+                image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, context.shadowSampler,
+                      (VkImageView)view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+                break;
+            }
+            case BindingType::Texture:
+                image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, context.texelSampler,
+                      gpu.fetchView,
+                      isDepth(resource.format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
+                                               : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+                break;
+            }
+            writes.push_back(write);
+        }
+    context.vk.UpdateDescriptorSets(context.device, uint32_t(writes.size()), writes.data(), 0,
+                                    nullptr);
+}
+
+AgaaResult AgaaView_T::callHost(const AgaaFrame& frame, size_t pass, uint32_t slot,
+                                VkCommandBuffer commands) {
+    const AgaaDrawTarget target = drawTarget(plan, plan.passes[pass], passes[pass].host, commands,
+                                             passes[pass].sets[slot]);
+    return frame.draw(frame.drawUser, &target);
+}
+
+// Draw callbacks record into command buffers of ours first: one that fails leaves the host's untouched.
+AgaaResult AgaaView_T::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
+    for (size_t i = 0; i < plan.passes.size(); ++i) {
+        const Pass& pass = plan.passes[i];
+        if (pass.kind != PassKind::HostDraw || !(pass.segment & frame.segments))
+            continue;
+        const VkCommandBuffer commands = slots[slot].secondaries[secondaryIndex(i)];
+        beginSecondary(context, plan, pass, passes[i].host, commands);
+        const AgaaResult result = callHost(frame, i, slot, commands);
+        check(context.vk.EndCommandBuffer(commands), "vkEndCommandBuffer");
+        if (result != AGAA_OK)
+            fail(AGAA_ERROR_CALLBACK,
+                 format("the draw callback returned %d in pass \"%s\"; nothing was recorded.",
+                        int(result), pass.name.c_str()));
+    }
+    return AGAA_OK;
+}
+
+void AgaaView_T::recordCompute(size_t pass, uint32_t slot, VkCommandBuffer commands) {
+    const PassObjects& objects = passes[pass];
+    context.vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipeline);
+    context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
+                                     objects.pipelineLayout, 0, 1, &objects.sets[slot], 0, nullptr);
+    context.vk.CmdDispatch(commands, (plan.width + 7) / 8, (plan.height + 7) / 8, 1);
+}
+
+void AgaaView_T::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {
+    const auto buffer = [&](ResourceId id) {
+        return (*resources)[id].buffers[plan.resources[id].copies > 1 ? slot : 0];
+    };
+    if (pass.kind == PassKind::Fill) {
+        context.vk.CmdFillBuffer(commands, buffer(pass.destination), 0, VK_WHOLE_SIZE, 0);
+        return;
+    }
+    const VkBufferCopy region{0, 0, plan.resources[pass.source].bytes};
+    context.vk.CmdCopyBuffer(commands, buffer(pass.source), buffer(pass.destination), 1, &region);
+    const VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr,
+                                 VK_ACCESS_TRANSFER_WRITE_BIT, VK_ACCESS_HOST_READ_BIT};
+    context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                                  VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &toHost, 0, nullptr, 0,
+                                  nullptr);
+}
+
+AgaaResult AgaaView_T::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t index,
+                                  uint32_t slot, VkCommandBuffer commands) {
+    const Pass& pass = plan.passes[index];
+    const DeviceTable& vk = context.vk;
+    if (vk.CmdBeginDebugUtilsLabelEXT) {
+        const std::string text = "agaa " + pass.name;
+        const VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT, nullptr,
+                                         text.c_str(), {}};
+        vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
+    }
+    barriers->usePass(pass);
+    bool writesOutput = false;
+    for (const Binding& binding : pass.bindings)
+        writesOutput |= plan.resources[binding.resource].kind == ResourceKind::Output;
+    const auto image = (VkImage)vkFrame.outputImage;
+    if (writesOutput)
+        barriers->useOutput(image, VkImageLayout(vkFrame.outputLayoutIn), VK_IMAGE_LAYOUT_GENERAL,
+                            true);
+    barriers->record(commands);
+    const uint32_t query = uint32_t(2 * (slot * passes.size() + index));
+    if (queries)
+        vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query);
+    AgaaResult result = AGAA_OK;
+    switch (pass.kind) {
+    case PassKind::HostDraw:
+        beginHostRendering(context, plan, pass, passes[index].host, *resources, commands,
+                           context.secondary);
+        if (context.secondary)
+            vk.CmdExecuteCommands(commands, 1, &slots[slot].secondaries[secondaryIndex(index)]);
+        else
+            result = callHost(frame, index, slot, commands);
+        endHostRendering(context, commands);
+        break;
+    case PassKind::Compute:
+        recordCompute(index, slot, commands);
+        break;
+    case PassKind::Fill:
+    case PassKind::Copy:
+        recordTransfer(pass, slot, commands);
+        break;
+    }
+    if (queries)
+        vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query + 1);
+    if (writesOutput) {
+        barriers->useOutput(image, VK_IMAGE_LAYOUT_GENERAL, VkImageLayout(vkFrame.outputLayoutOut),
+                            false);
+        barriers->record(commands);
+    }
+    if (vk.CmdEndDebugUtilsLabelEXT)
+        vk.CmdEndDebugUtilsLabelEXT(commands);
+    if (result != AGAA_OK)
+        fail(AGAA_ERROR_PARTIAL,
+             format("the draw callback returned %d in pass \"%s\"; discard the command buffer.",
+                    int(result), pass.name.c_str()));
+    return AGAA_OK;
+}
+
+AgaaResult AgaaView_T::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
+    checkFrame(&frame, plan.facts);
+    checkStruct(&vkFrame, AGAA_STRUCTURE_TYPE_VK_FRAME, "AgaaVkFrame");
+    checkOrder(frame);
+    checkTarget(frame, vkFrame);
+    const uint32_t slot = uint32_t(frame.frameIndex % slots.size());
+    const bool begins = frame.frameIndex != currentFrame;
+    writeFrameData(frame, slot);
+    // Sets of a frame are bound by its earlier segments; later segments only add the output.
+    if (begins || (frame.segments & AGAA_SEGMENT_SHADING))
+        writeDescriptors(vkFrame, slot);
+    if (context.secondary)
+        recordSecondaries(frame, slot);
+    // From here on nothing but the device can fail.
+    const auto commands = static_cast<VkCommandBuffer>(vkFrame.commandBuffer);
+    if (begins) {
+        barriers->beginFrame();
+        currentFrame = frame.frameIndex;
+        recordedSegments = 0;
+        slots[slot].frame = frame.frameIndex;
+        slots[slot].complete = false;
+        if (queries)
+            context.vk.CmdResetQueryPool(commands, queries, uint32_t(2 * slot * passes.size()),
+                                         uint32_t(2 * passes.size()));
+    }
+    recordedSegments |= frame.segments;
+    for (size_t i = 0; i < plan.passes.size(); ++i)
+        if (plan.passes[i].segment & frame.segments)
+            recordPass(frame, vkFrame, i, slot, commands);
+    slots[slot].complete = recordedSegments == AGAA_SEGMENT_ALL;
+    return AGAA_OK;
+}

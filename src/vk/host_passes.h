@@ -1,0 +1,35 @@
+// Host draws: what hosts must know to build pipelines, and how rendering begins and ends around them.
+#pragma once
+
+#include "core/plan.h"
+#include "vk/context.h"
+#include "vk/resources.h"
+
+#include <string>
+
+namespace agaa::vk {
+
+struct HostPassObjects {
+    uint64_t key = 0;
+    std::string extensions;   // GLSL
+    std::string declarations; // GLSL
+    VkRenderPass renderPass = VK_NULL_HANDLE; // null with dynamic rendering
+    VkFramebuffer framebuffer = VK_NULL_HANDLE;
+};
+
+HostPassObjects createHostPass(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+                               const ViewResources& resources);
+void destroyHostPass(const AgaaContext_T& context, HostPassObjects& objects);
+
+void beginHostRendering(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+                        const HostPassObjects& objects, const ViewResources& resources,
+                        VkCommandBuffer commands, bool secondary);
+void endHostRendering(const AgaaContext_T& context, VkCommandBuffer commands);
+// Begins a secondary command buffer for use inside the pass's rendering.
+void beginSecondary(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+                    const HostPassObjects& objects, VkCommandBuffer commands);
+
+AgaaDrawTarget drawTarget(const Plan& plan, const Pass& pass, const HostPassObjects& objects,
+                          VkCommandBuffer commands, VkDescriptorSet set);
+
+} // namespace agaa::vk

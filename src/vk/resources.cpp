@@ -1,0 +1,249 @@
+#include "vk/resources.h"
+
+#include "core/checked.h"
+#include "vk/formats.h"
+
+#include <algorithm>
+#include <map>
+
+namespace agaa::vk {
+
+struct ViewResources::Request {
+    ResourceId resource;
+    uint32_t copy; // of a buffer
+    VkImage image;
+    VkBuffer buffer;
+    VkMemoryRequirements requirements;
+    uint32_t firstPass, lastPass;
+    ResourceKind kind;
+};
+
+ViewResources::ViewResources(const AgaaContext_T& context, const Plan& plan) : context_(context) {
+    try {
+        std::vector<Request> requests;
+        create(plan, requests);
+        allocateShared(requests, !(plan.config.flags & AGAA_CONFIG_READBACK));
+        for (const Request& request : requests)
+            if (request.kind != ResourceKind::Image && request.kind != ResourceKind::Buffer)
+                allocateOwn(request);
+        createViews(plan);
+    } catch (...) {
+        destroy();
+        throw;
+    }
+}
+
+ViewResources::~ViewResources() { destroy(); }
+
+void ViewResources::destroy() {
+    const DeviceTable& vk = context_.vk;
+    for (GpuResource& resource : resources_) {
+        vk.DestroyImageView(context_.device, resource.attachmentView, nullptr);
+        vk.DestroyImageView(context_.device, resource.fetchView, nullptr);
+        vk.DestroyImage(context_.device, resource.image, nullptr);
+        for (VkBuffer buffer : resource.buffers)
+            vk.DestroyBuffer(context_.device, buffer, nullptr);
+    }
+    for (VkDeviceMemory memory : memory_)
+        vk.FreeMemory(context_.device, memory, nullptr);
+    resources_.clear();
+    memory_.clear();
+}
+
+void ViewResources::create(const Plan& plan, std::vector<Request>& requests) {
+    resources_.resize(plan.resources.size());
+    for (ResourceId id = 0; id < plan.resources.size(); ++id) {
+        const Resource& resource = plan.resources[id];
+        if (resource.isHosts())
+            continue;
+        if (resource.kind == ResourceKind::Image)
+            createImage(plan, id, requests);
+        else
+            createBuffers(plan, id, requests);
+    }
+}
+
+// What passes do with a resource decides its usage.
+static VkImageUsageFlags imageUsage(const Plan& plan, ResourceId id) {
+    VkImageUsageFlags usage = 0;
+    for (const Pass& pass : plan.passes) {
+        for (const Binding& binding : pass.bindings)
+            if (binding.resource == id)
+                usage |= binding.type == BindingType::StorageImage ? VK_IMAGE_USAGE_STORAGE_BIT
+                                                                   : VK_IMAGE_USAGE_SAMPLED_BIT;
+        if (std::find(pass.colorTargets.begin(), pass.colorTargets.end(), id) !=
+            pass.colorTargets.end())
+            usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+        if (pass.depthTarget == id)
+            usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    }
+    if (plan.config.flags & AGAA_CONFIG_READBACK)
+        usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    return usage;
+}
+
+void ViewResources::createImage(const Plan& plan, ResourceId id, std::vector<Request>& requests) {
+    const Resource& resource = plan.resources[id];
+    VkImageCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+    info.imageType = VK_IMAGE_TYPE_2D;
+    info.format = vkFormat(resource.format);
+    info.extent = {resource.width, resource.height, 1};
+    info.mipLevels = 1;
+    info.arrayLayers = resource.layers;
+    info.samples = VkSampleCountFlagBits(resource.samples);
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = imageUsage(plan, id);
+    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    VkImage image = VK_NULL_HANDLE;
+    check(context_.vk.CreateImage(context_.device, &info, nullptr, &image), "vkCreateImage");
+    resources_[id].image = image;
+    context_.name(VK_OBJECT_TYPE_IMAGE, (uint64_t)image, "agaa " + resource.name);
+    payloadBytes_ += uint64_t(info.extent.width) * info.extent.height * info.arrayLayers *
+                     info.samples * bytesPerTexel(resource.format);
+    Request request{id, 0, image, VK_NULL_HANDLE, {}, resource.firstPass, resource.lastPass,
+                    resource.kind};
+    context_.vk.GetImageMemoryRequirements(context_.device, image, &request.requirements);
+    requests.push_back(request);
+}
+
+static VkBufferUsageFlags bufferUsage(const Plan& plan, ResourceId id) {
+    VkBufferUsageFlags usage = 0;
+    for (const Pass& pass : plan.passes) {
+        for (const Binding& binding : pass.bindings)
+            if (binding.resource == id)
+                usage |= binding.type == BindingType::UniformBuffer
+                             ? VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT
+                             : VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+        if (pass.destination == id)
+            usage |= VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+        if (pass.source == id)
+            usage |= VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+    }
+    if (plan.config.flags & AGAA_CONFIG_READBACK)
+        usage |= VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+    return usage;
+}
+
+void ViewResources::createBuffers(const Plan& plan, ResourceId id, std::vector<Request>& requests) {
+    const Resource& resource = plan.resources[id];
+    for (uint32_t copy = 0; copy < resource.copies; ++copy) {
+        VkBufferCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+        info.size = resource.bytes;
+        info.usage = bufferUsage(plan, id);
+        info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+        VkBuffer buffer = VK_NULL_HANDLE;
+        check(context_.vk.CreateBuffer(context_.device, &info, nullptr, &buffer), "vkCreateBuffer");
+        resources_[id].buffers.push_back(buffer);
+        context_.name(VK_OBJECT_TYPE_BUFFER, (uint64_t)buffer, "agaa " + resource.name);
+        if (resource.isPerPixel())
+            payloadBytes_ += info.size;
+        Request request{id, copy, VK_NULL_HANDLE, buffer, {}, resource.firstPass,
+                        resource.lastPass, resource.kind};
+        context_.vk.GetBufferMemoryRequirements(context_.device, buffer, &request.requirements);
+        requests.push_back(request);
+    }
+}
+
+uint32_t ViewResources::memoryType(uint32_t allowed, VkMemoryPropertyFlags wanted,
+                                   VkMemoryPropertyFlags preferred) const {
+    for (VkMemoryPropertyFlags flags : {wanted | preferred, wanted})
+        for (uint32_t type = 0; type < context_.memory.memoryTypeCount; ++type)
+            if ((allowed >> type & 1) &&
+                (context_.memory.memoryTypes[type].propertyFlags & flags) == flags)
+                return type;
+    fail(AGAA_ERROR_OUT_OF_MEMORY, "the device has no memory type for a surface.");
+}
+
+VkDeviceMemory ViewResources::allocate(uint64_t size, uint32_t type) {
+    VkMemoryAllocateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    info.allocationSize = size;
+    info.memoryTypeIndex = type;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    check(context_.vk.AllocateMemory(context_.device, &info, nullptr, &memory), "vkAllocateMemory");
+    memory_.push_back(memory);
+    return memory;
+}
+
+// One arena per memory type; blocks of disjoint lifetimes overlap in it.
+void ViewResources::allocateShared(std::vector<Request>& requests, bool alias) {
+    std::map<uint32_t, std::vector<const Request*>> byType;
+    for (const Request& request : requests)
+        if (request.kind == ResourceKind::Image || request.kind == ResourceKind::Buffer) {
+            byType[memoryType(request.requirements.memoryTypeBits, 0,
+                              VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)]
+                .push_back(&request);
+            driverBytes_ = checkedAdd(driverBytes_, request.requirements.size);
+        }
+    for (const auto& [type, members] : byType) {
+        std::vector<ArenaBlock> blocks;
+        for (const Request* member : members) {
+            const uint64_t alignment =
+                std::max<uint64_t>(member->requirements.alignment, context_.granularity);
+            blocks.push_back({alignUp(member->requirements.size, alignment), alignment,
+                              alias ? member->firstPass : 0, alias ? member->lastPass : ~0u, 0});
+        }
+        const uint64_t size = placeBlocks(blocks);
+        const VkDeviceMemory arena = allocate(size, type);
+        peakBytes_ = checkedAdd(peakBytes_, size);
+        for (size_t i = 0; i < members.size(); ++i)
+            if (members[i]->image)
+                check(context_.vk.BindImageMemory(context_.device, members[i]->image, arena,
+                                                  blocks[i].offset),
+                      "vkBindImageMemory");
+            else
+                check(context_.vk.BindBufferMemory(context_.device, members[i]->buffer, arena,
+                                                   blocks[i].offset),
+                      "vkBindBufferMemory");
+    }
+}
+
+void ViewResources::allocateOwn(const Request& request) {
+    const bool small = request.kind == ResourceKind::SmallBuffer;
+    constexpr VkMemoryPropertyFlags host =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    const VkMemoryPropertyFlags preferred = request.kind == ResourceKind::ReadbackBuffer
+                                                ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
+                                                : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+    const VkDeviceMemory memory =
+        allocate(request.requirements.size,
+                 memoryType(request.requirements.memoryTypeBits, small ? 0 : host, preferred));
+    check(context_.vk.BindBufferMemory(context_.device, request.buffer, memory, 0),
+          "vkBindBufferMemory");
+    if (small)
+        return;
+    void* pointer = nullptr;
+    check(context_.vk.MapMemory(context_.device, memory, 0, VK_WHOLE_SIZE, 0, &pointer),
+          "vkMapMemory");
+    resources_[request.resource].mapped.push_back(pointer);
+}
+
+void ViewResources::createViews(const Plan& plan) {
+    for (ResourceId id = 0; id < plan.resources.size(); ++id) {
+        const Resource& resource = plan.resources[id];
+        if (resource.kind != ResourceKind::Image)
+            continue;
+        const auto view = [&](VkImageAspectFlags aspect) {
+            VkImageViewCreateInfo info{};
+            info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+            info.image = resources_[id].image;
+            info.viewType = VK_IMAGE_VIEW_TYPE_2D;
+            info.format = vkFormat(resource.format);
+            info.subresourceRange = {aspect, 0, 1, 0, 1};
+            VkImageView handle = VK_NULL_HANDLE;
+            check(context_.vk.CreateImageView(context_.device, &info, nullptr, &handle),
+                  "vkCreateImageView");
+            context_.name(VK_OBJECT_TYPE_IMAGE_VIEW, (uint64_t)handle, "agaa " + resource.name);
+            return handle;
+        };
+        const bool depth = isDepth(resource.format);
+        resources_[id].attachmentView = view(aspects(resource.format));
+        resources_[id].fetchView = view(depth ? VkImageAspectFlags(VK_IMAGE_ASPECT_DEPTH_BIT)
+                                              : VkImageAspectFlags(VK_IMAGE_ASPECT_COLOR_BIT));
+    }
+}
+
+} // namespace agaa::vk

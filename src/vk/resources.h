@@ -1,0 +1,53 @@
+// Vulkan objects of a plan's resources. Per-pixel resources of disjoint lifetimes share memory.
+#pragma once
+
+#include "core/plan.h"
+#include "vk/context.h"
+
+#include <vector>
+
+namespace agaa::vk {
+
+struct GpuResource {
+    VkImage image = VK_NULL_HANDLE;
+    VkImageView attachmentView = VK_NULL_HANDLE;
+    VkImageView fetchView = VK_NULL_HANDLE; // depth aspect only for depth formats
+    std::vector<VkBuffer> buffers;          // one per copy
+    std::vector<void*> mapped;              // uploads and read-back
+};
+
+class ViewResources {
+public:
+    ViewResources(const AgaaContext_T& context, const Plan& plan);
+    ~ViewResources();
+    ViewResources(const ViewResources&) = delete;
+    ViewResources& operator=(const ViewResources&) = delete;
+
+    const GpuResource& operator[](ResourceId id) const { return resources_[id]; }
+
+    uint64_t payloadBytes() const { return payloadBytes_; } // of per-pixel surfaces, as created
+    uint64_t driverBytes() const { return driverBytes_; }   // what the driver asked for
+    uint64_t peakBytes() const { return peakBytes_; }       // what was allocated
+
+private:
+    struct Request; // one image or buffer that needs memory
+    void create(const Plan& plan, std::vector<Request>& requests);
+    void createImage(const Plan& plan, ResourceId id, std::vector<Request>& requests);
+    void createBuffers(const Plan& plan, ResourceId id, std::vector<Request>& requests);
+    void allocateShared(std::vector<Request>& requests, bool alias);
+    void allocateOwn(const Request& request);
+    void createViews(const Plan& plan);
+    uint32_t memoryType(uint32_t allowed, VkMemoryPropertyFlags wanted,
+                        VkMemoryPropertyFlags preferred) const;
+    VkDeviceMemory allocate(uint64_t size, uint32_t type);
+    void destroy();
+
+    const AgaaContext_T& context_;
+    std::vector<GpuResource> resources_;
+    std::vector<VkDeviceMemory> memory_;
+    uint64_t payloadBytes_ = 0;
+    uint64_t driverBytes_ = 0;
+    uint64_t peakBytes_ = 0;
+};
+
+} // namespace agaa::vk

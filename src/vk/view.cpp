@@ -1,0 +1,204 @@
+#include "vk/view.h"
+
+#include "core/embedded.h"
+#include "core/planner.h"
+#include "core/validate.h"
+
+#include <map>
+
+using namespace agaa;
+using namespace agaa::vk;
+
+AgaaView_T::AgaaView_T(AgaaContext_T& owner, const AgaaViewDesc& desc)
+    : context(owner), plan(makePlan(desc, owner.caps, owner.framesInFlight)) {
+    require(plan.runnable, AGAA_ERROR_UNSUPPORTED,
+            "this plan is a model that can be priced but not run.");
+    try {
+        resources.emplace(context, plan);
+        barriers.emplace(context, plan, *resources);
+        createPassObjects();
+        createPipelines();
+        createSlots();
+    } catch (...) {
+        destroy();
+        throw;
+    }
+    ++context.viewCount;
+}
+
+AgaaView_T::~AgaaView_T() {
+    destroy();
+    --context.viewCount;
+}
+
+void AgaaView_T::destroy() {
+    const DeviceTable& vk = context.vk;
+    const VkDevice device = context.device;
+    for (FrameSlot& slot : slots)
+        vk.DestroyCommandPool(device, slot.pool, nullptr);
+    vk.DestroyQueryPool(device, queries, nullptr);
+    for (PassObjects& objects : passes) {
+        destroyHostPass(context, objects.host);
+        vk.DestroyPipeline(device, objects.pipeline, nullptr);
+        vk.DestroyPipelineLayout(device, objects.pipelineLayout, nullptr);
+        vk.DestroyDescriptorSetLayout(device, objects.setLayout, nullptr);
+    }
+    vk.DestroyDescriptorPool(device, descriptorPool, nullptr);
+}
+
+static VkDescriptorType descriptorType(BindingType type) {
+    switch (type) {
+    case BindingType::UniformBuffer:
+        return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingType::StorageBuffer:
+        return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case BindingType::StorageImage:
+        return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    case BindingType::Texture:
+    case BindingType::ShadowTexture:
+        break;
+    }
+    return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+}
+
+void AgaaView_T::createPassObjects() {
+    passes.resize(plan.passes.size());
+    std::map<VkDescriptorType, uint32_t> counts;
+    uint32_t setCount = 0;
+    for (size_t i = 0; i < plan.passes.size(); ++i) {
+        const Pass& pass = plan.passes[i];
+        if (pass.bindings.empty())
+            continue;
+        std::vector<VkDescriptorSetLayoutBinding> bindings;
+        for (const Binding& binding : pass.bindings) {
+            const VkDescriptorType type = descriptorType(binding.type);
+            const VkShaderStageFlags stages = pass.kind == PassKind::HostDraw
+                                                  ? VK_SHADER_STAGE_ALL_GRAPHICS
+                                                  : VK_SHADER_STAGE_COMPUTE_BIT;
+            bindings.push_back({binding.slot, type, 1, stages, nullptr});
+            counts[type] += context.framesInFlight;
+        }
+        setCount += context.framesInFlight;
+        VkDescriptorSetLayoutCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+        info.bindingCount = uint32_t(bindings.size());
+        info.pBindings = bindings.data();
+        check(context.vk.CreateDescriptorSetLayout(context.device, &info, nullptr,
+                                                   &passes[i].setLayout),
+              "vkCreateDescriptorSetLayout");
+        context.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, (uint64_t)passes[i].setLayout,
+                     "agaa " + pass.name);
+        if (pass.kind == PassKind::HostDraw)
+            passes[i].host = createHostPass(context, plan, pass, *resources);
+    }
+    std::vector<VkDescriptorPoolSize> sizes;
+    for (const auto& [type, count] : counts)
+        sizes.push_back({type, count});
+    VkDescriptorPoolCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    info.maxSets = setCount;
+    info.poolSizeCount = uint32_t(sizes.size());
+    info.pPoolSizes = sizes.data();
+    check(context.vk.CreateDescriptorPool(context.device, &info, nullptr, &descriptorPool),
+          "vkCreateDescriptorPool");
+    context.name(VK_OBJECT_TYPE_DESCRIPTOR_POOL, (uint64_t)descriptorPool, "agaa view");
+    for (PassObjects& objects : passes) {
+        if (!objects.setLayout)
+            continue;
+        objects.sets.resize(context.framesInFlight);
+        const std::vector<VkDescriptorSetLayout> layouts(context.framesInFlight, objects.setLayout);
+        VkDescriptorSetAllocateInfo allocate{};
+        allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+        allocate.descriptorPool = descriptorPool;
+        allocate.descriptorSetCount = context.framesInFlight;
+        allocate.pSetLayouts = layouts.data();
+        check(context.vk.AllocateDescriptorSets(context.device, &allocate, objects.sets.data()),
+              "vkAllocateDescriptorSets");
+    }
+}
+
+void AgaaView_T::createPipelines() {
+    std::array<VkSpecializationMapEntry, ConstantCount> entries;
+    for (uint32_t i = 0; i < ConstantCount; ++i)
+        entries[i] = {i, i * uint32_t(sizeof(uint32_t)), sizeof(uint32_t)};
+    for (size_t i = 0; i < plan.passes.size(); ++i) {
+        const Pass& pass = plan.passes[i];
+        if (pass.kind != PassKind::Compute)
+            continue;
+        PassObjects& objects = passes[i];
+        VkPipelineLayoutCreateInfo layout{};
+        layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+        layout.setLayoutCount = 1;
+        layout.pSetLayouts = &objects.setLayout;
+        check(context.vk.CreatePipelineLayout(context.device, &layout, nullptr,
+                                              &objects.pipelineLayout),
+              "vkCreatePipelineLayout");
+        const auto words = embeddedSpirv(pass.shader);
+        if (words.empty())
+            fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.shader + ".");
+        VkShaderModuleCreateInfo moduleInfo{};
+        moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+        moduleInfo.codeSize = words.size_bytes();
+        moduleInfo.pCode = words.data();
+        VkShaderModule module = VK_NULL_HANDLE;
+        check(context.vk.CreateShaderModule(context.device, &moduleInfo, nullptr, &module),
+              "vkCreateShaderModule");
+        const VkSpecializationInfo constants{ConstantCount, entries.data(),
+                                             sizeof pass.constants, pass.constants.data()};
+        VkComputePipelineCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+        info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+        info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+        info.stage.module = module;
+        info.stage.pName = "main";
+        info.stage.pSpecializationInfo = &constants;
+        info.layout = objects.pipelineLayout;
+        const VkResult result = context.vk.CreateComputePipelines(
+            context.device, context.pipelineCache, 1, &info, nullptr, &objects.pipeline);
+        context.vk.DestroyShaderModule(context.device, module, nullptr);
+        check(result, "vkCreateComputePipelines");
+        context.name(VK_OBJECT_TYPE_PIPELINE, (uint64_t)objects.pipeline, "agaa " + pass.name);
+    }
+}
+
+void AgaaView_T::createSlots() {
+    slots.resize(context.framesInFlight);
+    for (FrameSlot& slot : slots) {
+        if (!context.secondary)
+            continue;
+        VkCommandPoolCreateInfo pool{};
+        pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+        pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+        pool.queueFamilyIndex = context.queueFamily;
+        check(context.vk.CreateCommandPool(context.device, &pool, nullptr, &slot.pool),
+              "vkCreateCommandPool");
+        slot.secondaries.resize(plan.geometryPasses());
+        VkCommandBufferAllocateInfo allocate{};
+        allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+        allocate.commandPool = slot.pool;
+        allocate.level = VK_COMMAND_BUFFER_LEVEL_SECONDARY;
+        allocate.commandBufferCount = uint32_t(slot.secondaries.size());
+        check(context.vk.AllocateCommandBuffers(context.device, &allocate, slot.secondaries.data()),
+              "vkAllocateCommandBuffers");
+    }
+    if (!timed())
+        return;
+    VkQueryPoolCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
+    info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+    info.queryCount = uint32_t(2 * passes.size() * slots.size());
+    check(context.vk.CreateQueryPool(context.device, &info, nullptr, &queries),
+          "vkCreateQueryPool");
+    context.name(VK_OBJECT_TYPE_QUERY_POOL, (uint64_t)queries, "agaa timestamps");
+}
+
+bool AgaaView_T::timed() const {
+    return (plan.config.flags & AGAA_CONFIG_TIMESTAMPS) && context.timestampMask != 0;
+}
+
+size_t AgaaView_T::secondaryIndex(size_t pass) const {
+    size_t index = 0;
+    for (size_t i = 0; i < pass; ++i)
+        index += plan.passes[i].kind == PassKind::HostDraw;
+    return index;
+}
