@@ -240,7 +240,7 @@ typedef struct AgaaConfig {
     uint32_t brdf;            /* AgaaBrdf */
     uint32_t ndf;             /* AgaaNdf */
     float characteristicLength;            /* k of equation 1, in host units, [0;inf) */
-    float characteristicLengthPerDistance; /* added: this times the distance, [0;1]; k must be > 0 */
+    float characteristicLengthPerDistance; /* k is at least this times the distance, [0;1]; k > 0 */
     float aggregateThreshold; /* t: a further aggregate must be farther than this, [0;inf) */
     uint32_t seeds;           /* AgaaSeeds */
     uint32_t shadowTaps;      /* per aggregate and shadowed light, at most; 0: chosen by n */

@@ -3,6 +3,7 @@
 #include "core/embedded.h"
 #include "core/error.h"
 
+#include <algorithm>
 #include <set>
 
 namespace agaa {
@@ -57,7 +58,7 @@ std::string putFields(const Constants& constants) {
     return out + "}\n";
 }
 
-std::string storeAttachments(const Plan& plan, const Pass& pass) {
+std::string storeAttachments(const Pass& pass) {
     std::string out;
     for (size_t i = 0; i < pass.colorTargets.size(); ++i)
         out += format("layout(location = %zu) out vec4 agaa_out%zu;\n", i, i);
@@ -72,7 +73,6 @@ std::string storeAttachments(const Plan& plan, const Pass& pass) {
         out += format("    agaa_out%zu = vec4(%s, %s, %s, %s);\n", i, components[0].c_str(),
                       components[1].c_str(), components[2].c_str(), components[3].c_str());
     }
-    (void)plan;
     return out + "}\n";
 }
 
@@ -86,17 +86,17 @@ std::string defines(const Plan& plan, const Pass& pass, uint32_t descriptorSet) 
     defineSwitch(out, "AGAA_HW_SAMPLES", plan.hwSamples);
     define(out, "AGAA_SCALE_X", plan.scaleX);
     define(out, "AGAA_SCALE_Y", plan.scaleY);
-    defineSwitch(out, "AGAA_AGGREGATES", std::max(plan.aggregates, 1u));
     defineSwitch(out, "AGAA_COUNTING", c[AGAA_COUNTERS]);
-    defineSwitch(out, "AGAA_PER_SAMPLE", pass.drawState.sampleShading);
-    defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE", !pass.extensions.empty());
-    defineSwitch(out, "AGAA_FIRST_SAMPLE_ROUTING",
-                 (plan.config.flags & AGAA_CONFIG_FIRST_SAMPLE_ROUTING) != 0);
     define(out, "AGAA_EMISSIVE_CHANNELS", c[AGAA_EMISSIVE_CHANNELS]);
     out += format("#define AGAA_EMISSIVE_RANGE %.9g\n", double(plan.layout.emissiveRange()));
     if (out.back() == '\n' && plan.layout.emissiveRange() == float(int(plan.layout.emissiveRange())))
         out.insert(out.size() - 1, ".0");
     if (pass.drawPass == AGAA_DRAW_PASS_AGGREGATE) {
+        defineSwitch(out, "AGAA_AGGREGATES", std::max(plan.aggregates, 1u));
+        defineSwitch(out, "AGAA_PER_SAMPLE", pass.drawState.sampleShading);
+        defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE", !pass.extensions.empty());
+        defineSwitch(out, "AGAA_FIRST_SAMPLE_ROUTING",
+                     (plan.config.flags & AGAA_CONFIG_FIRST_SAMPLE_ROUTING) != 0);
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
         define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
         defineSwitch(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
@@ -128,7 +128,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, uint32_t descri
         appendExpanded(out, "host/visibility.glsl", seen);
         break;
     case AGAA_DRAW_PASS_GBUFFER:
-        out += storeAttachments(plan, pass);
+        out += storeAttachments(pass);
         appendExpanded(out, "host/gbuffer.glsl", seen);
         break;
     case AGAA_DRAW_PASS_AGGREGATE:
@@ -139,6 +139,24 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, uint32_t descri
         fail(AGAA_ERROR_INTERNAL, "a draw pass of unknown kind.");
     }
     return out;
+}
+
+uint64_t hostPassKey(const Plan& plan, const Pass& pass) {
+    // FNV-1a over everything a host's shaders and pipelines depend on.
+    uint64_t key = 1469598103934665603ull;
+    const auto mix = [&](const void* data, size_t size) {
+        for (size_t i = 0; i < size; ++i)
+            key = (key ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
+    };
+    const auto mixValue = [&](auto value) { mix(&value, sizeof value); };
+    mixValue(uint32_t(pass.drawPass));
+    mix(&pass.drawState, sizeof pass.drawState);
+    const std::string text = hostExtensions(plan, pass) + hostDeclarations(plan, pass, 0);
+    mix(text.data(), text.size());
+    for (ResourceId target : pass.colorTargets)
+        mixValue(uint32_t(plan.resources[target].format));
+    mixValue(uint32_t(plan.resources[pass.depthTarget].format));
+    return key;
 }
 
 } // namespace agaa

@@ -11,4 +11,7 @@ std::string hostExtensions(const Plan& plan, const Pass& pass);
 // descriptorSet: index at which the host binds the SDK's set.
 std::string hostDeclarations(const Plan& plan, const Pass& pass, uint32_t descriptorSet);
 
+// Differs between passes for which a host needs other shaders or pipelines, and only then.
+uint64_t hostPassKey(const Plan& plan, const Pass& pass);
+
 } // namespace agaa

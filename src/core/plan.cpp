@@ -68,21 +68,4 @@ uint64_t placeBlocks(std::vector<ArenaBlock>& blocks) {
     return height;
 }
 
-uint64_t hostPassKey(const Plan& plan, const Pass& pass) {
-    // FNV-1a over everything a host's shaders and pipelines depend on.
-    uint64_t key = 1469598103934665603ull;
-    const auto mix = [&](const void* data, size_t size) {
-        for (size_t i = 0; i < size; ++i)
-            key = (key ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
-    };
-    const auto mixValue = [&](auto value) { mix(&value, sizeof value); };
-    mixValue(uint32_t(pass.drawPass));
-    mix(&pass.drawState, sizeof pass.drawState);
-    mix(pass.hostDefines.data(), pass.hostDefines.size());
-    for (ResourceId target : pass.colorTargets)
-        mixValue(uint32_t(plan.resources[target].format));
-    mixValue(uint32_t(plan.resources[pass.depthTarget].format));
-    return key;
-}
-
 } // namespace agaa

@@ -87,7 +87,6 @@ struct Pass {
     std::vector<ResourceId> colorTargets;
     ResourceId depthTarget = noResource;
     bool clear = false; // targets: colour 0, depth far, stencil 0
-    std::string hostDefines; // GLSL, before the host declarations
 
     // Fill (with zero), Copy
     ResourceId source = noResource;
@@ -136,6 +135,5 @@ struct ArenaBlock {
 uint64_t placeBlocks(std::vector<ArenaBlock>& blocks);
 
 std::string planToJson(const Plan& plan);
-uint64_t hostPassKey(const Plan& plan, const Pass& pass);
 
 } // namespace agaa

@@ -42,7 +42,8 @@ void main() {
                                                  agaa_frame.projection1.y, agaa_isOrthographic(),
                                                  step));
     }
-    float k = agaa_frame.cluster.x + agaa_frame.cluster.y * sqrt(nearest2) + quantum;
+    float k = agaa_characteristicLength(agaa_frame.cluster.x, agaa_frame.cluster.y, sqrt(nearest2),
+                                        quantum, agaa_frame.cluster.z);
     uvec2 planes = uvec2(0u);
     if (covered != 0u &&
         agaa_defineAggregates(AGAA_SAMPLES, covered, AGAA_AGGREGATES, k, agaa_frame.cluster.z,

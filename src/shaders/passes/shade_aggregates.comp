@@ -40,9 +40,6 @@ float agaa_mean(uint field) {
 
 vec3 agaa_mean3(uint r, uint g, uint b) { return vec3(agaa_mean(r), agaa_mean(g), agaa_mean(b)); }
 
-// Largest length deficit that rounding to the layout's bits can cause in a unit normal (hard case 5).
-float agaa_lengthBound() { return 1.7321 / float((1u << (AGAA_FIELD_NORMAL_X >> 16)) - 1u); }
-
 agaa_Surface agaa_aggregateSurface(vec3 toEye) {
     agaa_Surface s;
     s.diffuse = agaa_mean3(AGAA_FIELD_DIFFUSE_R, AGAA_FIELD_DIFFUSE_G, AGAA_FIELD_DIFFUSE_B);
@@ -51,7 +48,7 @@ agaa_Surface agaa_aggregateSurface(vec3 toEye) {
     agaa_meanDirection(mean, toEye, s.normal, meanLength);
     s.specular = vec3(0.0);
     s.alpha2 = 1.0;
-    s.meanLength = agaa_varianceFloor(meanLength, agaa_lengthBound());
+    s.meanLength = agaa_varianceFloor(meanLength, agaa_storedLengthBound(1u, AGAA_FIELD_NORMAL_X >> 16));
     if (AGAA_HAS_SPECULAR != 0u) {
         s.specular = agaa_mean3(AGAA_FIELD_SPECULAR_R, AGAA_FIELD_SPECULAR_G, AGAA_FIELD_SPECULAR_B);
         if (AGAA_YCBCR_SPECULAR != 0u)

@@ -1,0 +1,115 @@
+// Packing: fields never overlap, sums never carry, sizes are those of the papers.
+#include "core/error.h"
+#include "core/layout.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+
+using namespace agaa;
+
+namespace {
+
+Layout builtin(const char* name) {
+    const AgaaLayout layout = builtinLayout(name);
+    return checkLayout(&layout);
+}
+
+// Every field with its growth stays in its word and overlaps no other.
+void expectSound(const AggregatePacking& packing, uint32_t samples) {
+    const uint32_t growth = uint32_t(std::countr_zero(samples));
+    std::vector<uint64_t> used(packing.words, 0);
+    const auto claim = [&](const Field& field, uint32_t extra) {
+        if (!field.bits)
+            return;
+        ASSERT_LT(field.word, packing.words);
+        ASSERT_LE(field.shift + field.bits + extra, 32u);
+        const uint64_t mask = ((UINT64_C(1) << (field.bits + extra)) - 1) << field.shift;
+        EXPECT_EQ(used[field.word] & mask, 0u);
+        used[field.word] |= mask;
+        // n values of full scale fit the field.
+        if (extra || samples == 1) {
+            EXPECT_LE(uint64_t(samples) * ((UINT64_C(1) << field.bits) - 1),
+                      (UINT64_C(1) << (field.bits + extra)) - 1);
+        }
+    };
+    for (const Field& field : packing.fields)
+        claim(field, growth);
+    claim(packing.coverage, 0);
+}
+
+TEST(Layout, AggregateFieldsNeverOverlapOrCarry) {
+    std::mt19937 random(1);
+    for (int trial = 0; trial < 2000; ++trial) {
+        AgaaLayout layout = builtinLayout(trial & 1 ? "paper16" : "precise");
+        for (uint32_t i = 0; i < layout.attributeCount; ++i) {
+            AgaaLayoutAttribute& a = layout.attributes[i];
+            a.aggregateBits = random() % 4 ? 6 + random() % 11 : 0;
+            if (a.encoding == AGAA_ENCODING_YCBCR)
+                a.chromaBits = 6 + random() % 11;
+        }
+        for (uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u})
+            expectSound(packAggregate(checkLayout(&layout), samples), samples);
+    }
+}
+
+TEST(Layout, Paper16AggregatesTakeTwentyTwentyFourAndThirtyTwoBytes) {
+    const Layout layout = builtin("paper16");
+    EXPECT_EQ(packAggregate(layout, 8).bytes(), 20u);
+    EXPECT_EQ(packAggregate(layout, 16).bytes(), 24u);
+    EXPECT_EQ(packAggregate(layout, 32).bytes(), 32u);
+}
+
+TEST(Layout, Paper16SamplesTakeTwelveBytesBesideDepth) {
+    uint32_t bytes = 0;
+    for (Format format : packGBuffer(builtin("paper16")).attachments)
+        bytes += bytesPerTexel(format);
+    EXPECT_EQ(bytes, 12u);
+}
+
+TEST(Layout, PreciseKeepsElevenBitsOrMorePerFragmentAndChannel) {
+    for (uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u})
+        for (const Field& field : packAggregate(builtin("precise"), samples).fields)
+            EXPECT_GE(field.bits, 11u) << samples;
+}
+
+TEST(Layout, DropsWhatTheSceneDoesNotCallFor) {
+    const Layout plain = reduceLayout(builtin("precise"), 0);
+    EXPECT_FALSE(plain.has(AGAA_SEMANTIC_SPECULAR));
+    EXPECT_FALSE(plain.has(AGAA_SEMANTIC_EMISSIVE));
+    EXPECT_LT(packAggregate(plain, 8).bytes(), packAggregate(builtin("precise"), 8).bytes());
+}
+
+struct BadLayout {
+    const char* what;
+    void (*spoil)(AgaaLayout&);
+};
+
+TEST(Layout, WrongLayoutsAreRefusedWithAReason) {
+    const BadLayout table[] = {
+        {"twice", [](AgaaLayout& l) { l.attributes[1] = l.attributes[0]; }},
+        {"semantic", [](AgaaLayout& l) { l.attributes[0].semantic = 9; }},
+        {"channels", [](AgaaLayout& l) { l.attributes[0].channels = 2; }},
+        {"sampleBits", [](AgaaLayout& l) { l.attributes[0].sampleBits = 12; }},
+        {"aggregateBits", [](AgaaLayout& l) { l.attributes[0].aggregateBits = 17; }},
+        {"no normal", [](AgaaLayout& l) { l.attributeCount = 1; }},
+        {"range", [](AgaaLayout& l) { l.attributes[0].range = 0; }},
+        {"encoding", [](AgaaLayout& l) { l.attributes[0].encoding = 7; }},
+        {"folded", [](AgaaLayout& l) { l.attributes[0].encoding = AGAA_ENCODING_FOLDED; }},
+        {"count", [](AgaaLayout& l) { l.attributeCount = 6; }},
+    };
+    for (const BadLayout& row : table) {
+        AgaaLayout layout = builtinLayout("precise");
+        row.spoil(layout);
+        try {
+            checkLayout(&layout);
+            ADD_FAILURE() << row.what << " was accepted";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, AGAA_ERROR_LAYOUT) << row.what;
+            EXPECT_FALSE(error.message.empty());
+        }
+    }
+}
+
+} // namespace

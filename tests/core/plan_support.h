@@ -1,0 +1,56 @@
+// Views for planner tests.
+#pragma once
+
+#include "core/planner.h"
+
+namespace agaa::test {
+
+struct ViewSpec {
+    const char* technique = "agaa";
+    uint32_t samples = 8;
+    uint32_t aggregates = 2;
+    const char* layout = "precise";
+    uint32_t visibilityTier = AGAA_TIER_AUTO;
+    uint32_t generationTier = AGAA_TIER_AUTO;
+    uint32_t width = 640;
+    uint32_t height = 360;
+    uint64_t configFlags = 0;
+    uint64_t facts = AGAA_FACT_ALL_SHADED;
+    uint32_t shadowMaps = 1;
+    uint64_t viewFlags = 0;
+};
+
+// A device with 1 and 4 samples, as Mesa's software rasterisers.
+inline AgaaDeviceCaps fourSampleDevice() {
+    AgaaDeviceCaps caps = idealDevice();
+    caps.sampleCounts = 0b101;
+    caps.maxImageSize = 16384;
+    caps.maxStorageRange = UINT64_C(128) << 20;
+    caps.flags &= ~AGAA_DEVICE_NV_MIXED_SAMPLES;
+    return caps;
+}
+
+inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
+    AgaaLayout layout{};
+    agaaGetBuiltinLayout(spec.layout, &layout);
+    AgaaConfig config = AGAA_CONFIG_INIT;
+    config.technique = spec.technique;
+    config.samples = spec.samples;
+    config.aggregates = spec.aggregates;
+    config.layout = &layout;
+    config.visibilityTier = spec.visibilityTier;
+    config.generationTier = spec.generationTier;
+    config.flags = spec.configFlags;
+    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
+    facts.flags = spec.facts;
+    facts.shadowMapCount = spec.shadowMaps;
+    AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
+    view.width = spec.width;
+    view.height = spec.height;
+    view.config = &config;
+    view.facts = &facts;
+    view.flags = spec.viewFlags;
+    return makePlan(view, caps, 2);
+}
+
+} // namespace agaa::test

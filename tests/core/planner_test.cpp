@@ -1,0 +1,146 @@
+// What the planner decides: tiers, formats, passes, and what it leaves out.
+#include "plan_support.h"
+
+#include "core/embedded.h"
+#include "core/error.h"
+#include "core/host_glsl.h"
+#include "core/sample_patterns.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace agaa;
+using namespace agaa::test;
+
+namespace {
+
+TEST(Planner, ScaledTargetsGiveTheAskedSamplesOnAFourSampleDevice) {
+    const std::pair<uint32_t, std::pair<uint32_t, uint32_t>> expected[] = {
+        {8, {1, 2}}, {16, {2, 2}}, {32, {2, 4}}};
+    for (const auto& [samples, scale] : expected) {
+        ViewSpec spec;
+        spec.samples = samples;
+        const Plan plan = planFor(spec, fourSampleDevice());
+        EXPECT_EQ(plan.visibilityTier, AGAA_TIER_SCALED_TARGET);
+        EXPECT_EQ(plan.hwSamples, 4u);
+        EXPECT_EQ(std::pair(plan.scaleX, plan.scaleY), scale);
+    }
+    ViewSpec four;
+    four.samples = 4;
+    EXPECT_EQ(planFor(four, fourSampleDevice()).visibilityTier, AGAA_TIER_NATIVE);
+}
+
+TEST(Planner, SamplesLieApartInsideThePixel) {
+    for (auto [hw, sx, sy] : {std::tuple{4u, 1u, 2u}, {4u, 2u, 2u}, {4u, 2u, 4u}, {8u, 2u, 2u},
+                              {1u, 4u, 8u}, {16u, 1u, 2u}}) {
+        const auto positions = samplePositions(hw, sx, sy);
+        std::set<std::pair<float, float>> distinct;
+        for (uint32_t i = 0; i < hw * sx * sy; ++i) {
+            EXPECT_GE(positions[i].x, 0);
+            EXPECT_LT(positions[i].x, 1);
+            EXPECT_GE(positions[i].y, 0);
+            EXPECT_LT(positions[i].y, 1);
+            distinct.insert({positions[i].x, positions[i].y});
+        }
+        EXPECT_EQ(distinct.size(), hw * sx * sy);
+    }
+}
+
+TEST(Planner, GenerationFallsBackToOneInvocationPerSample) {
+    AgaaDeviceCaps caps = fourSampleDevice();
+    ViewSpec spec;
+    EXPECT_EQ(planFor(spec, caps).generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
+    caps.flags &= ~AGAA_DEVICE_POST_DEPTH_COVERAGE;
+    EXPECT_EQ(planFor(spec, caps).generationTier, AGAA_TIER_PER_SAMPLE);
+    caps.flags &= ~AGAA_DEVICE_SAMPLE_RATE_SHADING;
+    EXPECT_THROW(planFor(spec, caps), Error);
+}
+
+TEST(Planner, ForcedTiersAreKeptOrRefused) {
+    ViewSpec spec;
+    spec.generationTier = AGAA_TIER_PER_SAMPLE;
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).generationTier, AGAA_TIER_PER_SAMPLE);
+    spec.generationTier = AGAA_TIER_GBUFFER;
+    EXPECT_THROW(planFor(spec, fourSampleDevice()), Error);
+    spec.generationTier = AGAA_TIER_AUTO;
+    spec.visibilityTier = AGAA_TIER_NATIVE;
+    EXPECT_THROW(planFor(spec, fourSampleDevice()), Error); // no 8 samples
+    spec.visibilityTier = AGAA_TIER_SCALED_TARGET;
+    spec.samples = 4;
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).hwSamples, 1u);
+    spec.samples = 1;
+    EXPECT_THROW(planFor(spec, fourSampleDevice()), Error);
+}
+
+TEST(Planner, ReversedZGetsAFloatFormat) {
+    ViewSpec spec;
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).depthFormat, Format::D24S8);
+    spec.viewFlags = AGAA_VIEW_REVERSED_Z;
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).depthFormat, Format::D32S8);
+    spec.technique = "ssaa";
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).depthFormat, Format::D32);
+}
+
+TEST(Planner, EffectsTheSceneDoesNotCallForLeaveNoTrace) {
+    ViewSpec all;
+    ViewSpec none;
+    none.facts = 0;
+    none.shadowMaps = 0;
+    const Plan rich = planFor(all, fourSampleDevice());
+    const Plan poor = planFor(none, fourSampleDevice());
+    EXPECT_LT(poor.bytesPerAggregate, rich.bytesPerAggregate);
+    for (const Resource& resource : poor.resources)
+        EXPECT_NE(resource.kind, ResourceKind::ShadowMap);
+    for (const std::string& effect : poor.effects)
+        EXPECT_TRUE(effect == "filtered-diffuse") << effect;
+    for (const char* effect : {"specular", "emissive", "ambient", "shadows", "shadow-filter"})
+        EXPECT_NE(std::find(rich.effects.begin(), rich.effects.end(), effect), rich.effects.end());
+}
+
+TEST(Planner, EveryShaderOfEveryPlanIsInTheLibrary) {
+    for (const Technique* technique : techniques())
+        for (uint32_t samples : {1u, 4u, 8u, 32u})
+            for (uint32_t maps : {0u, 1u, 4u})
+                for (uint64_t flags : {UINT64_C(0), AGAA_CONFIG_COUNTERS}) {
+                    ViewSpec spec;
+                    spec.technique = technique->name;
+                    spec.samples = samples;
+                    spec.shadowMaps = maps;
+                    spec.configFlags = flags;
+                    for (const Pass& pass : planFor(spec, fourSampleDevice()).passes)
+                        EXPECT_TRUE(pass.kind != PassKind::Compute ||
+                                    !embeddedSpirv(pass.shader).empty())
+                            << pass.shader;
+                }
+}
+
+TEST(Planner, SingleRunsAtOneSampleWhateverIsAsked) {
+    ViewSpec spec;
+    spec.technique = "single";
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).samples, 1u);
+}
+
+TEST(Planner, PipelineKeysChangeOnlyWithWhatPipelinesDependOn) {
+    const auto keys = [](const ViewSpec& spec) {
+        const Plan plan = planFor(spec, fourSampleDevice());
+        std::vector<uint64_t> list;
+        for (const Pass& pass : plan.passes)
+            if (pass.kind == PassKind::HostDraw)
+                list.push_back(hostPassKey(plan, pass));
+        return list;
+    };
+    ViewSpec spec;
+    const auto base = keys(spec);
+    spec.width = 100;
+    EXPECT_EQ(keys(spec), base);
+    spec.shadowMaps = 0; // only shading depends on it
+    EXPECT_EQ(keys(spec), base);
+    spec.aggregates = 3;
+    EXPECT_EQ(keys(spec)[0], base[0]);
+    EXPECT_NE(keys(spec)[1], base[1]);
+    spec.samples = 16;
+    EXPECT_NE(keys(spec)[0], base[0]);
+}
+
+} // namespace

@@ -1,0 +1,179 @@
+// Misuse through the C ABI: an error code, one sentence in the log, nothing changed.
+#include "agaa_vk.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace {
+
+struct LogLine {
+    AgaaResult code;
+    std::string text;
+};
+
+void AGAA_CALL collect(void* user, uint32_t, AgaaResult code, const char* message) {
+    static_cast<std::vector<LogLine>*>(user)->push_back({code, message});
+}
+
+struct Request {
+    AgaaConfig config = AGAA_CONFIG_INIT;
+    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
+    AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
+    AgaaLayout layout{};
+    Request() {
+        view.width = 64;
+        view.height = 36;
+        agaaGetBuiltinLayout("precise", &layout);
+        config.layout = &layout;
+    }
+    AgaaResult run(std::vector<LogLine>& lines) {
+        view.config = view.config == reinterpret_cast<AgaaConfig*>(1) ? nullptr : &config;
+        view.facts = view.facts == reinterpret_cast<AgaaSceneFacts*>(1) ? nullptr : &facts;
+        AgaaLog log = AGAA_LOG_INIT;
+        log.callback = collect;
+        log.user = &lines;
+        AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
+        return agaaQueryMemory(&view, nullptr, &log, &report, nullptr, nullptr);
+    }
+};
+
+struct Row {
+    const char* what;
+    AgaaResult expected;
+    std::function<void(Request&)> spoil;
+};
+
+const AgaaStructHeader unknownStruct = {77, sizeof(AgaaStructHeader), nullptr};
+const AgaaStructHeader optionalStruct = {77 | AGAA_STRUCTURE_TYPE_OPTIONAL_BIT,
+                                         sizeof(AgaaStructHeader), nullptr};
+
+const Row rows[] = {
+    {"valid", AGAA_OK, [](Request&) {}},
+    {"optional struct in chain", AGAA_OK, [](Request& r) { r.config.pNext = &optionalStruct; }},
+    {"unknown struct in chain", AGAA_ERROR_UNKNOWN_STRUCT,
+     [](Request& r) { r.config.pNext = &unknownStruct; }},
+    {"unknown struct in view", AGAA_ERROR_UNKNOWN_STRUCT,
+     [](Request& r) { r.view.pNext = &unknownStruct; }},
+    {"null config", AGAA_ERROR_INVALID_ARGUMENT,
+     [](Request& r) { r.view.config = reinterpret_cast<AgaaConfig*>(1); }},
+    {"null facts", AGAA_ERROR_INVALID_ARGUMENT,
+     [](Request& r) { r.view.facts = reinterpret_cast<AgaaSceneFacts*>(1); }},
+    {"wrong sType", AGAA_ERROR_STRUCT, [](Request& r) { r.config.sType = 1; }},
+    {"wrong structSize", AGAA_ERROR_STRUCT, [](Request& r) { r.config.structSize -= 4; }},
+    {"wrong view size", AGAA_ERROR_STRUCT, [](Request& r) { r.view.structSize = 0; }},
+    {"null technique", AGAA_ERROR_INVALID_ARGUMENT,
+     [](Request& r) { r.config.technique = nullptr; }},
+    {"unknown technique", AGAA_ERROR_UNSUPPORTED, [](Request& r) { r.config.technique = "taa"; }},
+    {"n = 0", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.samples = 0; }},
+    {"n = 3", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.samples = 3; }},
+    {"n = 64", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.samples = 64; }},
+    {"c = 0", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregates = 0; }},
+    {"c = 5", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregates = 5; }},
+    {"HardCase21 k = 0", AGAA_ERROR_OUT_OF_RANGE,
+     [](Request& r) { r.config.characteristicLengthPerDistance = 0; }},
+    {"HardCase21 k = -1", AGAA_ERROR_OUT_OF_RANGE,
+     [](Request& r) { r.config.characteristicLength = -1; }},
+    {"HardCase21 k = NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](Request& r) { r.config.characteristicLength = NAN; }},
+    {"HardCase21 k = inf", AGAA_ERROR_OUT_OF_RANGE,
+     [](Request& r) { r.config.characteristicLength = INFINITY; }},
+    {"k per distance NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](Request& r) { r.config.characteristicLengthPerDistance = NAN; }},
+    {"HardCase21 k denormal", AGAA_OK,
+     [](Request& r) {
+         r.config.characteristicLength = 1e-40f;
+         r.config.characteristicLengthPerDistance = 0;
+     }},
+    {"t = NaN", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregateThreshold = NAN; }},
+    {"t < 0", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregateThreshold = -1; }},
+    {"brdf", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.brdf = 9; }},
+    {"ndf", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.ndf = 9; }},
+    {"seeds", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.seeds = 9; }},
+    {"shadow taps", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.shadowTaps = 33; }},
+    {"shading cost 0", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.shadingCost = 0; }},
+    {"unknown flags", AGAA_ERROR_OUT_OF_RANGE,
+     [](Request& r) { r.config.flags = UINT64_C(1) << 60; }},
+    {"unknown tier", AGAA_ERROR_UNSUPPORTED, [](Request& r) { r.config.visibilityTier = 99; }},
+    {"tier of another stage", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) { r.config.generationTier = AGAA_TIER_SCALED_TARGET; }},
+    {"HardCase55 0x0", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.view.width = r.view.height = 0; }},
+    {"HardCase55 0 x 36", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.view.width = 0; }},
+    {"too large", AGAA_ERROR_TOO_LARGE, [](Request& r) { r.view.width = 0xFFFFFFFF; }},
+    {"view flags", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.view.flags = 64; }},
+    {"too many lights", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.facts.maxLights = 5000; }},
+    {"too many shadow maps", AGAA_ERROR_OUT_OF_RANGE,
+     [](Request& r) { r.facts.shadowMapCount = 5; }},
+    {"unknown facts", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.facts.flags = 1 << 20; }},
+    {"custom depth", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) { r.facts.flags |= AGAA_FACT_CUSTOM_DEPTH; }},
+    {"layout that does not pack", AGAA_ERROR_LAYOUT,
+     [](Request& r) { r.layout.attributes[0].sampleBits = 9; }},
+    {"layout of wrong type", AGAA_ERROR_STRUCT, [](Request& r) { r.layout.sType = 0; }},
+};
+
+TEST(WrongInput, EachGetsItsCodeAndOneSentence) {
+    for (const Row& row : rows) {
+        std::vector<LogLine> lines;
+        Request request;
+        row.spoil(request);
+        EXPECT_EQ(request.run(lines), row.expected) << row.what;
+        if (row.expected == AGAA_OK) {
+            EXPECT_TRUE(lines.empty()) << row.what;
+            continue;
+        }
+        ASSERT_EQ(lines.size(), 1u) << row.what;
+        EXPECT_EQ(lines[0].code, row.expected);
+        EXPECT_EQ(lines[0].text.back(), '.') << lines[0].text;
+        EXPECT_EQ(lines[0].text.find('\n'), std::string::npos);
+    }
+}
+
+TEST(WrongInput, NullPointersAndShortArrays) {
+    EXPECT_EQ(agaaGetBuiltinLayout(nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    AgaaLayout layout{};
+    EXPECT_EQ(agaaGetBuiltinLayout("nonesuch", &layout), AGAA_ERROR_LAYOUT);
+    EXPECT_EQ(agaaEnumerateTechniques(nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    uint32_t count = 0;
+    ASSERT_EQ(agaaEnumerateTechniques(&count, nullptr), AGAA_OK);
+    std::vector<const char*> names(count);
+    count = 1;
+    EXPECT_EQ(agaaEnumerateTechniques(&count, names.data()), AGAA_ERROR_BUFFER_TOO_SMALL);
+    AgaaContext context = nullptr;
+    EXPECT_EQ(agaaVkCreateContext(AGAA_HEADER_VERSION, nullptr, &context),
+              AGAA_ERROR_INVALID_ARGUMENT);
+    AgaaVkContextDesc desc = AGAA_VK_CONTEXT_DESC_INIT;
+    EXPECT_EQ(agaaVkCreateContext(AGAA_HEADER_VERSION + (1u << 22), &desc, &context),
+              AGAA_ERROR_VERSION);
+    EXPECT_EQ(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context),
+              AGAA_ERROR_INVALID_ARGUMENT);
+    AgaaView view = nullptr;
+    EXPECT_EQ(agaaVkCreateView(nullptr, nullptr, &view), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaVkRecordFrame(nullptr, nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaVkGetDrawPasses(nullptr, nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGetFrameStatistics(nullptr, 0, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaPlanToJson(nullptr, nullptr, nullptr, nullptr, nullptr),
+              AGAA_ERROR_INVALID_ARGUMENT);
+    agaaDestroyView(nullptr);
+    agaaDestroyContext(nullptr);
+}
+
+TEST(WrongInput, ResultsAndTiersHaveNames) {
+#define CHECK_NAME(name, value, text)                                                              \
+    EXPECT_STREQ(agaaResultName(name), #name);                                                     \
+    EXPECT_STREQ(agaaResultString(name), text);
+    AGAA_RESULT_LIST(CHECK_NAME)
+#undef CHECK_NAME
+    EXPECT_STREQ(agaaResultString(-999), "unknown result");
+    for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET,
+                          AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER}) {
+        uint32_t back = 999;
+        EXPECT_EQ(agaaTierFromName(agaaTierName(tier), &back), AGAA_OK);
+        EXPECT_EQ(back, tier);
+    }
+}
+
+} // namespace
