@@ -118,7 +118,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, uint32_t descri
     std::string out = "#ifndef AGAA_ALPHA_MASKED\n#define AGAA_ALPHA_MASKED 0\n#endif\n";
     out += defines(plan, pass, descriptorSet);
     for (const char* path : {"passes/frame.glsl", "math/sanitise.glsl", "math/encoding.glsl",
-                             "math/ndf.glsl", "math/depth.glsl", "host/surface.glsl"})
+                             "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "host/surface.glsl"})
         appendExpanded(out, path, seen);
     if (pass.constants[AGAA_COUNTERS])
         out += "layout(std430, set = AGAA_SET, binding = 3) buffer agaa_CounterBlock {\n"

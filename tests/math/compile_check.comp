@@ -65,10 +65,10 @@ void main() {
         agaa_sampleKeyB[i] = i;
     }
     const uint count = agaa_defineAggregates(32u, 0xFFFFFFFFu, 4u, 0.1, 0.02, id & 1u);
-    const uint bits = agaa_bitsPerAggregateId(4u);
-    uvec4 words = uvec4(0u);
+    uvec2 planes = uvec2(0u);
     for (uint i = 0u; i < 32u; ++i) {
-        agaa_packAggregateId(words, i, bits, agaa_sampleAggregate[i]);
+        agaa_putAggregateId(planes, i, agaa_sampleAggregate[i]);
     }
-    outputs[id] = vec4(acc, float(count + agaa_unpackAggregateId(words, 31u, bits)));
+    planes = agaa_loadedPlanes(agaa_storedPlanes(planes, 32u, 4u), 32u, 4u);
+    outputs[id] = vec4(acc, float(count + agaa_samplesOfAggregate(planes, 3u)));
 }

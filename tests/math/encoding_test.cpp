@@ -191,10 +191,3 @@ TEST(MathEncoding, DegenerateNormalsGiveTheCodeOfZ) {
         }
     }
 }
-
-TEST(MathEncoding, BitsPerAggregateId) {
-    const unsigned expected[] = {0, 0, 1, 2, 2, 3, 3, 3, 3};
-    for (unsigned c = 0; c <= 8; ++c) {
-        EXPECT_EQ(math_f::agaa_bitsPerAggregateId(c), expected[c]) << c;
-    }
-}

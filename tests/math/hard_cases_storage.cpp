@@ -158,36 +158,41 @@ TEST(HardCase20_DepthQuantum, StepsOfTheFormats) {
     EXPECT_LT(math_f::agaa_depthQuantum(-1000.0f, d, 0.0f, nearPlane, 0, ulp), 1.3e-4f);
 }
 
-TEST(HardCase29_IdMaskForThree, AllCountsRoundTrip) {
-    for (unsigned c = 1; c <= 8; ++c) {
-        const unsigned bits = math_f::agaa_bitsPerAggregateId(c);
-        EXPECT_EQ(math_f::agaa_aggregateIdMask(bits), (1u << bits) - 1u);
+// The ids of n samples, stored and loaded again, select exactly the samples that have them.
+static void expectPlanesRoundTrip(unsigned n, unsigned c, const std::vector<unsigned>& ids) {
+    glm::uvec2 planes(0u);
+    for (unsigned s = 0; s < n; ++s)
+        math_f::agaa_putAggregateId(planes, s, ids[s]);
+    const glm::uvec2 loaded =
+        math_f::agaa_loadedPlanes(math_f::agaa_storedPlanes(planes, n, c), n, c);
+    for (unsigned a = 0; a < c; ++a)
+        for (unsigned s = 0; s < n; ++s)
+            ASSERT_EQ(math_f::agaa_samplesOfAggregate(loaded, a) >> s & 1u,
+                      unsigned(ids[s] == a))
+                << "n=" << n << " c=" << c << " sample " << s << " aggregate " << a;
+}
+
+TEST(HardCase29_IdsOfThreeAggregates, AllCountsRoundTrip) {
+    for (unsigned c = 1; c <= 4; ++c) {
         for (unsigned n : {1u, 2u, 4u, 8u, 16u, 32u}) {
-            glm::uvec4 words(0u);
             Random random(229 + c);
-            std::vector<unsigned> ids;
-            // Written twice: an id must replace the one before it.
-            for (int pass = 0; pass < 2; ++pass) {
-                ids.clear();
-                for (unsigned s = 0; s < n; ++s) {
-                    ids.push_back(random.below(c));
-                    math_f::agaa_packAggregateId(words, s, bits, ids.back());
-                }
-            }
-            for (unsigned s = 0; s < n; ++s) {
-                ASSERT_EQ(math_f::agaa_unpackAggregateId(words, s, bits), ids[s]) << c << " " << n;
+            for (int trial = 0; trial < 200; ++trial) {
+                std::vector<unsigned> ids(n);
+                for (unsigned& id : ids)
+                    id = random.below(c);
+                expectPlanesRoundTrip(n, c, ids);
             }
         }
     }
 }
 
 TEST(HardCase30_SixtyFourBitsOfMetadata, LastSampleLastAggregate) {
-    glm::uvec4 words(0u);
-    const unsigned bits = math_f::agaa_bitsPerAggregateId(4);
-    math_f::agaa_packAggregateId(words, 31, bits, 3);
-    EXPECT_EQ(words, glm::uvec4(0, 0xC0000000u, 0, 0));
-    EXPECT_EQ(math_f::agaa_unpackAggregateId(words, 31, bits), 3u);
-    EXPECT_EQ(math_f::agaa_unpackAggregateId(words, 30, bits), 0u);
+    glm::uvec2 planes(0u);
+    math_f::agaa_putAggregateId(planes, 31, 3);
+    EXPECT_EQ(planes, glm::uvec2(0x80000000u, 0x80000000u));
+    EXPECT_EQ(math_f::agaa_storedPlanes(planes, 32, 4), planes);
+    EXPECT_EQ(math_f::agaa_samplesOfAggregate(planes, 3), 0x80000000u);
+    EXPECT_EQ(math_f::agaa_samplesOfAggregate(planes, 0), 0x7FFFFFFFu);
 }
 
 TEST(HardCase31_RoundingOfSums, MeanOfCodesWithinHalfACode) {

@@ -26,21 +26,10 @@ uint agaa_fragmentMask(AgaaSurfaceInput s) {
     return mask << (agaa_hostGroup() * AGAA_HW_SAMPLES);
 }
 
-// Samples of each aggregate, from the bit planes of their ids.
-uint agaa_samplesOf(uint aggregate, uvec2 planes) {
-    uint mask = (aggregate & 1u) != 0u ? planes.x : ~planes.x;
-    return mask & ((aggregate & 2u) != 0u ? planes.y : ~planes.y);
-}
-
 uvec2 agaa_readPlanes(uvec2 pixel) {
 #if AGAA_AGGREGATES > 1
-    uvec2 planes = texelFetch(agaa_metadata, ivec2(pixel), 0).xy;
-#if AGAA_AGGREGATES > 2 && AGAA_SAMPLES < 32
-    planes.y = planes.x >> AGAA_SAMPLES;
-#elif AGAA_AGGREGATES <= 2
-    planes.y = 0u;
-#endif
-    return planes;
+    return agaa_loadedPlanes(texelFetch(agaa_metadata, ivec2(pixel), 0).xy, AGAA_SAMPLES,
+                             AGAA_AGGREGATES);
 #else
     return uvec2(0u);
 #endif
@@ -91,7 +80,7 @@ void agaa_emit(AgaaSurfaceInput s) {
 #if AGAA_FIRST_SAMPLE_ROUTING
         uint own = a == only ? mask : 0u;
 #else
-        uint own = mask & agaa_samplesOf(a, planes);
+        uint own = mask & agaa_samplesOfAggregate(planes, a);
 #endif
         if (own == 0u)
             continue;

@@ -9,7 +9,6 @@
 // the samples except the names of samples that are equal in content.
 #ifndef AGAA_MATH_CLUSTERING_GLSL
 #define AGAA_MATH_CLUSTERING_GLSL
-#include "metadata.glsl"
 #include "real.glsl"
 
 rvec3 agaa_samplePosition[AGAA_MAX_SAMPLES]; // view space, relative to anything

@@ -1,66 +1,38 @@
-// Aggregate ids of the samples of one pixel, packed.
-// Source: AGAA (Crassin et al., TVCG 2016) section 3.3, figure 5 and Algorithm 2; hard cases 29
-// (the printed mask c-1 loses an id for c=3) and 30 (64 bits of metadata, shifts of 32 are
-// undefined).
-//
-// An id never straddles two words: with 1 or 2 bits that costs nothing (n ids take exactly
-// n * bits bits), with 3 bits 10 ids fill a word.
+// Aggregate ids of the samples of one pixel as bit planes: bit i of plane b is bit b of sample i's id.
+// Source: AGAA (Crassin et al., TVCG 2016) section 3.3, figure 5 and Algorithm 2. Planes take the same
+// n ceil(log2 c) bits as ids side by side, give the samples of an aggregate in one operation, and need
+// neither the mask c-1 that loses an id for c=3 (hard case 29) nor shifts of 32 (hard case 30).
 #ifndef AGAA_MATH_METADATA_GLSL
 #define AGAA_MATH_METADATA_GLSL
 #include "real.glsl"
 
-// ceil(log2(c)); one aggregate needs no id.
-uint agaa_bitsPerAggregateId(uint c) {
-    uint bits = 0u;
-    uint reach = 1u;
-    while (reach < c && bits < 31u) {
-        reach = reach << 1u;
-        bits = bits + 1u;
+// For up to 4 aggregates.
+void agaa_putAggregateId(INOUT(uvec2) planes, uint index, uint id) {
+    planes.x = planes.x | ((id & 1u) << index);
+    planes.y = planes.y | (((id >> 1u) & 1u) << index);
+}
+
+// Samples whose id is `aggregate`; samples without geometry have id 0.
+uint agaa_samplesOfAggregate(uvec2 planes, uint aggregate) {
+    const uint low = (aggregate & 1u) != 0u ? planes.x : ~planes.x;
+    const uint high = (aggregate & 2u) != 0u ? planes.y : ~planes.y;
+    return low & high;
+}
+
+// As stored: side by side in one channel while they fit 32 bits, else one to a channel.
+uvec2 agaa_storedPlanes(uvec2 planes, uint n, uint c) {
+    if (c <= 2u) {
+        return uvec2(planes.x, 0u);
     }
-    return bits;
+    return n < 32u ? uvec2(planes.x | (planes.y << (n & 31u)), 0u) : planes;
 }
 
-uint agaa_aggregateIdMask(uint bits) {
-    return (1u << min(bits, 31u)) - 1u;
-}
-
-uint agaa_metadataWord(uint index, uint bits) {
-    return bits == 0u ? 0u : index / (32u / bits);
-}
-
-uint agaa_metadataShift(uint index, uint bits) {
-    return bits == 0u ? 0u : (index % (32u / bits)) * bits;
-}
-
-// bits as agaa_bitsPerAggregateId gives them, at most 3; index at most 31.
-void agaa_packAggregateId(INOUT(uvec4) words, uint index, uint bits, uint id) {
-    const uint mask = agaa_aggregateIdMask(bits);
-    const uint word = agaa_metadataWord(index, bits);
-    const uint shift = agaa_metadataShift(index, bits);
-    const uint keep = ~(mask << shift);
-    const uint put = (id & mask) << shift;
-    if (word == 0u) {
-        words.x = (words.x & keep) | put;
-    } else if (word == 1u) {
-        words.y = (words.y & keep) | put;
-    } else if (word == 2u) {
-        words.z = (words.z & keep) | put;
-    } else {
-        words.w = (words.w & keep) | put;
+uvec2 agaa_loadedPlanes(uvec2 stored, uint n, uint c) {
+    if (c <= 2u) {
+        return uvec2(stored.x, 0u);
     }
-}
-
-uint agaa_unpackAggregateId(uvec4 words, uint index, uint bits) {
-    const uint word = agaa_metadataWord(index, bits);
-    uint value = words.w;
-    if (word == 0u) {
-        value = words.x;
-    } else if (word == 1u) {
-        value = words.y;
-    } else if (word == 2u) {
-        value = words.z;
-    }
-    return (value >> agaa_metadataShift(index, bits)) & agaa_aggregateIdMask(bits);
+    // Bits of the other plane stay above n; sample masks do not reach there.
+    return n < 32u ? uvec2(stored.x, stored.x >> (n & 31u)) : stored;
 }
 
 #endif

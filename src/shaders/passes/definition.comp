@@ -11,6 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/target.glsl"
 #include "math/encoding.glsl"
 #include "math/clustering.glsl"
+#include "math/metadata.glsl"
 
 layout(set = AGAA_SET, binding = 3) uniform AGAA_TARGET_TEXTURE agaa_depth;
 layout(set = AGAA_SET, binding = 4) uniform AGAA_TARGET_TEXTURE agaa_normals;
@@ -49,13 +50,9 @@ void main() {
         agaa_defineAggregates(AGAA_SAMPLES, covered, AGAA_AGGREGATES, k, agaa_frame.cluster.z,
                               AGAA_SEEDS) > 1u) {
         for (uint i = 0u; i < AGAA_SAMPLES; ++i)
-            if ((covered >> i & 1u) != 0u) {
-                planes.x |= (agaa_sampleAggregate[i] & 1u) << i;
-                planes.y |= (agaa_sampleAggregate[i] >> 1u & 1u) << i;
-            }
+            if ((covered >> i & 1u) != 0u)
+                agaa_putAggregateId(planes, i, agaa_sampleAggregate[i]);
     }
-    // Two planes side by side in one word while they fit, else in two channels.
-    if (AGAA_AGGREGATES > 2u && AGAA_SAMPLES < 32u)
-        planes.x |= planes.y << (AGAA_SAMPLES & 31u);
+    planes = agaa_storedPlanes(planes, AGAA_SAMPLES, AGAA_AGGREGATES);
     imageStore(agaa_metadata, ivec2(pixel), uvec4(planes, 0u, 0u));
 }

@@ -1,13 +1,20 @@
 // The sample engine's metallic-roughness material. The version, the SDK's extensions and its
 // declarations come before this text.
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
-layout(location = 2) in vec4 inTangent;
-layout(location = 3) in vec2 inUv;
-layout(location = 4) in vec4 inColor;
-layout(location = 5) flat in uint inSeed;
-layout(location = 6) in float inOne;
+// Two sets of inputs, because Mesa's software rasteriser (22.3) has two faults at the edges of triangles.
+// Where a shader reads an input inside the primitive, plain reads of the same input, and so their
+// derivatives, are displaced too: what is read both ways comes twice.
+layout(location = 0) in vec3 inPosition; // shading space
+layout(location = 1) in vec2 inUv;
+layout(location = 2) in float inAlpha;
+// And it interpolates inside with the 1/w of the pixel's centre: values come out too large by the factor
+// by which a constant 1 does, so one is sent along. Elsewhere it is 1.
+layout(location = 3) centroid in vec4 insidePosition; // w: 1
+layout(location = 4) centroid in vec3 insideNormal;
+layout(location = 5) centroid in vec4 insideTangent;
+layout(location = 6) centroid in vec2 insideUv;
+layout(location = 7) centroid in vec3 insideColor;
+layout(location = 8) flat in uint inSeed;
 
 layout(set = 2, binding = 0) uniform sampler2D baseColorMap;
 layout(set = 2, binding = 1) uniform sampler2D normalMap;
@@ -28,68 +35,70 @@ const uint normalBit = 2u;
 const uint metalRoughBit = 4u;
 const uint emissiveBit = 8u;
 
-// Mesa's software rasteriser (22.3) interpolates at a centroid or sample with the 1/w of the pixel's
-// centre: a value comes out too large by the factor that a constant 1 comes out by. Elsewhere this is 1.
-float insideScale() { return 1.0 / AGAA_INSIDE(inOne); }
-
-// Texture coordinates are taken inside the primitive: at the pixel's centre they extrapolate where
-// the primitive is thinner than a pixel.
-vec4 baseColor(vec2 uv, vec2 dx, vec2 dy) {
-    vec4 color = material.baseColor * max(AGAA_INSIDE(inColor) * insideScale(), vec4(0.0));
+// Of the pixel's centre, unlike all else: the samples that survive the depth test, and so what counts as
+// inside, differ between the passes, and a sample that one pass covers must be covered in the next.
+float coverage(vec2 dx, vec2 dy) {
+    float alpha = material.baseColor.a * clamp(inAlpha, 0.0, 1.0);
     if ((material.maps & baseColorBit) != 0u)
-        color *= textureGrad(baseColorMap, uv, dx, dy);
+        alpha *= textureGrad(baseColorMap, inUv, dx, dy).a;
+    return material.alphaCutoff < 0.0 ? alpha : agaa_sharpenAlpha(alpha, material.alphaCutoff);
+}
+
+vec3 baseColor(float scale, vec2 uv, vec2 dx, vec2 dy) {
+    vec3 color = material.baseColor.rgb * max(AGAA_INSIDE(insideColor) * scale, vec3(0.0));
+    if ((material.maps & baseColorBit) != 0u)
+        color *= textureGrad(baseColorMap, uv, dx, dy).rgb;
     return color;
 }
 
+// The vertex normal n bent by the normal map.
+vec3 mappedNormal(vec3 n, vec2 uv, vec2 dx, vec2 dy) {
+    vec4 tangent = AGAA_INSIDE(insideTangent);
+    vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
+    float tangentSquared = dot(t, t);
+    if (tangentSquared <= 0.0)
+        return n;
+    t *= inversesqrt(tangentSquared);
+    vec3 b = cross(n, t) * (tangent.w < 0.0 ? -1.0 : 1.0);
+    vec3 m = textureGrad(normalMap, uv, dx, dy).xyz * 2.0 - 1.0;
+    m.xy *= material.normalScale;
+    vec3 bent = t * m.x + b * m.y + n * m.z;
+    float bentSquared = dot(bent, bent);
+    return bentSquared > 1e-8 ? bent * inversesqrt(bentSquared) : n;
+}
+
 vec3 shadingNormal(vec3 position, vec2 uv, vec2 dx, vec2 dy) {
-    vec3 vertexNormal = AGAA_INSIDE(inNormal);
+    vec3 toViewer = normalize(-position);
+    vec3 vertexNormal = AGAA_INSIDE(insideNormal);
     float squared = dot(vertexNormal, vertexNormal);
-    vec3 n = squared > 0.0 ? vertexNormal * inversesqrt(squared) : normalize(-position);
-    if ((material.maps & normalBit) != 0u) {
-        vec4 tangent = AGAA_INSIDE(inTangent);
-        vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
-        float tangentSquared = dot(t, t);
-        if (tangentSquared > 0.0) {
-            t *= inversesqrt(tangentSquared);
-            vec3 b = cross(n, t) * (tangent.w < 0.0 ? -1.0 : 1.0);
-            vec3 m = textureGrad(normalMap, uv, dx, dy).xyz * 2.0 - 1.0;
-            m.xy *= material.normalScale;
-            vec3 bent = t * m.x + b * m.y + n * m.z;
-            float bentSquared = dot(bent, bent);
-            if (bentSquared > 1e-8)
-                n = bent * inversesqrt(bentSquared);
-        }
-    }
+    vec3 n = squared > 0.0 ? vertexNormal * inversesqrt(squared) : toViewer;
+    if ((material.maps & normalBit) != 0u)
+        n = mappedNormal(n, uv, dx, dy);
     if (!gl_FrontFacing)
         n = -n; // glTF's rule for the back of double-sided materials
     // Interpolation and normal maps may turn it away from the viewer: bend it onto the horizon.
-    vec3 toViewer = normalize(-position);
     float facing = dot(n, toViewer);
-    if (facing < 0.0) {
-        n -= toViewer * (facing - 1e-3);
-        n = normalize(n);
-    }
-    return n;
+    return facing < 0.0 ? normalize(n - toViewer * (facing - 1e-3)) : n;
 }
 
 void main() {
     AgaaSurfaceInput surface = agaa_surfaceInput();
-    vec2 uv = AGAA_INSIDE(inUv) * insideScale();
+    vec4 inside = AGAA_INSIDE(insidePosition);
+    float scale = 1.0 / inside.w;
+    // Gradients belong to the plain input: from pixel to pixel, the place inside jumps.
     vec2 dx = agaa_dFdx(inUv);
     vec2 dy = agaa_dFdy(inUv);
-    surface.position = AGAA_INSIDE(inPosition) * insideScale();
+    surface.position = inside.xyz * scale;
     surface.geometricNormal = agaa_planeNormal(inPosition);
     surface.primitiveSeed = inSeed;
 
-#if AGAA_NEEDS_MATERIAL || AGAA_ALPHA_MASKED
-    vec4 base = baseColor(uv, dx, dy);
-#endif
 #if AGAA_ALPHA_MASKED
-    surface.alpha = material.alphaCutoff < 0.0
-                        ? base.a
-                        : agaa_sharpenAlpha(base.a, material.alphaCutoff);
+    surface.alpha = coverage(dx, dy);
 #endif
 #if AGAA_NEEDS_MATERIAL
+    // At the pixel's centre they extrapolate where the primitive is thinner than a pixel.
+    vec2 uv = AGAA_INSIDE(insideUv) * scale;
+    vec3 base = baseColor(scale, uv, dx, dy);
     float metallic = material.metallic;
     float roughness = material.roughness;
     if ((material.maps & metalRoughBit) != 0u) {
@@ -97,8 +106,8 @@ void main() {
         metallic *= metalRough.b;
         roughness *= metalRough.g;
     }
-    surface.diffuse = base.rgb * (1.0 - metallic);
-    surface.specular = mix(vec3(0.04), base.rgb, metallic);
+    surface.diffuse = base * (1.0 - metallic);
+    surface.specular = mix(vec3(0.04), base, metallic);
     surface.emissive = material.emissive;
     if ((material.maps & emissiveBit) != 0u)
         surface.emissive *= textureGrad(emissiveMap, uv, dx, dy).rgb;
