@@ -5,14 +5,14 @@ set(AGAA_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_text.cmake)
 # agaa_compile_pass(OUT_SPV PASS NAME DEFINES...): adds a command, appends the .spv to OUT_SPV.
 function(agaa_compile_pass out_list pass name)
   set(spv ${CMAKE_CURRENT_BINARY_DIR}/spirv/${name}.inc)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/shaders/math/*.glsl
-       ${CMAKE_SOURCE_DIR}/src/shaders/passes/*)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders/math/*.glsl
+       ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders/passes/*)
   add_custom_command(
     OUTPUT ${spv}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/spirv
-    COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/src/shaders
+    COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 -I${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders
             ${ARGN} --vn spirv_${name} -o ${spv}
-            ${CMAKE_SOURCE_DIR}/src/shaders/passes/${pass}.comp
+            ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders/passes/${pass}.comp
     DEPENDS ${sources}
     COMMENT "Compiling ${name}" VERBATIM)
   set(${out_list} ${${out_list}} ${spv} PARENT_SCOPE)

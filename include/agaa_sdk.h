@@ -277,6 +277,7 @@ typedef struct AgaaSceneFacts {
      AGAA_FACT_ALL_SHADED, 64, 1}
 
 #define AGAA_VIEW_REVERSED_Z UINT64_C(0x01) /* near is 1, far is 0; wants a float depth format */
+#define AGAA_VIEW_COMPOSITE UINT64_C(0x02)  /* frames may composite over what the output holds */
 
 typedef struct AgaaViewDesc {
     uint32_t sType;
@@ -478,7 +479,7 @@ typedef struct AgaaFrame {
     const AgaaLight* lights;
     const AgaaShadow* shadows;
     float ambient[3];    /* radiance from all sides */
-    float background[4]; /* colour, and 1; or 0 to composite over what the output holds */
+    float background[4]; /* colour, and 1; or 0 (with AGAA_VIEW_COMPOSITE): what the output holds */
     AgaaDrawCallback draw;
     void* drawUser;
 } AgaaFrame;

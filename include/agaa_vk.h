@@ -127,8 +127,8 @@ typedef struct AgaaVkFrame {
     uint32_t structSize;
     const void* pNext;
     void* commandBuffer; /* primary, recording, outside rendering */
-    /* Output: 2D, one layer, of the view's size, usage STORAGE, a float format whose storage view can be
-     * written (and, with background[3] = 0, read) without a format. Needed by the shading segment. */
+    /* Output: 2D, one layer, of the view's size, usage STORAGE (and SAMPLED with AGAA_VIEW_COMPOSITE), a
+     * float format whose storage view can be written without a format. Needed by the shading segment. */
     uint64_t outputImage;
     uint64_t outputView;
     uint32_t outputLayoutIn;  /* VkImageLayout; UNDEFINED: contents are not kept */

@@ -110,6 +110,7 @@ struct Plan {
     AgaaSceneFacts facts{};
     Layout layout;
     bool reversedZ = false;
+    bool composite = false; // over what the output holds
     Format depthFormat = Format::None;
     std::vector<Resource> resources;
     std::vector<Pass> passes;

@@ -14,6 +14,7 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     plan.width = view.width;
     plan.height = view.height;
     plan.reversedZ = view.flags & AGAA_VIEW_REVERSED_Z;
+    plan.composite = view.flags & AGAA_VIEW_COMPOSITE;
     plan.config = checkConfig(view.config);
     plan.facts = checkFacts(view.facts);
     plan.layout = reduceLayout(checkLayout(plan.config.layout), plan.facts.flags);
@@ -186,6 +187,7 @@ Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string&
     for (const char* letter = permutation; *letter; ++letter) {
         const bool on = *letter == 'm'   ? plan.hwSamples > 1
                         : *letter == 's' ? plan.facts.shadowMapCount > 0
+                        : *letter == 'b' ? plan.composite
                                          : counts();
         pass.shader += *letter;
         pass.shader += on ? '1' : '0';
@@ -227,6 +229,8 @@ void PlanBuilder::bindLighting(Pass& pass) {
     output_ = add({.name = "output", .kind = ResourceKind::Output, .width = plan.width,
                    .height = plan.height});
     bind(pass, slot::Output, BindingType::StorageImage, output_, true);
+    if (plan.composite)
+        bind(pass, slot::Below, BindingType::Texture, output_);
     // The shader names all four maps; slots beyond the count repeat the last and are not read.
     for (uint32_t i = 0; plan.facts.shadowMapCount && i < AGAA_MAX_SHADOW_MAPS; ++i) {
         if (i < plan.facts.shadowMapCount)

@@ -19,6 +19,7 @@ enum : uint32_t {
     Aggregates = 10,
     Output = 11,
     Shadow0 = 12,
+    Below = 16, // the output as it was, for compositing
 };
 }
 // Binding slots of the set that hosts bind (src/shaders/host/).
@@ -46,8 +47,8 @@ public:
     ResourceId depth(bool needsStencil);
 
     Pass& hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment);
-    // permutation: switches that the shader is compiled for, of m (multisampled target), s (shadows)
-    // and c (counters); see src/CMakeLists.txt.
+    // permutation: switches that the shader is compiled for, of m (multisampled target), s (shadows),
+    // c (counters) and b (compositing over the output); see src/CMakeLists.txt.
     Pass& compute(std::string name, AgaaStage stage, const std::string& shader,
                   const char* permutation, uint64_t segment);
     Pass& fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment);

@@ -84,7 +84,7 @@ void checkViewDesc(const AgaaViewDesc* pointer) {
     const AgaaViewDesc& desc = checkStruct(pointer, AGAA_STRUCTURE_TYPE_VIEW, "AgaaViewDesc");
     require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc has no pixels: width and height must be at least 1.");
-    require((desc.flags & ~AGAA_VIEW_REVERSED_Z) == 0, AGAA_ERROR_OUT_OF_RANGE,
+    require((desc.flags & ~(AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE)) == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc::flags has bits that are not known here.");
 }
 

@@ -14,7 +14,6 @@ namespace {
 constexpr const char* requiredFeatures[] = {
     "fragmentStoresAndAtomics",
     "shaderStorageImageExtendedFormats",
-    "shaderStorageImageReadWithoutFormat",
     "shaderStorageImageWriteWithoutFormat",
 };
 constexpr const char* optionalFeatures[] = {"sampleRateShading", "dynamicRendering"};
@@ -90,8 +89,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
     const auto set = [&](bool on, uint64_t flag) { caps.flags |= on ? flag : 0; };
     set(f.fragmentStoresAndAtomics, AGAA_DEVICE_FRAGMENT_ATOMICS);
     set(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
-    set(f.shaderStorageImageExtendedFormats && f.shaderStorageImageReadWithoutFormat &&
-            f.shaderStorageImageWriteWithoutFormat,
+    set(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat,
         AGAA_DEVICE_STORAGE_FORMATS);
     set(rendersAndSamples(vk, device, VK_FORMAT_D24_UNORM_S8_UINT), AGAA_DEVICE_D24S8);
     set(rendersAndSamples(vk, device, VK_FORMAT_D32_SFLOAT_S8_UINT), AGAA_DEVICE_D32S8);

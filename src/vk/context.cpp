@@ -71,7 +71,7 @@ AgaaContext_T::AgaaContext_T(const AgaaVkContextDesc& desc)
             "is enabled.");
     dynamicRendering = canBeDynamic && desc.rendering != AGAA_VK_RENDERING_RENDER_PASS;
     require(caps.flags & AGAA_DEVICE_STORAGE_FORMATS, AGAA_ERROR_UNSUPPORTED,
-            "the device cannot read and write storage images without a format.");
+            "the device cannot write storage images without a format.");
     instanceFunctions.GetPhysicalDeviceMemoryProperties(physicalDevice, &memory);
     uint32_t families = 0;
     instanceFunctions.GetPhysicalDeviceQueueFamilyProperties(physicalDevice, &families, nullptr);

@@ -47,6 +47,8 @@ void AgaaView_T::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame)
     require(vkFrame.outputLayoutOut != VK_IMAGE_LAYOUT_UNDEFINED &&
                 vkFrame.outputLayoutOut != VK_IMAGE_LAYOUT_PREINITIALIZED,
             AGAA_ERROR_OUT_OF_RANGE, "AgaaVkFrame::outputLayoutOut is not a layout to be left in.");
+    require(plan.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
+            "the frame composites over the output, but the view has no AGAA_VIEW_COMPOSITE.");
     require(vkFrame.outputLayoutIn != VK_IMAGE_LAYOUT_UNDEFINED || frame.background[3] != 0.0f,
             AGAA_ERROR_OUT_OF_RANGE,
             "the frame composites over an output whose contents outputLayoutIn throws away.");
@@ -71,7 +73,8 @@ void AgaaView_T::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
     }
 }
 
-void AgaaView_T::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot) {
+// Only of the passes about to be recorded: sets that an earlier segment bound must not change.
+void AgaaView_T::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uint64_t segments) {
     std::vector<VkWriteDescriptorSet> writes;
     // Reserved, so that pointers into them stay.
     std::vector<VkDescriptorBufferInfo> buffers;
@@ -86,7 +89,9 @@ void AgaaView_T::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot) {
     for (ResourceId id = 0; id < plan.resources.size(); ++id)
         if (plan.resources[id].kind == ResourceKind::ShadowMap)
             shadowOf[id] = shadow++;
-    for (size_t i = 0; i < passes.size(); ++i)
+    for (size_t i = 0; i < passes.size(); ++i) {
+        if (!(plan.passes[i].segment & segments))
+            continue;
         for (const Binding& binding : plan.passes[i].bindings) {
             const Resource& resource = plan.resources[binding.resource];
             const GpuResource& gpu = (*resources)[binding.resource];
@@ -115,8 +120,6 @@ void AgaaView_T::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot) {
                 break;
             case BindingType::StorageImage: {
                 const bool output = resource.kind == ResourceKind::Output;
-                if (output && !vkFrame.outputView)
-                    continue; // a segment that does not shade
                 image(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_NULL_HANDLE,
                       output ? (VkImageView)vkFrame.outputView : gpu.fetchView,
                       VK_IMAGE_LAYOUT_GENERAL);
@@ -125,13 +128,16 @@ void AgaaView_T::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot) {
             case BindingType::ShadowTexture: {
                 const uint64_t own = vkFrame.shadowViews[shadowOf[binding.resource]];
                 const uint64_t view = own ? own : vkFrame.shadowViews[0];
-                if (!view)
-                    continue;
                 image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, context.shadowSampler,
                       (VkImageView)view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
                 break;
             }
             case BindingType::Texture:
+                if (resource.kind == ResourceKind::Output) {
+                    image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, context.texelSampler,
+                          (VkImageView)vkFrame.outputView, VK_IMAGE_LAYOUT_GENERAL);
+                    break;
+                }
                 image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, context.texelSampler,
                       gpu.fetchView,
                       isDepth(resource.format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
@@ -140,6 +146,7 @@ void AgaaView_T::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot) {
             }
             writes.push_back(write);
         }
+    }
     context.vk.UpdateDescriptorSets(context.device, uint32_t(writes.size()), writes.data(), 0,
                                     nullptr);
 }
@@ -259,9 +266,7 @@ AgaaResult AgaaView_T::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame
     const uint32_t slot = uint32_t(frame.frameIndex % slots.size());
     const bool begins = frame.frameIndex != currentFrame;
     writeFrameData(frame, slot);
-    // Sets of a frame are bound by its earlier segments; later segments only add the output.
-    if (begins || (frame.segments & AGAA_SEGMENT_SHADING))
-        writeDescriptors(vkFrame, slot);
+    writeDescriptors(vkFrame, slot, frame.segments);
     if (context.secondary)
         recordSecondaries(frame, slot);
     // From here on nothing but the device can fail.

@@ -60,7 +60,7 @@ private:
     void checkOrder(const AgaaFrame& frame) const;
     void checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const;
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
-    void writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot);
+    void writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uint64_t segments);
     AgaaResult callHost(const AgaaFrame& frame, size_t pass, uint32_t slot,
                         VkCommandBuffer commands);
     AgaaResult recordSecondaries(const AgaaFrame& frame, uint32_t slot);

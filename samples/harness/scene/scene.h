@@ -112,7 +112,9 @@ void updateBounds(Scene& scene);
 Camera defaultCamera(const Scene& scene);
 
 // The papers' rig: one shadowed directional light and 16 ranged point lights without shadow, placed
-// inside the scene's bounds by a fixed seed. Deterministic for equal bounds.
+// by a fixed seed inside the scene's bounds around the camera's target.
+std::vector<Light> defaultLights(const Scene& scene, const Camera& camera);
+// The same around the target of the scene's first camera, or of the default one.
 std::vector<Light> defaultLights(const Scene& scene);
 
 } // namespace harness

@@ -236,7 +236,7 @@ void Device::createDevice(bool useDynamicRendering) {
     }
     // The sample engine's own wish. Mesa's software rasteriser (22.3) takes wrong texels with it at
     // the edges of triangles.
-    hasAnisotropy_ = (getenv("AN") || properties_.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU) &&
+    hasAnisotropy_ = properties_.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU &&
                      supported.isSet("samplerAnisotropy") && enabled.set("samplerAnisotropy");
     hasDynamicRendering_ = enabled.isSet("dynamicRendering");
 
@@ -280,6 +280,7 @@ void Device::destroy() {
     }
     if (instance_ != VK_NULL_HANDLE)
         vkDestroyInstance(instance_, nullptr);
+    messages_.giveUp();
 }
 
 VkCommandBuffer Device::beginCommands() const {

@@ -1,8 +1,8 @@
 #include "vk/glsl.h"
 
-#include <glslang/SPIRV/GlslangToSpv.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
 
 #include <algorithm>
 #include <cstdlib>

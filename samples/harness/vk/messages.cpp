@@ -27,6 +27,16 @@ AllowList& allowList() {
     return list;
 }
 
+struct Leftovers {
+    std::mutex mutex;
+    std::vector<ApiMessage> messages;
+};
+
+Leftovers& leftovers() {
+    static Leftovers list;
+    return list;
+}
+
 bool isAllowed(const ApiMessage& message) {
     AllowList& list = allowList();
     const std::lock_guard lock(list.mutex);
@@ -45,6 +55,11 @@ std::vector<AllowedMessage> allowedMessages() {
     AllowList& list = allowList();
     const std::lock_guard lock(list.mutex);
     return list.entries;
+}
+
+std::vector<ApiMessage> takeLeftoverMessages() {
+    const std::lock_guard lock(leftovers().mutex);
+    return std::exchange(leftovers().messages, {});
 }
 
 std::vector<AllowedMessage> parseAllowedMessages(const std::string& text) {
@@ -88,6 +103,12 @@ VkDebugUtilsMessengerCreateInfoEXT MessageCollector::messengerInfo() {
 std::vector<ApiMessage> MessageCollector::take() {
     const std::lock_guard lock(mutex_);
     return std::exchange(messages_, {});
+}
+
+void MessageCollector::giveUp() {
+    const std::vector<ApiMessage> rest = take();
+    const std::lock_guard lock(leftovers().mutex);
+    leftovers().messages.insert(leftovers().messages.end(), rest.begin(), rest.end());
 }
 
 VkBool32 MessageCollector::onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity,

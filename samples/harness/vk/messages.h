@@ -22,6 +22,10 @@ struct AllowedMessage {
 // The allow-list as used so far by all renderers of this process: tests fail on unused entries.
 std::vector<AllowedMessage> allowedMessages();
 
+// Messages that came when a renderer was destroyed, such as of leaked objects, or that nobody took
+// before. Since the last call, of all renderers of this process.
+std::vector<ApiMessage> takeLeftoverMessages();
+
 // Parses the allow-list. Throws std::runtime_error naming the line that is not of its form.
 std::vector<AllowedMessage> parseAllowedMessages(const std::string& text);
 
@@ -31,6 +35,8 @@ public:
     // where it is as long as the messenger lives.
     VkDebugUtilsMessengerCreateInfoEXT messengerInfo();
     std::vector<ApiMessage> take();
+    // For takeLeftoverMessages(), when no more can come.
+    void giveUp();
 
 private:
     static VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(

@@ -98,7 +98,8 @@ RenderResult VulkanRenderer::render(const RenderSettings& settings) {
     desc.height = settings.height;
     desc.config = &settings.config;
     desc.facts = &facts;
-    desc.flags = settings.reversedZ ? AGAA_VIEW_REVERSED_Z : 0;
+    desc.flags = (settings.reversedZ ? AGAA_VIEW_REVERSED_Z : 0) |
+                 (settings.background.a == 0 ? AGAA_VIEW_COMPOSITE : 0);
 
     // First of all, so that the SDK refuses what it cannot do, in its own words.
     const SdkView& view = sdk_.view(desc);

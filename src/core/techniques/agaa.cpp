@@ -103,7 +103,7 @@ static void buildAtomics(PlanBuilder& b) {
     };
     setPacking(draw);
 
-    Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", "msc",
+    Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", "mscb",
                             AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     b.bindLighting(shade);

@@ -25,7 +25,7 @@ static void build(PlanBuilder& b) {
     draw.clear = true;
     setFields(draw.constants, packing.fields);
 
-    Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples", "msc",
+    Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples", "mscb",
                             AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     b.bindLighting(shade);

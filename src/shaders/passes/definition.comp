@@ -1,7 +1,6 @@
 // Aggregate definition: which aggregate each sample of a pixel belongs to (AGAA section 3.3).
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_shader_image_load_formatted : require
 #define AGAA_SET 0
 #define AGAA_COUNTING 0
 #define AGAA_MAX_SAMPLES 32

@@ -1,7 +1,6 @@
 // Shading once per aggregate, weighted by its share of the pixel's samples (AGAA section 3.5).
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_shader_image_load_formatted : require
 #define AGAA_SET 0
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/constants.glsl"

@@ -1,7 +1,6 @@
 // Shading of every covered sample of a multisampled G-buffer.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_shader_image_load_formatted : require
 #define AGAA_SET 0
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/constants.glsl"

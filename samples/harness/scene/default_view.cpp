@@ -1,0 +1,55 @@
+// The camera and the lights of a scene that brings none.
+#include "scene/random.h"
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace harness {
+
+Camera defaultCamera(const Scene& scene) {
+    const glm::dvec3 centre = 0.5 * (scene.boundsMin + scene.boundsMax);
+    const double radius = std::max(0.5 * glm::length(scene.boundsMax - scene.boundsMin), 1e-3);
+    Camera camera;
+    camera.name = "default";
+    camera.fovDegrees = 50;
+    camera.target = centre;
+    // The bounding sphere fits the vertical field of view.
+    const double distance = radius / std::sin(glm::radians(camera.fovDegrees) / 2);
+    camera.eye = centre + distance * glm::normalize(glm::dvec3(0.6, 0.4, 0.75));
+    return camera;
+}
+
+std::vector<Light> defaultLights(const Scene& scene) {
+    return defaultLights(scene, scene.cameras.empty() ? defaultCamera(scene) : scene.cameras[0]);
+}
+
+std::vector<Light> defaultLights(const Scene& scene, const Camera& camera) {
+    std::vector<Light> lights;
+    Light sun;
+    sun.type = LightType::Directional;
+    sun.direction = glm::normalize(glm::dvec3(-0.45, -0.8, -0.35));
+    sun.color = {2.6f, 2.45f, 2.2f};
+    sun.castsShadow = true;
+    lights.push_back(sun);
+    // Around what the camera looks at: a scene's bounds may reach far beyond its view.
+    const double diagonal = glm::length(scene.boundsMax - scene.boundsMin);
+    const double reach = std::max(std::min(diagonal, 1.5 * glm::length(camera.target - camera.eye)), 1e-3);
+    Random random(17);
+    for (int i = 0; i < 16; ++i) {
+        Light light;
+        light.type = LightType::Point;
+        const glm::dvec3 offset(random.in(-0.5f, 0.5f), random.in(-0.2f, 0.3f), random.in(-0.5f, 0.5f));
+        light.position = glm::clamp(camera.target + reach * offset, scene.boundsMin, scene.boundsMax);
+        light.range = float(reach * random.in(0.25f, 0.4f));
+        // 0.45 of irradiance at half the range.
+        const float intensity = 0.45f * light.range * light.range * 0.25f;
+        const float hue = random.unit() * 6.2832f;
+        light.color = intensity * glm::vec3(1.0f + 0.5f * std::cos(hue), 1.0f + 0.5f * std::cos(hue - 2.1f),
+                                            1.0f + 0.5f * std::cos(hue + 2.1f));
+        lights.push_back(light);
+    }
+    return lights;
+}
+
+} // namespace harness

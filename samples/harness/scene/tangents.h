@@ -1,0 +1,16 @@
+// Tangent frames for normal maps.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <span>
+
+namespace harness {
+
+// Sets vertices' tangents from positions, normals and uv; indices are relative to the span. A vertex
+// without a direction (degenerate uv) gets any unit vector across its normal.
+void generateTangents(std::span<Vertex> vertices, std::span<const uint32_t> indices);
+// Area-weighted smooth normals; a vertex of no triangle gets +y.
+void generateNormals(std::span<Vertex> vertices, std::span<const uint32_t> indices);
+
+} // namespace harness
