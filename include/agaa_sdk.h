@@ -251,7 +251,7 @@ typedef struct AgaaConfig {
 } AgaaConfig;
 #define AGAA_CONFIG_INIT                                                                            \
     {AGAA_STRUCTURE_TYPE_CONFIG, (uint32_t)sizeof(AgaaConfig), NULL, "agaa", 8, 2, NULL,             \
-     AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.01f, 0.02f, AGAA_SEEDS_MAXIMIN, 0, AGAA_TIER_AUTO,     \
+     AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.03f, 0.02f, AGAA_SEEDS_MAXIMIN, 0, AGAA_TIER_AUTO,     \
      AGAA_TIER_AUTO, 1, 0}
 
 /* What the scene calls for. The planner drops what is not named here. */

@@ -1,0 +1,172 @@
+#include "cli/arguments.h"
+
+#include "cli/layout_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace harness {
+
+namespace {
+
+uint32_t choice(const std::string& value, const char* option,
+                std::initializer_list<std::pair<const char*, uint32_t>> choices) {
+    std::string list;
+    for (const auto& [name, number] : choices) {
+        if (value == name)
+            return number;
+        list += (list.empty() ? "" : ", ") + std::string(name);
+    }
+    throw BadArgument(std::string(option) + " is \"" + value + "\"; it can be " + list + ".");
+}
+
+uint32_t parseDimension(const std::string& text, const std::string& whole) {
+    uint32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || value == 0)
+        throw BadArgument("--size is \"" + whole + "\"; it is written WxH, both at least 1.");
+    return value;
+}
+
+void checkTechnique(const std::string& technique) {
+    uint32_t count = 0;
+    agaaEnumerateTechniques(&count, nullptr);
+    std::vector<const char*> names(count);
+    agaaEnumerateTechniques(&count, names.data());
+    std::string list;
+    for (const char* name : names) {
+        if (technique == name)
+            return;
+        list += (list.empty() ? "" : ", ") + std::string(name);
+    }
+    throw BadArgument("--technique is \"" + technique + "\"; it can be " + list + ".");
+}
+
+void checkCounts(const PlanArguments& arguments) {
+    const uint32_t n = arguments.samples;
+    if (n == 0 || n > 32 || (n & (n - 1)))
+        throw BadArgument("--samples is " + std::to_string(n) +
+                          "; it can be 1, 2, 4, 8, 16 or 32.");
+    if (arguments.aggregates < 1 || arguments.aggregates > 4)
+        throw BadArgument("--aggregates is " + std::to_string(arguments.aggregates) +
+                          "; it can be 1 to 4.");
+}
+
+void setTier(AgaaConfig& config, const std::string& text, bool& isModel) {
+    if (text == "auto")
+        return;
+    if (text == "native") {
+        isModel = true;
+        config.visibilityTier = AGAA_TIER_NATIVE;
+        config.generationTier = AGAA_TIER_NV_MIXED_SAMPLES;
+        return;
+    }
+    const size_t equals = text.find('=');
+    uint32_t tier = 0;
+    if (equals == std::string::npos ||
+        agaaTierFromName(text.substr(equals + 1).c_str(), &tier) != AGAA_OK)
+        throw BadArgument("--tier is \"" + text +
+                          "\"; it is native, auto or stage=tier with a tier that `caps` names.");
+    const std::string stage = text.substr(0, equals);
+    if (stage == "visibility" || stage == "prepass")
+        config.visibilityTier = tier;
+    else if (stage == "generation")
+        config.generationTier = tier;
+    else
+        throw BadArgument("--tier names the stage \"" + stage +
+                          "\"; it can be visibility or generation.");
+}
+
+float finite(double value, const char* option) {
+    if (!std::isfinite(value) || value < 0)
+        throw BadArgument(std::string(option) + " must be a number of at least 0.");
+    return float(value);
+}
+
+} // namespace
+
+Size parseSize(const std::string& text) {
+    const size_t cross = text.find('x');
+    if (cross == std::string::npos)
+        throw BadArgument("--size is \"" + text + "\"; it is written WxH, both at least 1.");
+    return {parseDimension(text.substr(0, cross), text),
+            parseDimension(text.substr(cross + 1), text)};
+}
+
+std::vector<double> parseNumbers(const std::string& text, size_t count, const char* option) {
+    std::vector<double> numbers;
+    size_t begin = 0;
+    while (begin <= text.size()) {
+        const size_t end = std::min(text.find(',', begin), text.size());
+        double value = 0;
+        const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, value);
+        if (error != std::errc() || stop != text.data() + end || !std::isfinite(value))
+            break;
+        numbers.push_back(value);
+        begin = end + 1;
+    }
+    if (numbers.size() != count || begin != text.size() + 1)
+        throw BadArgument(std::string(option) + " is \"" + text + "\"; it takes " +
+                          std::to_string(count) + " numbers with commas between them.");
+    return numbers;
+}
+
+Camera parseCamera(const std::string& text) {
+    const std::vector<double> v = parseNumbers(text, 7, "--camera");
+    Camera camera;
+    camera.name = "command line";
+    camera.eye = {v[0], v[1], v[2]};
+    camera.target = {v[3], v[4], v[5]};
+    camera.fovDegrees = v[6];
+    if (camera.eye == camera.target || !(camera.fovDegrees > 0 && camera.fovDegrees < 180))
+        throw BadArgument("--camera needs an eye apart from its target and a field of view between "
+                          "0 and 180 degrees.");
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    if (std::fabs(forward.y) > 0.9999)
+        camera.up = {0, 0, -1};
+    return camera;
+}
+
+void requireBackend(const std::string& name) {
+    if (name == "gl")
+        throw BadArgument("the gl backend is not built in this version; use --backend vk.");
+    if (name != "vk")
+        throw BadArgument("--backend is \"" + name + "\"; it can be vk.");
+}
+
+Configuration::Configuration(const PlanArguments& arguments) {
+    checkTechnique(arguments.technique);
+    checkCounts(arguments);
+    size = parseSize(arguments.size);
+    layout = readLayout(arguments.layout);
+    config.layout = &layout;
+    technique = arguments.technique;
+    config.technique = technique.c_str();
+    config.samples = arguments.samples;
+    config.aggregates = arguments.aggregates;
+    config.brdf = choice(arguments.brdf, "--brdf",
+                         {{"blinn-phong", AGAA_BRDF_BLINN_PHONG}, {"ggx", AGAA_BRDF_GGX}});
+    config.ndf =
+        choice(arguments.ndf, "--ndf", {{"none", AGAA_NDF_NONE}, {"toksvig", AGAA_NDF_TOKSVIG}});
+    config.seeds = choice(
+        arguments.seeds, "--seeds",
+        {{"maximin", AGAA_SEEDS_MAXIMIN}, {"sum-of-squares", AGAA_SEEDS_SUM_OF_SQUARES}});
+    config.characteristicLength = finite(arguments.k, "--k");
+    if (arguments.kPerDistance)
+        config.characteristicLengthPerDistance = finite(*arguments.kPerDistance, "--k-per-distance");
+    if (arguments.threshold)
+        config.aggregateThreshold = finite(*arguments.threshold, "--threshold");
+    config.shadowTaps = arguments.shadowTaps;
+    config.shadingCost = arguments.shadingCost;
+    const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };
+    flag(arguments.noStencil, AGAA_CONFIG_NO_STENCIL);
+    flag(arguments.firstSampleRouting, AGAA_CONFIG_FIRST_SAMPLE_ROUTING);
+    flag(arguments.noDiffuseFilter, AGAA_CONFIG_NO_DIFFUSE_FILTER);
+    flag(arguments.noShadowFilter, AGAA_CONFIG_NO_SHADOW_FILTER);
+    flag(arguments.shadowAlongDepth, AGAA_CONFIG_SHADOW_ALONG_DEPTH);
+    for (const std::string& tier : arguments.tiers)
+        setTier(config, tier, isModel);
+}
+
+} // namespace harness

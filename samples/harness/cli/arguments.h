@@ -1,0 +1,65 @@
+// Values of the command line: parsed strictly, with one sentence for what is wrong.
+#pragma once
+
+#include "render/renderer.h"
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace harness {
+
+// A wrong argument: exit status 2.
+class BadArgument : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+struct Size {
+    uint32_t width = 640;
+    uint32_t height = 360;
+};
+Size parseSize(const std::string& text);                  // WxH
+Camera parseCamera(const std::string& text);              // ex,ey,ez,tx,ty,tz,fovDegrees
+std::vector<double> parseNumbers(const std::string& text, size_t count, const char* option);
+void requireBackend(const std::string& name);             // vk
+
+// What decides a plan; shared by memory, plan, render and reference.
+struct PlanArguments {
+    std::string technique = "agaa";
+    uint32_t samples = 8;
+    uint32_t aggregates = 2;
+    std::string layout = "precise"; // or a file
+    std::string brdf = "ggx";
+    std::string ndf = "toksvig";
+    std::string seeds = "maximin";
+    double k = 0;
+    std::optional<double> kPerDistance;
+    std::optional<double> threshold;
+    uint32_t shadowTaps = 0;
+    uint32_t shadingCost = 1;
+    std::vector<std::string> tiers; // native, auto or stage=tier
+    bool noStencil = false;
+    bool firstSampleRouting = false;
+    bool noDiffuseFilter = false;
+    bool noShadowFilter = false;
+    bool shadowAlongDepth = false;
+    bool reversedZ = true;
+    std::string size = "640x360";
+};
+
+// An SDK configuration with the memory its pointers lead to.
+struct Configuration {
+    AgaaLayout layout{};
+    std::string technique; // that config points to
+    AgaaConfig config = AGAA_CONFIG_INIT;
+    bool isModel = false; // --tier native: the papers' model, on an ideal device
+    Size size;
+
+    explicit Configuration(const PlanArguments& arguments);
+    Configuration(const Configuration&) = delete;
+    Configuration& operator=(const Configuration&) = delete;
+};
+
+} // namespace harness

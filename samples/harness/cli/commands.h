@@ -1,0 +1,56 @@
+// The commands of agaa-harness. Each prints its result to stdout: JSON, or text for people.
+#pragma once
+
+#include "cli/arguments.h"
+
+#include <string>
+#include <vector>
+
+namespace harness {
+
+struct DeviceArguments {
+    std::string backend; // empty: no device is asked for
+    bool renderPass = false;
+    bool inlineRecording = false;
+    bool noValidation = false;
+};
+
+struct RenderArguments {
+    PlanArguments plan;
+    DeviceArguments device{"vk", false, false, false};
+    std::string scene = "bamboo";
+    std::string camera; // empty: the scene's own or a default
+    std::string jitter = "0,0";
+    uint32_t frames = 1;
+    uint32_t warmup = 0;
+    uint32_t drawOrderSeed = 0;
+    uint32_t spp = 512; // of reference
+    bool noCounters = false;
+    bool noTimestamps = false;
+    std::string png;
+    std::string exr;
+};
+
+struct CompareArguments {
+    std::string reference;
+    std::string test;
+    std::string difference; // PNG, or empty
+    double gain = 4;
+};
+
+void runCaps(const DeviceArguments& arguments, bool json);
+void runMemory(const PlanArguments& plan, const DeviceArguments& device, bool json);
+// sceneGiven: facts are those of the scene, else all.
+void runPlan(const RenderArguments& arguments, bool sceneGiven, bool json);
+void runScenes(bool json);
+void runRender(const RenderArguments& arguments, bool json);
+void runReference(const RenderArguments& arguments, bool json);
+void runCompare(const CompareArguments& arguments, bool json);
+
+// Shared by commands that render.
+std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments);
+Scene loadSceneArgument(const std::string& nameOrPath); // BadArgument where there is none
+RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration,
+                              const Scene& scene);
+
+} // namespace harness

@@ -1,0 +1,214 @@
+// caps, memory, plan, scenes: what can be answered without rendering.
+#include "cli/commands.h"
+
+#include "scene/builtin.h"
+#include "scene/gltf.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <iostream>
+
+namespace harness {
+
+using nlohmann::json;
+
+namespace {
+
+void AGAA_CALL keepMessage(void* user, uint32_t, AgaaResult, const char* message) {
+    *static_cast<std::string*>(user) = message;
+}
+
+// Throws with the SDK's own sentence.
+class Sdk {
+public:
+    AgaaLog* log() { return &log_; }
+    void check(AgaaResult result) const {
+        if (result < 0)
+            throw std::runtime_error(message_.empty() ? agaaResultString(result) : message_);
+    }
+
+private:
+    std::string message_;
+    AgaaLog log_ = {AGAA_STRUCTURE_TYPE_LOG, sizeof(AgaaLog), nullptr, keepMessage, &message_};
+};
+
+// The device that a plan is made for: the one asked for, else Mesa's software rasterisers' limits,
+// which are the least that the SDK runs on. Empty: the ideal device of the papers' model.
+std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration,
+                                             const DeviceArguments& device) {
+    if (!device.backend.empty())
+        return makeRenderer(device)->caps();
+    if (configuration.isModel)
+        return std::nullopt;
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    caps.sampleCounts = 0b101;
+    caps.maxImageSize = 16384;
+    caps.maxStorageRange = uint64_t(128) << 20;
+    caps.flags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS |
+                 AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_DYNAMIC_RENDERING |
+                 AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8;
+    return caps;
+}
+
+AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& facts,
+                    bool reversedZ) {
+    AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
+    view.width = configuration.size.width;
+    view.height = configuration.size.height;
+    view.config = &configuration.config;
+    view.facts = &facts;
+    view.flags = reversedZ && !configuration.isModel ? AGAA_VIEW_REVERSED_Z : 0;
+    return view;
+}
+
+json surfaceJson(const AgaaSurface& s) {
+    return {{"name", s.name},     {"format", s.format}, {"samples", s.samples},
+            {"layers", s.layers}, {"width", s.width},   {"height", s.height},
+            {"bytes", s.bytes}};
+}
+
+void print(const json& object) { std::cout << object.dump(2) << '\n'; }
+
+} // namespace
+
+void runCaps(const DeviceArguments& arguments, bool asJson) {
+    const AgaaDeviceCaps caps = makeRenderer(arguments)->caps();
+    uint32_t count = 0;
+    agaaQueryCapabilities(&caps, &count, nullptr);
+    std::vector<AgaaCapability> rows(count);
+    agaaQueryCapabilities(&caps, &count, rows.data());
+    json counts = json::array();
+    for (uint32_t i = 0; i < 6; ++i)
+        if (caps.sampleCounts >> i & 1)
+            counts.push_back(1u << i);
+    json tiers = json::array();
+    for (const AgaaCapability& row : rows)
+        tiers.push_back({{"technique", row.technique},
+                         {"samples", row.samples},
+                         {"stage", agaaStageName(row.stage)},
+                         {"tier", row.tier ? agaaTierName(row.tier) : "none"},
+                         {"native", row.isNative != 0},
+                         {"relativePrice", row.relativePrice},
+                         {"reason", row.reason}});
+    if (asJson) {
+        print({{"backend", arguments.backend},
+               {"device", caps.deviceName},
+               {"driver", caps.driverName},
+               {"sampleCounts", counts},
+               {"tiers", tiers}});
+        return;
+    }
+    std::printf("%s, %s\nsamples per pixel: %s\n", caps.deviceName, caps.driverName,
+                counts.dump().c_str());
+    for (const AgaaCapability& row : rows)
+        std::printf("%-7s n=%-2u %-10s %-18s %s\n", row.technique, row.samples,
+                    agaaStageName(row.stage), row.tier ? agaaTierName(row.tier) : "none",
+                    row.reason);
+}
+
+void runMemory(const PlanArguments& arguments, const DeviceArguments& device, bool asJson) {
+    const Configuration configuration(arguments);
+    const auto caps = planningDevice(configuration, device);
+    const AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
+    const AgaaViewDesc view = viewOf(configuration, facts, arguments.reversedZ);
+    Sdk sdk;
+    AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
+    uint32_t count = 0;
+    const AgaaDeviceCaps* device_ = caps ? &*caps : nullptr;
+    sdk.check(agaaQueryMemory(&view, device_, sdk.log(), &report, &count, nullptr));
+    std::vector<AgaaSurface> list(count);
+    sdk.check(agaaQueryMemory(&view, device_, sdk.log(), &report, &count, list.data()));
+    if (!asJson) {
+        for (const AgaaSurface& s : list)
+            std::printf("%-34s %-18s %5ux%-5u x%-2u %12llu bytes%s\n", s.name, s.format, s.width,
+                        s.height, s.samples, static_cast<unsigned long long>(s.bytes),
+                        s.isPerPixel ? "" : " (constant)");
+        std::printf("%.3f bytes per pixel, %llu in all, %llu at the peak\n", report.bytesPerPixel,
+                    static_cast<unsigned long long>(report.totalBytes),
+                    static_cast<unsigned long long>(report.peakBytes));
+        return;
+    }
+    json surfaces = json::array(), constants = json::array();
+    for (const AgaaSurface& s : list)
+        (s.isPerPixel ? surfaces : constants).push_back(surfaceJson(s));
+    print({{"bytesPerPixel", report.bytesPerPixel},
+           {"totalBytes", report.totalBytes},
+           {"peakBytes", report.peakBytes},
+           {"constantBytes", report.constantBytes},
+           {"bytesPerAggregate", report.bytesPerAggregate},
+           {"surfaces", surfaces},
+           {"constants", constants}});
+}
+
+void runPlan(const RenderArguments& arguments, bool sceneGiven, bool asJson) {
+    const Configuration configuration(arguments.plan);
+    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
+    if (sceneGiven) {
+        const Scene scene = loadSceneArgument(arguments.scene);
+        facts = sceneFacts(scene, scene.lights.empty() ? defaultLights(scene) : scene.lights);
+    }
+    const auto caps = planningDevice(configuration, arguments.device);
+    const AgaaViewDesc view = viewOf(configuration, facts, arguments.plan.reversedZ);
+    Sdk sdk;
+    size_t size = 0;
+    sdk.check(agaaPlanToJson(&view, caps ? &*caps : nullptr, sdk.log(), &size, nullptr));
+    std::string text(size, '\0');
+    sdk.check(agaaPlanToJson(&view, caps ? &*caps : nullptr, sdk.log(), &size, text.data()));
+    text.resize(size - 1);
+    const json plan = json::parse(text);
+    if (asJson) {
+        print(plan);
+        return;
+    }
+    for (const auto& note : plan["notes"])
+        std::printf("%s\n", note.get<std::string>().c_str());
+    for (const auto& pass : plan["passes"])
+        std::printf("%-20s %-10s reads %s writes %s\n", pass["name"].get<std::string>().c_str(),
+                    pass["stage"].get<std::string>().c_str(), pass["reads"].dump().c_str(),
+                    pass["writes"].dump().c_str());
+}
+
+void runScenes(bool asJson) {
+    json list = json::array();
+    for (const BuiltinScene& row : builtinScenes()) {
+        const Scene scene = *makeBuiltinScene(row.name);
+        list.push_back({{"name", row.name},
+                        {"triangles", scene.placedTriangles()},
+                        {"materials", scene.materials.size()},
+                        {"lights", (scene.lights.empty() ? defaultLights(scene) : scene.lights).size()},
+                        {"whatItStresses", row.stresses}});
+    }
+    if (asJson) {
+        print({{"scenes", list}});
+        return;
+    }
+    for (const auto& scene : list)
+        std::printf("%-8s %8llu triangles, %2llu materials, %2llu lights: %s\n",
+                    scene["name"].get<std::string>().c_str(),
+                    static_cast<unsigned long long>(scene["triangles"]),
+                    static_cast<unsigned long long>(scene["materials"]),
+                    static_cast<unsigned long long>(scene["lights"]),
+                    scene["whatItStresses"].get<std::string>().c_str());
+}
+
+std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments) {
+    requireBackend(arguments.backend);
+    RendererOptions options;
+    options.validation = !arguments.noValidation;
+    options.renderPass = arguments.renderPass;
+    options.inlineRecording = arguments.inlineRecording;
+    return makeVulkanRenderer(options);
+}
+
+Scene loadSceneArgument(const std::string& nameOrPath) {
+    if (auto scene = makeBuiltinScene(nameOrPath))
+        return std::move(*scene);
+    const std::string extension = std::filesystem::path(nameOrPath).extension().string();
+    if (extension != ".gltf" && extension != ".glb")
+        throw BadArgument("--scene is \"" + nameOrPath +
+                          "\"; it is a name that `scenes` lists, or a .gltf or .glb file.");
+    return loadGltf(nameOrPath);
+}
+
+} // namespace harness

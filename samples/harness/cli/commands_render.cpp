@@ -1,0 +1,175 @@
+// render: frames through the SDK, with times, counters and bytes.
+#include "cli/commands.h"
+#include "cli/quantiles.h"
+
+#include "image/image.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <iostream>
+
+namespace harness {
+
+using nlohmann::json;
+
+RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration,
+                              const Scene& scene) {
+    RenderSettings settings;
+    settings.config = configuration.config;
+    settings.width = configuration.size.width;
+    settings.height = configuration.size.height;
+    settings.camera = !arguments.camera.empty()  ? parseCamera(arguments.camera)
+                      : !scene.cameras.empty() ? scene.cameras[0]
+                                               : defaultCamera(scene);
+    settings.lights = scene.lights.empty() ? defaultLights(scene, settings.camera) : scene.lights;
+    settings.facts = sceneFacts(scene, settings.lights);
+    settings.reversedZ = arguments.plan.reversedZ;
+    settings.drawOrderSeed = arguments.drawOrderSeed;
+    settings.frames = arguments.frames;
+    settings.warmup = arguments.warmup;
+    const auto jitter = parseNumbers(arguments.jitter, 2, "--jitter");
+    settings.jitter = {jitter[0], jitter[1]};
+    return settings;
+}
+
+namespace {
+
+json quantilesJson(const std::vector<double>& values) {
+    return {{"median", quantile(values, 0.5)}, {"p95", quantile(values, 0.95)}};
+}
+
+json passesJson(const RenderResult& timed) {
+    json passes = json::array();
+    const AgaaFrameStatistics& first = timed.statistics.front();
+    for (uint32_t i = 0; i < first.passCount; ++i) {
+        std::vector<double> values;
+        for (const AgaaFrameStatistics& frame : timed.statistics)
+            values.push_back(frame.passes[i].milliseconds);
+        json pass = {{"name", first.passes[i].name}, {"stage", agaaStageName(first.passes[i].stage)}};
+        pass["ms"] = first.passes[i].isTimed ? quantilesJson(values) : json();
+        passes.push_back(pass);
+    }
+    return passes;
+}
+
+json countersJson(const AgaaCounters& c) {
+    return {{"visible", c.visible},
+            {"once", c.once},
+            {"missed", c.missed},
+            {"multi", c.multi},
+            {"ties", c.ties},
+            {"sanitised", c.sanitised},
+            {"shadingEvents", c.shadingEvents},
+            {"shadowTaps", c.shadowTaps},
+            {"widenedLobes", c.widenedLobes},
+            {"shadedPixels", c.shadedPixels},
+            {"maxEventsPerPixel", c.maxEventsPerPixel}};
+}
+
+json messagesJson(Renderer& renderer) {
+    json messages = json::array();
+    for (const ApiMessage& message : renderer.takeMessages())
+        messages.push_back(
+            {{"severity", message.severity}, {"id", message.id}, {"text", message.text}});
+    return messages;
+}
+
+// Frame times come from frames that are neither timed by pass nor counted; pass times from frames that
+// are not counted.
+struct Measurement {
+    RenderResult plain;
+    std::optional<RenderResult> timed;
+    std::optional<RenderResult> counted;
+};
+
+Measurement measure(Renderer& renderer, RenderSettings settings, const RenderArguments& arguments) {
+    Measurement m;
+    m.plain = renderer.render(settings);
+    if (!arguments.noTimestamps) {
+        settings.config.flags |= AGAA_CONFIG_TIMESTAMPS;
+        m.timed = renderer.render(settings);
+        settings.config.flags &= ~AGAA_CONFIG_TIMESTAMPS;
+    }
+    if (!arguments.noCounters) {
+        settings.config.flags |= AGAA_CONFIG_COUNTERS;
+        settings.frames = 1;
+        settings.warmup = 0;
+        m.counted = renderer.render(settings);
+    }
+    return m;
+}
+
+json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer& renderer,
+                const Size& size) {
+    const AgaaFrameStatistics& last = m.plain.statistics.back();
+    json tiers = json::object();
+    for (const auto& [stage, tier] : m.plain.tiers)
+        tiers[stage] = tier;
+    json out = {{"device", renderer.caps().deviceName},
+                {"driver", renderer.caps().driverName},
+                {"scene", arguments.scene},
+                {"technique", arguments.plan.technique},
+                {"samples", arguments.plan.samples},
+                {"aggregates", arguments.plan.aggregates},
+                {"size", std::to_string(size.width) + "x" + std::to_string(size.height)},
+                {"frameMs", quantilesJson(m.plain.frameMs)},
+                {"geometryPasses", last.geometryPasses},
+                {"bytesPerPixel", m.plain.memory.bytesPerPixel},
+                {"bytesPerAggregate", m.plain.memory.bytesPerAggregate},
+                {"predictedBytes", m.plain.memory.totalBytes},
+                {"memoryBytes", last.payloadBytes},
+                {"driverBytes", last.driverBytes},
+                {"peakBytes", last.peakBytes},
+                {"tiers", tiers}};
+    out["passes"] = m.timed ? passesJson(*m.timed) : json::array();
+    if (m.counted) {
+        const AgaaCounters& c = m.counted->statistics.back().counters;
+        out["shadingEventsPerPixel"] =
+            double(c.shadingEvents) / (double(size.width) * double(size.height));
+        out["shadingEventsPerCoveredPixel"] =
+            c.shadedPixels ? double(c.shadingEvents) / double(c.shadedPixels) : 0.0;
+        out["maxEventsPerPixel"] = c.maxEventsPerPixel;
+        out["counters"] = countersJson(c);
+    }
+    out["apiMessages"] = messagesJson(renderer);
+    return out;
+}
+
+} // namespace
+
+void runRender(const RenderArguments& arguments, bool asJson) {
+    const Configuration configuration(arguments.plan);
+    requireBackend(arguments.device.backend);
+    if (!arguments.camera.empty())
+        parseCamera(arguments.camera); // before the scene is loaded
+    const Scene scene = loadSceneArgument(arguments.scene);
+    const RenderSettings settings = renderSettings(arguments, configuration, scene);
+    const auto renderer = makeRenderer(arguments.device);
+    renderer->load(scene);
+    const Measurement m = measure(*renderer, settings, arguments);
+    if (!arguments.png.empty())
+        writePng(arguments.png, m.plain.image);
+    if (!arguments.exr.empty())
+        writeExr(arguments.exr, m.plain.image);
+    const json out = resultJson(m, arguments, *renderer, configuration.size);
+    if (asJson) {
+        std::cout << out.dump(2) << '\n';
+        return;
+    }
+    std::printf("%s on %s\n", arguments.scene.c_str(), renderer->caps().deviceName);
+    std::printf("frame %.1f ms (median), %.1f bytes per pixel, %u geometry passes\n",
+                out["frameMs"]["median"].get<double>(), m.plain.memory.bytesPerPixel,
+                m.plain.statistics.back().geometryPasses);
+    for (const json& pass : out["passes"])
+        if (!pass["ms"].is_null())
+            std::printf("  %-20s %8.2f ms\n", pass["name"].get<std::string>().c_str(),
+                        pass["ms"]["median"].get<double>());
+    if (out.contains("counters"))
+        std::printf("%.3f shading events per pixel, counters %s\n",
+                    out["shadingEventsPerPixel"].get<double>(), out["counters"].dump().c_str());
+    for (const json& message : out["apiMessages"])
+        std::printf("API message: %s\n", message.dump().c_str());
+}
+
+} // namespace harness

@@ -1,0 +1,59 @@
+#include "cli/layout_file.h"
+
+#include "cli/arguments.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace harness {
+
+static uint32_t indexOf(const std::string& name, std::initializer_list<const char*> names,
+                        const std::string& file) {
+    uint32_t index = 0;
+    for (const char* candidate : names) {
+        if (name == candidate)
+            return index;
+        ++index;
+    }
+    throw BadArgument(file + ": \"" + name + "\" is not known in a layout.");
+}
+
+static AgaaLayout parseLayout(const nlohmann::json& json, const std::string& file) {
+    AgaaLayout layout{};
+    layout.sType = AGAA_STRUCTURE_TYPE_LAYOUT;
+    layout.structSize = sizeof layout;
+    const auto& attributes = json.at("attributes");
+    if (!attributes.is_array() || attributes.size() > AGAA_MAX_LAYOUT_ATTRIBUTES)
+        throw BadArgument(file + ": a layout has an array of at most 5 attributes.");
+    for (const auto& source : attributes) {
+        AgaaLayoutAttribute& a = layout.attributes[layout.attributeCount++];
+        a.semantic = indexOf(source.at("semantic").get<std::string>(),
+                             {"diffuse", "specular", "normal", "roughness", "emissive"}, file);
+        a.channels = source.at("channels").get<uint32_t>();
+        a.sampleBits = source.at("sampleBits").get<uint32_t>();
+        a.aggregateBits = source.value("aggregateBits", 0u);
+        a.chromaBits = source.value("chromaBits", 0u);
+        a.encoding = indexOf(source.value("encoding", std::string("unorm")),
+                             {"unorm", "ycbcr", "folded"}, file);
+        a.range = source.value("range", 1.0f);
+    }
+    return layout;
+}
+
+AgaaLayout readLayout(const std::string& nameOrFile) {
+    AgaaLayout layout{};
+    if (agaaGetBuiltinLayout(nameOrFile.c_str(), &layout) == AGAA_OK)
+        return layout;
+    std::ifstream stream(nameOrFile);
+    if (!stream)
+        throw BadArgument("--layout is \"" + nameOrFile +
+                          "\"; it can be paper16, precise or a readable JSON file.");
+    try {
+        return parseLayout(nlohmann::json::parse(stream), nameOrFile);
+    } catch (const nlohmann::json::exception& error) {
+        throw BadArgument(nameOrFile + ": not a layout (" + error.what() + ").");
+    }
+}
+
+} // namespace harness

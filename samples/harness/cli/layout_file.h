@@ -1,0 +1,15 @@
+// G-buffer layouts of the command line: a built-in name or a JSON file
+// {"attributes": [{"semantic": "diffuse", "channels": 3, "sampleBits": 8, "aggregateBits": 10,
+//                  "encoding": "unorm", "chromaBits": 0, "range": 1}, …]}.
+#pragma once
+
+#include "agaa_sdk.h"
+
+#include <string>
+
+namespace harness {
+
+// Throws BadArgument where it is neither.
+AgaaLayout readLayout(const std::string& nameOrFile);
+
+} // namespace harness

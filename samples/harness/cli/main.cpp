@@ -1,0 +1,146 @@
+// agaa-harness: the sample engine's command line.
+#include "cli/commands.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+
+using namespace harness;
+
+namespace {
+
+void addPlanOptions(CLI::App& app, PlanArguments& a) {
+    app.add_option("--technique", a.technique, "single, ssaa or agaa");
+    app.add_option("--samples", a.samples, "n: visibility samples per pixel");
+    app.add_option("--aggregates", a.aggregates, "c: aggregates per pixel");
+    app.add_option("--layout", a.layout, "paper16, precise or a JSON file");
+    app.add_option("--tier", a.tiers, "native, auto or stage=tier; repeatable")
+        ->take_all()
+        ->allow_extra_args(false);
+    app.add_option("--size", a.size, "WxH");
+    app.add_option("--reversed-z", a.reversedZ, "1: near is 1, far is infinite and 0");
+    app.add_flag("--no-stencil", a.noStencil, "first come, first kept on equal depth");
+}
+
+void addShadingOptions(CLI::App& app, PlanArguments& a) {
+    app.add_option("--brdf", a.brdf, "blinn-phong or ggx");
+    app.add_option("--ndf", a.ndf, "none or toksvig");
+    app.add_option("--seeds", a.seeds, "maximin or sum-of-squares");
+    app.add_option("--k", a.k, "characteristic length in scene units");
+    app.add_option("--k-per-distance", a.kPerDistance, "at least this times the distance");
+    app.add_option("--threshold", a.threshold, "t: least distance between aggregates");
+    app.add_option("--shadow-taps", a.shadowTaps, "per aggregate, at most; 0: chosen by n");
+    app.add_option("--shading-cost", a.shadingCost, "evaluate lighting this many times");
+    app.add_flag("--first-sample-routing", a.firstSampleRouting, "the paper's algorithm 2 (c)");
+    app.add_flag("--no-diffuse-filter", a.noDiffuseFilter);
+    app.add_flag("--no-shadow-filter", a.noShadowFilter);
+    app.add_flag("--shadow-along-depth", a.shadowAlongDepth, "the paper's shadow taps");
+}
+
+void addDeviceOptions(CLI::App& app, DeviceArguments& a) {
+    app.add_option("--backend", a.backend, "vk");
+    app.add_flag("--render-pass", a.renderPass, "VkRenderPass instead of dynamic rendering");
+    app.add_flag("--inline-recording", a.inlineRecording);
+    app.add_flag("--no-validation", a.noValidation);
+}
+
+void addRenderOptions(CLI::App& app, RenderArguments& a) {
+    addPlanOptions(app, a.plan);
+    addShadingOptions(app, a.plan);
+    addDeviceOptions(app, a.device);
+    app.add_option("--scene", a.scene, "a built-in scene, .gltf or .glb");
+    app.add_option("--camera", a.camera, "ex,ey,ez,tx,ty,tz,fovDegrees");
+    app.add_option("--jitter", a.jitter, "x,y in pixels");
+    app.add_option("--frames", a.frames)->check(CLI::Range(1u, 100000u));
+    app.add_option("--warmup", a.warmup);
+    app.add_option("--draw-order-seed", a.drawOrderSeed, "shuffle draws");
+    app.add_option("--png", a.png);
+    app.add_option("--exr", a.exr);
+    app.add_flag("--no-counters", a.noCounters);
+    app.add_flag("--no-timestamps", a.noTimestamps);
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("AGAA SDK sample engine");
+    app.require_subcommand(1);
+    bool json = false;
+    const auto command = [&](const char* name, const char* description) {
+        CLI::App* sub = app.add_subcommand(name, description);
+        sub->add_flag("--json", json, "one JSON object on stdout and nothing else");
+        return sub;
+    };
+
+    DeviceArguments capsDevice{"vk", false, false, false};
+    CLI::App* caps = command("caps", "how techniques would run on a device, and why");
+    addDeviceOptions(*caps, capsDevice);
+
+    PlanArguments memoryPlan;
+    DeviceArguments memoryDevice;
+    CLI::App* memory = command("memory", "bytes of a view; needs no GPU");
+    addPlanOptions(*memory, memoryPlan);
+    memory->add_option("--backend", memoryDevice.backend, "ask this device instead of a model");
+
+    RenderArguments planArguments;
+    planArguments.device.backend.clear();
+    CLI::App* plan = command("plan", "resources and passes of a frame; needs no GPU");
+    addRenderOptions(*plan, planArguments);
+
+    CLI::App* scenes = command("scenes", "the built-in scenes");
+
+    RenderArguments renderArguments;
+    CLI::App* render = command("render", "render a scene through the SDK");
+    addRenderOptions(*render, renderArguments);
+
+    RenderArguments referenceArguments;
+    CLI::App* reference = command("reference", "a jittered, accumulated reference image");
+    addRenderOptions(*reference, referenceArguments);
+    reference->add_option("--spp", referenceArguments.spp, "samples per pixel")
+        ->check(CLI::Range(2u, 65536u));
+
+    CompareArguments compareArguments;
+    CLI::App* compare = command("compare", "error between two EXR images");
+    compare->add_option("reference", compareArguments.reference)->required();
+    compare->add_option("test", compareArguments.test)->required();
+    compare->add_option("--difference", compareArguments.difference, "PNG of |a-b|");
+    compare->add_option("--gain", compareArguments.gain, "of the difference image");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp& help) {
+        app.exit(help);
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        std::fprintf(stderr, "agaa-harness: %s\n", error.what());
+        return 2;
+    }
+    if (*caps)
+        runCaps(capsDevice, json);
+    else if (*memory)
+        runMemory(memoryPlan, memoryDevice, json);
+    else if (*plan)
+        runPlan(planArguments, plan->count("--scene") > 0, json);
+    else if (*scenes)
+        runScenes(json);
+    else if (*render)
+        runRender(renderArguments, json);
+    else if (*reference)
+        runReference(referenceArguments, json);
+    else
+        runCompare(compareArguments, json);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const BadArgument& error) {
+        std::fprintf(stderr, "agaa-harness: %s\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "agaa-harness: %s\n", error.what());
+        return 1;
+    }
+}
