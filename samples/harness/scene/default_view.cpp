@@ -7,15 +7,25 @@
 
 namespace harness {
 
+namespace {
+
+// The diagonal of the bounds; an empty scene and a single point have the size of 1.
+double sizeOf(const Scene& scene) {
+    const double diagonal = glm::length(scene.boundsMax - scene.boundsMin);
+    return diagonal > 0 ? diagonal : 1;
+}
+
+} // namespace
+
 Camera defaultCamera(const Scene& scene) {
     const glm::dvec3 centre = 0.5 * (scene.boundsMin + scene.boundsMax);
-    const double radius = std::max(0.5 * glm::length(scene.boundsMax - scene.boundsMin), 1e-3);
+    const double diagonal = sizeOf(scene);
     Camera camera;
     camera.name = "default";
     camera.fovDegrees = 50;
     camera.target = centre;
     // The bounding sphere fits the vertical field of view.
-    const double distance = radius / std::sin(glm::radians(camera.fovDegrees) / 2);
+    const double distance = 0.5 * diagonal / std::sin(glm::radians(camera.fovDegrees) / 2);
     camera.eye = centre + distance * glm::normalize(glm::dvec3(0.6, 0.4, 0.75));
     return camera;
 }
@@ -33,19 +43,23 @@ std::vector<Light> defaultLights(const Scene& scene, const Camera& camera) {
     sun.castsShadow = true;
     lights.push_back(sun);
     // Around what the camera looks at: a scene's bounds may reach far beyond its view.
-    const double diagonal = glm::length(scene.boundsMax - scene.boundsMin);
-    const double reach = std::max(std::min(diagonal, 1.5 * glm::length(camera.target - camera.eye)), 1e-3);
+    const double distance = glm::length(camera.target - camera.eye);
+    const double reach = distance > 0 ? std::min(sizeOf(scene), 1.5 * distance) : sizeOf(scene);
     Random random(17);
     for (int i = 0; i < 16; ++i) {
         Light light;
         light.type = LightType::Point;
-        const glm::dvec3 offset(random.in(-0.5f, 0.5f), random.in(-0.2f, 0.3f), random.in(-0.5f, 0.5f));
-        light.position = glm::clamp(camera.target + reach * offset, scene.boundsMin, scene.boundsMax);
+        // Braces: their order of evaluation is defined.
+        const glm::dvec3 offset{random.in(-0.5f, 0.5f), random.in(-0.2f, 0.3f),
+                                random.in(-0.5f, 0.5f)};
+        light.position =
+            glm::clamp(camera.target + reach * offset, scene.boundsMin, scene.boundsMax);
         light.range = float(reach * random.in(0.25f, 0.4f));
         // 0.45 of irradiance at half the range.
         const float intensity = 0.45f * light.range * light.range * 0.25f;
         const float hue = random.unit() * 6.2832f;
-        light.color = intensity * glm::vec3(1.0f + 0.5f * std::cos(hue), 1.0f + 0.5f * std::cos(hue - 2.1f),
+        light.color = intensity * glm::vec3(1.0f + 0.5f * std::cos(hue),
+                                            1.0f + 0.5f * std::cos(hue - 2.1f),
                                             1.0f + 0.5f * std::cos(hue + 2.1f));
         lights.push_back(light);
     }

@@ -6,7 +6,11 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
+#include <string_view>
 
 namespace harness {
 
@@ -27,10 +31,18 @@ glm::dmat4 localTransform(const tinygltf::Node& node) {
     return transform;
 }
 
+// A unit direction of a node in the world; one that the node's scale flattens to nothing stays as
+// it was.
+glm::dvec3 axisOf(const glm::dmat4& transform, const glm::dvec3& axis) {
+    const glm::dvec3 v(transform * glm::dvec4(axis, 0));
+    const double length = glm::length(v);
+    return length > 0 ? v / length : axis;
+}
+
 Light lightOf(const tinygltf::Light& source, const glm::dmat4& transform, bool& hasSun) {
     Light light;
     light.position = glm::dvec3(transform[3]);
-    light.direction = glm::normalize(glm::dvec3(transform * glm::dvec4(0, 0, -1, 0)));
+    light.direction = axisOf(transform, {0, 0, -1});
     for (int i = 0; i < 3 && size_t(i) < source.color.size(); ++i)
         light.color[i] = float(source.color[size_t(i)]);
     light.color *= float(source.intensity);
@@ -51,8 +63,8 @@ Camera cameraOf(const tinygltf::Camera& source, const glm::dmat4& transform) {
     Camera camera;
     camera.name = source.name;
     camera.eye = glm::dvec3(transform[3]);
-    camera.target = camera.eye + glm::normalize(glm::dvec3(transform * glm::dvec4(0, 0, -1, 0)));
-    camera.up = glm::normalize(glm::dvec3(transform * glm::dvec4(0, 1, 0, 0)));
+    camera.target = camera.eye + axisOf(transform, {0, 0, -1});
+    camera.up = axisOf(transform, {0, 1, 0});
     camera.fovDegrees = glm::degrees(source.perspective.yfov);
     return camera;
 }
@@ -62,15 +74,37 @@ public:
     NodeWalk(GltfReader& reader, std::vector<uint32_t> firstMesh)
         : reader_(reader), firstMesh_(std::move(firstMesh)), seen_(reader.model.nodes.size(), false) {}
 
-    void visit(int index, const glm::dmat4& parent) {
-        const tinygltf::Node& node = reader_.at(reader_.model.nodes, index, "nodes");
-        if (seen_[size_t(index)])
-            reader_.fail("the node hierarchy is not a tree");
-        seen_[size_t(index)] = true;
-        const glm::dmat4 transform = parent * localTransform(node);
-        for (int i = 0; i < 16; ++i)
-            if (!std::isfinite(glm::value_ptr(transform)[i]))
-                reader_.fail("a node's transform is not finite");
+    // Depth first with a stack of its own: a file may nest deeper than the program's stack reaches.
+    void visit(const std::vector<int>& roots) {
+        std::vector<Pending> pending;
+        const auto push = [&](const std::vector<int>& nodes, const glm::dmat4& parent) {
+            for (size_t i = nodes.size(); i-- > 0;)
+                pending.push_back({nodes[i], parent});
+        };
+        push(roots, glm::dmat4(1));
+        while (!pending.empty()) {
+            const Pending next = pending.back();
+            pending.pop_back();
+            const tinygltf::Node& node = reader_.at(reader_.model.nodes, next.node, "nodes");
+            if (seen_[size_t(next.node)])
+                reader_.fail("the node hierarchy is not a tree");
+            seen_[size_t(next.node)] = true;
+            const glm::dmat4 transform = next.parent * localTransform(node);
+            for (int i = 0; i < 16; ++i)
+                if (!std::isfinite(glm::value_ptr(transform)[i]))
+                    reader_.fail("a node's transform is not finite");
+            take(node, transform);
+            push(node.children, transform);
+        }
+    }
+
+private:
+    struct Pending {
+        int node;
+        glm::dmat4 parent;
+    };
+
+    void take(const tinygltf::Node& node, const glm::dmat4& transform) {
         if (node.mesh >= 0) {
             reader_.at(reader_.model.meshes, node.mesh, "meshes");
             for (uint32_t mesh = firstMesh_[size_t(node.mesh)];
@@ -88,45 +122,96 @@ public:
                 lightOf(reader_.at(reader_.model.lights,
                                    light->second.Get("light").GetNumberAsInt(), "lights"),
                         transform, hasSun_));
-        for (int child : node.children)
-            visit(child, transform);
     }
 
-private:
     GltfReader& reader_;
     std::vector<uint32_t> firstMesh_;
     std::vector<bool> seen_;
     bool hasSun_ = false;
 };
 
+// tinygltf hands over a pointer into a buffer without comparing the view with the buffer's size.
+bool loadImage(tinygltf::Image* image, const int index, std::string* error, std::string* warning,
+               int width, int height, const unsigned char* bytes, int size, void* model) {
+    if (image->bufferView >= 0) {
+        const auto& source = *static_cast<const tinygltf::Model*>(model);
+        const tinygltf::BufferView& view = source.bufferViews[size_t(image->bufferView)];
+        const size_t available = source.buffers[size_t(view.buffer)].data.size();
+        if (view.byteOffset > available || view.byteLength > available - view.byteOffset) {
+            *error += "an image reaches beyond its buffer";
+            return false;
+        }
+    }
+    return tinygltf::LoadImageData(image, index, error, warning, width, height, bytes, size,
+                                   nullptr);
+}
+
+bool startsAsBinary(const std::filesystem::path& path) {
+    std::array<char, 4> magic{};
+    std::ifstream(path, std::ios::binary).read(magic.data(), magic.size());
+    return std::string_view(magic.data(), magic.size()) == "glTF";
+}
+
+void loadModel(const std::filesystem::path& path, tinygltf::Model& model) {
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader(loadImage, &model);
+    std::string errors, warnings;
+    const bool loaded =
+        startsAsBinary(path)
+            ? loader.LoadBinaryFromFile(&model, &errors, &warnings, path.string())
+            : loader.LoadASCIIFromFile(&model, &errors, &warnings, path.string());
+    if (!loaded) {
+        const std::string first = errors.substr(0, errors.find('\n'));
+        throw std::runtime_error(first.empty() ? "unknown reason" : first);
+    }
+}
+
+void requireKnownExtensions(const GltfReader& reader) {
+    static constexpr std::array known{"KHR_lights_punctual", "KHR_materials_emissive_strength",
+                                      "KHR_mesh_quantization"};
+    for (const std::string& name : reader.model.extensionsRequired)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            reader.fail("it requires the extension " + name + ", which is not supported");
+}
+
+// glTF cameras have no target. Who asks how far away the subject is gets the depth of the middle of
+// the scene.
+void moveTargets(Scene& scene) {
+    const glm::dvec3 centre = 0.5 * (scene.boundsMin + scene.boundsMax);
+    const double size = glm::length(scene.boundsMax - scene.boundsMin);
+    if (!(size > 0))
+        return;
+    for (Camera& camera : scene.cameras) {
+        const glm::dvec3 forward = camera.target - camera.eye;
+        const double depth = glm::dot(centre - camera.eye, forward);
+        camera.target = camera.eye + std::max(depth, 0.05 * size) * forward;
+    }
+}
+
 } // namespace
 
 Scene loadGltf(const std::filesystem::path& path) {
     const std::string file = path.string();
-    if (!std::filesystem::exists(path))
+    if (!std::filesystem::is_regular_file(path))
         throw std::runtime_error(file + ": there is no such file.");
-    tinygltf::TinyGLTF loader;
     tinygltf::Model model;
-    std::string errors, warnings;
-    const bool binary = path.extension() == ".glb";
-    const bool loaded = binary ? loader.LoadBinaryFromFile(&model, &errors, &warnings, file)
-                               : loader.LoadASCIIFromFile(&model, &errors, &warnings, file);
-    if (!loaded) {
-        const std::string first = errors.substr(0, errors.find('\n'));
-        throw std::runtime_error(file + ": not a readable glTF file" +
-                                 (first.empty() ? "." : " (" + first + ")."));
+    try {
+        loadModel(path, model);
+    } catch (const std::exception& error) {
+        throw std::runtime_error(file + ": not a readable glTF file (" + error.what() + ").");
     }
     Scene scene;
     scene.name = path.stem().string();
     GltfReader reader{model, file, scene};
+    requireKnownExtensions(reader);
     readMaterials(reader);
     NodeWalk walk(reader, readMeshes(reader));
     if (model.scenes.empty())
         reader.fail("it has no scene");
     const int chosen = model.defaultScene >= 0 ? model.defaultScene : 0;
-    for (int node : reader.at(model.scenes, chosen, "scenes").nodes)
-        walk.visit(node, glm::dmat4(1));
+    walk.visit(reader.at(model.scenes, chosen, "scenes").nodes);
     updateBounds(scene);
+    moveTargets(scene);
     return scene;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <span>
 
 namespace harness {
@@ -20,26 +21,29 @@ public:
         components_ = size_t(tinygltf::GetNumComponentsInType(uint32_t(accessor_->type)));
         size_ = size_t(tinygltf::GetComponentSizeInBytes(uint32_t(accessor_->componentType)));
         if (accessor_->bufferView < 0)
-            return; // zeros
+            reader.fail("an accessor has no data");
         const auto& view = reader.at(reader.model.bufferViews, accessor_->bufferView, "bufferViews");
         const auto& buffer = reader.at(reader.model.buffers, view.buffer, "buffers");
         const int stride = accessor_->ByteStride(view);
         if (stride <= 0)
             reader.fail("an accessor has no valid stride");
         stride_ = size_t(stride);
-        const size_t begin = view.byteOffset + accessor_->byteOffset;
-        const size_t need = count() ? (count() - 1) * stride_ + components_ * size_ : 0;
-        if (accessor_->byteOffset + need > view.byteLength || begin + need > buffer.data.size())
+        // Each term is bounded by the one before, so that no sum or product of a file's numbers
+        // can wrap around.
+        const size_t bytes = buffer.data.size();
+        const bool inside = view.byteOffset <= bytes && view.byteLength <= bytes - view.byteOffset &&
+                            accessor_->byteOffset <= view.byteLength && count() <= bytes &&
+                            (count() == 0 || (count() - 1) * stride_ + components_ * size_ <=
+                                                 view.byteLength - accessor_->byteOffset);
+        if (!inside)
             reader.fail("an accessor reaches beyond its buffer");
-        data_ = buffer.data.data() + begin;
+        data_ = buffer.data.data() + view.byteOffset + accessor_->byteOffset;
     }
 
     size_t count() const { return accessor_->count; }
     size_t components() const { return components_; }
 
     float number(size_t element, size_t component) const {
-        if (!data_)
-            return 0;
         const unsigned char* p = data_ + element * stride_ + component * size_;
         const auto read = [&](auto value, float scale) {
             std::memcpy(&value, p, sizeof value);
@@ -65,8 +69,6 @@ public:
     }
 
     uint32_t index(size_t element) const {
-        if (!data_)
-            return 0;
         const unsigned char* p = data_ + element * stride_;
         uint32_t value = 0;
         if (accessor_->componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
@@ -91,6 +93,8 @@ std::vector<uint32_t> triangleList(const GltfReader& reader, const tinygltf::Pri
     std::vector<uint32_t> source;
     if (primitive.indices >= 0) {
         const AccessorView view(reader, primitive.indices);
+        if (view.components() != 1)
+            reader.fail("indices are not scalars");
         source.resize(view.count());
         for (size_t i = 0; i < source.size(); ++i)
             source[i] = view.index(i);
@@ -129,11 +133,13 @@ int attribute(const tinygltf::Primitive& primitive, const char* name) {
 
 template <typename Set>
 bool readAttribute(const GltfReader& reader, const tinygltf::Primitive& primitive, const char* name,
-                   std::span<Vertex> vertices, Set set) {
+                   size_t components, std::span<Vertex> vertices, Set set) {
     const int index = attribute(primitive, name);
     if (index < 0)
         return false;
     const AccessorView view(reader, index);
+    if (view.components() < components)
+        reader.fail(std::string(name) + " has too few components");
     if (view.count() < vertices.size())
         reader.fail(std::string(name) + " has fewer elements than POSITION");
     for (size_t i = 0; i < vertices.size(); ++i)
@@ -148,6 +154,8 @@ uint8_t byteOf(float value) {
 void readPrimitive(GltfReader& reader, const tinygltf::Primitive& primitive) {
     Scene& scene = reader.scene;
     const AccessorView positions(reader, attribute(primitive, "POSITION"));
+    if (positions.count() > std::numeric_limits<uint32_t>::max() - scene.vertices.size())
+        reader.fail("it has more vertices than 32-bit indices reach");
     Mesh mesh;
     mesh.firstVertex = uint32_t(scene.vertices.size());
     mesh.vertexCount = uint32_t(positions.count());
@@ -157,35 +165,37 @@ void readPrimitive(GltfReader& reader, const tinygltf::Primitive& primitive) {
     if (mesh.material >= scene.materials.size())
         reader.fail("a primitive names a material that is not there");
     const std::vector<uint32_t> indices = triangleList(reader, primitive, positions.count());
+    if (indices.size() > std::numeric_limits<uint32_t>::max() - scene.indices.size())
+        reader.fail("it has more indices than 32 bits count");
     mesh.indexCount = uint32_t(indices.size());
     scene.vertices.resize(scene.vertices.size() + mesh.vertexCount);
-    const std::span<Vertex> vertices(&scene.vertices[mesh.firstVertex], mesh.vertexCount);
-    readAttribute(reader, primitive, "POSITION", vertices,
+    const std::span<Vertex> vertices = std::span(scene.vertices).subspan(mesh.firstVertex);
+    readAttribute(reader, primitive, "POSITION", 3, vertices,
                   [](Vertex& v, const AccessorView& a, size_t i) {
                       v.position = {a.number(i, 0), a.number(i, 1), a.number(i, 2)};
                   });
-    if (!readAttribute(reader, primitive, "NORMAL", vertices,
+    if (!readAttribute(reader, primitive, "NORMAL", 3, vertices,
                        [](Vertex& v, const AccessorView& a, size_t i) {
                            const glm::vec3 n(a.number(i, 0), a.number(i, 1), a.number(i, 2));
                            const float length2 = glm::dot(n, n);
                            v.normal = length2 > 1e-20f ? n / std::sqrt(length2) : glm::vec3(0, 1, 0);
                        }))
         generateNormals(vertices, indices);
-    readAttribute(reader, primitive, "TEXCOORD_0", vertices,
+    readAttribute(reader, primitive, "TEXCOORD_0", 2, vertices,
                   [](Vertex& v, const AccessorView& a, size_t i) {
                       v.uv = {a.number(i, 0), a.number(i, 1)};
                   });
-    readAttribute(reader, primitive, "COLOR_0", vertices,
+    readAttribute(reader, primitive, "COLOR_0", 3, vertices,
                   [](Vertex& v, const AccessorView& a, size_t i) {
                       for (int c = 0; c < 4; ++c)
                           v.color[c] = size_t(c) < a.components() ? byteOf(a.number(i, size_t(c)))
                                                                   : uint8_t(255);
                   });
     const bool hasTangents =
-        readAttribute(reader, primitive, "TANGENT", vertices,
+        readAttribute(reader, primitive, "TANGENT", 4, vertices,
                       [](Vertex& v, const AccessorView& a, size_t i) {
-                          v.tangent = {a.number(i, 0), a.number(i, 1), a.number(i, 2),
-                                       a.number(i, 3) < 0 ? -1.0f : 1.0f};
+                          const glm::vec3 t(a.number(i, 0), a.number(i, 1), a.number(i, 2));
+                          v.tangent = {tangentAcross(v.normal, t), a.number(i, 3) < 0 ? -1.0f : 1.0f};
                       });
     if (!hasTangents && scene.materials[mesh.material].normalTexture >= 0)
         generateTangents(vertices, indices);

@@ -14,6 +14,10 @@ static glm::vec3 across(const glm::vec3& n) {
     return glm::normalize(glm::cross(n, axis));
 }
 
+glm::vec3 tangentAcross(const glm::vec3& normal, const glm::vec3& tangent) {
+    return unitOr(tangent - normal * glm::dot(normal, tangent), across(normal));
+}
+
 void generateNormals(std::span<Vertex> vertices, std::span<const uint32_t> indices) {
     std::vector<glm::vec3> sums(vertices.size(), glm::vec3(0));
     for (size_t i = 0; i + 2 < indices.size(); i += 3) {
@@ -49,7 +53,7 @@ void generateTangents(std::span<Vertex> vertices, std::span<const uint32_t> indi
     }
     for (size_t i = 0; i < vertices.size(); ++i) {
         const glm::vec3 n = vertices[i].normal;
-        const glm::vec3 t = unitOr(tangents[i] - n * glm::dot(n, tangents[i]), across(n));
+        const glm::vec3 t = tangentAcross(n, tangents[i]);
         const float handedness = glm::dot(glm::cross(n, t), bitangents[i]) < 0 ? -1.0f : 1.0f;
         vertices[i].tangent = glm::vec4(t, handedness);
     }

@@ -3,7 +3,9 @@
 struct AgaaSurfaceInput {
     vec3 position;        // of the fragment
     vec3 geometricNormal; // of the primitive's plane; either side
-    float alpha;          // coverage in [0,1]; used where AGAA_ALPHA_MASKED is 1
+    float alpha;          // coverage in [0,1]; used where AGAA_ALPHA_MASKED is 1. Must be equal in
+                          // every pass: take it at the pixel centre, since AGAA_INSIDE depends on
+                          // which samples survive
     uint primitiveSeed;   // differs between primitives that may overlap; the same in every pass
     vec3 diffuse;
     vec3 specular;        // reflectance at normal incidence
@@ -27,7 +29,9 @@ AgaaSurfaceInput agaa_surfaceInput() {
 }
 
 // The value of a fragment input inside its primitive: on a triangle thinner than a pixel the centre lies
-// outside and attributes extrapolate without bound.
+// outside and attributes extrapolate without bound. Mesa 22.3 divides by the centre's 1/w here and
+// displaces plain reads of the same input: pass a constant 1 along, divide by it, and take derivatives
+// of an input of their own where such drivers matter.
 #define AGAA_INSIDE(v) interpolateAtCentroid(v)
 
 // Derivatives per pixel, whatever the target's scale; of plain inputs, so that they belong to the centre.
