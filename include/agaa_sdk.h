@@ -447,7 +447,8 @@ typedef struct AgaaLight {
     float range;        /* > 0, or 0: infinite */
     float cosInner;     /* spot: cosines of the half angles, inner >= outer */
     float cosOuter;
-    float reserved[2];  /* 0 */
+    float radius;       /* of the lamp, >= 0: the inverse-square law stops there */
+    float reserved;     /* 0 */
 } AgaaLight;
 
 /* A shadow map is a 2D array of depth layers, each with its matrix. A point uses the first layer whose

@@ -60,6 +60,7 @@ void writeLights(const AgaaFrame& frame, void* destination) {
         light.shadowMap = source.shadowMap;
         light.cosInner = source.cosInner;
         light.cosOuter = source.cosOuter;
+        light.radius = source.radius;
         std::memcpy(&lights[i], &light, sizeof light);
     }
 }

@@ -33,7 +33,8 @@ struct GpuLight {
     float color[3];
     uint32_t shadowMap;
     float cosInner, cosOuter;
-    float padding[2];
+    float radius;
+    float padding;
 };
 static_assert(sizeof(GpuLight) == 64);
 

@@ -129,6 +129,8 @@ static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCo
     }
     if (!(light.range >= 0 && light.range <= 1e30f))
         bad("its range is negative or not finite");
+    if (!(light.radius >= 0 && light.radius <= 1e15f))
+        bad("its radius is negative or not finite");
     if (light.type != AGAA_LIGHT_POINT) {
         const float* d = light.direction;
         if (std::fabs(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - 1.0f) > 1e-2f)

@@ -59,6 +59,8 @@ std::vector<AgaaLight> toAgaaLights(const std::vector<Light>& lights, const glm:
             out.color[c] = light.color[c];
         }
         out.range = light.type == LightType::Directional ? 0.0f : light.range;
+        // Lamps stand wherever a scene put them, at walls and inside of them too.
+        out.radius = light.range > 0 ? 0.02f * light.range : 0.01f;
         if (light.type == LightType::Spot) {
             out.cosOuter = std::cos(light.outerCone);
             out.cosInner = std::max(std::cos(light.innerCone), out.cosOuter);

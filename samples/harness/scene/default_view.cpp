@@ -58,9 +58,9 @@ std::vector<Light> defaultLights(const Scene& scene, const Camera& camera) {
         // 0.45 of irradiance at half the range.
         const float intensity = 0.45f * light.range * light.range * 0.25f;
         const float hue = random.unit() * 6.2832f;
-        light.color = intensity * glm::vec3(1.0f + 0.5f * std::cos(hue),
-                                            1.0f + 0.5f * std::cos(hue - 2.1f),
-                                            1.0f + 0.5f * std::cos(hue + 2.1f));
+        light.color =
+            intensity * glm::vec3(1.0f + 0.5f * std::cos(hue), 1.0f + 0.5f * std::cos(hue - 2.1f),
+                                  1.0f + 0.5f * std::cos(hue + 2.1f));
         lights.push_back(light);
     }
     return lights;

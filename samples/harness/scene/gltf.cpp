@@ -72,7 +72,8 @@ Camera cameraOf(const tinygltf::Camera& source, const glm::dmat4& transform) {
 class NodeWalk {
 public:
     NodeWalk(GltfReader& reader, std::vector<uint32_t> firstMesh)
-        : reader_(reader), firstMesh_(std::move(firstMesh)), seen_(reader.model.nodes.size(), false) {}
+        : reader_(reader), firstMesh_(std::move(firstMesh)),
+          seen_(reader.model.nodes.size(), false) {}
 
     // Depth first with a stack of its own: a file may nest deeper than the program's stack reaches.
     void visit(const std::vector<int>& roots) {
@@ -156,10 +157,9 @@ void loadModel(const std::filesystem::path& path, tinygltf::Model& model) {
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(loadImage, &model);
     std::string errors, warnings;
-    const bool loaded =
-        startsAsBinary(path)
-            ? loader.LoadBinaryFromFile(&model, &errors, &warnings, path.string())
-            : loader.LoadASCIIFromFile(&model, &errors, &warnings, path.string());
+    const bool loaded = startsAsBinary(path)
+                            ? loader.LoadBinaryFromFile(&model, &errors, &warnings, path.string())
+                            : loader.LoadASCIIFromFile(&model, &errors, &warnings, path.string());
     if (!loaded) {
         const std::string first = errors.substr(0, errors.find('\n'));
         throw std::runtime_error(first.empty() ? "unknown reason" : first);

@@ -22,7 +22,8 @@ public:
         size_ = size_t(tinygltf::GetComponentSizeInBytes(uint32_t(accessor_->componentType)));
         if (accessor_->bufferView < 0)
             reader.fail("an accessor has no data");
-        const auto& view = reader.at(reader.model.bufferViews, accessor_->bufferView, "bufferViews");
+        const auto& view =
+            reader.at(reader.model.bufferViews, accessor_->bufferView, "bufferViews");
         const auto& buffer = reader.at(reader.model.buffers, view.buffer, "buffers");
         const int stride = accessor_->ByteStride(view);
         if (stride <= 0)
@@ -31,7 +32,8 @@ public:
         // Each term is bounded by the one before, so that no sum or product of a file's numbers
         // can wrap around.
         const size_t bytes = buffer.data.size();
-        const bool inside = view.byteOffset <= bytes && view.byteLength <= bytes - view.byteOffset &&
+        const bool inside = view.byteOffset <= bytes &&
+                            view.byteLength <= bytes - view.byteOffset &&
                             accessor_->byteOffset <= view.byteLength && count() <= bytes &&
                             (count() == 0 || (count() - 1) * stride_ + components_ * size_ <=
                                                  view.byteLength - accessor_->byteOffset);
@@ -178,7 +180,8 @@ void readPrimitive(GltfReader& reader, const tinygltf::Primitive& primitive) {
                        [](Vertex& v, const AccessorView& a, size_t i) {
                            const glm::vec3 n(a.number(i, 0), a.number(i, 1), a.number(i, 2));
                            const float length2 = glm::dot(n, n);
-                           v.normal = length2 > 1e-20f ? n / std::sqrt(length2) : glm::vec3(0, 1, 0);
+                           v.normal =
+                               length2 > 1e-20f ? n / std::sqrt(length2) : glm::vec3(0, 1, 0);
                        }))
         generateNormals(vertices, indices);
     readAttribute(reader, primitive, "TEXCOORD_0", 2, vertices,
@@ -191,12 +194,11 @@ void readPrimitive(GltfReader& reader, const tinygltf::Primitive& primitive) {
                           v.color[c] = size_t(c) < a.components() ? byteOf(a.number(i, size_t(c)))
                                                                   : uint8_t(255);
                   });
-    const bool hasTangents =
-        readAttribute(reader, primitive, "TANGENT", 4, vertices,
-                      [](Vertex& v, const AccessorView& a, size_t i) {
-                          const glm::vec3 t(a.number(i, 0), a.number(i, 1), a.number(i, 2));
-                          v.tangent = {tangentAcross(v.normal, t), a.number(i, 3) < 0 ? -1.0f : 1.0f};
-                      });
+    const bool hasTangents = readAttribute(
+        reader, primitive, "TANGENT", 4, vertices, [](Vertex& v, const AccessorView& a, size_t i) {
+            const glm::vec3 t(a.number(i, 0), a.number(i, 1), a.number(i, 2));
+            v.tangent = {tangentAcross(v.normal, t), a.number(i, 3) < 0 ? -1.0f : 1.0f};
+        });
     if (!hasTangents && scene.materials[mesh.material].normalTexture >= 0)
         generateTangents(vertices, indices);
     scene.indices.insert(scene.indices.end(), indices.begin(), indices.end());

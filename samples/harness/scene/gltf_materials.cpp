@@ -10,7 +10,7 @@ namespace {
 Wrap wrapOf(int mode) {
     return mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? Wrap::Clamp
            : mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::Mirror
-                                                            : Wrap::Repeat;
+                                                           : Wrap::Repeat;
 }
 
 // A texture per image, wrap mode and colour space that materials use.
@@ -79,8 +79,7 @@ Material materialOf(const tinygltf::Material& source, TextureTable& textures) {
         material.emissive[i] = float(source.emissiveFactor[size_t(i)]);
     const auto strength = source.extensions.find("KHR_materials_emissive_strength");
     if (strength != source.extensions.end() && strength->second.Has("emissiveStrength"))
-        material.emissive *=
-            float(strength->second.Get("emissiveStrength").GetNumberAsDouble());
+        material.emissive *= float(strength->second.Get("emissiveStrength").GetNumberAsDouble());
     material.alphaMode = source.alphaMode == "MASK"    ? AlphaMode::Mask
                          : source.alphaMode == "BLEND" ? AlphaMode::Blend
                                                        : AlphaMode::Opaque;

@@ -70,7 +70,8 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
     if (type != 0u) {
         vec3 d = light.positionRange.xyz - position;
         float d2 = dot(d, d);
-        intensity = agaa_pointAttenuation(d2, light.positionRange.w, 1e-8);
+        intensity = agaa_pointAttenuation(d2, light.positionRange.w,
+                                         light.cone.z * light.cone.z);
         if (intensity <= 0.0)
             return vec3(0.0);
         toLight = d * inversesqrt(max(d2, 1e-12));

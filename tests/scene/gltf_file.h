@@ -1,0 +1,104 @@
+// Writes small glTF files for the loader's tests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace scene_test {
+
+// Collects buffer data with its bufferViews and accessors; everything else is given as JSON text.
+class GltfFile {
+public:
+    // Returns the accessor's index. Accessors begin at multiples of 4 bytes, as the format asks.
+    template <typename T>
+    int add(const std::vector<T>& values, const std::string& type, int componentType,
+            bool normalized = false) {
+        static const std::vector<std::pair<std::string, size_t>> types{
+            {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
+        size_t components = 0;
+        for (const auto& [name, count] : types)
+            if (name == type)
+                components = count;
+        const size_t offset = (bytes.size() + 3) / 4 * 4;
+        bytes.resize(offset + values.size() * sizeof(T));
+        std::memcpy(bytes.data() + offset, values.data(), values.size() * sizeof(T));
+        join(views_, R"({"buffer":0,"byteOffset":)" + std::to_string(offset) + R"(,"byteLength":)" +
+                         std::to_string(values.size() * sizeof(T)) + "}");
+        join(accessors_, R"({"bufferView":)" + std::to_string(count_) + R"(,"componentType":)" +
+                             std::to_string(componentType) + R"(,"count":)" +
+                             std::to_string(values.size() / components) + R"(,"type":")" + type +
+                             R"(","normalized":)" + (normalized ? "true" : "false") + "}");
+        return count_++;
+    }
+
+    // An embedded image; returns its bufferView. Accessors have to be added before it.
+    int addView(const std::vector<uint8_t>& data) {
+        const size_t offset = bytes.size();
+        bytes.insert(bytes.end(), data.begin(), data.end());
+        join(views_, R"({"buffer":0,"byteOffset":)" + std::to_string(offset) + R"(,"byteLength":)" +
+                         std::to_string(data.size()) + "}");
+        return count_++;
+    }
+
+    // `rest` is the file's other members, such as "nodes", without the outer braces.
+    std::string json(const std::string& rest, const std::string& bufferUri) const {
+        const std::string uri = bufferUri.empty() ? "" : R"("uri":")" + bufferUri + R"(",)";
+        return R"({"asset":{"version":"2.0"},"buffers":[{)" + uri + R"("byteLength":)" +
+               std::to_string(bytes.size()) + R"(}],"bufferViews":[)" + views_ +
+               R"(],"accessors":[)" + accessors_ + "]," + rest + "}";
+    }
+
+    std::filesystem::path writeGltf(const std::string& stem, const std::string& rest) const {
+        const std::filesystem::path folder(testing::TempDir());
+        write(folder / (stem + ".bin"), {bytes.begin(), bytes.end()});
+        write(folder / (stem + ".gltf"), json(rest, stem + ".bin"));
+        return folder / (stem + ".gltf");
+    }
+
+    std::filesystem::path writeGlb(const std::string& stem, const std::string& rest) const {
+        std::string text = json(rest, "");
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+        std::string data(bytes.begin(), bytes.end());
+        data.resize((data.size() + 3) / 4 * 4, '\0');
+        std::string file = "glTF";
+        append(file, 2);
+        append(file, uint32_t(12 + 8 + text.size() + 8 + data.size()));
+        append(file, uint32_t(text.size()));
+        file += "JSON" + text;
+        append(file, uint32_t(data.size()));
+        file += std::string("BIN\0", 4) + data;
+        const std::filesystem::path path =
+            std::filesystem::path(testing::TempDir()) / (stem + ".glb");
+        write(path, file);
+        return path;
+    }
+
+    static void write(const std::filesystem::path& path, const std::string& content) {
+        std::ofstream(path, std::ios::binary)
+            .write(content.data(), std::streamsize(content.size()));
+    }
+
+    std::vector<uint8_t> bytes;
+
+private:
+    static void join(std::string& list, const std::string& item) {
+        list += (list.empty() ? "" : ",") + item;
+    }
+    static void append(std::string& file, uint32_t value) {
+        file.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+
+    std::string views_;
+    std::string accessors_;
+    int count_ = 0;
+};
+
+constexpr int kByte = 5121, kShort = 5123, kInt = 5125, kFloat = 5126;
+
+} // namespace scene_test

@@ -1,0 +1,80 @@
+#include "support.h"
+
+#include "image/tonemap.h"
+#include "scene/builtin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+namespace harness::test {
+
+std::vector<TestScene> builtinTestScenes() {
+    std::vector<TestScene> list;
+    for (const BuiltinScene& scene : builtinScenes())
+        list.push_back({std::string(scene.name), std::string(scene.name), {}, false});
+    return list;
+}
+
+std::vector<TestScene> sharedTestScenes() {
+    const char* folder = std::getenv("AGAA_SCENES");
+    const std::filesystem::path root = folder ? folder : AGAA_SOURCE_DIR "/../shared/scenes";
+    struct Row {
+        const char* name;
+        glm::dvec3 eye, target;
+        double fov;
+    };
+    const Row rows[] = {
+        {"stk_gran_paradiso", {132.1, 8.5, -86.8}, {150, 8.0, -70}, 60},
+        {"stk_ravenbridge_mansion", {-4.7, 1.8, 75.8}, {-8, 1.5, 65}, 60},
+        {"fg_carrier", {40, 40, 20}, {86, 50, -25}, 35},
+        {"sh3d_foliage", {1, 1.8, 12}, {0.5, 4, 0}, 50},
+        {"khronos_flight_helmet", {0.5, 0.5, 0.8}, {0, 0.35, 0}, 35},
+    };
+    std::vector<TestScene> list;
+    for (const Row& row : rows) {
+        const auto path = root / row.name / (std::string(row.name) + ".glb");
+        if (!std::filesystem::exists(path))
+            continue;
+        TestScene scene{row.name, path.string(), {}, true};
+        scene.camera.eye = row.eye;
+        scene.camera.target = row.target;
+        scene.camera.fovDegrees = row.fov;
+        list.push_back(scene);
+    }
+    return list;
+}
+
+RenderSettings settingsFor(const TestScene& test, const Scene& scene, uint32_t width,
+                           uint32_t height) {
+    RenderSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.camera = test.hasCamera             ? test.camera
+                      : !scene.cameras.empty() ? scene.cameras[0]
+                                               : defaultCamera(scene);
+    settings.lights = scene.lights.empty() ? defaultLights(scene, settings.camera) : scene.lights;
+    settings.facts = sceneFacts(scene, settings.lights);
+    settings.config.flags = AGAA_CONFIG_COUNTERS;
+    return settings;
+}
+
+Renderer& sharedRenderer() {
+    static const std::unique_ptr<Renderer> renderer = makeVulkanRenderer(RendererOptions{});
+    return *renderer;
+}
+
+Difference differenceOf(const Image& a, const Image& b) {
+    Difference d;
+    for (size_t i = 0; i < a.pixelCount(); ++i) {
+        d.pixels += std::memcmp(&a.rgb[3 * i], &b.rgb[3 * i], 3 * sizeof(float)) != 0;
+        for (size_t c = 0; c < 3; ++c)
+            d.largest = std::max(d.largest, std::fabs(toneMap(double(a.rgb[3 * i + c])) -
+                                                      toneMap(double(b.rgb[3 * i + c]))));
+    }
+    return d;
+}
+
+} // namespace harness::test
