@@ -7,7 +7,8 @@
 
 namespace harness {
 
-// Sets vertices' tangents from positions, normals and uv; indices are relative to the span. A
+// Frames as glTF has them: cross(normal, tangent) * w points against v, as a normal map's green
+// does. Sets vertices' tangents from positions, normals and uv; indices are relative to the span. A
 // vertex without a direction (degenerate uv) gets any unit vector across its normal.
 void generateTangents(std::span<Vertex> vertices, std::span<const uint32_t> indices);
 // The part of a tangent across the unit normal as a unit vector, or any where there is none.

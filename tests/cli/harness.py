@@ -1,0 +1,19 @@
+"""Runs agaa-harness in tests."""
+import json
+import os
+import subprocess
+
+HARNESS = os.environ["AGAA_HARNESS"]
+
+
+def run(*arguments):
+    return subprocess.run([HARNESS, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          text=True)
+
+
+def data(*arguments):
+    """The one JSON object that --json prints."""
+    result = run(*arguments, "--json")
+    if result.returncode != 0:
+        raise AssertionError(f"{arguments}: {result.stderr}")
+    return json.loads(result.stdout)

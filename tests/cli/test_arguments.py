@@ -1,0 +1,95 @@
+"""Wrong arguments: exit status 2 (1 for what is not an argument's fault) and one line on stderr."""
+import os
+import tempfile
+import unittest
+
+import harness
+
+WRONG = [
+    [],
+    ["bogus"],
+    ["render", "--bogus", "1"],
+    ["memory", "--samples", "0"],
+    ["memory", "--samples", "3"],
+    ["memory", "--samples", "64"],
+    ["memory", "--samples", "x"],
+    ["memory", "--aggregates", "0"],
+    ["memory", "--aggregates", "5"],
+    ["memory", "--size", "0x0"],
+    ["memory", "--size", "640"],
+    ["memory", "--size", "640x"],
+    ["memory", "--size", "-4x3"],
+    ["memory", "--technique", "taa"],
+    ["memory", "--layout", "nonesuch"],
+    ["memory", "--tier", "generation=bogus"],
+    ["memory", "--tier", "nowhere=native"],
+    ["memory", "--backend", "gl"],
+    ["caps", "--backend", "gl"],
+    ["caps", "--backend", "metal"],
+    ["render", "--scene", "nonesuch"],
+    ["render", "--camera", "1,2,3"],
+    ["render", "--camera=-1,2,3,4,5,6,x"],
+    ["render", "--camera=1,2,3,1,2,3,60"],
+    ["render", "--camera=1,2,3,4,5,6,180"],
+    ["render", "--frames", "0"],
+    ["render", "--brdf", "lambert"],
+    ["render", "--ndf", "sggx"],
+    ["render", "--seeds", "random"],
+    ["render", "--k", "-1"],
+    ["render", "--jitter", "1"],
+    ["compare", "only-one.exr"],
+    ["reference", "--spp", "1"],
+]
+
+FAILS = [
+    ["compare", "/nonexistent/a.exr", "/nonexistent/b.exr"],
+    ["render", "--scene", "/nonexistent/scene.glb"],
+    ["memory", "--size", "20000x20000", "--samples", "32"],
+    ["memory", "--samples", "8", "--tier", "visibility=native"],
+    ["plan", "--k-per-distance", "0"],
+]
+
+
+class Arguments(unittest.TestCase):
+    def check(self, arguments, status):
+        result = harness.run(*arguments)
+        self.assertEqual(result.returncode, status, f"{arguments}: {result.stderr}")
+        self.assertEqual(result.stdout, "", arguments)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+
+    def test_wrong_arguments_exit_with_2(self):
+        for arguments in WRONG:
+            with self.subTest(arguments=arguments):
+                self.check(arguments, 2)
+
+    def test_other_failures_exit_with_1(self):
+        for arguments in FAILS:
+            with self.subTest(arguments=arguments):
+                self.check(arguments, 1)
+
+    def test_missing_files_are_named(self):
+        result = harness.run("compare", "/nonexistent/a.exr", "/nonexistent/b.exr")
+        self.assertIn("/nonexistent/a.exr", result.stderr)
+
+    def test_layout_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "layout.json")
+            with open(path, "w") as file:
+                file.write('{"attributes": [{"semantic": "diffuse", "channels": 3, "sampleBits": 8},'
+                           '{"semantic": "normal", "channels": 3, "sampleBits": 16}]}')
+            lean = harness.data("memory", "--layout", path)
+            self.assertLess(lean["bytesPerPixel"], harness.data("memory")["bytesPerPixel"])
+            with open(path, "w") as file:
+                file.write('{"attributes": [{"semantic": "fur"}]}')
+            self.check(["memory", "--layout", path], 2)
+            with open(path, "w") as file:
+                file.write("{")
+            self.check(["memory", "--layout", path], 2)
+
+    def test_help_exits_with_0(self):
+        self.assertEqual(harness.run("--help").returncode, 0)
+        self.assertEqual(harness.run("render", "--help").returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,62 @@
+"""Memory figures of the command line: the papers' model and the tiers that run."""
+import unittest
+
+import harness
+
+
+def memory(*arguments):
+    return harness.data("memory", "--size", "640x360", *arguments)
+
+
+class Memory(unittest.TestCase):
+    def native(self, technique, n, c=2):
+        return memory("--technique", technique, "--layout", "paper16", "--tier", "native",
+                      "--samples", str(n), "--aggregates", str(c))
+
+    def test_the_papers_model(self):
+        for n, expected in ((8, 81), (16, 130), (32, 228)):
+            data = self.native("agaa", n)
+            beyond = sum(s["bytes"] for s in data["surfaces"]
+                         if s["name"] == "aggregate-coverage-beyond-8-bits") / (640 * 360)
+            self.assertEqual(data["bytesPerPixel"] - beyond, expected)
+            self.assertEqual(beyond == 0, n == 8)
+            self.assertEqual(data["totalBytes"], sum(s["bytes"] for s in data["surfaces"]))
+
+    def test_multisampled_g_buffers(self):
+        for n in (8, 16, 32):
+            self.assertEqual(self.native("ssaa", n)["bytesPerPixel"], 16 * n)
+
+    def test_bytes_per_aggregate_with_exact_sums(self):
+        for n, most in ((8, 20), (16, 24), (32, 32)):
+            data = memory("--layout", "paper16", "--samples", str(n))
+            self.assertLessEqual(data["bytesPerAggregate"], most)
+
+    def test_peak_and_surfaces(self):
+        data = memory()
+        self.assertLessEqual(data["peakBytes"], data["totalBytes"])
+        for surface in data["surfaces"]:
+            self.assertEqual(set(surface), {"name", "format", "samples", "layers", "width",
+                                            "height", "bytes"})
+
+    def test_plans(self):
+        plan = harness.data("plan", "--samples", "32", "--aggregates", "4")
+        self.assertEqual((plan["scaleX"], plan["scaleY"], plan["deviceSamples"]), (2, 4, 4))
+        self.assertEqual(plan["geometryPasses"], 2)
+        names = [r["name"] for r in plan["resources"]]
+        for needed in ("depth", "normals", "metadata", "aggregates"):
+            self.assertIn(needed, names)
+        self.assertEqual(plan["bytes"]["total"],
+                         sum(r["bytes"] for r in plan["resources"]
+                             if r["kind"] in ("image", "buffer")))
+
+    def test_scenes(self):
+        scenes = harness.data("scenes")["scenes"]
+        self.assertEqual({s["name"] for s in scenes},
+                         {"bamboo", "foliage", "furball", "metal", "city"})
+        for scene in scenes:
+            self.assertGreater(scene["triangles"], 50000)
+            self.assertEqual(scene["lights"], 17)
+
+
+if __name__ == "__main__":
+    unittest.main()

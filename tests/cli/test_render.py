@@ -1,0 +1,79 @@
+"""Rendering from the command line: fields, consistent counters, files, repeatable bits."""
+import os
+import tempfile
+import unittest
+
+import harness
+
+FIELDS = ["frameMs", "passes", "shadingEventsPerPixel", "geometryPasses", "bytesPerPixel",
+          "predictedBytes", "memoryBytes", "driverBytes", "peakBytes", "tiers", "counters",
+          "apiMessages"]
+
+
+class Render(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def render(self, *arguments):
+        return harness.data("render", "--scene", "metal", "--size", "96x54", *arguments)
+
+    def test_every_technique(self):
+        for technique in ("single", "ssaa", "agaa"):
+            with self.subTest(technique=technique):
+                data = self.render("--technique", technique, "--frames", "2")
+                for field in FIELDS:
+                    self.assertIn(field, data)
+                counters = data["counters"]
+                self.assertGreater(counters["visible"], 0)
+                self.assertEqual(counters["once"], counters["visible"])
+                self.assertEqual(counters["missed"], 0)
+                self.assertEqual(counters["multi"], 0)
+                self.assertEqual(data["predictedBytes"], data["memoryBytes"])
+                self.assertGreaterEqual(data["driverBytes"], data["memoryBytes"])
+                self.assertLessEqual(data["peakBytes"], data["driverBytes"])
+                self.assertEqual(data["apiMessages"], [])
+                self.assertEqual(data["geometryPasses"], 2 if technique == "agaa" else 1)
+                for p in data["passes"]:
+                    self.assertIn(p["stage"], ("prepass", "definition", "generation", "shading",
+                                               "shadowmap", "post", "other"))
+
+    def test_files_and_repeatable_bits(self):
+        for name in ("a", "b"):
+            self.render("--exr", self.path(name + ".exr"), "--png", self.path(name + ".png"))
+        self.assertGreater(os.path.getsize(self.path("a.png")), 1000)
+        data = harness.data("compare", self.path("a.exr"), self.path("b.exr"), "--difference",
+                            self.path("d.png"))
+        self.assertEqual(data["maxAbs"], 0)
+        self.assertIsNone(data["psnr"])
+        self.assertEqual(data["flip"], 0)
+        self.assertTrue(os.path.exists(self.path("d.png")))
+
+    def test_odd_sizes(self):
+        for size in ("1x1", "3x5", "33x17"):
+            data = harness.data("render", "--scene", "metal", "--size", size, "--samples", "32")
+            self.assertEqual(data["apiMessages"], [])
+            self.assertEqual(data["counters"]["missed"], 0)
+
+    def test_reference_says_its_own_error(self):
+        few = harness.data("reference", "--scene", "metal", "--size", "48x27", "--spp", "4",
+                           "--exr", self.path("few.exr"))
+        many = harness.data("reference", "--scene", "metal", "--size", "48x27", "--spp", "32",
+                            "--exr", self.path("many.exr"))
+        self.assertLess(many["splitHalfMseTm"], few["splitHalfMseTm"])
+
+    def test_caps(self):
+        data = harness.data("caps", "--backend", "vk")
+        self.assertEqual(data["backend"], "vk")
+        self.assertIn(1, data["sampleCounts"])
+        for row in data["tiers"]:
+            self.assertEqual(set(row), {"technique", "samples", "stage", "tier", "native",
+                                        "relativePrice", "reason"})
+            self.assertTrue(row["reason"].endswith("."))
+
+
+if __name__ == "__main__":
+    unittest.main()
