@@ -229,8 +229,8 @@ TEST(Gltf, TangentsAreGeneratedForNormalMaps) {
     }
     for (size_t i = 0; i < 8; ++i)
         expectNear(glm::vec3(scene.vertices[i].tangent), {0, 1, 0});
-    // cross(normal, tangent) * w points against v: with n = +z and t = +y the product is -x, while v
-    // grows along +x in the first copy.
+    // cross(normal, tangent) * w points against v: with n = +z and t = +y the product is -x, while
+    // v grows along +x in the first copy.
     EXPECT_EQ(scene.vertices[0].tangent.w, 1);
     EXPECT_EQ(scene.vertices[4].tangent.w, -1);
     expectNear(glm::vec3(scene.vertices[12].tangent), {1, 0, 0});

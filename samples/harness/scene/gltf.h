@@ -1,4 +1,7 @@
-// glTF 2.0 (.gltf, .glb) to Scene.
+// glTF 2.0 (.gltf, .glb) to Scene: triangles with the first set of texture coordinates, core
+// materials with KHR_materials_emissive_strength, KHR_lights_punctual, perspective cameras.
+// Animation, skins and morph targets are left out; a file that requires any other extension is
+// refused.
 #pragma once
 
 #include "scene/scene.h"

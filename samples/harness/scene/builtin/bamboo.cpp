@@ -15,7 +15,7 @@ namespace {
 constexpr int kStalks = 120;
 constexpr int kVariants = 6;
 constexpr int kSegments = 16; // between two nodes
-constexpr int kLeavesPerStalk = 200;
+constexpr int kLeavesPerStalk = 180;
 
 struct Stalk {
     std::vector<glm::vec3> nodes; // where segments meet, from the ground up
@@ -55,7 +55,7 @@ MeshBuilder stalkMesh(const Stalk& stalk) {
 }
 
 void addLeaf(MeshBuilder& mesh, const glm::vec3& base, const glm::vec3& direction, Random& random) {
-    const float length = random.in(0.16f, 0.3f);
+    const float length = random.in(0.18f, 0.34f);
     const float width = random.in(0.012f, 0.022f);
     const float tint = random.in(0.65f, 1.0f);
     const float red = random.in(0.8f, 1.0f);
@@ -103,7 +103,7 @@ Leaves leavesOf(const Stalk& stalk, Random& random) {
 // Dry leaves and short shoots on the ground.
 MeshBuilder litter(Random& random) {
     MeshBuilder mesh;
-    for (int i = 0; i < 2500; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         const glm::vec3 base{random.in(-9, 9), random.in(0.01f, 0.05f), random.in(-9, 9)};
         const float turn = random.in(0, 6.2832f);
         const glm::vec3 direction{std::cos(turn), random.in(0.0f, 0.25f), std::sin(turn)};
@@ -120,7 +120,7 @@ float soil(float x, float z) {
 std::vector<glm::vec2> feet(Random& random) {
     std::vector<glm::vec2> result;
     while (result.size() < kStalks) {
-        const glm::vec2 p{random.in(-7.5f, 7.5f), random.in(-8.5f, 6.0f)};
+        const glm::vec2 p{random.in(-6.5f, 6.5f), random.in(-7.5f, 5.5f)};
         const bool path = std::abs(p.x - 0.15f * p.y) < 0.7f && p.y > -2;
         const bool crowded = std::any_of(result.begin(), result.end(), [&](const glm::vec2& q) {
             return glm::distance(p, q) < 0.35f;

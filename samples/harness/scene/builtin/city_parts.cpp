@@ -20,7 +20,7 @@ glm::vec2 flute(float angle, float radius) {
 }
 
 void addShaft(MeshBuilder& mesh, float radius, float bottom, float top) {
-    constexpr uint32_t sides = 120, rings = 4;
+    constexpr uint32_t sides = 120, rings = 3;
     const uint32_t first = uint32_t(mesh.vertices.size());
     for (uint32_t i = 0; i <= rings; ++i)
         for (uint32_t j = 0; j <= sides; ++j) {
@@ -171,14 +171,14 @@ CafeChair cafeChair() {
                               glm::vec3(x, 0.44f, 0.19f),        glm::vec3(x, 0.455f, 0.0f),
                               glm::vec3(x, 0.46f, -0.17f),       glm::vec3(x, 0.62f, -0.21f),
                               glm::vec3(x * 0.9f, 0.86f, -0.27f)};
-        chair.tubes.tube(smoothCurve(side, 3), radius, 6, true);
+        chair.tubes.tube(smoothCurve(side, 2), radius, 6, true);
         const std::array back{glm::vec3(x * 1.1f, 0, -0.26f), glm::vec3(x, 0.25f, -0.2f),
                               glm::vec3(x, 0.45f, -0.12f)};
-        chair.tubes.tube(smoothCurve(back, 3), radius, 6, true);
+        chair.tubes.tube(smoothCurve(back, 2), radius, 6, true);
     }
     const std::array top{glm::vec3(-0.18f, 0.86f, -0.27f), glm::vec3(-0.1f, 0.9f, -0.29f),
                          glm::vec3(0.1f, 0.9f, -0.29f), glm::vec3(0.18f, 0.86f, -0.27f)};
-    chair.tubes.tube(smoothCurve(top, 3), radius, 6, true);
+    chair.tubes.tube(smoothCurve(top, 2), radius, 6, true);
     addBar(chair.tubes, {-0.2f, 0.2f, -0.21f}, {0.2f, 0.2f, -0.21f}, 0.006f);
     addBar(chair.tubes, {-0.2f, 0.2f, 0.215f}, {0.2f, 0.2f, 0.215f}, 0.006f);
     for (int i = 0; i < 6; ++i) {

@@ -239,7 +239,9 @@ Material& addMaterial(Scene& scene, std::string name, uint32_t srgbColor, float 
     return scene.materials.back();
 }
 
-uint32_t lastMaterial(const Scene& scene) { return uint32_t(scene.materials.size() - 1); }
+uint32_t lastMaterial(const Scene& scene) {
+    return uint32_t(scene.materials.size() - 1);
+}
 
 uint32_t addMesh(Scene& scene, const MeshBuilder& builder, uint32_t material) {
     Mesh mesh;
@@ -274,9 +276,9 @@ std::vector<glm::vec3> smoothCurve(std::span<const glm::vec3> points, int steps)
                         &d = points[std::min(i + 2, last)];
         for (int s = 0; s < steps; ++s) {
             const float t = float(s) / float(steps);
-            curve.push_back(0.5f * (2.0f * b + t * (c - a) +
-                                    t * t * (2.0f * a - 5.0f * b + 4.0f * c - d) +
-                                    t * t * t * (3.0f * b - a - 3.0f * c + d)));
+            curve.push_back(0.5f *
+                            (2.0f * b + t * (c - a) + t * t * (2.0f * a - 5.0f * b + 4.0f * c - d) +
+                             t * t * t * (3.0f * b - a - 3.0f * c + d)));
         }
     }
     curve.push_back(points[last]);

@@ -1,6 +1,6 @@
 // Shapes that the built-in scenes are put together from. Front faces are counter-clockwise and
-// normals point outwards. Functions that draw random numbers take them in one fixed order: the order
-// of a call's arguments is the compiler's choice, that of a braced list is not.
+// normals point outwards. Functions that draw random numbers take them in one fixed order: the
+// order of a call's arguments is the compiler's choice, that of a braced list is not.
 #pragma once
 
 #include "scene/random.h"

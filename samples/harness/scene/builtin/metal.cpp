@@ -29,20 +29,21 @@ constexpr std::array<Metal, 5> kMetals{{{"steel", 0xc6c4c0, 0.2f},
 
 // A long wire that wanders through a dome around the middle.
 MeshBuilder wire(Random& random) {
-    std::array<glm::vec3, 8> knots;
+    std::array<glm::vec3, 9> knots;
     glm::vec3 p = 0.9f * unitVector(random);
+    glm::vec3 heading = unitVector(random);
     for (glm::vec3& knot : knots) {
-        const glm::vec3 step = 0.75f * unitVector(random);
-        p = 0.85f * p + step;
+        // Mostly onwards and back towards the middle: hairpins would be tighter than the wire.
+        heading = glm::normalize(heading + 0.9f * unitVector(random) - 0.5f * p);
+        p += 0.5f * heading;
         knot = {p.x, 0.85f + 0.55f * p.y, p.z};
         knot.y = std::max(knot.y, 0.03f);
     }
-    const std::vector<glm::vec3> curve = smoothCurve(knots, 8);
-    std::vector<glm::vec3> above = curve;
-    for (glm::vec3& point : above) // a spline may dip below its knots
+    std::vector<glm::vec3> curve = smoothCurve(knots, 7);
+    for (glm::vec3& point : curve) // a spline may dip below its knots
         point.y = std::max(point.y, 0.015f);
     MeshBuilder mesh;
-    mesh.tube(above, random.in(0.0025f, 0.006f), 8, true);
+    mesh.tube(curve, random.in(0.0025f, 0.006f), 8, true);
     return mesh;
 }
 
