@@ -45,7 +45,9 @@ std::string withSourceLines(const std::string& log, const std::string& source) {
 std::vector<uint32_t> compileGlsl(ShaderStage stage, const std::string& source,
                                   const std::string& name) {
     static const Glslang library;
-    const EShLanguage language = stage == ShaderStage::Vertex ? EShLangVertex : EShLangFragment;
+    const EShLanguage language = stage == ShaderStage::Vertex     ? EShLangVertex
+                                 : stage == ShaderStage::Fragment ? EShLangFragment
+                                                                  : EShLangCompute;
     const auto messages = EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
     const auto fail = [&](const std::string& log) {
         throw std::runtime_error("The shader \"" + name + "\" does not compile:\n" +

@@ -213,7 +213,7 @@ VertexInput::VertexInput(uint32_t locations) {
     std::erase_if(attributes,
                   [locations](const auto& a) { return !(locations >> a.location & 1); });
     state.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
-    state.vertexBindingDescriptionCount = 1;
+    state.vertexBindingDescriptionCount = attributes.empty() ? 0 : 1;
     state.pVertexBindingDescriptions = &binding;
     state.vertexAttributeDescriptionCount = uint32_t(attributes.size());
     state.pVertexAttributeDescriptions = attributes.data();

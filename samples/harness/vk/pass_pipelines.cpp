@@ -9,25 +9,6 @@ namespace harness::vk {
 
 namespace {
 
-VkCompareOp compareOp(uint32_t compare) {
-    switch (compare) {
-    case AGAA_COMPARE_LESS:
-        return VK_COMPARE_OP_LESS;
-    case AGAA_COMPARE_GREATER:
-        return VK_COMPARE_OP_GREATER;
-    case AGAA_COMPARE_EQUAL:
-        return VK_COMPARE_OP_EQUAL;
-    case AGAA_COMPARE_ALWAYS:
-        return VK_COMPARE_OP_ALWAYS;
-    }
-    throw std::runtime_error("The SDK asks for an unknown depth comparison.");
-}
-
-bool hasStencil(VkFormat format) {
-    return format == VK_FORMAT_S8_UINT || format == VK_FORMAT_D16_UNORM_S8_UINT ||
-           format == VK_FORMAT_D24_UNORM_S8_UINT || format == VK_FORMAT_D32_SFLOAT_S8_UINT;
-}
-
 std::string fragmentText(const AgaaVkDrawPass& pass, bool isMasked) {
     return std::string("#version 450\n") + pass.glslExtensions + "\n#define AGAA_ALPHA_MASKED " +
            (isMasked ? "1\n" : "0\n") + pass.glslDeclarations + "\n" + embedded::material_frag;
@@ -116,51 +97,15 @@ PipelineLayout PassPipelines::makeLayout(const AgaaVkDrawPass& pass,
 
 Pipeline PassPipelines::makePipeline(const AgaaVkDrawPass& pass, const Program& program,
                                      const Variant& variant) const {
-    const AgaaDrawState& wanted = pass.state;
-    PipelineState state(wanted.colorAttachmentCount);
+    PipelineState state(pass, variant.isMasked);
     state.rasterization.cullMode =
         variant.isDoubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
     state.rasterization.frontFace =
         variant.isMirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE;
-    state.multisample.rasterizationSamples = VkSampleCountFlagBits(wanted.samples);
-    state.multisample.sampleShadingEnable = wanted.sampleShading != 0;
-    state.multisample.minSampleShading = 1;
-
-    VkPipelineDepthStencilStateCreateInfo& depth = state.depthStencil;
-    depth.depthTestEnable = VK_TRUE;
-    depth.depthWriteEnable = wanted.depthWrite != 0;
-    depth.depthCompareOp = compareOp(wanted.depthCompare);
-    if (variant.isMasked ? wanted.stencilTestMasked : wanted.stencilTest) {
-        depth.stencilTestEnable = VK_TRUE;
-        depth.front.failOp = VK_STENCIL_OP_KEEP;
-        depth.front.depthFailOp = VK_STENCIL_OP_KEEP;
-        depth.front.passOp = VK_STENCIL_OP_INCREMENT_AND_CLAMP;
-        depth.front.compareOp = VK_COMPARE_OP_EQUAL;
-        depth.front.compareMask = 0xFF;
-        depth.front.writeMask = 0xFF;
-        depth.front.reference = 0;
-        depth.back = depth.front;
-    }
-    // The bits of the SDK's mask are those of VkColorComponentFlags.
-    for (VkPipelineColorBlendAttachmentState& blend : state.blends)
-        blend.colorWriteMask = wanted.colorWriteMask;
-
-    std::array<VkFormat, 4> colors{};
-    for (uint32_t i = 0; i < wanted.colorAttachmentCount; ++i)
-        colors[i] = VkFormat(pass.colorFormats[i]);
-    const VkFormat depthStencil = VkFormat(pass.depthStencilFormat);
-    VkPipelineRenderingCreateInfo rendering{};
-    rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
-    rendering.colorAttachmentCount = wanted.colorAttachmentCount;
-    rendering.pColorAttachmentFormats = colors.data();
-    rendering.depthAttachmentFormat = depthStencil;
-    rendering.stencilAttachmentFormat =
-        hasStencil(depthStencil) ? depthStencil : VK_FORMAT_UNDEFINED;
-
     const VkRenderPass renderPass = (VkRenderPass)pass.renderPass;
     return state.create(*device_, vertex_.get(), program.fragments[variant.isMasked].get(),
                         program.layout.get(), renderPass,
-                        renderPass == VK_NULL_HANDLE ? &rendering : nullptr);
+                        renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
 }
 
 const PassPipelines::Program& PassPipelines::program(uint64_t pipelineKey) const {

@@ -1,6 +1,31 @@
 #include "vk/pipeline_state.h"
 
+#include <stdexcept>
+
 namespace harness::vk {
+
+namespace {
+
+VkCompareOp compareOp(uint32_t compare) {
+    switch (compare) {
+    case AGAA_COMPARE_LESS:
+        return VK_COMPARE_OP_LESS;
+    case AGAA_COMPARE_GREATER:
+        return VK_COMPARE_OP_GREATER;
+    case AGAA_COMPARE_EQUAL:
+        return VK_COMPARE_OP_EQUAL;
+    case AGAA_COMPARE_ALWAYS:
+        return VK_COMPARE_OP_ALWAYS;
+    }
+    throw std::runtime_error("The SDK asks for an unknown depth comparison.");
+}
+
+bool hasStencil(VkFormat format) {
+    return format == VK_FORMAT_S8_UINT || format == VK_FORMAT_D16_UNORM_S8_UINT ||
+           format == VK_FORMAT_D24_UNORM_S8_UINT || format == VK_FORMAT_D32_SFLOAT_S8_UINT;
+}
+
+} // namespace
 
 ShaderModule makeShader(const Device& device, ShaderStage stage, const std::string& source,
                         const std::string& name) {
@@ -22,6 +47,39 @@ PipelineState::PipelineState(uint32_t colorAttachments) {
     multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
     depthStencil.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
     blends.resize(colorAttachments);
+}
+
+PipelineState::PipelineState(const AgaaVkDrawPass& pass, bool isMasked)
+    : PipelineState(pass.state.colorAttachmentCount) {
+    const AgaaDrawState& wanted = pass.state;
+    multisample.rasterizationSamples = VkSampleCountFlagBits(wanted.samples);
+    multisample.sampleShadingEnable = wanted.sampleShading != 0;
+    multisample.minSampleShading = 1;
+    depthStencil.depthTestEnable = VK_TRUE;
+    depthStencil.depthWriteEnable = wanted.depthWrite != 0;
+    depthStencil.depthCompareOp = compareOp(wanted.depthCompare);
+    if (isMasked ? wanted.stencilTestMasked : wanted.stencilTest) {
+        depthStencil.stencilTestEnable = VK_TRUE;
+        depthStencil.front.failOp = VK_STENCIL_OP_KEEP;
+        depthStencil.front.depthFailOp = VK_STENCIL_OP_KEEP;
+        depthStencil.front.passOp = VK_STENCIL_OP_INCREMENT_AND_CLAMP;
+        depthStencil.front.compareOp = VK_COMPARE_OP_EQUAL;
+        depthStencil.front.compareMask = 0xFF;
+        depthStencil.front.writeMask = 0xFF;
+        depthStencil.front.reference = 0;
+        depthStencil.back = depthStencil.front;
+    }
+    // The bits of the SDK's mask are those of VkColorComponentFlags.
+    for (VkPipelineColorBlendAttachmentState& blend : blends)
+        blend.colorWriteMask = wanted.colorWriteMask;
+
+    static_assert(sizeof(VkFormat) == sizeof pass.colorFormats[0]);
+    const VkFormat depthFormat = VkFormat(pass.depthStencilFormat);
+    rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
+    rendering.colorAttachmentCount = wanted.colorAttachmentCount;
+    rendering.pColorAttachmentFormats = reinterpret_cast<const VkFormat*>(pass.colorFormats);
+    rendering.depthAttachmentFormat = depthFormat;
+    rendering.stencilAttachmentFormat = hasStencil(depthFormat) ? depthFormat : VK_FORMAT_UNDEFINED;
 }
 
 Pipeline PipelineState::create(const Device& device, VkShaderModule vertex, VkShaderModule fragment,

@@ -1,6 +1,7 @@
 // What the sample engine's graphics pipelines have in common.
 #pragma once
 
+#include "agaa_vk.h"
 #include "vk/check.h"
 #include "vk/glsl.h"
 #include "vk/gpu_scene.h"
@@ -17,6 +18,8 @@ ShaderModule makeShader(const Device& device, ShaderStage stage, const std::stri
 class PipelineState {
 public:
     explicit PipelineState(uint32_t colorAttachments);
+    // Everything that the SDK asks of a draw pass's pipelines. The pass must live as long as this.
+    PipelineState(const AgaaVkDrawPass& pass, bool isMasked);
     PipelineState(const PipelineState&) = delete;
     PipelineState& operator=(const PipelineState&) = delete;
 
@@ -29,6 +32,7 @@ public:
     VkPipelineMultisampleStateCreateInfo multisample{};
     VkPipelineDepthStencilStateCreateInfo depthStencil{};
     std::vector<VkPipelineColorBlendAttachmentState> blends;
+    VkPipelineRenderingCreateInfo rendering{}; // with dynamic rendering
 };
 
 // The whole target.

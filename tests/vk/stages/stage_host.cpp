@@ -1,0 +1,350 @@
+#include "stage_host.h"
+
+#include "surface_reader.h"
+
+#include "vk/barrier.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <stdexcept>
+
+using namespace harness::vk;
+
+namespace agaa::test {
+
+namespace {
+
+constexpr const char* vertexText = R"(#version 450
+layout(std430, set = 1, binding = 0) readonly buffer Vertices { vec4 data[]; } vertices;
+layout(push_constant) uniform Push { mat4 clip; };
+layout(location = 0) out vec3 position;
+layout(location = 1) flat out uint triangle;
+layout(location = 2) out vec2 uv;
+invariant gl_Position;
+void main() {
+    position = vertices.data[2 * gl_VertexIndex].xyz;
+    uv = vertices.data[2 * gl_VertexIndex + 1].xy;
+    triangle = uint(gl_VertexIndex) / 3u;
+    gl_Position = clip * vec4(position, 1.0);
+}
+)";
+
+constexpr const char* fragmentText = R"(
+struct Material { vec4 diffuse, specular, emissive, normal, geometricNormal; };
+layout(std430, set = 1, binding = 1) readonly buffer Materials { Material data[]; } materials;
+layout(location = 0) in vec3 position;
+layout(location = 1) flat in uint triangle;
+layout(location = 2) in vec2 uv;
+void main() {
+    Material m = materials.data[triangle];
+    AgaaSurfaceInput s = agaa_surfaceInput();
+    s.position = position;
+    s.geometricNormal = m.geometricNormal.xyz;
+    s.alpha = m.diffuse.w;
+    s.primitiveSeed = triangle;
+    s.diffuse = m.diffuse.xyz;
+    s.specular = m.specular.xyz;
+    s.emissive = m.emissive.xyz;
+    s.normal = m.normal.xyz;
+    s.alpha2 = m.normal.w;
+#if STAGE_SHADER == 1
+    uint id = triangle + 1u;
+    s.diffuse = vec3(id & 255u, id >> 8u & 255u, id >> 16u) / 255.0;
+#elif STAGE_SHADER == 2
+    s.diffuse = vec3(AGAA_INSIDE(uv), 0.0);
+#elif STAGE_SHADER == 3
+    s.diffuse = vec3(uv, 0.0);
+#endif
+    agaa_emit(s);
+}
+)";
+
+void AGAA_CALL onLog(void* user, uint32_t severity, AgaaResult code, const char* message) {
+    if (severity >= AGAA_SEVERITY_ERROR)
+        static_cast<StageContext*>(user)->lines.push_back({code, message});
+}
+
+void require(AgaaResult result, const StageContext& context, const char* call) {
+    if (result >= 0)
+        return;
+    throw std::runtime_error(context.lines.empty() ? call : context.lines.back().text);
+}
+
+} // namespace
+
+Device& sharedDevice() {
+    static Device device{harness::RendererOptions{}};
+    return device;
+}
+
+StageContext::StageContext(const HostOptions& options) {
+    Device& device = sharedDevice();
+    AgaaLog log = AGAA_LOG_INIT;
+    log.callback = onLog;
+    log.user = this;
+    require(agaaVkGetDeviceCaps(device.instance(), device.physicalDevice(), Device::getProcAddr,
+                                &log, &caps_),
+            *this, "agaaVkGetDeviceCaps");
+    AgaaVkContextDesc desc = AGAA_VK_CONTEXT_DESC_INIT;
+    desc.instance = device.instance();
+    desc.physicalDevice = device.physicalDevice();
+    desc.device = device.get();
+    desc.queueFamily = device.queueFamily();
+    desc.apiVersion = device.apiVersion();
+    desc.getProcAddr = options.getProcAddr;
+    desc.enabledExtensions = device.extensions().data();
+    desc.enabledExtensionCount = uint32_t(device.extensions().size());
+    desc.rendering =
+        options.renderPass ? AGAA_VK_RENDERING_RENDER_PASS : AGAA_VK_RENDERING_AUTO;
+    desc.recording =
+        options.inlineRecording ? AGAA_VK_RECORDING_INLINE : AGAA_VK_RECORDING_SECONDARY;
+    desc.framesInFlight = options.framesInFlight;
+    desc.log = &log;
+    require(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context_), *this,
+            "agaaVkCreateContext");
+}
+
+StageContext::~StageContext() {
+    agaaDestroyContext(context_);
+    for (const harness::ApiMessage& message : sharedDevice().takeMessages())
+        ADD_FAILURE() << message.id << ": " << message.text;
+}
+
+ShadowLayers::ShadowLayers(const std::vector<float>& layers, uint32_t size)
+    : arena_(sharedDevice()) {
+    VkImageCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+    info.imageType = VK_IMAGE_TYPE_2D;
+    info.format = VK_FORMAT_D32_SFLOAT;
+    info.extent = {size, size, 1};
+    info.mipLevels = 1;
+    info.arrayLayers = uint32_t(layers.size());
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    image_ = arena_.image(info, VK_IMAGE_VIEW_TYPE_2D_ARRAY, VK_IMAGE_ASPECT_DEPTH_BIT);
+    constexpr ImageUse nothing{VK_PIPELINE_STAGE_TRANSFER_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
+    constexpr ImageUse cleared{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
+                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+    constexpr ImageUse read{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT,
+                            VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    sharedDevice().runCommands([&](VkCommandBuffer commands) {
+        imageBarrier(commands, image_.image.get(), VK_IMAGE_ASPECT_DEPTH_BIT, nothing, cleared);
+        for (uint32_t layer = 0; layer < layers.size(); ++layer) {
+            const VkClearDepthStencilValue value{layers[layer], 0};
+            const VkImageSubresourceRange range{VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, layer, 1};
+            vkCmdClearDepthStencilImage(commands, image_.image.get(),
+                                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &range);
+        }
+        imageBarrier(commands, image_.image.get(), VK_IMAGE_ASPECT_DEPTH_BIT, cleared, read);
+    });
+}
+
+StageView::StageView(StageContext& context, const ViewSettings& settings)
+    : context_(context), settings_(settings),
+      output_(sharedDevice(), settings.width, settings.height), arena_(sharedDevice()) {
+    AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
+    desc.width = settings.width;
+    desc.height = settings.height;
+    desc.config = &settings.config;
+    desc.facts = &settings.facts;
+    desc.flags = settings.flags;
+    require(agaaVkCreateView(context.get(), &desc, &view_), context, "agaaVkCreateView");
+
+    const VkDevice device = sharedDevice().get();
+    VkDescriptorSetLayoutBinding bindings[2]{};
+    for (uint32_t i = 0; i < 2; ++i)
+        bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1,
+                       VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
+    VkDescriptorSetLayoutCreateInfo layout{};
+    layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    layout.bindingCount = 2;
+    layout.pBindings = bindings;
+    setLayout_ = make<DescriptorSetLayout>(device, vkCreateDescriptorSetLayout, layout,
+                                           "create a set layout");
+    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2};
+    VkDescriptorPoolCreateInfo pool{};
+    pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    pool.maxSets = 1;
+    pool.poolSizeCount = 1;
+    pool.pPoolSizes = &size;
+    pool_ = make<DescriptorPool>(device, vkCreateDescriptorPool, pool, "create a pool");
+    const VkDescriptorSetLayout handle = setLayout_.get();
+    VkDescriptorSetAllocateInfo allocate{};
+    allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+    allocate.descriptorPool = pool_.get();
+    allocate.descriptorSetCount = 1;
+    allocate.pSetLayouts = &handle;
+    check(vkAllocateDescriptorSets(device, &allocate, &set_), "allocate a set");
+    makePipelines();
+}
+
+StageView::~StageView() { agaaDestroyView(view_); }
+
+void StageView::makePipelines() {
+    Device& device = sharedDevice();
+    vertex_ = makeShader(device, ShaderStage::Vertex, vertexText, "triangles.vert");
+    uint32_t count = 0;
+    agaaVkGetDrawPasses(view_, &count, nullptr);
+    std::vector<AgaaVkDrawPass> passes(count, AgaaVkDrawPass AGAA_VK_DRAW_PASS_INIT);
+    require(agaaVkGetDrawPasses(view_, &count, passes.data()), context_, "agaaVkGetDrawPasses");
+    for (const AgaaVkDrawPass& pass : passes) {
+        PassPipelines& made = passes_[pass.pipelineKey];
+        const VkDescriptorSetLayout layouts[] = {(VkDescriptorSetLayout)pass.descriptorSetLayout,
+                                                 setLayout_.get()};
+        const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(glm::mat4)};
+        VkPipelineLayoutCreateInfo layout{};
+        layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+        layout.setLayoutCount = 2;
+        layout.pSetLayouts = layouts;
+        layout.pushConstantRangeCount = 1;
+        layout.pPushConstantRanges = &push;
+        made.layout = make<PipelineLayout>(device.get(), vkCreatePipelineLayout, layout,
+                                           "create a pipeline layout");
+        for (int masked : {0, 1}) {
+            const std::string text = std::string("#version 450\n") + pass.glslExtensions +
+                                     "#define AGAA_ALPHA_MASKED " + std::to_string(masked) +
+                                     "\n#define STAGE_SHADER " +
+                                     std::to_string(int(settings_.shader)) + "\n" +
+                                     pass.glslDeclarations + fragmentText;
+            made.fragments[masked] = makeShader(device, ShaderStage::Fragment, text, pass.name);
+            PipelineState state(pass, masked != 0);
+            state.vertexLocations = 0;
+            const auto renderPass = (VkRenderPass)pass.renderPass;
+            made.pipelines[masked] = state.create(
+                device, vertex_.get(), made.fragments[masked].get(), made.layout.get(), renderPass,
+                renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
+        }
+    }
+}
+
+void StageView::setTriangles(const std::vector<Triangle>& triangles) {
+    const size_t count = std::max<size_t>(triangles.size(), 1);
+    vertices_ = arena_.hostBuffer(count * 3 * 2 * sizeof(glm::vec4),
+                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    materials_ = arena_.hostBuffer(count * sizeof(Material), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    runs_.clear();
+    for (uint32_t i = 0; i < triangles.size(); ++i) {
+        const Triangle& t = triangles[i];
+        for (uint32_t corner = 0; corner < 3; ++corner) {
+            const glm::vec4 data[2] = {glm::vec4(t.position[corner], 0),
+                                       glm::vec4(t.uv[corner], 0, 0)};
+            std::memcpy(vertices_.mapped + (3 * i + corner) * sizeof data, data, sizeof data);
+        }
+        std::memcpy(materials_.mapped + i * sizeof(Material), &t.material, sizeof(Material));
+        if (runs_.empty() || runs_.back().isMasked != t.isMasked)
+            runs_.push_back({3 * i, 0, t.isMasked});
+        runs_.back().count += 3;
+    }
+    VkWriteDescriptorSet writes[2]{};
+    VkDescriptorBufferInfo infos[2];
+    for (uint32_t i = 0; i < 2; ++i) {
+        infos[i] = {(i == 0 ? vertices_ : materials_).buffer.get(), 0, VK_WHOLE_SIZE};
+        writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        writes[i].dstSet = set_;
+        writes[i].dstBinding = i;
+        writes[i].descriptorCount = 1;
+        writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        writes[i].pBufferInfo = &infos[i];
+    }
+    vkUpdateDescriptorSets(sharedDevice().get(), 2, writes, 0, nullptr);
+}
+
+AgaaFrame StageView::frame() {
+    AgaaFrame frame = AGAA_FRAME_INIT;
+    frame.completedFrame = frameIndex_;
+    frame.frameIndex = ++frameIndex_;
+    std::memcpy(frame.view, &settings_.view, sizeof frame.view);
+    std::memcpy(frame.projection, &settings_.projection, sizeof frame.projection);
+    frame.draw = onDraw;
+    frame.drawUser = this;
+    return frame;
+}
+
+AgaaVkFrame StageView::vkFrame(VkCommandBuffer commands) {
+    AgaaVkFrame frame = AGAA_VK_FRAME_INIT;
+    frame.commandBuffer = commands;
+    frame.outputImage = (uint64_t)output_.image();
+    frame.outputView = (uint64_t)output_.view();
+    frame.outputLayoutIn = VK_IMAGE_LAYOUT_UNDEFINED;
+    frame.outputLayoutOut = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    return frame;
+}
+
+void StageView::render(const AgaaFrame& wanted, const std::function<void(AgaaVkFrame&)>& change,
+                       bool splitSegments) {
+    sharedDevice().runCommands([&](VkCommandBuffer commands) {
+        AgaaVkFrame vk = vkFrame(commands);
+        if (change)
+            change(vk);
+        AgaaFrame frame = wanted;
+        std::vector<uint64_t> calls = {AGAA_SEGMENT_ALL};
+        if (splitSegments)
+            calls = {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING};
+        for (uint64_t segments : calls) {
+            frame.segments = segments;
+            require(agaaVkRecordFrame(view_, &frame, &vk), context_, "agaaVkRecordFrame");
+        }
+    });
+}
+
+AgaaFrameStatistics StageView::statistics() const {
+    AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
+    require(agaaGetFrameStatistics(view_, frameIndex_, &statistics), context_,
+            "agaaGetFrameStatistics");
+    return statistics;
+}
+
+AgaaResult AGAA_CALL StageView::onDraw(void* user, const AgaaDrawTarget* target) {
+    return static_cast<StageView*>(user)->draw(*target);
+}
+
+AgaaResult StageView::draw(const AgaaDrawTarget& target) {
+    ++drawCalls;
+    const auto result = drawResults.find(target.pass);
+    if (result != drawResults.end())
+        return result->second;
+    const auto commands = static_cast<VkCommandBuffer>(target.commandBuffer);
+    const PassPipelines& pass = passes_.at(target.pipelineKey);
+    setViewport(commands, target.width, target.height);
+    const VkDescriptorSet sets[] = {(VkDescriptorSet)target.descriptorSet, set_};
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.layout.get(), 0, 2,
+                            sets, 0, nullptr);
+    const glm::mat4 clip = settings_.projection * settings_.view;
+    vkCmdPushConstants(commands, pass.layout.get(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof clip,
+                       &clip);
+    for (const Run& run : runs_) {
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                          pass.pipelines[run.isMasked].get());
+        vkCmdDraw(commands, run.count, 1, run.first, 0);
+    }
+    return AGAA_OK;
+}
+
+ResourceId StageView::find(const std::string& name) const {
+    for (ResourceId id = 0; id < plan().resources.size(); ++id)
+        if (plan().resources[id].name == name)
+            return id;
+    throw std::runtime_error("The plan has no resource \"" + name + "\".");
+}
+
+std::vector<glm::uvec4> StageView::readSurface(const std::string& name) const {
+    const ResourceId id = find(name);
+    return readTexels(sharedDevice(), plan().resources[id], (*view_->resources)[id].fetchView);
+}
+
+std::vector<uint32_t> StageView::readBuffer(const std::string& name) const {
+    const ResourceId id = find(name);
+    return readWords(sharedDevice(), (*view_->resources)[id].buffers[0],
+                     plan().resources[id].bytes);
+}
+
+size_t StageView::sampleIndex(uint32_t x, uint32_t y, uint32_t i) const {
+    const Plan& p = plan();
+    const uint32_t group = i / p.hwSamples;
+    const size_t texelX = size_t(x) * p.scaleX + group % p.scaleX;
+    const size_t texelY = size_t(y) * p.scaleY + group / p.scaleX;
+    return (texelY * (size_t(p.width) * p.scaleX) + texelX) * p.hwSamples + i % p.hwSamples;
+}
+
+} // namespace agaa::test

@@ -1,0 +1,146 @@
+// The smallest host that can look inside: it draws known triangles through the public interface and
+// reads the SDK's own surfaces back.
+#pragma once
+
+#include "agaa_vk.h"
+#include "triangles.h"
+
+#include "vk/arena.h"
+#include "vk/device.h"
+#include "vk/output_image.h"
+#include "vk/pipeline_state.h"
+// The library's own, for reading surfaces back.
+#include "../../../src/vk/view.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace agaa::test {
+
+struct LogLine {
+    AgaaResult code;
+    std::string text;
+};
+
+struct HostOptions {
+    bool renderPass = false;
+    bool inlineRecording = false;
+    uint32_t framesInFlight = 2;
+    AgaaVkGetInstanceProcAddr getProcAddr = harness::vk::Device::getProcAddr;
+};
+
+// One Vulkan device with validation for the process; messages of any kind fail the test at hand.
+harness::vk::Device& sharedDevice();
+
+class StageContext {
+public:
+    explicit StageContext(const HostOptions& options = {});
+    ~StageContext();
+    StageContext(const StageContext&) = delete;
+    StageContext& operator=(const StageContext&) = delete;
+
+    AgaaContext get() const { return context_; }
+    const AgaaDeviceCaps& caps() const { return caps_; }
+    std::vector<LogLine> lines; // what the SDK logged
+
+private:
+    AgaaContext context_ = nullptr;
+    AgaaDeviceCaps caps_ = AGAA_DEVICE_CAPS_INIT;
+};
+
+struct ViewSettings {
+    AgaaConfig config = AGAA_CONFIG_INIT;
+    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
+    uint32_t width = 48;
+    uint32_t height = 32;
+    uint64_t flags = 0;
+    glm::mat4 projection = perspective(60, 1.5f, 0.1f, 100);
+    glm::mat4 view{1};
+    // What the material shader does instead of passing the triangle's material on.
+    enum class Shader { Material, PrimitiveIds, UvInside, UvAtCentre } shader = Shader::Material;
+};
+
+// Depth array images for AgaaVkFrame::shadowViews, each layer filled with one value.
+class ShadowLayers {
+public:
+    ShadowLayers(const std::vector<float>& layers, uint32_t size);
+    uint64_t view() const { return (uint64_t)image_.view.get(); }
+
+private:
+    harness::vk::Arena arena_;
+    harness::vk::ImageResource image_;
+};
+
+class StageView {
+public:
+    StageView(StageContext& context, const ViewSettings& settings);
+    ~StageView();
+    StageView(const StageView&) = delete;
+    StageView& operator=(const StageView&) = delete;
+
+    void setTriangles(const std::vector<Triangle>& triangles);
+    // Next frame's structs, complete but for what the test wants to change. Lights and shadows are the
+    // test's.
+    AgaaFrame frame();
+    AgaaVkFrame vkFrame(VkCommandBuffer commands);
+
+    // Records by one call, or a call a segment, runs and waits. Throws where the SDK refuses.
+    void render(const AgaaFrame& frame,
+                const std::function<void(AgaaVkFrame&)>& change = nullptr,
+                bool splitSegments = false);
+    // The image just rendered.
+    harness::Image image() const { return output_.read(); }
+    AgaaFrameStatistics statistics() const;
+
+    const agaa::Plan& plan() const { return view_->plan; }
+    AgaaView get() const { return view_; }
+    const ViewSettings& settings() const { return settings_; }
+    const harness::vk::OutputImage& output() const { return output_; }
+
+    // A surface by its name in the plan, texel by texel, sample by sample; floats as their bits.
+    std::vector<glm::uvec4> readSurface(const std::string& name) const;
+    // The words of a buffer.
+    std::vector<uint32_t> readBuffer(const std::string& name) const;
+    // Index of sample i of a pixel in what readSurface returns.
+    size_t sampleIndex(uint32_t x, uint32_t y, uint32_t i) const;
+
+    // Makes the draw callback of a pass return this; a pass that is called counts.
+    std::map<uint32_t, AgaaResult> drawResults;
+    uint32_t drawCalls = 0;
+
+private:
+    static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);
+    AgaaResult draw(const AgaaDrawTarget& target);
+    void makePipelines();
+    agaa::ResourceId find(const std::string& name) const;
+
+    struct PassPipelines {
+        harness::vk::PipelineLayout layout;
+        harness::vk::ShaderModule fragments[2];
+        harness::vk::Pipeline pipelines[2]; // opaque, masked
+    };
+
+    StageContext& context_;
+    ViewSettings settings_;
+    AgaaView view_ = nullptr;
+    uint64_t frameIndex_ = 0;
+    harness::vk::OutputImage output_;
+    harness::vk::Arena arena_;
+    harness::vk::BufferResource vertices_, materials_;
+    harness::vk::DescriptorSetLayout setLayout_;
+    harness::vk::DescriptorPool pool_;
+    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    harness::vk::ShaderModule vertex_;
+    std::map<uint64_t, PassPipelines> passes_; // by pipeline key
+    struct Run {
+        uint32_t first, count;
+        bool isMasked;
+    };
+    std::vector<Run> runs_;
+};
+
+} // namespace agaa::test

@@ -1,0 +1,155 @@
+#include "surface_reader.h"
+
+#include "vk/arena.h"
+#include "vk/pipeline_state.h"
+
+#include <cstring>
+
+using namespace harness::vk;
+
+namespace agaa::test {
+
+namespace {
+
+std::string shaderText(const Resource& resource) {
+    const bool isUint = resource.format == Format::R8U || resource.format == Format::R16U ||
+                        resource.format == Format::R32U || resource.format == Format::RG32U;
+    std::string text = "#version 450\nlayout(local_size_x = 8, local_size_y = 8) in;\n";
+    text += std::string("layout(binding = 0) uniform ") + (isUint ? "u" : "") + "sampler2D" +
+            (resource.samples > 1 ? "MS" : "") + " surface;\n";
+    text += "layout(std430, binding = 1) writeonly buffer Out { uvec4 texels[]; };\n";
+    text += "const uint samples = " + std::to_string(resource.samples) + "u;\n";
+    text += "const uvec2 size = uvec2(" + std::to_string(resource.width) + "u, " +
+            std::to_string(resource.height) + "u);\n";
+    text += R"(void main() {
+    uvec2 p = gl_GlobalInvocationID.xy;
+    if (any(greaterThanEqual(p, size)))
+        return;
+    for (uint s = 0u; s < samples; ++s)
+        texels[(p.y * size.x + p.x) * samples + s] = )";
+    const std::string fetch =
+        std::string("texelFetch(surface, ivec2(p), ") + (resource.samples > 1 ? "int(s))" : "0)");
+    return text + (isUint ? fetch : "floatBitsToUint(" + fetch + ")") + ";\n}\n";
+}
+
+void everythingBefore(VkCommandBuffer commands) {
+    VkMemoryBarrier barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+    barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT;
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
+                         VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &barrier, 0, nullptr, 0,
+                         nullptr);
+}
+
+void toHost(VkCommandBuffer commands) {
+    VkMemoryBarrier barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+    barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT,
+                         0, 1, &barrier, 0, nullptr, 0, nullptr);
+}
+
+} // namespace
+
+std::vector<glm::uvec4> readTexels(const Device& device, const Resource& resource,
+                                   VkImageView view) {
+    const size_t count = size_t(resource.width) * resource.height * resource.samples;
+    Arena arena(device);
+    const BufferResource out = arena.hostBuffer(count * sizeof(glm::uvec4),
+                                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, true);
+    VkSamplerCreateInfo samplerInfo{};
+    samplerInfo.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+    const Sampler sampler =
+        make<Sampler>(device.get(), vkCreateSampler, samplerInfo, "create a sampler");
+    const VkDescriptorSetLayoutBinding bindings[] = {
+        {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr},
+        {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr}};
+    VkDescriptorSetLayoutCreateInfo setInfo{};
+    setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    setInfo.bindingCount = 2;
+    setInfo.pBindings = bindings;
+    const auto setLayout = make<DescriptorSetLayout>(device.get(), vkCreateDescriptorSetLayout,
+                                                     setInfo, "create a set layout");
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1},
+                                          {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1}};
+    VkDescriptorPoolCreateInfo poolInfo{};
+    poolInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    poolInfo.maxSets = 1;
+    poolInfo.poolSizeCount = 2;
+    poolInfo.pPoolSizes = sizes;
+    const auto pool =
+        make<DescriptorPool>(device.get(), vkCreateDescriptorPool, poolInfo, "create a pool");
+    const VkDescriptorSetLayout layouts[] = {setLayout.get()};
+    VkDescriptorSetAllocateInfo allocate{};
+    allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+    allocate.descriptorPool = pool.get();
+    allocate.descriptorSetCount = 1;
+    allocate.pSetLayouts = layouts;
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    check(vkAllocateDescriptorSets(device.get(), &allocate, &set), "allocate a set");
+    const VkDescriptorImageInfo image{sampler.get(), view,
+                                      isDepth(resource.format)
+                                          ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
+                                          : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    const VkDescriptorBufferInfo buffer{out.buffer.get(), 0, VK_WHOLE_SIZE};
+    VkWriteDescriptorSet writes[2]{};
+    for (uint32_t i = 0; i < 2; ++i) {
+        writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        writes[i].dstSet = set;
+        writes[i].dstBinding = i;
+        writes[i].descriptorCount = 1;
+        writes[i].descriptorType = bindings[i].descriptorType;
+        writes[i].pImageInfo = &image;
+        writes[i].pBufferInfo = &buffer;
+    }
+    vkUpdateDescriptorSets(device.get(), 2, writes, 0, nullptr);
+
+    VkPipelineLayoutCreateInfo layoutInfo{};
+    layoutInfo.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    layoutInfo.setLayoutCount = 1;
+    layoutInfo.pSetLayouts = layouts;
+    const auto layout = make<PipelineLayout>(device.get(), vkCreatePipelineLayout, layoutInfo,
+                                             "create a pipeline layout");
+    const ShaderModule shader =
+        makeShader(device, ShaderStage::Compute, shaderText(resource), resource.name);
+    VkComputePipelineCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+    info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+    info.stage.module = shader.get();
+    info.stage.pName = "main";
+    info.layout = layout.get();
+    VkPipeline handle = VK_NULL_HANDLE;
+    check(vkCreateComputePipelines(device.get(), VK_NULL_HANDLE, 1, &info, nullptr, &handle),
+          "create a compute pipeline");
+    const Pipeline pipeline(device.get(), handle);
+    device.runCommands([&](VkCommandBuffer commands) {
+        everythingBefore(commands);
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout.get(), 0, 1, &set,
+                                0, nullptr);
+        vkCmdDispatch(commands, (resource.width + 7) / 8, (resource.height + 7) / 8, 1);
+        toHost(commands);
+    });
+    std::vector<glm::uvec4> texels(count);
+    std::memcpy(texels.data(), out.mapped, count * sizeof(glm::uvec4));
+    return texels;
+}
+
+std::vector<uint32_t> readWords(const Device& device, VkBuffer buffer, uint64_t bytes) {
+    Arena arena(device);
+    const BufferResource out = arena.hostBuffer(bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, true);
+    device.runCommands([&](VkCommandBuffer commands) {
+        everythingBefore(commands);
+        const VkBufferCopy region{0, 0, bytes};
+        vkCmdCopyBuffer(commands, buffer, out.buffer.get(), 1, &region);
+        toHost(commands);
+    });
+    std::vector<uint32_t> words(bytes / 4);
+    std::memcpy(words.data(), out.mapped, words.size() * 4);
+    return words;
+}
+
+} // namespace agaa::test
