@@ -1,0 +1,213 @@
+#include "shading_oracle.h"
+
+#include "shader_math.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace agaa::test {
+
+using math_d::agaa_Surface;
+
+ShadingOracle::ShadingOracle(StageView& view, const AgaaFrame& frame, Visibility visibility)
+    : view_(view), frame_(frame), constants_(frameConstants(view.plan(), frame)),
+      visibility_(std::move(visibility)), depth_(view.readSurface("depth")) {
+    if (view.plan().aggregates) {
+        words_ = view.readBuffer("aggregates");
+    } else {
+        for (size_t i = 0; i < packGBuffer(view.plan().layout).attachments.size(); ++i)
+            gbuffer_.push_back(view.readSurface("gbuffer-" + std::to_string(i)));
+    }
+}
+
+glm::dvec3 ShadingOracle::pixel(uint32_t x, uint32_t y) const {
+    return view_.plan().aggregates ? aggregatedPixel(x, y) : perSamplePixel(x, y);
+}
+
+glm::dvec3 ShadingOracle::position(uint32_t x, uint32_t y, uint32_t i) const {
+    using namespace math_d;
+    const Plan& plan = view_.plan();
+    const float* p = constants_.projection;
+    const double depth =
+        double(std::bit_cast<float>(depth_[view_.sampleIndex(x, y, i)].x));
+    const uint orthographic = p[6] != 0.0f;
+    const rvec2 ndc((x + double(constants_.samples[i][0])) / plan.width * 2 - 1,
+                    (y + double(constants_.samples[i][1])) / plan.height * 2 - 1);
+    const rvec3 v = agaa_viewPosition(
+        ndc, agaa_viewZFromDepth(depth, double(p[4]), double(p[5]), orthographic), double(p[0]),
+        double(p[1]), double(p[2]), double(p[3]), orthographic);
+    glm::mat4 view;
+    std::memcpy(&view, frame_.view, sizeof view);
+    return glm::transpose(glm::dmat3(glm::mat3(view))) * v;
+}
+
+static glm::dvec3 towardsEye(const glm::dvec3& position, const FrameConstants& constants) {
+    if (constants.projection[6] == 0.0f)
+        return -glm::normalize(position);
+    return {double(constants.view[2]), double(constants.view[6]), double(constants.view[10])};
+}
+
+// The layout's description in words: integer sums of codes, each of so many bits.
+ShadingOracle::Shaded ShadingOracle::aggregate(const uint32_t* words, uint32_t count,
+                                               const glm::dvec3& toEye) const {
+    const Plan& plan = view_.plan();
+    const AggregatePacking packing = packAggregate(plan.layout, plan.samples);
+    const uint32_t growth = uint32_t(std::bit_width(plan.samples) - 1);
+    const auto mean = [&](uint32_t channel) {
+        const Field& f = packing.fields[channel];
+        if (!f.bits)
+            return 0.0;
+        const uint32_t bits = f.bits + growth;
+        const uint64_t sum = uint64_t(words[f.word]) >> f.shift & ((uint64_t(1) << bits) - 1);
+        return double(sum) / (double(count) * double((1u << f.bits) - 1));
+    };
+    const auto mean3 = [&](uint32_t first) {
+        return glm::dvec3(mean(first), mean(first + 1), mean(first + 2));
+    };
+    Shaded s;
+    s.diffuse = mean3(ChannelDiffuseR);
+    const glm::dvec3 normal = mean3(ChannelNormalX) * 2.0 - 1.0;
+    double length = 0;
+    math_d::agaa_meanDirection(normal, toEye, s.normal, length);
+    s.meanLength = math_d::agaa_varianceFloor(
+        length, math_d::agaa_storedLengthBound(1, packing.fields[ChannelNormalX].bits));
+    s.specular = mean3(ChannelSpecularR);
+    if (plan.layout.specularIsYCbCr())
+        s.specular = glm::max(math_d::agaa_yCbCrToRgb(s.specular), glm::dvec3(0));
+    if (plan.layout.foldsRoughness()) {
+        s.alpha2 = math_d::agaa_alpha2FromFoldedLength(length);
+        s.meanLength = 1;
+    } else {
+        const double own = packing.fields[ChannelRoughness].bits ? mean(ChannelRoughness) : 1.0;
+        s.alpha2 = plan.config.ndf ? math_d::agaa_toksvigAlpha2(own, s.meanLength) : own;
+    }
+    const double range = double(plan.layout.emissiveRange());
+    s.emissive = range * mean3(ChannelEmissiveR);
+    if (plan.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
+        s.emissive = range * mean(ChannelEmissiveR) * s.diffuse;
+    return s;
+}
+
+ShadingOracle::Shaded ShadingOracle::sample(size_t index) const {
+    const Plan& plan = view_.plan();
+    const GBufferPacking packing = packGBuffer(plan.layout);
+    const auto value = [&](uint32_t channel) {
+        const Field& f = packing.fields[channel];
+        return f.bits ? double(std::bit_cast<float>(gbuffer_[f.word][index][int(f.shift)])) : 0.0;
+    };
+    const auto value3 = [&](uint32_t first) {
+        return glm::dvec3(value(first), value(first + 1), value(first + 2));
+    };
+    Shaded s;
+    s.diffuse = value3(ChannelDiffuseR);
+    s.specular = value3(ChannelSpecularR);
+    s.normal = math_d::agaa_decodeOct({value(ChannelNormalX), value(ChannelNormalY)},
+                                      packing.fields[ChannelNormalX].bits);
+    s.alpha2 = packing.fields[ChannelRoughness].bits ? value(ChannelRoughness) : 1.0;
+    const double range = double(plan.layout.emissiveRange());
+    s.emissive = range * value3(ChannelEmissiveR);
+    if (plan.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
+        s.emissive = range * value(ChannelEmissiveR) * s.diffuse;
+    return s;
+}
+
+glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
+                                const std::vector<double>& visibility) const {
+    const glm::dvec3 toEye = towardsEye(position, constants_);
+    const AgaaConfig& config = view_.plan().config;
+    const agaa_Surface surface{s.diffuse, s.specular, s.emissive, s.normal, s.meanLength, s.alpha2};
+    glm::dvec3 sum = s.emissive;
+    for (int i = 0; i < 3; ++i)
+        sum[i] += double(frame_.ambient[i]) * (s.diffuse[i] + s.specular[i]);
+    for (uint32_t i = 0; i < frame_.lightCount; ++i) {
+        const AgaaLight& light = frame_.lights[i];
+        const glm::dvec3 direction(light.direction[0], light.direction[1], light.direction[2]);
+        glm::dvec3 toLight = -direction;
+        double intensity = 1;
+        if (light.type != AGAA_LIGHT_DIRECTIONAL) {
+            const glm::dvec3 d =
+                glm::dvec3(light.position[0], light.position[1], light.position[2]) - position;
+            intensity = math_d::agaa_pointAttenuation(glm::dot(d, d), double(light.range),
+                                                      double(light.radius * light.radius));
+            toLight = glm::normalize(d);
+            if (light.type == AGAA_LIGHT_SPOT)
+                intensity *= math_d::agaa_spotCone(glm::dot(-toLight, direction),
+                                                   double(light.cosInner), double(light.cosOuter));
+        }
+        if (light.shadowMap != AGAA_NO_SHADOW)
+            intensity *= visibility[light.shadowMap];
+        if (intensity <= 0)
+            continue;
+        const glm::dvec3 brdf =
+            math_d::agaa_shade(surface, toEye, toLight, config.brdf,
+                               !(config.flags & AGAA_CONFIG_NO_DIFFUSE_FILTER));
+        sum += brdf * glm::dvec3(light.color[0], light.color[1], light.color[2]) * intensity;
+    }
+    return sum;
+}
+
+glm::dvec3 ShadingOracle::perSamplePixel(uint32_t x, uint32_t y) const {
+    const Plan& plan = view_.plan();
+    const GBufferPacking packing = packGBuffer(plan.layout);
+    const Field& normal = packing.fields[ChannelNormalX];
+    glm::dvec3 sum(0);
+    uint32_t covered = 0;
+    for (uint32_t i = 0; i < plan.samples; ++i) {
+        const size_t index = view_.sampleIndex(x, y, i);
+        if (gbuffer_[normal.word][index][int(normal.shift)] == 0)
+            continue;
+        ++covered;
+        const glm::dvec3 at = position(x, y, i);
+        std::vector<double> visibility;
+        for (uint32_t map = 0; map < frame_.shadowCount; ++map) {
+            visibility.push_back(visibility_(map, at));
+            ++shadowTaps_;
+        }
+        sum += light(sample(index), at, visibility);
+    }
+    events_ += covered;
+    const glm::dvec3 background(frame_.background[0], frame_.background[1], frame_.background[2]);
+    return (sum + background * double(plan.samples - covered)) / double(plan.samples);
+}
+
+glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
+    const Plan& plan = view_.plan();
+    const AggregatePacking packing = packAggregate(plan.layout, plan.samples);
+    glm::dvec3 sum(0);
+    uint32_t covered = 0;
+    for (uint32_t a = 0; a < plan.aggregates; ++a) {
+        const uint32_t* words =
+            &words_[((size_t(y) * plan.width + x) * plan.aggregates + a) * packing.words];
+        const uint64_t field = words[packing.coverage.word] >> packing.coverage.shift;
+        const uint32_t mask = uint32_t(field & ((uint64_t(1) << plan.samples) - 1));
+        if (!mask)
+            continue;
+        ++events_;
+        const uint32_t count = uint32_t(std::popcount(mask));
+        covered += count;
+        std::vector<glm::dvec3> places;
+        for (uint32_t i = 0; i < plan.samples; ++i)
+            if (mask >> i & 1)
+                places.push_back(position(x, y, i));
+        glm::dvec3 mean(0);
+        for (const glm::dvec3& place : places)
+            mean += place / double(count);
+        std::vector<double> visibility;
+        const uint32_t taps = std::min(count, plan.config.shadowTaps ? plan.config.shadowTaps : 8u);
+        const bool filter = !(plan.config.flags & AGAA_CONFIG_NO_SHADOW_FILTER);
+        for (uint32_t map = 0; map < frame_.shadowCount; ++map) {
+            double lit = 0;
+            for (uint32_t j = 0; filter && j < taps; ++j)
+                lit += visibility_(map, places[(2 * j + 1) * count / (2 * taps)]) / taps;
+            visibility.push_back(filter ? lit : visibility_(map, mean));
+            shadowTaps_ += filter ? taps : 1;
+        }
+        sum += double(count) *
+               light(aggregate(words, count, towardsEye(mean, constants_)), mean, visibility);
+    }
+    const glm::dvec3 background(frame_.background[0], frame_.background[1], frame_.background[2]);
+    return (sum + background * double(plan.samples - covered)) / double(plan.samples);
+}
+
+} // namespace agaa::test

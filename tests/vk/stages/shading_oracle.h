@@ -1,0 +1,49 @@
+// Lighting of surfaces read back from the GPU, in double.
+#pragma once
+
+#include "stage_host.h"
+
+#include "core/frame_data.h"
+
+#include <functional>
+
+namespace agaa::test {
+
+// The light that a point gets through shadow map `map`, in [0,1]; NaN where the oracle will not say
+// because rounding decides.
+using Visibility = std::function<double(uint32_t map, const glm::dvec3& position)>;
+
+class ShadingOracle {
+public:
+    ShadingOracle(StageView& view, const AgaaFrame& frame, Visibility visibility);
+
+    // The pixel's colour, or NaN where the oracle will not say.
+    glm::dvec3 pixel(uint32_t x, uint32_t y) const;
+
+    uint64_t shadowTaps() const { return shadowTaps_; }
+    uint64_t events() const { return events_; }
+
+private:
+    struct Shaded {
+        glm::dvec3 diffuse, specular, emissive, normal;
+        double meanLength = 1, alpha2 = 1;
+    };
+    Shaded aggregate(const uint32_t* words, uint32_t count, const glm::dvec3& toEye) const;
+    Shaded sample(size_t index) const;
+    glm::dvec3 position(uint32_t x, uint32_t y, uint32_t i) const; // shading space
+    glm::dvec3 light(const Shaded& s, const glm::dvec3& position,
+                     const std::vector<double>& visibility) const;
+    glm::dvec3 perSamplePixel(uint32_t x, uint32_t y) const;
+    glm::dvec3 aggregatedPixel(uint32_t x, uint32_t y) const;
+
+    StageView& view_;
+    AgaaFrame frame_;
+    FrameConstants constants_;
+    Visibility visibility_;
+    std::vector<glm::uvec4> depth_;
+    std::vector<std::vector<glm::uvec4>> gbuffer_;
+    std::vector<uint32_t> words_;
+    mutable uint64_t shadowTaps_ = 0, events_ = 0;
+};
+
+} // namespace agaa::test
