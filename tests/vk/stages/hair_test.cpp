@@ -1,0 +1,102 @@
+// Attributes of primitives thinner than a pixel.
+#include "stage_host.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+
+namespace agaa::test {
+namespace {
+
+constexpr uint32_t width = 64, height = 16;
+
+// Upright hairs an eighth of a pixel wide, each at another place between the pixel's samples, with
+// texture coordinates from 1/4 to 3/4 across.
+std::vector<Triangle> hairs() {
+    std::vector<Triangle> list;
+    for (uint32_t i = 0; i < width; ++i) {
+        const float x = float(i) + float(i) / float(width) * 0.875f;
+        for (Triangle t : rectangle(x, 0, x + 0.125f, height, 1, {})) {
+            for (glm::vec2& uv : t.uv)
+                uv = 0.25f + 0.5f * uv;
+            list.push_back(t);
+        }
+    }
+    return list;
+}
+
+struct Found {
+    size_t values = 0;
+    float lowest = 1, highest = 0;
+};
+
+// Texture coordinates of all samples that hairs cover.
+Found acrossHairs(uint32_t n, ViewSettings::Shader shader) {
+    StageContext context;
+    ViewSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.shader = shader;
+    settings.projection = pixelOrthographic(width, height, 10);
+    settings.config.technique = "ssaa";
+    settings.config.samples = n;
+    settings.config.flags = AGAA_CONFIG_READBACK;
+    settings.facts.shadowMapCount = 0;
+    StageView view(context, settings);
+    view.setTriangles(hairs());
+    view.render(view.frame());
+    const GBufferPacking packing = packGBuffer(view.plan().layout);
+    const Field& u = packing.fields[ChannelDiffuseR];
+    const Field& normal = packing.fields[ChannelNormalX];
+    const auto texels = view.readSurface("gbuffer-" + std::to_string(u.word));
+    const auto normals = view.readSurface("gbuffer-" + std::to_string(normal.word));
+    Found found;
+    for (size_t i = 0; i < texels.size(); ++i) {
+        if (normals[i][int(normal.shift)] == 0)
+            continue;
+        const float value = std::bit_cast<float>(texels[i][int(u.shift)]);
+        ++found.values;
+        found.lowest = std::min(found.lowest, value);
+        found.highest = std::max(found.highest, value);
+    }
+    return found;
+}
+
+// A value at the pixel's centre is up to four hairs' widths away and is clamped at 0 or 1.
+TEST(Hair, HardCase59AttributesComeFromInside) {
+    for (uint32_t n : {4u, 8u, 16u, 32u}) {
+        const Found inside = acrossHairs(n, ViewSettings::Shader::UvInside);
+        EXPECT_GT(inside.values, size_t(height) * n) << "hairs must cover samples";
+        EXPECT_GE(inside.lowest, 0.25f - 1.0f / 255) << "n=" << n;
+        EXPECT_LE(inside.highest, 0.75f + 1.0f / 255) << "n=" << n;
+        const Found centre = acrossHairs(n, ViewSettings::Shader::UvAtCentre);
+        EXPECT_EQ(centre.lowest, 0.0f) << "the test must be able to fail";
+        EXPECT_EQ(centre.highest, 1.0f) << "the test must be able to fail";
+    }
+}
+
+// Every sample that a hair covers is found in every pass.
+TEST(Hair, HardCase26CoverageIsThatOfThePrepass) {
+    StageContext context;
+    for (uint32_t n : {1u, 4u, 8u, 16u, 32u}) {
+        ViewSettings settings;
+        settings.width = width;
+        settings.height = height;
+        settings.projection = pixelOrthographic(width, height, 10);
+        settings.config.samples = n;
+        settings.config.flags = AGAA_CONFIG_COUNTERS;
+        settings.facts.shadowMapCount = 0;
+        StageView view(context, settings);
+        view.setTriangles(hairs());
+        view.render(view.frame());
+        const AgaaCounters counters = view.statistics().counters;
+        EXPECT_GT(counters.visible, 0u);
+        EXPECT_EQ(counters.once, counters.visible);
+        EXPECT_EQ(counters.missed + counters.multi, 0u);
+        // An eighth of each pixel's area, but for what the sample pattern makes of it.
+        EXPECT_NEAR(double(counters.visible), double(width * height * n) / 8, n == 1 ? 200 : 600);
+    }
+}
+
+} // namespace
+} // namespace agaa::test

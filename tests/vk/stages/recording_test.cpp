@@ -1,0 +1,285 @@
+// Misuse of a real context: an error code, one clear sentence, nothing recorded, nothing lost.
+#include "stage_host.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace agaa::test {
+namespace {
+
+ViewSettings settings() {
+    ViewSettings s;
+    s.config.samples = 4;
+    s.config.flags = AGAA_CONFIG_COUNTERS;
+    return s;
+}
+
+struct Bench {
+    StageContext context;
+    StageView view;
+    ShadowLayers shadow{{1.0f}, 4};
+    AgaaShadow map{};
+    AgaaLight light{};
+
+    explicit Bench(const HostOptions& options = {}) : context(options), view(context, settings()) {
+        view.setTriangles(randomTriangles({.triangles = 20}, 41));
+        map.layerCount = 1;
+        for (int i = 0; i < 4; ++i)
+            map.matrices[0][5 * i] = 1;
+        light.type = AGAA_LIGHT_DIRECTIONAL;
+        light.direction[2] = -1;
+        light.color[0] = 1;
+    }
+    AgaaFrame frame() {
+        AgaaFrame f = view.frame();
+        f.lights = &light;
+        f.lightCount = 1;
+        f.shadows = &map;
+        f.shadowCount = 1;
+        return f;
+    }
+    AgaaResult record(AgaaFrame& frame, AgaaVkFrame& vk) {
+        context.lines.clear();
+        return agaaVkRecordFrame(view.get(), &frame, &vk);
+    }
+    // A complete frame of its own, to see that the view still works.
+    void renderGoodFrame() {
+        view.render(frame(), [&](AgaaVkFrame& vk) { vk.shadowViews[0] = shadow.view(); });
+        EXPECT_GT(view.statistics().counters.visible, 0u);
+    }
+    void expectOneSentence(AgaaResult code, const char* what) {
+        ASSERT_EQ(context.lines.size(), 1u) << what;
+        const LogLine& line = context.lines[0];
+        EXPECT_EQ(line.code, code) << what;
+        EXPECT_EQ(line.text.back(), '.') << line.text;
+        EXPECT_GT(line.text.size(), 20u) << line.text;
+    }
+};
+
+struct Row {
+    const char* what;
+    AgaaResult expected;
+    std::function<void(AgaaFrame&, AgaaVkFrame&, Bench&)> spoil;
+};
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+const AgaaStructHeader unknownStruct = {77, sizeof(AgaaStructHeader), nullptr};
+
+const Row rows[] = {
+    {"wrong sType", AGAA_ERROR_STRUCT, [](auto& f, auto&, auto&) { f.sType = 3; }},
+    {"wrong structSize", AGAA_ERROR_STRUCT, [](auto& f, auto&, auto&) { f.structSize -= 8; }},
+    {"unknown struct in chain", AGAA_ERROR_UNKNOWN_STRUCT,
+     [](auto& f, auto&, auto&) { f.pNext = &unknownStruct; }},
+    {"backend: wrong structSize", AGAA_ERROR_STRUCT,
+     [](auto&, auto& vk, auto&) { vk.structSize = 0; }},
+    {"backend: unknown struct", AGAA_ERROR_UNKNOWN_STRUCT,
+     [](auto&, auto& vk, auto&) { vk.pNext = &unknownStruct; }},
+    {"no draw callback", AGAA_ERROR_INVALID_ARGUMENT,
+     [](auto& f, auto&, auto&) { f.draw = nullptr; }},
+    {"no command buffer", AGAA_ERROR_INVALID_ARGUMENT,
+     [](auto&, auto& vk, auto&) { vk.commandBuffer = nullptr; }},
+    {"no output image", AGAA_ERROR_INVALID_ARGUMENT,
+     [](auto&, auto& vk, auto&) { vk.outputImage = 0; }},
+    {"no output view", AGAA_ERROR_INVALID_ARGUMENT,
+     [](auto&, auto& vk, auto&) { vk.outputView = 0; }},
+    {"output left in no layout", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& vk, auto&) { vk.outputLayoutOut = VK_IMAGE_LAYOUT_UNDEFINED; }},
+    {"composites without the view's flag", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto& vk, auto&) {
+         f.background[3] = 0;
+         vk.outputLayoutIn = VK_IMAGE_LAYOUT_GENERAL;
+     }},
+    {"no shadow view", AGAA_ERROR_INVALID_ARGUMENT,
+     [](auto&, auto& vk, auto&) { vk.shadowViews[0] = 0; }},
+    {"more shadows than declared", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.shadowCount = 2; }},
+    {"shadows null", AGAA_ERROR_INVALID_ARGUMENT,
+     [](auto& f, auto&, auto&) { f.shadows = nullptr; }},
+    {"shadow without layers", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& b) { b.map.layerCount = 0; }},
+    {"shadow with seven layers", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& b) { b.map.layerCount = 7; }},
+    {"shadow bias NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto&, auto& b) { b.map.depthBias = nan; }},
+    {"shadow matrix infinite", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& b) { b.map.matrices[0][3] = infinity; }},
+    {"lights null", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&, auto&) { f.lights = nullptr; }},
+    {"more lights than declared", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.lightCount = 65; }},
+    {"light of unknown type", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& b) { b.light.type = 9; }},
+    {"light colour NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& b) { b.light.color[1] = nan; }},
+    {"light colour negative", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& b) { b.light.color[1] = -1; }},
+    {"light without direction", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& b) { b.light.direction[2] = 0; }},
+    {"light names no shadow map", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& b) { b.light.shadowMap = 3; }},
+    {"projection NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.projection[0] = nan; }},
+    {"projection of zeros", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { std::fill_n(f.projection, 16, 0.0f); }},
+    {"view infinite", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.view[5] = infinity; }},
+    {"view with a translation", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.view[12] = 3; }},
+    {"view that is no rotation", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.view[0] = 2; }},
+    {"ambient NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.ambient[2] = nan; }},
+    {"background NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.background[1] = nan; }},
+    {"no segment", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.segments = 0; }},
+    {"unknown segment", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.segments = 15; }},
+    {"begins with the last segment", AGAA_ERROR_WRONG_ORDER,
+     [](auto& f, auto&, auto&) { f.segments = AGAA_SEGMENT_SHADING; }},
+    {"leaves a segment out", AGAA_ERROR_WRONG_ORDER,
+     [](auto& f, auto&, auto&) { f.segments = AGAA_SEGMENT_PREPASS | AGAA_SEGMENT_SHADING; }},
+    {"frame 0", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.frameIndex = 0; }},
+    {"a frame completed that has not begun", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.completedFrame = f.frameIndex; }},
+};
+
+// A refused frame leaves an empty command buffer, which runs without a message of validation; the next
+// frame is as good as ever.
+TEST(Recording, MisuseIsRefusedAndChangesNothing) {
+    Bench bench;
+    bench.renderGoodFrame();
+    const std::vector<float> expected = bench.view.image().rgb;
+    const AgaaShadow map = bench.map;
+    const AgaaLight light = bench.light;
+    for (const Row& row : rows) {
+        bench.view.drawCalls = 0;
+        sharedDevice().runCommands([&](VkCommandBuffer commands) {
+            AgaaFrame frame = bench.frame();
+            AgaaVkFrame vk = bench.view.vkFrame(commands);
+            vk.shadowViews[0] = bench.shadow.view();
+            row.spoil(frame, vk, bench);
+            EXPECT_EQ(bench.record(frame, vk), row.expected) << row.what;
+            bench.expectOneSentence(row.expected, row.what);
+        });
+        EXPECT_EQ(bench.view.drawCalls, 0u) << row.what;
+        bench.map = map;
+        bench.light = light;
+    }
+    bench.renderGoodFrame();
+    EXPECT_EQ(bench.view.image().rgb, expected);
+}
+
+TEST(Recording, NullPointersAreRefused) {
+    Bench bench;
+    AgaaFrame frame = bench.frame();
+    AgaaVkFrame vk = bench.view.vkFrame(nullptr);
+    EXPECT_EQ(agaaVkRecordFrame(nullptr, &frame, &vk), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaVkRecordFrame(bench.view.get(), nullptr, &vk), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaVkRecordFrame(bench.view.get(), &frame, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaVkGetDrawPasses(bench.view.get(), nullptr, nullptr),
+              AGAA_ERROR_INVALID_ARGUMENT);
+    uint32_t count = 0;
+    EXPECT_EQ(agaaVkGetDrawPasses(nullptr, &count, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 1, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    AgaaVkDrawPass small = AGAA_VK_DRAW_PASS_INIT;
+    count = 1;
+    EXPECT_EQ(agaaVkGetDrawPasses(bench.view.get(), &count, &small), AGAA_ERROR_BUFFER_TOO_SMALL);
+    AgaaVkDrawPass passes[2] = {AGAA_VK_DRAW_PASS_INIT, AGAA_VK_DRAW_PASS_INIT};
+    passes[1].structSize = 1;
+    count = 2;
+    EXPECT_EQ(agaaVkGetDrawPasses(bench.view.get(), &count, passes), AGAA_ERROR_STRUCT);
+}
+
+// Draw callbacks fail in either pass. With secondary recording the host's command buffer stays empty.
+TEST(Recording, AFailingCallbackRecordsNothing) {
+    Bench bench;
+    bench.renderGoodFrame();
+    const std::vector<float> expected = bench.view.image().rgb;
+    for (uint32_t pass : {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE}) {
+        bench.view.drawResults[pass] = -77;
+        sharedDevice().runCommands([&](VkCommandBuffer commands) {
+            AgaaFrame frame = bench.frame();
+            AgaaVkFrame vk = bench.view.vkFrame(commands);
+            vk.shadowViews[0] = bench.shadow.view();
+            EXPECT_EQ(bench.record(frame, vk), AGAA_ERROR_CALLBACK);
+            bench.expectOneSentence(AGAA_ERROR_CALLBACK, "callback");
+            EXPECT_NE(bench.context.lines[0].text.find("-77"), std::string::npos);
+            // The same frame can be recorded after all.
+            bench.view.drawResults.clear();
+            EXPECT_EQ(bench.record(frame, vk), AGAA_OK);
+        });
+        EXPECT_EQ(bench.view.image().rgb, expected);
+    }
+}
+
+TEST(Recording, AFailingCallbackInlineIsPartial) {
+    Bench bench({.inlineRecording = true});
+    bench.renderGoodFrame();
+    const std::vector<float> expected = bench.view.image().rgb;
+    bench.view.drawResults[AGAA_DRAW_PASS_AGGREGATE] = 5;
+    const VkCommandBuffer commands = sharedDevice().beginCommands();
+    AgaaFrame frame = bench.frame();
+    AgaaVkFrame vk = bench.view.vkFrame(commands);
+    vk.shadowViews[0] = bench.shadow.view();
+    EXPECT_EQ(bench.record(frame, vk), AGAA_ERROR_PARTIAL);
+    bench.expectOneSentence(AGAA_ERROR_PARTIAL, "inline");
+    sharedDevice().discardCommands(commands);
+    bench.view.drawResults.clear();
+    bench.renderGoodFrame();
+    EXPECT_EQ(bench.view.image().rgb, expected);
+}
+
+TEST(Recording, FramesAndSegmentsHaveAnOrder) {
+    Bench bench;
+    sharedDevice().runCommands([&](VkCommandBuffer commands) {
+        AgaaVkFrame vk = bench.view.vkFrame(commands);
+        vk.shadowViews[0] = bench.shadow.view();
+        AgaaFrame first = bench.frame();
+        first.segments = AGAA_SEGMENT_PREPASS;
+        EXPECT_EQ(bench.record(first, vk), AGAA_OK);
+        EXPECT_EQ(bench.record(first, vk), AGAA_ERROR_WRONG_ORDER) << "twice";
+        first.segments = AGAA_SEGMENT_SHADING;
+        EXPECT_EQ(bench.record(first, vk), AGAA_ERROR_WRONG_ORDER) << "one left out";
+        first.segments = AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING;
+        EXPECT_EQ(bench.record(first, vk), AGAA_OK);
+        AgaaFrame again = first;
+        again.segments = AGAA_SEGMENT_ALL;
+        EXPECT_EQ(bench.record(again, vk), AGAA_ERROR_WRONG_ORDER) << "the same frame";
+        AgaaFrame second = bench.frame();
+        second.completedFrame = 0;
+        EXPECT_EQ(bench.record(second, vk), AGAA_OK) << "two in flight";
+        AgaaFrame third = bench.frame();
+        third.completedFrame = 0;
+        EXPECT_EQ(bench.record(third, vk), AGAA_ERROR_WRONG_ORDER) << "three in flight";
+        bench.expectOneSentence(AGAA_ERROR_WRONG_ORDER, "in flight");
+    });
+    bench.renderGoodFrame();
+}
+
+// What was begun and given up does not stop the next frame.
+TEST(Recording, AnUnfinishedFrameCanBeLeft) {
+    Bench bench;
+    sharedDevice().runCommands([&](VkCommandBuffer commands) {
+        AgaaVkFrame vk = bench.view.vkFrame(commands);
+        AgaaFrame frame = bench.frame();
+        frame.segments = AGAA_SEGMENT_PREPASS;
+        vk.shadowViews[0] = bench.shadow.view();
+        EXPECT_EQ(bench.record(frame, vk), AGAA_OK);
+    });
+    bench.renderGoodFrame();
+}
+
+TEST(Recording, StatisticsWaitForACompletedFrame) {
+    Bench bench;
+    AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
+    EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 0, &statistics), AGAA_NOT_READY);
+    bench.renderGoodFrame();
+    EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 0, &statistics), AGAA_NOT_READY);
+    EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 1, &statistics), AGAA_OK);
+    EXPECT_EQ(statistics.frameIndex, 1u);
+    EXPECT_EQ(statistics.geometryPasses, 2u);
+    EXPECT_GT(statistics.payloadBytes, 0u);
+    EXPECT_GE(statistics.driverBytes, statistics.payloadBytes);
+    statistics.structSize = 4;
+    EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 1, &statistics), AGAA_ERROR_STRUCT);
+}
+
+} // namespace
+} // namespace agaa::test
