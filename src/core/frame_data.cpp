@@ -37,7 +37,7 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame) {
     return out;
 }
 
-void writeLights(const AgaaFrame& frame, void* destination) {
+static void writeLights(const AgaaFrame& frame, void* destination) {
     auto* shadows = static_cast<GpuShadow*>(destination);
     for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i) {
         GpuShadow shadow{};
@@ -62,6 +62,22 @@ void writeLights(const AgaaFrame& frame, void* destination) {
         light.cosOuter = source.cosOuter;
         light.radius = source.radius;
         std::memcpy(&lights[i], &light, sizeof light);
+    }
+}
+
+void writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
+                 void* destination) {
+    switch (content) {
+    case UploadContent::None:
+        break;
+    case UploadContent::FrameConstants: {
+        const FrameConstants constants = frameConstants(plan, frame);
+        std::memcpy(destination, &constants, sizeof constants);
+        break;
+    }
+    case UploadContent::Lights:
+        writeLights(frame, destination);
+        break;
     }
 }
 

@@ -7,7 +7,8 @@
 namespace agaa {
 
 FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame);
-// destination: lightBufferBytes(maxLights) bytes.
-void writeLights(const AgaaFrame& frame, void* destination);
+// Fills an upload buffer of the plan; destination holds as many bytes as the resource.
+void writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
+                 void* destination);
 
 } // namespace agaa

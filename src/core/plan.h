@@ -35,9 +35,13 @@ enum class ResourceKind {
     ShadowMap,    // the host's, sampled with comparison
 };
 
+// What the executor writes into an upload buffer each frame (src/core/frame_data.h).
+enum class UploadContent { None, FrameConstants, Lights };
+
 struct Resource {
     std::string name;
     ResourceKind kind = ResourceKind::Image;
+    UploadContent content = UploadContent::None;
     Format format = Format::None;
     uint32_t width = 0;
     uint32_t height = 0;

@@ -44,11 +44,13 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     setConstants();
     frame_ = add({.name = "frame-constants",
                   .kind = ResourceKind::UploadBuffer,
+                  .content = UploadContent::FrameConstants,
                   .format = Format::Buffer,
                   .bytes = sizeof(FrameConstants),
                   .copies = framesInFlight});
     lights_ = add({.name = "lights",
                    .kind = ResourceKind::UploadBuffer,
+                   .content = UploadContent::Lights,
                    .format = Format::Buffer,
                    .bytes = lightBufferBytes(plan.facts.maxLights),
                    .copies = framesInFlight});

@@ -97,7 +97,12 @@ AgaaContext_T::AgaaContext_T(const AgaaVkContextDesc& desc)
                              dynamicRendering);
     texelSampler = createSampler(*this, false);
     name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)texelSampler, "agaa texel sampler");
-    shadowSampler = createSampler(*this, true);
+    try {
+        shadowSampler = createSampler(*this, true);
+    } catch (...) {
+        vk.DestroySampler(device, texelSampler, nullptr);
+        throw;
+    }
     name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)shadowSampler, "agaa shadow sampler");
 }
 

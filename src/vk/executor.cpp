@@ -59,18 +59,9 @@ void AgaaView_T::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame)
 }
 
 void AgaaView_T::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
-    for (ResourceId id = 0; id < plan.resources.size(); ++id) {
-        const Resource& resource = plan.resources[id];
-        if (resource.kind != ResourceKind::UploadBuffer)
-            continue;
-        void* memory = (*resources)[id].mapped[slot];
-        if (resource.bytes == sizeof(FrameConstants) && resource.name == "frame-constants") {
-            const FrameConstants constants = frameConstants(plan, frame);
-            std::memcpy(memory, &constants, sizeof constants);
-        } else {
-            writeLights(frame, memory);
-        }
-    }
+    for (ResourceId id = 0; id < plan.resources.size(); ++id)
+        if (plan.resources[id].content != UploadContent::None)
+            writeUpload(plan, plan.resources[id].content, frame, (*resources)[id].mapped[slot]);
 }
 
 // Only of the passes about to be recorded: sets that an earlier segment bound must not change.
