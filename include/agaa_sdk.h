@@ -214,7 +214,7 @@ typedef enum AgaaTier {
     AGAA_TIER_NV_MIXED_SAMPLES = 16,  /* the paper's: additive blending with coverage override */
     AGAA_TIER_POST_DEPTH_ATOMICS = 17, /* fragment coverage after the depth test, integer atomics */
     AGAA_TIER_PER_SAMPLE = 18,         /* one invocation per sample, integer atomics */
-    AGAA_TIER_GBUFFER = 19,            /* from a full multisampled G-buffer */
+    AGAA_TIER_GBUFFER = 19,            /* one geometry pass into a full multisampled G-buffer */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 
@@ -259,7 +259,8 @@ typedef struct AgaaConfig {
 #define AGAA_FACT_EMISSIVE UINT64_C(0x02)
 #define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04)
 #define AGAA_FACT_AMBIENT UINT64_C(0x08)
-#define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10) /* materials write depth or discard on their own */
+#define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10) /* materials write depth or discard on their own:
+                                                 generation takes the tier gbuffer */
 #define AGAA_FACT_ALL_SHADED (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED | AGAA_FACT_AMBIENT)
 
 #define AGAA_MAX_SHADOW_MAPS 4
@@ -332,7 +333,7 @@ typedef struct AgaaCapability {
     uint32_t stage; /* AgaaStage */
     uint32_t tier;  /* AgaaTier; AUTO where the stage cannot run */
     uint32_t isNative;
-    float relativePrice; /* measured time of the stage relative to its best tier; 1 for the best */
+    float relativePrice; /* measured time, relative to native visibility or post-depth atomics */
     char reason[244];    /* one sentence */
 } AgaaCapability;
 

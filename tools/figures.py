@@ -8,6 +8,7 @@ import argparse
 import json
 import os
 import pathlib
+import statistics
 import subprocess
 import sys
 import time
@@ -30,6 +31,7 @@ class Bench:
         self.size = arguments.size
         self.frames = arguments.frames
         self.spp = arguments.spp
+        self.times = arguments.times
         self.work = arguments.out / "work"
         self.work.mkdir(parents=True, exist_ok=True)
 
@@ -75,8 +77,8 @@ class Bench:
             run = {"technique": technique, "samples": n, "aggregates": c}
             for field in ("shadingEventsPerPixel", "shadingEventsPerCoveredPixel",
                           "maxEventsPerPixel", "bytesPerPixel", "bytesPerAggregate",
-                          "predictedBytes", "memoryBytes", "driverBytes", "peakBytes", "frameMs",
-                          "passes", "counters", "tiers"):
+                          "predictedBytes", "memoryBytes", "driverBytes", "peakBytes", "counters",
+                          "tiers"):
                 run[field] = row.get(field)
             run["apiMessages"] = len(row["apiMessages"])
             run["againstSsaa"] = self.call(
@@ -86,12 +88,49 @@ class Bench:
                 f"{stem}-vs-reference", ["compare", str(reference), str(images[key])])
             out["runs"].append(run)
             out["device"], out["driver"] = row["device"], row["driver"]
+        if self.times:
+            out["times"] = self.interleaved(name, view)
         return out
+
+    def interleaved(self, name, view):
+        """Frame and pass times of ssaa and agaa at n = 8, in the order A B B A, without counters."""
+        frames = {"ssaa": [], "agaa": []}
+        passes = {"ssaa": {}, "agaa": {}}
+        for turn, technique in enumerate(["ssaa", "agaa", "agaa", "ssaa"]):
+            row = self.call(f"{name}-time-{turn}",
+                            ["render", *view, "--technique", technique, "--samples", "8",
+                             "--aggregates", "2", "--frames", str(self.frames), "--warmup", "2",
+                             "--no-counters", "--no-validation"])
+            frames[technique].append(row["frameMs"])
+            for item in row["passes"]:
+                if item["ms"]:
+                    passes[technique].setdefault(item["name"], []).append(item["ms"]["median"])
+        return {t: {"median": statistics.mean(f["median"] for f in frames[t]),
+                    "p95": max(f["p95"] for f in frames[t]),
+                    "passes": {n: statistics.mean(v) for n, v in passes[t].items()}}
+                for t in frames}
 
 
 def find(scene, technique, n, c):
     return next(r for r in scene["runs"]
                 if (r["technique"], r["samples"], r["aggregates"]) == (technique, n, c))
+
+
+def time_table(data):
+    lines = ["\n## Time (median and p95 in ms of frames run in the order A B B A)\n",
+             "Ratios within this table mean something; on a software rasteriser absolute times do "
+             "not.\n",
+             "| scene | ssaa n=8 | agaa n=8 c=2 | ssaa / agaa | agaa passes | ssaa passes |",
+             "|---|---|---|---|---|---|"]
+
+    def passes(run):
+        return ", ".join(f"{name} {ms:.0f}" for name, ms in run["passes"].items() if ms >= 0.5)
+    for s in data["scenes"]:
+        a, b = s["times"]["ssaa"], s["times"]["agaa"]
+        lines.append(f"| {s['scene']} | {a['median']:.0f} ({a['p95']:.0f}) | "
+                     f"{b['median']:.0f} ({b['p95']:.0f}) | {a['median'] / b['median']:.2f} | "
+                     f"{passes(b)} | {passes(a)} |")
+    return lines
 
 
 def markdown(data):
@@ -116,18 +155,8 @@ def markdown(data):
                 ("ssaa", 32, 1)]
         lines.append(f"| {s['scene']} | {s['splitHalfMseTm']:.1e} | " + " | ".join(
             f"{find(s, *k)['againstReference']['mseTm']:.2e}" for k in keys) + " |")
-    lines += ["\n## Time (median ms; ratios within a run mean something, absolute times do not)\n",
-              "| scene | ssaa n=8 | agaa n=8 c=2 | ratio | agaa passes | ssaa passes |",
-              "|---|---|---|---|---|---|"]
-
-    def passes(run):
-        return ", ".join(f"{p['name']} {p['ms']['median']:.0f}" for p in run["passes"]
-                         if p["ms"] and p["ms"]["median"] >= 0.5)
-    for s in data["scenes"]:
-        a, b = find(s, "ssaa", 8, 1), find(s, "agaa", 8, 2)
-        ta, tb = a["frameMs"]["median"], b["frameMs"]["median"]
-        lines.append(f"| {s['scene']} | {ta:.0f} | {tb:.0f} | {ta / tb:.2f} | {passes(b)} | "
-                     f"{passes(a)} |")
+    if "times" in data["scenes"][0]:
+        lines += time_table(data)
     lines += ["\n## Memory of the tier that runs (bytes per pixel)\n",
               "| run | payload | per aggregate | driver | peak |", "|---|---|---|---|---|"]
     width, height = map(int, data["size"].split("x"))
@@ -149,6 +178,7 @@ def main():
     parser.add_argument("--size", default="640x360")
     parser.add_argument("--frames", default=5, type=int)
     parser.add_argument("--spp", default=512, type=int)
+    parser.add_argument("--times", action="store_true", help="also run times: an idle machine")
     parser.add_argument("scenes", nargs="*", help="names; default: all")
     arguments = parser.parse_args()
     shared = pathlib.Path(os.environ.get("AGAA_SCENES", "../shared/scenes"))

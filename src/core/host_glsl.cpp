@@ -66,7 +66,7 @@ std::string storeAttachments(const Pass& pass) {
     for (size_t i = 0; i < pass.colorTargets.size(); ++i) {
         std::string components[4] = {"0.0", "0.0", "0.0", "0.0"};
         for (uint32_t channel = 0; channel < ChannelCount; ++channel) {
-            const uint32_t field = pass.constants[AGAA_FIELD_DIFFUSE_R + channel];
+            const uint32_t field = pass.constants[AGAA_SOURCE_DIFFUSE_R + channel];
             if (field >> 16 && (field & 0xFF) == i)
                 components[field >> 8 & 0xFF] = format("c[%u]", channel);
         }
@@ -103,7 +103,7 @@ std::string defines(const Plan& plan, const Pass& pass, uint32_t descriptorSet) 
         defineSwitch(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
     }
     if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
-        define(out, "AGAA_FIELD_NORMAL_X", c[AGAA_FIELD_NORMAL_X]);
+        define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
     return out;
 }
 

@@ -29,17 +29,13 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
         technique.aggregates ? std::min(plan.config.aggregates, plan.samples) : 0;
     chooseVisibilityTier();
     if (technique.aggregates) {
-        const GenerationChoice choice =
-            chooseGeneration(caps_, plan.hwSamples, plan.config.generationTier);
+        const GenerationChoice choice = chooseGeneration(
+            caps_, plan.hwSamples, plan.config.generationTier, hasFact(AGAA_FACT_CUSTOM_DEPTH));
         if (choice.tier == AGAA_TIER_AUTO)
             fail(AGAA_ERROR_UNSUPPORTED, "generation cannot run: " + choice.reason);
         plan.generationTier = choice.tier;
         plan.runnable = plan.runnable && choice.runnable;
         note("generation: " + choice.reason);
-        if (hasFact(AGAA_FACT_CUSTOM_DEPTH))
-            fail(AGAA_ERROR_UNSUPPORTED,
-                 "materials that write depth or discard on their own need the gbuffer tier, which "
-                 "this version has only in the techniques \"single\" and \"ssaa\".");
     }
     setConstants();
     frame_ = add({.name = "frame-constants",
@@ -75,10 +71,11 @@ void PlanBuilder::chooseVisibilityTier() {
     note("visibility: " + choice.reason);
 }
 
-void setFields(Constants& constants, const Fields& fields) {
+void setFields(Constants& constants, Constant first, const Fields& fields) {
     static_assert(AGAA_FIELD_EMISSIVE_B - AGAA_FIELD_DIFFUSE_R + 1 == ChannelCount);
+    static_assert(AGAA_SOURCE_EMISSIVE_B - AGAA_SOURCE_DIFFUSE_R + 1 == ChannelCount);
     for (uint32_t i = 0; i < ChannelCount; ++i)
-        constants[AGAA_FIELD_DIFFUSE_R + i] = fields[i].constant();
+        constants[first + i] = fields[i].constant();
 }
 
 void PlanBuilder::setConstants() {
@@ -190,6 +187,8 @@ Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string&
         const bool on = *letter == 'm'   ? plan.hwSamples > 1
                         : *letter == 's' ? plan.facts.shadowMapCount > 0
                         : *letter == 'b' ? plan.composite
+                        : *letter == 'a' ? plan.aggregates > 1
+                        : *letter == 'g' ? plan.generationTier == AGAA_TIER_GBUFFER
                                          : counts();
         pass.shader += *letter;
         pass.shader += on ? '1' : '0';

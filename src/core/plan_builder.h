@@ -48,7 +48,8 @@ public:
 
     Pass& hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment);
     // permutation: switches that the shader is compiled for, of m (multisampled target), s (shadows),
-    // c (counters) and b (compositing over the output); see src/CMakeLists.txt.
+    // c (counters), b (compositing over the output), a (several aggregates) and g
+    // (normals of a G-buffer); see src/CMakeLists.txt.
     Pass& compute(std::string name, AgaaStage stage, const std::string& shader,
                   const char* permutation, uint64_t segment);
     Pass& fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment);
@@ -82,7 +83,7 @@ private:
     uint32_t framesInFlight_;
 };
 
-// Fields of a packing as specialisation constants.
-void setFields(Constants& constants, const Fields& fields);
+// Fields of a packing as specialisation constants from AGAA_FIELD_DIFFUSE_R or AGAA_SOURCE_DIFFUSE_R on.
+void setFields(Constants& constants, Constant first, const Fields& fields);
 
 } // namespace agaa

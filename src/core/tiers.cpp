@@ -8,6 +8,10 @@
 
 namespace agaa {
 
+// G-buffer and gather pass (154 ms) against prepass and generation (251 ms): bamboo, n = 8,
+// lavapipe.
+constexpr float gbufferPrice = 0.6f;
+
 static bool hasSamples(const AgaaDeviceCaps& caps, uint32_t samples) {
     return (caps.sampleCounts >> std::countr_zero(samples)) & 1;
 }
@@ -52,7 +56,8 @@ VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, 
     return choice;
 }
 
-GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples, uint32_t forced) {
+GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples, uint32_t forced,
+                                  bool customDepth) {
     GenerationChoice choice;
     const auto accept = [&](AgaaTier tier, float price, const char* reason) {
         choice.tier = tier;
@@ -64,6 +69,17 @@ GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples
         choice.reason = reason;
         return choice;
     };
+    const auto fromGBuffer = [&](const char* reason) {
+        return accept(AGAA_TIER_GBUFFER, gbufferPrice, reason);
+    };
+    if (forced == AGAA_TIER_GBUFFER)
+        return fromGBuffer("a multisampled G-buffer is aggregated by a compute pass.");
+    if (customDepth)
+        return forced == AGAA_TIER_AUTO
+                   ? fromGBuffer("materials that write depth or discard on their own are drawn once, "
+                                 "into a multisampled G-buffer.")
+                   : refuse("materials that write depth or discard on their own need the tier "
+                            "gbuffer.");
     if (forced == AGAA_TIER_NV_MIXED_SAMPLES) {
         if (!(caps.flags & AGAA_DEVICE_NV_MIXED_SAMPLES))
             return refuse("the device has no mixed samples with coverage override.");
@@ -72,7 +88,10 @@ GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples
                       "mixed samples with additive blending; priced, not yet run.");
     }
     if (!(caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS))
-        return refuse("the device has no atomics in fragment shaders.");
+        return forced == AGAA_TIER_AUTO
+                   ? fromGBuffer("without atomics in fragment shaders a multisampled G-buffer is "
+                                 "aggregated by a compute pass.")
+                   : refuse("the device has no atomics in fragment shaders.");
     const bool postDepth = caps.flags & AGAA_DEVICE_POST_DEPTH_COVERAGE;
     switch (forced) {
     case AGAA_TIER_AUTO:
@@ -92,7 +111,10 @@ GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples
         if (caps.flags & AGAA_DEVICE_SAMPLE_RATE_SHADING)
             return accept(AGAA_TIER_PER_SAMPLE, 2, // 376 against 183 ms: bamboo, n = 4, lavapipe
                           "one invocation per sample with integer atomics.");
-        return refuse("the device has no sample-rate shading.");
+        return forced == AGAA_TIER_AUTO
+                   ? fromGBuffer("without post-depth coverage and sample-rate shading a multisampled "
+                                 "G-buffer is aggregated by a compute pass.")
+                   : refuse("the device has no sample-rate shading.");
     default:
         break;
     }
@@ -126,7 +148,7 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
                                       visibility.relativePrice, visibility.reason));
             if (technique->aggregates && visibility.tier != AGAA_TIER_AUTO) {
                 const GenerationChoice generation =
-                    chooseGeneration(caps, visibility.hwSamples, AGAA_TIER_AUTO);
+                    chooseGeneration(caps, visibility.hwSamples, AGAA_TIER_AUTO, false);
                 rows.push_back(capability(*technique, samples, AGAA_STAGE_GENERATION,
                                           generation.tier, false, generation.relativePrice,
                                           generation.reason));

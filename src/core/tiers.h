@@ -24,7 +24,10 @@ struct GenerationChoice {
     float relativePrice = 1;
     std::string reason;
 };
-GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples, uint32_t forced);
+// customDepth: some materials write depth or discard on their own, so that no pass can compare with the
+// depth of an earlier one before it runs them.
+GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples, uint32_t forced,
+                                  bool customDepth);
 
 std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps);
 

@@ -54,7 +54,20 @@ TEST(Planner, GenerationFallsBackToOneInvocationPerSample) {
     caps.flags &= ~AGAA_DEVICE_POST_DEPTH_COVERAGE;
     EXPECT_EQ(planFor(spec, caps).generationTier, AGAA_TIER_PER_SAMPLE);
     caps.flags &= ~AGAA_DEVICE_SAMPLE_RATE_SHADING;
+    EXPECT_EQ(planFor(spec, caps).generationTier, AGAA_TIER_GBUFFER);
+    spec.generationTier = AGAA_TIER_PER_SAMPLE;
     EXPECT_THROW(planFor(spec, caps), Error);
+}
+
+// Such materials are drawn once: no pass can test against a depth that they have yet to write.
+TEST(Planner, MaterialsOfTheirOwnDepthGoThroughAGBuffer) {
+    ViewSpec spec;
+    spec.facts |= AGAA_FACT_CUSTOM_DEPTH;
+    const Plan plan = planFor(spec, fourSampleDevice());
+    EXPECT_EQ(plan.generationTier, AGAA_TIER_GBUFFER);
+    EXPECT_EQ(plan.geometryPasses(), 1u);
+    spec.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
+    EXPECT_THROW(planFor(spec, fourSampleDevice()), Error);
 }
 
 TEST(Planner, ForcedTiersAreKeptOrRefused) {
@@ -62,6 +75,8 @@ TEST(Planner, ForcedTiersAreKeptOrRefused) {
     spec.generationTier = AGAA_TIER_PER_SAMPLE;
     EXPECT_EQ(planFor(spec, fourSampleDevice()).generationTier, AGAA_TIER_PER_SAMPLE);
     spec.generationTier = AGAA_TIER_GBUFFER;
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).generationTier, AGAA_TIER_GBUFFER);
+    spec.generationTier = AGAA_TIER_NATIVE; // of another stage
     EXPECT_THROW(planFor(spec, fourSampleDevice()), Error);
     spec.generationTier = AGAA_TIER_AUTO;
     spec.visibilityTier = AGAA_TIER_NATIVE;

@@ -108,8 +108,11 @@ const Row rows[] = {
     {"too many shadow maps", AGAA_ERROR_OUT_OF_RANGE,
      [](Request& r) { r.facts.shadowMapCount = 5; }},
     {"unknown facts", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.facts.flags = 1 << 20; }},
-    {"custom depth", AGAA_ERROR_UNSUPPORTED,
-     [](Request& r) { r.facts.flags |= AGAA_FACT_CUSTOM_DEPTH; }},
+    {"custom depth in a tier that tests depth first", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) {
+         r.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
+         r.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
+     }},
     {"layout that does not pack", AGAA_ERROR_LAYOUT,
      [](Request& r) { r.layout.attributes[0].sampleBits = 9; }},
     {"layout of wrong type", AGAA_ERROR_STRUCT, [](Request& r) { r.layout.sType = 0; }},

@@ -14,7 +14,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     c[3] = s.specular.x;
     c[4] = s.specular.y;
     c[5] = s.specular.z;
-    vec2 code = agaa_encodeOct(s.normal, AGAA_FIELD_NORMAL_X >> 16);
+    vec2 code = agaa_encodeOct(s.normal, AGAA_SOURCE_NORMAL_X >> 16);
     c[6] = code.x;
     c[7] = code.y;
     c[8] = 0.0;

@@ -13,8 +13,31 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "math/metadata.glsl"
 
 layout(set = AGAA_SET, binding = 3) uniform AGAA_TARGET_TEXTURE agaa_depth;
+#if AGAA_FROM_GBUFFER
+#include "passes/gbuffer.glsl"
+#else
 layout(set = AGAA_SET, binding = 4) uniform AGAA_TARGET_TEXTURE agaa_normals;
+#endif
 layout(set = AGAA_SET, binding = 9) writeonly uniform uimage2D agaa_metadata;
+
+// The normal of a sample in a frame that all samples of the pixel share, and a number that is equal for
+// equal normals. False where there is no geometry.
+bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
+#if AGAA_FROM_GBUFFER
+    if (!agaa_fetchSample(pixel, i))
+        return false;
+    normal = agaa_decodeOct(agaa_normalCode(), AGAA_SOURCE_NORMAL_X >> 16);
+    uvec2 c = uvec2(agaa_normalCode() * 65535.0 + 0.5);
+    code = (c.x << 16 | c.y) * 2654435761u >> 16;
+#else
+    uvec2 c = uvec2(AGAA_FETCH(agaa_normals, pixel, i).xy * 255.0 + 0.5);
+    if (c.x + c.y == 0u)
+        return false;
+    normal = agaa_decodeHemiOct8(c);
+    code = c.x << 8 | c.y;
+#endif
+    return true;
+}
 
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
@@ -24,17 +47,16 @@ void main() {
     float nearest2 = 3.0e38;
     float quantum = 0.0;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
-        uvec2 code = uvec2(AGAA_FETCH(agaa_normals, pixel, i).xy * 255.0 + 0.5);
-        if (code.x + code.y == 0u)
+        uint code;
+        if (!agaa_loadNormal(pixel, i, agaa_sampleNormal[i], code))
             continue;
         covered |= 1u << i;
         float depth = AGAA_FETCH(agaa_depth, pixel, i).x;
         vec3 position = agaa_sampleViewPosition(pixel, i, depth);
         agaa_samplePosition[i] = position;
-        agaa_sampleNormal[i] = agaa_decodeHemiOct8(code);
         agaa_sampleKeyA[i] = floatBitsToUint(depth);
         uvec2 place = uvec2(agaa_frame.samplePosition[i].xy * 128.0);
-        agaa_sampleKeyB[i] = code.x << 24 | code.y << 16 | place.x << 8 | place.y;
+        agaa_sampleKeyB[i] = code << 16 | place.x << 8 | place.y;
         nearest2 = min(nearest2, dot(position, position));
         float step = agaa_frame.projection1.w;
         step = step < 0.0 ? -step * depth : step; // float formats: relative

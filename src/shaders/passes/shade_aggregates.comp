@@ -149,8 +149,7 @@ void agaa_shadePixel(uvec2 pixel) {
 #if AGAA_COUNTING
     uint visible = 0u;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
-        vec2 code = AGAA_FETCH(agaa_normals, pixel, i).xy;
-        visible += code.x + code.y > 0.0 ? 1u : 0u;
+        visible += AGAA_FETCH(agaa_normals, pixel, i)[AGAA_COVERAGE_COMPONENT] > 0.0 ? 1u : 0u;
     }
     agaa_count(AGAA_COUNT_VISIBLE, visible);
     agaa_count(AGAA_COUNT_ONCE, covered);

@@ -55,6 +55,10 @@ void main() {
     s.diffuse = vec3(AGAA_INSIDE(uv), 0.0);
 #elif STAGE_SHADER == 3
     s.diffuse = vec3(uv, 0.0);
+#elif STAGE_SHADER == 4
+    gl_FragDepth = triangle % 2u == 0u ? gl_FragCoord.z : 0.999 * gl_FragCoord.z;
+    if ((uint(gl_FragCoord.x) + triangle) % 5u == 0u)
+        discard;
 #endif
     agaa_emit(s);
 }

@@ -61,7 +61,13 @@ struct ViewSettings {
     glm::mat4 projection = perspective(60, 1.5f, 0.1f, 100);
     glm::mat4 view{1};
     // What the material shader does instead of passing the triangle's material on.
-    enum class Shader { Material, PrimitiveIds, UvInside, UvAtCentre } shader = Shader::Material;
+    enum class Shader {
+        Material,
+        PrimitiveIds,
+        UvInside,
+        UvAtCentre,
+        OwnDepth, // writes gl_FragDepth and discards
+    } shader = Shader::Material;
 };
 
 // Depth array images for AgaaVkFrame::shadowViews, each layer filled with one value.

@@ -1,0 +1,36 @@
+#include "core/techniques/gbuffer.h"
+
+#include <algorithm>
+
+namespace agaa {
+
+GBuffer drawGBuffer(PlanBuilder& b) {
+    GBuffer g;
+    g.packing = packGBuffer(b.plan.layout);
+    g.depth = b.depth(false);
+    for (size_t i = 0; i < g.packing.attachments.size(); ++i)
+        g.attachments.push_back(
+            b.image("gbuffer-" + std::to_string(i), g.packing.attachments[i], true));
+    Pass& draw = b.hostDraw("gbuffer", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_GBUFFER,
+                            AGAA_SEGMENT_PREPASS);
+    b.bindCommon(draw);
+    draw.drawState.depthCompare = b.plan.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    draw.drawState.depthWrite = 1;
+    draw.drawState.colorAttachmentCount = uint32_t(g.attachments.size());
+    draw.colorTargets = g.attachments;
+    draw.depthTarget = g.depth;
+    draw.clear = true;
+    setFields(draw.constants, AGAA_SOURCE_DIFFUSE_R, g.packing.fields);
+    return g;
+}
+
+void GBuffer::bind(PlanBuilder& b, Pass& pass) const {
+    b.bind(pass, slot::Depth, BindingType::Texture, depth);
+    // Shaders name four attachments; slots beyond the layout's repeat the last and are not used.
+    for (uint32_t i = 0; i < 4; ++i)
+        b.bind(pass, slot::Surface0 + i, BindingType::Texture,
+               attachments[std::min<size_t>(i, attachments.size() - 1)]);
+    setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packing.fields);
+}
+
+} // namespace agaa

@@ -1,0 +1,59 @@
+// Samples of a multisampled G-buffer: where its attachments are, and what their channels hold.
+#ifndef AGAA_GBUFFER_GLSL
+#define AGAA_GBUFFER_GLSL
+#include "math/encoding.glsl"
+#include "math/light.glsl"
+
+layout(set = AGAA_SET, binding = 4) uniform AGAA_TARGET_TEXTURE agaa_gbuffer0;
+layout(set = AGAA_SET, binding = 5) uniform AGAA_TARGET_TEXTURE agaa_gbuffer1;
+layout(set = AGAA_SET, binding = 6) uniform AGAA_TARGET_TEXTURE agaa_gbuffer2;
+layout(set = AGAA_SET, binding = 7) uniform AGAA_TARGET_TEXTURE agaa_gbuffer3;
+
+vec4 agaa_texels[4];
+
+// Fields are constants, so that each call folds to one component of one texel.
+float agaa_channel(uint field) { return agaa_texels[field & 0xFFu][field >> 8u & 0xFFu]; }
+
+vec3 agaa_channel3(uint x, uint y, uint z) {
+    return vec3(agaa_channel(x), agaa_channel(y), agaa_channel(z));
+}
+
+// False where the sample shows no geometry.
+bool agaa_fetchSample(uvec2 pixel, uint i) {
+    agaa_texels[0] = AGAA_FETCH(agaa_gbuffer0, pixel, i);
+    agaa_texels[1] = AGAA_FETCH(agaa_gbuffer1, pixel, i);
+    agaa_texels[2] = AGAA_FETCH(agaa_gbuffer2, pixel, i);
+    agaa_texels[3] = AGAA_FETCH(agaa_gbuffer3, pixel, i);
+    return agaa_channel(AGAA_SOURCE_NORMAL_X) != 0.0;
+}
+
+vec2 agaa_normalCode() {
+    return vec2(agaa_channel(AGAA_SOURCE_NORMAL_X), agaa_channel(AGAA_SOURCE_NORMAL_Y));
+}
+
+// Emission as stored: in shares of the layout's range, or of range times diffuse.
+vec3 agaa_storedEmissive() {
+    if (AGAA_EMISSIVE_CHANNELS == 3u)
+        return agaa_channel3(AGAA_SOURCE_EMISSIVE_R, AGAA_SOURCE_EMISSIVE_G, AGAA_SOURCE_EMISSIVE_B);
+    return AGAA_EMISSIVE_CHANNELS == 1u ? vec3(agaa_channel(AGAA_SOURCE_EMISSIVE_R)) : vec3(0.0);
+}
+
+agaa_Surface agaa_sampleSurface() {
+    agaa_Surface s;
+    s.diffuse = agaa_channel3(AGAA_SOURCE_DIFFUSE_R, AGAA_SOURCE_DIFFUSE_G, AGAA_SOURCE_DIFFUSE_B);
+    s.normal = agaa_decodeOct(agaa_normalCode(), AGAA_SOURCE_NORMAL_X >> 16);
+    s.meanLength = 1.0;
+    s.specular = vec3(0.0);
+    s.alpha2 = 1.0;
+    if (AGAA_HAS_SPECULAR != 0u) {
+        s.specular = agaa_channel3(AGAA_SOURCE_SPECULAR_R, AGAA_SOURCE_SPECULAR_G,
+                                   AGAA_SOURCE_SPECULAR_B);
+        if (AGAA_SOURCE_ROUGHNESS >> 16 != 0u)
+            s.alpha2 = agaa_channel(AGAA_SOURCE_ROUGHNESS);
+    }
+    s.emissive = agaa_frame.ambient.w * agaa_storedEmissive();
+    if (AGAA_EMISSIVE_CHANNELS == 1u)
+        s.emissive *= s.diffuse;
+    return s;
+}
+#endif
