@@ -96,6 +96,7 @@ typedef enum AgaaStructType {
     AGAA_STRUCTURE_TYPE_MEMORY_REPORT = 8,
     AGAA_STRUCTURE_TYPE_FRAME = 9,
     AGAA_STRUCTURE_TYPE_FRAME_STATISTICS = 10,
+    AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION = 11,
     AGAA_STRUCTURE_TYPE_VK_CONTEXT = 1000,
     AGAA_STRUCTURE_TYPE_VK_FRAME = 1001,
     AGAA_STRUCTURE_TYPE_VK_DRAW_PASS = 1002,
@@ -293,6 +294,25 @@ typedef struct AgaaViewDesc {
 #define AGAA_VIEW_DESC_INIT                                                                         \
     {AGAA_STRUCTURE_TYPE_VIEW, (uint32_t)sizeof(AgaaViewDesc), NULL, 0, 0, NULL, NULL, 0}
 
+/* Chained to AgaaViewDesc: shadows by a function of the host's in place of some shadow maps. It is
+ * compiled into the passes that shade; the text is GLSL 450 and defines
+ *     float agaaHostShadow(uint shadow, vec3 position)
+ * the share of light, [0;1], that a point in shading space gets past AgaaFrame::shadows[shadow]. It runs
+ * in compute: no implicit derivatives. Its resources are in set 1 (Vulkan); names beginning with agaa_
+ * and AGAA_ are the library's. Code that does not compile is AGAA_ERROR_INVALID_ARGUMENT, with the
+ * compiler's first message. */
+typedef struct AgaaShadowFunction {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    const char* glsl;
+    uint32_t shadows;  /* bit i: the function answers for AgaaFrame::shadows[i], whose layerCount is 0 */
+    uint32_t reserved; /* 0 */
+    uint64_t descriptorSetLayout; /* backend's: VkDescriptorSetLayout of set 1, or 0 without resources */
+} AgaaShadowFunction;
+#define AGAA_SHADOW_FUNCTION_INIT                                                                   \
+    {AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, (uint32_t)sizeof(AgaaShadowFunction), NULL, NULL, 0, 0, 0}
+
 /* ---- questions answered without a context --------------------------------------------------- */
 
 #define AGAA_DEVICE_POST_DEPTH_COVERAGE UINT64_C(0x01)
@@ -454,9 +474,10 @@ typedef struct AgaaLight {
 
 /* A shadow map is a 2D array of depth layers, each with its matrix. A point uses the first layer whose
  * clip volume holds it: one layer is a plain map, several in order of detail are cascades, six are the
- * faces of a cube. Points in no layer are lit. Compared as: lit where depth - bias <= stored. */
+ * faces of a cube. Points in no layer are lit. Compared as: lit where depth - bias <= stored. Where an
+ * AgaaShadowFunction answers, layerCount is 0 and the rest is not read. */
 typedef struct AgaaShadow {
-    uint32_t layerCount; /* [1;AGAA_MAX_SHADOW_LAYERS] */
+    uint32_t layerCount; /* [1;AGAA_MAX_SHADOW_LAYERS], or 0: by the host's function */
     float depthBias;     /* in the map's depth, >= 0 */
     float matrices[AGAA_MAX_SHADOW_LAYERS][16]; /* shading space to the layer's clip space, z in [0,w] */
 } AgaaShadow;

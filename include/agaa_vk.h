@@ -133,11 +133,13 @@ typedef struct AgaaVkFrame {
     uint64_t outputView;
     uint32_t outputLayoutIn;  /* VkImageLayout; UNDEFINED: contents are not kept */
     uint32_t outputLayoutOut; /* VkImageLayout the SDK leaves it in, visible to all later commands */
-    /* Depth array views, readable by compute in SHADER_READ_ONLY_OPTIMAL, one per AgaaFrame::shadows. */
+    /* Depth array views, readable by compute in SHADER_READ_ONLY_OPTIMAL, one per AgaaFrame::shadows that
+     * no AgaaShadowFunction answers for. */
     uint64_t shadowViews[AGAA_MAX_SHADOW_MAPS];
+    uint64_t shadowFunctionSet; /* VkDescriptorSet of AgaaShadowFunction::descriptorSetLayout, or 0 */
 } AgaaVkFrame;
 #define AGAA_VK_FRAME_INIT                                                                          \
-    {AGAA_STRUCTURE_TYPE_VK_FRAME, (uint32_t)sizeof(AgaaVkFrame), NULL, NULL, 0, 0, 0, 1, {0, 0, 0, 0}}
+    {AGAA_STRUCTURE_TYPE_VK_FRAME, (uint32_t)sizeof(AgaaVkFrame), NULL, NULL, 0, 0, 0, 1, {0, 0, 0, 0}, 0}
 
 /* Records the frame's segments. Pipeline, descriptor, viewport and dynamic state of the command buffer
  * is undefined afterwards. Returns AGAA_ERROR_CALLBACK with nothing recorded where a draw callback

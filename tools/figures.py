@@ -44,7 +44,8 @@ class Bench:
         result = subprocess.run([self.harness, *arguments, "--json"], stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, text=True)
         if result.returncode != 0:
-            sys.exit(f"figures: {name}: {result.stderr.strip()}")
+            last = result.stderr.strip().splitlines()[-1:] or ["no message"]
+            sys.exit(f"figures: {name}: exit status {result.returncode}: {last[0]}")
         print(f"{name}: {time.monotonic() - begin:.0f} s", flush=True)
         kept.write_text(result.stdout)
         return json.loads(result.stdout)

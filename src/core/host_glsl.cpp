@@ -1,7 +1,7 @@
 #include "core/host_glsl.h"
 
-#include "core/embedded.h"
 #include "core/error.h"
+#include "core/glsl_text.h"
 
 #include <algorithm>
 #include <set>
@@ -9,29 +9,6 @@
 namespace agaa {
 
 namespace {
-
-// Text of a file with its #include lines replaced, each file once.
-void appendExpanded(std::string& out, const std::string& path, std::set<std::string>& seen) {
-    if (!seen.insert(path).second)
-        return;
-    const std::string_view text = embeddedGlsl(path);
-    if (text.empty())
-        fail(AGAA_ERROR_INTERNAL, "the shader text " + path + " is not in the library.");
-    const std::string folder = path.substr(0, path.find('/') + 1);
-    size_t begin = 0;
-    while (begin < text.size()) {
-        const size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view line = text.substr(begin, end - begin);
-        if (line.starts_with("#include \"")) {
-            std::string name(line.substr(10, line.find('"', 10) - 10));
-            appendExpanded(out, name.find('/') == std::string::npos ? folder + name : name, seen);
-        } else {
-            out += line;
-            out += '\n';
-        }
-        begin = end + 1;
-    }
-}
 
 void define(std::string& out, const char* name, uint32_t value) {
     out += format("#define %s %uu\n", name, value);
@@ -119,21 +96,21 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, uint32_t descri
     out += defines(plan, pass, descriptorSet);
     for (const char* path : {"passes/frame.glsl", "math/sanitise.glsl", "math/encoding.glsl",
                              "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "host/surface.glsl"})
-        appendExpanded(out, path, seen);
+        appendGlsl(out, path, seen);
     if (pass.constants[AGAA_COUNTERS])
         out += "layout(std430, set = AGAA_SET, binding = 3) buffer agaa_CounterBlock {\n"
                "    uint words[22];\n} agaa_counterBuffer;\n";
     switch (pass.drawPass) {
     case AGAA_DRAW_PASS_VISIBILITY:
-        appendExpanded(out, "host/visibility.glsl", seen);
+        appendGlsl(out, "host/visibility.glsl", seen);
         break;
     case AGAA_DRAW_PASS_GBUFFER:
         out += storeAttachments(pass);
-        appendExpanded(out, "host/gbuffer.glsl", seen);
+        appendGlsl(out, "host/gbuffer.glsl", seen);
         break;
     case AGAA_DRAW_PASS_AGGREGATE:
         out += putFields(pass.constants);
-        appendExpanded(out, "host/aggregate.glsl", seen);
+        appendGlsl(out, "host/aggregate.glsl", seen);
         break;
     default:
         fail(AGAA_ERROR_INTERNAL, "a draw pass of unknown kind.");

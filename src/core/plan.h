@@ -49,6 +49,7 @@ struct Resource {
     uint32_t layers = 1;
     uint64_t bytes = 0;      // payload of one copy
     uint32_t copies = 1;     // frames in flight for uploads and read-back
+    uint32_t hostSlot = 0;   // ShadowMap: which of the frame's
     uint32_t firstPass = 0;  // lifetime, by index into Plan::passes
     uint32_t lastPass = 0;
 
@@ -83,6 +84,9 @@ struct Pass {
 
     // Compute: one invocation per pixel, 8 x 8 a group.
     std::string shader; // permutation in the library
+    std::string hostCode; // GLSL of the host's: the pass is compiled with it, from these:
+    std::string file;     // below src/shaders
+    std::string defines;  // of the permutation
     Constants constants{};
 
     // HostDraw
@@ -113,6 +117,8 @@ struct Plan {
     AgaaConfig config{};
     AgaaSceneFacts facts{};
     Layout layout;
+    uint32_t functionShadows = 0;     // bit i: the host's function answers for shadow i
+    uint64_t functionSetLayout = 0;   // of set 1 in passes with code of the host's
     bool reversedZ = false;
     bool composite = false; // over what the output holds
     Format depthFormat = Format::None;

@@ -5,6 +5,7 @@
 #include "core/validate.h"
 
 #include <algorithm>
+#include <array>
 
 namespace agaa {
 
@@ -17,6 +18,11 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     plan.composite = view.flags & AGAA_VIEW_COMPOSITE;
     plan.config = checkConfig(view.config);
     plan.facts = checkFacts(view.facts);
+    if (const AgaaShadowFunction* function = checkShadowFunction(view)) {
+        plan.functionShadows = function->shadows;
+        plan.functionSetLayout = function->descriptorSetLayout;
+        shadowFunction_ = function->glsl;
+    }
     plan.layout = reduceLayout(checkLayout(plan.config.layout), plan.facts.flags);
     plan.config.layout = nullptr; // the host's pointer does not outlive the call
     const Technique& technique = *findTechnique(plan.config.technique);
@@ -177,21 +183,32 @@ Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId dr
     return plan.passes.back();
 }
 
+// What a pass is compiled for, by letter in the names of permutations; see src/CMakeLists.txt.
+struct Switch {
+    char letter;
+    const char* define;
+    bool on;
+};
+
 Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string& shader,
                            const char* permutation, uint64_t segment) {
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
+    pass.file = "passes/" + shader + ".comp";
     pass.shader = shader + "_";
+    const Switch switches[] = {{'m', "AGAA_MULTISAMPLED", plan.hwSamples > 1},
+                               {'s', "AGAA_SHADOWS", plan.facts.shadowMapCount > 0},
+                               {'c', "AGAA_COUNTING", counts()},
+                               {'b', "AGAA_COMPOSITE", plan.composite},
+                               {'a', "AGAA_SEVERAL", plan.aggregates > 1},
+                               {'g', "AGAA_FROM_GBUFFER", plan.generationTier == AGAA_TIER_GBUFFER}};
     for (const char* letter = permutation; *letter; ++letter) {
-        const bool on = *letter == 'm'   ? plan.hwSamples > 1
-                        : *letter == 's' ? plan.facts.shadowMapCount > 0
-                        : *letter == 'b' ? plan.composite
-                        : *letter == 'a' ? plan.aggregates > 1
-                        : *letter == 'g' ? plan.generationTier == AGAA_TIER_GBUFFER
-                                         : counts();
-        pass.shader += *letter;
-        pass.shader += on ? '1' : '0';
+        const Switch& s = *std::find_if(std::begin(switches), std::end(switches),
+                                        [&](const Switch& each) { return each.letter == *letter; });
+        pass.shader += s.letter;
+        pass.shader += s.on ? '1' : '0';
+        pass.defines += format("#define %s %d\n", s.define, s.on);
     }
     pass.segment = segment;
     pass.constants = constants_;
@@ -232,13 +249,30 @@ void PlanBuilder::bindLighting(Pass& pass) {
     bind(pass, slot::Output, BindingType::StorageImage, output_, true);
     if (plan.composite)
         bind(pass, slot::Below, BindingType::Texture, output_);
-    // The shader names all four maps; slots beyond the count repeat the last and are not read.
-    for (uint32_t i = 0; plan.facts.shadowMapCount && i < AGAA_MAX_SHADOW_MAPS; ++i) {
-        if (i < plan.facts.shadowMapCount)
-            shadows_.push_back(
-                add({.name = format("shadow-map-%u", i), .kind = ResourceKind::ShadowMap}));
-        bind(pass, slot::Shadow0 + i, BindingType::ShadowTexture, shadows_.back());
-    }
+    bindShadows(pass);
+    listEffects();
+}
+
+// The shader names all four maps; slots without one of their own repeat another and are not read.
+void PlanBuilder::bindShadows(Pass& pass) {
+    std::array<ResourceId, AGAA_MAX_SHADOW_MAPS> maps;
+    ResourceId any = noResource;
+    maps.fill(noResource);
+    for (uint32_t i = 0; i < plan.facts.shadowMapCount; ++i)
+        if (!(plan.functionShadows >> i & 1))
+            any = maps[i] =
+                add({.name = format("shadow-map-%u", i), .kind = ResourceKind::ShadowMap, .hostSlot = i});
+    for (uint32_t i = 0; any != noResource && i < AGAA_MAX_SHADOW_MAPS; ++i)
+        bind(pass, slot::Shadow0 + i, BindingType::ShadowTexture,
+             maps[i] != noResource ? maps[i] : any);
+    if (!plan.functionShadows)
+        return;
+    pass.hostCode = shadowFunction_;
+    pass.defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
+                           plan.functionShadows, any != noResource);
+}
+
+void PlanBuilder::listEffects() {
     if (plan.layout.has(AGAA_SEMANTIC_SPECULAR))
         effect("specular");
     if (plan.layout.has(AGAA_SEMANTIC_EMISSIVE))
@@ -249,6 +283,8 @@ void PlanBuilder::bindLighting(Pass& pass) {
         effect("alpha-mask");
     if (plan.facts.shadowMapCount)
         effect("shadows");
+    if (plan.functionShadows)
+        effect("shadow-function");
     if (plan.aggregates) {
         if (plan.facts.shadowMapCount && constants_[AGAA_SHADOW_FILTER])
             effect("shadow-filter");

@@ -47,9 +47,7 @@ public:
     ResourceId depth(bool needsStencil);
 
     Pass& hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment);
-    // permutation: switches that the shader is compiled for, of m (multisampled target), s (shadows),
-    // c (counters), b (compositing over the output), a (several aggregates) and g
-    // (normals of a G-buffer); see src/CMakeLists.txt.
+    // permutation: the letters of the switches that the shader is compiled for.
     Pass& compute(std::string name, AgaaStage stage, const std::string& shader,
                   const char* permutation, uint64_t segment);
     Pass& fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment);
@@ -58,7 +56,7 @@ public:
               bool writes = false);
     // Frame constants and, where counted, counters.
     void bindCommon(Pass& pass);
-    // Lights, shadow maps and output of a pass that shades.
+    // Lights, shadow maps, the host's shadow function and output of a pass that shades.
     void bindLighting(Pass& pass);
     void copyCounters();
     void effect(const char* name) { plan.effects.push_back(name); }
@@ -70,6 +68,8 @@ private:
     void chooseVisibilityTier();
     void setConstants();
     void checkLimits() const;
+    void bindShadows(Pass& pass);
+    void listEffects();
     void findLifetimes();
     ResourceId add(Resource resource);
 
@@ -79,7 +79,7 @@ private:
     ResourceId lights_ = noResource;
     ResourceId counters_ = noResource;
     ResourceId output_ = noResource;
-    std::vector<ResourceId> shadows_;
+    std::string shadowFunction_; // the host's text
     uint32_t framesInFlight_;
 };
 

@@ -6,7 +6,8 @@
 
 namespace agaa {
 
-void checkHeader(const void* structure, uint32_t sType, size_t structSize, const char* name) {
+void checkHeader(const void* structure, uint32_t sType, size_t structSize, const char* name,
+                 uint32_t known) {
     if (!structure)
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is null.", name));
     const auto* header = static_cast<const AgaaStructHeader*>(structure);
@@ -18,10 +19,18 @@ void checkHeader(const void* structure, uint32_t sType, size_t structSize, const
                                        header->structSize, structSize));
     for (const auto* next = static_cast<const AgaaStructHeader*>(header->pNext); next;
          next = static_cast<const AgaaStructHeader*>(next->pNext))
-        if (!(next->sType & AGAA_STRUCTURE_TYPE_OPTIONAL_BIT))
+        if (!(next->sType & AGAA_STRUCTURE_TYPE_OPTIONAL_BIT) && (!known || next->sType != known))
             fail(AGAA_ERROR_UNKNOWN_STRUCT,
                  format("the chain of %s holds a struct of type %u, which is not known here.", name,
                         next->sType));
+}
+
+const void* findChained(const void* structure, uint32_t sType) {
+    for (const void* next = static_cast<const AgaaStructHeader*>(structure)->pNext; next;
+         next = static_cast<const AgaaStructHeader*>(next)->pNext)
+        if (static_cast<const AgaaStructHeader*>(next)->sType == sType)
+            return next;
+    return nullptr;
 }
 
 void checkRange(double value, double low, double high, const char* name) {
@@ -81,11 +90,29 @@ AgaaSceneFacts checkFacts(const AgaaSceneFacts* pointer) {
 }
 
 void checkViewDesc(const AgaaViewDesc* pointer) {
-    const AgaaViewDesc& desc = checkStruct(pointer, AGAA_STRUCTURE_TYPE_VIEW, "AgaaViewDesc");
+    checkHeader(pointer, AGAA_STRUCTURE_TYPE_VIEW, sizeof *pointer, "AgaaViewDesc",
+                AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION);
+    const AgaaViewDesc& desc = *pointer;
     require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc has no pixels: width and height must be at least 1.");
     require((desc.flags & ~(AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE)) == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc::flags has bits that are not known here.");
+}
+
+const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc) {
+    const void* chained = findChained(&desc, AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION);
+    if (!chained)
+        return nullptr;
+    const auto* function = static_cast<const AgaaShadowFunction*>(chained);
+    require(function->structSize == sizeof *function, AGAA_ERROR_STRUCT,
+            "AgaaShadowFunction has another structSize than this library's.");
+    require(function->glsl, AGAA_ERROR_INVALID_ARGUMENT, "AgaaShadowFunction::glsl is null.");
+    require(function->reserved == 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaShadowFunction::reserved is not 0.");
+    const uint32_t declared = (1u << desc.facts->shadowMapCount) - 1;
+    require(function->shadows != 0 && (function->shadows & ~declared) == 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaShadowFunction::shadows names no shadow, or more than AgaaSceneFacts declares.");
+    return function;
 }
 
 static void checkMatrices(const AgaaFrame& frame) {
@@ -141,7 +168,7 @@ static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCo
         bad("its cone is not inner cosine >= outer cosine in [-1;1]");
 }
 
-void checkFrame(const AgaaFrame* pointer, const AgaaSceneFacts& facts) {
+void checkFrame(const AgaaFrame* pointer, const AgaaSceneFacts& facts, uint32_t functionShadows) {
     const AgaaFrame& frame = checkStruct(pointer, AGAA_STRUCTURE_TYPE_FRAME, "AgaaFrame");
     require(frame.segments != 0 && (frame.segments & ~AGAA_SEGMENT_ALL) == 0,
             AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::segments names no segment or an unknown one.");
@@ -160,6 +187,11 @@ void checkFrame(const AgaaFrame* pointer, const AgaaSceneFacts& facts) {
     for (uint32_t i = 0; i < frame.lightCount; ++i)
         checkLight(frame.lights[i], i, frame.shadowCount);
     for (uint32_t i = 0; i < frame.shadowCount; ++i) {
+        if (functionShadows >> i & 1) {
+            checkRange(uint64_t(frame.shadows[i].layerCount), 0, 0,
+                       "AgaaShadow::layerCount (of a shadow that AgaaShadowFunction answers for)");
+            continue;
+        }
         checkRange(uint64_t(frame.shadows[i].layerCount), 1, AGAA_MAX_SHADOW_LAYERS,
                    "AgaaShadow::layerCount");
         checkRange(double(frame.shadows[i].depthBias), 0.0, 1.0, "AgaaShadow::depthBias");

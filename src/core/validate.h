@@ -8,8 +8,11 @@
 
 namespace agaa {
 
-// sType, structSize and the pNext chain. known: types that may be chained to this struct.
-void checkHeader(const void* structure, uint32_t sType, size_t structSize, const char* name);
+// sType, structSize and the pNext chain. known: the type that may be chained to this struct; 0: none.
+void checkHeader(const void* structure, uint32_t sType, size_t structSize, const char* name,
+                 uint32_t known = 0);
+// The struct of this type in a chain, or null.
+const void* findChained(const void* structure, uint32_t sType);
 
 // Reads a versioned struct of the host: null is an error, its header is checked.
 template <typename Struct>
@@ -28,7 +31,10 @@ void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name);
 
 AgaaConfig checkConfig(const AgaaConfig* config);
 AgaaSceneFacts checkFacts(const AgaaSceneFacts* facts);
-void checkFrame(const AgaaFrame* frame, const AgaaSceneFacts& facts);
+// functionShadows: bit i: a function of the host's answers for shadow i.
+void checkFrame(const AgaaFrame* frame, const AgaaSceneFacts& facts, uint32_t functionShadows);
+// The function chained to a view, or null.
+const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc);
 // Name, chain and size of a view; the planner checks the rest against the device.
 void checkViewDesc(const AgaaViewDesc* desc);
 

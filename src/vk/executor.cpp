@@ -52,10 +52,18 @@ void AgaaView_T::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame)
     require(vkFrame.outputLayoutIn != VK_IMAGE_LAYOUT_UNDEFINED || frame.background[3] != 0.0f,
             AGAA_ERROR_OUT_OF_RANGE,
             "the frame composites over an output whose contents outputLayoutIn throws away.");
-    for (uint32_t i = 0; i < std::max(frame.shadowCount, std::min(plan.facts.shadowMapCount, 1u)); ++i)
-        if (!vkFrame.shadowViews[i])
+    bool first = true; // one view is needed for the slots of maps that the frame has not
+    for (const Resource& resource : plan.resources) {
+        if (resource.kind != ResourceKind::ShadowMap)
+            continue;
+        if ((first || resource.hostSlot < frame.shadowCount) &&
+            !vkFrame.shadowViews[resource.hostSlot])
             fail(AGAA_ERROR_INVALID_ARGUMENT,
-                 format("AgaaVkFrame::shadowViews[%u] is null.", i));
+                 format("AgaaVkFrame::shadowViews[%u] is null.", resource.hostSlot));
+        first = false;
+    }
+    require(!plan.functionSetLayout || vkFrame.shadowFunctionSet, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaVkFrame::shadowFunctionSet is null.");
 }
 
 void AgaaView_T::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
@@ -75,11 +83,10 @@ void AgaaView_T::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uin
         total += pass.bindings.size();
     buffers.reserve(total);
     images.reserve(total);
-    uint32_t shadow = 0;
-    std::vector<uint32_t> shadowOf(plan.resources.size(), 0);
-    for (ResourceId id = 0; id < plan.resources.size(); ++id)
-        if (plan.resources[id].kind == ResourceKind::ShadowMap)
-            shadowOf[id] = shadow++;
+    uint64_t anyShadow = 0;
+    for (const Resource& resource : plan.resources)
+        if (resource.kind == ResourceKind::ShadowMap && !anyShadow)
+            anyShadow = vkFrame.shadowViews[resource.hostSlot];
     for (size_t i = 0; i < passes.size(); ++i) {
         if (!(plan.passes[i].segment & segments))
             continue;
@@ -117,8 +124,8 @@ void AgaaView_T::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uin
                 break;
             }
             case BindingType::ShadowTexture: {
-                const uint64_t own = vkFrame.shadowViews[shadowOf[binding.resource]];
-                const uint64_t view = own ? own : vkFrame.shadowViews[0];
+                const uint64_t own = vkFrame.shadowViews[resource.hostSlot];
+                const uint64_t view = own ? own : anyShadow;
                 image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, context.shadowSampler,
                       (VkImageView)view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
                 break;
@@ -167,11 +174,14 @@ AgaaResult AgaaView_T::recordSecondaries(const AgaaFrame& frame, uint32_t slot) 
     return AGAA_OK;
 }
 
-void AgaaView_T::recordCompute(size_t pass, uint32_t slot, VkCommandBuffer commands) {
+void AgaaView_T::recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
+                               VkCommandBuffer commands) {
     const PassObjects& objects = passes[pass];
+    const VkDescriptorSet sets[] = {objects.sets[slot], (VkDescriptorSet)vkFrame.shadowFunctionSet};
     context.vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipeline);
     context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
-                                     objects.pipelineLayout, 0, 1, &objects.sets[slot], 0, nullptr);
+                                     objects.pipelineLayout, 0, usesHostSet(plan.passes[pass]) ? 2 : 1, sets, 0,
+                                     nullptr);
     context.vk.CmdDispatch(commands, (plan.width + 7) / 8, (plan.height + 7) / 8, 1);
 }
 
@@ -226,7 +236,7 @@ AgaaResult AgaaView_T::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkF
         endHostRendering(context, commands);
         break;
     case PassKind::Compute:
-        recordCompute(index, slot, commands);
+        recordCompute(vkFrame, index, slot, commands);
         break;
     case PassKind::Fill:
     case PassKind::Copy:
@@ -250,7 +260,7 @@ AgaaResult AgaaView_T::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkF
 }
 
 AgaaResult AgaaView_T::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
-    checkFrame(&frame, plan.facts);
+    checkFrame(&frame, plan.facts, plan.functionShadows);
     checkStruct(&vkFrame, AGAA_STRUCTURE_TYPE_VK_FRAME, "AgaaVkFrame");
     checkOrder(frame);
     checkTarget(frame, vkFrame);

@@ -1,6 +1,8 @@
 #include "vk/view.h"
 
+#include "core/compile_glsl.h"
 #include "core/embedded.h"
+#include "core/glsl_text.h"
 #include "core/planner.h"
 #include "core/validate.h"
 
@@ -126,14 +128,20 @@ void AgaaView_T::createPipelines() {
         if (pass.kind != PassKind::Compute)
             continue;
         PassObjects& objects = passes[i];
+        const VkDescriptorSetLayout sets[] = {objects.setLayout,
+                                              (VkDescriptorSetLayout)plan.functionSetLayout};
         VkPipelineLayoutCreateInfo layout{};
         layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-        layout.setLayoutCount = 1;
-        layout.pSetLayouts = &objects.setLayout;
+        layout.setLayoutCount = usesHostSet(pass) ? 2 : 1;
+        layout.pSetLayouts = sets;
         check(context.vk.CreatePipelineLayout(context.device, &layout, nullptr,
                                               &objects.pipelineLayout),
               "vkCreatePipelineLayout");
-        const auto words = embeddedSpirv(pass.shader);
+        std::vector<uint32_t> compiled;
+        if (!pass.hostCode.empty())
+            compiled = compileCompute(passGlsl(pass), "AgaaShadowFunction::glsl");
+        const std::span<const uint32_t> words =
+            compiled.empty() ? embeddedSpirv(pass.shader) : compiled;
         if (words.empty())
             fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.shader + ".");
         VkShaderModuleCreateInfo moduleInfo{};
@@ -190,6 +198,10 @@ void AgaaView_T::createSlots() {
     check(context.vk.CreateQueryPool(context.device, &info, nullptr, &queries),
           "vkCreateQueryPool");
     context.name(VK_OBJECT_TYPE_QUERY_POOL, (uint64_t)queries, "agaa timestamps");
+}
+
+bool AgaaView_T::usesHostSet(const Pass& pass) const {
+    return !pass.hostCode.empty() && plan.functionSetLayout != 0;
 }
 
 bool AgaaView_T::timed() const {

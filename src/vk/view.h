@@ -66,8 +66,10 @@ private:
     AgaaResult recordSecondaries(const AgaaFrame& frame, uint32_t slot);
     AgaaResult recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t pass,
                           uint32_t slot, VkCommandBuffer commands);
-    void recordCompute(size_t pass, uint32_t slot, VkCommandBuffer commands);
+    void recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
+                       VkCommandBuffer commands);
     void recordTransfer(const agaa::Pass& pass, uint32_t slot, VkCommandBuffer commands);
     size_t secondaryIndex(size_t pass) const;
+    bool usesHostSet(const agaa::Pass& pass) const; // set 1 is the host's
     bool timed() const;
 };

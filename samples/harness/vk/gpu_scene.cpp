@@ -17,12 +17,11 @@ struct MaterialConstants {
     float roughness = 1;
     float normalScale = 1;
     float alphaCutoff = -1;
-    uint32_t maps = 0;
+    float padding = 0;
 };
 static_assert(sizeof(MaterialConstants) == 48);
 
-MaterialConstants constantsOf(const Material& material,
-                              const std::array<int, materialTextureCount>& maps) {
+MaterialConstants constantsOf(const Material& material) {
     MaterialConstants c;
     c.baseColor = material.baseColor;
     c.emissive = material.emissive;
@@ -31,9 +30,17 @@ MaterialConstants constantsOf(const Material& material,
     c.normalScale = material.normalScale;
     c.alphaCutoff =
         material.alphaMode == AlphaMode::Mask ? std::max(material.alphaCutoff, 0.0f) : -1;
-    for (size_t i = 0; i < maps.size(); ++i)
-        c.maps |= maps[i] >= 0 ? 1u << i : 0u;
     return c;
+}
+
+// -1 where the material has no such texture.
+std::array<int, materialTextureCount> texturesOf(const Scene& scene, const Material& material) {
+    std::array<int, materialTextureCount> textures = {
+        material.baseColorTexture, material.normalTexture, material.metalRoughTexture,
+        material.emissiveTexture};
+    for (int& texture : textures)
+        texture = texture < int(scene.textures.size()) ? texture : -1;
+    return textures;
 }
 
 VkSamplerAddressMode addressMode(Wrap wrap) {
@@ -158,19 +165,15 @@ void GpuScene::createMaterials(Uploader& uploader, const Scene& scene) {
 
     for (uint32_t m = 0; m < count; ++m) {
         const Material& material = materials[m];
-        std::array<int, materialTextureCount> maps = {
-            material.baseColorTexture, material.normalTexture, material.metalRoughTexture,
-            material.emissiveTexture};
+        const std::array<int, materialTextureCount> maps = texturesOf(scene, material);
         std::array<VkDescriptorImageInfo, materialTextureCount> images{};
         for (size_t i = 0; i < maps.size(); ++i) {
-            if (maps[i] >= int(scene.textures.size()))
-                maps[i] = -1;
             const size_t texture = maps[i] >= 0 ? size_t(maps[i]) : scene.textures.size();
             const auto& [wrapU, wrapV] = textureWraps_[texture];
             images[i] = {sampler(wrapU, wrapV), textures_[texture].view.get(),
                          VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
         }
-        const MaterialConstants values = constantsOf(material, maps);
+        const MaterialConstants values = constantsOf(material);
         std::memcpy(&constants[size_t(stride) * m], &values, sizeof values);
 
         const VkDescriptorBufferInfo buffer{materialConstants_.buffer.get(), stride * m,
@@ -190,6 +193,17 @@ void GpuScene::createMaterials(Uploader& uploader, const Scene& scene) {
         vkUpdateDescriptorSets(device_->get(), uint32_t(writes.size()), writes.data(), 0, nullptr);
     }
     uploader.fill(materialConstants_, constants);
+}
+
+uint32_t materialFeatures(const Scene& scene, uint32_t material) {
+    if (material >= scene.materials.size())
+        return 0;
+    const Material& m = scene.materials[material];
+    const auto textures = texturesOf(scene, m);
+    uint32_t features = m.alphaMode == AlphaMode::Mask ? 1u << materialTextureCount : 0;
+    for (size_t i = 0; i < textures.size(); ++i)
+        features |= textures[i] >= 0 ? 1u << i : 0u;
+    return features;
 }
 
 VkDescriptorSet GpuScene::materialSet(uint32_t material) const {

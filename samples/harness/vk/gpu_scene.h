@@ -13,6 +13,9 @@ namespace harness::vk {
 constexpr uint32_t materialTextureCount = 4;
 constexpr uint32_t materialConstantsBinding = 4;
 
+// The constant `features` of material.frag: bits of the textures in their order, then of the alpha test.
+uint32_t materialFeatures(const Scene& scene, uint32_t material);
+
 class GpuScene {
 public:
     GpuScene(const Device& device, const Scene& scene);

@@ -44,6 +44,7 @@ Variant variantOf(const Scene& scene, const Draw& draw) {
     variant.isMasked = draw.isMasked;
     variant.isMirrored = draw.isMirrored;
     const uint32_t material = scene.meshes[draw.mesh].material;
+    variant.features = materialFeatures(scene, material);
     variant.isDoubleSided =
         material < scene.materials.size() && scene.materials[material].doubleSided;
     return variant;
@@ -66,7 +67,7 @@ void PassPipelines::prepare(const AgaaVkDrawPass& pass, const Scene& scene,
                                  pass.name + "\" the same pipeline key.");
     for (const Draw& draw : draws) {
         const Variant variant = variantOf(scene, draw);
-        Pipeline& pipeline = program.pipelines[variant.index()];
+        Pipeline& pipeline = program.pipelines[variant];
         if (pipeline)
             continue;
         ShaderModule& fragment = program.fragments[variant.isMasked];
@@ -102,6 +103,7 @@ Pipeline PassPipelines::makePipeline(const AgaaVkDrawPass& pass, const Program& 
         variant.isDoubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
     state.rasterization.frontFace =
         variant.isMirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE;
+    state.fragmentConstant = variant.features;
     const VkRenderPass renderPass = (VkRenderPass)pass.renderPass;
     return state.create(*device_, vertex_.get(), program.fragments[variant.isMasked].get(),
                         program.layout.get(), renderPass,
@@ -121,10 +123,11 @@ VkPipelineLayout PassPipelines::layout(uint64_t pipelineKey) const {
 }
 
 VkPipeline PassPipelines::pipeline(uint64_t pipelineKey, const Variant& variant) const {
-    const VkPipeline pipeline = program(pipelineKey).pipelines[variant.index()].get();
-    if (pipeline == VK_NULL_HANDLE)
+    const auto& pipelines = program(pipelineKey).pipelines;
+    const auto found = pipelines.find(variant);
+    if (found == pipelines.end())
         throw std::runtime_error("A pipeline was not prepared before its draw.");
-    return pipeline;
+    return found->second.get();
 }
 
 } // namespace harness::vk

@@ -31,11 +31,10 @@ struct Variant {
     bool isMasked = false;
     bool isDoubleSided = false;
     bool isMirrored = false;
+    uint32_t features = 0; // materialFeatures()
 
-    bool operator==(const Variant&) const = default;
-    size_t index() const { return size_t(isMasked) | isDoubleSided << 1 | isMirrored << 2; }
+    auto operator<=>(const Variant&) const = default;
 };
-constexpr size_t variantCount = 8;
 
 Variant variantOf(const Scene& scene, const Draw& draw);
 
@@ -56,7 +55,7 @@ private:
         std::string text;
         PipelineLayout layout;
         std::array<ShaderModule, 2> fragments; // opaque, masked
-        std::array<Pipeline, variantCount> pipelines;
+        std::map<Variant, Pipeline> pipelines;
     };
     const Program& program(uint64_t pipelineKey) const;
     PipelineLayout makeLayout(const AgaaVkDrawPass& pass, VkDescriptorSetLayout materials) const;

@@ -92,6 +92,9 @@ Pipeline PipelineState::create(const Device& device, VkShaderModule vertex, VkSh
     stages[1] = stages[0];
     stages[1].stage = VK_SHADER_STAGE_FRAGMENT_BIT;
     stages[1].module = fragment;
+    const VkSpecializationMapEntry entry{0, 0, sizeof fragmentConstant};
+    const VkSpecializationInfo constants{1, &entry, sizeof fragmentConstant, &fragmentConstant};
+    stages[1].pSpecializationInfo = &constants;
 
     const VertexInput vertexInput(vertexLocations);
     VkPipelineInputAssemblyStateCreateInfo assembly{};

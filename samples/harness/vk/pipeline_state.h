@@ -27,6 +27,7 @@ public:
     Pipeline create(const Device& device, VkShaderModule vertex, VkShaderModule fragment,
                     VkPipelineLayout layout, VkRenderPass renderPass, const void* next = nullptr);
 
+    uint32_t fragmentConstant = 0;   // specialisation constant 0 of the fragment shader
     uint32_t vertexLocations = 0x1F; // bits of the attributes that the vertex shader reads
     VkPipelineRasterizationStateCreateInfo rasterization{};
     VkPipelineMultisampleStateCreateInfo multisample{};

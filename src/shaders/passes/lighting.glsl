@@ -23,7 +23,14 @@ layout(std430, set = AGAA_SET, binding = 1) readonly buffer agaa_LightBlock {
     agaa_GpuLight lights[];
 } agaa_lightBuffer;
 
-#if AGAA_SHADOWS
+// Shadows that a function of the host's answers for; then the pass is compiled with its text.
+#ifdef AGAA_HOST_SHADOWS
+#include "host-code"
+#else
+#define AGAA_SHADOW_TEXTURES 1
+#endif
+
+#if AGAA_SHADOWS && AGAA_SHADOW_TEXTURES
 layout(set = AGAA_SET, binding = 12) uniform sampler2DArrayShadow agaa_shadowMap0;
 layout(set = AGAA_SET, binding = 13) uniform sampler2DArrayShadow agaa_shadowMap1;
 layout(set = AGAA_SET, binding = 14) uniform sampler2DArrayShadow agaa_shadowMap2;
@@ -46,7 +53,7 @@ bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
 }
 
 // Samplers are named one by one: drivers without dynamic indexing of sampler arrays run this too.
-float agaa_shadowTap(uint map, vec3 p) {
+float agaa_mapTap(uint map, vec3 p) {
     vec4 at;
     if (!agaa_shadowCoordinate(map, p, at))
         return 1.0;
@@ -58,7 +65,18 @@ float agaa_shadowTap(uint map, vec3 p) {
         return texture(agaa_shadowMap2, at);
     return texture(agaa_shadowMap3, at);
 }
+#else
+float agaa_mapTap(uint map, vec3 p) { return 1.0; }
 #endif
+
+float agaa_shadowTap(uint map, vec3 p) {
+#ifdef AGAA_HOST_SHADOWS
+    uint bad = 0u;
+    if ((AGAA_HOST_SHADOWS >> map & 1u) != 0u)
+        return agaa_sanitise(agaaHostShadow(map, p), 0.0, 1.0, bad);
+#endif
+    return agaa_mapTap(map, p);
+}
 
 float agaa_visibility[4]; // per shadow map, for the surface at hand
 

@@ -27,26 +27,33 @@ layout(set = 2, binding = 4, std140) uniform Material {
     float roughness;
     float normalScale;
     float alphaCutoff; // < 0: alpha is coverage as it is
-    uint maps;         // bits: base colour, normal, metallic-roughness, emissive
 } material;
+
+// What the material has, by bits: base colour, normal, metallic-roughness and emissive map, alpha tested
+// at the cutoff. A constant of the pipeline: drivers that specialise shaders by the uniforms in their
+// conditions, as Mesa 22.3's lavapipe, would compile at every change of material.
+layout(constant_id = 0) const uint features = 0u;
 
 const uint baseColorBit = 1u;
 const uint normalBit = 2u;
 const uint metalRoughBit = 4u;
 const uint emissiveBit = 8u;
+const uint alphaTestBit = 16u;
 
 // Of the pixel's centre, unlike all else: the samples that survive the depth test, and so what counts as
 // inside, differ between the passes, and a sample that one pass covers must be covered in the next.
 float coverage(vec2 dx, vec2 dy) {
     float alpha = material.baseColor.a * clamp(inAlpha, 0.0, 1.0);
-    if ((material.maps & baseColorBit) != 0u)
+    if ((features & baseColorBit) != 0u)
         alpha *= textureGrad(baseColorMap, inUv, dx, dy).a;
-    return material.alphaCutoff < 0.0 ? alpha : agaa_sharpenAlpha(alpha, material.alphaCutoff);
+    if ((features & alphaTestBit) != 0u)
+        alpha = agaa_sharpenAlpha(alpha, material.alphaCutoff);
+    return alpha;
 }
 
 vec3 baseColor(float scale, vec2 uv, vec2 dx, vec2 dy) {
     vec3 color = material.baseColor.rgb * max(AGAA_INSIDE(insideColor) * scale, vec3(0.0));
-    if ((material.maps & baseColorBit) != 0u)
+    if ((features & baseColorBit) != 0u)
         color *= textureGrad(baseColorMap, uv, dx, dy).rgb;
     return color;
 }
@@ -72,7 +79,7 @@ vec3 shadingNormal(vec3 position, vec2 uv, vec2 dx, vec2 dy) {
     vec3 vertexNormal = AGAA_INSIDE(insideNormal);
     float squared = dot(vertexNormal, vertexNormal);
     vec3 n = squared > 0.0 ? vertexNormal * inversesqrt(squared) : toViewer;
-    if ((material.maps & normalBit) != 0u)
+    if ((features & normalBit) != 0u)
         n = mappedNormal(n, uv, dx, dy);
     if (!gl_FrontFacing)
         n = -n; // glTF's rule for the back of double-sided materials
@@ -101,7 +108,7 @@ void main() {
     vec3 base = baseColor(scale, uv, dx, dy);
     float metallic = material.metallic;
     float roughness = material.roughness;
-    if ((material.maps & metalRoughBit) != 0u) {
+    if ((features & metalRoughBit) != 0u) {
         vec4 metalRough = textureGrad(metalRoughMap, uv, dx, dy);
         metallic *= metalRough.b;
         roughness *= metalRough.g;
@@ -109,7 +116,7 @@ void main() {
     surface.diffuse = base * (1.0 - metallic);
     surface.specular = mix(vec3(0.04), base, metallic);
     surface.emissive = material.emissive;
-    if ((material.maps & emissiveBit) != 0u)
+    if ((features & emissiveBit) != 0u)
         surface.emissive *= textureGrad(emissiveMap, uv, dx, dy).rgb;
     surface.normal = shadingNormal(surface.position, uv, dx, dy);
     // Below this the highlight of a light without extent has no width.

@@ -12,12 +12,11 @@ layout(set = 0, binding = 4, std140) uniform Material {
     float roughness;
     float normalScale;
     float alphaCutoff;
-    uint maps;
 } material;
 
 void main() {
     float alpha = material.baseColor.a * inAlpha * texture(baseColorMap, inUv).a;
     // What is blended casts a shadow where it covers more than half.
-    if (alpha < (material.alphaCutoff < 0.0 ? 0.5 : material.alphaCutoff))
+    if (alpha < mix(material.alphaCutoff, 0.5, float(material.alphaCutoff < 0.0)))
         discard;
 }

@@ -1,0 +1,49 @@
+#include "core/glsl_text.h"
+
+#include "core/embedded.h"
+#include "core/error.h"
+
+#include <algorithm>
+
+namespace agaa {
+
+void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
+                const std::string& hostCode) {
+    if (!seen.insert(path).second)
+        return;
+    const std::string_view text = embeddedGlsl(path);
+    if (text.empty())
+        fail(AGAA_ERROR_INTERNAL, "the shader text " + path + " is not in the library.");
+    const std::string folder = path.substr(0, path.find('/') + 1);
+    size_t begin = 0;
+    while (begin < text.size()) {
+        const size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = text.substr(begin, end - begin);
+        if (line == "#include \"host-code\"") {
+            // Compilers count the host's own lines, and say 100000 and more for ours.
+            out += "#line 1\n" + hostCode + "\n#line 100000\n";
+        } else if (line.starts_with("#include \"")) {
+            std::string name(line.substr(10, line.find('"', 10) - 10));
+            appendGlsl(out, name.find('/') == std::string::npos ? folder + name : name, seen,
+                       hostCode);
+        } else {
+            out += line;
+            out += '\n';
+        }
+        begin = end + 1;
+    }
+}
+
+std::string passGlsl(const Pass& pass) {
+    std::set<std::string> seen;
+    std::string text;
+    appendGlsl(text, pass.file, seen, pass.hostCode);
+    // #version stays first.
+    const size_t line = text.find("#version 450\n");
+    if (line == std::string::npos)
+        fail(AGAA_ERROR_INTERNAL, "the pass " + pass.name + " has no version.");
+    text.insert(line + 13, pass.defines);
+    return text;
+}
+
+} // namespace agaa

@@ -1,0 +1,19 @@
+// GLSL of the library put together: compilers that hosts and the library use know no #include.
+#pragma once
+
+#include "core/plan.h"
+
+#include <set>
+#include <string>
+
+namespace agaa {
+
+// Appends a file below src/shaders with its #include lines replaced, each file once. hostCode stands
+// where the text includes "host-code".
+void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
+                const std::string& hostCode = {});
+
+// The whole text of a compute pass that holds code of the host's.
+std::string passGlsl(const Pass& pass);
+
+} // namespace agaa
