@@ -100,6 +100,7 @@ typedef enum AgaaStructType {
     AGAA_STRUCTURE_TYPE_VK_CONTEXT = 1000,
     AGAA_STRUCTURE_TYPE_VK_FRAME = 1001,
     AGAA_STRUCTURE_TYPE_VK_DRAW_PASS = 1002,
+    AGAA_STRUCTURE_TYPE_VK_SURFACE = 1003,
     /* A chained struct whose type has this bit may be ignored by a library that does not know it. */
     AGAA_STRUCTURE_TYPE_OPTIONAL_BIT = 0x40000000,
     AGAA_STRUCTURE_TYPE_MAX_ENUM = 0x7FFFFFFF
@@ -162,10 +163,11 @@ typedef struct AgaaLayoutAttribute {
     uint32_t semantic;      /* AgaaSemantic, each at most once; DIFFUSE and NORMAL are mandatory */
     uint32_t channels;      /* as at AgaaSemantic */
     uint32_t sampleBits;    /* per channel in the multisampled G-buffer: 8, 10 or 16 */
-    uint32_t aggregateBits; /* per channel and aggregate before summing: [6;16] */
+    uint32_t aggregateBits; /* per channel and fragment before summing: [6;16]; 0: as many as n leaves of
+                               16, or a whole 16 */
     uint32_t chromaBits;    /* YCBCR: [6;16] */
     uint32_t encoding;      /* AgaaEncoding */
-    float range;            /* (0;65504]: the value that full scale stands for; 1 except EMISSIVE */
+    float range;            /* [1e-6;65504]: the value that full scale stands for; 1 except EMISSIVE */
     uint32_t reserved;      /* 0 */
 } AgaaLayoutAttribute;
 
@@ -244,7 +246,7 @@ typedef struct AgaaConfig {
     float characteristicLengthPerDistance; /* k is at least this times the distance, [0;1]; k > 0 */
     float aggregateThreshold; /* t: a further aggregate must be farther than this, [0;inf) */
     uint32_t seeds;           /* AgaaSeeds */
-    uint32_t shadowTaps;      /* per aggregate and shadowed light, at most; 0: chosen by n */
+    uint32_t shadowTaps;      /* per aggregate and shadow, at most, [0;32]; 0: 8 */
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t generationTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
@@ -502,7 +504,7 @@ typedef struct AgaaFrame {
     const AgaaLight* lights;
     const AgaaShadow* shadows;
     float ambient[3];    /* radiance from all sides */
-    float background[4]; /* colour, and 1; or 0 (with AGAA_VIEW_COMPOSITE): what the output holds */
+    float background[4]; /* colour; and 0 (with AGAA_VIEW_COMPOSITE): what the output holds instead */
     AgaaDrawCallback draw;
     void* drawUser;
 } AgaaFrame;
@@ -516,9 +518,9 @@ typedef struct AgaaFrame {
 /* Exact counts of one frame; all 0 without AGAA_CONFIG_COUNTERS. */
 typedef struct AgaaCounters {
     uint64_t visible;       /* samples with geometry after the prepass */
-    uint64_t once;          /* of these, accumulated exactly once */
+    uint64_t once;          /* of these, accumulated, by one aggregate or more */
     uint64_t missed;        /* of these, never accumulated */
-    uint64_t multi;         /* accumulated more than once */
+    uint64_t multi;         /* accumulated by a further aggregate, or where nothing is visible */
     uint64_t ties;          /* sample writes refused because an equal depth came first; counted by
                                NO_STENCIL and by masked materials, hidden by the stencil test */
     uint64_t sanitised;     /* fragments with a non-finite attribute */
@@ -554,8 +556,8 @@ typedef struct AgaaFrameStatistics {
     {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0,           \
      {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, {{{0}, 0, 0, 0.0}}, 0, 0, 0}
 
-/* Figures of the newest finished frame (by completedFrame of the last record call).
- * AGAA_NOT_READY where none has finished. */
+/* Figures of the newest frame, recorded whole, that is not after completedFrame: the newest whose GPU work
+ * is known to have finished. AGAA_NOT_READY where there is none. */
 AGAA_API AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
                                                      AgaaFrameStatistics* outStatistics);
 

@@ -12,13 +12,16 @@ extern "C" {
 #endif
 
 typedef void (*AgaaVkFunction)(void);
-/* As vkGetInstanceProcAddr; must also resolve global functions with a null instance. */
+/* As vkGetInstanceProcAddr, called with the host's instance. */
 typedef AgaaVkFunction(AGAA_CALL* AgaaVkGetInstanceProcAddr)(void* instance, const char* name);
 
 /* ---- before a device exists ------------------------------------------------------------------ */
 
 /* What a device must and should offer. Names have static storage. */
 typedef struct AgaaVkRequirements {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
     uint32_t apiVersion; /* VK_API_VERSION_1_2 */
     uint32_t reserved;
     uint32_t requiredFeatureCount;
@@ -28,9 +31,13 @@ typedef struct AgaaVkRequirements {
     uint32_t optionalDeviceExtensionCount; /* enable those the device has */
     const char* const* optionalDeviceExtensions;
 } AgaaVkRequirements;
+#define AGAA_VK_REQUIREMENTS_INIT                                                                   \
+    {AGAA_STRUCTURE_TYPE_REQUIREMENTS, (uint32_t)sizeof(AgaaVkRequirements), NULL, 0, 0, 0, NULL, 0, \
+     NULL, 0, NULL}
 AGAA_API AgaaResult AGAA_CALL agaaVkGetRequirements(AgaaVkRequirements* outRequirements);
 
-/* Capabilities of a physical device, to be passed to the queries of agaa_sdk.h. log may be null. */
+/* Capabilities of a physical device, to be passed to the queries of agaa_sdk.h. log may be null.
+ * agaaVkGetContextCaps gives those that are left of it in a context. */
 AGAA_API AgaaResult AGAA_CALL agaaVkGetDeviceCaps(void* instance, void* physicalDevice,
                                                   AgaaVkGetInstanceProcAddr getProcAddr,
                                                   const AgaaLog* log, AgaaDeviceCaps* outCaps);
@@ -65,6 +72,10 @@ typedef struct AgaaVkContextDesc {
     AgaaVkGetInstanceProcAddr getProcAddr;
     const char* const* enabledExtensions; /* device extensions enabled by the host */
     uint32_t enabledExtensionCount;
+    uint32_t reserved2; /* 0 */
+    /* VkPhysicalDeviceFeatures2 with the chain given to vkCreateDevice; null: every feature of
+     * AgaaVkRequirements that the device has was enabled. */
+    const void* enabledFeatures;
     uint32_t rendering;      /* AgaaVkRendering */
     uint32_t recording;      /* AgaaVkRecording */
     uint32_t descriptorSet;  /* index of the SDK's set in the host's pipeline layouts, [0;7] */
@@ -78,13 +89,16 @@ typedef struct AgaaVkContextDesc {
 } AgaaVkContextDesc;
 #define AGAA_VK_CONTEXT_DESC_INIT                                                                   \
     {AGAA_STRUCTURE_TYPE_VK_CONTEXT, (uint32_t)sizeof(AgaaVkContextDesc), NULL, NULL, NULL, NULL, 0, \
-     0, NULL, NULL, 0, AGAA_VK_RENDERING_AUTO, AGAA_VK_RECORDING_SECONDARY, 0, 0, 2, 0, NULL, NULL,  \
-     NULL, NULL}
+     0, NULL, NULL, 0, 0, NULL, AGAA_VK_RENDERING_AUTO, AGAA_VK_RECORDING_SECONDARY, 0, 0, 2, 0,     \
+     NULL, NULL, NULL, NULL}
 
 /* headerVersion: pass AGAA_HEADER_VERSION. The host's device must outlive the context. */
 AGAA_API AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion,
                                                   const AgaaVkContextDesc* desc,
                                                   AgaaContext* outContext);
+
+/* What the device can do with the extensions and features that the host enabled. */
+AGAA_API AgaaResult AGAA_CALL agaaVkGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps);
 
 /* Allocates the view's surfaces. */
 AGAA_API AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* desc,
@@ -119,6 +133,33 @@ typedef struct AgaaVkDrawPass {
 /* Two-call: with passes null, writes the count; otherwise every element must be initialised. */
 AGAA_API AgaaResult AGAA_CALL agaaVkGetDrawPasses(AgaaView view, uint32_t* count,
                                                   AgaaVkDrawPass* passes);
+
+/* A surface of a view, for hosts that use it between segments (depth for their own occlusion, say) or copy
+ * it (AGAA_CONFIG_READBACK). Owned by the view. */
+typedef struct AgaaVkSurface {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint64_t image;  /* VkImage, or 0 */
+    uint64_t view;   /* VkImageView: 2D; the depth aspect only of depth formats */
+    uint64_t buffer; /* VkBuffer, or 0 */
+    uint64_t bytes;
+    uint32_t format; /* VkFormat */
+    uint32_t width, height, samples; /* texels: scaleX x scaleY a pixel */
+    uint32_t scaleX, scaleY;
+    /* VkImageLayout after the commands of segment 1 << i; UNDEFINED where the contents are not kept. A host
+     * that uses it then leaves it in that layout, by a barrier whose second scope is ALL_COMMANDS and
+     * MEMORY_READ | MEMORY_WRITE, before the commands of the next segment. */
+    uint32_t layouts[3];
+    uint32_t reserved;
+} AgaaVkSurface;
+#define AGAA_VK_SURFACE_INIT                                                                        \
+    {AGAA_STRUCTURE_TYPE_VK_SURFACE, (uint32_t)sizeof(AgaaVkSurface), NULL, 0, 0, 0, 0, 0, 0, 0, 0,  \
+     0, 0, {0, 0, 0}, 0}
+
+/* name: as in agaaQueryMemory; "depth" is of every view. Others may change with the version. */
+AGAA_API AgaaResult AGAA_CALL agaaVkGetSurface(AgaaView view, const char* name,
+                                               AgaaVkSurface* outSurface);
 
 /* ---- recording --------------------------------------------------------------------------------- */
 

@@ -19,12 +19,6 @@ AgaaDeviceCaps capsOrIdeal(const AgaaDeviceCaps* caps) {
     return checkStruct(caps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
 }
 
-Log checkedLog(const AgaaLog* log) {
-    return log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize == sizeof(AgaaLog)
-               ? Log(log)
-               : Log();
-}
-
 AgaaSurface surfaceOf(const Resource& resource) {
     AgaaSurface surface{};
     std::strncpy(surface.name, resource.name.c_str(), sizeof surface.name - 1);

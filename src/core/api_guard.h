@@ -27,6 +27,12 @@ private:
     void* user_ = nullptr;
 };
 
+// A log of a host's that is not what it should be is not called.
+inline Log checkedLog(const AgaaLog* log) {
+    const bool valid = log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize == sizeof *log;
+    return valid ? Log(log) : Log();
+}
+
 template <typename Body>
 AgaaResult guarded(const Log& log, const char* function, Body&& body) noexcept {
     const auto report = [&](AgaaResult code, const char* text) {

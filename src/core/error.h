@@ -15,7 +15,7 @@ struct Error {
     std::string message; // one sentence
 };
 
-// printf formatting keeps call sites short and needs no locale.
+// For sentences; what compilers and parsers read is written without the locale.
 [[gnu::format(printf, 1, 2)]] inline std::string format(const char* pattern, ...) {
     va_list arguments;
     va_start(arguments, pattern);

@@ -16,8 +16,10 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame) {
     // the sign) for float.
     const float step = std::ldexp(1.0f, -24);
     const float quantum = plan.depthFormat == Format::D24S8 ? step : -step;
-    const float projection[8] = {p[0],  p[5],  p[8],                   p[9],
-                                 p[10], p[14], p[15] == 1.0f ? 1.0f : 0.0f, quantum};
+    const bool orthographic = p[15] == 1.0f;
+    const float* offset = orthographic ? &p[12] : &p[8];
+    const float projection[8] = {p[0],  p[5],  offset[0],                  offset[1],
+                                 p[10], p[14], orthographic ? 1.0f : 0.0f, quantum};
     std::memcpy(out.projection, projection, sizeof projection);
     out.size[0] = plan.width;
     out.size[1] = plan.height;

@@ -9,7 +9,8 @@ namespace agaa {
 
 struct FrameConstants {
     float view[16];        // shading to view space, a rotation
-    float projection[8];   // p00, p11, p20, p21; p22, p32, orthographic, depth quantum
+    float projection[8];   // p00, p11, offset x, y (p20, p21; orthographic p30, p31);
+                           // p22, p32, orthographic, depth quantum
     uint32_t size[4];      // width, height, light count, background comes from the output
     float cluster[4];      // k, k per distance, t, 0
     float ambient[4];      // rgb, emissive range
@@ -47,7 +48,7 @@ struct CounterBuffer {
     uint32_t visible[2];
     uint32_t once[2];
     uint32_t missed[2];
-    uint32_t written[2]; // more than `once`: some samples were written twice
+    uint32_t multi[2];
     uint32_t ties[2];
     uint32_t sanitised[2];
     uint32_t shadingEvents[2];

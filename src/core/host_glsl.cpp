@@ -4,6 +4,7 @@
 #include "core/glsl_text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 
 namespace agaa {
@@ -17,6 +18,14 @@ void define(std::string& out, const char* name, uint32_t value) {
 // Preprocessor conditions cannot hold a `u` suffix in every compiler's eyes, so switches are plain.
 void defineSwitch(std::string& out, const char* name, uint32_t value) {
     out += format("#define %s %u\n", name, value);
+}
+
+// As a float literal, whatever the process's locale writes for a decimal point.
+std::string glslNumber(float value) {
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+    std::string text(digits, end);
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
 constexpr const char* channelValues[ChannelCount] = {
@@ -65,9 +74,7 @@ std::string defines(const Plan& plan, const Pass& pass, uint32_t descriptorSet) 
     define(out, "AGAA_SCALE_Y", plan.scaleY);
     defineSwitch(out, "AGAA_COUNTING", c[AGAA_COUNTERS]);
     define(out, "AGAA_EMISSIVE_CHANNELS", c[AGAA_EMISSIVE_CHANNELS]);
-    out += format("#define AGAA_EMISSIVE_RANGE %.9g\n", double(plan.layout.emissiveRange()));
-    if (out.back() == '\n' && plan.layout.emissiveRange() == float(int(plan.layout.emissiveRange())))
-        out.insert(out.size() - 1, ".0");
+    out += "#define AGAA_EMISSIVE_RANGE " + glslNumber(plan.layout.emissiveRange()) + "\n";
     if (pass.drawPass == AGAA_DRAW_PASS_AGGREGATE) {
         defineSwitch(out, "AGAA_AGGREGATES", std::max(plan.aggregates, 1u));
         defineSwitch(out, "AGAA_PER_SAMPLE", pass.drawState.sampleShading);

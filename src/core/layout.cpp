@@ -63,8 +63,8 @@ static void checkAttribute(const AgaaLayoutAttribute& a) {
         bad("10-bit channels come in threes");
     if (a.reserved)
         bad("reserved is not 0");
-    if (!(a.range > 0 && a.range <= 65504.0f) || (!isEmissive && a.range != 1))
-        bad("range must be 1, or (0;65504] for emissive");
+    if (!(a.range >= 1e-6f && a.range <= 65504.0f) || (!isEmissive && a.range != 1))
+        bad("range must be 1, or [1e-6;65504] for emissive");
     if (a.encoding == AGAA_ENCODING_FOLDED) {
         if (!isRoughness)
             bad("only roughness can be folded into the normal");
@@ -88,6 +88,8 @@ Layout checkLayout(const AgaaLayout* pointer) {
         fail(AGAA_ERROR_STRUCT, "AgaaLayout has a wrong sType or structSize.");
     if (source.pNext)
         fail(AGAA_ERROR_UNKNOWN_STRUCT, "no struct may be chained to AgaaLayout.");
+    if (source.reserved)
+        fail(AGAA_ERROR_LAYOUT, "AgaaLayout::reserved is not 0.");
     if (source.attributeCount > AGAA_MAX_LAYOUT_ATTRIBUTES)
         fail(AGAA_ERROR_LAYOUT, "AgaaLayout has more attributes than there are semantics.");
     Layout layout;

@@ -43,6 +43,8 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
         plan.runnable = plan.runnable && choice.runnable;
         note("generation: " + choice.reason);
     }
+    require(!counts() || caps_.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
+            "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");
     setConstants();
     frame_ = add({.name = "frame-constants",
                   .kind = ResourceKind::UploadBuffer,

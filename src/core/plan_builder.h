@@ -6,7 +6,7 @@
 
 namespace agaa {
 
-// Binding slots of the SDK's compute passes (src/shaders/passes/bindings.glsl).
+// Binding slots of the SDK's compute passes (src/shaders/passes/).
 namespace slot {
 enum : uint32_t {
     Frame = 0,

@@ -3,6 +3,7 @@
 #include "core/names.h"
 #include "core/plan.h"
 
+#include <charconv>
 #include <cstdio>
 
 namespace agaa {
@@ -38,9 +39,8 @@ public:
     }
     void value(double number) {
         separate();
-        char digits[40];
-        std::snprintf(digits, sizeof digits, "%.9g", number);
-        text += digits;
+        char digits[40]; // std::to_chars: no locale writes a decimal comma
+        text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
     }
     void flag(bool on) {
         separate();

@@ -17,12 +17,20 @@ void checkHeader(const void* structure, uint32_t sType, size_t structSize, const
     if (header->structSize != structSize)
         fail(AGAA_ERROR_STRUCT, format("%s has structSize %u where this library's is %zu.", name,
                                        header->structSize, structSize));
+    uint32_t length = 0;
+    bool found = false;
     for (const auto* next = static_cast<const AgaaStructHeader*>(header->pNext); next;
-         next = static_cast<const AgaaStructHeader*>(next->pNext))
+         next = static_cast<const AgaaStructHeader*>(next->pNext)) {
+        if (++length > 64) // a chain that closes on itself
+            fail(AGAA_ERROR_UNKNOWN_STRUCT, format("the chain of %s does not end.", name));
+        if (known && next->sType == known && std::exchange(found, true))
+            fail(AGAA_ERROR_UNKNOWN_STRUCT,
+                 format("the chain of %s holds two structs of type %u.", name, known));
         if (!(next->sType & AGAA_STRUCTURE_TYPE_OPTIONAL_BIT) && (!known || next->sType != known))
             fail(AGAA_ERROR_UNKNOWN_STRUCT,
                  format("the chain of %s holds a struct of type %u, which is not known here.", name,
                         next->sType));
+    }
 }
 
 const void* findChained(const void* structure, uint32_t sType) {
@@ -115,7 +123,7 @@ const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc) {
     return function;
 }
 
-static void checkMatrices(const AgaaFrame& frame) {
+static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {
     for (float element : frame.view)
         checkFinite(element, "AgaaFrame::view");
     for (float element : frame.projection)
@@ -136,6 +144,15 @@ static void checkMatrices(const AgaaFrame& frame) {
     const bool orthographic = p[11] == 0.0f && p[15] == 1.0f;
     require(perspective || orthographic, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::projection is neither perspective (looking down -z) nor orthographic.");
+    // Elements that are zero in every projection without shear, roll or an oblique near plane.
+    bool plain = p[1] == 0 && p[2] == 0 && p[3] == 0 && p[4] == 0 && p[6] == 0 && p[7] == 0;
+    plain = plain && (perspective ? p[12] == 0 && p[13] == 0 : p[8] == 0 && p[9] == 0);
+    require(plain, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaFrame::projection has shear, roll or an oblique near plane.");
+    // Depth grows away from the eye, or falls.
+    const bool reversed = (perspective ? p[14] : p[10]) > 0;
+    require(reversed == reversedZ, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaFrame::projection and AGAA_VIEW_REVERSED_Z do not agree on which depth is near.");
     require(p[0] != 0 && p[5] != 0 && (perspective ? p[14] : p[10]) != 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::projection is singular.");
 }
@@ -156,6 +173,8 @@ static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCo
     }
     if (!(light.range >= 0 && light.range <= 1e30f))
         bad("its range is negative or not finite");
+    if (light.reserved != 0)
+        bad("its reserved member is not 0");
     if (!(light.radius >= 0 && light.radius <= 1e15f))
         bad("its radius is negative or not finite");
     if (light.type != AGAA_LIGHT_POINT) {
@@ -168,14 +187,15 @@ static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCo
         bad("its cone is not inner cosine >= outer cosine in [-1;1]");
 }
 
-void checkFrame(const AgaaFrame* pointer, const AgaaSceneFacts& facts, uint32_t functionShadows) {
+void checkFrame(const AgaaFrame* pointer, const Plan& plan) {
+    const AgaaSceneFacts& facts = plan.facts;
     const AgaaFrame& frame = checkStruct(pointer, AGAA_STRUCTURE_TYPE_FRAME, "AgaaFrame");
     require(frame.segments != 0 && (frame.segments & ~AGAA_SEGMENT_ALL) == 0,
             AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::segments names no segment or an unknown one.");
     require(frame.completedFrame < frame.frameIndex, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::completedFrame is not before frameIndex.");
     require(frame.draw, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::draw is null.");
-    checkMatrices(frame);
+    checkMatrices(frame, plan.reversedZ);
     checkRange(uint64_t(frame.lightCount), 0, facts.maxLights,
                "AgaaFrame::lightCount (against AgaaSceneFacts::maxLights)");
     checkRange(uint64_t(frame.shadowCount), 0, facts.shadowMapCount,
@@ -187,7 +207,7 @@ void checkFrame(const AgaaFrame* pointer, const AgaaSceneFacts& facts, uint32_t 
     for (uint32_t i = 0; i < frame.lightCount; ++i)
         checkLight(frame.lights[i], i, frame.shadowCount);
     for (uint32_t i = 0; i < frame.shadowCount; ++i) {
-        if (functionShadows >> i & 1) {
+        if (plan.functionShadows >> i & 1) {
             checkRange(uint64_t(frame.shadows[i].layerCount), 0, 0,
                        "AgaaShadow::layerCount (of a shadow that AgaaShadowFunction answers for)");
             continue;

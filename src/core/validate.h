@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/plan.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -31,8 +32,8 @@ void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name);
 
 AgaaConfig checkConfig(const AgaaConfig* config);
 AgaaSceneFacts checkFacts(const AgaaSceneFacts* facts);
-// functionShadows: bit i: a function of the host's answers for shadow i.
-void checkFrame(const AgaaFrame* frame, const AgaaSceneFacts& facts, uint32_t functionShadows);
+// Against what the view was made for.
+void checkFrame(const AgaaFrame* frame, const Plan& plan);
 // The function chained to a view, or null.
 const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc);
 // Name, chain and size of a view; the planner checks the rest against the device.

@@ -3,6 +3,7 @@
 #include "vk/formats.h"
 #include "vk/view.h"
 
+#include <algorithm>
 #include <new>
 
 using namespace agaa;
@@ -43,7 +44,8 @@ void checkContextDesc(const AgaaVkContextDesc* pointer) {
                "AgaaVkContextDesc::recording");
     checkRange(uint64_t(desc.descriptorSet), 0, 7, "AgaaVkContextDesc::descriptorSet");
     checkRange(uint64_t(desc.framesInFlight), 1, 8, "AgaaVkContextDesc::framesInFlight");
-    require(desc.reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaVkContextDesc::reserved is not 0.");
+    require(desc.reserved == 0 && desc.reserved2 == 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaVkContextDesc has a reserved member that is not 0.");
     require(!desc.allocate == !desc.free, AGAA_ERROR_INVALID_ARGUMENT,
             "AgaaVkContextDesc has only one of allocate and free.");
     if (desc.log)
@@ -51,7 +53,7 @@ void checkContextDesc(const AgaaVkContextDesc* pointer) {
 }
 
 Log logOf(const AgaaVkContextDesc* desc) {
-    return desc && desc->log && desc->structSize == sizeof *desc ? Log(desc->log) : Log();
+    return desc && desc->structSize == sizeof *desc ? checkedLog(desc->log) : Log();
 }
 
 Log logOf(AgaaView view) { return view ? view->context.log : Log(); }
@@ -81,6 +83,37 @@ void describe(const AgaaView_T& view, size_t index, AgaaVkDrawPass& out) {
     out.glslDeclarations = host.declarations.c_str();
 }
 
+// Where contents live on after a segment: in the layout of the last pass up to its end.
+VkImageLayout layoutAfter(const Plan& plan, ResourceId id, uint64_t segment) {
+    const bool kept = plan.config.flags & AGAA_CONFIG_READBACK ||
+                      plan.passes[plan.resources[id].lastPass].segment > segment;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    for (const Pass& pass : plan.passes)
+        for (const vk::ResourceAccess& each : vk::accessesOf(plan, pass))
+            if (kept && pass.segment <= segment && each.resource == id)
+                layout = each.access.layout;
+    return layout;
+}
+
+void describe(const AgaaView_T& view, ResourceId id, AgaaVkSurface& out) {
+    const Resource& resource = view.plan.resources[id];
+    const vk::GpuResource& gpu = (*view.resources)[id];
+    out.image = (uint64_t)gpu.image;
+    out.view = (uint64_t)gpu.fetchView;
+    out.buffer = gpu.buffers.empty() ? 0 : (uint64_t)gpu.buffers[0];
+    out.bytes = resource.bytes;
+    out.format = vk::vkFormat(resource.format);
+    out.width = resource.width;
+    out.height = resource.height;
+    out.samples = resource.samples;
+    out.scaleX = resource.width / view.plan.width;
+    out.scaleY = resource.height / view.plan.height;
+    for (uint32_t i = 0; i < 3; ++i)
+        out.layouts[i] = gpu.image ? layoutAfter(view.plan, id, UINT64_C(1) << i)
+                                   : VK_IMAGE_LAYOUT_UNDEFINED;
+    out.reserved = 0;
+}
+
 } // namespace
 
 extern "C" {
@@ -97,6 +130,15 @@ AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion, const AgaaVkCon
         checkContextDesc(desc);
         const vk::HostAllocator allocator{desc->allocate, desc->free, desc->allocateUser};
         *outContext = construct<AgaaContext_T>(allocator, *desc);
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaVkGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps) {
+    return guarded(context ? context->log : Log(), "agaaVkGetContextCaps", [&]() -> AgaaResult {
+        require(context, AGAA_ERROR_INVALID_ARGUMENT, "the context is null.");
+        checkStruct(outCaps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
+        *outCaps = context->caps;
         return AGAA_OK;
     });
 }
@@ -126,6 +168,23 @@ AgaaResult AGAA_CALL agaaVkGetDrawPasses(AgaaView view, uint32_t* count, AgaaVkD
                     describe(*view, i, passes[next++]);
         }
         *count = available;
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaVkGetSurface(AgaaView view, const char* name, AgaaVkSurface* outSurface) {
+    return guarded(logOf(view), "agaaVkGetSurface", [&]() -> AgaaResult {
+        require(view && name, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+        checkStruct(outSurface, AGAA_STRUCTURE_TYPE_VK_SURFACE, "AgaaVkSurface");
+        const std::vector<Resource>& resources = view->plan.resources;
+        const auto found =
+            std::find_if(resources.begin(), resources.end(), [&](const Resource& resource) {
+                return resource.isPerPixel() && resource.name == name;
+            });
+        if (found == resources.end())
+            fail(AGAA_ERROR_INVALID_ARGUMENT,
+                 format("the view has no surface called \"%.64s\".", name));
+        describe(*view, ResourceId(found - resources.begin()), *outSurface);
         return AGAA_OK;
     });
 }

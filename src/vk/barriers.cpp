@@ -59,7 +59,8 @@ void BarrierTracker::use(ResourceId id, const Access& access) {
     }
 }
 
-void BarrierTracker::usePass(const Pass& pass) {
+std::vector<ResourceAccess> accessesOf(const Plan& plan, const Pass& pass) {
+    std::vector<ResourceAccess> list;
     const bool host = pass.kind == PassKind::HostDraw;
     const VkPipelineStageFlags shader = host ? VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT
                                              : VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
@@ -69,27 +70,37 @@ void BarrierTracker::usePass(const Pass& pass) {
             access.writes = VK_ACCESS_SHADER_WRITE_BIT;
         if (binding.type == BindingType::StorageImage)
             access.layout = VK_IMAGE_LAYOUT_GENERAL;
-        else if (isDepth(plan_.resources[binding.resource].format))
+        else if (isDepth(plan.resources[binding.resource].format))
             access.layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
-        use(binding.resource, access);
+        list.push_back({binding.resource, access});
     }
     for (ResourceId target : pass.colorTargets)
-        use(target, {VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
-                     VK_ACCESS_COLOR_ATTACHMENT_READ_BIT, VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT,
-                     VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL});
+        list.push_back({target,
+                        {VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
+                         VK_ACCESS_COLOR_ATTACHMENT_READ_BIT, VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT,
+                         VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}});
     // The stencil is written where depth is only compared, and store operations count as writes.
     if (pass.depthTarget != noResource)
-        use(pass.depthTarget, {VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT |
-                                   VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT,
-                               VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
-                               VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
-                               VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL});
+        list.push_back({pass.depthTarget,
+                        {VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT |
+                             VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT,
+                         VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
+                         VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+                         VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL}});
     if (pass.source != noResource)
-        use(pass.source, {VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT, 0,
-                          VK_IMAGE_LAYOUT_UNDEFINED});
+        list.push_back({pass.source,
+                        {VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT, 0,
+                         VK_IMAGE_LAYOUT_UNDEFINED}});
     if (pass.destination != noResource)
-        use(pass.destination, {VK_PIPELINE_STAGE_TRANSFER_BIT, 0, VK_ACCESS_TRANSFER_WRITE_BIT,
-                               VK_IMAGE_LAYOUT_UNDEFINED});
+        list.push_back({pass.destination,
+                        {VK_PIPELINE_STAGE_TRANSFER_BIT, 0, VK_ACCESS_TRANSFER_WRITE_BIT,
+                         VK_IMAGE_LAYOUT_UNDEFINED}});
+    return list;
+}
+
+void BarrierTracker::usePass(const Pass& pass) {
+    for (const ResourceAccess& each : accessesOf(plan_, pass))
+        use(each.resource, each.access);
 }
 
 void BarrierTracker::useOutput(VkImage image, VkImageLayout from, VkImageLayout to, bool acquire) {

@@ -17,6 +17,13 @@ struct Access {
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; // images
 };
 
+// What a pass does with each of its resources.
+struct ResourceAccess {
+    ResourceId resource;
+    Access access;
+};
+std::vector<ResourceAccess> accessesOf(const Plan& plan, const Pass& pass);
+
 class BarrierTracker {
 public:
     BarrierTracker(const AgaaContext_T& context, const Plan& plan, const ViewResources& resources);

@@ -2,6 +2,7 @@
 #include "vk/context.h"
 
 #include "core/api_guard.h"
+#include "core/validate.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,10 +14,11 @@ namespace {
 
 constexpr const char* requiredFeatures[] = {
     "fragmentStoresAndAtomics",
+    "sampleRateShading", // interpolateAtCentroid() in the host's material shaders, too
     "shaderStorageImageExtendedFormats",
     "shaderStorageImageWriteWithoutFormat",
 };
-constexpr const char* optionalFeatures[] = {"sampleRateShading", "dynamicRendering"};
+constexpr const char* optionalFeatures[] = {"dynamicRendering"};
 constexpr const char* optionalExtensions[] = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME,
                                               VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME};
 
@@ -36,6 +38,7 @@ VkSampleCountFlags usableSamples(const InstanceTable& vk, VkPhysicalDevice devic
                                  const VkPhysicalDeviceLimits& limits, VkFormat depth) {
     VkSampleCountFlags counts = limits.framebufferColorSampleCounts &
                                 limits.framebufferDepthSampleCounts &
+                                limits.framebufferStencilSampleCounts &
                                 limits.sampledImageColorSampleCounts &
                                 limits.sampledImageDepthSampleCounts;
     const auto restrict = [&](VkFormat format, VkImageUsageFlags usage) {
@@ -103,7 +106,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
     for (VkFormat depth : {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT})
         if (rendersAndSamples(vk, device, depth))
             counts &= usableSamples(vk, device, limits, depth);
-    caps.sampleCounts = counts & 0x3F;
+    caps.sampleCounts = counts & 0x1F; // the standard has no pattern of 32 samples
     return caps;
 }
 
@@ -116,7 +119,11 @@ extern "C" {
 AgaaResult AGAA_CALL agaaVkGetRequirements(AgaaVkRequirements* out) {
     return guarded(Log(), "agaaVkGetRequirements", [&]() -> AgaaResult {
         require(out, AGAA_ERROR_INVALID_ARGUMENT, "the requirements pointer is null.");
-        *out = {VK_API_VERSION_1_2,
+        checkStruct(out, AGAA_STRUCTURE_TYPE_REQUIREMENTS, "AgaaVkRequirements");
+        *out = {AGAA_STRUCTURE_TYPE_REQUIREMENTS,
+                sizeof *out,
+                out->pNext,
+                VK_API_VERSION_1_2,
                 0,
                 uint32_t(std::size(vk::requiredFeatures)),
                 vk::requiredFeatures,
@@ -131,9 +138,10 @@ AgaaResult AGAA_CALL agaaVkGetRequirements(AgaaVkRequirements* out) {
 AgaaResult AGAA_CALL agaaVkGetDeviceCaps(void* instance, void* physicalDevice,
                                          AgaaVkGetInstanceProcAddr getProcAddr, const AgaaLog* log,
                                          AgaaDeviceCaps* outCaps) {
-    return guarded(Log(log), "agaaVkGetDeviceCaps", [&]() -> AgaaResult {
+    return guarded(checkedLog(log), "agaaVkGetDeviceCaps", [&]() -> AgaaResult {
         require(instance && physicalDevice && getProcAddr && outCaps, AGAA_ERROR_INVALID_ARGUMENT,
                 "a pointer is null.");
+        checkStruct(outCaps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
         const vk::InstanceTable functions =
             vk::loadInstanceTable(getProcAddr, static_cast<VkInstance>(instance));
         *outCaps = vk::queryCaps(functions, static_cast<VkPhysicalDevice>(physicalDevice));

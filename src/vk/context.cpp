@@ -2,6 +2,7 @@
 
 #include "core/validate.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <vector>
@@ -27,17 +28,42 @@ void HostAllocator::free(void* memory) const {
 
 using namespace agaa;
 
-static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkContextDesc& desc) {
+// Of what the device has, what the host enabled when it created it.
+static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkContextDesc& desc,
+                                 uint32_t apiVersion) {
     const auto enabled = [&](const char* name) {
         for (uint32_t i = 0; i < desc.enabledExtensionCount; ++i)
-            if (std::strcmp(desc.enabledExtensions[i], name) == 0)
+            if (desc.enabledExtensions[i] && std::strcmp(desc.enabledExtensions[i], name) == 0)
                 return true;
         return false;
     };
     if (!enabled(VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME))
         caps.flags &= ~AGAA_DEVICE_POST_DEPTH_COVERAGE;
-    if (desc.apiVersion < VK_API_VERSION_1_3 && !enabled(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME))
+    if (apiVersion < VK_API_VERSION_1_3 && !enabled(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME))
         caps.flags &= ~AGAA_DEVICE_DYNAMIC_RENDERING;
+    if (!desc.enabledFeatures)
+        return;
+    const auto* core = static_cast<const VkPhysicalDeviceFeatures2*>(desc.enabledFeatures);
+    require(core->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaVkContextDesc::enabledFeatures is not a VkPhysicalDeviceFeatures2.");
+    const auto keep = [&](VkBool32 on, uint64_t flag) { caps.flags &= on ? ~UINT64_C(0) : ~flag; };
+    const VkPhysicalDeviceFeatures& f = core->features;
+    keep(f.fragmentStoresAndAtomics, AGAA_DEVICE_FRAGMENT_ATOMICS);
+    keep(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
+    keep(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat,
+         AGAA_DEVICE_STORAGE_FORMATS);
+    VkBool32 dynamicRendering = VK_FALSE;
+    for (const auto* next = static_cast<const VkBaseInStructure*>(core->pNext); next;
+         next = next->pNext) {
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES)
+            dynamicRendering |=
+                reinterpret_cast<const VkPhysicalDeviceVulkan13Features*>(next)->dynamicRendering;
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES)
+            dynamicRendering |=
+                reinterpret_cast<const VkPhysicalDeviceDynamicRenderingFeatures*>(next)
+                    ->dynamicRendering;
+    }
+    keep(dynamicRendering, AGAA_DEVICE_DYNAMIC_RENDERING);
 }
 
 static VkSampler createSampler(const AgaaContext_T& context, bool compare) {
@@ -64,7 +90,19 @@ AgaaContext_T::AgaaContext_T(const AgaaVkContextDesc& desc)
       secondary(desc.recording == AGAA_VK_RECORDING_SECONDARY), descriptorSet(desc.descriptorSet),
       pipelineCache((VkPipelineCache)desc.pipelineCache), framesInFlight(desc.framesInFlight) {
     caps = vk::queryCaps(instanceFunctions, physicalDevice);
-    dropWhatIsNotEnabled(caps, desc);
+    VkPhysicalDeviceMaintenance3Properties maintenance{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES, nullptr, 0, 0};
+    VkPhysicalDeviceProperties2 device2{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &maintenance,
+                                        {}};
+    instanceFunctions.GetPhysicalDeviceProperties2(physicalDevice, &device2);
+    const VkPhysicalDeviceLimits& limits = device2.properties.limits;
+    const uint32_t apiVersion = std::min(desc.apiVersion, device2.properties.apiVersion);
+    require(apiVersion >= VK_API_VERSION_1_2, AGAA_ERROR_UNSUPPORTED,
+            "the device is below Vulkan 1.2.");
+    require(descriptorSet < limits.maxBoundDescriptorSets, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaVkContextDesc::descriptorSet is not below the device's maxBoundDescriptorSets.");
+    dropWhatIsNotEnabled(caps, desc, apiVersion);
+    maxAllocation = maintenance.maxMemoryAllocationSize;
     const bool canBeDynamic = caps.flags & AGAA_DEVICE_DYNAMIC_RENDERING;
     require(canBeDynamic || desc.rendering != AGAA_VK_RENDERING_DYNAMIC, AGAA_ERROR_UNSUPPORTED,
             "dynamic rendering was asked for, but neither Vulkan 1.3 nor VK_KHR_dynamic_rendering "
@@ -85,11 +123,9 @@ AgaaContext_T::AgaaContext_T(const AgaaVkContextDesc& desc)
             "the queue family does not do both graphics and compute.");
     const uint32_t bits = properties[queueFamily].timestampValidBits;
     timestampMask = bits >= 64 ? ~UINT64_C(0) : (UINT64_C(1) << bits) - 1;
-    VkPhysicalDeviceProperties2 device2{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, nullptr, {}};
-    instanceFunctions.GetPhysicalDeviceProperties2(physicalDevice, &device2);
-    timestampPeriod = device2.properties.limits.timestampPeriod;
-    granularity = device2.properties.limits.bufferImageGranularity;
-    if (!device2.properties.limits.standardSampleLocations)
+    timestampPeriod = limits.timestampPeriod;
+    granularity = limits.bufferImageGranularity;
+    if (!limits.standardSampleLocations)
         log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
                   "the device does not rasterise at the standard sample locations; positions of "
                   "samples are approximate.");

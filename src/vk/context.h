@@ -43,6 +43,7 @@ struct AgaaContext_T {
     uint32_t framesInFlight;
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT; // less what the host did not enable
     VkPhysicalDeviceMemoryProperties memory{};
+    VkDeviceSize maxAllocation = 0;
     VkDeviceSize granularity = 1; // between buffers and images in one allocation
     float timestampPeriod = 0;    // nanoseconds a tick
     uint64_t timestampMask = 0;   // 0: the queue has no timestamps

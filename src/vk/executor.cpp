@@ -5,13 +5,21 @@
 #include "core/frame_data.h"
 #include "core/validate.h"
 
-#include <cstring>
+#include <algorithm>
+#include <new>
 
 using namespace agaa;
 using namespace agaa::vk;
 
-void AgaaView_T::checkOrder(const AgaaFrame& frame) const {
-    const FrameSlot& slot = slots[frame.frameIndex % slots.size()];
+static std::array<float, 32> cameraOf(const AgaaFrame& frame) {
+    std::array<float, 32> camera;
+    std::copy_n(frame.view, 16, camera.begin());
+    std::copy_n(frame.projection, 16, camera.begin() + 16);
+    return camera;
+}
+
+void AgaaView_T::checkOrder(const AgaaFrame& frame, uint32_t index) const {
+    const FrameSlot& slot = slots[index];
     if (frame.frameIndex == currentFrame) {
         require((frame.segments & recordedSegments) == 0, AGAA_ERROR_WRONG_ORDER,
                 "a segment of this frame was recorded before.");
@@ -19,6 +27,8 @@ void AgaaView_T::checkOrder(const AgaaFrame& frame) const {
         const uint64_t lowest = frame.segments & (~frame.segments + 1);
         require((recordedSegments & (lowest - 1)) == lowest - 1, AGAA_ERROR_WRONG_ORDER,
                 "an earlier segment of this frame is missing.");
+        require(cameraOf(frame) == currentCamera, AGAA_ERROR_OUT_OF_RANGE,
+                "AgaaFrame::view or projection is not that of the frame's earlier segments.");
         return;
     }
     require(frame.frameIndex > currentFrame, AGAA_ERROR_WRONG_ORDER,
@@ -68,7 +78,9 @@ void AgaaView_T::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame)
 
 void AgaaView_T::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
     for (ResourceId id = 0; id < plan.resources.size(); ++id)
-        if (plan.resources[id].content != UploadContent::None)
+        if (plan.resources[id].content == UploadContent::FrameConstants ||
+            (plan.resources[id].content == UploadContent::Lights &&
+             frame.segments & AGAA_SEGMENT_SHADING))
             writeUpload(plan, plan.resources[id].content, frame, (*resources)[id].mapped[slot]);
 }
 
@@ -202,8 +214,8 @@ void AgaaView_T::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer
                                   nullptr);
 }
 
-AgaaResult AgaaView_T::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t index,
-                                  uint32_t slot, VkCommandBuffer commands) {
+void AgaaView_T::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t index,
+                            uint32_t slot, VkCommandBuffer commands) {
     const Pass& pass = plan.passes[index];
     const DeviceTable& vk = context.vk;
     if (vk.CmdBeginDebugUtilsLabelEXT) {
@@ -256,36 +268,55 @@ AgaaResult AgaaView_T::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkF
         fail(AGAA_ERROR_PARTIAL,
              format("the draw callback returned %d in pass \"%s\"; discard the command buffer.",
                     int(result), pass.name.c_str()));
-    return AGAA_OK;
+}
+
+void AgaaView_T::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot,
+                              bool begins) {
+    const auto commands = static_cast<VkCommandBuffer>(vkFrame.commandBuffer);
+    if (begins)
+        barriers->beginFrame();
+    if (begins && queries)
+        context.vk.CmdResetQueryPool(commands, queries, uint32_t(2 * slot * passes.size()),
+                                     uint32_t(2 * passes.size()));
+    for (size_t i = 0; i < plan.passes.size(); ++i)
+        if (plan.passes[i].segment & frame.segments)
+            recordPass(frame, vkFrame, i, slot, commands);
 }
 
 AgaaResult AgaaView_T::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
-    checkFrame(&frame, plan.facts, plan.functionShadows);
+    checkFrame(&frame, plan);
     checkStruct(&vkFrame, AGAA_STRUCTURE_TYPE_VK_FRAME, "AgaaVkFrame");
-    checkOrder(frame);
-    checkTarget(frame, vkFrame);
-    const uint32_t slot = uint32_t(frame.frameIndex % slots.size());
     const bool begins = frame.frameIndex != currentFrame;
+    const uint32_t slot = begins ? (currentSlot + 1) % uint32_t(slots.size()) : currentSlot;
+    checkOrder(frame, slot);
+    checkTarget(frame, vkFrame);
     writeFrameData(frame, slot);
     writeDescriptors(vkFrame, slot, frame.segments);
     if (context.secondary)
         recordSecondaries(frame, slot);
-    // From here on nothing but the device can fail.
-    const auto commands = static_cast<VkCommandBuffer>(vkFrame.commandBuffer);
+    // Up to here nothing of the host's was touched.
+    try {
+        recordPasses(frame, vkFrame, slot, begins);
+    } catch (const Error& error) {
+        // The host discards the command buffer: what it would have begun never runs, and a frame whose
+        // earlier segments run cannot go on.
+        if (!begins)
+            recordedSegments = AGAA_SEGMENT_ALL;
+        fail(AGAA_ERROR_PARTIAL, error.message);
+    } catch (const std::bad_alloc&) {
+        if (!begins)
+            recordedSegments = AGAA_SEGMENT_ALL;
+        fail(AGAA_ERROR_PARTIAL, "host memory is exhausted; discard the command buffer.");
+    }
     if (begins) {
-        barriers->beginFrame();
         currentFrame = frame.frameIndex;
+        currentSlot = slot;
+        currentCamera = cameraOf(frame);
         recordedSegments = 0;
         slots[slot].frame = frame.frameIndex;
         slots[slot].complete = false;
-        if (queries)
-            context.vk.CmdResetQueryPool(commands, queries, uint32_t(2 * slot * passes.size()),
-                                         uint32_t(2 * passes.size()));
     }
     recordedSegments |= frame.segments;
-    for (size_t i = 0; i < plan.passes.size(); ++i)
-        if (plan.passes[i].segment & frame.segments)
-            recordPass(frame, vkFrame, i, slot, commands);
     slots[slot].complete = recordedSegments == AGAA_SEGMENT_ALL;
     return AGAA_OK;
 }

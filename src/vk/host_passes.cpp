@@ -93,15 +93,13 @@ VkRenderingAttachmentInfo renderingAttachment(const Plan& plan, const Pass& pass
 
 } // namespace
 
-HostPassObjects createHostPass(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
-                               const ViewResources& resources) {
-    HostPassObjects objects;
+void createHostPass(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+                    const ViewResources& resources, HostPassObjects& objects) {
     objects.key = hostPassKey(plan, pass);
     objects.extensions = hostExtensions(plan, pass);
     objects.declarations = hostDeclarations(plan, pass, context.descriptorSet);
     if (!context.dynamicRendering)
         createRenderPass(context, plan, pass, resources, objects);
-    return objects;
 }
 
 void destroyHostPass(const AgaaContext_T& context, HostPassObjects& objects) {

@@ -17,8 +17,9 @@ struct HostPassObjects {
     VkFramebuffer framebuffer = VK_NULL_HANDLE;
 };
 
-HostPassObjects createHostPass(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
-                               const ViewResources& resources);
+// Fills objects as it goes, so that what was made before a failure is destroyed with them.
+void createHostPass(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+                    const ViewResources& resources, HostPassObjects& objects);
 void destroyHostPass(const AgaaContext_T& context, HostPassObjects& objects);
 
 void beginHostRendering(const AgaaContext_T& context, const Plan& plan, const Pass& pass,

@@ -96,6 +96,16 @@ void ViewResources::createImage(const Plan& plan, ResourceId id, std::vector<Req
     info.usage = imageUsage(plan, id);
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
     info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    VkImageFormatProperties limits{};
+    check(context_.instanceFunctions.GetPhysicalDeviceImageFormatProperties(
+              context_.physicalDevice, info.format, info.imageType, info.tiling, info.usage, 0,
+              &limits),
+          "vkGetPhysicalDeviceImageFormatProperties");
+    if (resource.bytes > limits.maxResourceSize)
+        fail(AGAA_ERROR_TOO_LARGE,
+             format("%s takes %llu bytes; the device allows images of %llu.", resource.name.c_str(),
+                    static_cast<unsigned long long>(resource.bytes),
+                    static_cast<unsigned long long>(limits.maxResourceSize)));
     VkImage image = VK_NULL_HANDLE;
     check(context_.vk.CreateImage(context_.device, &info, nullptr, &image), "vkCreateImage");
     resources_[id].image = image;
@@ -158,6 +168,13 @@ uint32_t ViewResources::memoryType(uint32_t allowed, VkMemoryPropertyFlags wante
 }
 
 VkDeviceMemory ViewResources::allocate(uint64_t size, uint32_t type) {
+    const uint64_t heap =
+        context_.memory.memoryHeaps[context_.memory.memoryTypes[type].heapIndex].size;
+    if (size > heap || size > context_.maxAllocation)
+        fail(AGAA_ERROR_TOO_LARGE,
+             format("the surfaces need %llu bytes at once; the device allows %llu.",
+                    static_cast<unsigned long long>(size),
+                    static_cast<unsigned long long>(std::min<uint64_t>(heap, context_.maxAllocation))));
     VkMemoryAllocateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
     info.allocationSize = size;

@@ -16,8 +16,7 @@ static AgaaCounters readCounters(const CounterBuffer& source) {
     out.visible = wide(source.visible);
     out.once = wide(source.once);
     out.missed = wide(source.missed);
-    const uint64_t written = wide(source.written);
-    out.multi = written > out.once ? written - out.once : 0;
+    out.multi = wide(source.multi);
     out.ties = wide(source.ties);
     out.sanitised = wide(source.sanitised);
     out.shadingEvents = wide(source.shadingEvents);

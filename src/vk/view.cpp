@@ -91,7 +91,7 @@ void AgaaView_T::createPassObjects() {
         context.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, (uint64_t)passes[i].setLayout,
                      "agaa " + pass.name);
         if (pass.kind == PassKind::HostDraw)
-            passes[i].host = createHostPass(context, plan, pass, *resources);
+            createHostPass(context, plan, pass, *resources, passes[i].host);
     }
     std::vector<VkDescriptorPoolSize> sizes;
     for (const auto& [type, count] : counts)

@@ -7,6 +7,7 @@
 #include "vk/host_passes.h"
 #include "vk/resources.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,21 +51,25 @@ struct AgaaView_T {
     VkDescriptorPool descriptorPool = VK_NULL_HANDLE;
     VkQueryPool queries = VK_NULL_HANDLE; // two timestamps per pass and slot
     uint64_t currentFrame = 0;
+    uint32_t currentSlot = 0;
     uint64_t recordedSegments = 0; // of the current frame
+    std::array<float, 32> currentCamera{}; // view and projection of the current frame
 
 private:
     void createPassObjects();
     void createPipelines();
     void createSlots();
     void destroy();
-    void checkOrder(const AgaaFrame& frame) const;
+    void checkOrder(const AgaaFrame& frame, uint32_t slot) const;
     void checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const;
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
+    void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot,
+                      bool begins);
     void writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uint64_t segments);
     AgaaResult callHost(const AgaaFrame& frame, size_t pass, uint32_t slot,
                         VkCommandBuffer commands);
     AgaaResult recordSecondaries(const AgaaFrame& frame, uint32_t slot);
-    AgaaResult recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t pass,
+    void recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t pass,
                           uint32_t slot, VkCommandBuffer commands);
     void recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
                        VkCommandBuffer commands);

@@ -26,6 +26,9 @@ TEST(Abi, HeadersComeFirst) {
     CHECK_HEADER(AgaaMemoryReport);
     CHECK_HEADER(AgaaFrame);
     CHECK_HEADER(AgaaFrameStatistics);
+    CHECK_HEADER(AgaaShadowFunction);
+    CHECK_HEADER(AgaaVkRequirements);
+    CHECK_HEADER(AgaaVkSurface);
     CHECK_HEADER(AgaaVkContextDesc);
     CHECK_HEADER(AgaaVkDrawPass);
     CHECK_HEADER(AgaaVkFrame);
@@ -51,9 +54,12 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaCounters, 88);
     EXPECT_SIZE(AgaaPassTime, 64);
     EXPECT_SIZE(AgaaFrameStatistics, 1168);
-    EXPECT_SIZE(AgaaVkContextDesc, 128);
+    EXPECT_SIZE(AgaaShadowFunction, 40);
+    EXPECT_SIZE(AgaaVkRequirements, 72);
+    EXPECT_SIZE(AgaaVkSurface, 88);
+    EXPECT_SIZE(AgaaVkContextDesc, 144);
     EXPECT_SIZE(AgaaVkDrawPass, 144);
-    EXPECT_SIZE(AgaaVkFrame, 80);
+    EXPECT_SIZE(AgaaVkFrame, 88);
 }
 
 TEST(Abi, Offsets) {

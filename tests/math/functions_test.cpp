@@ -240,7 +240,8 @@ TEST(MathDepth, ViewPositionInvertsTheProjection) {
                               (double(b) * p.y + double(d) * p.z) / -p.z);
         perspective.add(glm::length(back - glm::dvec2(ndc)));
         const glm::dvec3 o(math_f::agaa_viewPosition(ndc, z, a, b, c, d, 1));
-        ortho.add(glm::length(glm::dvec2(o.x * double(a), o.y * double(b)) - glm::dvec2(ndc)));
+        ortho.add(glm::length(glm::dvec2(o.x * double(a) + double(c), o.y * double(b) + double(d)) -
+                              glm::dvec2(ndc)));
         EXPECT_EQ(o.z, z);
     }
 }

@@ -184,7 +184,7 @@ void Device::choosePhysicalDevice() {
 }
 
 void Device::createDevice(bool useDynamicRendering) {
-    AgaaVkRequirements requirements{};
+    AgaaVkRequirements requirements = AGAA_VK_REQUIREMENTS_INIT;
     if (agaaVkGetRequirements(&requirements) != AGAA_OK)
         throw std::runtime_error("The SDK did not say what it requires of a Vulkan device.");
     if (requirements.apiVersion > apiVersion_)

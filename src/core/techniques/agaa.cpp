@@ -106,12 +106,13 @@ void buildNative(PlanBuilder& b) {
 // A second geometry pass adds fragments to aggregates by integer atomics.
 void buildAtomics(PlanBuilder& b) {
     const bool perSample = b.plan.generationTier == AGAA_TIER_PER_SAMPLE && b.plan.hwSamples > 1;
-    const bool hasStencilFormat = b.caps().flags & (AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8);
-    // Counting ties needs to see the fragments that the stencil test would refuse.
-    const bool stencil = !(b.config().flags & AGAA_CONFIG_NO_STENCIL) && hasStencilFormat;
-
+    const bool wantsStencil = !(b.config().flags & AGAA_CONFIG_NO_STENCIL);
     const AggregatePacking packing = packAggregate(b.plan.layout, b.plan.samples);
-    const Surfaces s = drawPrepass(b, stencil);
+    const Surfaces s = drawPrepass(b, wantsStencil);
+    const bool stencil = wantsStencil && hasStencil(b.plan.depthFormat);
+    if (wantsStencil && !stencil)
+        b.note("no format of depth and stencil: of equal depths the first to come is kept, which is "
+               "not repeatable.");
     const ResourceId metadata = defineAggregates(b, [&](Pass& define) {
         b.bind(define, slot::Depth, BindingType::Texture, s.depth);
         b.bind(define, slot::Surface0, BindingType::Texture, s.normals);

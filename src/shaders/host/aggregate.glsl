@@ -91,8 +91,6 @@ void agaa_emit(AgaaSurfaceInput s) {
 #if AGAA_COUNTING
         if (fresh != own)
             atomicAdd(agaa_counterBuffer.words[8], uint(bitCount(own & before)));
-        if (fresh != 0u)
-            atomicAdd(agaa_counterBuffer.words[6], uint(bitCount(fresh)));
 #endif
         if (fresh == 0u)
             continue;

@@ -51,7 +51,7 @@ vec3 agaa_planeNormal(vec3 position) {
 
 // Alpha tested at a cutoff as coverage: a ramp one pixel wide around the contour.
 float agaa_sharpenAlpha(float alpha, float cutoff) {
-    float width = max(fwidth(alpha) * float(AGAA_SCALE_Y), 1e-4);
+    float width = max(abs(agaa_dFdx(alpha)) + abs(agaa_dFdy(alpha)), 1e-4);
     return clamp((alpha - cutoff) / width + 0.5, 0.0, 1.0);
 }
 

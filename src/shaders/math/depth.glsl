@@ -44,16 +44,16 @@ real agaa_depthQuantum(real z, real d, real p22, real p32, uint orthographic, re
     return min(dz, agaa_maxViewDistance());
 }
 
-// p20, p21 are P[2][0], P[2][1] (an off-centre frustum, jitter); an orthographic projection is
-// taken to be centred.
-rvec3 agaa_viewPosition(rvec2 ndc, real z, real p00, real p11, real p20, real p21,
+// offsetX, offsetY move the image (an off-centre frustum, jitter): P[2][0], P[2][1]; of an
+// orthographic projection P[3][0], P[3][1].
+rvec3 agaa_viewPosition(rvec2 ndc, real z, real p00, real p11, real offsetX, real offsetY,
                         uint orthographic) {
     const real ix = agaa_guardedReciprocal(p00);
     const real iy = agaa_guardedReciprocal(p11);
-    rvec3 p = rvec3(ndc.x * ix, ndc.y * iy, z);
+    rvec3 p = rvec3((ndc.x - offsetX) * ix, (ndc.y - offsetY) * iy, z);
     if (orthographic == 0u) {
-        p.x = -z * (ndc.x + p20) * ix;
-        p.y = -z * (ndc.y + p21) * iy;
+        p.x = -z * (ndc.x + offsetX) * ix;
+        p.y = -z * (ndc.y + offsetY) * iy;
     }
     return p;
 }

@@ -4,7 +4,7 @@
 #define AGAA_COUNT_VISIBLE 0u
 #define AGAA_COUNT_ONCE 1u
 #define AGAA_COUNT_MISSED 2u
-#define AGAA_COUNT_WRITTEN 3u // sample writes; more than `once` means some were written twice
+#define AGAA_COUNT_MULTI 3u
 #define AGAA_COUNT_TIES 4u
 #define AGAA_COUNT_SANITISED 5u
 #define AGAA_COUNT_EVENTS 6u

@@ -3,7 +3,7 @@
 #define AGAA_FRAME_GLSL
 layout(std140, set = AGAA_SET, binding = 0) uniform agaa_FrameBlock {
     mat4 view;        // shading to view space, a rotation
-    vec4 projection0; // p00, p11, p20, p21
+    vec4 projection0; // p00, p11, offset x, y: p20, p21; orthographic p30, p31
     vec4 projection1; // p22, p32, orthographic, depth quantum
     uvec4 size;       // width, height, light count, background comes from the output
     vec4 cluster;     // k, k per distance, t, 0

@@ -69,12 +69,18 @@ float agaa_mapTap(uint map, vec3 p) {
 float agaa_mapTap(uint map, vec3 p) { return 1.0; }
 #endif
 
+// The light that p gets past shadow `map`; one that the frame has not shades nothing and costs no tap.
 float agaa_shadowTap(uint map, vec3 p) {
 #ifdef AGAA_HOST_SHADOWS
     uint bad = 0u;
-    if ((AGAA_HOST_SHADOWS >> map & 1u) != 0u)
+    if ((AGAA_HOST_SHADOWS >> map & 1u) != 0u) {
+        agaa_count(AGAA_COUNT_SHADOW_TAPS, 1u);
         return agaa_sanitise(agaaHostShadow(map, p), 0.0, 1.0, bad);
+    }
 #endif
+    if (agaa_lightBuffer.shadows[map].layerCount == 0u)
+        return 1.0;
+    agaa_count(AGAA_COUNT_SHADOW_TAPS, 1u);
     return agaa_mapTap(map, p);
 }
 

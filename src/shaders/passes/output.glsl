@@ -18,6 +18,7 @@ void agaa_writeOutput(uvec2 pixel, vec3 color, uint covered) {
         // An empty pixel is exactly the background (hard case 18).
         color = covered == 0u ? below.rgb : color + below.rgb * rest;
     }
-    imageStore(agaa_output, ivec2(pixel), vec4(color, 1.0));
+    // Brighter than this is infinite in half floats.
+    imageStore(agaa_output, ivec2(pixel), vec4(min(color, vec3(65504.0)), 1.0));
 }
 #endif

@@ -124,7 +124,6 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
     }
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] /= float(tapped);
-    agaa_count(AGAA_COUNT_SHADOW_TAPS, tapped * AGAA_SHADOW_MAPS);
 #endif
     return agaa_toShadingSpace(mean);
 }
@@ -133,6 +132,7 @@ void agaa_shadePixel(uvec2 pixel) {
     uint pixelBase = (pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES * AGAA_WORDS;
     vec3 color = vec3(0.0);
     uint covered = 0u;
+    uint coveredMask = 0u;
     uint events = 0u;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a) {
         agaa_base = pixelBase + a * AGAA_WORDS;
@@ -141,6 +141,7 @@ void agaa_shadePixel(uvec2 pixel) {
             continue;
         agaa_count_ = uint(bitCount(mask));
         covered += agaa_count_;
+        coveredMask |= mask;
         ++events;
         vec3 position = agaa_placeAggregate(pixel, mask);
         agaa_Surface s = agaa_aggregateSurface(agaa_toEye(position));
@@ -148,12 +149,14 @@ void agaa_shadePixel(uvec2 pixel) {
     }
 #if AGAA_COUNTING
     uint visible = 0u;
-    for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
-        visible += AGAA_FETCH(agaa_normals, pixel, i)[AGAA_COVERAGE_COMPONENT] > 0.0 ? 1u : 0u;
-    }
-    agaa_count(AGAA_COUNT_VISIBLE, visible);
-    agaa_count(AGAA_COUNT_ONCE, covered);
-    agaa_count(AGAA_COUNT_MISSED, visible - min(covered, visible));
+    for (uint i = 0u; i < AGAA_SAMPLES; ++i)
+        if (AGAA_FETCH(agaa_normals, pixel, i)[AGAA_COVERAGE_COMPONENT] > 0.0)
+            visible |= 1u << i;
+    uint once = uint(bitCount(visible & coveredMask));
+    agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(visible)));
+    agaa_count(AGAA_COUNT_ONCE, once);
+    agaa_count(AGAA_COUNT_MISSED, uint(bitCount(visible & ~coveredMask)));
+    agaa_count(AGAA_COUNT_MULTI, covered - once);
     agaa_count(AGAA_COUNT_EVENTS, events);
     agaa_count(AGAA_COUNT_PIXELS, events != 0u ? 1u : 0u);
 #endif

@@ -25,13 +25,11 @@ void agaa_shadePixel(uvec2 pixel) {
 #if AGAA_SHADOWS
         for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
             agaa_visibility[map] = agaa_shadowTap(map, position);
-        agaa_count(AGAA_COUNT_SHADOW_TAPS, AGAA_SHADOW_MAPS);
 #endif
         color += agaa_lightSurface(agaa_sampleSurface(), position);
     }
     agaa_count(AGAA_COUNT_VISIBLE, covered);
     agaa_count(AGAA_COUNT_ONCE, covered);
-    agaa_count(AGAA_COUNT_WRITTEN, covered);
     agaa_count(AGAA_COUNT_EVENTS, covered);
     agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
     agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), covered);

@@ -1,7 +1,11 @@
 // Every kind of host gets the same bits.
-#include "stage_host.h"
+#include "truth.h"
+
+#include "vk/barrier.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace agaa::test {
 namespace {
@@ -81,6 +85,102 @@ TEST_P(HostsTest, OutputLayoutsAreLeftAsAsked) {
         vk.outputLayoutIn = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     });
     EXPECT_EQ(view.image().rgb.size(), size_t(48 * 32 * 3));
+}
+
+// The host reads the depth between the prepass and the rest.
+TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
+    StageContext context;
+    ViewSettings settings = settingsFor(GetParam());
+    settings.config.flags |= AGAA_CONFIG_READBACK;
+    StageView view(context, settings);
+    view.setTriangles(randomTriangles({.triangles = 200}, 13));
+    AgaaVkSurface surface = AGAA_VK_SURFACE_INIT;
+    ASSERT_EQ(agaaVkGetSurface(view.get(), "depth", &surface), AGAA_OK);
+    EXPECT_EQ(surface.width, 48 * surface.scaleX);
+    EXPECT_EQ(surface.height, 32 * surface.scaleY);
+    const auto image = (VkImage)surface.image;
+    constexpr VkImageAspectFlags aspects = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
+    const auto use = [&](uint32_t layout) {
+        return harness::vk::ImageUse{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
+                                     VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT,
+                                     VkImageLayout(layout)};
+    };
+    const auto readable = use(VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);
+    const AgaaLight light = sun();
+    AgaaFrame frame = view.frame();
+    frame.lights = &light;
+    frame.lightCount = 1;
+    const auto record = [&](uint64_t segments) {
+        sharedDevice().runCommands([&](VkCommandBuffer commands) {
+            AgaaVkFrame vk = view.vkFrame(commands);
+            if (segments != AGAA_SEGMENT_PREPASS)
+                harness::vk::imageBarrier(commands, image, aspects, readable,
+                                          use(surface.layouts[0]));
+            frame.segments = segments;
+            ASSERT_EQ(agaaVkRecordFrame(view.get(), &frame, &vk), AGAA_OK);
+            if (segments == AGAA_SEGMENT_PREPASS)
+                harness::vk::imageBarrier(commands, image, aspects, use(surface.layouts[0]),
+                                          readable);
+        });
+    };
+    record(AGAA_SEGMENT_PREPASS);
+    const auto between = view.readSurface("depth");
+    record(AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING);
+    EXPECT_EQ(between, view.readSurface("depth"));
+    EXPECT_EQ(view.image().rgb, [&] {
+        StageView whole(context, settings);
+        whole.setTriangles(randomTriangles({.triangles = 200}, 13));
+        AgaaFrame again = whole.frame();
+        again.lights = &light;
+        again.lightCount = 1;
+        whole.render(again);
+        return whole.image().rgb;
+    }());
+    EXPECT_EQ(agaaVkGetSurface(view.get(), "nothing", &surface), AGAA_ERROR_INVALID_ARGUMENT);
+}
+
+// Where no two triangles tie, the order of drawing changes no bit.
+TEST_P(HostsTest, ShufflingChangesOnlyPixelsOfTies) {
+    StageContext context;
+    ViewSettings settings = settingsFor(GetParam());
+    std::vector<Triangle> scene =
+        randomTriangles({.triangles = 200, .duplicates = 0.1f, .masked = 0.2f}, 14);
+    std::vector<Triangle> shuffled = scene;
+    for (size_t i = 0; i < scene.size(); ++i)
+        scene[i].seed = shuffled[i].seed = uint32_t(i + 1);
+    std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(15));
+    const auto rendered = [&](const std::vector<Triangle>& triangles) {
+        StageView view(context, settings);
+        view.setTriangles(triangles);
+        const AgaaLight light = sun();
+        AgaaFrame frame = view.frame();
+        frame.lights = &light;
+        frame.lightCount = 1;
+        view.render(frame);
+        return view.image().rgb;
+    };
+    const std::vector<float> first = rendered(scene), second = rendered(shuffled);
+    ViewSettings like = settings;
+    if (std::string(GetParam()) == "single")
+        like.config.samples = 1;
+    const Truth a = visibleTriangles(context, like, scene);
+    const Truth b = visibleTriangles(context, like, shuffled);
+    size_t ties = 0, different = 0;
+    for (size_t pixel = 0; pixel < first.size() / 3; ++pixel) {
+        bool tie = false;
+        for (uint32_t i = 0; i < a.samples; ++i) {
+            const uint32_t ta = a.triangle[pixel * a.samples + i];
+            const uint32_t tb = b.triangle[pixel * b.samples + i];
+            const bool hitA = ta != noTriangle, hitB = tb != noTriangle;
+            tie |= hitA != hitB || (hitA && scene[ta].seed != shuffled[tb].seed);
+        }
+        const bool differs = !std::equal(&first[3 * pixel], &first[3 * pixel] + 3, &second[3 * pixel]);
+        ties += tie;
+        different += differs;
+        EXPECT_TRUE(tie || !differs) << "pixel " << pixel;
+    }
+    EXPECT_GT(ties, 0u) << "the scene must have ties";
+    EXPECT_LE(different, ties);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HostsTest, testing::Values("single", "ssaa", "agaa"));

@@ -230,6 +230,20 @@ TEST(Shading, AgreesForBothLobesLayoutsAndFilters) {
     expectOracle({.shadowed = false}, scene(33));
 }
 
+TEST(Shading, AgreesForOffCentreProjections) {
+    glm::mat4 jittered = perspective(60, 1.5f, 0.1f, 100);
+    jittered[2][0] = 0.3f;
+    jittered[2][1] = -0.2f;
+    glm::mat4 orthographic(1);
+    orthographic[0][0] = 0.1f;
+    orthographic[1][1] = -0.15f;
+    orthographic[2][2] = -0.04f;
+    orthographic[3] = glm::vec4(0.3f, -0.2f, 0, 1);
+    for (const glm::mat4& projection : {jittered, orthographic})
+        for (const char* technique : {"ssaa", "agaa"})
+            expectOracle({.technique = technique, .projection = projection}, scene(35));
+}
+
 TEST(Shading, AgreesForATurnedView) {
     const float c = std::cos(0.7f), s = std::sin(0.7f);
     const glm::mat4 turn(glm::mat3(c, s * 0.6f, s * 0.8f, 0, 0.8f, -0.6f, -s, c * 0.6f, c * 0.8f));

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstring>
 #include <stdexcept>
 
@@ -42,7 +43,7 @@ void main() {
     s.position = position;
     s.geometricNormal = m.geometricNormal.xyz;
     s.alpha = m.diffuse.w;
-    s.primitiveSeed = triangle;
+    s.primitiveSeed = floatBitsToUint(m.geometricNormal.w);
     s.diffuse = m.diffuse.xyz;
     s.specular = m.specular.xyz;
     s.emissive = m.emissive.xyz;
@@ -153,6 +154,7 @@ StageView::StageView(StageContext& context, const ViewSettings& settings)
     desc.config = &settings.config;
     desc.facts = &settings.facts;
     desc.flags = settings.flags;
+    desc.pNext = settings.shadowFunction;
     require(agaaVkCreateView(context.get(), &desc, &view_), context, "agaaVkCreateView");
 
     const VkDevice device = sharedDevice().get();
@@ -235,7 +237,9 @@ void StageView::setTriangles(const std::vector<Triangle>& triangles) {
                                        glm::vec4(t.uv[corner], 0, 0)};
             std::memcpy(vertices_.mapped + (3 * i + corner) * sizeof data, data, sizeof data);
         }
-        std::memcpy(materials_.mapped + i * sizeof(Material), &t.material, sizeof(Material));
+        Material material = t.material;
+        material.geometricNormal.w = std::bit_cast<float>(t.seed ? t.seed : i);
+        std::memcpy(materials_.mapped + i * sizeof(Material), &material, sizeof(Material));
         if (runs_.empty() || runs_.back().isMasked != t.isMasked)
             runs_.push_back({3 * i, 0, t.isMasked});
         runs_.back().count += 3;

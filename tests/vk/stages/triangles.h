@@ -23,6 +23,7 @@ struct Triangle {
     glm::vec2 uv[3]{};
     Material material;
     bool isMasked = false;
+    uint32_t seed = 0; // of the alpha mask; 0: the triangle's place in the list
 };
 
 // The plane's unit normal, turned to the eye at the origin.
