@@ -368,7 +368,8 @@ AGAA_API AgaaResult AGAA_CALL agaaTierFromName(const char* name, uint32_t* outTi
  * count; otherwise fills up to *count. */
 AGAA_API AgaaResult AGAA_CALL agaaEnumerateTechniques(uint32_t* count, const char** names);
 
-/* How each technique, n and stage would run on a device. caps null: an ideal device. Two-call. */
+/* How each technique, n and stage would run on a device by itself; other tiers can be forced by AgaaConfig.
+ * caps null: an ideal device. Two-call. */
 AGAA_API AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count,
                                                     AgaaCapability* capabilities);
 
@@ -395,7 +396,7 @@ typedef struct AgaaMemoryReport {
 #define AGAA_MEMORY_REPORT_INIT                                                                     \
     {AGAA_STRUCTURE_TYPE_MEMORY_REPORT, (uint32_t)sizeof(AgaaMemoryReport), NULL, 0, 0, 0, 0.0, 0.0}
 
-/* Memory of a view by the plan that would allocate it. caps null: an ideal device with every
+/* Memory of a view by the plan that would allocate it, for two frames in flight. caps null: an ideal device with every
  * feature. surfaces: two-call as above. log may be null. */
 AGAA_API AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
                                               const AgaaLog* log, AgaaMemoryReport* outReport,
@@ -446,7 +447,8 @@ typedef struct AgaaDrawTarget {
 } AgaaDrawTarget;
 
 /* Draw the scene's opaque and alpha-masked geometry. Called with rendering begun by the SDK, which
- * also ends it; nothing is bound, viewport and scissor are unset. Return AGAA_OK, or any other value to
+ * also ends it; nothing is bound, viewport and scissor are unset. Commands are recorded inline: the callback
+ * executes no command buffers of its own. Return AGAA_OK, or any other value to
  * give up the frame. Must not throw, must not call the SDK. */
 typedef AgaaResult(AGAA_CALL* AgaaDrawCallback)(void* user, const AgaaDrawTarget* target);
 
@@ -489,6 +491,8 @@ typedef struct AgaaShadow {
 #define AGAA_SEGMENT_GENERATION UINT64_C(0x2) /* definition and material passes */
 #define AGAA_SEGMENT_SHADING UINT64_C(0x4)
 #define AGAA_SEGMENT_ALL UINT64_C(0x7)
+/* The camera of a frame is that of its first segment; lights are read with AGAA_SEGMENT_SHADING. A frame
+ * whose command buffer is discarded counts as completed. */
 
 typedef struct AgaaFrame {
     uint32_t sType;

@@ -17,6 +17,7 @@ class Demo:
         self.out = out
         self.timings = []
         self.commands = []
+        self.names = []  # of scenes, each once
         self.device = self.driver = ""
 
     def call(self, step, arguments):
@@ -53,7 +54,10 @@ class Demo:
         return stem, run
 
     def scene(self, scene):
-        name = pathlib.Path(scene).stem
+        name = stem = pathlib.Path(scene).stem
+        while name in self.names:
+            name = f"{stem}-{len(self.names) + 1}"
+        self.names.append(name)
         rendered = [self.render(scene, name, *run) for run in RUNS]
         reference = next(stem for stem, run in rendered if run["technique"] == REFERENCE)
         for stem, run in rendered:

@@ -146,13 +146,19 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
             rows.push_back(capability(*technique, samples, AGAA_STAGE_PREPASS, visibility.tier,
                                       visibility.tier == AGAA_TIER_NATIVE,
                                       visibility.relativePrice, visibility.reason));
-            if (technique->aggregates && visibility.tier != AGAA_TIER_AUTO) {
+            if (visibility.tier == AGAA_TIER_AUTO)
+                continue; // no later stage can run either
+            if (technique->aggregates) {
+                rows.push_back(capability(*technique, samples, AGAA_STAGE_DEFINITION,
+                                          AGAA_TIER_NATIVE, true, 1, "a compute pass."));
                 const GenerationChoice generation =
                     chooseGeneration(caps, visibility.hwSamples, AGAA_TIER_AUTO, false);
                 rows.push_back(capability(*technique, samples, AGAA_STAGE_GENERATION,
                                           generation.tier, false, generation.relativePrice,
                                           generation.reason));
             }
+            rows.push_back(capability(*technique, samples, AGAA_STAGE_SHADING, AGAA_TIER_NATIVE, true,
+                                      1, "a compute pass."));
         }
     return rows;
 }

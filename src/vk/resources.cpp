@@ -182,6 +182,7 @@ VkDeviceMemory ViewResources::allocate(uint64_t size, uint32_t type) {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     check(context_.vk.AllocateMemory(context_.device, &info, nullptr, &memory), "vkAllocateMemory");
     memory_.push_back(memory);
+    context_.name(VK_OBJECT_TYPE_DEVICE_MEMORY, (uint64_t)memory, "agaa surfaces");
     return memory;
 }
 

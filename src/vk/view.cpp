@@ -116,6 +116,8 @@ void AgaaView_T::createPassObjects() {
         allocate.pSetLayouts = layouts.data();
         check(context.vk.AllocateDescriptorSets(context.device, &allocate, objects.sets.data()),
               "vkAllocateDescriptorSets");
+        for (VkDescriptorSet set : objects.sets)
+            context.name(VK_OBJECT_TYPE_DESCRIPTOR_SET, (uint64_t)set, "agaa view");
     }
 }
 
@@ -137,6 +139,8 @@ void AgaaView_T::createPipelines() {
         check(context.vk.CreatePipelineLayout(context.device, &layout, nullptr,
                                               &objects.pipelineLayout),
               "vkCreatePipelineLayout");
+        context.name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, (uint64_t)objects.pipelineLayout,
+                     "agaa " + pass.name);
         std::vector<uint32_t> compiled;
         if (!pass.hostCode.empty())
             compiled = compileCompute(passGlsl(pass), "AgaaShadowFunction::glsl");
@@ -180,6 +184,7 @@ void AgaaView_T::createSlots() {
         pool.queueFamilyIndex = context.queueFamily;
         check(context.vk.CreateCommandPool(context.device, &pool, nullptr, &slot.pool),
               "vkCreateCommandPool");
+        context.name(VK_OBJECT_TYPE_COMMAND_POOL, (uint64_t)slot.pool, "agaa draw commands");
         slot.secondaries.resize(plan.geometryPasses());
         VkCommandBufferAllocateInfo allocate{};
         allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
@@ -188,6 +193,8 @@ void AgaaView_T::createSlots() {
         allocate.commandBufferCount = uint32_t(slot.secondaries.size());
         check(context.vk.AllocateCommandBuffers(context.device, &allocate, slot.secondaries.data()),
               "vkAllocateCommandBuffers");
+        for (VkCommandBuffer commands : slot.secondaries)
+            context.name(VK_OBJECT_TYPE_COMMAND_BUFFER, (uint64_t)commands, "agaa draw commands");
     }
     if (!timed())
         return;

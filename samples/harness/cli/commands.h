@@ -23,6 +23,7 @@ struct RenderArguments {
     std::string jitter = "0,0";
     uint32_t frames = 1;
     uint32_t warmup = 0;
+    std::vector<std::string> without; // effects that are left out
     uint32_t drawOrderSeed = 0;
     uint32_t spp = 512; // of reference
     bool noCounters = false;

@@ -13,6 +13,21 @@ namespace harness {
 
 using nlohmann::json;
 
+// Effects that are left out: of the scene, so that the plan drops them.
+static void leaveOut(const std::string& effect, RenderSettings& settings) {
+    if (effect == "specular")
+        settings.facts.flags &= ~AGAA_FACT_SPECULAR;
+    else if (effect == "emissive")
+        settings.facts.flags &= ~AGAA_FACT_EMISSIVE;
+    else if (effect == "ambient")
+        settings.facts.flags &= ~AGAA_FACT_AMBIENT;
+    else if (effect == "shadows")
+        settings.facts.shadowMapCount = 0;
+    else
+        throw BadArgument("--without names \"" + effect +
+                          "\"; it can be specular, emissive, ambient or shadows.");
+}
+
 RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration,
                               const Scene& scene) {
     RenderSettings settings;
@@ -23,7 +38,12 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
                       : !scene.cameras.empty() ? scene.cameras[0]
                                                : defaultCamera(scene);
     settings.lights = scene.lights.empty() ? defaultLights(scene, settings.camera) : scene.lights;
+    for (const std::string& effect : arguments.without)
+        for (Light& light : settings.lights)
+            light.castsShadow = light.castsShadow && effect != "shadows";
     settings.facts = sceneFacts(scene, settings.lights);
+    for (const std::string& effect : arguments.without)
+        leaveOut(effect, settings);
     settings.reversedZ = arguments.plan.reversedZ;
     settings.drawOrderSeed = arguments.drawOrderSeed;
     settings.frames = arguments.frames;
@@ -110,8 +130,8 @@ json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer
                 {"driver", renderer.caps().driverName},
                 {"scene", arguments.scene},
                 {"technique", arguments.plan.technique},
-                {"samples", arguments.plan.samples},
-                {"aggregates", arguments.plan.aggregates},
+                {"samples", arguments.plan.technique == "single" ? 1 : arguments.plan.samples},
+                {"aggregates", m.plain.memory.bytesPerAggregate > 0 ? arguments.plan.aggregates : 0},
                 {"size", std::to_string(size.width) + "x" + std::to_string(size.height)},
                 {"frameMs", quantilesJson(m.plain.frameMs)},
                 {"geometryPasses", last.geometryPasses},

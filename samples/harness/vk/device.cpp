@@ -125,6 +125,7 @@ void Device::createInstance(bool useValidation) {
             info.pNext = &validation;
         }
     }
+    hasValidation_ = isValidated;
     const bool hasMessenger =
         useValidation &&
         (hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, nullptr) ||

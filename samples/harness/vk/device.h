@@ -29,6 +29,7 @@ public:
     const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
     std::string name() const { return properties_.deviceName; }
     bool hasDynamicRendering() const { return hasDynamicRendering_; }
+    bool hasValidation() const { return hasValidation_; }
     bool hasAnisotropy() const { return hasAnisotropy_; }
     std::vector<ApiMessage> takeMessages() { return messages_.take(); }
 
@@ -65,6 +66,7 @@ private:
     std::vector<const char*> extensions_;
     bool hasDynamicRendering_ = false;
     bool hasAnisotropy_ = false;
+    bool hasValidation_ = false;
 };
 
 } // namespace harness::vk

@@ -121,6 +121,8 @@ void SdkContext::createContext(const Device& device, const RendererOptions& opti
     desc.descriptorSet = descriptorSet;
     desc.log = &log;
     log_.check(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context_), "agaaVkCreateContext");
+    // Less what was not enabled.
+    log_.check(agaaVkGetContextCaps(context_, &caps_), "agaaVkGetContextCaps");
 }
 
 SdkContext::~SdkContext() {

@@ -183,6 +183,11 @@ TEST_P(HostsTest, ShufflingChangesOnlyPixelsOfTies) {
     EXPECT_LE(different, ties);
 }
 
+// Silence means something only where someone listens.
+TEST(Validation, LayerIsLoaded) {
+    EXPECT_TRUE(sharedDevice().hasValidation());
+}
+
 INSTANTIATE_TEST_SUITE_P(All, HostsTest, testing::Values("single", "ssaa", "agaa"));
 
 } // namespace
