@@ -125,15 +125,6 @@ TEST(GBufferTier, SumsItsSamples) {
                     expectSums(context, n, c, layout);
 }
 
-AgaaLight sun() {
-    AgaaLight light{};
-    light.type = AGAA_LIGHT_DIRECTIONAL;
-    light.shadowMap = AGAA_NO_SHADOW;
-    light.direction[2] = -1;
-    light.color[0] = light.color[1] = light.color[2] = 3;
-    return light;
-}
-
 struct Rendered {
     harness::Image image;
     AgaaCounters counters;

@@ -10,15 +10,6 @@
 namespace agaa::test {
 namespace {
 
-AgaaLight sun() {
-    AgaaLight light{};
-    light.type = AGAA_LIGHT_DIRECTIONAL;
-    light.shadowMap = AGAA_NO_SHADOW;
-    light.direction[2] = -1;
-    light.color[0] = light.color[1] = light.color[2] = 3;
-    return light;
-}
-
 ViewSettings settingsFor(const char* technique) {
     ViewSettings settings;
     settings.config.technique = technique;

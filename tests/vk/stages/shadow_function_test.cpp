@@ -7,8 +7,6 @@
 #include <cstring>
 #include <limits>
 
-using namespace harness::vk;
-
 namespace agaa::test {
 namespace {
 
@@ -23,50 +21,18 @@ constexpr float threshold = 0.5f;
 // The host's set: one storage buffer.
 class HostSet {
 public:
-    HostSet() : arena_(sharedDevice()) {
-        const VkDevice device = sharedDevice().get();
+    HostSet() : arena_(sharedDevice()), set_(sharedDevice(), 1, VK_SHADER_STAGE_COMPUTE_BIT) {
         buffer_ = arena_.hostBuffer(16, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
         std::memcpy(buffer_.mapped, &threshold, sizeof threshold);
-        const VkDescriptorSetLayoutBinding binding{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1,
-                                                   VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
-        VkDescriptorSetLayoutCreateInfo layout{};
-        layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-        layout.bindingCount = 1;
-        layout.pBindings = &binding;
-        layout_ = make<DescriptorSetLayout>(device, vkCreateDescriptorSetLayout, layout,
-                                            "create a set layout");
-        const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1};
-        VkDescriptorPoolCreateInfo pool{};
-        pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-        pool.maxSets = 1;
-        pool.poolSizeCount = 1;
-        pool.pPoolSizes = &size;
-        pool_ = make<DescriptorPool>(device, vkCreateDescriptorPool, pool, "create a pool");
-        const VkDescriptorSetLayout handle = layout_.get();
-        VkDescriptorSetAllocateInfo allocate{};
-        allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-        allocate.descriptorPool = pool_.get();
-        allocate.descriptorSetCount = 1;
-        allocate.pSetLayouts = &handle;
-        check(vkAllocateDescriptorSets(device, &allocate, &set_), "allocate a set");
-        const VkDescriptorBufferInfo info{buffer_.buffer.get(), 0, VK_WHOLE_SIZE};
-        VkWriteDescriptorSet write{};
-        write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-        write.dstSet = set_;
-        write.descriptorCount = 1;
-        write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-        write.pBufferInfo = &info;
-        vkUpdateDescriptorSets(device, 1, &write, 0, nullptr);
+        set_.write({buffer_.buffer.get()});
     }
-    uint64_t layout() const { return (uint64_t)layout_.get(); }
-    uint64_t set() const { return (uint64_t)set_; }
+    uint64_t layout() const { return (uint64_t)set_.layout(); }
+    uint64_t set() const { return (uint64_t)set_.get(); }
 
 private:
-    Arena arena_;
-    BufferResource buffer_;
-    DescriptorSetLayout layout_;
-    DescriptorPool pool_;
-    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    harness::vk::Arena arena_;
+    harness::vk::BufferResource buffer_;
+    StorageSet set_;
 };
 
 ViewSettings settingsFor(const char* technique, const AgaaShadowFunction& function,

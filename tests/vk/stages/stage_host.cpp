@@ -116,6 +116,15 @@ StageContext::~StageContext() {
         ADD_FAILURE() << message.id << ": " << message.text;
 }
 
+AgaaLight sun() {
+    AgaaLight light{};
+    light.type = AGAA_LIGHT_DIRECTIONAL;
+    light.shadowMap = AGAA_NO_SHADOW;
+    light.direction[2] = -1;
+    light.color[0] = light.color[1] = light.color[2] = 3;
+    return light;
+}
+
 ShadowLayers::ShadowLayers(const std::vector<float>& layers, uint32_t size)
     : arena_(sharedDevice()) {
     VkImageCreateInfo info{};
@@ -157,31 +166,8 @@ StageView::StageView(StageContext& context, const ViewSettings& settings)
     desc.pNext = settings.shadowFunction;
     require(agaaVkCreateView(context.get(), &desc, &view_), context, "agaaVkCreateView");
 
-    const VkDevice device = sharedDevice().get();
-    VkDescriptorSetLayoutBinding bindings[2]{};
-    for (uint32_t i = 0; i < 2; ++i)
-        bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1,
-                       VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
-    VkDescriptorSetLayoutCreateInfo layout{};
-    layout.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-    layout.bindingCount = 2;
-    layout.pBindings = bindings;
-    setLayout_ = make<DescriptorSetLayout>(device, vkCreateDescriptorSetLayout, layout,
-                                           "create a set layout");
-    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2};
-    VkDescriptorPoolCreateInfo pool{};
-    pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-    pool.maxSets = 1;
-    pool.poolSizeCount = 1;
-    pool.pPoolSizes = &size;
-    pool_ = make<DescriptorPool>(device, vkCreateDescriptorPool, pool, "create a pool");
-    const VkDescriptorSetLayout handle = setLayout_.get();
-    VkDescriptorSetAllocateInfo allocate{};
-    allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-    allocate.descriptorPool = pool_.get();
-    allocate.descriptorSetCount = 1;
-    allocate.pSetLayouts = &handle;
-    check(vkAllocateDescriptorSets(device, &allocate, &set_), "allocate a set");
+    set_ = StorageSet(sharedDevice(), 2,
+                      VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
     makePipelines();
 }
 
@@ -197,7 +183,7 @@ void StageView::makePipelines() {
     for (const AgaaVkDrawPass& pass : passes) {
         PassPipelines& made = passes_[pass.pipelineKey];
         const VkDescriptorSetLayout layouts[] = {(VkDescriptorSetLayout)pass.descriptorSetLayout,
-                                                 setLayout_.get()};
+                                                 set_.layout()};
         const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(glm::mat4)};
         VkPipelineLayoutCreateInfo layout{};
         layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
@@ -244,18 +230,7 @@ void StageView::setTriangles(const std::vector<Triangle>& triangles) {
             runs_.push_back({3 * i, 0, t.isMasked});
         runs_.back().count += 3;
     }
-    VkWriteDescriptorSet writes[2]{};
-    VkDescriptorBufferInfo infos[2];
-    for (uint32_t i = 0; i < 2; ++i) {
-        infos[i] = {(i == 0 ? vertices_ : materials_).buffer.get(), 0, VK_WHOLE_SIZE};
-        writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-        writes[i].dstSet = set_;
-        writes[i].dstBinding = i;
-        writes[i].descriptorCount = 1;
-        writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-        writes[i].pBufferInfo = &infos[i];
-    }
-    vkUpdateDescriptorSets(sharedDevice().get(), 2, writes, 0, nullptr);
+    set_.write({vertices_.buffer.get(), materials_.buffer.get()});
 }
 
 AgaaFrame StageView::frame() {
@@ -315,7 +290,7 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     const auto commands = static_cast<VkCommandBuffer>(target.commandBuffer);
     const PassPipelines& pass = passes_.at(target.pipelineKey);
     setViewport(commands, target.width, target.height);
-    const VkDescriptorSet sets[] = {(VkDescriptorSet)target.descriptorSet, set_};
+    const VkDescriptorSet sets[] = {(VkDescriptorSet)target.descriptorSet, set_.get()};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.layout.get(), 0, 2,
                             sets, 0, nullptr);
     const glm::mat4 clip = settings_.projection * settings_.view;

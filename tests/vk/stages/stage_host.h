@@ -3,6 +3,7 @@
 #pragma once
 
 #include "agaa_vk.h"
+#include "storage_set.h"
 #include "triangles.h"
 
 #include "vk/arena.h"
@@ -71,6 +72,9 @@ struct ViewSettings {
     } shader = Shader::Material;
 };
 
+// Directional, along -z, without shadow.
+AgaaLight sun();
+
 // Depth array images for AgaaVkFrame::shadowViews, each layer filled with one value.
 class ShadowLayers {
 public:
@@ -138,9 +142,7 @@ private:
     harness::vk::OutputImage output_;
     harness::vk::Arena arena_;
     harness::vk::BufferResource vertices_, materials_;
-    harness::vk::DescriptorSetLayout setLayout_;
-    harness::vk::DescriptorPool pool_;
-    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    StorageSet set_;
     harness::vk::ShaderModule vertex_;
     std::map<uint64_t, PassPipelines> passes_; // by pipeline key
     struct Run {
