@@ -98,7 +98,7 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
                                          light.cone.z * light.cone.z);
         if (intensity <= 0.0)
             return vec3(0.0);
-        toLight = d * inversesqrt(max(d2, 1e-12));
+        toLight = agaa_lightDirection(d, light.cone.z * light.cone.z);
         if (type == 2u)
             intensity *= agaa_spotCone(dot(-toLight, light.directionType.xyz), light.cone.x,
                                        light.cone.y);

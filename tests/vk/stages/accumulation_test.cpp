@@ -136,7 +136,7 @@ void expectExactSums(StageContext& context, const Case& c, const std::vector<Tri
 TEST(Accumulation, IsExactForEverySampleAndAggregateCount) {
     StageContext context;
     const auto scene = randomTriangles({.triangles = 300}, 1);
-    for (uint32_t n : {1u, 4u, 8u, 16u, 32u})
+    for (uint32_t n : {1u, 2u, 4u, 8u, 16u, 32u})
         for (uint32_t c = 1; c <= 4; ++c)
             expectExactSums(context, {n, c}, scene);
 }

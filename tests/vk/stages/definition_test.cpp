@@ -153,7 +153,7 @@ ViewSettings settingsFor(uint32_t n, uint32_t c) {
 TEST(Definition, AgreesWithDoubleForEverySampleAndAggregateCount) {
     StageContext context;
     const auto scene = randomTriangles({.triangles = 400}, 21);
-    for (uint32_t n : {4u, 8u, 16u, 32u})
+    for (uint32_t n : {2u, 4u, 8u, 16u, 32u})
         for (uint32_t c : {2u, 3u, 4u})
             expectOracle(context, settingsFor(n, c), scene);
 }

@@ -78,7 +78,7 @@ TEST(Hair, HardCase59AttributesComeFromInside) {
 // Every sample that a hair covers is found in every pass.
 TEST(Hair, HardCase26CoverageIsThatOfThePrepass) {
     StageContext context;
-    for (uint32_t n : {1u, 4u, 8u, 16u, 32u}) {
+    for (uint32_t n : {1u, 2u, 4u, 8u, 16u, 32u}) {
         ViewSettings settings;
         settings.width = width;
         settings.height = height;

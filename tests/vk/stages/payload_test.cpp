@@ -140,7 +140,7 @@ protected:
 
 TEST_F(PayloadTest, IsWhatTheQueryPredicts) {
     for (const char* layout : {"paper16", "precise"})
-        for (uint32_t n : {1u, 4u, 8u, 16u, 32u})
+        for (uint32_t n : {1u, 2u, 4u, 8u, 16u, 32u})
             for (const Size& size : sizes) {
                 if (size.width > 1000 && n > 8)
                     continue; // wider than the driver's images

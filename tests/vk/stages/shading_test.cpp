@@ -207,7 +207,7 @@ std::vector<Triangle> scene(uint32_t seed) {
 }
 
 TEST(Shading, AgreesWithDoubleForEverySampleAndAggregateCount) {
-    for (uint32_t n : {1u, 4u, 8u, 16u, 32u})
+    for (uint32_t n : {1u, 2u, 4u, 8u, 16u, 32u})
         for (uint32_t c : {1u, 2u, 3u, 4u})
             if (c <= n)
                 expectOracle({.samples = n, .aggregates = c}, scene(31));
