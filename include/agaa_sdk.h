@@ -97,10 +97,16 @@ typedef enum AgaaStructType {
     AGAA_STRUCTURE_TYPE_FRAME = 9,
     AGAA_STRUCTURE_TYPE_FRAME_STATISTICS = 10,
     AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION = 11,
+    AGAA_STRUCTURE_TYPE_FRAME_VALIDATION = 12,
     AGAA_STRUCTURE_TYPE_VK_CONTEXT = 1000,
     AGAA_STRUCTURE_TYPE_VK_FRAME = 1001,
     AGAA_STRUCTURE_TYPE_VK_DRAW_PASS = 1002,
     AGAA_STRUCTURE_TYPE_VK_SURFACE = 1003,
+    AGAA_STRUCTURE_TYPE_GL_REQUIREMENTS = 2000,
+    AGAA_STRUCTURE_TYPE_GL_CONTEXT = 2001,
+    AGAA_STRUCTURE_TYPE_GL_FRAME = 2002,
+    AGAA_STRUCTURE_TYPE_GL_DRAW_PASS = 2003,
+    AGAA_STRUCTURE_TYPE_GL_SURFACE = 2004,
     /* A chained struct whose type has this bit may be ignored by a library that does not know it. */
     AGAA_STRUCTURE_TYPE_OPTIONAL_BIT = 0x40000000,
     AGAA_STRUCTURE_TYPE_MAX_ENUM = 0x7FFFFFFF
@@ -282,6 +288,8 @@ typedef struct AgaaSceneFacts {
 
 #define AGAA_VIEW_REVERSED_Z UINT64_C(0x01) /* near is 1, far is 0; wants a float depth format */
 #define AGAA_VIEW_COMPOSITE UINT64_C(0x02)  /* frames may composite over what the output holds */
+#define AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE UINT64_C(0x04) /* the rasteriser maps z/w in [-1;1] to depth, OpenGL's
+                                                          default; else [0;1]. AgaaFrame::projection is its */
 
 typedef struct AgaaViewDesc {
     uint32_t sType;
@@ -300,7 +308,7 @@ typedef struct AgaaViewDesc {
  * compiled into the passes that shade; the text is GLSL 450 and defines
  *     float agaaHostShadow(uint shadow, vec3 position)
  * the share of light, [0;1], that a point in shading space gets past AgaaFrame::shadows[shadow]. It runs
- * in compute: no implicit derivatives. Its resources are in set 1 (Vulkan); names beginning with agaa_
+ * in compute: no implicit derivatives. Its resources are in set 1 (Vulkan), or where agaaGlRecordFrame says; names beginning with agaa_
  * and AGAA_ are the library's. Code that does not compile is AGAA_ERROR_INVALID_ARGUMENT, with the
  * compiler's first message. */
 typedef struct AgaaShadowFunction {
@@ -310,7 +318,7 @@ typedef struct AgaaShadowFunction {
     const char* glsl;
     uint32_t shadows;  /* bit i: the function answers for AgaaFrame::shadows[i], whose layerCount is 0 */
     uint32_t reserved; /* 0 */
-    uint64_t descriptorSetLayout; /* backend's: VkDescriptorSetLayout of set 1, or 0 without resources */
+    uint64_t descriptorSetLayout; /* Vulkan: VkDescriptorSetLayout of set 1, or 0 without resources; OpenGL: 0 */
 } AgaaShadowFunction;
 #define AGAA_SHADOW_FUNCTION_INIT                                                                   \
     {AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, (uint32_t)sizeof(AgaaShadowFunction), NULL, NULL, 0, 0, 0}
@@ -325,6 +333,7 @@ typedef struct AgaaShadowFunction {
 #define AGAA_DEVICE_NV_MIXED_SAMPLES UINT64_C(0x20)
 #define AGAA_DEVICE_D24S8 UINT64_C(0x40)
 #define AGAA_DEVICE_D32S8 UINT64_C(0x80)
+#define AGAA_DEVICE_NO_ALIASING UINT64_C(0x100) /* surfaces cannot share memory (OpenGL) */
 
 typedef struct AgaaDeviceCaps {
     uint32_t sType;
@@ -442,14 +451,16 @@ typedef struct AgaaDrawTarget {
     uint32_t scaleX, scaleY; /* sub-pixels per pixel; multiply derivatives by these */
     AgaaDrawState state;
     uint64_t pipelineKey; /* changes when pipelines and shaders of this pass must be rebuilt */
-    void* commandBuffer;  /* backend's: VkCommandBuffer, inside rendering */
-    uint64_t descriptorSet; /* backend's: bind at the index given at context creation */
+    void* commandBuffer;  /* backend's: VkCommandBuffer, inside rendering; null on OpenGL */
+    uint64_t descriptorSet; /* backend's: VkDescriptorSet, bind at the index given at context creation */
+    uint32_t framebuffer;   /* backend's: OpenGL's name, to be bound by the host */
+    uint32_t reserved;
 } AgaaDrawTarget;
 
-/* Draw the scene's opaque and alpha-masked geometry. Called with rendering begun by the SDK, which
- * also ends it; nothing is bound, viewport and scissor are unset. Commands are recorded inline: the callback
- * executes no command buffers of its own. Return AGAA_OK, or any other value to
- * give up the frame. Must not throw, must not call the SDK. */
+/* Draw the scene's opaque and alpha-masked geometry. The target is cleared. Vulkan: called with rendering
+ * begun by the SDK, which also ends it; nothing is bound, viewport and scissor are unset. Commands are
+ * recorded inline: the callback executes no command buffers of its own. OpenGL: as at agaaGlRecordFrame.
+ * Return AGAA_OK, or any other value to give up the frame. Must not throw, must not call the SDK. */
 typedef AgaaResult(AGAA_CALL* AgaaDrawCallback)(void* user, const AgaaDrawTarget* target);
 
 /* ---- frame ---------------------------------------------------------------------------------- */
@@ -543,6 +554,14 @@ typedef struct AgaaPassTime {
     double milliseconds;
 } AgaaPassTime;
 
+/* What pass times are measured with. */
+typedef enum AgaaTimeSource {
+    AGAA_TIME_NONE = 0,       /* not asked for, or not to be had */
+    AGAA_TIME_DEVICE = 1,     /* the device's timestamps */
+    AGAA_TIME_CPU_FINISH = 2, /* the CPU's clock around glFinish: the driver's queries were found wrong */
+    AGAA_TIME_MAX_ENUM = 0x7FFFFFFF
+} AgaaTimeSource;
+
 typedef struct AgaaFrameStatistics {
     uint32_t sType;
     uint32_t structSize;
@@ -553,19 +572,54 @@ typedef struct AgaaFrameStatistics {
     uint32_t geometryPasses;
     AgaaPassTime passes[AGAA_MAX_PASSES];
     uint64_t payloadBytes; /* as created: per-pixel surfaces */
-    uint64_t driverBytes;  /* what the driver asked for, all surfaces added up */
+    uint64_t driverBytes;  /* what the driver asked for, all surfaces added up; 0 on OpenGL, which does
+                              not tell */
     uint64_t peakBytes;    /* what was allocated, with aliasing */
+    uint32_t timeSource;   /* AgaaTimeSource */
+    uint32_t reserved;
 } AgaaFrameStatistics;
 #define AGAA_FRAME_STATISTICS_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0,           \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, {{{0}, 0, 0, 0.0}}, 0, 0, 0}
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, {{{0}, 0, 0, 0.0}}, 0, 0, 0, 0, 0}
 
 /* Figures of the newest frame, recorded whole, that is not after completedFrame: the newest whose GPU work
  * is known to have finished. AGAA_NOT_READY where there is none. */
 AGAA_API AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
                                                      AgaaFrameStatistics* outStatistics);
 
-/* Destroying null is legal. Every frame recorded with the object must have finished. */
+/* ---- validation for integrators ----------------------------------------------------------------- */
+
+typedef struct AgaaInvalidPixel {
+    uint32_t x, y;    /* pixel */
+    uint32_t visible; /* bit i: sample i shows geometry after the prepass */
+    uint32_t missed;  /* of these, never accumulated */
+    uint32_t multi;   /* accumulated by two aggregates, or where nothing is visible */
+} AgaaInvalidPixel;
+
+#define AGAA_MAX_INVALID_PIXELS 8
+/* Whether the geometry passes of a frame agree: each sample that the prepass shows must be accumulated
+ * exactly once by the material pass. */
+typedef struct AgaaFrameValidation {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint64_t frameIndex;
+    uint64_t visible, once, missed, multi, ties; /* samples; as in AgaaCounters */
+    uint64_t invalidPixels;                      /* with missed or multi samples */
+    uint32_t isValid;                            /* something is visible, nothing missed or multi */
+    uint32_t pixelCount;
+    AgaaInvalidPixel pixels[AGAA_MAX_INVALID_PIXELS]; /* the first that were found */
+    char explanation[512]; /* what was found and what usually causes it */
+} AgaaFrameValidation;
+#define AGAA_FRAME_VALIDATION_INIT                                                                  \
+    {AGAA_STRUCTURE_TYPE_FRAME_VALIDATION, (uint32_t)sizeof(AgaaFrameValidation), NULL, 0, 0, 0, 0, 0, \
+     0, 0, 0, 0, {{0, 0, 0, 0, 0}}, {0}}
+
+/* Of the frame that agaaGetFrameStatistics would tell of. The view needs AGAA_CONFIG_COUNTERS. */
+AGAA_API AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,
+                                                AgaaFrameValidation* outValidation);
+
+/* Destroying null is legal. On OpenGL the context must be current. Every frame recorded with the object must have finished. */
 AGAA_API void AGAA_CALL agaaDestroyView(AgaaView view);
 AGAA_API void AGAA_CALL agaaDestroyContext(AgaaContext context);
 

@@ -185,7 +185,7 @@ AgaaDrawTarget drawTarget(const Plan& plan, const Pass& pass, const HostPassObje
                           VkCommandBuffer commands, VkDescriptorSet set) {
     const Resource& depth = plan.resources[pass.depthTarget];
     return {uint32_t(pass.drawPass), depth.width,  depth.height, plan.scaleX, plan.scaleY,
-            pass.drawState,          objects.key, commands,     (uint64_t)set};
+            pass.drawState,          objects.key, commands,     (uint64_t)set, 0, 0};
 }
 
 } // namespace agaa::vk

@@ -1,4 +1,5 @@
 // Sizes and offsets of public structs on 64-bit hosts: a change here is a change of the ABI.
+#include "agaa_gl.h"
 #include "agaa_vk.h"
 
 #include <gtest/gtest.h>
@@ -27,6 +28,12 @@ TEST(Abi, HeadersComeFirst) {
     CHECK_HEADER(AgaaFrame);
     CHECK_HEADER(AgaaFrameStatistics);
     CHECK_HEADER(AgaaShadowFunction);
+    CHECK_HEADER(AgaaFrameValidation);
+    CHECK_HEADER(AgaaGlRequirements);
+    CHECK_HEADER(AgaaGlContextDesc);
+    CHECK_HEADER(AgaaGlDrawPass);
+    CHECK_HEADER(AgaaGlSurface);
+    CHECK_HEADER(AgaaGlFrame);
     CHECK_HEADER(AgaaVkRequirements);
     CHECK_HEADER(AgaaVkSurface);
     CHECK_HEADER(AgaaVkContextDesc);
@@ -47,19 +54,25 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaSurface, 120);
     EXPECT_SIZE(AgaaMemoryReport, 56);
     EXPECT_SIZE(AgaaDrawState, 32);
-    EXPECT_SIZE(AgaaDrawTarget, 80);
+    EXPECT_SIZE(AgaaDrawTarget, 88);
     EXPECT_SIZE(AgaaLight, 64);
     EXPECT_SIZE(AgaaShadow, 392);
     EXPECT_SIZE(AgaaFrame, 240);
     EXPECT_SIZE(AgaaCounters, 88);
     EXPECT_SIZE(AgaaPassTime, 64);
-    EXPECT_SIZE(AgaaFrameStatistics, 1168);
+    EXPECT_SIZE(AgaaFrameStatistics, 1176);
     EXPECT_SIZE(AgaaShadowFunction, 40);
     EXPECT_SIZE(AgaaVkRequirements, 72);
     EXPECT_SIZE(AgaaVkSurface, 88);
     EXPECT_SIZE(AgaaVkContextDesc, 144);
     EXPECT_SIZE(AgaaVkDrawPass, 144);
     EXPECT_SIZE(AgaaVkFrame, 88);
+    EXPECT_SIZE(AgaaFrameValidation, 752);
+    EXPECT_SIZE(AgaaGlRequirements, 64);
+    EXPECT_SIZE(AgaaGlContextDesc, 128);
+    EXPECT_SIZE(AgaaGlDrawPass, 128);
+    EXPECT_SIZE(AgaaGlSurface, 64);
+    EXPECT_SIZE(AgaaGlFrame, 40);
 }
 
 TEST(Abi, Offsets) {
@@ -71,6 +84,7 @@ TEST(Abi, Offsets) {
     EXPECT_OFFSET(AgaaFrame, draw, 224);
     EXPECT_OFFSET(AgaaDrawTarget, pipelineKey, 56);
     EXPECT_OFFSET(AgaaVkFrame, shadowViews, 48);
+    EXPECT_OFFSET(AgaaGlFrame, outputTexture, 16);
 }
 
 } // namespace

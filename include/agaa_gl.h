@@ -1,0 +1,196 @@
+/* AGAA SDK on OpenGL. Includes no OpenGL header: object names, formats and enums are uint32_t with
+ * OpenGL's own values.
+ * SPDX-License-Identifier: MIT
+ *
+ * Threading  Every function but agaaGlGetRequirements needs a GL context to be current in the calling thread:
+ *            for an AgaaContext or AgaaView, the one that it was made in.
+ */
+#ifndef AGAA_GL_H
+#define AGAA_GL_H
+
+#include "agaa_sdk.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef void (*AgaaGlFunction)(void);
+/* As eglGetProcAddress or glXGetProcAddress, with the host's pointer before the name. */
+typedef AgaaGlFunction(AGAA_CALL* AgaaGlGetProcAddr)(void* user, const char* name);
+
+/* ---- before a context exists ------------------------------------------------------------------ */
+
+/* What a GL context must and should offer. Names have static storage. */
+typedef struct AgaaGlRequirements {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t majorVersion; /* core or compatibility profile; 4.3 */
+    uint32_t minorVersion;
+    uint32_t completeMajorVersion; /* that needs none of the required extensions; 4.5 */
+    uint32_t completeMinorVersion;
+    uint32_t requiredExtensionCount; /* what the version lacks */
+    const char* const* requiredExtensions;
+    uint32_t optionalExtensionCount;
+    const char* const* optionalExtensions;
+} AgaaGlRequirements;
+#define AGAA_GL_REQUIREMENTS_INIT                                                                   \
+    {AGAA_STRUCTURE_TYPE_GL_REQUIREMENTS, (uint32_t)sizeof(AgaaGlRequirements), NULL, 0, 0, 0, 0, 0,   \
+     NULL, 0, NULL}
+AGAA_API AgaaResult AGAA_CALL agaaGlGetRequirements(AgaaGlRequirements* outRequirements);
+
+/* Capabilities of the current context, to be passed to the queries of agaa_sdk.h. log may be null. */
+AGAA_API AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* getProcUser,
+                                                  const AgaaLog* log, AgaaDeviceCaps* outCaps);
+
+/* ---- context ----------------------------------------------------------------------------------- */
+
+/* What becomes of the host's state. docs/state.md lists the states that RESTORE keeps. */
+typedef enum AgaaGlStatePolicy {
+    /* Every state of the list is read on entry and set again before each draw callback and at return, also
+     * when a callback or the frame fails. */
+    AGAA_GL_STATE_RESTORE = 0,
+    /* pushState is called on entry and after each draw callback, popState before each draw callback and at
+     * return: for hosts that can save and restore more cheaply than by glGet. */
+    AGAA_GL_STATE_CALLBACKS = 1,
+    /* Nothing is saved: the host sets what it needs. */
+    AGAA_GL_STATE_NONE = 2,
+    AGAA_GL_STATE_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlStatePolicy;
+
+/* How the host's fragment shaders reach buffers that they add to. */
+typedef enum AgaaGlStorage {
+    AGAA_GL_STORAGE_BUFFERS = 0, /* shader storage blocks */
+    AGAA_GL_STORAGE_IMAGES = 1,  /* buffer images: for engines that choke on storage blocks */
+    AGAA_GL_STORAGE_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlStorage;
+
+/* Who declares the fragment shader's outputs. */
+typedef enum AgaaGlOutputs {
+    AGAA_GL_OUTPUTS_SDK = 0,  /* agaa_out0 … are outputs at locations 0 … */
+    AGAA_GL_OUTPUTS_HOST = 1, /* agaa_out0 … are variables that the host copies to its outputs after agaa_emit() */
+    AGAA_GL_OUTPUTS_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlOutputs;
+
+typedef AgaaResult(AGAA_CALL* AgaaGlStateCallback)(void* user);
+
+typedef struct AgaaGlContextDesc {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    AgaaGlGetProcAddr getProcAddr;
+    void* getProcUser;
+    uint32_t glslVersion; /* of the host's fragment shaders: 330 to 460, as in their #version line */
+    uint32_t storage;     /* AgaaGlStorage */
+    uint32_t outputs;     /* AgaaGlOutputs */
+    uint32_t statePolicy; /* AgaaGlStatePolicy */
+    AgaaGlStateCallback pushState; /* with AGAA_GL_STATE_CALLBACKS; as draw callbacks, otherwise */
+    AgaaGlStateCallback popState;
+    void* stateUser;
+    /* Where the SDK binds what the host's shaders read, during draw callbacks. The host's own bindings there
+     * come back with the rest of its state. */
+    uint32_t frameBinding;      /* uniform buffer */
+    uint32_t metadataUnit;      /* texture unit */
+    uint32_t aggregatesBinding; /* shader storage buffer; with AGAA_GL_STORAGE_IMAGES an image unit */
+    uint32_t countersBinding;   /* the same, not equal to aggregatesBinding */
+    uint32_t framesInFlight;    /* [1;8]: frames whose statistics are kept */
+    uint32_t reserved;          /* 0 */
+    const AgaaLog* log;         /* may be null; copied */
+    AgaaAllocateCallback allocate; /* may be null */
+    AgaaFreeCallback free;
+    void* allocateUser;
+} AgaaGlContextDesc;
+#define AGAA_GL_CONTEXT_DESC_INIT                                                                   \
+    {AGAA_STRUCTURE_TYPE_GL_CONTEXT, (uint32_t)sizeof(AgaaGlContextDesc), NULL, NULL, NULL, 450,       \
+     AGAA_GL_STORAGE_BUFFERS, AGAA_GL_OUTPUTS_SDK, AGAA_GL_STATE_RESTORE, NULL, NULL, NULL, 0, 0, 0, \
+     1, 2, 0, NULL, NULL, NULL, NULL}
+
+/* headerVersion: pass AGAA_HEADER_VERSION. Probes whether the driver's timer queries are right, which takes
+ * some milliseconds. The host's state is left as it was; errors that were pending are told to the log. */
+AGAA_API AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion,
+                                                  const AgaaGlContextDesc* desc,
+                                                  AgaaContext* outContext);
+
+AGAA_API AgaaResult AGAA_CALL agaaGlGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps);
+
+/* Allocates the view's surfaces and compiles its passes. */
+AGAA_API AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* desc,
+                                               AgaaView* outView);
+
+/* ---- host draw passes --------------------------------------------------------------------------- */
+
+/* A host fragment shader is: its #version line, extensions, declarations, the host's own code, which fills
+ * an AgaaSurfaceInput and calls agaa_emit() once. Compile the same text for each pass. */
+typedef struct AgaaGlDrawPass {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t pass;  /* AgaaDrawPassId */
+    uint32_t stage; /* AgaaStage */
+    const char* name;
+    uint64_t pipelineKey;
+    uint32_t framebuffer; /* the view's; complete, of the format and size below */
+    uint32_t width, height, scaleX, scaleY;
+    AgaaDrawState state;
+    uint32_t colorFormats[4];    /* internal formats; state.colorAttachmentCount are used */
+    uint32_t depthStencilFormat; /* internal format */
+    const char* glslExtensions;   /* owned by the view */
+    const char* glslDeclarations; /* owned by the view */
+} AgaaGlDrawPass;
+#define AGAA_GL_DRAW_PASS_INIT                                                                      \
+    {AGAA_STRUCTURE_TYPE_GL_DRAW_PASS, (uint32_t)sizeof(AgaaGlDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, \
+     0, 0, {0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, NULL, NULL}
+
+/* Two-call: with passes null, writes the count; otherwise every element must be initialised. */
+AGAA_API AgaaResult AGAA_CALL agaaGlGetDrawPasses(AgaaView view, uint32_t* count,
+                                                  AgaaGlDrawPass* passes);
+
+/* A surface of a view, for hosts that use it between segments or copy it. Owned by the view. */
+typedef struct AgaaGlSurface {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t texture; /* TEXTURE_2D, or TEXTURE_2D_MULTISAMPLE with samples > 1; or 0 */
+    uint32_t buffer;  /* or 0 */
+    uint64_t bytes;
+    uint32_t format; /* internal format */
+    uint32_t width, height, samples; /* texels: scaleX x scaleY a pixel */
+    uint32_t scaleX, scaleY;
+    uint32_t reserved;
+} AgaaGlSurface;
+#define AGAA_GL_SURFACE_INIT                                                                        \
+    {AGAA_STRUCTURE_TYPE_GL_SURFACE, (uint32_t)sizeof(AgaaGlSurface), NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
+
+/* name: as in agaaQueryMemory; "depth" is of every view. Others may change with the version. */
+AGAA_API AgaaResult AGAA_CALL agaaGlGetSurface(AgaaView view, const char* name,
+                                               AgaaGlSurface* outSurface);
+
+/* ---- frames ------------------------------------------------------------------------------------- */
+
+typedef struct AgaaGlFrame {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    /* TEXTURE_2D of the view's size, level 0, of a format that image stores take, RGBA16F or RGBA32F by
+     * choice. Needed by the shading segment. Row 0 is where the projection puts y = -1. */
+    uint32_t outputTexture;
+    /* TEXTURE_2D_ARRAY with depth, one per AgaaFrame::shadows that no AgaaShadowFunction answers for. */
+    uint32_t shadowTextures[AGAA_MAX_SHADOW_MAPS];
+    uint32_t reserved; /* 0 */
+} AgaaGlFrame;
+#define AGAA_GL_FRAME_INIT                                                                          \
+    {AGAA_STRUCTURE_TYPE_GL_FRAME, (uint32_t)sizeof(AgaaGlFrame), NULL, 0, {0, 0, 0, 0}, 0}
+
+/* Runs the frame's segments in the current context. Draw callbacks find the host's state as it was on
+ * entry, but for the bindings named in AgaaGlContextDesc; they bind AgaaDrawTarget::framebuffer and set
+ * viewport and AgaaDrawState themselves. A callback that fails is AGAA_ERROR_CALLBACK: the output is
+ * untouched. Not to be called with transform feedback, conditional rendering or a query of GL_TIME_ELAPSED
+ * active. An AgaaShadowFunction finds its resources where the host has bound them: texture units from 17,
+ * other binding points from 4 are left alone. */
+AGAA_API AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame,
+                                                const AgaaGlFrame* glFrame);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* AGAA_GL_H */
