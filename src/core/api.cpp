@@ -1,6 +1,6 @@
 // The part of the C ABI that needs no graphics API.
-#include "core/api_guard.h"
 #include "core/checked.h"
+#include "core/handles.h"
 #include "core/layout.h"
 #include "core/names.h"
 #include "core/planner.h"
@@ -133,6 +133,40 @@ AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCa
         *size = json.size() + 1;
         return AGAA_OK;
     });
+}
+
+AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
+                                            AgaaFrameStatistics* outStatistics) {
+    return guarded(logOf(view), "agaaGetFrameStatistics", [&]() -> AgaaResult {
+        require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
+        checkStruct(outStatistics, AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, "AgaaFrameStatistics");
+        return view->statistics(completedFrame, *outStatistics);
+    });
+}
+
+AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,
+                                       AgaaFrameValidation* outValidation) {
+    return guarded(logOf(view), "agaaValidateFrame", [&]() -> AgaaResult {
+        require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
+        checkStruct(outValidation, AGAA_STRUCTURE_TYPE_FRAME_VALIDATION, "AgaaFrameValidation");
+        return view->validation(completedFrame, *outValidation);
+    });
+}
+
+void AGAA_CALL agaaDestroyView(AgaaView view) {
+    if (view)
+        destroy(HostAllocator(view->owner.allocator), view);
+}
+
+void AGAA_CALL agaaDestroyContext(AgaaContext context) {
+    if (!context)
+        return;
+    if (context->viewCount) {
+        context->log.write(AGAA_SEVERITY_ERROR, AGAA_ERROR_WRONG_ORDER,
+                           "agaaDestroyContext: views of the context still exist; it was kept.");
+        return;
+    }
+    destroy(HostAllocator(context->allocator), context);
 }
 
 } // extern "C"

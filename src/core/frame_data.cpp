@@ -1,14 +1,13 @@
 #include "core/frame_data.h"
 
-#include "core/sample_patterns.h"
-
 #include <bit>
 #include <cmath>
 #include <cstring>
 
 namespace agaa {
 
-FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame) {
+FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
+                              const SamplePositions& positions) {
     FrameConstants out{};
     std::memcpy(out.view, frame.view, sizeof out.view);
     const float* p = frame.projection;
@@ -18,8 +17,17 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame) {
     const float quantum = plan.depthFormat == Format::D24S8 ? step : -step;
     const bool orthographic = p[15] == 1.0f;
     const float* offset = orthographic ? &p[12] : &p[8];
-    const float projection[8] = {p[0],  p[5],  offset[0],                  offset[1],
-                                 p[10], p[14], orthographic ? 1.0f : 0.0f, quantum};
+    // Depth is z/w as [0;1] takes it, or (z/w + 1) / 2.
+    const float half = plan.clipZFromMinusOne ? 0.5f : 1.0f;
+    const float shift = plan.clipZFromMinusOne ? 0.5f : 0.0f;
+    const float projection[8] = {p[0],
+                                 p[5],
+                                 offset[0],
+                                 offset[1],
+                                 half * p[10] + shift * p[11],
+                                 half * p[14] + shift * p[15],
+                                 orthographic ? 1.0f : 0.0f,
+                                 quantum};
     std::memcpy(out.projection, projection, sizeof projection);
     out.size[0] = plan.width;
     out.size[1] = plan.height;
@@ -31,7 +39,6 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame) {
     std::memcpy(out.ambient, frame.ambient, sizeof frame.ambient);
     out.ambient[3] = plan.layout.emissiveRange();
     std::memcpy(out.background, frame.background, sizeof frame.background);
-    const auto positions = samplePositions(plan.hwSamples, plan.scaleX, plan.scaleY);
     for (size_t i = 0; i < positions.size(); ++i) {
         out.samples[i][0] = positions[i].x;
         out.samples[i][1] = positions[i].y;
@@ -68,12 +75,12 @@ static void writeLights(const AgaaFrame& frame, void* destination) {
 }
 
 void writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
-                 void* destination) {
+                 const SamplePositions& positions, void* destination) {
     switch (content) {
     case UploadContent::None:
         break;
     case UploadContent::FrameConstants: {
-        const FrameConstants constants = frameConstants(plan, frame);
+        const FrameConstants constants = frameConstants(plan, frame, positions);
         std::memcpy(destination, &constants, sizeof constants);
         break;
     }

@@ -44,11 +44,27 @@ std::string putFields(const Constants& constants) {
     return out + "}\n";
 }
 
-std::string storeAttachments(const Pass& pass) {
+std::string outputs(const Pass& pass, const HostDialect& dialect) {
     std::string out;
     for (size_t i = 0; i < pass.colorTargets.size(); ++i)
-        out += format("layout(location = %zu) out vec4 agaa_out%zu;\n", i, i);
-    out += "void agaa_store(float c[13]) {\n";
+        out += dialect.hostOutputs ? format("vec4 agaa_out%zu;\n", i)
+                                   : format("layout(location = %zu) out vec4 agaa_out%zu;\n", i, i);
+    return out;
+}
+
+// Where the host's set or binding points hold each of the SDK's resources.
+std::string places(const HostDialect& dialect) {
+    std::string out;
+    const char* const names[] = {"FRAME", "METADATA", "AGGREGATES", "COUNTERS"};
+    for (uint32_t i = 0; i < 4; ++i)
+        out += dialect.openGl ? format("#define AGAA_AT_%s binding = %u\n", names[i], dialect.bindings[i])
+                              : format("#define AGAA_AT_%s set = %u, binding = %u\n", names[i],
+                                       dialect.descriptorSet, i);
+    return out;
+}
+
+std::string storeAttachments(const Pass& pass) {
+    std::string out = "void agaa_store(float c[13]) {\n";
     for (size_t i = 0; i < pass.colorTargets.size(); ++i) {
         std::string components[4] = {"0.0", "0.0", "0.0", "0.0"};
         for (uint32_t channel = 0; channel < ChannelCount; ++channel) {
@@ -62,10 +78,13 @@ std::string storeAttachments(const Pass& pass) {
     return out + "}\n";
 }
 
-std::string defines(const Plan& plan, const Pass& pass, uint32_t descriptorSet) {
+std::string defines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
     std::string out;
     const Constants& c = pass.constants;
-    defineSwitch(out, "AGAA_SET", descriptorSet);
+    defineSwitch(out, "AGAA_STORAGE_IMAGES", dialect.storageImages);
+    // Helper invocations store nothing in any version; knowing them only saves work.
+    out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n"
+                                      : "#define AGAA_HELPER false\n";
     defineSwitch(out, "AGAA_PASS", pass.drawPass);
     defineSwitch(out, "AGAA_NEEDS_MATERIAL", pass.drawPass != AGAA_DRAW_PASS_VISIBILITY);
     defineSwitch(out, "AGAA_SAMPLES", plan.samples);
@@ -93,20 +112,33 @@ std::string defines(const Plan& plan, const Pass& pass, uint32_t descriptorSet) 
 
 } // namespace
 
-std::string hostExtensions(const Plan&, const Pass& pass) {
-    return pass.extensions.empty() ? "" : "#extension GL_ARB_post_depth_coverage : require\n";
+std::string hostExtensions(const Pass& pass, const HostDialect& dialect) {
+    std::string out;
+    const auto extension = [&](const char* name) { out += format("#extension GL_%s : require\n", name); };
+    // What older languages lack.
+    if (dialect.glslVersion < 400) {
+        extension("ARB_gpu_shader5");
+        extension("ARB_sample_shading");
+    }
+    if (dialect.glslVersion < 420) {
+        extension("ARB_shading_language_420pack");
+        extension("ARB_shader_image_load_store");
+    }
+    if (dialect.glslVersion < 430 && !dialect.storageImages)
+        extension("ARB_shader_storage_buffer_object");
+    for (const std::string& name : pass.extensions)
+        extension(("ARB_" + name).c_str());
+    return out;
 }
 
-std::string hostDeclarations(const Plan& plan, const Pass& pass, uint32_t descriptorSet) {
+std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
     std::set<std::string> seen;
     std::string out = "#ifndef AGAA_ALPHA_MASKED\n#define AGAA_ALPHA_MASKED 0\n#endif\n";
-    out += defines(plan, pass, descriptorSet);
+    out += defines(plan, pass, dialect) + places(dialect) + outputs(pass, dialect);
     for (const char* path : {"passes/frame.glsl", "math/sanitise.glsl", "math/encoding.glsl",
-                             "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "host/surface.glsl"})
+                             "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "host/surface.glsl",
+                             "host/counters.glsl"})
         appendGlsl(out, path, seen);
-    if (pass.constants[AGAA_COUNTERS])
-        out += "layout(std430, set = AGAA_SET, binding = 3) buffer agaa_CounterBlock {\n"
-               "    uint words[22];\n} agaa_counterBuffer;\n";
     switch (pass.drawPass) {
     case AGAA_DRAW_PASS_VISIBILITY:
         appendGlsl(out, "host/visibility.glsl", seen);
@@ -125,7 +157,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, uint32_t descri
     return out;
 }
 
-uint64_t hostPassKey(const Plan& plan, const Pass& pass) {
+uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
     // FNV-1a over everything a host's shaders and pipelines depend on.
     uint64_t key = 1469598103934665603ull;
     const auto mix = [&](const void* data, size_t size) {
@@ -135,7 +167,7 @@ uint64_t hostPassKey(const Plan& plan, const Pass& pass) {
     const auto mixValue = [&](auto value) { mix(&value, sizeof value); };
     mixValue(uint32_t(pass.drawPass));
     mix(&pass.drawState, sizeof pass.drawState);
-    const std::string text = hostExtensions(plan, pass) + hostDeclarations(plan, pass, 0);
+    const std::string text = hostExtensions(pass, dialect) + hostDeclarations(plan, pass, dialect);
     mix(text.data(), text.size());
     for (ResourceId target : pass.colorTargets)
         mixValue(uint32_t(plan.resources[target].format));

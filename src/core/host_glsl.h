@@ -3,15 +3,25 @@
 
 #include "core/plan.h"
 
+#include <array>
 #include <string>
 
 namespace agaa {
 
-std::string hostExtensions(const Plan& plan, const Pass& pass);
-// descriptorSet: index at which the host binds the SDK's set.
-std::string hostDeclarations(const Plan& plan, const Pass& pass, uint32_t descriptorSet);
+// What a host's shaders are written in and where it wants the SDK's resources.
+struct HostDialect {
+    bool openGl = false;
+    uint32_t glslVersion = 450;
+    bool storageImages = false; // buffers are reached as images
+    bool hostOutputs = false;   // the host declares the outputs
+    uint32_t descriptorSet = 0; // Vulkan: of the SDK's set
+    std::array<uint32_t, 4> bindings{}; // OpenGL: by host_slot
+};
+
+std::string hostExtensions(const Pass& pass, const HostDialect& dialect);
+std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDialect& dialect);
 
 // Differs between passes for which a host needs other shaders or pipelines, and only then.
-uint64_t hostPassKey(const Plan& plan, const Pass& pass);
+uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect);
 
 } // namespace agaa

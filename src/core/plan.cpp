@@ -1,6 +1,7 @@
 #include "core/plan.h"
 
 #include "core/checked.h"
+#include "core/error.h"
 
 #include <algorithm>
 
@@ -27,15 +28,20 @@ uint64_t Plan::peakBytes() const {
     for (const Resource& resource : resources)
         if (resource.isPerPixel())
             blocks.push_back({resource.bytes, 1, resource.firstPass, resource.lastPass, 0});
-    if (config.flags & AGAA_CONFIG_READBACK)
-        return totalBytes();
-    return placeBlocks(blocks);
+    return aliases ? placeBlocks(blocks) : totalBytes();
 }
 
 uint32_t Plan::geometryPasses() const {
     return uint32_t(std::count_if(passes.begin(), passes.end(), [](const Pass& pass) {
         return pass.kind == PassKind::HostDraw;
     }));
+}
+
+ResourceId Plan::surface(const char* surfaceName) const {
+    for (ResourceId id = 0; id < resources.size(); ++id)
+        if (resources[id].isPerPixel() && resources[id].name == surfaceName)
+            return id;
+    fail(AGAA_ERROR_INVALID_ARGUMENT, format("the view has no surface called \"%.64s\".", surfaceName));
 }
 
 uint64_t placeBlocks(std::vector<ArenaBlock>& blocks) {

@@ -121,6 +121,8 @@ struct Plan {
     uint64_t functionSetLayout = 0;   // of set 1 in passes with code of the host's
     bool reversedZ = false;
     bool composite = false; // over what the output holds
+    bool clipZFromMinusOne = false;
+    bool aliases = true; // resources of disjoint lifetimes may share memory
     Format depthFormat = Format::None;
     std::vector<Resource> resources;
     std::vector<Pass> passes;
@@ -132,6 +134,7 @@ struct Plan {
     uint64_t peakBytes() const;     // per-pixel payload with disjoint lifetimes aliased
     double bytesPerPixel() const { return double(totalBytes()) / (double(width) * height); }
     uint32_t geometryPasses() const;
+    ResourceId surface(const char* surfaceName) const; // per pixel; throws where there is none
 };
 
 // Offsets for blocks of given size, alignment and lifetime so that blocks of disjoint lifetimes may

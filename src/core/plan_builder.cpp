@@ -16,7 +16,10 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     plan.height = view.height;
     plan.reversedZ = view.flags & AGAA_VIEW_REVERSED_Z;
     plan.composite = view.flags & AGAA_VIEW_COMPOSITE;
+    plan.clipZFromMinusOne = view.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
+    plan.aliases = !(caps.flags & AGAA_DEVICE_NO_ALIASING);
     plan.config = checkConfig(view.config);
+    plan.aliases = plan.aliases && !(plan.config.flags & AGAA_CONFIG_READBACK);
     plan.facts = checkFacts(view.facts);
     if (const AgaaShadowFunction* function = checkShadowFunction(view)) {
         plan.functionShadows = function->shadows;

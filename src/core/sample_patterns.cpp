@@ -27,15 +27,23 @@ static const uint8_t (*standardPattern(uint32_t samples))[2] {
     }
 }
 
-std::array<SamplePosition, 32> samplePositions(uint32_t hwSamples, uint32_t scaleX,
-                                               uint32_t scaleY) {
-    std::array<SamplePosition, 32> positions{};
+std::vector<SamplePosition> standardPositions(uint32_t hwSamples) {
+    std::vector<SamplePosition> positions;
     const auto* pattern = standardPattern(hwSamples);
-    for (uint32_t i = 0; i < hwSamples * scaleX * scaleY && i < 32; ++i) {
-        const uint32_t group = i / hwSamples;
-        const uint8_t* at = pattern[i % hwSamples];
-        positions[i] = {(float(group % scaleX) + float(at[0]) / 16.0f) / float(scaleX),
-                        (float(group / scaleX) + float(at[1]) / 16.0f) / float(scaleY)};
+    for (uint32_t i = 0; i < hwSamples; ++i)
+        positions.push_back({float(pattern[i][0]) / 16.0f, float(pattern[i][1]) / 16.0f});
+    return positions;
+}
+
+SamplePositions samplePositions(std::span<const SamplePosition> texel, uint32_t scaleX,
+                                uint32_t scaleY) {
+    SamplePositions positions{};
+    const uint32_t count = uint32_t(texel.size());
+    for (uint32_t i = 0; i < count * scaleX * scaleY && i < positions.size(); ++i) {
+        const uint32_t group = i / count;
+        const SamplePosition& at = texel[i % count];
+        positions[i] = {(float(group % scaleX) + at.x) / float(scaleX),
+                        (float(group / scaleX) + at.y) / float(scaleY)};
     }
     return positions;
 }

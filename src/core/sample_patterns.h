@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace agaa {
 
@@ -10,9 +12,13 @@ struct SamplePosition {
     float x, y; // in the pixel, [0;1), y down
 };
 
-// Sample i of a target of scaleX x scaleY sub-pixels with the standard positions of hwSamples each:
+// Where a device rasterises the samples of a texel; as many as it has.
+std::vector<SamplePosition> standardPositions(uint32_t hwSamples);
+
+// Sample i of a target of scaleX x scaleY sub-pixels, each with samples at these positions:
 // i = (sy scaleX + sx) hwSamples + s.
-std::array<SamplePosition, 32> samplePositions(uint32_t hwSamples, uint32_t scaleX,
-                                               uint32_t scaleY);
+using SamplePositions = std::array<SamplePosition, 32>;
+SamplePositions samplePositions(std::span<const SamplePosition> texel, uint32_t scaleX,
+                                uint32_t scaleY);
 
 } // namespace agaa

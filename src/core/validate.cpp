@@ -103,7 +103,9 @@ void checkViewDesc(const AgaaViewDesc* pointer) {
     const AgaaViewDesc& desc = *pointer;
     require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc has no pixels: width and height must be at least 1.");
-    require((desc.flags & ~(AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE)) == 0, AGAA_ERROR_OUT_OF_RANGE,
+    constexpr uint64_t known =
+        AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE | AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
+    require((desc.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc::flags has bits that are not known here.");
 }
 

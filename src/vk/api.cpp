@@ -3,30 +3,9 @@
 #include "vk/formats.h"
 #include "vk/view.h"
 
-#include <algorithm>
-#include <new>
-
 using namespace agaa;
 
 namespace {
-
-// Objects behind handles live in the host's memory.
-template <typename T, typename... Arguments>
-T* construct(const vk::HostAllocator& allocator, Arguments&&... arguments) {
-    void* memory = allocator.allocate(sizeof(T), alignof(T));
-    try {
-        return new (memory) T(std::forward<Arguments>(arguments)...);
-    } catch (...) {
-        allocator.free(memory);
-        throw;
-    }
-}
-
-template <typename T>
-void destroy(const vk::HostAllocator& allocator, T* object) {
-    object->~T();
-    allocator.free(object);
-}
 
 void checkContextDesc(const AgaaVkContextDesc* pointer) {
     const AgaaVkContextDesc& desc =
@@ -56,9 +35,7 @@ Log logOf(const AgaaVkContextDesc* desc) {
     return desc && desc->structSize == sizeof *desc ? checkedLog(desc->log) : Log();
 }
 
-Log logOf(AgaaView view) { return view ? view->context.log : Log(); }
-
-void describe(const AgaaView_T& view, size_t index, AgaaVkDrawPass& out) {
+void describe(const vk::View& view, size_t index, AgaaVkDrawPass& out) {
     const Plan& plan = view.plan;
     const Pass& pass = plan.passes[index];
     const vk::HostPassObjects& host = view.passes[index].host;
@@ -95,7 +72,7 @@ VkImageLayout layoutAfter(const Plan& plan, ResourceId id, uint64_t segment) {
     return layout;
 }
 
-void describe(const AgaaView_T& view, ResourceId id, AgaaVkSurface& out) {
+void describe(const vk::View& view, ResourceId id, AgaaVkSurface& out) {
     const Resource& resource = view.plan.resources[id];
     const vk::GpuResource& gpu = (*view.resources)[id];
     out.image = (uint64_t)gpu.image;
@@ -128,15 +105,15 @@ AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion, const AgaaVkCon
                         AGAA_VERSION_MINOR));
         require(outContext, AGAA_ERROR_INVALID_ARGUMENT, "the context pointer is null.");
         checkContextDesc(desc);
-        const vk::HostAllocator allocator{desc->allocate, desc->free, desc->allocateUser};
-        *outContext = construct<AgaaContext_T>(allocator, *desc);
+        const HostAllocator allocator{desc->allocate, desc->free, desc->allocateUser};
+        *outContext = construct<vk::Context>(allocator, *desc);
         return AGAA_OK;
     });
 }
 
 AgaaResult AGAA_CALL agaaVkGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps) {
-    return guarded(context ? context->log : Log(), "agaaVkGetContextCaps", [&]() -> AgaaResult {
-        require(context, AGAA_ERROR_INVALID_ARGUMENT, "the context is null.");
+    return guarded(logOf(context), "agaaVkGetContextCaps", [&]() -> AgaaResult {
+        requireBackend(context, Backend::Vulkan);
         checkStruct(outCaps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
         *outCaps = context->caps;
         return AGAA_OK;
@@ -145,17 +122,22 @@ AgaaResult AGAA_CALL agaaVkGetContextCaps(AgaaContext context, AgaaDeviceCaps* o
 
 AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* desc,
                                       AgaaView* outView) {
-    return guarded(context ? context->log : Log(), "agaaVkCreateView", [&]() -> AgaaResult {
-        require(context && outView, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+    return guarded(logOf(context), "agaaVkCreateView", [&]() -> AgaaResult {
+        requireBackend(context, Backend::Vulkan);
+        require(outView, AGAA_ERROR_INVALID_ARGUMENT, "the view pointer is null.");
         checkViewDesc(desc);
-        *outView = construct<AgaaView_T>(context->allocator, *context, *desc);
+        require(!(desc->flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE), AGAA_ERROR_UNSUPPORTED,
+                "AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE is of OpenGL; Vulkan maps z/w in [0;1] to depth.");
+        *outView = construct<vk::View>(context->allocator, static_cast<vk::Context&>(*context), *desc);
         return AGAA_OK;
     });
 }
 
 AgaaResult AGAA_CALL agaaVkGetDrawPasses(AgaaView view, uint32_t* count, AgaaVkDrawPass* passes) {
     return guarded(logOf(view), "agaaVkGetDrawPasses", [&]() -> AgaaResult {
-        require(view && count, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+        requireBackend(view, Backend::Vulkan);
+        require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
+        const auto& own = static_cast<const vk::View&>(*view);
         const uint32_t available = view->plan.geometryPasses();
         if (passes) {
             require(*count >= available, AGAA_ERROR_BUFFER_TOO_SMALL,
@@ -165,7 +147,7 @@ AgaaResult AGAA_CALL agaaVkGetDrawPasses(AgaaView view, uint32_t* count, AgaaVkD
             uint32_t next = 0;
             for (size_t i = 0; i < view->plan.passes.size(); ++i)
                 if (view->plan.passes[i].kind == PassKind::HostDraw)
-                    describe(*view, i, passes[next++]);
+                    describe(own, i, passes[next++]);
         }
         *count = available;
         return AGAA_OK;
@@ -174,17 +156,10 @@ AgaaResult AGAA_CALL agaaVkGetDrawPasses(AgaaView view, uint32_t* count, AgaaVkD
 
 AgaaResult AGAA_CALL agaaVkGetSurface(AgaaView view, const char* name, AgaaVkSurface* outSurface) {
     return guarded(logOf(view), "agaaVkGetSurface", [&]() -> AgaaResult {
-        require(view && name, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+        requireBackend(view, Backend::Vulkan);
+        require(name, AGAA_ERROR_INVALID_ARGUMENT, "the name is null.");
         checkStruct(outSurface, AGAA_STRUCTURE_TYPE_VK_SURFACE, "AgaaVkSurface");
-        const std::vector<Resource>& resources = view->plan.resources;
-        const auto found =
-            std::find_if(resources.begin(), resources.end(), [&](const Resource& resource) {
-                return resource.isPerPixel() && resource.name == name;
-            });
-        if (found == resources.end())
-            fail(AGAA_ERROR_INVALID_ARGUMENT,
-                 format("the view has no surface called \"%.64s\".", name));
-        describe(*view, ResourceId(found - resources.begin()), *outSurface);
+        describe(static_cast<const vk::View&>(*view), view->plan.surface(name), *outSurface);
         return AGAA_OK;
     });
 }
@@ -192,34 +167,10 @@ AgaaResult AGAA_CALL agaaVkGetSurface(AgaaView view, const char* name, AgaaVkSur
 AgaaResult AGAA_CALL agaaVkRecordFrame(AgaaView view, const AgaaFrame* frame,
                                        const AgaaVkFrame* vkFrame) {
     return guarded(logOf(view), "agaaVkRecordFrame", [&]() -> AgaaResult {
-        require(view && frame && vkFrame, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
-        return view->record(*frame, *vkFrame);
+        requireBackend(view, Backend::Vulkan);
+        require(frame && vkFrame, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+        return static_cast<vk::View*>(view)->record(*frame, *vkFrame);
     });
-}
-
-AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
-                                            AgaaFrameStatistics* outStatistics) {
-    return guarded(logOf(view), "agaaGetFrameStatistics", [&]() -> AgaaResult {
-        require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
-        checkStruct(outStatistics, AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, "AgaaFrameStatistics");
-        return view->statistics(completedFrame, *outStatistics);
-    });
-}
-
-void AGAA_CALL agaaDestroyView(AgaaView view) {
-    if (view)
-        destroy(vk::HostAllocator(view->context.allocator), view);
-}
-
-void AGAA_CALL agaaDestroyContext(AgaaContext context) {
-    if (!context)
-        return;
-    if (context->viewCount) {
-        context->log.write(AGAA_SEVERITY_ERROR, AGAA_ERROR_WRONG_ORDER,
-                           "agaaDestroyContext: views of the context still exist; it was kept.");
-        return;
-    }
-    destroy(vk::HostAllocator(context->allocator), context);
 }
 
 } // extern "C"

@@ -4,7 +4,7 @@
 
 namespace agaa::vk {
 
-BarrierTracker::BarrierTracker(const AgaaContext_T& context, const Plan& plan,
+BarrierTracker::BarrierTracker(const Context& context, const Plan& plan,
                                const ViewResources& resources)
     : context_(context), plan_(plan), resources_(resources), states_(plan.resources.size()) {}
 

@@ -26,7 +26,7 @@ std::vector<ResourceAccess> accessesOf(const Plan& plan, const Pass& pass);
 
 class BarrierTracker {
 public:
-    BarrierTracker(const AgaaContext_T& context, const Plan& plan, const ViewResources& resources);
+    BarrierTracker(const Context& context, const Plan& plan, const ViewResources& resources);
 
     // Forgets the frame before: every resource's contents are undefined and its memory may have held
     // another resource.
@@ -46,7 +46,7 @@ private:
         VkPipelineStageFlags writeStages = 0; // of the last write, which later reads elsewhere
         VkAccessFlags writes = 0;             // must still see
     };
-    const AgaaContext_T& context_;
+    const Context& context_;
     const Plan& plan_;
     const ViewResources& resources_;
     std::vector<State> states_;

@@ -3,30 +3,10 @@
 #include "core/validate.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <vector>
 
 namespace agaa::vk {
-
-void* HostAllocator::allocate(size_t size, size_t alignment) const {
-    void* memory = allocateCallback ? allocateCallback(user, size, alignment)
-                                    : std::aligned_alloc(alignment, (size + alignment - 1) /
-                                                                        alignment * alignment);
-    require(memory, AGAA_ERROR_OUT_OF_MEMORY, "host memory could not be allocated.");
-    return memory;
-}
-
-void HostAllocator::free(void* memory) const {
-    if (freeCallback)
-        freeCallback(user, memory);
-    else
-        std::free(memory);
-}
-
-} // namespace agaa::vk
-
-using namespace agaa;
 
 // Of what the device has, what the host enabled when it created it.
 static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkContextDesc& desc,
@@ -66,7 +46,7 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkContextDesc& 
     keep(dynamicRendering, AGAA_DEVICE_DYNAMIC_RENDERING);
 }
 
-static VkSampler createSampler(const AgaaContext_T& context, bool compare) {
+static VkSampler createSampler(const Context& context, bool compare) {
     VkSamplerCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
     info.magFilter = info.minFilter = compare ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
@@ -76,20 +56,21 @@ static VkSampler createSampler(const AgaaContext_T& context, bool compare) {
     info.compareEnable = compare;
     info.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
     VkSampler sampler = VK_NULL_HANDLE;
-    vk::check(context.vk.CreateSampler(context.device, &info, nullptr, &sampler), "vkCreateSampler");
+    check(context.vk.CreateSampler(context.device, &info, nullptr, &sampler), "vkCreateSampler");
     return sampler;
 }
 
-AgaaContext_T::AgaaContext_T(const AgaaVkContextDesc& desc)
-    : log(desc.log), allocator{desc.allocate, desc.free, desc.allocateUser},
+Context::Context(const AgaaVkContextDesc& desc)
+    : AgaaContext_T(Backend::Vulkan, desc.log, {desc.allocate, desc.free, desc.allocateUser},
+                    desc.framesInFlight),
       instanceFunctions(
-          vk::loadInstanceTable(desc.getProcAddr, static_cast<VkInstance>(desc.instance))),
+          loadInstanceTable(desc.getProcAddr, static_cast<VkInstance>(desc.instance))),
       instance(static_cast<VkInstance>(desc.instance)),
       physicalDevice(static_cast<VkPhysicalDevice>(desc.physicalDevice)),
       device(static_cast<VkDevice>(desc.device)), queueFamily(desc.queueFamily),
       secondary(desc.recording == AGAA_VK_RECORDING_SECONDARY), descriptorSet(desc.descriptorSet),
-      pipelineCache((VkPipelineCache)desc.pipelineCache), framesInFlight(desc.framesInFlight) {
-    caps = vk::queryCaps(instanceFunctions, physicalDevice);
+      pipelineCache((VkPipelineCache)desc.pipelineCache) {
+    caps = queryCaps(instanceFunctions, physicalDevice);
     VkPhysicalDeviceMaintenance3Properties maintenance{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES, nullptr, 0, 0};
     VkPhysicalDeviceProperties2 device2{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &maintenance,
@@ -129,7 +110,7 @@ AgaaContext_T::AgaaContext_T(const AgaaVkContextDesc& desc)
         log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
                   "the device does not rasterise at the standard sample locations; positions of "
                   "samples are approximate.");
-    vk = vk::loadDeviceTable(instanceFunctions, desc.getProcAddr, instance, device,
+    vk = loadDeviceTable(instanceFunctions, desc.getProcAddr, instance, device,
                              dynamicRendering);
     texelSampler = createSampler(*this, false);
     name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)texelSampler, "agaa texel sampler");
@@ -142,15 +123,17 @@ AgaaContext_T::AgaaContext_T(const AgaaVkContextDesc& desc)
     name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)shadowSampler, "agaa shadow sampler");
 }
 
-AgaaContext_T::~AgaaContext_T() {
+Context::~Context() {
     vk.DestroySampler(device, texelSampler, nullptr);
     vk.DestroySampler(device, shadowSampler, nullptr);
 }
 
-void AgaaContext_T::name(VkObjectType type, uint64_t handle, const std::string& text) const {
+void Context::name(VkObjectType type, uint64_t handle, const std::string& text) const {
     if (!vk.SetDebugUtilsObjectNameEXT)
         return;
     const VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
                                              nullptr, type, handle, text.c_str()};
     vk.SetDebugUtilsObjectNameEXT(device, &info);
 }
+
+} // namespace agaa::vk

@@ -8,48 +8,11 @@
 #include <algorithm>
 #include <new>
 
-using namespace agaa;
-using namespace agaa::vk;
+namespace agaa::vk {
 
-static std::array<float, 32> cameraOf(const AgaaFrame& frame) {
-    std::array<float, 32> camera;
-    std::copy_n(frame.view, 16, camera.begin());
-    std::copy_n(frame.projection, 16, camera.begin() + 16);
-    return camera;
-}
-
-void AgaaView_T::checkOrder(const AgaaFrame& frame, uint32_t index) const {
-    const FrameSlot& slot = slots[index];
-    if (frame.frameIndex == currentFrame) {
-        require((frame.segments & recordedSegments) == 0, AGAA_ERROR_WRONG_ORDER,
-                "a segment of this frame was recorded before.");
-        // Segments come in order: each bit needs all lower ones.
-        const uint64_t lowest = frame.segments & (~frame.segments + 1);
-        require((recordedSegments & (lowest - 1)) == lowest - 1, AGAA_ERROR_WRONG_ORDER,
-                "an earlier segment of this frame is missing.");
-        require(cameraOf(frame) == currentCamera, AGAA_ERROR_OUT_OF_RANGE,
-                "AgaaFrame::view or projection is not that of the frame's earlier segments.");
-        return;
-    }
-    require(frame.frameIndex > currentFrame, AGAA_ERROR_WRONG_ORDER,
-            "AgaaFrame::frameIndex does not increase.");
-    require((frame.segments & AGAA_SEGMENT_PREPASS) != 0, AGAA_ERROR_WRONG_ORDER,
-            "a frame begins with AGAA_SEGMENT_PREPASS.");
-    if (slot.frame > frame.completedFrame)
-        fail(AGAA_ERROR_WRONG_ORDER,
-             format("frame %llu uses what frame %llu has not finished with; wait for it or create "
-                    "the context with more framesInFlight.",
-                    static_cast<unsigned long long>(frame.frameIndex),
-                    static_cast<unsigned long long>(slot.frame)));
-}
-
-void AgaaView_T::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const {
+void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const {
     require(vkFrame.commandBuffer, AGAA_ERROR_INVALID_ARGUMENT,
             "AgaaVkFrame::commandBuffer is null.");
-    // Contiguous segments only: 101 would shade what was not generated.
-    const uint64_t run = frame.segments / (frame.segments & (~frame.segments + 1));
-    require((run & (run + 1)) == 0, AGAA_ERROR_WRONG_ORDER,
-            "AgaaFrame::segments leaves one out between others.");
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
         return;
     require(vkFrame.outputImage && vkFrame.outputView, AGAA_ERROR_INVALID_ARGUMENT,
@@ -76,16 +39,16 @@ void AgaaView_T::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame)
             "AgaaVkFrame::shadowFunctionSet is null.");
 }
 
-void AgaaView_T::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
+void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
     for (ResourceId id = 0; id < plan.resources.size(); ++id)
         if (plan.resources[id].content == UploadContent::FrameConstants ||
             (plan.resources[id].content == UploadContent::Lights &&
              frame.segments & AGAA_SEGMENT_SHADING))
-            writeUpload(plan, plan.resources[id].content, frame, (*resources)[id].mapped[slot]);
+            writeUpload(plan, plan.resources[id].content, frame, positions, (*resources)[id].mapped[slot]);
 }
 
 // Only of the passes about to be recorded: sets that an earlier segment bound must not change.
-void AgaaView_T::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uint64_t segments) {
+void View::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uint64_t segments) {
     std::vector<VkWriteDescriptorSet> writes;
     // Reserved, so that pointers into them stay.
     std::vector<VkDescriptorBufferInfo> buffers;
@@ -161,7 +124,7 @@ void AgaaView_T::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uin
                                     nullptr);
 }
 
-AgaaResult AgaaView_T::callHost(const AgaaFrame& frame, size_t pass, uint32_t slot,
+AgaaResult View::callHost(const AgaaFrame& frame, size_t pass, uint32_t slot,
                                 VkCommandBuffer commands) {
     const AgaaDrawTarget target = drawTarget(plan, plan.passes[pass], passes[pass].host, commands,
                                              passes[pass].sets[slot]);
@@ -169,7 +132,7 @@ AgaaResult AgaaView_T::callHost(const AgaaFrame& frame, size_t pass, uint32_t sl
 }
 
 // Draw callbacks record into command buffers of ours first: one that fails leaves the host's untouched.
-AgaaResult AgaaView_T::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
+AgaaResult View::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
     for (size_t i = 0; i < plan.passes.size(); ++i) {
         const Pass& pass = plan.passes[i];
         if (pass.kind != PassKind::HostDraw || !(pass.segment & frame.segments))
@@ -186,7 +149,7 @@ AgaaResult AgaaView_T::recordSecondaries(const AgaaFrame& frame, uint32_t slot) 
     return AGAA_OK;
 }
 
-void AgaaView_T::recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
+void View::recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
                                VkCommandBuffer commands) {
     const PassObjects& objects = passes[pass];
     const VkDescriptorSet sets[] = {objects.sets[slot], (VkDescriptorSet)vkFrame.shadowFunctionSet};
@@ -197,7 +160,7 @@ void AgaaView_T::recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t
     context.vk.CmdDispatch(commands, (plan.width + 7) / 8, (plan.height + 7) / 8, 1);
 }
 
-void AgaaView_T::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {
+void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {
     const auto buffer = [&](ResourceId id) {
         return (*resources)[id].buffers[plan.resources[id].copies > 1 ? slot : 0];
     };
@@ -214,7 +177,7 @@ void AgaaView_T::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer
                                   nullptr);
 }
 
-void AgaaView_T::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t index,
+void View::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t index,
                             uint32_t slot, VkCommandBuffer commands) {
     const Pass& pass = plan.passes[index];
     const DeviceTable& vk = context.vk;
@@ -270,7 +233,7 @@ void AgaaView_T::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, 
                     int(result), pass.name.c_str()));
 }
 
-void AgaaView_T::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot,
+void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot,
                               bool begins) {
     const auto commands = static_cast<VkCommandBuffer>(vkFrame.commandBuffer);
     if (begins)
@@ -283,12 +246,12 @@ void AgaaView_T::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame
             recordPass(frame, vkFrame, i, slot, commands);
 }
 
-AgaaResult AgaaView_T::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
+AgaaResult View::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
     checkFrame(&frame, plan);
     checkStruct(&vkFrame, AGAA_STRUCTURE_TYPE_VK_FRAME, "AgaaVkFrame");
-    const bool begins = frame.frameIndex != currentFrame;
-    const uint32_t slot = begins ? (currentSlot + 1) % uint32_t(slots.size()) : currentSlot;
-    checkOrder(frame, slot);
+    sequence.check(frame);
+    const bool begins = sequence.begins(frame);
+    const uint32_t slot = sequence.slotOf(frame);
     checkTarget(frame, vkFrame);
     writeFrameData(frame, slot);
     writeDescriptors(vkFrame, slot, frame.segments);
@@ -300,23 +263,14 @@ AgaaResult AgaaView_T::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame
     } catch (const Error& error) {
         // The host discards the command buffer: what it would have begun never runs, and a frame whose
         // earlier segments run cannot go on.
-        if (!begins)
-            recordedSegments = AGAA_SEGMENT_ALL;
+        sequence.failed(frame);
         fail(AGAA_ERROR_PARTIAL, error.message);
     } catch (const std::bad_alloc&) {
-        if (!begins)
-            recordedSegments = AGAA_SEGMENT_ALL;
+        sequence.failed(frame);
         fail(AGAA_ERROR_PARTIAL, "host memory is exhausted; discard the command buffer.");
     }
-    if (begins) {
-        currentFrame = frame.frameIndex;
-        currentSlot = slot;
-        currentCamera = cameraOf(frame);
-        recordedSegments = 0;
-        slots[slot].frame = frame.frameIndex;
-        slots[slot].complete = false;
-    }
-    recordedSegments |= frame.segments;
-    slots[slot].complete = recordedSegments == AGAA_SEGMENT_ALL;
+    sequence.recorded(frame);
     return AGAA_OK;
 }
+
+} // namespace agaa::vk

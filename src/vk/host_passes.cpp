@@ -35,7 +35,7 @@ VkAttachmentDescription attachment(const Resource& resource, bool clear) {
 }
 
 // The SDK's barriers stand outside, so that the pass itself needs no dependencies.
-void createRenderPass(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+void createRenderPass(const Context& context, const Plan& plan, const Pass& pass,
                       const ViewResources& resources, HostPassObjects& objects) {
     std::vector<VkAttachmentDescription> attachments;
     std::vector<VkAttachmentReference> colors;
@@ -93,23 +93,25 @@ VkRenderingAttachmentInfo renderingAttachment(const Plan& plan, const Pass& pass
 
 } // namespace
 
-void createHostPass(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+void createHostPass(const Context& context, const Plan& plan, const Pass& pass,
                     const ViewResources& resources, HostPassObjects& objects) {
-    objects.key = hostPassKey(plan, pass);
-    objects.extensions = hostExtensions(plan, pass);
-    objects.declarations = hostDeclarations(plan, pass, context.descriptorSet);
+    HostDialect dialect;
+    objects.key = hostPassKey(plan, pass, dialect); // of any set: that is the pipeline layout's
+    dialect.descriptorSet = context.descriptorSet;
+    objects.extensions = hostExtensions(pass, dialect);
+    objects.declarations = hostDeclarations(plan, pass, dialect);
     if (!context.dynamicRendering)
         createRenderPass(context, plan, pass, resources, objects);
 }
 
-void destroyHostPass(const AgaaContext_T& context, HostPassObjects& objects) {
+void destroyHostPass(const Context& context, HostPassObjects& objects) {
     if (context.dynamicRendering)
         return;
     context.vk.DestroyFramebuffer(context.device, objects.framebuffer, nullptr);
     context.vk.DestroyRenderPass(context.device, objects.renderPass, nullptr);
 }
 
-void beginHostRendering(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+void beginHostRendering(const Context& context, const Plan& plan, const Pass& pass,
                         const HostPassObjects& objects, const ViewResources& resources,
                         VkCommandBuffer commands, bool secondary) {
     const Resource& depthResource = plan.resources[pass.depthTarget];
@@ -148,14 +150,14 @@ void beginHostRendering(const AgaaContext_T& context, const Plan& plan, const Pa
     context.vk.CmdBeginRendering(commands, &info);
 }
 
-void endHostRendering(const AgaaContext_T& context, VkCommandBuffer commands) {
+void endHostRendering(const Context& context, VkCommandBuffer commands) {
     if (context.dynamicRendering)
         context.vk.CmdEndRendering(commands);
     else
         context.vk.CmdEndRenderPass(commands);
 }
 
-void beginSecondary(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
                     const HostPassObjects& objects, VkCommandBuffer commands) {
     const Format depth = plan.resources[pass.depthTarget].format;
     std::vector<VkFormat> colors;

@@ -18,16 +18,16 @@ struct HostPassObjects {
 };
 
 // Fills objects as it goes, so that what was made before a failure is destroyed with them.
-void createHostPass(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+void createHostPass(const Context& context, const Plan& plan, const Pass& pass,
                     const ViewResources& resources, HostPassObjects& objects);
-void destroyHostPass(const AgaaContext_T& context, HostPassObjects& objects);
+void destroyHostPass(const Context& context, HostPassObjects& objects);
 
-void beginHostRendering(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+void beginHostRendering(const Context& context, const Plan& plan, const Pass& pass,
                         const HostPassObjects& objects, const ViewResources& resources,
                         VkCommandBuffer commands, bool secondary);
-void endHostRendering(const AgaaContext_T& context, VkCommandBuffer commands);
+void endHostRendering(const Context& context, VkCommandBuffer commands);
 // Begins a secondary command buffer for use inside the pass's rendering.
-void beginSecondary(const AgaaContext_T& context, const Plan& plan, const Pass& pass,
+void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
                     const HostPassObjects& objects, VkCommandBuffer commands);
 
 AgaaDrawTarget drawTarget(const Plan& plan, const Pass& pass, const HostPassObjects& objects,

@@ -18,11 +18,11 @@ struct ViewResources::Request {
     ResourceKind kind;
 };
 
-ViewResources::ViewResources(const AgaaContext_T& context, const Plan& plan) : context_(context) {
+ViewResources::ViewResources(const Context& context, const Plan& plan) : context_(context) {
     try {
         std::vector<Request> requests;
         create(plan, requests);
-        allocateShared(requests, !(plan.config.flags & AGAA_CONFIG_READBACK));
+        allocateShared(requests, plan.aliases);
         for (const Request& request : requests)
             if (request.kind != ResourceKind::Image && request.kind != ResourceKind::Buffer)
                 allocateOwn(request);

@@ -18,7 +18,7 @@ struct GpuResource {
 
 class ViewResources {
 public:
-    ViewResources(const AgaaContext_T& context, const Plan& plan);
+    ViewResources(const Context& context, const Plan& plan);
     ~ViewResources();
     ViewResources(const ViewResources&) = delete;
     ViewResources& operator=(const ViewResources&) = delete;
@@ -42,7 +42,7 @@ private:
     VkDeviceMemory allocate(uint64_t size, uint32_t type);
     void destroy();
 
-    const AgaaContext_T& context_;
+    const Context& context_;
     std::vector<GpuResource> resources_;
     std::vector<VkDeviceMemory> memory_;
     uint64_t payloadBytes_ = 0;

@@ -8,13 +8,11 @@
 
 #include <map>
 
-using namespace agaa;
-using namespace agaa::vk;
+namespace agaa::vk {
 
-AgaaView_T::AgaaView_T(AgaaContext_T& owner, const AgaaViewDesc& desc)
-    : context(owner), plan(makePlan(desc, owner.caps, owner.framesInFlight)) {
-    require(plan.runnable, AGAA_ERROR_UNSUPPORTED,
-            "this plan is a model that can be priced but not run.");
+View::View(Context& device, const AgaaViewDesc& desc)
+    : AgaaView_T(device, makePlan(desc, device.caps, device.framesInFlight)), context(device),
+      positions(samplePositions(standardPositions(plan.hwSamples), plan.scaleX, plan.scaleY)) {
     try {
         resources.emplace(context, plan);
         barriers.emplace(context, plan, *resources);
@@ -25,15 +23,11 @@ AgaaView_T::AgaaView_T(AgaaContext_T& owner, const AgaaViewDesc& desc)
         destroy();
         throw;
     }
-    ++context.viewCount;
 }
 
-AgaaView_T::~AgaaView_T() {
-    destroy();
-    --context.viewCount;
-}
+View::~View() { destroy(); }
 
-void AgaaView_T::destroy() {
+void View::destroy() {
     const DeviceTable& vk = context.vk;
     const VkDevice device = context.device;
     for (FrameSlot& slot : slots)
@@ -63,7 +57,7 @@ static VkDescriptorType descriptorType(BindingType type) {
     return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 }
 
-void AgaaView_T::createPassObjects() {
+void View::createPassObjects() {
     passes.resize(plan.passes.size());
     std::map<VkDescriptorType, uint32_t> counts;
     uint32_t setCount = 0;
@@ -121,7 +115,7 @@ void AgaaView_T::createPassObjects() {
     }
 }
 
-void AgaaView_T::createPipelines() {
+void View::createPipelines() {
     std::array<VkSpecializationMapEntry, ConstantCount> entries;
     for (uint32_t i = 0; i < ConstantCount; ++i)
         entries[i] = {i, i * uint32_t(sizeof(uint32_t)), sizeof(uint32_t)};
@@ -173,7 +167,7 @@ void AgaaView_T::createPipelines() {
     }
 }
 
-void AgaaView_T::createSlots() {
+void View::createSlots() {
     slots.resize(context.framesInFlight);
     for (FrameSlot& slot : slots) {
         if (!context.secondary)
@@ -207,17 +201,19 @@ void AgaaView_T::createSlots() {
     context.name(VK_OBJECT_TYPE_QUERY_POOL, (uint64_t)queries, "agaa timestamps");
 }
 
-bool AgaaView_T::usesHostSet(const Pass& pass) const {
+bool View::usesHostSet(const Pass& pass) const {
     return !pass.hostCode.empty() && plan.functionSetLayout != 0;
 }
 
-bool AgaaView_T::timed() const {
+bool View::timed() const {
     return (plan.config.flags & AGAA_CONFIG_TIMESTAMPS) && context.timestampMask != 0;
 }
 
-size_t AgaaView_T::secondaryIndex(size_t pass) const {
+size_t View::secondaryIndex(size_t pass) const {
     size_t index = 0;
     for (size_t i = 0; i < pass; ++i)
         index += plan.passes[i].kind == PassKind::HostDraw;
     return index;
 }
+
+} // namespace agaa::vk

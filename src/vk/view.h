@@ -2,12 +2,12 @@
 #pragma once
 
 #include "core/plan.h"
+#include "core/sample_patterns.h"
 #include "vk/barriers.h"
 #include "vk/context.h"
 #include "vk/host_passes.h"
 #include "vk/resources.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,42 +25,36 @@ struct PassObjects {
 
 // What belongs to one frame in flight.
 struct FrameSlot {
-    uint64_t frame = 0; // that used it last
     VkCommandPool pool = VK_NULL_HANDLE;
     std::vector<VkCommandBuffer> secondaries; // one per host draw, in order
-    bool complete = false;                    // every segment was recorded
 };
 
-} // namespace agaa::vk
-
-struct AgaaView_T {
-    AgaaView_T(AgaaContext_T& context, const AgaaViewDesc& desc);
-    ~AgaaView_T();
-    AgaaView_T(const AgaaView_T&) = delete;
-    AgaaView_T& operator=(const AgaaView_T&) = delete;
+class View : public AgaaView_T {
+public:
+    View(Context& owner, const AgaaViewDesc& desc);
+    ~View() override;
 
     AgaaResult record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame);
-    AgaaResult statistics(uint64_t completedFrame, AgaaFrameStatistics& out) const;
 
-    AgaaContext_T& context;
-    agaa::Plan plan;
-    std::optional<agaa::vk::ViewResources> resources;
-    std::vector<agaa::vk::PassObjects> passes;
-    std::vector<agaa::vk::FrameSlot> slots;
-    std::optional<agaa::vk::BarrierTracker> barriers;
+    MemoryUse memoryUse() const override;
+    CounterBuffer readCounters(uint32_t slot) const override;
+    std::vector<double> readPassTimes(uint32_t slot) const override;
+    AgaaTimeSource timeSource() const override { return AGAA_TIME_DEVICE; }
+
+    Context& context;
+    std::optional<ViewResources> resources;
+    std::vector<PassObjects> passes;
+    std::vector<FrameSlot> slots;
+    std::optional<BarrierTracker> barriers;
     VkDescriptorPool descriptorPool = VK_NULL_HANDLE;
     VkQueryPool queries = VK_NULL_HANDLE; // two timestamps per pass and slot
-    uint64_t currentFrame = 0;
-    uint32_t currentSlot = 0;
-    uint64_t recordedSegments = 0; // of the current frame
-    std::array<float, 32> currentCamera{}; // view and projection of the current frame
+    SamplePositions positions;
 
 private:
     void createPassObjects();
     void createPipelines();
     void createSlots();
     void destroy();
-    void checkOrder(const AgaaFrame& frame, uint32_t slot) const;
     void checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const;
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
     void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot,
@@ -73,8 +67,10 @@ private:
                           uint32_t slot, VkCommandBuffer commands);
     void recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
                        VkCommandBuffer commands);
-    void recordTransfer(const agaa::Pass& pass, uint32_t slot, VkCommandBuffer commands);
+    void recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands);
     size_t secondaryIndex(size_t pass) const;
-    bool usesHostSet(const agaa::Pass& pass) const; // set 1 is the host's
+    bool usesHostSet(const Pass& pass) const; // set 1 is the host's
     bool timed() const;
 };
+
+} // namespace agaa::vk

@@ -34,7 +34,7 @@ TEST(Planner, ScaledTargetsGiveTheAskedSamplesOnAFourSampleDevice) {
 TEST(Planner, SamplesLieApartInsideThePixel) {
     for (auto [hw, sx, sy] : {std::tuple{4u, 1u, 2u}, {4u, 2u, 2u}, {4u, 2u, 4u}, {8u, 2u, 2u},
                               {1u, 4u, 8u}, {16u, 1u, 2u}}) {
-        const auto positions = samplePositions(hw, sx, sy);
+        const auto positions = samplePositions(standardPositions(hw), sx, sy);
         std::set<std::pair<float, float>> distinct;
         for (uint32_t i = 0; i < hw * sx * sy; ++i) {
             EXPECT_GE(positions[i].x, 0);
@@ -142,7 +142,7 @@ TEST(Planner, PipelineKeysChangeOnlyWithWhatPipelinesDependOn) {
         std::vector<uint64_t> list;
         for (const Pass& pass : plan.passes)
             if (pass.kind == PassKind::HostDraw)
-                list.push_back(hostPassKey(plan, pass));
+                list.push_back(hostPassKey(plan, pass, {}));
         return list;
     };
     ViewSpec spec;

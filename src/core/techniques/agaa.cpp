@@ -133,7 +133,7 @@ void buildAtomics(PlanBuilder& b) {
         b.bind(draw, host_slot::Metadata, BindingType::Texture, metadata);
     b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.plan.hwSamples > 1)
-        draw.extensions.push_back("VK_EXT_post_depth_coverage");
+        draw.extensions.push_back("post_depth_coverage");
     setPacking(b, draw, packing);
     shadeAggregates(b, packing, s.depth, aggregates, s.normals, 0);
 }

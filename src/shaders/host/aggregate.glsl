@@ -5,11 +5,19 @@ layout(early_fragment_tests) in;
 layout(post_depth_coverage) in;
 #endif
 #if AGAA_AGGREGATES > 1
-layout(set = AGAA_SET, binding = 1) uniform usampler2D agaa_metadata;
+layout(AGAA_AT_METADATA) uniform usampler2D agaa_metadata;
 #endif
-layout(std430, set = AGAA_SET, binding = 2) buffer agaa_AggregateBlock {
+#if AGAA_STORAGE_IMAGES
+layout(r32ui, AGAA_AT_AGGREGATES) uniform uimageBuffer agaa_aggregates;
+uint agaa_orWord(uint word, uint bits) { return imageAtomicOr(agaa_aggregates, int(word), bits); }
+void agaa_addToWord(uint word, uint amount) { imageAtomicAdd(agaa_aggregates, int(word), amount); }
+#else
+layout(std430, AGAA_AT_AGGREGATES) buffer agaa_AggregateBlock {
     uint words[];
 } agaa_aggregates;
+uint agaa_orWord(uint word, uint bits) { return atomicOr(agaa_aggregates.words[word], bits); }
+void agaa_addToWord(uint word, uint amount) { atomicAdd(agaa_aggregates.words[word], amount); }
+#endif
 
 // Samples of the pixel that this invocation stands for.
 uint agaa_fragmentMask(AgaaSurfaceInput s) {
@@ -57,13 +65,11 @@ void agaa_packSurface(AgaaSurfaceInput s, inout uint words[AGAA_WORDS]) {
 
 void agaa_emit(AgaaSurfaceInput s) {
     uint mask = agaa_fragmentMask(s);
-    if (mask == 0u || gl_HelperInvocation)
+    if (mask == 0u || AGAA_HELPER)
         return;
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
-#if AGAA_COUNTING
     if (bad != 0u)
-        atomicAdd(agaa_counterBuffer.words[10], 1u);
-#endif
+        agaa_countFragment(AGAA_FRAGMENT_SANITISED, 1u);
     uint words[AGAA_WORDS];
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         words[w] = 0u;
@@ -85,18 +91,16 @@ void agaa_emit(AgaaSurfaceInput s) {
         if (own == 0u)
             continue;
         // First come, first kept: coplanar duplicates must not count twice (hard case 25).
-        uint before = atomicOr(agaa_aggregates.words[base + (AGAA_FIELD_COVERAGE & 0xFFu)],
-                               own << coverageShift) >> coverageShift;
+        uint before = agaa_orWord(base + (AGAA_FIELD_COVERAGE & 0xFFu), own << coverageShift) >>
+                      coverageShift;
         uint fresh = own & ~before;
-#if AGAA_COUNTING
         if (fresh != own)
-            atomicAdd(agaa_counterBuffer.words[8], uint(bitCount(own & before)));
-#endif
+            agaa_countFragment(AGAA_FRAGMENT_TIES, uint(bitCount(own & before)));
         if (fresh == 0u)
             continue;
         uint count = uint(bitCount(fresh));
         for (uint w = 0u; w < AGAA_WORDS; ++w)
             if (words[w] != 0u)
-                atomicAdd(agaa_aggregates.words[base + w], words[w] * count);
+                agaa_addToWord(base + w, words[w] * count);
     }
 }

@@ -3,10 +3,8 @@
 
 void agaa_emit(AgaaSurfaceInput s) {
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
-#if AGAA_COUNTING
-    if (bad != 0u && !gl_HelperInvocation)
-        atomicAdd(agaa_counterBuffer.words[10], 1u);
-#endif
+    if (bad != 0u && !AGAA_HELPER)
+        agaa_countFragment(AGAA_FRAGMENT_SANITISED, 1u);
     float c[13];
     c[0] = s.diffuse.x;
     c[1] = s.diffuse.y;

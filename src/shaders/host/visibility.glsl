@@ -1,7 +1,5 @@
 // Visibility pass: depth and the primitive's normal in the frame of the pixel's view ray, where a
 // surface that is seen faces the viewer at any field of view.
-layout(location = 0) out vec2 agaa_outNormal;
-
 void agaa_emit(AgaaSurfaceInput s) {
     vec2 centre = (vec2(agaa_hostPixel()) + 0.5) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
     vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projection0.x, agaa_frame.projection0.y,
@@ -14,7 +12,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     n = vec3(dot(n, t), dot(n, b), dot(n, v));
     if (n.z < 0.0)
         n = -n;
-    agaa_outNormal = vec2(agaa_encodeHemiOct8(n)) / 255.0;
+    agaa_out0 = vec4(vec2(agaa_encodeHemiOct8(n)) / 255.0, 0.0, 0.0);
 #if AGAA_ALPHA_MASKED
     gl_SampleMask[0] = int(agaa_alphaMask(s.alpha, s.primitiveSeed));
 #endif

@@ -15,8 +15,11 @@
 #define AGAA_COUNTS 11u
 
 #if AGAA_COUNTING
-layout(std430, set = AGAA_SET, binding = 2) coherent buffer agaa_CounterBlock {
-    uint words[22];
+layout(std430, AGAA_AT_COUNTERS) coherent buffer agaa_CounterBlock {
+    uint words[22]; // of the counts
+    uint invalidPixelCount; // with missed or multi samples
+    uint padding;
+    uint invalidPixels[8][8]; // x, y, visible, missed, multi of the first
 } agaa_counterBuffer;
 
 shared uint agaa_groupCounts[AGAA_COUNTS];
@@ -30,6 +33,17 @@ void agaa_countBegin() {
     barrier();
 }
 void agaa_count(uint which, uint amount) { agaa_ownCounts[which] += amount; }
+// The geometry passes disagree about these samples of the pixel.
+void agaa_reportPixel(uvec2 pixel, uint visible, uint missed, uint multi) {
+    uint place = atomicAdd(agaa_counterBuffer.invalidPixelCount, 1u);
+    if (place >= 8u)
+        return;
+    agaa_counterBuffer.invalidPixels[place][0] = pixel.x;
+    agaa_counterBuffer.invalidPixels[place][1] = pixel.y;
+    agaa_counterBuffer.invalidPixels[place][2] = visible;
+    agaa_counterBuffer.invalidPixels[place][3] = missed;
+    agaa_counterBuffer.invalidPixels[place][4] = multi;
+}
 void agaa_countEnd() {
     for (uint i = 0u; i < AGAA_COUNT_MAX_EVENTS; ++i)
         if (agaa_ownCounts[i] != 0u)

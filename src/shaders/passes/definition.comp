@@ -1,10 +1,10 @@
 // Aggregate definition: which aggregate each sample of a pixel belongs to (AGAA section 3.3).
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define AGAA_SET 0
 #define AGAA_COUNTING 0
 #define AGAA_MAX_SAMPLES 32
 layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
 #include "passes/constants.glsl"
 #include "passes/frame.glsl"
 #include "passes/target.glsl"
@@ -12,13 +12,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "math/clustering.glsl"
 #include "math/metadata.glsl"
 
-layout(set = AGAA_SET, binding = 3) uniform AGAA_TARGET_TEXTURE agaa_depth;
+layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
 #if AGAA_FROM_GBUFFER
 #include "passes/gbuffer.glsl"
 #else
-layout(set = AGAA_SET, binding = 4) uniform AGAA_TARGET_TEXTURE agaa_normals;
+layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
 #endif
-layout(set = AGAA_SET, binding = 9) writeonly uniform uimage2D agaa_metadata;
+layout(AGAA_AT_METADATA_OUT) writeonly uniform uimage2D agaa_metadata;
 
 // The normal of a sample in a frame that all samples of the pixel share, and a number that is equal for
 // equal normals. False where there is no geometry.

@@ -1,7 +1,7 @@
 // Constants of a frame; the layout is FrameConstants of core/gpu_layout.h.
 #ifndef AGAA_FRAME_GLSL
 #define AGAA_FRAME_GLSL
-layout(std140, set = AGAA_SET, binding = 0) uniform agaa_FrameBlock {
+layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
     mat4 view;        // shading to view space, a rotation
     vec4 projection0; // p00, p11, offset x, y: p20, p21; orthographic p30, p31
     vec4 projection1; // p22, p32, orthographic, depth quantum

@@ -2,8 +2,8 @@
 // those of the tiers that accumulate fragments, without atomics.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define AGAA_SET 0
 layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
 #include "passes/constants.glsl"
 #include "passes/frame.glsl"
 #include "passes/target.glsl"
@@ -12,9 +12,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "math/ndf.glsl"
 
 #if AGAA_SEVERAL
-layout(set = AGAA_SET, binding = 8) uniform usampler2D agaa_metadata;
+layout(AGAA_AT_METADATA) uniform usampler2D agaa_metadata;
 #endif
-layout(std430, set = AGAA_SET, binding = 10) writeonly buffer agaa_AggregateBlock {
+layout(std430, AGAA_AT_AGGREGATES) writeonly buffer agaa_AggregateBlock {
     uint words[];
 } agaa_aggregates;
 

@@ -4,10 +4,10 @@
 #include "math/encoding.glsl"
 #include "math/light.glsl"
 
-layout(set = AGAA_SET, binding = 4) uniform AGAA_TARGET_TEXTURE agaa_gbuffer0;
-layout(set = AGAA_SET, binding = 5) uniform AGAA_TARGET_TEXTURE agaa_gbuffer1;
-layout(set = AGAA_SET, binding = 6) uniform AGAA_TARGET_TEXTURE agaa_gbuffer2;
-layout(set = AGAA_SET, binding = 7) uniform AGAA_TARGET_TEXTURE agaa_gbuffer3;
+layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_gbuffer0;
+layout(AGAA_AT_SURFACE1) uniform AGAA_TARGET_TEXTURE agaa_gbuffer1;
+layout(AGAA_AT_SURFACE2) uniform AGAA_TARGET_TEXTURE agaa_gbuffer2;
+layout(AGAA_AT_SURFACE3) uniform AGAA_TARGET_TEXTURE agaa_gbuffer3;
 
 vec4 agaa_texels[4];
 

@@ -18,7 +18,7 @@ struct agaa_GpuLight {
     vec4 colorShadow;
     vec4 cone;
 };
-layout(std430, set = AGAA_SET, binding = 1) readonly buffer agaa_LightBlock {
+layout(std430, AGAA_AT_LIGHTS) readonly buffer agaa_LightBlock {
     agaa_GpuShadow shadows[4];
     agaa_GpuLight lights[];
 } agaa_lightBuffer;
@@ -31,10 +31,10 @@ layout(std430, set = AGAA_SET, binding = 1) readonly buffer agaa_LightBlock {
 #endif
 
 #if AGAA_SHADOWS && AGAA_SHADOW_TEXTURES
-layout(set = AGAA_SET, binding = 12) uniform sampler2DArrayShadow agaa_shadowMap0;
-layout(set = AGAA_SET, binding = 13) uniform sampler2DArrayShadow agaa_shadowMap1;
-layout(set = AGAA_SET, binding = 14) uniform sampler2DArrayShadow agaa_shadowMap2;
-layout(set = AGAA_SET, binding = 15) uniform sampler2DArrayShadow agaa_shadowMap3;
+layout(AGAA_AT_SHADOW0) uniform sampler2DArrayShadow agaa_shadowMap0;
+layout(AGAA_AT_SHADOW1) uniform sampler2DArrayShadow agaa_shadowMap1;
+layout(AGAA_AT_SHADOW2) uniform sampler2DArrayShadow agaa_shadowMap2;
+layout(AGAA_AT_SHADOW3) uniform sampler2DArrayShadow agaa_shadowMap3;
 
 // The first layer whose clip volume holds the point; outside all of them it is lit. Points behind a
 // layer's eye (w <= 0) would read the mirrored map (hard case 41).

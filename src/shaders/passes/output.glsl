@@ -1,10 +1,10 @@
 // The host's image. Shaded colour is composited over the background with the uncovered share.
 #ifndef AGAA_OUTPUT_GLSL
 #define AGAA_OUTPUT_GLSL
-layout(set = AGAA_SET, binding = 11) writeonly uniform image2D agaa_output;
+layout(AGAA_AT_OUTPUT) writeonly uniform image2D agaa_output;
 #if AGAA_COMPOSITE
 // The same image through a sampler: reading a storage image without a format is not to be had everywhere.
-layout(set = AGAA_SET, binding = 16) uniform sampler2D agaa_below;
+layout(AGAA_AT_BELOW) uniform sampler2D agaa_below;
 #endif
 
 void agaa_writeOutput(uvec2 pixel, vec3 color, uint covered) {

@@ -1,8 +1,8 @@
 // Shading once per aggregate, weighted by its share of the pixel's samples (AGAA section 3.5).
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define AGAA_SET 0
 layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
 #include "passes/constants.glsl"
 #include "passes/frame.glsl"
 #include "passes/target.glsl"
@@ -12,11 +12,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "math/encoding.glsl"
 #include "math/statistics.glsl"
 
-layout(set = AGAA_SET, binding = 3) uniform AGAA_TARGET_TEXTURE agaa_depth;
+layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
 #if AGAA_COUNTING
-layout(set = AGAA_SET, binding = 4) uniform AGAA_TARGET_TEXTURE agaa_normals;
+layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
 #endif
-layout(std430, set = AGAA_SET, binding = 10) readonly buffer agaa_AggregateBlock {
+layout(std430, AGAA_AT_AGGREGATES) readonly buffer agaa_AggregateBlock {
     uint words[];
 } agaa_aggregates;
 
@@ -133,6 +133,7 @@ void agaa_shadePixel(uvec2 pixel) {
     vec3 color = vec3(0.0);
     uint covered = 0u;
     uint coveredMask = 0u;
+    uint twice = 0u;
     uint events = 0u;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a) {
         agaa_base = pixelBase + a * AGAA_WORDS;
@@ -141,6 +142,7 @@ void agaa_shadePixel(uvec2 pixel) {
             continue;
         agaa_count_ = uint(bitCount(mask));
         covered += agaa_count_;
+        twice |= coveredMask & mask;
         coveredMask |= mask;
         ++events;
         vec3 position = agaa_placeAggregate(pixel, mask);
@@ -157,6 +159,10 @@ void agaa_shadePixel(uvec2 pixel) {
     agaa_count(AGAA_COUNT_ONCE, once);
     agaa_count(AGAA_COUNT_MISSED, uint(bitCount(visible & ~coveredMask)));
     agaa_count(AGAA_COUNT_MULTI, covered - once);
+    uint missed = visible & ~coveredMask;
+    uint multi = twice | (coveredMask & ~visible);
+    if ((missed | multi) != 0u)
+        agaa_reportPixel(pixel, visible, missed, multi);
     agaa_count(AGAA_COUNT_EVENTS, events);
     agaa_count(AGAA_COUNT_PIXELS, events != 0u ? 1u : 0u);
 #endif

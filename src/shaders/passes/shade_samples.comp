@@ -1,8 +1,8 @@
 // Shading of every covered sample of a multisampled G-buffer.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define AGAA_SET 0
 layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
 #include "passes/constants.glsl"
 #include "passes/frame.glsl"
 #include "passes/target.glsl"
@@ -11,7 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/output.glsl"
 #include "passes/gbuffer.glsl"
 
-layout(set = AGAA_SET, binding = 3) uniform AGAA_TARGET_TEXTURE agaa_depth;
+layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
 
 void agaa_shadePixel(uvec2 pixel) {
     vec3 color = vec3(0.0);

@@ -39,7 +39,7 @@ struct Pixel {
 class Oracle {
 public:
     Oracle(StageView& view, const AgaaFrame& frame)
-        : view_(view), constants_(frameConstants(view.plan(), frame)),
+        : view_(view), constants_(frameConstants(view.plan(), frame, view.positions())),
           depth_(view.readSurface("depth")), normals_(view.readSurface("normals")) {}
 
     Pixel load(uint32_t x, uint32_t y) const {

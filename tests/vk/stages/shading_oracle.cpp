@@ -11,7 +11,7 @@ namespace agaa::test {
 using math_d::agaa_Surface;
 
 ShadingOracle::ShadingOracle(StageView& view, const AgaaFrame& frame, Visibility visibility)
-    : view_(view), frame_(frame), constants_(frameConstants(view.plan(), frame)),
+    : view_(view), frame_(frame), constants_(frameConstants(view.plan(), frame, view.positions())),
       visibility_(std::move(visibility)), depth_(view.readSurface("depth")) {
     if (view.plan().aggregates) {
         words_ = view.readBuffer("aggregates");

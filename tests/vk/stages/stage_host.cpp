@@ -313,12 +313,12 @@ ResourceId StageView::find(const std::string& name) const {
 
 std::vector<glm::uvec4> StageView::readSurface(const std::string& name) const {
     const ResourceId id = find(name);
-    return readTexels(sharedDevice(), plan().resources[id], (*view_->resources)[id].fetchView);
+    return readTexels(sharedDevice(), plan().resources[id], (*executor().resources)[id].fetchView);
 }
 
 std::vector<uint32_t> StageView::readBuffer(const std::string& name) const {
     const ResourceId id = find(name);
-    return readWords(sharedDevice(), (*view_->resources)[id].buffers[0],
+    return readWords(sharedDevice(), (*executor().resources)[id].buffers[0],
                      plan().resources[id].bytes);
 }
 

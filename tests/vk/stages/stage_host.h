@@ -108,6 +108,8 @@ public:
     AgaaFrameStatistics statistics() const;
 
     const agaa::Plan& plan() const { return view_->plan; }
+    const agaa::vk::View& executor() const { return static_cast<const agaa::vk::View&>(*view_); }
+    const agaa::SamplePositions& positions() const { return executor().positions; }
     AgaaView get() const { return view_; }
     const ViewSettings& settings() const { return settings_; }
     const harness::vk::OutputImage& output() const { return output_; }

@@ -1,0 +1,41 @@
+// Which frame and segments may come next, and which of the frames in flight's slots they use.
+#pragma once
+
+#include "agaa_sdk.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace agaa {
+
+class FrameSequence {
+public:
+    explicit FrameSequence(uint32_t slotCount) : slots_(slotCount) {}
+
+    // Throws where frame does not follow from what was recorded before.
+    void check(const AgaaFrame& frame) const;
+    bool begins(const AgaaFrame& frame) const { return frame.frameIndex != frame_; }
+    uint32_t slotOf(const AgaaFrame& frame) const;
+
+    void recorded(const AgaaFrame& frame);
+    // The frame's commands are discarded or in part: one that began before cannot go on.
+    void failed(const AgaaFrame& frame);
+
+    // Newest frame recorded whole, not after completedFrame; null where there is none.
+    struct Slot {
+        uint64_t frame = 0; // that used it last
+        bool complete = false;
+    };
+    const Slot* newest(uint64_t completedFrame) const;
+    uint32_t indexOf(const Slot& slot) const { return uint32_t(&slot - slots_.data()); }
+
+private:
+    std::vector<Slot> slots_;
+    uint64_t frame_ = 0;
+    uint32_t slot_ = 0;
+    uint64_t segments_ = 0;           // recorded of the frame
+    std::array<float, 32> camera_{};  // view and projection of the frame
+};
+
+} // namespace agaa

@@ -1,0 +1,153 @@
+#include "core/handles.h"
+
+#include <cstdlib>
+#include <cstring>
+
+namespace agaa {
+
+void* HostAllocator::allocate(size_t size, size_t alignment) const {
+    void* memory = allocateCallback ? allocateCallback(user, size, alignment)
+                                    : std::aligned_alloc(alignment, (size + alignment - 1) /
+                                                                        alignment * alignment);
+    require(memory, AGAA_ERROR_OUT_OF_MEMORY, "host memory could not be allocated.");
+    return memory;
+}
+
+void HostAllocator::free(void* memory) const {
+    if (freeCallback)
+        freeCallback(user, memory);
+    else
+        std::free(memory);
+}
+
+static const char* backendName(Backend backend) {
+    return backend == Backend::Vulkan ? "Vulkan" : "OpenGL";
+}
+
+void requireBackend(AgaaContext context, Backend backend) {
+    require(context, AGAA_ERROR_INVALID_ARGUMENT, "the context is null.");
+    if (context->backend != backend)
+        fail(AGAA_ERROR_INVALID_ARGUMENT,
+             format("the context is of %s, not of %s.", backendName(context->backend),
+                    backendName(backend)));
+}
+
+void requireBackend(AgaaView view, Backend backend) {
+    require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
+    if (view->owner.backend != backend)
+        fail(AGAA_ERROR_INVALID_ARGUMENT,
+             format("the view is of %s, not of %s.", backendName(view->owner.backend),
+                    backendName(backend)));
+}
+
+} // namespace agaa
+
+using namespace agaa;
+
+AgaaView_T::AgaaView_T(AgaaContext_T& context, Plan framePlan)
+    : owner(context), plan(std::move(framePlan)), sequence(context.framesInFlight) {
+    require(plan.runnable, AGAA_ERROR_UNSUPPORTED,
+            "this plan is a model that can be priced but not run.");
+    ++owner.viewCount;
+}
+
+AgaaView_T::~AgaaView_T() { --owner.viewCount; }
+
+static AgaaCounters countersOf(const CounterBuffer& source) {
+    const auto wide = [](const uint32_t (&words)[2]) {
+        return uint64_t(words[0]) | uint64_t(words[1]) << 32;
+    };
+    AgaaCounters out{};
+    out.visible = wide(source.visible);
+    out.once = wide(source.once);
+    out.missed = wide(source.missed);
+    out.multi = wide(source.multi);
+    out.ties = wide(source.ties);
+    out.sanitised = wide(source.sanitised);
+    out.shadingEvents = wide(source.shadingEvents);
+    out.shadowTaps = wide(source.shadowTaps);
+    out.widenedLobes = wide(source.widenedLobes);
+    out.shadedPixels = wide(source.shadedPixels);
+    out.maxEventsPerPixel = source.maxEvents;
+    return out;
+}
+
+AgaaResult AgaaView_T::statistics(uint64_t completedFrame, AgaaFrameStatistics& out) const {
+    const FrameSequence::Slot* newest = sequence.newest(completedFrame);
+    const MemoryUse memory = memoryUse();
+    out.payloadBytes = memory.payload;
+    out.driverBytes = memory.driver;
+    out.peakBytes = memory.peak;
+    out.geometryPasses = plan.geometryPasses();
+    out.timeSource = AGAA_TIME_NONE;
+    out.reserved = 0;
+    if (!newest)
+        return AGAA_NOT_READY;
+    const uint32_t slot = sequence.indexOf(*newest);
+    out.frameIndex = newest->frame;
+    out.counters = plan.config.flags & AGAA_CONFIG_COUNTERS ? countersOf(readCounters(slot))
+                                                            : AgaaCounters{};
+    const std::vector<double> times = readPassTimes(slot);
+    if (!times.empty())
+        out.timeSource = timeSource();
+    out.passCount = 0;
+    for (size_t i = 0; i < plan.passes.size() && out.passCount < AGAA_MAX_PASSES; ++i) {
+        AgaaPassTime& time = out.passes[out.passCount++];
+        time = {};
+        std::strncpy(time.name, plan.passes[i].name.c_str(), sizeof time.name - 1);
+        time.stage = plan.passes[i].stage;
+        time.isTimed = !times.empty();
+        time.milliseconds = times.empty() ? 0 : times[i];
+    }
+    return AGAA_OK;
+}
+
+// What usually causes a disagreement between the geometry passes, for the reader of the log.
+static const char* explain(const AgaaFrameValidation& v) {
+    if (v.visible == 0)
+        return "Nothing is visible: the prepass drew nothing into the target. Usual causes: framebuffer, "
+               "viewport or projection are not those of the pass, the depth test is not that of "
+               "AgaaDrawState, or AGAA_VIEW_REVERSED_Z does not fit the projection.";
+    if (v.missed && v.multi)
+        return "Samples were missed and others written where they are not visible. Usual causes: the passes "
+               "do not compute the same position (one expression and `invariant gl_Position` in both), or "
+               "draw different objects, instances or animation states.";
+    if (v.missed)
+        return "Samples that the prepass shows were never written. Usual causes: an object is left out of "
+               "the material pass, positions differ in the last bit (`invariant gl_Position`, one expression "
+               "in both passes), the depth test is not EQUAL, cull modes differ, or an alpha mask is not "
+               "computed from the same values in both passes.";
+    if (v.multi)
+        return "Samples were written twice or where nothing is visible. Usual causes: the depth test is off "
+               "or not EQUAL in the material pass, the stencil test of AgaaDrawState is not applied, or "
+               "objects are drawn that the prepass left out.";
+    return "Every visible sample was written exactly once.";
+}
+
+AgaaResult AgaaView_T::validation(uint64_t completedFrame, AgaaFrameValidation& out) const {
+    require(plan.config.flags & AGAA_CONFIG_COUNTERS, AGAA_ERROR_WRONG_ORDER,
+            "the view was created without AGAA_CONFIG_COUNTERS.");
+    const FrameSequence::Slot* newest = sequence.newest(completedFrame);
+    if (!newest)
+        return AGAA_NOT_READY;
+    const CounterBuffer buffer = readCounters(sequence.indexOf(*newest));
+    const AgaaCounters counters = countersOf(buffer);
+    out.frameIndex = newest->frame;
+    out.visible = counters.visible;
+    out.once = counters.once;
+    out.missed = counters.missed;
+    out.multi = counters.multi;
+    out.ties = counters.ties;
+    out.invalidPixels = buffer.invalidPixels;
+    out.isValid = out.visible != 0 && out.missed == 0 && out.multi == 0;
+    out.pixelCount = std::min<uint32_t>(buffer.invalidPixels, AGAA_MAX_INVALID_PIXELS);
+    for (uint32_t i = 0; i < AGAA_MAX_INVALID_PIXELS; ++i) {
+        const uint32_t* words = buffer.pixels[i];
+        out.pixels[i] = {};
+        if (i < out.pixelCount)
+            out.pixels[i] = {words[0], words[1], words[2], words[3], words[4]};
+    }
+    std::strncpy(out.explanation, explain(out), sizeof out.explanation - 1);
+    out.explanation[sizeof out.explanation - 1] = 0;
+    return AGAA_OK;
+}
