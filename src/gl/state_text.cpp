@@ -1,0 +1,46 @@
+#include "gl/state_text.h"
+
+#include "core/error.h"
+#include "gl/state_table.h"
+
+namespace agaa::gl {
+namespace {
+
+std::string text(char type, const StateValue& value, size_t i) {
+    switch (type) {
+    case 'b':
+        return value.integer(i) != 0 ? "true" : "false";
+    case 'e':
+    case 'u':
+        return format("0x%llX", static_cast<unsigned long long>(value.integer(i)));
+    case 'f':
+        return format("%.9g", value.real(i));
+    default:
+        return format("%lld", static_cast<long long>(value.integer(i)));
+    }
+}
+
+} // namespace
+
+std::vector<StateText> describe(const StateGuard& guard) {
+    std::vector<StateText> texts;
+    texts.reserve(guard.captured().size());
+    for (const StateRow& row : stateTable()) {
+        if (!guard.context().has(row))
+            continue;
+        for (const uint32_t element : guard.context().elements(row.array)) {
+            const StateValue& value = guard.captured()[texts.size()];
+            StateText& out = texts.emplace_back(StateText{row.name, {}});
+            if (row.array != StateArray::Once)
+                out.name += format(" [%u]", element);
+            for (size_t i = 0; i < row.layout.size(); ++i) {
+                if (i != 0)
+                    out.value += ' ';
+                out.value += text(row.layout[i], value, i);
+            }
+        }
+    }
+    return texts;
+}
+
+} // namespace agaa::gl
