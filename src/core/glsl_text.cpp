@@ -19,7 +19,9 @@ void appendGlsl(std::string& out, const std::string& path, std::set<std::string>
     while (begin < text.size()) {
         const size_t end = std::min(text.find('\n', begin), text.size());
         const std::string_view line = text.substr(begin, end - begin);
-        if (line == "#include \"host-code\"") {
+        if (line.starts_with("#extension GL_GOOGLE_include_directive")) {
+            // Nothing is left to include.
+        } else if (line == "#include \"host-code\"") {
             // Compilers count the host's own lines, and say 100000 and more for ours.
             out += "#line 1\n" + hostCode + "\n#line 100000\n";
         } else if (line.starts_with("#include \"")) {
@@ -34,16 +36,28 @@ void appendGlsl(std::string& out, const std::string& path, std::set<std::string>
     }
 }
 
-std::string passGlsl(const Pass& pass) {
-    std::set<std::string> seen;
+static std::string assemble(const Pass& pass, std::set<std::string> seen, const std::string& version,
+                            const std::string& head) {
     std::string text;
     appendGlsl(text, pass.file, seen, pass.hostCode);
     // #version stays first.
-    const size_t line = text.find("#version 450\n");
-    if (line == std::string::npos)
+    const std::string_view line = "#version 450\n";
+    const size_t at = text.find(line);
+    if (at == std::string::npos)
         fail(AGAA_ERROR_INTERNAL, "the pass " + pass.name + " has no version.");
-    text.insert(line + 13, pass.defines);
-    return text;
+    return text.replace(at, line.size(), version + head);
+}
+
+std::string passGlsl(const Pass& pass) {
+    return assemble(pass, {}, "#version 450\n", pass.defines);
+}
+
+std::string passGlslForOpenGl(const Pass& pass, uint32_t glslVersion) {
+    std::string head = "#define AGAA_GL 1\n" + pass.defines;
+#define AGAA_CONSTANT(id, name, value) head += format("const uint %s = %uu;\n", #name, pass.constants[id]);
+#include "shaders/passes/constants.inc"
+#undef AGAA_CONSTANT
+    return assemble(pass, {"passes/constants.glsl"}, format("#version %u\n", glslVersion), head);
 }
 
 } // namespace agaa

@@ -13,7 +13,9 @@ namespace agaa {
 void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
                 const std::string& hostCode = {});
 
-// The whole text of a compute pass that holds code of the host's.
+// The whole text of a compute pass, for Vulkan. Its specialisation constants stay.
 std::string passGlsl(const Pass& pass);
+// For OpenGL: the pass's constants are written into it.
+std::string passGlslForOpenGl(const Pass& pass, uint32_t glslVersion);
 
 } // namespace agaa

@@ -53,6 +53,13 @@ void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name) {
                     static_cast<unsigned long long>(low), static_cast<unsigned long long>(high)));
 }
 
+void checkHeaderVersion(uint32_t version) {
+    if ((version >> 12) != (AGAA_HEADER_VERSION >> 12))
+        fail(AGAA_ERROR_VERSION,
+             format("the host was built for version %u.%u, this library is %u.%u.", version >> 22,
+                    version >> 12 & 0x3FF, AGAA_VERSION_MAJOR, AGAA_VERSION_MINOR));
+}
+
 AgaaConfig checkConfig(const AgaaConfig* pointer) {
     const AgaaConfig& config = checkStruct(pointer, AGAA_STRUCTURE_TYPE_CONFIG, "AgaaConfig");
     require(config.technique, AGAA_ERROR_INVALID_ARGUMENT, "AgaaConfig::technique is null.");

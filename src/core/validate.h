@@ -30,6 +30,8 @@ inline void checkFinite(float value, const char* name) {
 void checkRange(double value, double low, double high, const char* name);
 void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name);
 
+// The version that a host was built for.
+void checkHeaderVersion(uint32_t version);
 AgaaConfig checkConfig(const AgaaConfig* config);
 AgaaSceneFacts checkFacts(const AgaaSceneFacts* facts);
 // Against what the view was made for.

@@ -98,11 +98,7 @@ extern "C" {
 AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion, const AgaaVkContextDesc* desc,
                                          AgaaContext* outContext) {
     return guarded(logOf(desc), "agaaVkCreateContext", [&]() -> AgaaResult {
-        if ((headerVersion >> 12) != (AGAA_HEADER_VERSION >> 12))
-            fail(AGAA_ERROR_VERSION,
-                 format("the host was built for version %u.%u, this library is %u.%u.",
-                        headerVersion >> 22, headerVersion >> 12 & 0x3FF, AGAA_VERSION_MAJOR,
-                        AGAA_VERSION_MINOR));
+        checkHeaderVersion(headerVersion);
         require(outContext, AGAA_ERROR_INVALID_ARGUMENT, "the context pointer is null.");
         checkContextDesc(desc);
         const HostAllocator allocator{desc->allocate, desc->free, desc->allocateUser};

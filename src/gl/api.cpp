@@ -1,0 +1,154 @@
+// The OpenGL part of the C ABI.
+#include "core/validate.h"
+#include "gl/formats.h"
+#include "gl/view.h"
+
+using namespace agaa;
+
+namespace {
+
+void checkContextDesc(const AgaaGlContextDesc* pointer) {
+    const AgaaGlContextDesc& desc =
+        checkStruct(pointer, AGAA_STRUCTURE_TYPE_GL_CONTEXT, "AgaaGlContextDesc");
+    require(desc.getProcAddr, AGAA_ERROR_INVALID_ARGUMENT, "AgaaGlContextDesc::getProcAddr is null.");
+    constexpr uint32_t versions[] = {330, 400, 410, 420, 430, 440, 450, 460};
+    bool known = false;
+    for (uint32_t version : versions)
+        known |= desc.glslVersion == version;
+    require(known, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaGlContextDesc::glslVersion is not a version of GLSL from 330 to 460.");
+    checkRange(uint64_t(desc.storage), 0, AGAA_GL_STORAGE_IMAGES, "AgaaGlContextDesc::storage");
+    checkRange(uint64_t(desc.outputs), 0, AGAA_GL_OUTPUTS_HOST, "AgaaGlContextDesc::outputs");
+    checkRange(uint64_t(desc.statePolicy), 0, AGAA_GL_STATE_NONE, "AgaaGlContextDesc::statePolicy");
+    checkRange(uint64_t(desc.framesInFlight), 1, 8, "AgaaGlContextDesc::framesInFlight");
+    require(desc.reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGlContextDesc::reserved is not 0.");
+    require(desc.aggregatesBinding != desc.countersBinding, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaGlContextDesc::aggregatesBinding and countersBinding are the same.");
+    const bool callbacks = desc.statePolicy == AGAA_GL_STATE_CALLBACKS;
+    require(!callbacks || (desc.pushState && desc.popState), AGAA_ERROR_INVALID_ARGUMENT,
+            "AGAA_GL_STATE_CALLBACKS needs AgaaGlContextDesc::pushState and popState.");
+    require(!desc.allocate == !desc.free, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaGlContextDesc has only one of allocate and free.");
+    if (desc.log)
+        checkStruct(desc.log, AGAA_STRUCTURE_TYPE_LOG, "AgaaLog");
+}
+
+Log logOf(const AgaaGlContextDesc* desc) {
+    return desc && desc->structSize == sizeof *desc ? checkedLog(desc->log) : Log();
+}
+
+void describe(const gl::View& view, size_t index, AgaaGlDrawPass& out) {
+    const Plan& plan = view.plan;
+    const Pass& pass = plan.passes[index];
+    const gl::PassObjects& objects = view.passes[index];
+    const Resource& depth = plan.resources[pass.depthTarget];
+    out.pass = pass.drawPass;
+    out.stage = pass.stage;
+    out.name = pass.name.c_str();
+    out.pipelineKey = objects.key;
+    out.framebuffer = objects.framebuffer;
+    out.width = depth.width;
+    out.height = depth.height;
+    out.scaleX = plan.scaleX;
+    out.scaleY = plan.scaleY;
+    out.state = pass.drawState;
+    for (size_t i = 0; i < 4; ++i)
+        out.colorFormats[i] = i < pass.colorTargets.size()
+                                  ? gl::internalFormat(plan.resources[pass.colorTargets[i]].format)
+                                  : 0;
+    out.depthStencilFormat = gl::internalFormat(depth.format);
+    out.glslExtensions = objects.extensions.c_str();
+    out.glslDeclarations = objects.declarations.c_str();
+}
+
+void describe(const gl::View& view, ResourceId id, AgaaGlSurface& out) {
+    const Resource& resource = view.plan.resources[id];
+    const gl::GpuResource& objects = (*view.resources)[id];
+    out.texture = objects.texture;
+    out.buffer = objects.buffers.empty() ? 0 : objects.buffers[0];
+    out.bytes = resource.bytes;
+    out.format = gl::internalFormat(resource.format);
+    out.width = resource.width;
+    out.height = resource.height;
+    out.samples = resource.samples;
+    out.scaleX = resource.width / view.plan.width;
+    out.scaleY = resource.height / view.plan.height;
+    out.reserved = 0;
+}
+
+} // namespace
+
+extern "C" {
+
+AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion, const AgaaGlContextDesc* desc,
+                                         AgaaContext* outContext) {
+    return guarded(logOf(desc), "agaaGlCreateContext", [&]() -> AgaaResult {
+        checkHeaderVersion(headerVersion);
+        require(outContext, AGAA_ERROR_INVALID_ARGUMENT, "the context pointer is null.");
+        checkContextDesc(desc);
+        const HostAllocator allocator{desc->allocate, desc->free, desc->allocateUser};
+        *outContext = construct<gl::Context>(allocator, *desc);
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaGlGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps) {
+    return guarded(logOf(context), "agaaGlGetContextCaps", [&]() -> AgaaResult {
+        requireBackend(context, Backend::OpenGL);
+        checkStruct(outCaps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
+        *outCaps = context->caps;
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* desc,
+                                      AgaaView* outView) {
+    return guarded(logOf(context), "agaaGlCreateView", [&]() -> AgaaResult {
+        requireBackend(context, Backend::OpenGL);
+        require(outView, AGAA_ERROR_INVALID_ARGUMENT, "the view pointer is null.");
+        checkViewDesc(desc);
+        *outView = construct<gl::View>(context->allocator, static_cast<gl::Context&>(*context), *desc);
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaGlGetDrawPasses(AgaaView view, uint32_t* count, AgaaGlDrawPass* passes) {
+    return guarded(logOf(view), "agaaGlGetDrawPasses", [&]() -> AgaaResult {
+        requireBackend(view, Backend::OpenGL);
+        require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
+        const uint32_t available = view->plan.geometryPasses();
+        if (passes) {
+            require(*count >= available, AGAA_ERROR_BUFFER_TOO_SMALL,
+                    "the array is too small for the draw passes.");
+            for (uint32_t i = 0; i < available; ++i)
+                checkStruct(&passes[i], AGAA_STRUCTURE_TYPE_GL_DRAW_PASS, "AgaaGlDrawPass");
+            uint32_t next = 0;
+            for (size_t i = 0; i < view->plan.passes.size(); ++i)
+                if (view->plan.passes[i].kind == PassKind::HostDraw)
+                    describe(static_cast<const gl::View&>(*view), i, passes[next++]);
+        }
+        *count = available;
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaGlGetSurface(AgaaView view, const char* name, AgaaGlSurface* outSurface) {
+    return guarded(logOf(view), "agaaGlGetSurface", [&]() -> AgaaResult {
+        requireBackend(view, Backend::OpenGL);
+        require(name, AGAA_ERROR_INVALID_ARGUMENT, "the name is null.");
+        checkStruct(outSurface, AGAA_STRUCTURE_TYPE_GL_SURFACE, "AgaaGlSurface");
+        describe(static_cast<const gl::View&>(*view), view->plan.surface(name), *outSurface);
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame,
+                                       const AgaaGlFrame* glFrame) {
+    return guarded(logOf(view), "agaaGlRecordFrame", [&]() -> AgaaResult {
+        requireBackend(view, Backend::OpenGL);
+        require(frame && glFrame, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+        return static_cast<gl::View*>(view)->record(*frame, *glFrame);
+    });
+}
+
+} // extern "C"

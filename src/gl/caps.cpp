@@ -1,0 +1,105 @@
+// What an OpenGL context must, should and does offer.
+#include "core/validate.h"
+#include "gl/context.h"
+#include "gl/formats.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdio>
+#include <iterator>
+
+namespace agaa::gl {
+
+namespace {
+
+// Core in 4.5.
+constexpr const char* requiredExtensions[] = {"GL_ARB_direct_state_access"};
+constexpr const char* optionalExtensions[] = {
+    "GL_ARB_post_depth_coverage", // else generation runs once per sample
+    "GL_ARB_clip_control",        // core in 4.5; reversed depth is precise with it only
+};
+
+GLint integer(const GladGLContext& gl, GLenum parameter) {
+    GLint value = 0;
+    gl.GetIntegerv(parameter, &value);
+    return value;
+}
+
+// Bit i: 2^i samples that textures of this format can have.
+uint32_t sampleCounts(const GladGLContext& gl, Format format) {
+    GLint count = 0;
+    gl.GetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, internalFormat(format), GL_NUM_SAMPLE_COUNTS, 1,
+                           &count);
+    std::vector<GLint> list(size_t(std::max(count, 0)));
+    gl.GetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, internalFormat(format), GL_SAMPLES, count,
+                           list.data());
+    uint32_t bits = 1;
+    for (GLint samples : list)
+        if (samples > 0 && std::has_single_bit(uint32_t(samples)))
+            bits |= 1u << std::countr_zero(uint32_t(samples));
+    return bits;
+}
+
+} // namespace
+
+AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    const auto text = [&](GLenum name) { return reinterpret_cast<const char*>(gl.GetString(name)); };
+    std::snprintf(caps.deviceName, sizeof caps.deviceName, "%.127s", text(GL_RENDERER));
+    std::snprintf(caps.driverName, sizeof caps.driverName, "%.60s %.60s", text(GL_VENDOR),
+                  text(GL_VERSION));
+    GLint viewport[2] = {0, 0};
+    gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    caps.maxImageSize =
+        uint32_t(std::min({integer(gl, GL_MAX_TEXTURE_SIZE), viewport[0], viewport[1],
+                           integer(gl, GL_MAX_FRAMEBUFFER_WIDTH), integer(gl, GL_MAX_FRAMEBUFFER_HEIGHT)}));
+    GLint64 range = 0;
+    gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &range);
+    caps.maxStorageRange = uint64_t(std::max<GLint64>(range, 0));
+    caps.flags = AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 |
+                 AGAA_DEVICE_D32S8 | AGAA_DEVICE_NO_ALIASING;
+    if (integer(gl, GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) >= 2)
+        caps.flags |= AGAA_DEVICE_FRAGMENT_ATOMICS;
+    if (gl.ARB_post_depth_coverage)
+        caps.flags |= AGAA_DEVICE_POST_DEPTH_COVERAGE;
+    if (gl.NV_framebuffer_mixed_samples && gl.NV_sample_mask_override_coverage)
+        caps.flags |= AGAA_DEVICE_NV_MIXED_SAMPLES;
+    caps.sampleCounts = 0x1F; // no standard has a pattern of 32 samples
+    for (Format format : {Format::RG8, Format::RGBA8, Format::R16, Format::RG16, Format::RGBA16,
+                          Format::RGB10A2, Format::D24S8, Format::D32S8, Format::D32})
+        caps.sampleCounts &= sampleCounts(gl, format);
+    return caps;
+}
+
+} // namespace agaa::gl
+
+using namespace agaa;
+
+extern "C" {
+
+AgaaResult AGAA_CALL agaaGlGetRequirements(AgaaGlRequirements* out) {
+    return guarded(Log(), "agaaGlGetRequirements", [&]() -> AgaaResult {
+        checkStruct(out, AGAA_STRUCTURE_TYPE_GL_REQUIREMENTS, "AgaaGlRequirements");
+        out->majorVersion = 4;
+        out->minorVersion = 3;
+        out->completeMajorVersion = 4;
+        out->completeMinorVersion = 5;
+        out->requiredExtensionCount = uint32_t(std::size(gl::requiredExtensions));
+        out->requiredExtensions = gl::requiredExtensions;
+        out->optionalExtensionCount = uint32_t(std::size(gl::optionalExtensions));
+        out->optionalExtensions = gl::optionalExtensions;
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* getProcUser,
+                                         const AgaaLog* log, AgaaDeviceCaps* outCaps) {
+    return guarded(checkedLog(log), "agaaGlGetDeviceCaps", [&]() -> AgaaResult {
+        require(getProcAddr, AGAA_ERROR_INVALID_ARGUMENT, "getProcAddr is null.");
+        checkStruct(outCaps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
+        *outCaps = gl::queryCaps(gl::loadFunctions(getProcAddr, getProcUser));
+        return AGAA_OK;
+    });
+}
+
+} // extern "C"

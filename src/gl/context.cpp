@@ -1,0 +1,144 @@
+#include "gl/context.h"
+
+#include "core/validate.h"
+#include "gl/bindings.h"
+#include "gl/timer_probe.h"
+
+#include <algorithm>
+
+namespace agaa::gl {
+
+GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user) {
+    struct Loader {
+        AgaaGlGetProcAddr get;
+        void* user;
+    } loader{getProcAddr, user};
+    GladGLContext gl{};
+    const int version = gladLoadGLContextUserPtr(
+        &gl,
+        [](void* pointer, const char* name) {
+            const auto& from = *static_cast<const Loader*>(pointer);
+            return GLADapiproc(from.get(from.user, name));
+        },
+        &loader);
+    require(version != 0, AGAA_ERROR_UNSUPPORTED, "no OpenGL context is current.");
+    if (!gl.VERSION_4_3)
+        fail(AGAA_ERROR_UNSUPPORTED, format("the context is OpenGL %d.%d; 4.3 is needed.",
+                                            GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version)));
+    require(gl.VERSION_4_5 || gl.ARB_direct_state_access, AGAA_ERROR_UNSUPPORTED,
+            "the context is below OpenGL 4.5 and lacks GL_ARB_direct_state_access.");
+    return gl;
+}
+
+static StateScope scopeOf(const HostDialect& dialect) {
+    StateScope scope;
+    for (uint32_t unit = firstTextureUnit; unit <= lastTextureUnit; ++unit)
+        scope.textureUnits.push_back(unit);
+    scope.textureUnits.push_back(dialect.bindings[host_slot::Metadata]);
+    scope.uniformBindings = {uniformBinding, dialect.bindings[host_slot::Frame]};
+    for (uint32_t i = 0; i < storageBindingCount; ++i)
+        scope.storageBindings.push_back(i);
+    for (uint32_t i = 0; i < imageUnitCount; ++i)
+        scope.imageUnits.push_back(i);
+    for (uint32_t place : {host_slot::Aggregates, host_slot::Counters})
+        (dialect.storageImages ? scope.imageUnits : scope.storageBindings)
+            .push_back(dialect.bindings[place]);
+    return scope;
+}
+
+static bool isCompatibilityProfile(const GladGLContext& gl) {
+    GLint mask = 0;
+    gl.GetIntegerv(GL_CONTEXT_PROFILE_MASK, &mask);
+    return !(mask & GL_CONTEXT_CORE_PROFILE_BIT);
+}
+
+static void checkBindings(const GladGLContext& gl, const HostDialect& dialect) {
+    const auto check = [&](uint32_t value, GLenum limit, const char* name) {
+        GLint count = 0;
+        gl.GetIntegerv(limit, &count);
+        if (value >= uint32_t(count))
+            fail(AGAA_ERROR_OUT_OF_RANGE,
+                 format("AgaaGlContextDesc::%s is %u; the context has %d.", name, value, count));
+    };
+    const auto& at = dialect.bindings;
+    check(at[host_slot::Frame], GL_MAX_UNIFORM_BUFFER_BINDINGS, "frameBinding");
+    check(at[host_slot::Metadata], GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, "metadataUnit");
+    const GLenum storage =
+        dialect.storageImages ? GL_MAX_IMAGE_UNITS : GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS;
+    check(at[host_slot::Aggregates], storage, "aggregatesBinding");
+    check(at[host_slot::Counters], storage, "countersBinding");
+}
+
+// Where buffers are reached as images, these set the limits.
+static void limitToImages(const GladGLContext& gl, AgaaDeviceCaps& caps) {
+    GLint texels = 0, images = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    gl.GetIntegerv(GL_MAX_FRAGMENT_IMAGE_UNIFORMS, &images);
+    caps.maxStorageRange = std::min<uint64_t>(caps.maxStorageRange, 4 * uint64_t(texels));
+    caps.flags &= ~AGAA_DEVICE_FRAGMENT_ATOMICS;
+    caps.flags |= images >= 2 ? AGAA_DEVICE_FRAGMENT_ATOMICS : 0;
+}
+
+Context::Context(const AgaaGlContextDesc& desc)
+    : AgaaContext_T(Backend::OpenGL, desc.log, {desc.allocate, desc.free, desc.allocateUser},
+                    desc.framesInFlight),
+      gl(loadFunctions(desc.getProcAddr, desc.getProcUser)),
+      statePolicy(AgaaGlStatePolicy(desc.statePolicy)), pushState(desc.pushState),
+      popState(desc.popState), stateUser(desc.stateUser) {
+    dialect.openGl = true;
+    dialect.glslVersion = desc.glslVersion;
+    dialect.storageImages = desc.storage == AGAA_GL_STORAGE_IMAGES;
+    dialect.hostOutputs = desc.outputs == AGAA_GL_OUTPUTS_HOST;
+    dialect.bindings = {desc.frameBinding, desc.metadataUnit, desc.aggregatesBinding,
+                        desc.countersBinding};
+    takeHostErrors("agaaGlCreateContext");
+    caps = queryCaps(gl);
+    checkBindings(gl, dialect);
+    if (dialect.storageImages)
+        limitToImages(gl, caps);
+    guard.emplace(gl, scopeOf(dialect), isCompatibilityProfile(gl));
+    guard->capture();
+    try {
+        timeSource = probeTimer(gl) ? AGAA_TIME_DEVICE : AGAA_TIME_CPU_FINISH;
+    } catch (...) {
+        guard->restore();
+        throw;
+    }
+    guard->restore();
+    gl.CreateSamplers(1, &shadowSampler);
+    label(GL_SAMPLER, shadowSampler, "agaa shadow sampler");
+    for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl.SamplerParameteri(shadowSampler, filter, GL_LINEAR);
+    for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        gl.SamplerParameteri(shadowSampler, wrap, GL_CLAMP_TO_EDGE);
+    gl.SamplerParameteri(shadowSampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    gl.SamplerParameteri(shadowSampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+}
+
+Context::~Context() { gl.DeleteSamplers(1, &shadowSampler); }
+
+void Context::label(GLenum kind, GLuint name, const std::string& text) const {
+    gl.ObjectLabel(kind, name, GLsizei(text.size()), text.c_str());
+}
+
+void Context::takeHostErrors(const char* call) const {
+    // A lost context repeats its error for ever.
+    for (int i = 0; i < 16; ++i) {
+        const GLenum error = gl.GetError();
+        if (error == GL_NO_ERROR)
+            return;
+        log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
+                  format("%s: error 0x%04X of an earlier call of the host's was pending.", call, error));
+    }
+}
+
+void Context::checkErrors(const char* what) const {
+    const GLenum error = gl.GetError();
+    if (error == GL_NO_ERROR)
+        return;
+    if (error == GL_OUT_OF_MEMORY)
+        fail(AGAA_ERROR_OUT_OF_MEMORY, format("%s: the driver is out of memory.", what));
+    fail(AGAA_ERROR_DEVICE, format("%s: OpenGL reports error 0x%04X.", what, error));
+}
+
+} // namespace agaa::gl

@@ -1,0 +1,41 @@
+// The SDK inside one host OpenGL context.
+#pragma once
+
+#include "agaa_gl.h"
+#include "core/handles.h"
+#include "core/host_glsl.h"
+#include "gl/state_guard.h"
+
+#include <glad/gl.h>
+
+#include <optional>
+
+namespace agaa::gl {
+
+// Functions of the current context. Throws AGAA_ERROR_UNSUPPORTED where there is none or it is too old.
+GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user);
+AgaaDeviceCaps queryCaps(const GladGLContext& gl);
+
+class Context : public AgaaContext_T {
+public:
+    explicit Context(const AgaaGlContextDesc& desc);
+    ~Context() override;
+
+    void label(GLenum kind, GLuint name, const std::string& text) const;
+    // Tells the log about errors of the host's that would be taken for ours.
+    void takeHostErrors(const char* call) const;
+    // Throws where a call of ours since takeHostErrors() failed.
+    void checkErrors(const char* what) const;
+
+    GladGLContext gl{};
+    HostDialect dialect;
+    AgaaGlStatePolicy statePolicy;
+    AgaaGlStateCallback pushState;
+    AgaaGlStateCallback popState;
+    void* stateUser;
+    std::optional<StateGuard> guard; // of all that frames touch
+    AgaaTimeSource timeSource = AGAA_TIME_DEVICE;
+    GLuint shadowSampler = 0;
+};
+
+} // namespace agaa::gl

@@ -1,0 +1,230 @@
+// Running a frame: validate, then passes with the host's state away, but for the host's own draws.
+#include "core/frame_data.h"
+#include "core/validate.h"
+#include "gl/bindings.h"
+#include "gl/formats.h"
+#include "gl/host_state.h"
+
+#include <new>
+
+namespace agaa::gl {
+
+void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
+    for (ResourceId id = 0; id < plan.resources.size(); ++id) {
+        const Resource& resource = plan.resources[id];
+        if (resource.content != UploadContent::FrameConstants &&
+            !(resource.content == UploadContent::Lights && frame.segments & AGAA_SEGMENT_SHADING))
+            continue;
+        writeUpload(plan, resource.content, frame, positions, upload_.data());
+        context.gl.NamedBufferSubData(resources->buffer(id, slot), 0, GLsizeiptr(resource.bytes),
+                                      upload_.data());
+    }
+}
+
+// Clears obey masks, the scissor test and the discarding of primitives.
+void View::clearTargets(const Pass& pass, GLuint framebuffer) {
+    const GladGLContext& gl = context.gl;
+    gl.Disablei(GL_SCISSOR_TEST, 0);
+    gl.Disable(GL_RASTERIZER_DISCARD);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.DepthMask(GL_TRUE);
+    gl.StencilMask(~0u);
+    const GLfloat zero[4] = {0, 0, 0, 0};
+    for (size_t i = 0; i < pass.colorTargets.size(); ++i)
+        gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, GLint(i), zero);
+    const GLfloat far = plan.reversedZ ? 0.0f : 1.0f;
+    if (hasStencil(plan.resources[pass.depthTarget].format))
+        gl.ClearNamedFramebufferfi(framebuffer, GL_DEPTH_STENCIL, 0, far, 0);
+    else
+        gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
+}
+
+void View::bindForHost(const Pass& pass, uint32_t slot) {
+    const GladGLContext& gl = context.gl;
+    for (const Binding& binding : pass.bindings) {
+        const GLuint place = context.dialect.bindings[binding.slot];
+        switch (binding.type) {
+        case BindingType::UniformBuffer:
+            gl.BindBufferBase(GL_UNIFORM_BUFFER, place, resources->buffer(binding.resource, slot));
+            break;
+        case BindingType::StorageBuffer:
+            if (context.dialect.storageImages)
+                gl.BindImageTexture(place, resources->bufferImage(binding.resource, slot), 0, GL_FALSE, 0,
+                                    GL_READ_WRITE, GL_R32UI);
+            else
+                gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, place,
+                                  resources->buffer(binding.resource, slot));
+            break;
+        case BindingType::Texture:
+        case BindingType::ShadowTexture:
+        case BindingType::StorageImage:
+            gl.BindTextureUnit(place, (*resources)[binding.resource].texture);
+            gl.BindSampler(place, 0);
+            break;
+        }
+    }
+}
+
+void View::runHostDraw(const AgaaFrame& frame, size_t index, uint32_t slot, HostState& state) {
+    const Pass& pass = plan.passes[index];
+    const PassObjects& objects = passes[index];
+    if (pass.clear)
+        clearTargets(pass, objects.framebuffer);
+    state.giveBack();
+    bindForHost(pass, slot);
+    const Resource& depth = plan.resources[pass.depthTarget];
+    const AgaaDrawTarget target = {uint32_t(pass.drawPass),
+                                   depth.width,
+                                   depth.height,
+                                   plan.scaleX,
+                                   plan.scaleY,
+                                   pass.drawState,
+                                   objects.key,
+                                   nullptr,
+                                   0,
+                                   objects.framebuffer,
+                                   0};
+    const AgaaResult result = frame.draw(frame.drawUser, &target);
+    if (result != AGAA_OK)
+        fail(AGAA_ERROR_CALLBACK,
+             format("the draw callback returned %d in pass \"%s\"; the output was not written.",
+                    int(result), pass.name.c_str()));
+    state.takeAway();
+}
+
+void View::bindForCompute(const Pass& pass, const AgaaGlFrame& glFrame, uint32_t slot) {
+    const GladGLContext& gl = context.gl;
+    GLuint anyShadow = 0;
+    for (GLuint texture : glFrame.shadowTextures)
+        anyShadow = anyShadow ? anyShadow : texture;
+    for (const Binding& binding : pass.bindings) {
+        const Resource& resource = plan.resources[binding.resource];
+        const bool output = resource.kind == ResourceKind::Output;
+        const GLuint texture =
+            output ? glFrame.outputTexture : (*resources)[binding.resource].texture;
+        switch (binding.type) {
+        case BindingType::UniformBuffer:
+            gl.BindBufferBase(GL_UNIFORM_BUFFER, uniformBinding,
+                              resources->buffer(binding.resource, slot));
+            break;
+        case BindingType::StorageBuffer:
+            gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, storageBinding(binding.slot),
+                              resources->buffer(binding.resource, slot));
+            break;
+        case BindingType::StorageImage: {
+            GLint texels = GLint(internalFormat(resource.format));
+            if (output)
+                gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_INTERNAL_FORMAT, &texels);
+            gl.BindImageTexture(imageUnit(binding.slot), texture, 0, GL_FALSE, 0, GL_WRITE_ONLY,
+                                GLenum(texels));
+            break;
+        }
+        case BindingType::Texture:
+            gl.BindTextureUnit(binding.slot, texture);
+            gl.BindSampler(binding.slot, 0);
+            break;
+        case BindingType::ShadowTexture: {
+            const GLuint own = glFrame.shadowTextures[resource.hostSlot];
+            gl.BindTextureUnit(binding.slot, own ? own : anyShadow);
+            gl.BindSampler(binding.slot, context.shadowSampler);
+            break;
+        }
+        }
+    }
+}
+
+void View::runTransfer(const Pass& pass, uint32_t slot) {
+    const GladGLContext& gl = context.gl;
+    if (pass.kind == PassKind::Fill)
+        gl.ClearNamedBufferData(resources->buffer(pass.destination, slot), GL_R32UI, GL_RED_INTEGER,
+                                GL_UNSIGNED_INT, nullptr);
+    else
+        gl.CopyNamedBufferSubData(resources->buffer(pass.source, slot),
+                                  resources->buffer(pass.destination, slot), 0, 0,
+                                  GLsizeiptr(plan.resources[pass.source].bytes));
+}
+
+void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t index, uint32_t slot,
+                   HostState& state) {
+    const Pass& pass = plan.passes[index];
+    const GladGLContext& gl = context.gl;
+    if (const GLbitfield bits = barriers.before(plan, pass, context.dialect.storageImages))
+        gl.MemoryBarrier(bits);
+    if (clock)
+        clock->begin(slot, index);
+    switch (pass.kind) {
+    case PassKind::HostDraw:
+        runHostDraw(frame, index, slot, state);
+        break;
+    case PassKind::Compute:
+        gl.UseProgram(passes[index].program);
+        bindForCompute(pass, glFrame, slot);
+        gl.DispatchCompute((plan.width + 7) / 8, (plan.height + 7) / 8, 1);
+        break;
+    case PassKind::Fill:
+    case PassKind::Copy:
+        runTransfer(pass, slot);
+        break;
+    }
+    if (clock)
+        clock->end(slot, index);
+    barriers.after(plan, pass);
+}
+
+namespace {
+
+// A group in the host's captures; ends with the scope.
+class DebugGroup {
+public:
+    DebugGroup(const GladGLContext& gl, const std::string& text) : gl_(gl) {
+        GLint depth = 0, most = 0;
+        gl.GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &depth);
+        gl.GetIntegerv(GL_MAX_DEBUG_GROUP_STACK_DEPTH, &most);
+        pushed_ = depth < most;
+        if (pushed_)
+            gl.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, GLsizei(text.size()), text.c_str());
+    }
+    ~DebugGroup() {
+        if (pushed_)
+            gl_.PopDebugGroup();
+    }
+    DebugGroup(const DebugGroup&) = delete;
+    DebugGroup& operator=(const DebugGroup&) = delete;
+
+private:
+    const GladGLContext& gl_;
+    bool pushed_ = false;
+};
+
+} // namespace
+
+void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot,
+                     HostState& state) {
+    for (size_t i = 0; i < plan.passes.size(); ++i)
+        if (plan.passes[i].segment & frame.segments) {
+            const DebugGroup group(context.gl, "agaa " + plan.passes[i].name);
+            runPass(frame, glFrame, i, slot, state);
+        }
+    // The host may use what the segment left in any way.
+    context.gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+AgaaResult View::record(const AgaaFrame& frame, const AgaaGlFrame& glFrame) {
+    checkFrame(&frame, plan);
+    checkStruct(&glFrame, AGAA_STRUCTURE_TYPE_GL_FRAME, "AgaaGlFrame");
+    sequence.check(frame);
+    checkTarget(frame, glFrame);
+    const uint32_t slot = sequence.slotOf(frame);
+    try {
+        HostState state(context);
+        writeFrameData(frame, slot);
+        runPasses(frame, glFrame, slot, state);
+    } catch (...) {
+        sequence.failed(frame);
+        throw;
+    }
+    sequence.recorded(frame);
+    return AGAA_OK;
+}
+
+} // namespace agaa::gl

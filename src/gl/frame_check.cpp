@@ -1,0 +1,67 @@
+// What a frame brings along, checked before anything runs.
+#include "gl/view.h"
+
+#include "core/validate.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace agaa::gl {
+
+namespace {
+
+// Formats that image stores of floats take (OpenGL 4.3, table 8.26).
+constexpr GLenum outputFormats[] = {GL_RGBA32F, GL_RGBA16F, GL_R11F_G11F_B10F, GL_RGBA16,
+                                    GL_RGB10_A2, GL_RGBA8};
+
+GLint levelParameter(const GladGLContext& gl, GLuint texture, GLenum parameter) {
+    GLint value = 0;
+    gl.GetTextureLevelParameteriv(texture, 0, parameter, &value);
+    return value;
+}
+
+void checkTexture(const GladGLContext& gl, GLuint texture, GLenum target, const std::string& name,
+                  const char* targetName) {
+    if (texture == 0 || !gl.IsTexture(texture))
+        fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is not a texture.", name.c_str()));
+    GLint actual = 0;
+    gl.GetTextureParameteriv(texture, GL_TEXTURE_TARGET, &actual);
+    if (GLenum(actual) != target)
+        fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is not a %s.", name.c_str(), targetName));
+}
+
+} // namespace
+
+void View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const {
+    if (!(frame.segments & AGAA_SEGMENT_SHADING))
+        return;
+    const GladGLContext& gl = context.gl;
+    require(glFrame.reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGlFrame::reserved is not 0.");
+    require(plan.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
+            "the frame composites over the output, but the view has no AGAA_VIEW_COMPOSITE.");
+    const GLuint output = glFrame.outputTexture;
+    checkTexture(gl, output, GL_TEXTURE_2D, "AgaaGlFrame::outputTexture", "TEXTURE_2D");
+    const GLint width = levelParameter(gl, output, GL_TEXTURE_WIDTH);
+    const GLint height = levelParameter(gl, output, GL_TEXTURE_HEIGHT);
+    if (uint32_t(width) != plan.width || uint32_t(height) != plan.height)
+        fail(AGAA_ERROR_OUT_OF_RANGE,
+             format("AgaaGlFrame::outputTexture is %dx%d; the view is %ux%u.", width, height, plan.width,
+                    plan.height));
+    const auto texels = GLenum(levelParameter(gl, output, GL_TEXTURE_INTERNAL_FORMAT));
+    require(std::find(std::begin(outputFormats), std::end(outputFormats), texels) !=
+                std::end(outputFormats),
+            AGAA_ERROR_UNSUPPORTED,
+            "AgaaGlFrame::outputTexture is of a format that images cannot store, as RGBA16F can.");
+    bool first = true; // one map is needed for the slots of those that the frame has not
+    for (const Resource& resource : plan.resources) {
+        if (resource.kind != ResourceKind::ShadowMap)
+            continue;
+        if (first || resource.hostSlot < frame.shadowCount)
+            checkTexture(gl, glFrame.shadowTextures[resource.hostSlot], GL_TEXTURE_2D_ARRAY,
+                         format("AgaaGlFrame::shadowTextures[%u]", resource.hostSlot),
+                         "TEXTURE_2D_ARRAY");
+        first = false;
+    }
+}
+
+} // namespace agaa::gl

@@ -1,0 +1,37 @@
+#include "gl/host_state.h"
+
+#include "core/error.h"
+
+namespace agaa::gl {
+
+View::HostState::~HostState() {
+    if (context_.statePolicy == AGAA_GL_STATE_RESTORE && captured_)
+        context_.guard->restore(); // whatever a callback left behind
+    if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS && away_)
+        context_.popState(context_.stateUser);
+}
+
+void View::HostState::giveBack() {
+    if (context_.statePolicy == AGAA_GL_STATE_RESTORE)
+        context_.guard->restore();
+    if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS) {
+        away_ = false;
+        require(context_.popState(context_.stateUser) == AGAA_OK, AGAA_ERROR_CALLBACK,
+                "AgaaGlContextDesc::popState reported failure.");
+    }
+}
+
+void View::HostState::takeAway() {
+    // What a callback changes is not what the host had on entry.
+    if (context_.statePolicy == AGAA_GL_STATE_RESTORE && !captured_) {
+        context_.guard->capture();
+        captured_ = true;
+    }
+    if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS) {
+        require(context_.pushState(context_.stateUser) == AGAA_OK, AGAA_ERROR_CALLBACK,
+                "AgaaGlContextDesc::pushState reported failure.");
+        away_ = true;
+    }
+}
+
+} // namespace agaa::gl

@@ -1,0 +1,25 @@
+// The host's state around a frame, by the policy that the host chose: away while the SDK works, back while the
+// host draws and when it ends, however it ends.
+#pragma once
+
+#include "gl/view.h"
+
+namespace agaa::gl {
+
+class View::HostState {
+public:
+    explicit HostState(Context& context) : context_(context) { takeAway(); }
+    ~HostState();
+    HostState(const HostState&) = delete;
+    HostState& operator=(const HostState&) = delete;
+
+    void giveBack(); // before a draw callback
+    void takeAway(); // after it
+
+private:
+    Context& context_;
+    bool captured_ = false;
+    bool away_ = false;
+};
+
+} // namespace agaa::gl

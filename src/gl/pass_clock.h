@@ -1,0 +1,33 @@
+// Times of a view's passes: by the device's timestamps, or where the driver's are wrong by the CPU's clock
+// around glFinish.
+#pragma once
+
+#include "gl/context.h"
+
+#include <chrono>
+#include <vector>
+
+namespace agaa::gl {
+
+class PassClock {
+public:
+    PassClock(const Context& context, size_t passCount, uint32_t slotCount);
+    ~PassClock();
+    PassClock(const PassClock&) = delete;
+    PassClock& operator=(const PassClock&) = delete;
+
+    void begin(uint32_t slot, size_t pass);
+    void end(uint32_t slot, size_t pass);
+    std::vector<double> milliseconds(uint32_t slot) const; // of each pass
+
+private:
+    size_t index(uint32_t slot, size_t pass) const { return slot * passCount_ + pass; }
+
+    const Context& context_;
+    size_t passCount_;
+    std::vector<GLuint> queries_; // two a pass and slot
+    std::vector<double> times_;
+    std::chrono::steady_clock::time_point begin_;
+};
+
+} // namespace agaa::gl

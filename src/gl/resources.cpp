@@ -1,0 +1,109 @@
+#include "gl/resources.h"
+
+#include "gl/formats.h"
+
+namespace agaa::gl {
+
+// Shaders of the host's that cannot have storage blocks reach what a draw adds to as an image.
+static bool isImageOfDraws(const Context& context, const Plan& plan, ResourceId id) {
+    if (!context.dialect.storageImages)
+        return false;
+    for (const Pass& pass : plan.passes)
+        for (const Binding& binding : pass.bindings)
+            if (pass.kind == PassKind::HostDraw && binding.resource == id &&
+                binding.type == BindingType::StorageBuffer)
+                return true;
+    return false;
+}
+
+ViewResources::ViewResources(const Context& context, const Plan& plan) : context_(context) {
+    context.takeHostErrors("agaaGlCreateView");
+    try {
+        resources_.resize(plan.resources.size());
+        for (ResourceId id = 0; id < plan.resources.size(); ++id) {
+            const Resource& resource = plan.resources[id];
+            if (resource.isHosts())
+                continue;
+            if (resource.kind == ResourceKind::Image)
+                createTexture(resource, resources_[id]);
+            else
+                createBuffers(resource, isImageOfDraws(context, plan, id), resources_[id]);
+            context.checkErrors(("allocating " + resource.name).c_str());
+        }
+    } catch (...) {
+        destroy();
+        throw;
+    }
+}
+
+ViewResources::~ViewResources() { destroy(); }
+
+void ViewResources::destroy() {
+    for (GpuResource& resource : resources_) {
+        context_.gl.DeleteTextures(1, &resource.texture);
+        context_.gl.DeleteTextures(GLsizei(resource.bufferImages.size()),
+                                   resource.bufferImages.data());
+        context_.gl.DeleteBuffers(GLsizei(resource.buffers.size()), resource.buffers.data());
+    }
+    resources_.clear();
+}
+
+void ViewResources::createTexture(const Resource& resource, GpuResource& out) {
+    const GladGLContext& gl = context_.gl;
+    const GLenum texels = internalFormat(resource.format);
+    const auto width = GLsizei(resource.width), height = GLsizei(resource.height);
+    if (resource.samples > 1) {
+        gl.CreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &out.texture);
+        gl.TextureStorage2DMultisample(out.texture, GLsizei(resource.samples), texels, width, height,
+                                       GL_TRUE);
+        GLint samples = 0;
+        gl.GetTextureLevelParameteriv(out.texture, 0, GL_TEXTURE_SAMPLES, &samples);
+        if (samples != 0 && uint32_t(samples) != resource.samples)
+            fail(AGAA_ERROR_UNSUPPORTED,
+                 format("%s was to have %u samples; the driver gives it %d.", resource.name.c_str(),
+                         resource.samples, samples));
+    } else {
+        gl.CreateTextures(GL_TEXTURE_2D, 1, &out.texture);
+        gl.TextureStorage2D(out.texture, 1, texels, width, height);
+        for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+            gl.TextureParameteri(out.texture, filter, GL_NEAREST);
+    }
+    context_.label(GL_TEXTURE, out.texture, "agaa " + resource.name);
+    payloadBytes_ += uint64_t(resource.width) * resource.height * resource.samples *
+                     bytesPerTexel(resource.format);
+}
+
+void ViewResources::createBuffers(const Resource& resource, bool asImages, GpuResource& out) {
+    const GladGLContext& gl = context_.gl;
+    for (uint32_t copy = 0; copy < resource.copies; ++copy) {
+        GLuint buffer = 0;
+        gl.CreateBuffers(1, &buffer);
+        out.buffers.push_back(buffer);
+        const GLenum usage = resource.kind == ResourceKind::UploadBuffer     ? GL_STREAM_DRAW
+                             : resource.kind == ResourceKind::ReadbackBuffer ? GL_STREAM_READ
+                                                                             : GL_DYNAMIC_COPY;
+        gl.NamedBufferData(buffer, GLsizeiptr(resource.bytes), nullptr, usage);
+        context_.label(GL_BUFFER, buffer, "agaa " + resource.name);
+        if (resource.isPerPixel())
+            payloadBytes_ += resource.bytes;
+        if (!asImages)
+            continue;
+        GLuint image = 0;
+        gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &image);
+        out.bufferImages.push_back(image);
+        gl.TextureBuffer(image, GL_R32UI, buffer);
+        context_.label(GL_TEXTURE, image, "agaa " + resource.name);
+    }
+}
+
+GLuint ViewResources::buffer(ResourceId id, uint32_t slot) const {
+    const auto& buffers = resources_[id].buffers;
+    return buffers[buffers.size() > 1 ? slot : 0];
+}
+
+GLuint ViewResources::bufferImage(ResourceId id, uint32_t slot) const {
+    const auto& images = resources_[id].bufferImages;
+    return images[images.size() > 1 ? slot : 0];
+}
+
+} // namespace agaa::gl

@@ -1,0 +1,39 @@
+// OpenGL objects of a plan's resources.
+#pragma once
+
+#include "core/plan.h"
+#include "gl/context.h"
+
+#include <vector>
+
+namespace agaa::gl {
+
+struct GpuResource {
+    GLuint texture = 0;
+    std::vector<GLuint> buffers;      // one per copy
+    std::vector<GLuint> bufferImages; // buffer textures of these, where host draws reach them as images
+};
+
+class ViewResources {
+public:
+    ViewResources(const Context& context, const Plan& plan);
+    ~ViewResources();
+    ViewResources(const ViewResources&) = delete;
+    ViewResources& operator=(const ViewResources&) = delete;
+
+    const GpuResource& operator[](ResourceId id) const { return resources_[id]; }
+    GLuint buffer(ResourceId id, uint32_t slot) const;
+    GLuint bufferImage(ResourceId id, uint32_t slot) const;
+    uint64_t payloadBytes() const { return payloadBytes_; } // of per-pixel surfaces, as created
+
+private:
+    void createTexture(const Resource& resource, GpuResource& out);
+    void createBuffers(const Resource& resource, bool asImages, GpuResource& out);
+    void destroy();
+
+    const Context& context_;
+    std::vector<GpuResource> resources_;
+    uint64_t payloadBytes_ = 0;
+};
+
+} // namespace agaa::gl

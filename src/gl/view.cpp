@@ -1,0 +1,121 @@
+#include "gl/view.h"
+
+#include "core/planner.h"
+#include "gl/formats.h"
+#include "gl/program.h"
+
+#include <algorithm>
+
+namespace agaa::gl {
+
+View::View(Context& owner, const AgaaViewDesc& desc)
+    : AgaaView_T(owner, makePlan(desc, owner.caps, owner.framesInFlight)), context(owner),
+      barriers(plan.resources.size()) {
+    require(plan.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaShadowFunction::descriptorSetLayout is of Vulkan.");
+    try {
+        resources.emplace(context, plan);
+        createPasses();
+        positions = readPositions();
+        if (plan.config.flags & AGAA_CONFIG_TIMESTAMPS)
+            clock.emplace(context, plan.passes.size(), context.framesInFlight);
+        context.checkErrors("creating the view");
+    } catch (...) {
+        destroy();
+        throw;
+    }
+    uint64_t largest = 0;
+    for (const Resource& resource : plan.resources)
+        if (resource.kind == ResourceKind::UploadBuffer)
+            largest = std::max(largest, resource.bytes);
+    upload_.resize(largest);
+}
+
+View::~View() { destroy(); }
+
+void View::destroy() {
+    for (PassObjects& objects : passes) {
+        context.gl.DeleteFramebuffers(1, &objects.framebuffer);
+        context.gl.DeleteProgram(objects.program);
+    }
+    passes.clear();
+}
+
+void View::createPasses() {
+    passes.resize(plan.passes.size());
+    for (size_t i = 0; i < passes.size(); ++i) {
+        const Pass& pass = plan.passes[i];
+        PassObjects& objects = passes[i];
+        if (pass.kind == PassKind::Compute) {
+            objects.program = compilePass(context.gl, pass);
+            context.label(GL_PROGRAM, objects.program, "agaa " + pass.name);
+        }
+        if (pass.kind == PassKind::HostDraw) {
+            createFramebuffer(pass, objects);
+            objects.key = hostPassKey(plan, pass, context.dialect);
+            objects.extensions = hostExtensions(pass, context.dialect);
+            objects.declarations = hostDeclarations(plan, pass, context.dialect);
+        }
+    }
+}
+
+void View::createFramebuffer(const Pass& pass, PassObjects& objects) {
+    const GladGLContext& gl = context.gl;
+    gl.CreateFramebuffers(1, &objects.framebuffer);
+    context.label(GL_FRAMEBUFFER, objects.framebuffer, "agaa " + pass.name);
+    std::vector<GLenum> buffers;
+    for (size_t i = 0; i < pass.colorTargets.size(); ++i) {
+        buffers.push_back(GLenum(GL_COLOR_ATTACHMENT0 + i));
+        gl.NamedFramebufferTexture(objects.framebuffer, buffers.back(),
+                                   (*resources)[pass.colorTargets[i]].texture, 0);
+    }
+    gl.NamedFramebufferTexture(objects.framebuffer,
+                               depthAttachment(plan.resources[pass.depthTarget].format),
+                               (*resources)[pass.depthTarget].texture, 0);
+    if (buffers.empty())
+        buffers.push_back(GL_NONE);
+    gl.NamedFramebufferDrawBuffers(objects.framebuffer, GLsizei(buffers.size()), buffers.data());
+    gl.NamedFramebufferReadBuffer(objects.framebuffer, buffers[0]);
+    const GLenum status = gl.CheckNamedFramebufferStatus(objects.framebuffer, GL_DRAW_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        fail(AGAA_ERROR_UNSUPPORTED,
+             format("the driver cannot draw to the targets of the pass \"%s\": status 0x%04X.",
+                    pass.name.c_str(), status));
+}
+
+// OpenGL has no standard sample locations; it tells those of the framebuffer bound.
+SamplePositions View::readPositions() const {
+    const GladGLContext& gl = context.gl;
+    std::vector<SamplePosition> texel(plan.hwSamples, SamplePosition{0.5f, 0.5f});
+    const auto draw = std::find_if(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
+        return pass.kind == PassKind::HostDraw;
+    });
+    if (plan.hwSamples > 1) {
+        GLint bound = 0;
+        gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, passes[size_t(draw - plan.passes.begin())].framebuffer);
+        for (uint32_t i = 0; i < plan.hwSamples; ++i)
+            gl.GetMultisamplefv(GL_SAMPLE_POSITION, i, &texel[i].x);
+        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));
+    }
+    return samplePositions(texel, plan.scaleX, plan.scaleY);
+}
+
+MemoryUse View::memoryUse() const {
+    // OpenGL neither aliases nor tells what a driver makes of it.
+    return {resources->payloadBytes(), 0, resources->payloadBytes()};
+}
+
+CounterBuffer View::readCounters(uint32_t slot) const {
+    CounterBuffer counters{};
+    for (ResourceId id = 0; id < plan.resources.size(); ++id)
+        if (plan.resources[id].kind == ResourceKind::ReadbackBuffer)
+            context.gl.GetNamedBufferSubData(resources->buffer(id, slot), 0, sizeof counters, &counters);
+    return counters;
+}
+
+std::vector<double> View::readPassTimes(uint32_t slot) const {
+    return clock ? clock->milliseconds(slot) : std::vector<double>{};
+}
+
+} // namespace agaa::gl

@@ -1,0 +1,68 @@
+// One camera's frame on OpenGL: a plan with everything it needs to be run again and again.
+#pragma once
+
+#include "core/sample_patterns.h"
+#include "gl/context.h"
+#include "gl/pass_clock.h"
+#include "gl/resources.h"
+#include "gl/store_barriers.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace agaa::gl {
+
+// Objects of a pass that live as long as the view.
+struct PassObjects {
+    GLuint program = 0; // compute
+    // Host draws
+    GLuint framebuffer = 0;
+    uint64_t key = 0;
+    std::string extensions;   // GLSL
+    std::string declarations; // GLSL
+};
+
+class View : public AgaaView_T {
+public:
+    View(Context& owner, const AgaaViewDesc& desc);
+    ~View() override;
+
+    AgaaResult record(const AgaaFrame& frame, const AgaaGlFrame& glFrame);
+
+    MemoryUse memoryUse() const override;
+    CounterBuffer readCounters(uint32_t slot) const override;
+    std::vector<double> readPassTimes(uint32_t slot) const override;
+    AgaaTimeSource timeSource() const override { return context.timeSource; }
+
+    Context& context;
+    std::optional<ViewResources> resources;
+    std::vector<PassObjects> passes;
+    std::optional<PassClock> clock;
+    StoreBarriers barriers;
+    SamplePositions positions;
+
+private:
+    class HostState;
+
+    void createPasses();
+    void createFramebuffer(const Pass& pass, PassObjects& objects);
+    SamplePositions readPositions() const;
+    void destroy();
+
+    void checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
+    void writeFrameData(const AgaaFrame& frame, uint32_t slot);
+    void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot,
+                   HostState& state);
+    void runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t pass, uint32_t slot,
+                 HostState& state);
+    void runHostDraw(const AgaaFrame& frame, size_t pass, uint32_t slot, HostState& state);
+    void clearTargets(const Pass& pass, GLuint framebuffer);
+    void bindForHost(const Pass& pass, uint32_t slot);
+    void bindForCompute(const Pass& pass, const AgaaGlFrame& glFrame, uint32_t slot);
+    void runTransfer(const Pass& pass, uint32_t slot);
+
+    std::vector<std::byte> upload_; // of the largest upload buffer
+};
+
+} // namespace agaa::gl
