@@ -4,7 +4,7 @@
 
 #include "image/tonemap.h"
 #include "scene/gltf.h"
-#include "vk/messages.h"
+#include "render/messages.h"
 
 #include <gtest/gtest.h>
 
@@ -129,7 +129,7 @@ class AllowList : public testing::Environment {
     void TearDown() override {
         if (std::string(sharedRenderer().caps().driverName).find("Mesa") == std::string::npos)
             return; // the list is for Mesa's drivers
-        for (const vk::AllowedMessage& entry : vk::allowedMessages())
+        for (const AllowedMessage& entry : allowedMessages())
             EXPECT_TRUE(entry.isUsed) << "unused: " << entry.id << ": " << entry.reason;
     }
 };

@@ -1,7 +1,12 @@
 #include "render/shadow_fit.h"
 
+#include "render/lights.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -146,6 +151,39 @@ ShadowFit fitShadow(const Light& light, const Scene& scene, const CameraMatrices
     }
     fit.depthBias = perspectiveBias(cone, mapSize);
     return fit;
+}
+
+AgaaShadow toAgaaShadow(const ShadowFit& fit) {
+    AgaaShadow shadow{};
+    shadow.layerCount = uint32_t(fit.layers.size());
+    shadow.depthBias = float(fit.depthBias);
+    for (size_t layer = 0; layer < fit.layers.size(); ++layer) {
+        const glm::mat4 matrix(fit.layers[layer]);
+        std::memcpy(shadow.matrices[layer], glm::value_ptr(matrix), sizeof shadow.matrices[layer]);
+    }
+    return shadow;
+}
+
+std::vector<double> shadowKey(const std::vector<Light>& lights, const glm::dvec3& worldOffset,
+                              const CameraMatrices& camera) {
+    std::vector<double> key;
+    const auto add = [&key](const glm::dvec3& v) {
+        for (int i = 0; i < 3; ++i)
+            key.push_back(v[i]);
+    };
+    add(worldOffset);
+    add(camera.eye);
+    add(camera.forward);
+    key.push_back(camera.targetDistance);
+    for (const size_t i : shadowedLights(lights)) {
+        const Light& light = lights[i];
+        key.push_back(double(light.type));
+        add(light.position);
+        add(light.direction);
+        key.push_back(light.range);
+        key.push_back(light.outerCone);
+    }
+    return key;
 }
 
 } // namespace harness

@@ -16,4 +16,10 @@ struct ShadowFit {
 ShadowFit fitShadow(const Light& light, const Scene& scene, const CameraMatrices& camera,
                     const glm::dvec3& worldOffset, uint32_t mapSize);
 
+AgaaShadow toAgaaShadow(const ShadowFit& fit);
+
+// What the maps of a scene depend on: equal keys, equal maps.
+std::vector<double> shadowKey(const std::vector<Light>& lights, const glm::dvec3& worldOffset,
+                              const CameraMatrices& camera);
+
 } // namespace harness

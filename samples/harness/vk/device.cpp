@@ -108,7 +108,7 @@ void Device::createInstance(bool useValidation) {
     info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
     info.pApplicationInfo = &application;
 
-    VkDebugUtilsMessengerCreateInfoEXT messenger = messages_.messengerInfo();
+    VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(messages_);
     const VkValidationFeatureEnableEXT enabled[] = {
         VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
     VkValidationFeaturesEXT validation{};

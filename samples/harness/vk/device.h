@@ -4,7 +4,7 @@
 #include "agaa_vk.h"
 #include "render/renderer.h"
 #include "vk/check.h"
-#include "vk/messages.h"
+#include "vk/messenger.h"
 
 #include <functional>
 #include <string>

@@ -1,5 +1,7 @@
 #include "vk/glsl.h"
 
+#include "embedded.h"
+
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
@@ -73,6 +75,10 @@ std::vector<uint32_t> compileGlsl(ShaderStage stage, const std::string& source,
     if (spirv.empty())
         fail("no code was generated");
     return spirv;
+}
+
+std::string vulkanText(const char* body) {
+    return std::string("#version 450\n") + embedded::interface_glsl + body;
 }
 
 } // namespace harness::vk

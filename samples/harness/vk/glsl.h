@@ -14,4 +14,7 @@ enum class ShaderStage { Vertex, Fragment, Compute };
 std::vector<uint32_t> compileGlsl(ShaderStage stage, const std::string& source,
                                   const std::string& name);
 
+// A text of shaders/ that needs nothing of the SDK's, with what comes before it.
+std::string vulkanText(const char* body);
+
 } // namespace harness::vk

@@ -9,40 +9,6 @@ namespace harness::vk {
 
 namespace {
 
-// As the shaders' Material block, std140.
-struct MaterialConstants {
-    glm::vec4 baseColor{1};
-    glm::vec3 emissive{0};
-    float metallic = 0;
-    float roughness = 1;
-    float normalScale = 1;
-    float alphaCutoff = -1;
-    float padding = 0;
-};
-static_assert(sizeof(MaterialConstants) == 48);
-
-MaterialConstants constantsOf(const Material& material) {
-    MaterialConstants c;
-    c.baseColor = material.baseColor;
-    c.emissive = material.emissive;
-    c.metallic = material.metallic;
-    c.roughness = material.roughness;
-    c.normalScale = material.normalScale;
-    c.alphaCutoff =
-        material.alphaMode == AlphaMode::Mask ? std::max(material.alphaCutoff, 0.0f) : -1;
-    return c;
-}
-
-// -1 where the material has no such texture.
-std::array<int, materialTextureCount> texturesOf(const Scene& scene, const Material& material) {
-    std::array<int, materialTextureCount> textures = {
-        material.baseColorTexture, material.normalTexture, material.metalRoughTexture,
-        material.emissiveTexture};
-    for (int& texture : textures)
-        texture = texture < int(scene.textures.size()) ? texture : -1;
-    return textures;
-}
-
 VkSamplerAddressMode addressMode(Wrap wrap) {
     switch (wrap) {
     case Wrap::Mirror:
@@ -65,12 +31,7 @@ GpuScene::GpuScene(const Device& device, const Scene& scene) : device_(&device),
 }
 
 void GpuScene::uploadGeometry(Uploader& uploader, const Scene& scene) {
-    for (const Mesh& mesh : scene.meshes) {
-        if (uint64_t(mesh.firstIndex) + mesh.indexCount > scene.indices.size() ||
-            uint64_t(mesh.firstVertex) + mesh.vertexCount > scene.vertices.size())
-            throw std::runtime_error("A mesh of the scene \"" + scene.name +
-                                     "\" reaches beyond its vertices or indices.");
-    }
+    checkMeshes(scene);
     const auto vertices = std::as_bytes(std::span(scene.vertices));
     const auto indices = std::as_bytes(std::span(scene.indices));
     // A scene may be empty; buffers may not.
@@ -165,7 +126,7 @@ void GpuScene::createMaterials(Uploader& uploader, const Scene& scene) {
 
     for (uint32_t m = 0; m < count; ++m) {
         const Material& material = materials[m];
-        const std::array<int, materialTextureCount> maps = texturesOf(scene, material);
+        const std::array<int, materialTextureCount> maps = materialTextures(scene, material);
         std::array<VkDescriptorImageInfo, materialTextureCount> images{};
         for (size_t i = 0; i < maps.size(); ++i) {
             const size_t texture = maps[i] >= 0 ? size_t(maps[i]) : scene.textures.size();
@@ -173,7 +134,7 @@ void GpuScene::createMaterials(Uploader& uploader, const Scene& scene) {
             images[i] = {sampler(wrapU, wrapV), textures_[texture].view.get(),
                          VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
         }
-        const MaterialConstants values = constantsOf(material);
+        const MaterialConstants values = materialConstants(material);
         std::memcpy(&constants[size_t(stride) * m], &values, sizeof values);
 
         const VkDescriptorBufferInfo buffer{materialConstants_.buffer.get(), stride * m,
@@ -193,17 +154,6 @@ void GpuScene::createMaterials(Uploader& uploader, const Scene& scene) {
         vkUpdateDescriptorSets(device_->get(), uint32_t(writes.size()), writes.data(), 0, nullptr);
     }
     uploader.fill(materialConstants_, constants);
-}
-
-uint32_t materialFeatures(const Scene& scene, uint32_t material) {
-    if (material >= scene.materials.size())
-        return 0;
-    const Material& m = scene.materials[material];
-    const auto textures = texturesOf(scene, m);
-    uint32_t features = m.alphaMode == AlphaMode::Mask ? 1u << materialTextureCount : 0;
-    for (size_t i = 0; i < textures.size(); ++i)
-        features |= textures[i] >= 0 ? 1u << i : 0u;
-    return features;
 }
 
 VkDescriptorSet GpuScene::materialSet(uint32_t material) const {

@@ -2,19 +2,13 @@
 // material.
 #pragma once
 
+#include "render/host_material.h"
 #include "vk/upload.h"
 
 #include <array>
 #include <map>
 
 namespace harness::vk {
-
-// Bindings of a material's descriptor set.
-constexpr uint32_t materialTextureCount = 4;
-constexpr uint32_t materialConstantsBinding = 4;
-
-// The constant `features` of material.frag: bits of the textures in their order, then of the alpha test.
-uint32_t materialFeatures(const Scene& scene, uint32_t material);
 
 class GpuScene {
 public:

@@ -1,6 +1,6 @@
 #include "vk/pass_pipelines.h"
 
-#include "vk_embedded.h"
+#include "embedded.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -11,48 +11,15 @@ namespace {
 
 std::string fragmentText(const AgaaVkDrawPass& pass, bool isMasked) {
     return std::string("#version 450\n") + pass.glslExtensions + "\n#define AGAA_ALPHA_MASKED " +
-           (isMasked ? "1\n" : "0\n") + pass.glslDeclarations + "\n" + embedded::material_frag;
+           (isMasked ? "1\n" : "0\n") + pass.glslDeclarations + "\n" + embedded::interface_glsl +
+           embedded::material_frag;
 }
 
 } // namespace
 
-DrawConstants drawConstants(const Draw& draw) {
-    DrawConstants c{};
-    const glm::dmat3 linear(draw.toShading);
-    // The inverse transpose by cofactors: defined for flattened objects too.
-    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                               glm::cross(linear[0], linear[1]));
-    const double sign = draw.isMirrored ? -1 : 1;
-    // Normals are made unit length in the shader; here they only must not leave float's range.
-    double largest = 0;
-    for (int i = 0; i < 3; ++i)
-        largest = std::max(largest, glm::length(cofactors[i]));
-    const double scale = largest > 0 ? sign / largest : sign;
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 4; ++column)
-            c.toShading[size_t(row)][column] = float(draw.toShading[column][row]);
-        for (int column = 0; column < 3; ++column)
-            c.normalToShading[size_t(row)][column] = float(cofactors[column][row] * scale);
-    }
-    c.seed = drawSeed(draw.instance);
-    c.handedness = draw.isMirrored ? -1.0f : 1.0f;
-    return c;
-}
-
-Variant variantOf(const Scene& scene, const Draw& draw) {
-    Variant variant;
-    variant.isMasked = draw.isMasked;
-    variant.isMirrored = draw.isMirrored;
-    const uint32_t material = scene.meshes[draw.mesh].material;
-    variant.features = materialFeatures(scene, material);
-    variant.isDoubleSided =
-        material < scene.materials.size() && scene.materials[material].doubleSided;
-    return variant;
-}
-
 PassPipelines::PassPipelines(const Device& device, VkDescriptorSetLayout cameraLayout)
     : device_(&device), cameraLayout_(cameraLayout),
-      vertex_(makeShader(device, ShaderStage::Vertex, embedded::material_vert, "material.vert")) {}
+      vertex_(makeShader(device, ShaderStage::Vertex, vulkanText(embedded::material_vert), "material.vert")) {}
 
 void PassPipelines::prepare(const AgaaVkDrawPass& pass, const Scene& scene,
                             const std::vector<Draw>& draws, VkDescriptorSetLayout materialLayout) {

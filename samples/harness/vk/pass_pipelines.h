@@ -2,7 +2,7 @@
 // by a key, so they are kept by it, also across views.
 #pragma once
 
-#include "render/draw_list.h"
+#include "render/host_material.h"
 #include "vk/pipeline_state.h"
 
 #include <array>
@@ -15,28 +15,6 @@ namespace harness::vk {
 constexpr uint32_t cameraSetIndex = 0;
 constexpr uint32_t agaaSetIndex = 1;
 constexpr uint32_t materialSetIndex = 2;
-
-// As material.vert's push constants.
-struct DrawConstants {
-    std::array<glm::vec4, 3> toShading;
-    std::array<glm::vec4, 3> normalToShading;
-    uint32_t seed;
-    float handedness;
-};
-static_assert(sizeof(DrawConstants) <= 128, "Vulkan promises no more push constants than this.");
-
-DrawConstants drawConstants(const Draw& draw);
-
-struct Variant {
-    bool isMasked = false;
-    bool isDoubleSided = false;
-    bool isMirrored = false;
-    uint32_t features = 0; // materialFeatures()
-
-    auto operator<=>(const Variant&) const = default;
-};
-
-Variant variantOf(const Scene& scene, const Draw& draw);
 
 class PassPipelines {
 public:

@@ -3,7 +3,7 @@
 #include "render/draw_list.h"
 #include "render/lights.h"
 #include "render/shadow_fit.h"
-#include "vk_embedded.h"
+#include "embedded.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -48,31 +48,12 @@ RenderPass makeRenderPass(const Device& device) {
     return make<RenderPass>(device.get(), vkCreateRenderPass, info, "create a render pass");
 }
 
-std::vector<double> keyOf(const std::vector<Light>& lights, const glm::dvec3& worldOffset,
-                          const CameraMatrices& camera) {
-    std::vector<double> key;
-    const auto add = [&key](const glm::dvec3& v) { key.insert(key.end(), {v.x, v.y, v.z}); };
-    add(worldOffset);
-    add(camera.eye);
-    add(camera.forward);
-    key.push_back(camera.targetDistance);
-    for (const size_t i : shadowedLights(lights)) {
-        const Light& light = lights[i];
-        key.push_back(double(light.type));
-        add(light.position);
-        add(light.direction);
-        key.push_back(light.range);
-        key.push_back(light.outerCone);
-    }
-    return key;
-}
-
 } // namespace
 
 ShadowMaps::ShadowMaps(const Device& device, uint32_t size)
     : device_(&device), size_(size), renderPass_(makeRenderPass(device)),
-      vertex_(makeShader(device, ShaderStage::Vertex, embedded::shadow_vert, "shadow.vert")),
-      fragment_(makeShader(device, ShaderStage::Fragment, embedded::shadow_frag, "shadow.frag")),
+      vertex_(makeShader(device, ShaderStage::Vertex, vulkanText(embedded::shadow_vert), "shadow.vert")),
+      fragment_(makeShader(device, ShaderStage::Fragment, vulkanText(embedded::shadow_frag), "shadow.frag")),
       arena_(device) {}
 
 void ShadowMaps::invalidate() {
@@ -105,7 +86,7 @@ void ShadowMaps::createPipelines(VkDescriptorSetLayout materialLayout) {
 
 void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene,
                         const RenderSettings& settings, const CameraMatrices& camera) {
-    std::vector<double> key = keyOf(settings.lights, settings.worldOffset, camera);
+    std::vector<double> key = shadowKey(settings.lights, settings.worldOffset, camera);
     if (key == key_)
         return;
     key_.clear();
@@ -116,15 +97,8 @@ void ShadowMaps::update(const GpuScene& gpuScene, const Scene& scene,
     for (const size_t i : shadowedLights(settings.lights)) {
         const ShadowFit fit =
             fitShadow(settings.lights[i], scene, camera, settings.worldOffset, size_);
-        AgaaShadow shadow{};
-        shadow.layerCount = uint32_t(fit.layers.size());
-        shadow.depthBias = float(fit.depthBias);
-        for (size_t layer = 0; layer < fit.layers.size(); ++layer) {
-            const glm::mat4 matrix(fit.layers[layer]);
-            std::copy_n(glm::value_ptr(matrix), 16, shadow.matrices[layer]);
-        }
         renderMap(gpuScene, scene, settings, camera.eye, fit.layers);
-        shadows_.push_back(shadow);
+        shadows_.push_back(toAgaaShadow(fit));
     }
     key_ = std::move(key);
 }

@@ -1,12 +1,9 @@
 #include "vk/vulkan_renderer.h"
 
-#include "render/lights.h"
-
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cstring>
-#include <stdexcept>
 
 namespace harness {
 
@@ -25,27 +22,7 @@ DescriptorSetLayout makeCameraLayout(const Device& device) {
                                      "create a descriptor set layout");
 }
 
-// What the settings name and the scene has: an effect counts where both agree. Numbers of lights
-// are the scene's own.
-AgaaSceneFacts completeFacts(const Scene& scene, const RenderSettings& settings) {
-    const AgaaSceneFacts found = sceneFacts(scene, settings.lights);
-    AgaaSceneFacts facts = settings.facts;
-    facts.flags &= found.flags | ~uint64_t(AGAA_FACT_ALL_SHADED);
-    if (settings.ambient == glm::vec3(0))
-        facts.flags &= ~uint64_t(AGAA_FACT_AMBIENT);
-    facts.maxLights = found.maxLights;
-    facts.shadowMapCount = found.shadowMapCount;
-    return facts;
-}
-
 } // namespace
-
-struct VulkanRenderer::FrameInput {
-    const RenderSettings& settings;
-    const SdkView& view;
-    CameraMatrices camera;
-    std::vector<AgaaLight> lights;
-};
 
 VulkanRenderer::VulkanRenderer(const RendererOptions& options)
     : device_(options), sdk_(device_, options, agaaSetIndex), arena_(device_),
@@ -82,66 +59,28 @@ void VulkanRenderer::createCameraSet() {
     vkUpdateDescriptorSets(device_.get(), 1, &write, 0, nullptr);
 }
 
-void VulkanRenderer::load(const Scene& scene) {
+void VulkanRenderer::upload() {
     shadowMaps_.invalidate();
     gpuScene_.reset();
-    scene_ = scene;
-    gpuScene_.emplace(device_, scene_);
+    gpuScene_.emplace(device_, scene());
 }
 
-RenderResult VulkanRenderer::render(const RenderSettings& settings) {
-    if (!gpuScene_)
-        throw std::runtime_error("No scene is loaded.");
-    const AgaaSceneFacts facts = completeFacts(scene_, settings);
-    AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
-    desc.width = settings.width;
-    desc.height = settings.height;
-    desc.config = &settings.config;
-    desc.facts = &facts;
-    desc.flags = (settings.reversedZ ? AGAA_VIEW_REVERSED_Z : 0) |
-                 (settings.background.a == 0 ? AGAA_VIEW_COMPOSITE : 0);
+AgaaView VulkanRenderer::useView(const AgaaViewDesc& desc) {
+    view_ = &sdk_.view(desc);
+    return view_->view;
+}
 
-    // First of all, so that the SDK refuses what it cannot do, in its own words.
-    const SdkView& view = sdk_.view(desc);
-    RenderResult result;
-    result.memory = sdk_.memory(desc);
-    result.tiers = sdk_.tiers(desc);
+void VulkanRenderer::prepare(const FrameInput& input) {
+    const RenderSettings& settings = input.settings;
     if (!output_ || output_->width() != settings.width || output_->height() != settings.height) {
         output_.reset();
         output_.emplace(device_, settings.width, settings.height);
     }
-
-    FrameInput input{settings, view, cameraMatrices(scene_, settings, ClipY::Down), {}};
-    input.lights = toAgaaLights(settings.lights, settings.worldOffset, input.camera.eye);
-    shadowMaps_.update(*gpuScene_, scene_, settings, input.camera);
-
-    DrawListOptions options;
-    options.useMasked = (facts.flags & AGAA_FACT_ALPHA_MASKED) != 0;
-    // Some targets are a pixel wider than the image on each side, or shifted by a part of one.
-    options.clipMargin = 4.0 / std::min(settings.width, settings.height);
-    options.shuffleSeed = settings.drawOrderSeed;
-    draws_ = makeDrawList(scene_, settings.worldOffset, input.camera.eye,
-                          input.camera.viewProjection, options);
-    for (const AgaaVkDrawPass& pass : view.passes)
-        pipelines_.prepare(pass, scene_, draws_, gpuScene_->materialLayout());
+    shadowMaps_.update(*gpuScene_, scene(), settings, input.camera);
+    for (const AgaaVkDrawPass& pass : view_->passes)
+        pipelines_.prepare(pass, scene(), input.draws, gpuScene_->materialLayout());
     const glm::mat4 viewProjection(input.camera.viewProjection);
     std::memcpy(cameraConstants_.mapped, glm::value_ptr(viewProjection), sizeof viewProjection);
-
-    for (uint32_t frame = 0; frame < settings.warmup + std::max(settings.frames, 1u); ++frame) {
-        const double milliseconds = renderFrame(input);
-        if (frame < settings.warmup)
-            continue;
-        result.frameMs.push_back(milliseconds);
-        AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
-        sdk_.log().check(agaaGetFrameStatistics(view.view, frameIndex_, &statistics),
-                         "agaaGetFrameStatistics");
-        if (statistics.frameIndex != frameIndex_)
-            throw std::runtime_error(
-                "The SDK's statistics are not of the frame that has finished.");
-        result.statistics.push_back(statistics);
-    }
-    result.image = output_->read();
-    return result;
 }
 
 double VulkanRenderer::renderFrame(const FrameInput& input) {
@@ -157,22 +96,6 @@ double VulkanRenderer::renderFrame(const FrameInput& input) {
 
 void VulkanRenderer::recordFrame(const FrameInput& input, VkCommandBuffer commands) {
     const RenderSettings& settings = input.settings;
-    AgaaFrame frame = AGAA_FRAME_INIT;
-    frame.completedFrame = frameIndex_;
-    frame.frameIndex = ++frameIndex_;
-    const glm::mat4 viewMatrix(input.camera.view);
-    const glm::mat4 projection(input.camera.projection);
-    std::copy_n(glm::value_ptr(viewMatrix), 16, frame.view);
-    std::copy_n(glm::value_ptr(projection), 16, frame.projection);
-    frame.lights = input.lights.data();
-    frame.lightCount = uint32_t(input.lights.size());
-    frame.shadows = shadowMaps_.shadows().data();
-    frame.shadowCount = uint32_t(shadowMaps_.shadows().size());
-    std::copy_n(glm::value_ptr(settings.ambient), 3, frame.ambient);
-    std::copy_n(glm::value_ptr(settings.background), 4, frame.background);
-    frame.draw = onDraw;
-    frame.drawUser = this;
-
     AgaaVkFrame vkFrame = AGAA_VK_FRAME_INIT;
     vkFrame.commandBuffer = commands;
     vkFrame.outputImage = (uint64_t)output_->image();
@@ -186,31 +109,12 @@ void VulkanRenderer::recordFrame(const FrameInput& input, VkCommandBuffer comman
         vkFrame.outputLayoutIn = VK_IMAGE_LAYOUT_GENERAL;
     }
 
-    std::vector<uint64_t> calls = {AGAA_SEGMENT_ALL};
-    if (settings.splitSegments)
-        calls = {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING};
-    for (const uint64_t segments : calls) {
-        frame.segments = segments;
-        drawError_.clear();
-        const AgaaResult recorded = agaaVkRecordFrame(input.view.view, &frame, &vkFrame);
-        if (!drawError_.empty())
-            throw std::runtime_error(drawError_);
-        sdk_.log().check(recorded, "agaaVkRecordFrame");
-    }
+    record(input, "agaaVkRecordFrame", [&](const AgaaFrame& frame) {
+        return agaaVkRecordFrame(view_->view, &frame, &vkFrame);
+    });
 }
 
-AgaaResult AGAA_CALL VulkanRenderer::onDraw(void* user, const AgaaDrawTarget* target) {
-    auto& renderer = *static_cast<VulkanRenderer*>(user);
-    try {
-        renderer.draw(*target);
-        return AGAA_OK;
-    } catch (const std::exception& error) {
-        renderer.drawError_ = error.what();
-        return AGAA_ERROR_CALLBACK;
-    }
-}
-
-void VulkanRenderer::draw(const AgaaDrawTarget& target) const {
+void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
     const auto commands = static_cast<VkCommandBuffer>(target.commandBuffer);
     const VkPipelineLayout layout = pipelines_.layout(target.pipelineKey);
     setViewport(commands, target.width, target.height);
@@ -224,10 +128,10 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target) const {
 
     VkPipeline bound = VK_NULL_HANDLE;
     VkDescriptorSet boundMaterial = VK_NULL_HANDLE;
-    for (const Draw& draw : draws_) {
-        const Mesh& mesh = scene_.meshes[draw.mesh];
+    for (const Draw& draw : input.draws) {
+        const Mesh& mesh = scene().meshes[draw.mesh];
         const VkPipeline pipeline =
-            pipelines_.pipeline(target.pipelineKey, variantOf(scene_, draw));
+            pipelines_.pipeline(target.pipelineKey, variantOf(scene(), draw));
         if (pipeline != bound)
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
         bound = pipeline;

@@ -1,11 +1,10 @@
-#version 450
 // Alpha-masked casters only; opaque ones are drawn without a fragment shader.
 
-layout(location = 0) in vec2 inUv;
-layout(location = 1) in float inAlpha;
+VARYING(0) in vec2 casterUv;
+VARYING(1) in float casterAlpha;
 
-layout(set = 0, binding = 0) uniform sampler2D baseColorMap;
-layout(set = 0, binding = 4, std140) uniform Material {
+layout(CASTER_AT(0)) uniform sampler2D baseColorMap;
+layout(std140, CASTER_AT(4)) uniform Material {
     vec4 baseColor;
     vec3 emissive;
     float metallic;
@@ -15,7 +14,7 @@ layout(set = 0, binding = 4, std140) uniform Material {
 } material;
 
 void main() {
-    float alpha = material.baseColor.a * inAlpha * texture(baseColorMap, inUv).a;
+    float alpha = material.baseColor.a * casterAlpha * texture(baseColorMap, casterUv).a;
     // What is blended casts a shadow where it covers more than half.
     if (alpha < mix(material.alphaCutoff, 0.5, float(material.alphaCutoff < 0.0)))
         discard;

@@ -1,26 +1,26 @@
-// The sample engine's metallic-roughness material. The version, the SDK's extensions and its
-// declarations come before this text.
+// The sample engine's metallic-roughness material. The version, the SDK's extensions, interface.glsl and the
+// SDK's declarations come before this text.
 
 // Two sets of inputs, because Mesa's software rasteriser (22.3) has two faults at the edges of triangles.
 // Where a shader reads an input inside the primitive, plain reads of the same input, and so their
 // derivatives, are displaced too: what is read both ways comes twice.
-layout(location = 0) in vec3 inPosition; // shading space
-layout(location = 1) in vec2 inUv;
-layout(location = 2) in float inAlpha;
+VARYING(0) in vec3 centrePosition; // shading space
+VARYING(1) in vec2 centreUv;
+VARYING(2) in float centreAlpha;
 // And it interpolates inside with the 1/w of the pixel's centre: values come out too large by the factor
 // by which a constant 1 does, so one is sent along. Elsewhere it is 1.
-layout(location = 3) centroid in vec4 insidePosition; // w: 1
-layout(location = 4) centroid in vec3 insideNormal;
-layout(location = 5) centroid in vec4 insideTangent;
-layout(location = 6) centroid in vec2 insideUv;
-layout(location = 7) centroid in vec3 insideColor;
-layout(location = 8) flat in uint inSeed;
+VARYING(3) centroid in vec4 insidePosition; // w: 1
+VARYING(4) centroid in vec3 insideNormal;
+VARYING(5) centroid in vec4 insideTangent;
+VARYING(6) centroid in vec2 insideUv;
+VARYING(7) centroid in vec3 insideColor;
+VARYING(8) flat in uint primitiveSeed;
 
-layout(set = 2, binding = 0) uniform sampler2D baseColorMap;
-layout(set = 2, binding = 1) uniform sampler2D normalMap;
-layout(set = 2, binding = 2) uniform sampler2D metalRoughMap;
-layout(set = 2, binding = 3) uniform sampler2D emissiveMap;
-layout(set = 2, binding = 4, std140) uniform Material {
+layout(MATERIAL_AT(0)) uniform sampler2D baseColorMap;
+layout(MATERIAL_AT(1)) uniform sampler2D normalMap;
+layout(MATERIAL_AT(2)) uniform sampler2D metalRoughMap;
+layout(MATERIAL_AT(3)) uniform sampler2D emissiveMap;
+layout(std140, MATERIAL_AT(4)) uniform Material {
     vec4 baseColor;
     vec3 emissive;
     float metallic;
@@ -32,7 +32,11 @@ layout(set = 2, binding = 4, std140) uniform Material {
 // What the material has, by bits: base colour, normal, metallic-roughness and emissive map, alpha tested
 // at the cutoff. A constant of the pipeline: drivers that specialise shaders by the uniforms in their
 // conditions, as Mesa 22.3's lavapipe, would compile at every change of material.
+#ifdef FEATURES
+const uint features = FEATURES;
+#else
 layout(constant_id = 0) const uint features = 0u;
+#endif
 
 const uint baseColorBit = 1u;
 const uint normalBit = 2u;
@@ -43,9 +47,9 @@ const uint alphaTestBit = 16u;
 // Of the pixel's centre, unlike all else: the samples that survive the depth test, and so what counts as
 // inside, differ between the passes, and a sample that one pass covers must be covered in the next.
 float coverage(vec2 dx, vec2 dy) {
-    float alpha = material.baseColor.a * clamp(inAlpha, 0.0, 1.0);
+    float alpha = material.baseColor.a * clamp(centreAlpha, 0.0, 1.0);
     if ((features & baseColorBit) != 0u)
-        alpha *= textureGrad(baseColorMap, inUv, dx, dy).a;
+        alpha *= textureGrad(baseColorMap, centreUv, dx, dy).a;
     if ((features & alphaTestBit) != 0u)
         alpha = agaa_sharpenAlpha(alpha, material.alphaCutoff);
     return alpha;
@@ -93,11 +97,11 @@ void main() {
     vec4 inside = AGAA_INSIDE(insidePosition);
     float scale = 1.0 / inside.w;
     // Gradients belong to the plain input: from pixel to pixel, the place inside jumps.
-    vec2 dx = agaa_dFdx(inUv);
-    vec2 dy = agaa_dFdy(inUv);
+    vec2 dx = agaa_dFdx(centreUv);
+    vec2 dy = agaa_dFdy(centreUv);
     surface.position = inside.xyz * scale;
-    surface.geometricNormal = agaa_planeNormal(inPosition);
-    surface.primitiveSeed = inSeed;
+    surface.geometricNormal = agaa_planeNormal(centrePosition);
+    surface.primitiveSeed = primitiveSeed;
 
 #if AGAA_ALPHA_MASKED
     surface.alpha = coverage(dx, dy);
@@ -125,4 +129,7 @@ void main() {
     surface.alpha2 = alpha * alpha;
 #endif
     agaa_emit(surface);
+#ifdef COPY_OUTPUTS
+    COPY_OUTPUTS // where the host declares the outputs
+#endif
 }

@@ -3,13 +3,11 @@
 
 #include "render/renderer.h"
 
-#include <vulkan/vulkan.h>
-
 #include <mutex>
 #include <string>
 #include <vector>
 
-namespace harness::vk {
+namespace harness {
 
 // One line of allowed_messages.txt, and whether this process has met a message that it excuses.
 struct AllowedMessage {
@@ -29,23 +27,17 @@ std::vector<ApiMessage> takeLeftoverMessages();
 // Parses the allow-list. Throws std::runtime_error naming the line that is not of its form.
 std::vector<AllowedMessage> parseAllowedMessages(const std::string& text);
 
+// What an API's debug callback reports; the collector must stay where it is as long as that may call.
 class MessageCollector {
 public:
-    // For VkInstanceCreateInfo::pNext and vkCreateDebugUtilsMessengerEXT. The collector must stay
-    // where it is as long as the messenger lives.
-    VkDebugUtilsMessengerCreateInfoEXT messengerInfo();
+    void add(ApiMessage message); // unless the allow-list excuses it
     std::vector<ApiMessage> take();
     // For takeLeftoverMessages(), when no more can come.
     void giveUp();
 
 private:
-    static VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(
-        VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT types,
-        const VkDebugUtilsMessengerCallbackDataEXT* data, void* user);
-    void add(ApiMessage message);
-
     std::mutex mutex_; // drivers may report from threads of their own
     std::vector<ApiMessage> messages_;
 };
 
-} // namespace harness::vk
+} // namespace harness

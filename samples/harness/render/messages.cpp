@@ -1,12 +1,12 @@
-#include "vk/messages.h"
+#include "render/messages.h"
 
-#include "vk_embedded.h"
+#include "embedded.h"
 
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
-namespace harness::vk {
+namespace harness {
 
 namespace {
 
@@ -87,19 +87,6 @@ std::vector<AllowedMessage> parseAllowedMessages(const std::string& text) {
     return entries;
 }
 
-VkDebugUtilsMessengerCreateInfoEXT MessageCollector::messengerInfo() {
-    VkDebugUtilsMessengerCreateInfoEXT info{};
-    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
-    info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
-                           VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-    info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT |
-                       VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
-                       VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
-    info.pfnUserCallback = onMessage;
-    info.pUserData = this;
-    return info;
-}
-
 std::vector<ApiMessage> MessageCollector::take() {
     const std::lock_guard lock(mutex_);
     return std::exchange(messages_, {});
@@ -111,19 +98,6 @@ void MessageCollector::giveUp() {
     leftovers().messages.insert(leftovers().messages.end(), rest.begin(), rest.end());
 }
 
-VkBool32 MessageCollector::onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
-                                     VkDebugUtilsMessageTypeFlagsEXT,
-                                     const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
-    ApiMessage message;
-    message.severity =
-        severity >= VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT ? "error" : "warning";
-    message.id =
-        data->pMessageIdName ? data->pMessageIdName : std::to_string(data->messageIdNumber);
-    message.text = data->pMessage ? data->pMessage : "";
-    static_cast<MessageCollector*>(user)->add(std::move(message));
-    return VK_FALSE;
-}
-
 void MessageCollector::add(ApiMessage message) {
     if (isAllowed(message))
         return;
@@ -131,4 +105,4 @@ void MessageCollector::add(ApiMessage message) {
     messages_.push_back(std::move(message));
 }
 
-} // namespace harness::vk
+} // namespace harness

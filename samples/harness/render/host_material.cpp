@@ -1,0 +1,83 @@
+#include "render/host_material.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace harness {
+
+MaterialConstants materialConstants(const Material& material) {
+    MaterialConstants c;
+    c.baseColor = material.baseColor;
+    c.emissive = material.emissive;
+    c.metallic = material.metallic;
+    c.roughness = material.roughness;
+    c.normalScale = material.normalScale;
+    c.alphaCutoff =
+        material.alphaMode == AlphaMode::Mask ? std::max(material.alphaCutoff, 0.0f) : -1;
+    return c;
+}
+
+std::array<int, materialTextureCount> materialTextures(const Scene& scene, const Material& material) {
+    std::array<int, materialTextureCount> textures = {
+        material.baseColorTexture, material.normalTexture, material.metalRoughTexture,
+        material.emissiveTexture};
+    for (int& texture : textures)
+        texture = texture < int(scene.textures.size()) ? texture : -1;
+    return textures;
+}
+
+uint32_t materialFeatures(const Scene& scene, uint32_t material) {
+    if (material >= scene.materials.size())
+        return 0;
+    const Material& m = scene.materials[material];
+    const auto textures = materialTextures(scene, m);
+    uint32_t features = m.alphaMode == AlphaMode::Mask ? 1u << materialTextureCount : 0;
+    for (size_t i = 0; i < textures.size(); ++i)
+        features |= textures[i] >= 0 ? 1u << i : 0u;
+    return features;
+}
+
+void checkMeshes(const Scene& scene) {
+    for (const Mesh& mesh : scene.meshes) {
+        if (uint64_t(mesh.firstIndex) + mesh.indexCount > scene.indices.size() ||
+            uint64_t(mesh.firstVertex) + mesh.vertexCount > scene.vertices.size())
+            throw std::runtime_error("A mesh of the scene \"" + scene.name +
+                                     "\" reaches beyond its vertices or indices.");
+    }
+}
+
+DrawConstants drawConstants(const Draw& draw) {
+    DrawConstants c{};
+    const glm::dmat3 linear(draw.toShading);
+    // The inverse transpose by cofactors: defined for flattened objects too.
+    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                               glm::cross(linear[0], linear[1]));
+    const double sign = draw.isMirrored ? -1 : 1;
+    // Normals are made unit length in the shader; here they only must not leave float's range.
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        largest = std::max(largest, glm::length(cofactors[i]));
+    const double scale = largest > 0 ? sign / largest : sign;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column)
+            c.toShading[size_t(row)][column] = float(draw.toShading[column][row]);
+        for (int column = 0; column < 3; ++column)
+            c.normalToShading[size_t(row)][column] = float(cofactors[column][row] * scale);
+    }
+    c.seed = drawSeed(draw.instance);
+    c.handedness = draw.isMirrored ? -1.0f : 1.0f;
+    return c;
+}
+
+Variant variantOf(const Scene& scene, const Draw& draw) {
+    Variant variant;
+    variant.isMasked = draw.isMasked;
+    variant.isMirrored = draw.isMirrored;
+    const uint32_t material = scene.meshes[draw.mesh].material;
+    variant.features = materialFeatures(scene, material);
+    variant.isDoubleSided =
+        material < scene.materials.size() && scene.materials[material].doubleSided;
+    return variant;
+}
+
+} // namespace harness

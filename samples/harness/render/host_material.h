@@ -1,0 +1,58 @@
+// What the sample engine's shaders are told of materials and draws (shaders/material.*).
+#pragma once
+
+#include "render/draw_list.h"
+
+#include <array>
+#include <compare>
+
+namespace harness {
+
+// Bindings of a material: its textures, then its constants.
+constexpr uint32_t materialTextureCount = 4;
+constexpr uint32_t materialConstantsBinding = 4;
+
+// As the shaders' Material block, std140.
+struct MaterialConstants {
+    glm::vec4 baseColor{1};
+    glm::vec3 emissive{0};
+    float metallic = 0;
+    float roughness = 1;
+    float normalScale = 1;
+    float alphaCutoff = -1;
+    float padding = 0;
+};
+static_assert(sizeof(MaterialConstants) == 48);
+MaterialConstants materialConstants(const Material& material);
+// Indices into Scene::textures; -1 where the material has no such texture.
+std::array<int, materialTextureCount> materialTextures(const Scene& scene, const Material& material);
+
+// The constant `features` of material.frag: bits of the textures in their order, then of the alpha test.
+uint32_t materialFeatures(const Scene& scene, uint32_t material);
+
+// Throws std::runtime_error where a mesh reaches beyond the scene's vertices or indices.
+void checkMeshes(const Scene& scene);
+
+// As material.vert's Draw block.
+struct DrawConstants {
+    std::array<glm::vec4, 3> toShading;
+    std::array<glm::vec4, 3> normalToShading;
+    uint32_t seed;
+    float handedness;
+};
+static_assert(sizeof(DrawConstants) <= 128, "Vulkan promises no more push constants than this.");
+
+DrawConstants drawConstants(const Draw& draw);
+
+struct Variant {
+    bool isMasked = false;
+    bool isDoubleSided = false;
+    bool isMirrored = false;
+    uint32_t features = 0; // materialFeatures()
+
+    auto operator<=>(const Variant&) const = default;
+};
+
+Variant variantOf(const Scene& scene, const Draw& draw);
+
+} // namespace harness

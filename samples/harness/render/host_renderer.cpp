@@ -1,0 +1,103 @@
+#include "render/host_renderer.h"
+
+#include "render/lights.h"
+#include "render/sdk_queries.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace harness {
+
+// What the settings name and the scene has: an effect counts where both agree. Numbers of lights
+// are the scene's own.
+static AgaaSceneFacts completeFacts(const Scene& scene, const RenderSettings& settings) {
+    const AgaaSceneFacts found = sceneFacts(scene, settings.lights);
+    AgaaSceneFacts facts = settings.facts;
+    facts.flags &= found.flags | ~uint64_t(AGAA_FACT_ALL_SHADED);
+    if (settings.ambient == glm::vec3(0))
+        facts.flags &= ~uint64_t(AGAA_FACT_AMBIENT);
+    facts.maxLights = found.maxLights;
+    facts.shadowMapCount = found.shadowMapCount;
+    return facts;
+}
+
+void HostRenderer::load(const Scene& scene) {
+    isLoaded_ = false;
+    scene_ = scene;
+    upload();
+    isLoaded_ = true;
+}
+
+RenderResult HostRenderer::render(const RenderSettings& settings) {
+    if (!isLoaded_)
+        throw std::runtime_error("No scene is loaded.");
+    const AgaaSceneFacts facts = completeFacts(scene_, settings);
+    AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
+    desc.width = settings.width;
+    desc.height = settings.height;
+    desc.config = &settings.config;
+    desc.facts = &facts;
+    desc.flags = viewFlags() | (settings.reversedZ ? AGAA_VIEW_REVERSED_Z : 0) |
+                 (settings.background.a == 0 ? AGAA_VIEW_COMPOSITE : 0);
+    const AgaaView view = useView(desc);
+    RenderResult result;
+    result.memory = predictMemory(desc, caps(), log());
+    result.tiers = plannedTiers(desc, caps(), log());
+
+    FrameInput input{settings, cameraMatrices(scene_, settings, clipY()), {}, {}, true};
+    input.lights = toAgaaLights(settings.lights, settings.worldOffset, input.camera.eye);
+    DrawListOptions options;
+    options.useMasked = input.useMasked = (facts.flags & AGAA_FACT_ALPHA_MASKED) != 0;
+    // Some targets are a pixel wider than the image on each side, or shifted by a part of one.
+    options.clipMargin = 4.0 / std::min(settings.width, settings.height);
+    options.shuffleSeed = settings.drawOrderSeed;
+    input.draws = makeDrawList(scene_, settings.worldOffset, input.camera.eye,
+                               input.camera.viewProjection, options);
+    prepare(input);
+    for (uint32_t frame = 0; frame < settings.warmup + std::max(settings.frames, 1u); ++frame) {
+        const double milliseconds = renderFrame(input);
+        if (frame < settings.warmup)
+            continue;
+        result.frameMs.push_back(milliseconds);
+        AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
+        log().check(agaaGetFrameStatistics(view, frameIndex_, &statistics),
+                    "agaaGetFrameStatistics");
+        if (statistics.frameIndex != frameIndex_)
+            throw std::runtime_error(
+                "The SDK's statistics are not of the frame that has finished.");
+        result.statistics.push_back(statistics);
+    }
+    result.image = readOutput();
+    return result;
+}
+
+AgaaFrame HostRenderer::describeFrame(const FrameInput& input) const {
+    AgaaFrame frame = AGAA_FRAME_INIT;
+    const glm::mat4 viewMatrix(input.camera.view);
+    const glm::mat4 projection(input.camera.projection);
+    std::copy_n(glm::value_ptr(viewMatrix), 16, frame.view);
+    std::copy_n(glm::value_ptr(projection), 16, frame.projection);
+    frame.lights = input.lights.data();
+    frame.lightCount = uint32_t(input.lights.size());
+    frame.shadows = shadows().data();
+    frame.shadowCount = uint32_t(shadows().size());
+    std::copy_n(glm::value_ptr(input.settings.ambient), 3, frame.ambient);
+    std::copy_n(glm::value_ptr(input.settings.background), 4, frame.background);
+    frame.draw = onDraw;
+    frame.drawUser = const_cast<HostRenderer*>(this);
+    return frame;
+}
+
+AgaaResult AGAA_CALL HostRenderer::onDraw(void* user, const AgaaDrawTarget* target) {
+    auto& renderer = *static_cast<HostRenderer*>(user);
+    try {
+        renderer.draw(*target, *renderer.input_);
+        return AGAA_OK;
+    } catch (const std::exception& error) {
+        renderer.drawError_ = error.what();
+        return AGAA_ERROR_CALLBACK;
+    }
+}
+
+} // namespace harness

@@ -1,0 +1,58 @@
+// The SDK's views that a renderer keeps: measurements alternate between two.
+#pragma once
+
+#include "render/sdk_log.h"
+#include "render/view_key.h"
+
+#include <algorithm>
+#include <list>
+
+namespace harness {
+
+template <class DrawPass>
+struct SdkView {
+    AgaaView view = nullptr;
+    std::vector<DrawPass> passes;
+    std::string key; // the settings that it was made for
+};
+
+template <class DrawPass>
+class SdkViews {
+public:
+    SdkViews() = default;
+    ~SdkViews() {
+        for (const SdkView<DrawPass>& view : views_)
+            agaaDestroyView(view.view);
+    }
+    SdkViews(const SdkViews&) = delete;
+    SdkViews& operator=(const SdkViews&) = delete;
+
+    // Valid until the next call but one. All frames must have finished. create(desc) makes a view,
+    // list(view) tells its draw passes.
+    template <class Create, class List>
+    const SdkView<DrawPass>& get(const AgaaViewDesc& desc, const Create& create, const List& list) {
+        const std::string key = viewKey(desc);
+        const auto found =
+            std::find_if(views_.begin(), views_.end(), [&](const SdkView<DrawPass>& view) {
+                return !key.empty() && view.key == key;
+            });
+        if (found != views_.end()) {
+            views_.splice(views_.begin(), views_, found);
+            return views_.front();
+        }
+        // Before the new one takes its memory.
+        while (views_.size() >= kept) {
+            agaaDestroyView(views_.back().view);
+            views_.pop_back();
+        }
+        views_.push_front({create(desc), {}, key});
+        views_.front().passes = list(views_.front().view);
+        return views_.front();
+    }
+
+private:
+    static constexpr size_t kept = 2;
+    std::list<SdkView<DrawPass>> views_; // the most recently used first
+};
+
+} // namespace harness

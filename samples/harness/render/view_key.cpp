@@ -1,0 +1,67 @@
+#include "render/view_key.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace harness {
+
+namespace {
+
+// Plain values one after the other: equal bytes mean equal views. Members are added one by one,
+// since the padding of a struct may hold anything.
+class Key {
+public:
+    template <class Value>
+    void add(const Value& value) {
+        static_assert(std::is_arithmetic_v<Value>);
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    void add(const char* text) { bytes_ += std::string(text ? text : "") + '\0'; }
+    std::string take() { return std::move(bytes_); }
+
+private:
+    std::string bytes_;
+};
+
+void addLayout(Key& key, const AgaaLayout& layout) {
+    key.add(layout.attributeCount);
+    for (uint32_t i = 0; i < std::min<uint32_t>(layout.attributeCount, AGAA_MAX_LAYOUT_ATTRIBUTES);
+         ++i) {
+        const AgaaLayoutAttribute& a = layout.attributes[i];
+        for (const uint32_t value : {a.semantic, a.channels, a.sampleBits, a.aggregateBits,
+                                     a.chromaBits, a.encoding, a.reserved})
+            key.add(value);
+        key.add(a.range);
+    }
+}
+
+} // namespace
+
+std::string viewKey(const AgaaViewDesc& desc) {
+    const AgaaConfig& config = *desc.config;
+    if (desc.pNext || config.pNext || desc.facts->pNext || (config.layout && config.layout->pNext))
+        return {};
+    Key key;
+    key.add(desc.width);
+    key.add(desc.height);
+    key.add(desc.flags);
+    key.add(config.technique);
+    for (const uint32_t value :
+         {config.samples, config.aggregates, config.brdf, config.ndf, config.seeds,
+          config.shadowTaps, config.visibilityTier, config.generationTier, config.shadingCost})
+        key.add(value);
+    for (const float value : {config.characteristicLength, config.characteristicLengthPerDistance,
+                              config.aggregateThreshold})
+        key.add(value);
+    key.add(config.flags);
+    key.add(uint32_t(config.layout != nullptr));
+    if (config.layout)
+        addLayout(key, *config.layout);
+    key.add(desc.facts->flags);
+    key.add(desc.facts->maxLights);
+    key.add(desc.facts->shadowMapCount);
+    return key.take();
+}
+
+} // namespace harness

@@ -1,0 +1,21 @@
+// What the APIs spell differently.
+#ifdef HARNESS_GL
+#define CAMERA_AT binding = 1
+#define MATERIAL_AT(n) binding = n
+#define CASTER_AT(n) binding = n
+#define DRAW_BLOCK uniform struct
+#define VERTEX_INDEX gl_VertexID
+#else
+#define CAMERA_AT set = 0, binding = 0
+#define MATERIAL_AT(n) set = 2, binding = n
+#define CASTER_AT(n) set = 0, binding = n
+#define DRAW_BLOCK layout(push_constant) uniform
+#define VERTEX_INDEX gl_VertexIndex
+#endif
+#define LOCATION(n) layout(location = n)
+// Between the stages; older GLSL matches by name.
+#if __VERSION__ >= 410
+#define VARYING(n) layout(location = n)
+#else
+#define VARYING(n)
+#endif

@@ -1,0 +1,54 @@
+// The sample engine's one vertex shader for all passes that must agree on depth. The version and
+// interface.glsl come before this text.
+
+LOCATION(0) in vec3 vertexPosition;
+LOCATION(1) in vec3 vertexNormal;
+LOCATION(2) in vec4 vertexTangent;
+LOCATION(3) in vec2 vertexUv;
+LOCATION(4) in vec4 vertexColor;
+
+// Read at the pixel's centre. Positions and vectors are in shading space.
+VARYING(0) out vec3 centrePosition;
+VARYING(1) out vec2 centreUv;
+VARYING(2) out float centreAlpha;
+// Read inside the primitive; see material.frag for why these are not the same.
+VARYING(3) out vec4 insidePosition; // w: 1
+VARYING(4) out vec3 insideNormal;
+VARYING(5) out vec4 insideTangent;
+VARYING(6) out vec2 insideUv;
+VARYING(7) out vec3 insideColor;
+VARYING(8) flat out uint primitiveSeed;
+
+layout(std140, CAMERA_AT) uniform Camera { mat4 viewProjection; } camera;
+
+DRAW_BLOCK Draw {
+    vec4 toShading[3];       // rows of object to shading space
+    vec4 normalToShading[3]; // rows of the inverse transpose
+    uint seed;
+    float handedness; // -1 where the transform mirrors
+} draw;
+
+invariant gl_Position;
+
+vec3 rotate(vec4 rows[3], vec3 v) {
+    return vec3(dot(rows[0].xyz, v), dot(rows[1].xyz, v), dot(rows[2].xyz, v));
+}
+
+void main() {
+    vec4 position = vec4(vertexPosition, 1.0);
+    centrePosition = vec3(dot(draw.toShading[0], position), dot(draw.toShading[1], position),
+                       dot(draw.toShading[2], position));
+    gl_Position = camera.viewProjection * vec4(centrePosition, 1.0);
+    centreUv = vertexUv;
+    centreAlpha = vertexColor.a;
+
+    insidePosition = vec4(centrePosition, 1.0);
+    insideNormal = rotate(draw.normalToShading, vertexNormal);
+    insideTangent = vec4(rotate(draw.toShading, vertexTangent.xyz),
+                            vertexTangent.w * draw.handedness);
+    insideUv = vertexUv;
+    insideColor = vertexColor.rgb;
+    // Of the primitive's first vertex.
+    uint seed = (draw.seed ^ uint(VERTEX_INDEX)) * 0x9E3779B1u;
+    primitiveSeed = seed ^ (seed >> 15);
+}

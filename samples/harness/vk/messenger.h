@@ -1,0 +1,13 @@
+// The Vulkan messenger that fills a message collector.
+#pragma once
+
+#include "render/messages.h"
+
+#include <vulkan/vulkan.h>
+
+namespace harness::vk {
+
+// For VkInstanceCreateInfo::pNext and vkCreateDebugUtilsMessengerEXT.
+VkDebugUtilsMessengerCreateInfoEXT messengerInfo(MessageCollector& collector);
+
+} // namespace harness::vk
