@@ -13,11 +13,16 @@ struct DeviceArguments {
     bool renderPass = false;
     bool inlineRecording = false;
     bool noValidation = false;
+    bool compatibilityProfile = false;
+    bool clipZFromMinusOne = false;
+    bool storageImages = false;
+    bool hostOutputs = false;
+    uint32_t glslVersion = 450;
 };
 
 struct RenderArguments {
     PlanArguments plan;
-    DeviceArguments device{"vk", false, false, false};
+    DeviceArguments device{"vk"};
     std::string scene = "bamboo";
     std::string camera; // empty: the scene's own or a default
     std::string jitter = "0,0";

@@ -198,7 +198,12 @@ std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments) {
     options.validation = !arguments.noValidation;
     options.renderPass = arguments.renderPass;
     options.inlineRecording = arguments.inlineRecording;
-    return makeVulkanRenderer(options);
+    options.compatibilityProfile = arguments.compatibilityProfile;
+    options.clipZFromMinusOne = arguments.clipZFromMinusOne;
+    options.storageImages = arguments.storageImages;
+    options.hostOutputs = arguments.hostOutputs;
+    options.glslVersion = arguments.glslVersion;
+    return arguments.backend == "gl" ? makeGlRenderer(options) : makeVulkanRenderer(options);
 }
 
 Scene loadSceneArgument(const std::string& nameOrPath) {

@@ -39,10 +39,15 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
 }
 
 void addDeviceOptions(CLI::App& app, DeviceArguments& a) {
-    app.add_option("--backend", a.backend, "vk");
+    app.add_option("--backend", a.backend, "vk or gl");
     app.add_flag("--render-pass", a.renderPass, "VkRenderPass instead of dynamic rendering");
     app.add_flag("--inline-recording", a.inlineRecording);
     app.add_flag("--no-validation", a.noValidation);
+    app.add_flag("--compatibility-profile", a.compatibilityProfile, "gl");
+    app.add_flag("--clip-z-from-minus-one", a.clipZFromMinusOne, "gl: its default depth convention");
+    app.add_flag("--storage-images", a.storageImages, "gl: materials without storage blocks");
+    app.add_flag("--host-outputs", a.hostOutputs, "gl: materials declare their outputs themselves");
+    app.add_option("--glsl", a.glslVersion, "gl: version of the materials, 330 to 460");
 }
 
 void addRenderOptions(CLI::App& app, RenderArguments& a) {
@@ -72,7 +77,7 @@ int run(int argc, char** argv) {
         return sub;
     };
 
-    DeviceArguments capsDevice{"vk", false, false, false};
+    DeviceArguments capsDevice{"vk"};
     CLI::App* caps = command("caps", "how techniques would run on a device, and why");
     addDeviceOptions(*caps, capsDevice);
 

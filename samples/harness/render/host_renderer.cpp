@@ -75,7 +75,7 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
 AgaaFrame HostRenderer::describeFrame(const FrameInput& input) const {
     AgaaFrame frame = AGAA_FRAME_INIT;
     const glm::mat4 viewMatrix(input.camera.view);
-    const glm::mat4 projection(input.camera.projection);
+    const glm::mat4 projection(rasterised(input.camera.projection));
     std::copy_n(glm::value_ptr(viewMatrix), 16, frame.view);
     std::copy_n(glm::value_ptr(projection), 16, frame.projection);
     frame.lights = input.lights.data();

@@ -31,6 +31,8 @@ protected:
     virtual SdkLog& log() = 0;
     virtual ClipY clipY() const = 0;
     virtual uint64_t viewFlags() const { return 0; }
+    // The projection for z in [0;w] as this API's rasteriser wants it.
+    virtual glm::dmat4 rasterised(const glm::dmat4& projection) const { return projection; }
     // Of the scene that scene() now is.
     virtual void upload() = 0;
     // First of all, so that the SDK refuses what it cannot do, in its own words.

@@ -17,6 +17,12 @@ struct RendererOptions {
     bool renderPass = false;     // Vulkan: VkRenderPass instead of dynamic rendering
     bool inlineRecording = false; // Vulkan: callbacks record into the host's command buffer
     uint32_t shadowMapSize = 2048;
+    // OpenGL
+    bool compatibilityProfile = false;
+    bool clipZFromMinusOne = false; // the default of OpenGL, in place of z/w in [0;1]
+    bool storageImages = false;     // material shaders without storage blocks
+    bool hostOutputs = false;       // material shaders that declare their outputs themselves
+    uint32_t glslVersion = 450;     // of material shaders
 };
 
 struct RenderSettings {
@@ -65,6 +71,7 @@ public:
 };
 
 std::unique_ptr<Renderer> makeVulkanRenderer(const RendererOptions& options);
+std::unique_ptr<Renderer> makeGlRenderer(const RendererOptions& options);
 
 // Facts of a scene and its lights, as the SDK wants them declared.
 AgaaSceneFacts sceneFacts(const Scene& scene, const std::vector<Light>& lights);

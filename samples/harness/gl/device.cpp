@@ -1,0 +1,89 @@
+#include "gl/device.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <stdexcept>
+
+namespace harness::gl {
+
+namespace {
+
+// Of medium severity and above; the rest are remarks.
+void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei length,
+                            const GLchar* text, const void* user) {
+    if (severity != GL_DEBUG_SEVERITY_MEDIUM && severity != GL_DEBUG_SEVERITY_HIGH)
+        return;
+    ApiMessage message;
+    message.severity = type == GL_DEBUG_TYPE_ERROR ? "error" : "warning";
+    message.id = std::to_string(id);
+    message.text = std::string(text, length >= 0 ? size_t(length) : std::char_traits<char>::length(text));
+    static_cast<MessageCollector*>(const_cast<void*>(user))->add(std::move(message));
+}
+
+} // namespace
+
+Device::Device(const RendererOptions& options) {
+    try {
+        createContext(options);
+    } catch (...) {
+        destroy();
+        throw;
+    }
+}
+
+Device::~Device() { destroy(); }
+
+void Device::createContext(const RendererOptions& options) {
+    const EGLDisplay display =
+        eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr))
+        throw std::runtime_error("EGL has no display without a surface (EGL_MESA_platform_surfaceless).");
+    display_ = display;
+    if (!eglBindAPI(EGL_OPENGL_API))
+        throw std::runtime_error("EGL does not know OpenGL.");
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 4,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 5,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 options.compatibilityProfile
+                                     ? EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT
+                                     : EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 EGL_CONTEXT_OPENGL_DEBUG,
+                                 options.validation ? EGL_TRUE : EGL_FALSE,
+                                 EGL_NONE};
+    context_ = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    if (context_ == EGL_NO_CONTEXT)
+        throw std::runtime_error("EGL cannot create an OpenGL 4.5 context.");
+    makeCurrent();
+    if (!gladLoadGLContext(&gl_, eglGetProcAddress))
+        throw std::runtime_error("The functions of OpenGL could not be loaded.");
+    if (!options.validation)
+        return;
+    gl_.Enable(GL_DEBUG_OUTPUT);
+    gl_.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    gl_.DebugMessageCallback(onMessage, &messages_);
+}
+
+void Device::makeCurrent() const {
+    if (eglGetCurrentContext() != context_ &&
+        !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+        throw std::runtime_error("The OpenGL context could not be made current.");
+}
+
+// The display is the process's: other devices may use it, so it is not terminated.
+void Device::destroy() {
+    if (context_) {
+        if (eglGetCurrentContext() == context_)
+            eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglDestroyContext(display_, context_);
+    }
+    messages_.giveUp();
+}
+
+AgaaGlFunction AGAA_CALL Device::getProcAddr(void*, const char* name) {
+    return reinterpret_cast<AgaaGlFunction>(eglGetProcAddress(name));
+}
+
+} // namespace harness::gl

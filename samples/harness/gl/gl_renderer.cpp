@@ -1,0 +1,127 @@
+#include "gl/gl_renderer.h"
+
+#include "gl/draw_state.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <chrono>
+
+namespace harness {
+
+using namespace gl;
+
+GlRenderer::GlRenderer(const RendererOptions& options)
+    : options_(options), device_(options), sdk_(device_, options), programs_(device_.gl(), options),
+      shadowMaps_(device_.gl(), options.shadowMapSize), cameraConstants_(createBuffer(device_.gl())) {
+    device_.gl().NamedBufferData(cameraConstants_.get(), sizeof(glm::mat4), nullptr,
+                                 GL_DYNAMIC_DRAW);
+}
+
+// Objects are deleted in the context that they are of.
+GlRenderer::~GlRenderer() { device_.makeCurrent(); }
+
+uint64_t GlRenderer::viewFlags() const {
+    return options_.clipZFromMinusOne ? AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE : 0;
+}
+
+// z in [-w;w] for z in [0;w].
+glm::dmat4 GlRenderer::rasterised(const glm::dmat4& projection) const {
+    if (!options_.clipZFromMinusOne)
+        return projection;
+    glm::dmat4 result = projection;
+    for (int column = 0; column < 4; ++column)
+        result[column][2] = 2 * projection[column][2] - projection[column][3];
+    return result;
+}
+
+void GlRenderer::upload() {
+    device_.makeCurrent();
+    shadowMaps_.invalidate();
+    gpuScene_.reset();
+    gpuScene_.emplace(device_.gl(), scene());
+}
+
+AgaaView GlRenderer::useView(const AgaaViewDesc& desc) {
+    device_.makeCurrent();
+    view_ = &sdk_.view(desc);
+    return view_->view;
+}
+
+void GlRenderer::prepare(const FrameInput& input) {
+    const GladGLContext& gl = device_.gl();
+    const RenderSettings& settings = input.settings;
+    if (outputWidth_ != settings.width || outputHeight_ != settings.height) {
+        output_ = createTexture(gl, GL_TEXTURE_2D);
+        gl.TextureStorage2D(output_.get(), 1, GL_RGBA32F, GLsizei(settings.width),
+                            GLsizei(settings.height));
+        outputWidth_ = settings.width;
+        outputHeight_ = settings.height;
+    }
+    shadowMaps_.update(*gpuScene_, scene(), settings, input.camera);
+    for (const AgaaGlDrawPass& pass : view_->passes)
+        programs_.prepare(pass, scene(), input.draws);
+    const glm::mat4 viewProjection(rasterised(input.camera.projection) * input.camera.view);
+    gl.NamedBufferSubData(cameraConstants_.get(), 0, sizeof viewProjection,
+                          glm::value_ptr(viewProjection));
+}
+
+double GlRenderer::renderFrame(const FrameInput& input) {
+    const GladGLContext& gl = device_.gl();
+    AgaaGlFrame glFrame = AGAA_GL_FRAME_INIT;
+    glFrame.outputTexture = output_.get();
+    for (size_t i = 0; i < shadowMaps_.shadows().size(); ++i)
+        glFrame.shadowTextures[i] = shadowMaps_.texture(i);
+    if (input.settings.background.a == 0)
+        gl.ClearTexImage(output_.get(), 0, GL_RGBA, GL_FLOAT,
+                         glm::value_ptr(input.settings.background));
+    gl.Finish();
+    const auto start = std::chrono::steady_clock::now();
+    record(input, "agaaGlRecordFrame", [&](const AgaaFrame& frame) {
+        return agaaGlRecordFrame(view_->view, &frame, &glFrame);
+    });
+    gl.Finish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+Image GlRenderer::readOutput() {
+    Image image{outputWidth_, outputHeight_, {}};
+    image.rgb.resize(3 * image.pixelCount());
+    device_.gl().GetTextureImage(output_.get(), 0, GL_RGB, GL_FLOAT,
+                                 GLsizei(image.rgb.size() * sizeof(float)), image.rgb.data());
+    return image;
+}
+
+void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
+    const GladGLContext& gl = device_.gl();
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+    setTarget(gl, target.width, target.height);
+    setDrawState(gl, target.state);
+    gl.ClipControl(GL_LOWER_LEFT,
+                   options_.clipZFromMinusOne ? GL_NEGATIVE_ONE_TO_ONE : GL_ZERO_TO_ONE);
+    gl.CullFace(GL_BACK);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, cameraBinding, cameraConstants_.get());
+    gpuScene_->bindGeometry();
+    uint32_t material = UINT32_MAX;
+    for (const Draw& draw : input.draws) {
+        const Mesh& mesh = scene().meshes[draw.mesh];
+        const Variant variant = variantOf(scene(), draw);
+        const PassProgram& program = programs_.program(target.pipelineKey, variant);
+        gl.UseProgram(program.program.get());
+        setStencilTest(gl, draw.isMasked ? target.state.stencilTestMasked : target.state.stencilTest);
+        (variant.isDoubleSided ? gl.Disable : gl.Enable)(GL_CULL_FACE);
+        // With y down, what is counter-clockwise on the screen is clockwise in OpenGL's eyes.
+        gl.FrontFace(variant.isMirrored ? GL_CCW : GL_CW);
+        if (mesh.material != material) {
+            material = mesh.material;
+            gpuScene_->bindMaterial(material);
+        }
+        program.setDraw(gl, drawConstants(draw));
+        gpuScene_->draw(mesh);
+    }
+}
+
+std::unique_ptr<Renderer> makeGlRenderer(const RendererOptions& options) {
+    return std::make_unique<GlRenderer>(options);
+}
+
+} // namespace harness

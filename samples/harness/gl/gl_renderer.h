@@ -1,0 +1,50 @@
+// The sample engine on OpenGL: the host that the SDK is built into.
+#pragma once
+
+#include "gl/gpu_scene.h"
+#include "gl/pass_programs.h"
+#include "gl/sdk_context.h"
+#include "gl/shadow_maps.h"
+#include "render/host_renderer.h"
+
+#include <optional>
+
+namespace harness {
+
+class GlRenderer : public HostRenderer {
+public:
+    explicit GlRenderer(const RendererOptions& options);
+    ~GlRenderer() override;
+
+    const AgaaDeviceCaps& caps() const override { return sdk_.caps(); }
+    std::vector<ApiMessage> takeMessages() override { return device_.takeMessages(); }
+    const gl::Device& device() const { return device_; }
+
+private:
+    SdkLog& log() override { return sdk_.log(); }
+    // Row 0 of a texture is where y = -1 lands: with y down, images are the same as Vulkan's.
+    ClipY clipY() const override { return ClipY::Down; }
+    uint64_t viewFlags() const override;
+    void upload() override;
+    AgaaView useView(const AgaaViewDesc& desc) override;
+    void prepare(const FrameInput& input) override;
+    double renderFrame(const FrameInput& input) override;
+    Image readOutput() override;
+    const std::vector<AgaaShadow>& shadows() const override { return shadowMaps_.shadows(); }
+    glm::dmat4 rasterised(const glm::dmat4& projection) const override;
+    void draw(const AgaaDrawTarget& target, const FrameInput& input) override;
+
+    RendererOptions options_;
+    gl::Device device_;
+    gl::SdkContext sdk_;
+    gl::PassPrograms programs_;
+    gl::ShadowMaps shadowMaps_;
+    gl::Buffer cameraConstants_;
+    gl::Texture output_;
+    uint32_t outputWidth_ = 0;
+    uint32_t outputHeight_ = 0;
+    std::optional<gl::GpuScene> gpuScene_;
+    const gl::GlSdkView* view_ = nullptr; // in use
+};
+
+} // namespace harness

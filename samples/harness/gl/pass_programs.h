@@ -1,0 +1,42 @@
+// The sample engine's programs for the SDK's draw passes, kept by the SDK's pipeline key, also across views.
+#pragma once
+
+#include "agaa_gl.h"
+#include "gl/program.h"
+#include "render/host_material.h"
+
+#include <map>
+#include <vector>
+
+namespace harness::gl {
+
+struct PassProgram {
+    Program program;
+    GLint toShading = -1;
+    GLint normalToShading = -1;
+    GLint seed = -1;
+    GLint handedness = -1;
+
+    void setDraw(const GladGLContext& gl, const DrawConstants& constants) const;
+};
+
+class PassPrograms {
+public:
+    PassPrograms(const GladGLContext& gl, const RendererOptions& options);
+
+    // Makes what the draws need and is not there yet. Before the frame: programs take time.
+    void prepare(const AgaaGlDrawPass& pass, const Scene& scene, const std::vector<Draw>& draws);
+    // Throws std::runtime_error where prepare() was not called for it.
+    const PassProgram& program(uint64_t pipelineKey, const Variant& variant) const;
+
+private:
+    PassProgram make(const AgaaGlDrawPass& pass, const Variant& variant) const;
+    std::string fragmentText(const AgaaGlDrawPass& pass, const Variant& variant) const;
+
+    const GladGLContext* gl_;
+    uint32_t glslVersion_;
+    bool hostOutputs_;
+    std::map<uint64_t, std::map<Variant, PassProgram>> programs_;
+};
+
+} // namespace harness::gl

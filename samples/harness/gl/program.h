@@ -1,0 +1,34 @@
+// Programs of the sample engine.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <string>
+
+namespace harness::gl {
+
+class Program {
+public:
+    Program() = default;
+    // fragment may be empty. Throws std::runtime_error with the driver's messages.
+    Program(const GladGLContext& gl, const std::string& vertex, const std::string& fragment,
+            const std::string& name);
+    ~Program();
+    Program(Program&& other) noexcept;
+    Program& operator=(Program&& other) noexcept;
+
+    GLuint get() const { return program_; }
+    explicit operator bool() const { return program_ != 0; }
+    GLint uniform(const char* name) const;
+
+private:
+    const GladGLContext* gl_ = nullptr;
+    GLuint program_ = 0;
+};
+
+// "#version …" and what shaders/interface.glsl needs for OpenGL; vertex stages of old versions also need an
+// extension.
+std::string versionLine(uint32_t glslVersion);
+std::string vertexText(uint32_t glslVersion, const char* body);
+
+} // namespace harness::gl

@@ -1,0 +1,44 @@
+#include "gl/sdk_context.h"
+
+namespace harness::gl {
+
+SdkContext::SdkContext(const Device& device, const RendererOptions& options) {
+    const AgaaLog log = log_.log();
+    device.makeCurrent();
+    AgaaGlContextDesc desc = AGAA_GL_CONTEXT_DESC_INIT;
+    desc.getProcAddr = Device::getProcAddr;
+    desc.glslVersion = options.glslVersion;
+    desc.storage = options.storageImages ? AGAA_GL_STORAGE_IMAGES : AGAA_GL_STORAGE_BUFFERS;
+    desc.outputs = options.hostOutputs ? AGAA_GL_OUTPUTS_HOST : AGAA_GL_OUTPUTS_SDK;
+    desc.frameBinding = frameBinding;
+    desc.metadataUnit = metadataUnit;
+    desc.aggregatesBinding = aggregatesBinding;
+    desc.countersBinding = countersBinding;
+    desc.log = &log;
+    log_.check(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context_), "agaaGlCreateContext");
+    log_.check(agaaGlGetContextCaps(context_, &caps_), "agaaGlGetContextCaps");
+    views_.emplace();
+}
+
+SdkContext::~SdkContext() {
+    views_.reset();
+    agaaDestroyContext(context_);
+}
+
+const GlSdkView& SdkContext::view(const AgaaViewDesc& desc) {
+    const auto create = [this](const AgaaViewDesc& wanted) {
+        AgaaView view = nullptr;
+        log_.check(agaaGlCreateView(context_, &wanted, &view), "agaaGlCreateView");
+        return view;
+    };
+    const auto list = [this](AgaaView view) {
+        uint32_t count = 0;
+        log_.check(agaaGlGetDrawPasses(view, &count, nullptr), "agaaGlGetDrawPasses");
+        std::vector<AgaaGlDrawPass> passes(count, AgaaGlDrawPass AGAA_GL_DRAW_PASS_INIT);
+        log_.check(agaaGlGetDrawPasses(view, &count, passes.data()), "agaaGlGetDrawPasses");
+        return passes;
+    };
+    return views_->get(desc, create, list);
+}
+
+} // namespace harness::gl

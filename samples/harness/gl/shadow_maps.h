@@ -1,0 +1,39 @@
+// Depth maps of the lights that cast shadows, rendered once for a scene, its lights and a camera.
+#pragma once
+
+#include "gl/gpu_scene.h"
+#include "gl/program.h"
+#include "render/shadow_fit.h"
+
+namespace harness::gl {
+
+class ShadowMaps {
+public:
+    ShadowMaps(const GladGLContext& gl, uint32_t size);
+
+    // Renders where the lights, the camera or the offset differ from the last call.
+    void update(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
+                const CameraMatrices& camera);
+    // The scene has changed.
+    void invalidate() { key_.clear(); }
+
+    const std::vector<AgaaShadow>& shadows() const { return shadows_; }
+    GLuint texture(size_t shadow) const { return maps_[shadow].get(); }
+
+private:
+    void renderMap(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
+                   const glm::dvec3& eye, const std::vector<glm::dmat4>& layers);
+    void renderLayer(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
+                     const glm::dvec3& eye, const glm::dmat4& toClip) const;
+
+    const GladGLContext* gl_;
+    uint32_t size_;
+    Program opaque_;
+    Program masked_;
+    Framebuffer framebuffer_;
+    std::vector<Texture> maps_;
+    std::vector<AgaaShadow> shadows_;
+    std::vector<double> key_; // what the maps were rendered for
+};
+
+} // namespace harness::gl
