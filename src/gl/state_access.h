@@ -1,5 +1,5 @@
-// How rows are read and written: by the types of their components, and by the signature of the OpenGL
-// function that sets them.
+// How rows are read and written: by the types of their components, and by the signature of the
+// OpenGL function that sets them.
 #pragma once
 
 #include "gl/state_context.h"
@@ -19,6 +19,10 @@ void writeCapability(const StateContext&, const StateRow&, uint32_t element, con
 void readCapabilityAt(const StateReading&, const StateRow&, uint32_t element, StateValue&);
 void writeCapabilityAt(const StateContext&, const StateRow&, uint32_t element, const StateValue&);
 
+inline constexpr StateNeed kMixedSamples{
+    "GL_NV_framebuffer_mixed_samples",
+    [](const GladGLContext& gl) { return gl.NV_framebuffer_mixed_samples != 0; }};
+
 template <typename T>
 T component(const StateValue& value, size_t i) {
     if constexpr (std::is_floating_point_v<T>)
@@ -36,7 +40,8 @@ void callWith(void(GLAD_API_PTR* function)(Parameters...), const StateValue& val
     [&]<size_t... I>(std::index_sequence<I...>) {
         function((I < count ? static_cast<Parameters>(first[I < count ? I : 0])
                             : component<Parameters>(value, I < count ? 0 : I - count))...);
-    }(std::index_sequence_for<Parameters...>{});
+    }
+    (std::index_sequence_for<Parameters...>{});
 }
 
 // function(constants…, components…)

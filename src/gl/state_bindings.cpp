@@ -1,5 +1,5 @@
-// Objects bound to the context. Those deleted since they were read are restored as 0: a name that no longer
-// exists would raise an error, or make an object that the host never asked for.
+// Objects bound to the context. Those deleted since they were read are restored as 0: a name that
+// no longer exists would raise an error, or make an object that the host never asked for.
 #include "gl/state_access.h"
 #include "gl/state_table.h"
 
@@ -30,8 +30,8 @@ void bindBufferRange(const StateContext& context, const StateRow&, uint32_t elem
         context.gl().BindBufferRange(Target, element, buffer, start, size);
 }
 
-// The binding is the vertex array's, which may hold a buffer whose name is gone. Core contexts without a
-// vertex array have none.
+// The binding is the vertex array's, which may hold a buffer whose name is gone. Core contexts
+// without a vertex array have none.
 void bindElementBuffer(const StateContext& context, const StateRow&, uint32_t,
                        const StateValue& value) {
     GLint bound = 0;
@@ -56,8 +56,8 @@ void bindTexture(const StateContext& context, const StateRow& row, uint32_t elem
     const GLuint texture = living<&Gl::IsTexture>(context, value.name());
     GLint bound = 0;
     if (texture != 0) {
-        // Cannot fail, as glBindTexture does where the host has given the name to a texture of another
-        // target: then that is what it binds, and the query shows it.
+        // Cannot fail, as glBindTexture does where the host has given the name to a texture of
+        // another target: then that is what it binds, and the query shows it.
         gl.BindTextureUnit(element, texture);
         gl.GetIntegerv(row.parameters[0], &bound);
     }
@@ -76,6 +76,21 @@ void bindImage(const StateContext& context, const StateRow&, uint32_t element,
                                   component<GLint>(value, 1), component<GLboolean>(value, 2),
                                   component<GLint>(value, 3), component<GLenum>(value, 4),
                                   component<GLenum>(value, 5));
+}
+
+// Mesa ignores glBindProgramPipeline(0) while a program is in use, and glUseProgram(0) fails there
+// if the pipeline behind the program has been deleted: so another pipeline comes between. The
+// program in use is the next row's.
+void bindPipeline(const StateContext& context, const StateRow&, uint32_t, const StateValue& value) {
+    const GladGLContext& gl = context.gl();
+    const GLuint pipeline = living<&Gl::IsProgramPipeline>(context, value.name());
+    GLint bound = 0;
+    gl.GetIntegerv(GL_PROGRAM_PIPELINE_BINDING, &bound);
+    if (static_cast<GLuint>(bound) == pipeline)
+        return;
+    gl.BindProgramPipeline(context.emptyPipeline());
+    gl.UseProgram(0);
+    gl.BindProgramPipeline(pipeline);
 }
 
 // A program that the host has linked anew without success can be in use, but not be used again.
@@ -98,31 +113,30 @@ void readActiveTexture(const StateReading& reading, const StateRow&, uint32_t, S
 template <GLenum Target>
 constexpr StateRow buffer(GLenum parameter, const char* name, const char* description,
                           StateNeed need = {}) {
-    return {name,
-            description,
-            {parameter},
-            "o",
-            readValues,
-            bindBuffer<Target>,
-            StateArray::Once,
-            StateProfile::Any,
+    return {name,       description,        {parameter},      "o",
+            readValues, bindBuffer<Target>, StateArray::Once, StateProfile::Any,
             need};
 }
 
 template <GLenum Target>
 constexpr StateRow texture(GLenum parameter, const char* name, const char* description) {
-    return {name,     description,         {parameter},
-            "o",      readUnit,            bindTexture<Target>,
+    return {name,
+            description,
+            {parameter},
+            "o",
+            readUnit,
+            bindTexture<Target>,
             StateArray::TextureUnits};
 }
 
-constexpr StateNeed kQueryBuffers{
-    "4.4", [](const GladGLContext& gl) { return gl.VERSION_4_4 != 0; }};
+constexpr StateNeed kQueryBuffers{"4.4",
+                                  [](const GladGLContext& gl) { return gl.VERSION_4_4 != 0; }};
 
+// clang-format off
 constexpr StateRow kRows[] = {
-    {"GL_CURRENT_PROGRAM", "program in use", {GL_CURRENT_PROGRAM}, "o", readValues, useProgram},
     {"GL_PROGRAM_PIPELINE_BINDING", "program pipeline", {GL_PROGRAM_PIPELINE_BINDING}, "o",
-     readValues, bindObject<&Gl::BindProgramPipeline, &Gl::IsProgramPipeline>},
+     readValues, bindPipeline},
+    {"GL_CURRENT_PROGRAM", "program in use", {GL_CURRENT_PROGRAM}, "o", readValues, useProgram},
     {"GL_DRAW_FRAMEBUFFER_BINDING", "framebuffer drawn to", {GL_DRAW_FRAMEBUFFER_BINDING}, "o",
      readDrawFramebuffer, bindFramebuffer<GL_DRAW_FRAMEBUFFER>},
     {"GL_READ_FRAMEBUFFER_BINDING", "framebuffer read from", {GL_READ_FRAMEBUFFER_BINDING}, "o",
@@ -196,9 +210,12 @@ constexpr StateRow kRows[] = {
     {"GL_MATRIX_MODE", "which matrix is changed", {GL_MATRIX_MODE}, "e", readValues,
      set<&Gl::MatrixMode>, StateArray::Once, StateProfile::Compatibility},
 };
+// clang-format on
 
 } // namespace
 
-std::span<const StateRow> bindingRows() { return kRows; }
+std::span<const StateRow> bindingRows() {
+    return kRows;
+}
 
 } // namespace agaa::gl

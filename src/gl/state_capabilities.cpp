@@ -7,15 +7,14 @@ namespace {
 
 constexpr StateRow capability(GLenum parameter, const char* name, const char* description,
                               StateProfile profile = StateProfile::Any, StateNeed need = {}) {
-    return {name,           description,       {parameter}, "b", readCapability,
-            writeCapability, StateArray::Once, profile,     need};
+    return {
+        name,    description, {parameter}, "b", readCapability, writeCapability, StateArray::Once,
+        profile, need};
 }
 
 constexpr StateProfile kCompatibility = StateProfile::Compatibility;
-constexpr StateNeed kMixedSamples{
-    "GL_NV_framebuffer_mixed_samples",
-    [](const GladGLContext& gl) { return gl.NV_framebuffer_mixed_samples != 0; }};
 
+// clang-format off
 constexpr StateRow kRows[] = {
     {"GL_SCISSOR_TEST", "scissor test", {GL_SCISSOR_TEST}, "b", readCapabilityAt,
      writeCapabilityAt, StateArray::Viewports},
@@ -63,9 +62,12 @@ constexpr StateRow kRows[] = {
     capability(GL_VERTEX_PROGRAM_TWO_SIDE, "GL_VERTEX_PROGRAM_TWO_SIDE", "back colours",
                kCompatibility),
 };
+// clang-format on
 
 } // namespace
 
-std::span<const StateRow> capabilityRows() { return kRows; }
+std::span<const StateRow> capabilityRows() {
+    return kRows;
+}
 
 } // namespace agaa::gl

@@ -43,11 +43,13 @@ StateContext::StateContext(const GladGLContext& gl, const StateScope& scope,
     set(StateArray::StorageBindings,
         below(gl, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, scope.storageBindings));
     set(StateArray::ImageUnits, below(gl, GL_MAX_IMAGE_UNITS, scope.imageUnits));
-    set(StateArray::DrawBuffers, first(std::min(limit(gl, GL_MAX_DRAW_BUFFERS), scope.drawBuffers)));
+    set(StateArray::DrawBuffers,
+        first(std::min(limit(gl, GL_MAX_DRAW_BUFFERS), scope.drawBuffers)));
     set(StateArray::Viewports, first(std::min(limit(gl, GL_MAX_VIEWPORTS), scope.viewports)));
     set(StateArray::ClipDistances, first(limit(gl, GL_MAX_CLIP_DISTANCES)));
     set(StateArray::SampleMaskWords, first(limit(gl, GL_MAX_SAMPLE_MASK_WORDS)));
 
+    gl.CreateProgramPipelines(1, &pipeline_);
     gl.CreateRenderbuffers(1, &stencil_);
     gl.NamedRenderbufferStorage(stencil_, GL_DEPTH24_STENCIL8, 1, 1);
     gl.CreateFramebuffers(1, &framebuffer_);
@@ -60,6 +62,7 @@ StateContext::StateContext(const GladGLContext& gl, const StateScope& scope,
 StateContext::~StateContext() {
     gl_.DeleteFramebuffers(1, &framebuffer_);
     gl_.DeleteRenderbuffers(1, &stencil_);
+    gl_.DeleteProgramPipelines(1, &pipeline_);
 }
 
 bool StateContext::has(const StateRow& row) const {

@@ -24,6 +24,7 @@ public:
     const std::vector<uint32_t>& elements(StateArray array) const {
         return elements_[static_cast<size_t>(array)];
     }
+    GLuint emptyPipeline() const { return pipeline_; }
 
 private:
     friend class StateReading;
@@ -32,11 +33,12 @@ private:
     std::array<std::vector<uint32_t>, kStateArrays> elements_;
     GLuint framebuffer_ = 0; // with a stencil; see StateReading
     GLuint stencil_ = 0;
+    GLuint pipeline_ = 0;
 };
 
-// While it lives, queries tell what has been set: otherwise a stencil reference is clamped to the bits of the
-// draw framebuffer's stencil, and colours are clamped while fragment colours are. What it changes for that it
-// keeps for the rows concerned, and sets again when it goes.
+// While it lives, queries tell what has been set: otherwise a stencil reference is clamped to the
+// bits of the draw framebuffer's stencil, and colours are clamped while fragment colours are. What
+// it changes for that it keeps for the rows concerned, and sets again when it goes.
 class StateReading {
 public:
     explicit StateReading(const StateContext& context);

@@ -22,6 +22,7 @@ void readClampFragmentColor(const StateReading& reading, const StateRow&, uint32
     out.setInteger(0, reading.clampFragmentColor());
 }
 
+// clang-format off
 constexpr StateRow kRows[] = {
     {"GL_DEPTH_FUNC", "depth comparison", {GL_DEPTH_FUNC}, "e", readValues, set<&Gl::DepthFunc>},
     {"GL_DEPTH_WRITEMASK", "writing of depths", {GL_DEPTH_WRITEMASK}, "b", readValues,
@@ -76,9 +77,12 @@ constexpr StateRow kRows[] = {
     {"GL_CLAMP_VERTEX_COLOR", "clamping of vertices' colours", {GL_CLAMP_VERTEX_COLOR}, "e",
      readValues, setParameter<&Gl::ClampColor>, StateArray::Once, StateProfile::Compatibility},
 };
+// clang-format on
 
 } // namespace
 
-std::span<const StateRow> fragmentRows() { return kRows; }
+std::span<const StateRow> fragmentRows() {
+    return kRows;
+}
 
 } // namespace agaa::gl

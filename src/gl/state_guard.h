@@ -7,9 +7,9 @@
 
 namespace agaa::gl {
 
-// Made, used and destroyed while the context that it is for is current; gl must live longer. Neither capture
-// nor restore allocates, waits for the device, asks for or raises an OpenGL error, provided that no transform
-// feedback is active. Errors that are pending stay so.
+// Made, used and destroyed while the context that it is for is current; gl must live longer.
+// Neither capture nor restore allocates, waits for the device, asks for or raises an OpenGL error,
+// provided that no transform feedback is active. Errors that are pending stay so.
 class StateGuard {
 public:
     StateGuard(const GladGLContext& gl, const StateScope& scope, bool compatibilityProfile);

@@ -12,6 +12,7 @@ constexpr StateRow store(GLenum parameter, const char* name, const char* descrip
     return {name, description, {parameter}, layout, readValues, setParameter<&Gl::PixelStorei>};
 }
 
+// clang-format off
 constexpr StateRow kRows[] = {
     store(GL_PACK_SWAP_BYTES, "GL_PACK_SWAP_BYTES", "byte order, to memory", "b"),
     store(GL_PACK_LSB_FIRST, "GL_PACK_LSB_FIRST", "bit order, to memory", "b"),
@@ -48,9 +49,12 @@ constexpr StateRow kRows[] = {
     {"GL_CLAMP_READ_COLOR", "clamping of colours read", {GL_CLAMP_READ_COLOR}, "e", readValues,
      setParameter<&Gl::ClampColor>},
 };
+// clang-format on
 
 } // namespace
 
-std::span<const StateRow> pixelRows() { return kRows; }
+std::span<const StateRow> pixelRows() {
+    return kRows;
+}
 
 } // namespace agaa::gl

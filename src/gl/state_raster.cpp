@@ -25,10 +25,8 @@ void setPolygonModes(const StateContext& context, const StateRow&, uint32_t,
 constexpr StateNeed kClipControl{"4.5 or GL_ARB_clip_control", [](const GladGLContext& gl) {
                                      return gl.VERSION_4_5 != 0 || gl.ARB_clip_control != 0;
                                  }};
-constexpr StateNeed kMixedSamples{
-    "GL_NV_framebuffer_mixed_samples",
-    [](const GladGLContext& gl) { return gl.NV_framebuffer_mixed_samples != 0; }};
 
+// clang-format off
 constexpr StateRow kRows[] = {
     {"GL_VIEWPORT", "viewport", {GL_VIEWPORT}, "ffff", readValues, setAt<&Gl::ViewportIndexedf>,
      StateArray::Viewports},
@@ -93,9 +91,12 @@ constexpr StateRow kRows[] = {
     {"GL_SHADE_MODEL", "flat or smooth colours", {GL_SHADE_MODEL}, "e", readValues,
      set<&Gl::ShadeModel>, StateArray::Once, StateProfile::Compatibility},
 };
+// clang-format on
 
 } // namespace
 
-std::span<const StateRow> rasterRows() { return kRows; }
+std::span<const StateRow> rasterRows() {
+    return kRows;
+}
 
 } // namespace agaa::gl

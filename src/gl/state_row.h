@@ -59,8 +59,8 @@ struct StateRow {
     const char* name; // as in the OpenGL specification; several where one call sets them
     const char* description;
     std::array<GLenum, 6> parameters; // what is read: one for all components, or one for each
-    // A letter for each component: b boolean, e enum, i integer, u 32-bit mask or index, l 64-bit integer,
-    // f number, o name of an object.
+    // A letter for each component: b boolean, e enum, i integer, u 32-bit mask or index, l 64-bit
+    // integer, f number, o name of an object.
     std::string_view layout;
     StateRead read;
     StateWrite write;

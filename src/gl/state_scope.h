@@ -1,5 +1,5 @@
-// Which numbered binding points a view's frames may change: only these are saved, so that hosts do not pay
-// for the hundreds that a context has.
+// Which numbered binding points a view's frames may change: only these are saved, so that hosts do
+// not pay for the hundreds that a context has.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ struct StateScope {
     std::vector<uint32_t> uniformBindings;
     std::vector<uint32_t> storageBindings;
     std::vector<uint32_t> imageUnits;
-    // The calls without an index (glColorMask, glViewport, …) set all of them, and hosts use those calls in
-    // their draw callbacks; fewer is right only where nobody does.
+    // The calls without an index (glColorMask, glViewport, …) set all of them, and hosts use those
+    // calls in their draw callbacks; fewer is right only where nobody does.
     uint32_t drawBuffers = std::numeric_limits<uint32_t>::max();
     uint32_t viewports = std::numeric_limits<uint32_t>::max();
 };

@@ -1,5 +1,5 @@
-// The states that come back to the host: one row each, in the order in which they are set. The guard, its
-// test and docs/state.md are all made from it.
+// The states that come back to the host: one row each, in the order in which they are set. The
+// guard, its test and docs/state.md are all made from it.
 #pragma once
 
 #include "gl/state_row.h"

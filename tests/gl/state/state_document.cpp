@@ -1,0 +1,134 @@
+// Writes docs/state.md from the state table, or with --check tells whether the file is up to date.
+#include "gl/state_table.h"
+
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace {
+
+using namespace agaa::gl;
+
+constexpr const char* kBefore = R"(# OpenGL state
+
+<!-- Written by state_document from the table in src/gl/state_*.cpp: change that, then run
+     build/bin/state_document docs/state.md -->
+
+A frame changes the state of the host's context. What becomes of the host's is chosen when the context is made,
+by `AgaaGlContextDesc::statePolicy`:
+
+| Policy | Before each draw callback | When `agaaGlRecordFrame` returns | Costs |
+|---|---|---|---|
+| `AGAA_GL_STATE_RESTORE` | the listed states are as on entry | the listed states are as on entry | a few hundred queries on entry |
+| `AGAA_GL_STATE_CALLBACKS` | what `popState` makes of it | what `popState` makes of it | the host's own |
+| `AGAA_GL_STATE_NONE` | undefined | undefined | nothing |
+
+With `AGAA_GL_STATE_RESTORE`, "entry" is the entry of the call that records: what a draw callback leaves behind
+does not come back, neither for the next callback nor at return. It holds as well when a callback or the frame
+fails. A frame that is refused changes nothing, whatever the policy. The bindings that `AgaaGlContextDesc` names,
+which the host's shaders read, are the SDK's during draw callbacks and the host's again at return.
+
+With `AGAA_GL_STATE_CALLBACKS`, `pushState` is called on entry and after each draw callback, `popState` before each
+draw callback and at return; the SDK leaves what lies between in any state. Engines that cache what they have
+set are served best by this or by `AGAA_GL_STATE_RESTORE`: telling them afterwards that their cache is stale
+does not always repair it.
+
+## What comes back
+
+States that are repeated come back for all of their elements, or for those that frames use: texture units and
+binding points of the SDK's own passes, and those named in `AgaaGlContextDesc`.
+
+)";
+
+constexpr const char* kAfter = R"(
+## What does not
+
+- States that frames do not change and that the table therefore does not hold: matrices, lights, materials and
+  other fixed functions, texture units and binding points beyond those above, texture targets beyond those
+  above, evaluators, feedback and selection.
+- Transform feedback, conditional rendering and queries of `GL_TIME_ELAPSED`: they must not be active.
+- What belongs to objects: the draw buffers of a framebuffer, the attributes of a vertex array, the uniforms of
+  a program. The SDK does not touch the host's objects, but for the output texture's contents.
+- Objects that a callback deletes: their bindings are 0 afterwards. A program deleted while it is in use is gone as
+  soon as another one is used. A program linked anew without success is not used again.
+- Errors: those that were pending on entry stay pending.
+)";
+
+const char* many(StateArray array) {
+    switch (array) {
+    case StateArray::Once:
+        return "1";
+    case StateArray::TextureUnits:
+        return "each texture unit that frames use";
+    case StateArray::UniformBindings:
+        return "each uniform buffer binding that frames use";
+    case StateArray::StorageBindings:
+        return "each storage buffer binding that frames use";
+    case StateArray::ImageUnits:
+        return "each image unit that frames use";
+    case StateArray::DrawBuffers:
+        return "each draw buffer";
+    case StateArray::Viewports:
+        return "each viewport";
+    case StateArray::ClipDistances:
+        return "each clip distance";
+    case StateArray::SampleMaskWords:
+        return "each word of the mask";
+    }
+    return "";
+}
+
+const char* profile(StateProfile profile) {
+    switch (profile) {
+    case StateProfile::Any:
+        return "any";
+    case StateProfile::Core:
+        return "core";
+    case StateProfile::Compatibility:
+        return "compatibility";
+    }
+    return "";
+}
+
+std::string codeNames(std::string names) {
+    for (size_t comma = names.find(", "); comma != std::string::npos;
+         comma = names.find(", ", comma + 4))
+        names.replace(comma, 2, "`, `");
+    return '`' + names + '`';
+}
+
+std::string document() {
+    std::ostringstream out;
+    out << kBefore << "| State | What | Profile | Needs | How many |\n|---|---|---|---|---|\n";
+    for (const StateRow& row : stateTable())
+        out << "| " << codeNames(row.name) << " | " << row.description << " | "
+            << profile(row.profile) << " | " << (row.need.name == nullptr ? "" : row.need.name)
+            << " | " << many(row.array) << " |\n";
+    out << kAfter;
+    return out.str();
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    const bool check = count == 3 && std::strcmp(arguments[1], "--check") == 0;
+    if (!check && count != 2) {
+        std::cerr << "state_document [--check] docs/state.md\n";
+        return 2;
+    }
+    const char* path = arguments[count - 1];
+    if (!check) {
+        std::ofstream file(path, std::ios::binary);
+        file << document();
+        return file.flush() ? 0 : 1;
+    }
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream committed;
+    committed << file.rdbuf();
+    if (committed.str() == document())
+        return 0;
+    std::cerr << path << " is out of date: run state_document " << path << '\n';
+    return 1;
+}
