@@ -39,8 +39,12 @@ void View::clearTargets(const Pass& pass, GLuint framebuffer) {
         gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
 }
 
+// Binding to an index also binds to the target, where the host's own buffer is to stay.
 void View::bindForHost(const Pass& pass, uint32_t slot) {
     const GladGLContext& gl = context.gl;
+    GLint uniformBuffer = 0, storageBuffer = 0;
+    gl.GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &uniformBuffer);
+    gl.GetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &storageBuffer);
     for (const Binding& binding : pass.bindings) {
         const GLuint place = context.dialect.bindings[binding.slot];
         switch (binding.type) {
@@ -63,6 +67,8 @@ void View::bindForHost(const Pass& pass, uint32_t slot) {
             break;
         }
     }
+    gl.BindBuffer(GL_UNIFORM_BUFFER, GLuint(uniformBuffer));
+    gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, GLuint(storageBuffer));
 }
 
 void View::runHostDraw(const AgaaFrame& frame, size_t index, uint32_t slot, HostState& state) {

@@ -20,13 +20,26 @@ GLint levelParameter(const GladGLContext& gl, GLuint texture, GLenum parameter) 
     return value;
 }
 
+// Mesa does not tell a texture's target in compatibility contexts, so it is bound to that: what is bound there
+// now comes back. A texture of another target is an error that is not the host's to find.
+bool isOfTarget(const GladGLContext& gl, GLuint texture, GLenum target) {
+    GLint before = 0, bound = 0;
+    const GLenum binding =
+        target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_2D_ARRAY;
+    gl.GetIntegerv(binding, &before);
+    gl.BindTexture(target, texture);
+    gl.GetIntegerv(binding, &bound);
+    if (GLuint(bound) != texture)
+        gl.GetError();
+    gl.BindTexture(target, GLuint(before));
+    return GLuint(bound) == texture;
+}
+
 void checkTexture(const GladGLContext& gl, GLuint texture, GLenum target, const std::string& name,
                   const char* targetName) {
     if (texture == 0 || !gl.IsTexture(texture))
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is not a texture.", name.c_str()));
-    GLint actual = 0;
-    gl.GetTextureParameteriv(texture, GL_TEXTURE_TARGET, &actual);
-    if (GLenum(actual) != target)
+    if (!isOfTarget(gl, texture, target))
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is not a %s.", name.c_str(), targetName));
 }
 

@@ -1,5 +1,7 @@
 #include "gl/pass_clock.h"
 
+#include "gl/query_buffer.h"
+
 namespace agaa::gl {
 
 PassClock::PassClock(const Context& context, size_t passCount, uint32_t slotCount)
@@ -36,6 +38,7 @@ void PassClock::end(uint32_t slot, size_t pass) {
 }
 
 std::vector<double> PassClock::milliseconds(uint32_t slot) const {
+    const NoQueryBuffer none(context_.gl);
     std::vector<double> times;
     for (size_t pass = 0; pass < passCount_; ++pass) {
         if (queries_.empty()) {

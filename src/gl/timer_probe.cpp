@@ -1,6 +1,7 @@
 #include "gl/timer_probe.h"
 
 #include "gl/program.h"
+#include "gl/query_buffer.h"
 
 #include <chrono>
 
@@ -68,6 +69,7 @@ bool probeTimer(const GladGLContext& gl) {
     gl.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
     if (bits == 0)
         return false;
+    const NoQueryBuffer none(gl);
     Work work(gl);
     double clock = 0, driver = 0;
     work.run(1, clock, driver); // compiles
