@@ -20,9 +20,11 @@ EGLDisplay display() {
     return shared;
 }
 
-void GLAD_API_PTR collect(GLenum, GLenum, GLuint, GLenum severity, GLsizei length,
+// Messages on performance tell of shader variants that states call for, which is no mistake.
+void GLAD_API_PTR collect(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length,
                           const GLchar* text, const void* user) {
-    if (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM)
+    if (type == GL_DEBUG_TYPE_PERFORMANCE ||
+        (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM))
         return;
     auto* messages = static_cast<std::vector<std::string>*>(const_cast<void*>(user));
     messages->emplace_back(text, static_cast<size_t>(length));

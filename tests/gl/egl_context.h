@@ -28,8 +28,8 @@ public:
     // What an AgaaGlGetProcAddr with any user pointer does.
     static void (*getProcAddr(void* user, const char* name))();
 
-    // Debug messages of medium or higher severity and errors since the last call, a line each:
-    // empty in a test that passes.
+    // Debug messages of medium or higher severity, but for those on performance, and errors since the
+    // last call, a line each: empty in a test that passes.
     std::string takeMessages();
 
 private:

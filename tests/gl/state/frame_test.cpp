@@ -1,0 +1,241 @@
+// Whole frames, recorded in a context in any state by a host that leaves it in any other.
+#include "frame_host.h"
+
+#include "core/error.h"
+
+#include <set>
+
+namespace agaa::test {
+namespace {
+
+struct FrameCase {
+    const char* name;
+    FrameSettings settings;
+};
+
+void PrintTo(const FrameCase& value, std::ostream* out) {
+    *out << value.name;
+}
+
+const FrameCase kCases[] = {
+    {"Single", {.technique = "single", .samples = 1}},
+    {"Ssaa", {.technique = "ssaa"}},
+    {"SsaaComposite", {.technique = "ssaa", .composite = true}},
+    {"Agaa", {}},
+    {"AgaaScaled", {.samples = 8}},
+    {"AgaaComposite", {.composite = true}},
+    {"AgaaImages", {.storageImages = true}},
+    {"AgaaPostDepth", {.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS}},
+    {"AgaaPerSample", {.generationTier = AGAA_TIER_PER_SAMPLE}},
+    {"AgaaGbuffer", {.generationTier = AGAA_TIER_GBUFFER}},
+};
+
+class FrameTest : public testing::TestWithParam<std::tuple<bool, FrameCase>> {
+protected:
+    FrameTest()
+        : compatibility(std::get<0>(GetParam())), settings(std::get<1>(GetParam()).settings),
+          context(EglContextDesc{.compatibility = compatibility}), objects(context.gl()),
+          others(context.gl()),
+          touched(context.gl(), touchedScope(settings.storageImages), compatibility),
+          watched(context.gl(), watchedScope(), compatibility) {}
+    void TearDown() override { EXPECT_EQ(context.takeMessages(), ""); }
+
+    bool start(AgaaGlStatePolicy policy) {
+        host.emplace(context, settings, policy);
+        const AgaaResult result = host->createView();
+        if (result == AGAA_ERROR_UNSUPPORTED && settings.generationTier != AGAA_TIER_AUTO)
+            return false;
+        EXPECT_EQ(result, AGAA_OK);
+        host->afterDraw = [this](uint32_t draw) {
+            scrambleState(touched, others, draw + 31);
+            return draw == failing ? AGAA_ERROR_DEVICE : AGAA_OK;
+        };
+        return result == AGAA_OK;
+    }
+
+    // The state on entry, scrambled.
+    std::vector<gl::StateText> scrambled(uint32_t seed) {
+        host->clearOutput();
+        scrambleState(watched, objects, seed);
+        return host->read();
+    }
+    // Expects draw callbacks to find this state, but for the declared bindings.
+    void expectInCallbacks(const std::vector<gl::StateText>& entry) {
+        host->beforeDraw = [this, entry] {
+            const auto found = host->read();
+            for (size_t i = 0; i < entry.size(); ++i)
+                if (!isDeclared(entry[i].name)) {
+                    EXPECT_EQ(found[i].value, entry[i].value)
+                        << entry[i].name << ", in the callback";
+                }
+        };
+    }
+    bool isDeclared(const std::string& name) const {
+        const auto at = [&](const char* row, uint32_t place) {
+            return name.starts_with(row) && name.ends_with(format("[%u]", place));
+        };
+        const char* storage =
+            settings.storageImages ? "GL_IMAGE_BINDING_NAME" : "GL_SHADER_STORAGE_BUFFER_BINDING";
+        return at("GL_UNIFORM_BUFFER_BINDING", kFrameBinding) ||
+               at("GL_TEXTURE_BINDING", kMetadataUnit) || at("GL_SAMPLER", kMetadataUnit) ||
+               at(storage, kAggregatesBinding) || at(storage, kCountersBinding);
+    }
+    void expectState(const std::vector<gl::StateText>& entry, const char* when) {
+        EXPECT_EQ(joined(differences(entry, host->read())), "") << when;
+        EXPECT_EQ(context.takeMessages(), "") << when;
+    }
+
+    bool compatibility;
+    FrameSettings settings;
+    EglContext context;
+    HostObjects objects, others;
+    gl::StateContext touched, watched;
+    std::optional<FrameHost> host;
+    uint32_t failing = ~0u; // draw callback
+};
+
+TEST_P(FrameTest, restoresTheStateAndDrawsTheSame) {
+    if (!start(AGAA_GL_STATE_RESTORE))
+        GTEST_SKIP() << "the device has not this tier";
+    host->clearOutput();
+    ASSERT_EQ(host->record(), AGAA_OK);
+    const std::vector<float> expected = host->picture();
+    EXPECT_GT(std::set<float>(expected.begin(), expected.end()).size(), 4u) << "nothing was drawn";
+    for (uint32_t seed = 0; seed < 6; ++seed) {
+        const auto entry = scrambled(seed);
+        expectInCallbacks(entry);
+        ASSERT_EQ(host->record(), AGAA_OK) << joined(host->log);
+        expectState(entry, "after the frame");
+        host->readStatistics();
+        expectState(entry, "after reading statistics");
+        EXPECT_EQ(host->picture(), expected)
+            << "the host's state shows in the picture, seed " << seed;
+    }
+    EXPECT_EQ(joined(host->log), "");
+}
+
+TEST_P(FrameTest, makesAndDestroysWithoutATrace) {
+    scrambleState(watched, objects, 5);
+    const auto entry = readState(context.gl(), watchedScope(), compatibility);
+    if (!start(AGAA_GL_STATE_RESTORE))
+        GTEST_SKIP() << "the device has not this tier";
+    expectState(entry, "after making the view");
+    host.reset();
+    EXPECT_EQ(joined(differences(entry, readState(context.gl(), watchedScope(), compatibility))),
+              "");
+}
+
+TEST_P(FrameTest, restoresTheStateWhenACallbackFails) {
+    if (!start(AGAA_GL_STATE_RESTORE))
+        GTEST_SKIP() << "the device has not this tier";
+    ASSERT_EQ(host->record(), AGAA_OK);
+    const auto draws =
+        static_cast<uint32_t>(std::count(host->calls.begin(), host->calls.end(), 'd'));
+    for (failing = 0; failing < draws; ++failing) {
+        const auto entry = scrambled(failing + 7);
+        expectInCallbacks(entry);
+        EXPECT_EQ(host->record(), AGAA_ERROR_CALLBACK);
+        expectState(entry, "after the failure");
+    }
+}
+
+TEST_P(FrameTest, changesNothingWhenAFrameIsRefused) {
+    for (const AgaaGlStatePolicy policy :
+         {AGAA_GL_STATE_RESTORE, AGAA_GL_STATE_CALLBACKS, AGAA_GL_STATE_NONE}) {
+        if (!start(policy))
+            GTEST_SKIP() << "the device has not this tier";
+        const auto entry = scrambled(11);
+        AgaaFrame frame = host->frame();
+        frame.completedFrame = frame.frameIndex;
+        EXPECT_EQ(host->record(frame, host->output), AGAA_ERROR_OUT_OF_RANGE);
+        EXPECT_EQ(host->record(host->frame(), 0), AGAA_ERROR_INVALID_ARGUMENT);
+        EXPECT_EQ(host->record(host->frame(), objects.textures[0]), AGAA_ERROR_OUT_OF_RANGE);
+        expectState(entry, "after frames that were refused");
+        EXPECT_EQ(host->record(host->frame(), objects.arrays[0]), AGAA_ERROR_INVALID_ARGUMENT);
+        EXPECT_EQ(context.gl().GetError(), GLenum{GL_NO_ERROR});
+        context.takeMessages(); // the driver may tell of the wrong target
+        expectState(entry, "after a texture of another target");
+        EXPECT_EQ(host->calls, "");
+        host.reset();
+    }
+}
+
+TEST_P(FrameTest, restoresTheStateOfEachSegment) {
+    if (!start(AGAA_GL_STATE_RESTORE))
+        GTEST_SKIP() << "the device has not this tier";
+    host->clearOutput();
+    ASSERT_EQ(host->record(), AGAA_OK);
+    const std::vector<float> expected = host->picture();
+    uint32_t seed = 20;
+    for (const uint64_t segment :
+         {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING}) {
+        const auto entry = scrambled(seed++);
+        expectInCallbacks(entry);
+        ASSERT_EQ(host->record(host->frame(segment), host->output), AGAA_OK) << joined(host->log);
+        expectState(entry, "after a segment");
+    }
+    EXPECT_EQ(host->picture(), expected);
+}
+
+// A host that saves on the first push of a frame and restores that at each pop.
+TEST_P(FrameTest, callsPushAndPopInTurns) {
+    if (!start(AGAA_GL_STATE_CALLBACKS))
+        GTEST_SKIP() << "the device has not this tier";
+    gl::StateGuard saved(context.gl(), watchedScope(), compatibility);
+    host->onPush = [&] {
+        if (host->calls == "p")
+            saved.capture();
+        scrambleState(touched, others, 3); // between push and pop any state is the SDK's to leave
+    };
+    host->onPop = [&] { saved.restore(); };
+    host->clearOutput();
+    ASSERT_EQ(host->record(), AGAA_OK);
+    const std::vector<float> expected = host->picture();
+    const auto draws =
+        static_cast<uint32_t>(std::count(host->calls.begin(), host->calls.end(), 'd'));
+    std::string calls = "p";
+    for (uint32_t i = 0; i < draws; ++i)
+        calls += "odp";
+    EXPECT_EQ(host->calls, calls + "o");
+    for (uint32_t seed = 40; seed < 43; ++seed) {
+        const auto entry = scrambled(seed);
+        expectInCallbacks(entry);
+        ASSERT_EQ(host->record(), AGAA_OK);
+        expectState(entry, "after the frame");
+        EXPECT_EQ(host->picture(), expected);
+    }
+    for (failing = 0; failing < draws; ++failing) {
+        scrambled(failing);
+        host->beforeDraw = nullptr;
+        EXPECT_EQ(host->record(), AGAA_ERROR_CALLBACK);
+        // The host is told of no work after its own failure: it drew last, in its own state.
+        EXPECT_EQ(std::count(host->calls.begin(), host->calls.end(), 'p'),
+                  std::count(host->calls.begin(), host->calls.end(), 'o'))
+            << host->calls;
+    }
+}
+
+TEST_P(FrameTest, drawsTheSameWithoutSaving) {
+    if (!start(AGAA_GL_STATE_NONE))
+        GTEST_SKIP() << "the device has not this tier";
+    host->clearOutput();
+    ASSERT_EQ(host->record(), AGAA_OK);
+    const std::vector<float> expected = host->picture();
+    for (uint32_t seed = 50; seed < 53; ++seed) {
+        scrambled(seed);
+        ASSERT_EQ(host->record(), AGAA_OK);
+        EXPECT_EQ(context.takeMessages(), "");
+        EXPECT_EQ(host->calls.find_first_not_of('d'), std::string::npos) << host->calls;
+        EXPECT_EQ(host->picture(), expected);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(gl, FrameTest,
+                         testing::Combine(testing::Bool(), testing::ValuesIn(kCases)),
+                         [](const auto& info) {
+                             return std::string(std::get<1>(info.param).name) +
+                                    (std::get<0>(info.param) ? "Compatibility" : "Core");
+                         });
+
+} // namespace
+} // namespace agaa::test
