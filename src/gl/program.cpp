@@ -29,37 +29,45 @@ std::string programLog(const GladGLContext& gl, GLuint program) {
 
 } // namespace
 
-GLuint compileCompute(const GladGLContext& gl, const std::string& text, const std::string& name,
-                      AgaaResult blame) {
-    const char* source = text.c_str();
-    const GLuint shader = gl.CreateShader(GL_COMPUTE_SHADER);
-    gl.ShaderSource(shader, 1, &source, nullptr);
+static void attachStage(const GladGLContext& gl, GLuint program, const StageText& stage,
+                        const std::string& name, AgaaResult blame) {
+    const GLuint shader = gl.CreateShader(stage.stage);
+    gl.ShaderSource(shader, 1, &stage.text, nullptr);
     gl.CompileShader(shader);
     GLint done = GL_FALSE;
     gl.GetShaderiv(shader, GL_COMPILE_STATUS, &done);
-    if (!done) {
-        const std::string log = shaderLog(gl, shader);
-        gl.DeleteShader(shader);
-        fail(blame, format("%s does not compile: %s", name.c_str(), firstLine(log).c_str()));
-    }
-    const GLuint program = gl.CreateProgram();
+    const std::string log = done ? "" : firstLine(shaderLog(gl, shader));
     gl.AttachShader(program, shader);
-    gl.LinkProgram(program);
-    gl.DeleteShader(shader);
-    gl.GetProgramiv(program, GL_LINK_STATUS, &done);
-    if (!done) {
-        const std::string log = programLog(gl, program);
+    gl.DeleteShader(shader); // with the program
+    if (!done)
+        fail(blame, format("%s does not compile: %s", name.c_str(), log.c_str()));
+}
+
+GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> stages,
+                   const std::string& name, AgaaResult blame) {
+    const GLuint program = gl.CreateProgram();
+    try {
+        for (const StageText& stage : stages)
+            attachStage(gl, program, stage, name, blame);
+        gl.LinkProgram(program);
+        GLint done = GL_FALSE;
+        gl.GetProgramiv(program, GL_LINK_STATUS, &done);
+        if (!done)
+            fail(blame, format("%s does not link: %s", name.c_str(),
+                               firstLine(programLog(gl, program)).c_str()));
+    } catch (...) {
         gl.DeleteProgram(program);
-        fail(blame, format("%s does not link: %s", name.c_str(), firstLine(log).c_str()));
+        throw;
     }
     return program;
 }
 
 GLuint compilePass(const GladGLContext& gl, const Pass& pass) {
     const std::string text = passGlslForOpenGl(pass, gl.VERSION_4_5 ? 450 : 430);
+    const StageText stage{GL_COMPUTE_SHADER, text.c_str()};
     return pass.hostCode.empty()
-               ? compileCompute(gl, text, "the pass " + pass.name)
-               : compileCompute(gl, text, "AgaaShadowFunction::glsl", AGAA_ERROR_INVALID_ARGUMENT);
+               ? linkProgram(gl, {stage}, "the pass " + pass.name)
+               : linkProgram(gl, {stage}, "AgaaShadowFunction::glsl", AGAA_ERROR_INVALID_ARGUMENT);
 }
 
 } // namespace agaa::gl

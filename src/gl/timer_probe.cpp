@@ -9,44 +9,68 @@ namespace agaa::gl {
 
 namespace {
 
-// Work that the compiler cannot shorten, as long as asked for.
-constexpr const char* workText = R"(#version 430
-layout(local_size_x = 64) in;
-layout(location = 0) uniform uint rounds;
-layout(std430, binding = 0) buffer Sink { uint sink[]; };
+// A triangle over the whole target, with work that a compiler cannot shorten.
+constexpr const char* vertexText = R"(#version 430
 void main() {
-    uint x = gl_GlobalInvocationID.x;
-    for (uint i = 0u; i < rounds; ++i)
-        x = x * 747796405u + 2891336453u ^ x >> 7;
-    sink[gl_GlobalInvocationID.x] = x;
+    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }
 )";
-constexpr GLuint groups = 64;
+constexpr const char* fragmentText = R"(#version 430
+layout(location = 0) uniform uint rounds;
+layout(location = 0) out vec4 color;
+void main() {
+    uint x = uint(gl_FragCoord.x) * 747796405u + uint(gl_FragCoord.y);
+    for (uint i = 0u; i < rounds; ++i)
+        x = x * 747796405u + 2891336453u ^ x >> 7;
+    color = vec4(x & 255u) / 255.0;
+}
+)";
+constexpr GLsizei side = 256;
 
 double milliseconds(std::chrono::steady_clock::duration duration) {
     return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-struct Work {
-    explicit Work(const GladGLContext& context) : gl(context), program(compileCompute(context, workText, "timer probe")) {
-        gl.CreateBuffers(1, &sink);
-        gl.NamedBufferData(sink, 64 * groups * sizeof(GLuint), nullptr, GL_STATIC_DRAW);
+// Draws, since drivers that rasterise on the CPU put those off, and dispatches not.
+class Work {
+public:
+    explicit Work(const GladGLContext& context)
+        : gl(context), program(linkProgram(context, {{GL_VERTEX_SHADER, vertexText},
+                                                     {GL_FRAGMENT_SHADER, fragmentText}},
+                                           "the timer probe")) {
+        gl.CreateTextures(GL_TEXTURE_2D, 1, &target);
+        gl.TextureStorage2D(target, 1, GL_RGBA8, side, side);
+        gl.CreateFramebuffers(1, &framebuffer);
+        gl.NamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, target, 0);
+        gl.CreateVertexArrays(1, &vertexArray);
         gl.CreateQueries(GL_TIMESTAMP, 2, stamps);
+        gl.UseProgram(program);
+        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+        gl.BindVertexArray(vertexArray);
+        gl.Viewport(0, 0, side, side);
+        for (GLenum capability : {GL_SCISSOR_TEST, GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST,
+                                  GL_RASTERIZER_DISCARD, GL_BLEND, GL_SAMPLE_SHADING})
+            gl.Disable(capability);
+        gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     }
     ~Work() {
         gl.DeleteProgram(program);
-        gl.DeleteBuffers(1, &sink);
+        gl.DeleteFramebuffers(1, &framebuffer);
+        gl.DeleteTextures(1, &target);
+        gl.DeleteVertexArrays(1, &vertexArray);
         gl.DeleteQueries(2, stamps);
     }
+    Work(const Work&) = delete;
+    Work& operator=(const Work&) = delete;
+
     // By the CPU's clock and by the driver's timestamps.
     void run(GLuint rounds, double& clock, double& driver) {
-        gl.UseProgram(program);
-        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, sink);
         gl.ProgramUniform1ui(program, 0, rounds);
         gl.Finish();
         const auto begin = std::chrono::steady_clock::now();
         gl.QueryCounter(stamps[0], GL_TIMESTAMP);
-        gl.DispatchCompute(groups, 1, 1);
+        gl.DrawArrays(GL_TRIANGLES, 0, 3);
         gl.QueryCounter(stamps[1], GL_TIMESTAMP);
         gl.Finish();
         clock = milliseconds(std::chrono::steady_clock::now() - begin);
@@ -56,9 +80,12 @@ struct Work {
         driver = double(ticks[1] - ticks[0]) * 1e-6;
     }
 
+private:
     const GladGLContext& gl;
     GLuint program = 0;
-    GLuint sink = 0;
+    GLuint target = 0;
+    GLuint framebuffer = 0;
+    GLuint vertexArray = 0;
     GLuint stamps[2] = {0, 0};
 };
 
@@ -74,7 +101,7 @@ bool probeTimer(const GladGLContext& gl) {
     double clock = 0, driver = 0;
     work.run(1, clock, driver); // compiles
     // Long enough for submission not to matter; what a driver takes for it grows until it is.
-    for (GLuint rounds = 1024; rounds <= 1u << 24; rounds *= 4) {
+    for (GLuint rounds = 256; rounds <= 1u << 20; rounds *= 4) {
         work.run(rounds, clock, driver);
         if (clock >= 4.0)
             break;

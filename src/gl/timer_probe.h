@@ -5,7 +5,8 @@
 
 namespace agaa::gl {
 
-// Changes the program in use and the first shader storage binding. False as well where there are no timestamps.
+// Draws: changes programs, bindings, viewport and tests, which the caller keeps. False as well where there are no
+// timestamps.
 bool probeTimer(const GladGLContext& gl);
 
 } // namespace agaa::gl

@@ -73,10 +73,8 @@ RunResult<Clustering> runClustering(const std::vector<Sample>& pixel, unsigned c
     r.state = std::make_unique<Clustering>();
     unsigned covered = 0;
     for (unsigned i = 0; i < pixel.size(); ++i) {
-        r.state->agaa_samplePosition[i] = vec3(pixel[i].position);
-        r.state->agaa_sampleNormal[i] = vec3(pixel[i].normal);
-        r.state->agaa_sampleKeyA[i] = pixel[i].keyA;
-        r.state->agaa_sampleKeyB[i] = pixel[i].keyB;
+        r.state->agaa_setSample(i, vec3(pixel[i].position), vec3(pixel[i].normal), pixel[i].keyA,
+                                pixel[i].keyB);
         r.state->agaa_sampleAggregate[i] = 77;
         covered |= (pixel[i].covered ? 1u : 0u) << i;
     }

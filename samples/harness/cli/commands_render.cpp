@@ -59,6 +59,10 @@ json quantilesJson(const std::vector<double>& values) {
     return {{"median", quantile(values, 0.5)}, {"p95", quantile(values, 0.95)}};
 }
 
+const char* timeSourceName(uint32_t source) {
+    return source == AGAA_TIME_DEVICE ? "device" : source == AGAA_TIME_CPU_FINISH ? "cpu-finish" : "none";
+}
+
 json passesJson(const RenderResult& timed) {
     json passes = json::array();
     const AgaaFrameStatistics& first = timed.statistics.front();
@@ -128,6 +132,7 @@ json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer
         tiers[stage] = tier;
     json out = {{"device", renderer.caps().deviceName},
                 {"driver", renderer.caps().driverName},
+                {"backend", arguments.device.backend},
                 {"scene", arguments.scene},
                 {"technique", arguments.plan.technique},
                 {"samples", arguments.plan.technique == "single" ? 1 : arguments.plan.samples},
@@ -143,6 +148,7 @@ json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer
                 {"peakBytes", last.peakBytes},
                 {"tiers", tiers}};
     out["passes"] = m.timed ? passesJson(*m.timed) : json::array();
+    out["timeSource"] = timeSourceName(m.timed ? m.timed->statistics.front().timeSource : 0u);
     if (m.counted) {
         const AgaaCounters& c = m.counted->statistics.back().counters;
         out["shadingEventsPerPixel"] =

@@ -4,7 +4,7 @@
 // aggregate only farther than t from every earlier seed, ties broken by content, averages in
 // integers; hard cases 10, 18, 20 to 24, 29 and 30.
 //
-// The including file defines AGAA_MAX_SAMPLES (at most 32) and fills the agaa_sample* inputs. The
+// The including file defines AGAA_MAX_SAMPLES (at most 32) and fills the inputs by agaa_setSample. The
 // arrays are globals in GLSL and members of a struct in C++. Nothing here depends on the order of
 // the samples except the names of samples that are equal in content.
 #ifndef AGAA_MATH_CLUSTERING_GLSL
@@ -18,6 +18,14 @@ uint agaa_sampleKeyB[AGAA_MAX_SAMPLES];      // normal code and sub-pixel positi
 uint agaa_sampleAggregate[AGAA_MAX_SAMPLES]; // result; 0 for samples without geometry
 uint agaa_sampleNearest[AGAA_MAX_SAMPLES];   // quantised distance to the nearest seed so far
 uint agaa_seedSample[8];                     // sample that founded each aggregate
+
+// For each sample with geometry.
+void agaa_setSample(uint i, rvec3 position, rvec3 unitNormal, uint keyA, uint keyB) {
+    agaa_samplePosition[i] = position;
+    agaa_sampleNormal[i] = unitNormal;
+    agaa_sampleKeyA[i] = keyA;
+    agaa_sampleKeyB[i] = keyB;
+}
 
 // Distances are compared as multiples of 1/4096: finer than the 4e-4 below which the 8-bit normal
 // codes are noise.

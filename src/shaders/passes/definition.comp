@@ -47,16 +47,16 @@ void main() {
     float nearest2 = 3.0e38;
     float quantum = 0.0;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
+        vec3 normal;
         uint code;
-        if (!agaa_loadNormal(pixel, i, agaa_sampleNormal[i], code))
+        if (!agaa_loadNormal(pixel, i, normal, code))
             continue;
         covered |= 1u << i;
         float depth = AGAA_FETCH(agaa_depth, pixel, i).x;
         vec3 position = agaa_sampleViewPosition(pixel, i, depth);
-        agaa_samplePosition[i] = position;
-        agaa_sampleKeyA[i] = floatBitsToUint(depth);
         uvec2 place = uvec2(agaa_frame.samplePosition[i].xy * 128.0);
-        agaa_sampleKeyB[i] = code << 16 | place.x << 8 | place.y;
+        agaa_setSample(i, position, normal, floatBitsToUint(depth),
+                       code << 16 | place.x << 8 | place.y);
         nearest2 = min(nearest2, dot(position, position));
         float step = agaa_frame.projection1.w;
         step = step < 0.0 ? -step * depth : step; // float formats: relative

@@ -20,8 +20,8 @@ layout(std430, AGAA_AT_AGGREGATES) readonly buffer agaa_AggregateBlock {
     uint words[];
 } agaa_aggregates;
 
-uint agaa_base;  // first word of the aggregate at hand
-uint agaa_count_; // its samples
+uint agaa_base = 0u;   // first word of the aggregate at hand
+uint agaa_count_ = 0u; // its samples
 
 uint agaa_field(uint field) {
     uint bits = field >> 16;
