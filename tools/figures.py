@@ -25,6 +25,13 @@ RUNS = [("single", 1, 1), ("ssaa", 4, 1), ("ssaa", 8, 1), ("ssaa", 32, 1), ("aga
         ("agaa", 8, 2), ("agaa", 8, 3), ("agaa", 8, 4), ("agaa", 32, 2), ("agaa", 32, 4)]
 
 
+def shared_scenes():
+    """Name, file and camera of the shared scenes that are there."""
+    folder = pathlib.Path(os.environ.get("AGAA_SCENES", "../shared/scenes"))
+    files = [(name, folder / name / f"{name}.glb", camera) for name, camera in SHARED.items()]
+    return [(name, str(file), camera) for name, file, camera in files if file.exists()]
+
+
 class Bench:
     def __init__(self, arguments):
         self.harness = arguments.harness
@@ -233,11 +240,8 @@ def main():
     parser.add_argument("--times", action="store_true", help="also run times: an idle machine")
     parser.add_argument("scenes", nargs="*", help="names; default: all")
     arguments = parser.parse_args()
-    shared = pathlib.Path(os.environ.get("AGAA_SCENES", "../shared/scenes"))
     bench = Bench(arguments)
-    scenes = [(name, name, None) for name in BUILTIN]
-    scenes += [(name, str(shared / name / f"{name}.glb"), camera)
-               for name, camera in SHARED.items() if (shared / name / f"{name}.glb").exists()]
+    scenes = [(name, name, None) for name in BUILTIN] + shared_scenes()
     if arguments.scenes:
         scenes = [s for s in scenes if s[0] in arguments.scenes]
     data = {"size": arguments.size, "spp": arguments.spp, "frames": arguments.frames,

@@ -23,8 +23,7 @@ WRONG = [
     ["memory", "--layout", "nonesuch"],
     ["memory", "--tier", "generation=bogus"],
     ["memory", "--tier", "nowhere=native"],
-    ["memory", "--backend", "gl"],
-    ["caps", "--backend", "gl"],
+    ["memory", "--backend", "d3d"],
     ["caps", "--backend", "metal"],
     ["render", "--scene", "nonesuch"],
     ["render", "--camera", "1,2,3"],
@@ -42,6 +41,7 @@ WRONG = [
 ]
 
 FAILS = [
+    ["render", "--backend", "gl", "--glsl", "300"],
     ["compare", "/nonexistent/a.exr", "/nonexistent/b.exr"],
     ["render", "--scene", "/nonexistent/scene.glb"],
     ["memory", "--size", "20000x20000", "--samples", "32"],

@@ -110,7 +110,8 @@ void runCompare(const CompareArguments& arguments, bool asJson) {
     if (asJson) {
         json out = {{"mse", m.mse},   {"mseTm", m.mseTm}, {"relMse", m.relMse},
                     {"psnrPeak", m.psnrPeak}, {"flip", m.flip},   {"flipP95", m.flipP95},
-                    {"maxAbs", m.maxAbs},     {"pixelsPerDegree", m.pixelsPerDegree}};
+                    {"maxAbs", m.maxAbs},     {"meanAbsTm", m.meanAbsTm},
+                    {"above4of255", m.above4}, {"pixelsPerDegree", m.pixelsPerDegree}};
         out["psnr"] = std::isfinite(m.psnr) ? json(m.psnr) : json(); // equal images
         std::cout << out.dump(2) << '\n';
         return;

@@ -47,6 +47,7 @@ Metrics compareImages(const Image& reference, const Image& test) {
     requireFinite(test, "The test image");
 
     Metrics out;
+    size_t above = 0, counted = ~size_t(0); // the pixel counted last
     for (size_t i = 0; i < reference.rgb.size(); ++i) {
         const double a = reference.rgb[i];
         const double b = test.rgb[i];
@@ -56,8 +57,15 @@ Metrics compareImages(const Image& reference, const Image& test) {
         out.mseTm += mapped * mapped;
         out.relMse += square / (a * a + 1e-2);
         out.maxAbs = std::max(out.maxAbs, std::abs(a - b));
+        out.meanAbsTm += std::abs(mapped);
+        if (std::abs(mapped) > 4.0 / 255 && counted != i / 3) {
+            counted = i / 3;
+            ++above;
+        }
     }
     const auto values = double(reference.rgb.size());
+    out.meanAbsTm /= values;
+    out.above4 = double(above) / double(reference.pixelCount());
     out.mse /= values;
     out.mseTm /= values;
     out.relMse /= values;

@@ -14,6 +14,8 @@ struct Metrics {
     double flip = 0;     // LDR-FLIP mean on the tone-mapped images (Andersson et al. 2020)
     double flipP95 = 0;  // its 95th percentile
     double maxAbs = 0;   // largest linear channel difference
+    double meanAbsTm = 0; // mean over pixels and channels, tone-mapped
+    double above4 = 0;    // share of pixels with a tone-mapped channel that differs by more than 4/255
     double pixelsPerDegree = 67; // FLIP's viewing condition
 };
 
