@@ -1,0 +1,39 @@
+# Installs the library, its headers, the package files for find_package and pkg-config, and the
+# documentation. Nothing installed names the prefix: it may be moved.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(TARGETS agaa EXPORT agaa-targets
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES include/agaa_sdk.h include/agaa_vk.h include/agaa_gl.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/agaa)
+install(EXPORT agaa-targets NAMESPACE agaa:: DESTINATION ${package_dir})
+configure_package_config_file(cmake/agaa-config.cmake.in ${PROJECT_BINARY_DIR}/agaa-config.cmake
+  INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
+# While the major version is 0, every minor version may change the ABI.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/agaa-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/agaa-config.cmake ${PROJECT_BINARY_DIR}/agaa-config-version.cmake
+  DESTINATION ${package_dir})
+
+# From where agaa.pc lies; with absolute folders there is no way but to name them.
+if(IS_ABSOLUTE ${CMAKE_INSTALL_LIBDIR} OR IS_ABSOLUTE ${CMAKE_INSTALL_INCLUDEDIR})
+  set(pc_prefix ${CMAKE_INSTALL_PREFIX})
+  set(pc_libdir ${CMAKE_INSTALL_FULL_LIBDIR})
+  set(pc_includedir ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+else()
+  cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX
+             BASE_DIRECTORY ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig OUTPUT_VARIABLE to_prefix)
+  set(pc_prefix "\${pcfiledir}/${to_prefix}")
+  set(pc_libdir "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
+  set(pc_includedir "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
+configure_file(cmake/agaa.pc.in ${PROJECT_BINARY_DIR}/agaa.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/agaa.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
