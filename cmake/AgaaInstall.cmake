@@ -1,5 +1,5 @@
-# Installs the library, its headers, the package files for find_package and pkg-config, and the
-# documentation. Nothing installed names the prefix: it may be moved.
+# Installs the library, its headers, the package files for find_package and pkg-config, the documentation
+# and the minimal hosts as examples. Nothing installed names the prefix: it may be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -37,3 +37,4 @@ configure_file(cmake/agaa.pc.in ${PROJECT_BINARY_DIR}/agaa.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/agaa.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY samples/minimal DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

@@ -1,0 +1,140 @@
+"""Runs the minimal hosts, which lie in the folder AGAA_MINIMAL, and judges what they print and draw."""
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+PROGRAMS = pathlib.Path(os.environ["AGAA_MINIMAL"])
+SIZE = (320, 180)
+FRAMES = 3
+SAMPLES = 8
+VALIDATION = {
+    "VK_INSTANCE_LAYERS": "VK_LAYER_KHRONOS_validation",
+    "VK_LAYER_ENABLES": "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT",
+    "VK_LOADER_DEBUG": "layer",  # tells that the layer is there
+}
+
+
+def run(program, *arguments, environment=None):
+    return subprocess.run([PROGRAMS / program, *arguments], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, env={**os.environ, **(environment or {})})
+
+
+def read_ppm(path):
+    """Rows of (r, g, b), 0 to 255."""
+    magic, width, height, largest, data = re.match(rb"(P6)\s+(\d+)\s+(\d+)\s+(\d+)\s(.*)",
+                                                   path.read_bytes(), re.DOTALL).groups()
+    assert (int(width), int(height)) == SIZE and largest == b"255", (width, height, largest)
+    assert len(data) == 3 * SIZE[0] * SIZE[1], len(data)
+    return [tuple(data[i:i + 3]) for i in range(0, len(data), 3)]
+
+
+def linear(value):
+    value /= 255
+    return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
+
+
+def coverage(pixel, background, color):
+    """Share of the colour over the background, by the channel that tells most, or None where the
+    pixel is no mixture of the two."""
+    p, b, c = ([linear(v) for v in each] for each in (pixel, background, color))
+    channel = max(range(3), key=lambda i: abs(c[i] - b[i]))
+    share = (p[channel] - b[channel]) / (c[channel] - b[channel])
+    mixture = [b[i] + share * (c[i] - b[i]) for i in range(3)]
+    return share if max(abs(mixture[i] - p[i]) for i in range(3)) < 0.006 else None
+
+
+class Minimal(unittest.TestCase):
+    def render(self, program, environment=None):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "image.ppm"
+            result = run(program, path, environment=environment)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            self.check_output(result.stdout)
+            return read_ppm(path), result.stderr
+
+    def check_output(self, text):
+        """The device and the frames, and nothing else: validation layers write here, too."""
+        lines = text.splitlines()
+        self.assertRegex(lines[0], r"^.+: \d+ bytes per pixel$", text)
+        self.assertEqual(len(lines), 1 + FRAMES, text)
+        for index, line in enumerate(lines[1:], 1):
+            found = re.fullmatch(rf"frame {index}: visible (\d+) once (\d+) missed (\d+) multi (\d+) "
+                                 r"shadingEvents (\d+)", line)
+            self.assertIsNotNone(found, text)
+            visible, once, missed, multi, events = map(int, found.groups())
+            self.assertGreater(visible, 0)
+            self.assertEqual((once, missed, multi), (visible, 0, 0), text)
+            # Once for many samples is what the technique is for.
+            self.assertTrue(visible / SAMPLES <= events < visible / 2, text)
+
+    def check_image(self, pixels):
+        counts = {}
+        for pixel in pixels:
+            counts[pixel] = counts.get(pixel, 0) + 1
+        full = sorted(counts, key=counts.get, reverse=True)[:6]
+        background, colors = full[0], full[1:]
+        self.assertEqual(background, pixels[0])
+        self.assertGreater(counts[background], len(pixels) / 2)
+        for color in colors:  # the five triangles, each with pixels of its own
+            self.assertGreater(counts[color], 20, full)
+        shares = []
+        for pixel in pixels:
+            if pixel in full:
+                continue
+            for color in colors:
+                share = coverage(pixel, background, color)
+                if share is not None and 0.01 < share < 0.99:
+                    shares.append(share)
+                    break
+        self.assertGreater(len(shares), 400, "few pixels lie between background and triangle")
+        # Coverage comes in eighths.
+        steps = {round(share * SAMPLES) for share in shares}
+        self.assertGreaterEqual(steps, set(range(1, SAMPLES)))
+        odd = [share for share in shares if abs(share * SAMPLES - round(share * SAMPLES)) > 0.1]
+        self.assertLess(len(odd), len(shares) / 20, odd)
+
+    def check_refusals(self, program):
+        for arguments in ((), ("/nonexistent/image.ppm",)):
+            result = run(program, *arguments)
+            self.assertEqual(result.returncode, 1)
+            self.assertRegex(result.stderr, r"^[^\n]+\n$", "not one line")
+
+
+class Vulkan(Minimal):
+    def test_frames_are_clean_under_validation(self):
+        pixels, messages = self.render("minimal_vk", VALIDATION)
+        self.assertIn('Insert instance layer "VK_LAYER_KHRONOS_validation"', messages)
+        self.check_image(pixels)
+
+    def test_refusals(self):
+        self.check_refusals("minimal_vk")
+        result = run("minimal_vk", "image.ppm", environment={"VK_ICD_FILENAMES": "/nonexistent.json"})
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"[^\n]+\.\n$")
+
+
+class OpenGl(Minimal):
+    def test_frames_are_clean(self):
+        pixels, messages = self.render("minimal_gl")
+        self.assertEqual(messages, "")
+        self.check_image(pixels)
+
+    def test_refusals(self):
+        self.check_refusals("minimal_gl")
+
+
+class Both(Minimal):
+    def test_images_agree(self):
+        """By the project's measure of two backends."""
+        vulkan, _ = self.render("minimal_vk")
+        opengl, _ = self.render("minimal_gl")
+        differences = [max(abs(a - b) for a, b in zip(p, q)) for p, q in zip(vulkan, opengl)]
+        self.assertLessEqual(sum(differences) / len(differences), 0.5)
+        self.assertLessEqual(sum(d > 4 for d in differences), len(differences) / 1000)
+
+
+if __name__ == "__main__":
+    unittest.main()
