@@ -190,10 +190,10 @@ static VkShaderModule compile(const Host* host, glslang_stage_t stage, const cha
 }
 /* [/compile] */
 
-/* [pipeline] */
 static Pass createPass(const Host* host, const AgaaVkDrawPass* sdk, VkShaderModule vertex) {
     static const VkCompareOp compareOps[] = {VK_COMPARE_OP_LESS, VK_COMPARE_OP_GREATER,
                                              VK_COMPARE_OP_EQUAL, VK_COMPARE_OP_ALWAYS};
+    /* [layout] */
     const VkDescriptorSetLayout set = (VkDescriptorSetLayout)sdk->descriptorSetLayout;
     const VkPushConstantRange push = {VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->clipFromShading};
     const VkPipelineLayoutCreateInfo layout = {.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
@@ -201,6 +201,7 @@ static Pass createPass(const Host* host, const AgaaVkDrawPass* sdk, VkShaderModu
                                                .pSetLayouts = &set,
                                                .pushConstantRangeCount = 1,
                                                .pPushConstantRanges = &push};
+    /* [/layout] */
     const VkPipelineShaderStageCreateInfo stages[2] = {
         {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
          .stage = VK_SHADER_STAGE_VERTEX_BIT,
@@ -218,6 +219,7 @@ static Pass createPass(const Host* host, const AgaaVkDrawPass* sdk, VkShaderModu
     const VkPipelineViewportStateCreateInfo viewport = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
         .viewportCount = 1, .scissorCount = 1};
+    /* [state] */
     const VkPipelineRasterizationStateCreateInfo rasterization = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
         .cullMode = VK_CULL_MODE_NONE, /* the host's choice, but the same in every pass */
@@ -244,6 +246,7 @@ static Pass createPass(const Host* host, const AgaaVkDrawPass* sdk, VkShaderModu
         .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
         .attachmentCount = sdk->state.colorAttachmentCount,
         .pAttachments = targets};
+    /* [/state] */
     const VkDynamicState dynamics[2] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
     const VkPipelineDynamicStateCreateInfo dynamic = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
@@ -269,7 +272,6 @@ static Pass createPass(const Host* host, const AgaaVkDrawPass* sdk, VkShaderModu
     vkDestroyShaderModule(host->device, stages[1].module, NULL);
     return pass;
 }
-/* [/pipeline] */
 
 /* [passes] */
 static void createPasses(Host* host) {
@@ -330,7 +332,6 @@ static void recordFrame(Host* host, uint64_t frameIndex, const Output* output, V
 }
 /* [/record] */
 
-/* [frames] */
 static void renderFrames(Host* host, const Output* output) {
     const VkCommandPoolCreateInfo poolInfo = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
                                               .queueFamilyIndex = host->queueFamily};
@@ -360,7 +361,6 @@ static void renderFrames(Host* host, const Output* output) {
     }
     vkDestroyCommandPool(host->device, allocation.commandPool, NULL);
 }
-/* [/frames] */
 
 /* [destroy] */
 static void destroy(Host* host, const Output* output) {

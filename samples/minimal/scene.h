@@ -26,17 +26,20 @@ static void fail(const char* format, ...) {
 }
 
 /* [log] */
+/* The SDK's sentences begin with the name of the function that failed. */
 static char lastError[1024];
 
 static void AGAA_CALL onLog(void* user, uint32_t severity, AgaaResult code, const char* message) {
-    (void)user;
+    (void)user, (void)code;
     if (severity >= AGAA_SEVERITY_ERROR)
-        snprintf(lastError, sizeof lastError, "%s: %s", agaaResultName(code), message);
+        snprintf(lastError, sizeof lastError, "%s", message);
 }
 
 static void checkSdk(AgaaResult result, const char* call) {
-    if (result < 0)
-        fail("%s failed: %s", call, lastError[0] ? lastError : agaaResultString(result));
+    if (result < 0 && lastError[0])
+        fail("%s", lastError);
+    if (result < 0) /* before a context has the log */
+        fail("%s: %s.", call, agaaResultString(result));
 }
 /* [/log] */
 

@@ -52,7 +52,8 @@ class Contents(unittest.TestCase):
 
     def test_documents_are_there(self):
         documents = PREFIX / "share" / "doc" / "agaa"
-        for name in ("LICENSE", "README.md", "examples/minimal/CMakeLists.txt"):
+        for name in ("LICENSE", "README.md", "integration.md", "state.md",
+                     "examples/minimal/CMakeLists.txt"):
             self.assertTrue((documents / name).is_file(), name)
 
     def test_nothing_names_the_place_of_building(self):
@@ -97,11 +98,12 @@ class Consumers(unittest.TestCase):
         self.run_with_installed_library(build / "consumer")
 
     def test_pkg_config(self):
-        environment = dict(os.environ, PKG_CONFIG_PATH=str(LIBRARY.parent / "pkgconfig"))
+        environment = dict(os.environ, PKG_CONFIG_PATH=str(LIBRARY.parent / "pkgconfig"),
+                           CC=os.environ["AGAA_CC"])
         self.assertEqual(run("pkg-config", "--modversion", "agaa", env=environment).strip(), VERSION)
         program = SCRATCH / "pkg-config-consumer"
         # The shell's reading of the flags counts: the prefix has a space.
-        run("sh", "-c", 'eval cc -std=c99 \\"$1\\" $(pkg-config --cflags --libs agaa) '
+        run("sh", "-c", 'eval "$CC" -std=c99 \\"$1\\" $(pkg-config --cflags --libs agaa) '
             '-o \\"$2\\" \\"-Wl,-rpath,$3\\"', "sh", SOURCE / "tests" / "abi" / "consumer.c", program,
             LIBRARY.parent, env=environment)
         self.run_with_installed_library(program)

@@ -1,0 +1,107 @@
+"""Documents against the sources they speak of."""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(os.environ["AGAA_SOURCE"])
+QUOTES = ROOT / "tools" / "quotes.py"
+GUIDE = ROOT / "docs" / "integration.md"
+
+SOURCE = """int a;
+/* [whole] */
+int b;
+    /* [part] */
+    int c;
+    /* [/part] */
+/* [/whole] */
+"""
+DOCUMENT = """Text.
+
+<!-- quote host.c whole -->
+```c
+int b;
+    int c;
+```
+
+<!-- quote host.c part -->
+```c
+int c;
+```
+"""
+
+
+def quotes(*arguments):
+    return subprocess.run([sys.executable, QUOTES, *arguments], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True)
+
+
+class Guide(unittest.TestCase):
+    def test_quotes_are_current(self):
+        result = quotes(GUIDE)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_names_exist(self):
+        """Every name of the SDK's in the guide is declared in a header or in what hosts include."""
+        declaring = [*(ROOT / "include").glob("*.h"), *(ROOT / "src/shaders/host").glob("*.glsl"),
+                     ROOT / "src/core/host_glsl.cpp"]
+        declared = set(re.findall(r"\w+", "".join(path.read_text() for path in declaring)))
+        names = set(re.findall(r"\b(?:agaa|Agaa|AGAA_)\w+\b(?!\.h)", GUIDE.read_text()))
+        self.assertGreater(len(names), 50)
+        self.assertEqual(sorted(names - declared), ["agaaSet"])  # the minimal host's own
+
+    def test_files_exist(self):
+        for path in re.findall(r"`((?:samples|docs|src|tools|tests)/[\w./-]+)`", GUIDE.read_text()):
+            self.assertTrue((ROOT / path).exists(), path)
+
+
+class Tool(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.source = pathlib.Path(folder.name) / "host.c"
+        self.document = pathlib.Path(folder.name) / "guide.md"
+        self.source.write_text(SOURCE)
+        self.document.write_text(DOCUMENT)
+
+    def run_tool(self, *arguments):
+        return quotes("--root", self.source.parent, *arguments, self.document)
+
+    def assert_refused(self, sentence):
+        result = self.run_tool()
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, sentence)
+
+    def test_current_quotes_pass(self):
+        result = self.run_tool()
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def test_stale_quotes_fail_and_are_rewritten(self):
+        self.document.write_text(DOCUMENT.replace("int c;", "int old;"))
+        self.assert_refused("\"whole\" of host.c.*\"part\" of host.c")
+        self.assertEqual(self.run_tool("--update").returncode, 0)
+        self.assertEqual(self.document.read_text(), DOCUMENT)
+
+    def test_missing_passages_fail(self):
+        self.document.write_text(DOCUMENT.replace("host.c part", "host.c gone"))
+        self.assert_refused("no passage \"gone\"")
+        self.document.write_text(DOCUMENT.replace("host.c part", "other.c part"))
+        self.assert_refused("other.c is not there")
+
+    def test_unquoted_passages_fail(self):
+        self.document.write_text(DOCUMENT[:DOCUMENT.index("<!-- quote host.c part")])
+        self.assert_refused("\"part\" of host.c is quoted nowhere")
+
+    def test_unfinished_passages_and_quotes_fail(self):
+        self.source.write_text(SOURCE.replace("    /* [/part] */\n", ""))
+        self.assert_refused("does not end the passage \"part\"")
+        self.source.write_text(SOURCE)
+        self.document.write_text(DOCUMENT + "<!-- quote host.c part -->\nno block\n")
+        self.assert_refused("without a fenced block")
+
+
+if __name__ == "__main__":
+    unittest.main()
