@@ -120,7 +120,8 @@ AGAA_API AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaVi
 /* ---- host draw passes --------------------------------------------------------------------------- */
 
 /* A host fragment shader is: its #version line, extensions, declarations, the host's own code, which fills
- * an AgaaSurfaceInput and calls agaa_emit() once. Compile the same text for each pass. */
+ * an AgaaSurfaceInput and calls agaa_emit() once. Compile the same text for each pass; for alpha-masked materials
+ * `#define AGAA_ALPHA_MASKED 1` stands before the declarations. */
 typedef struct AgaaGlDrawPass {
     uint32_t sType;
     uint32_t structSize;

@@ -128,7 +128,8 @@ typedef enum AgaaSeverity {
     AGAA_SEVERITY_MAX_ENUM = 0x7FFFFFFF
 } AgaaSeverity;
 
-/* Called on the thread of the failing call; message is UTF-8 and valid during the call only.
+/* Called on the thread of the failing call; message is UTF-8, valid during the call only, and of an error
+ * begins with the name of the function.
  * Callbacks must not throw and must not call the SDK. */
 typedef void(AGAA_CALL* AgaaLogCallback)(void* user, uint32_t severity, AgaaResult code,
                                          const char* message);
@@ -433,7 +434,8 @@ typedef enum AgaaCompare {
 } AgaaCompare;
 
 /* Fixed-function state that the host's pipelines must have in this pass. Cull mode is the host's
- * choice and must be the same in all passes of a frame. No blending, no alpha-to-coverage. */
+ * choice and must be the same in all passes of a frame. Nothing that mixes, moves or takes away fragments:
+ * no blending, logic operation, alpha-to-coverage, sample mask, depth bias, scissor or sRGB conversion. */
 typedef struct AgaaDrawState {
     uint32_t depthCompare; /* AgaaCompare */
     uint32_t depthWrite;
@@ -513,7 +515,8 @@ typedef struct AgaaFrame {
     uint64_t completedFrame; /* newest frame whose GPU work is known to have finished; 0: none */
     uint64_t segments;       /* AGAA_SEGMENT_…, in order, each once per frame */
     float view[16];       /* shading to view space: a rotation, its translation is zero */
-    float projection[16]; /* as the rasteriser uses it, y flip and sub-pixel jitter included */
+    float projection[16]; /* as the rasteriser uses it, sub-pixel jitter and the y flip of a negative viewport
+                             height included */
     uint32_t lightCount;
     uint32_t shadowCount;
     const AgaaLight* lights;
@@ -544,6 +547,8 @@ typedef struct AgaaCounters {
     uint64_t widenedLobes;  /* events whose specular lobe the NDF widened */
     uint64_t shadedPixels;  /* pixels with at least one event */
     uint64_t maxEventsPerPixel;
+    uint64_t misplaced; /* fragments of the first geometry pass that do not lie where the camera puts them;
+                           few of slivers, whose positions extrapolate */
 } AgaaCounters;
 
 #define AGAA_MAX_PASSES 16
@@ -580,7 +585,7 @@ typedef struct AgaaFrameStatistics {
 } AgaaFrameStatistics;
 #define AGAA_FRAME_STATISTICS_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0,           \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, {{{0}, 0, 0, 0.0}}, 0, 0, 0, 0, 0}
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, {{{0}, 0, 0, 0.0}}, 0, 0, 0, 0, 0}
 
 /* Figures of the newest frame, recorded whole, that is not after completedFrame: the newest whose GPU work
  * is known to have finished. AGAA_NOT_READY where there is none. */
@@ -597,23 +602,25 @@ typedef struct AgaaInvalidPixel {
 } AgaaInvalidPixel;
 
 #define AGAA_MAX_INVALID_PIXELS 8
-/* Whether the geometry passes of a frame agree: each sample that the prepass shows must be accumulated
- * exactly once by the material pass. */
+/* Whether the geometry passes of a frame agree with each other and with the camera: each sample that the
+ * prepass shows must be accumulated exactly once by the material pass, and fragments must lie where
+ * AgaaFrame puts AgaaSurfaceInput::position. */
 typedef struct AgaaFrameValidation {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
     uint64_t frameIndex;
     uint64_t visible, once, missed, multi, ties; /* samples; as in AgaaCounters */
+    uint64_t misplaced;                          /* fragments; as in AgaaCounters */
     uint64_t invalidPixels;                      /* with missed or multi samples */
-    uint32_t isValid;                            /* something is visible, nothing missed or multi */
+    uint32_t isValid;                            /* something visible, nothing missed or multi, misplaced below a hundredth */
     uint32_t pixelCount;
     AgaaInvalidPixel pixels[AGAA_MAX_INVALID_PIXELS]; /* the first that were found */
     char explanation[512]; /* what was found and what usually causes it */
 } AgaaFrameValidation;
 #define AGAA_FRAME_VALIDATION_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_VALIDATION, (uint32_t)sizeof(AgaaFrameValidation), NULL, 0, 0, 0, 0, 0, \
-     0, 0, 0, 0, {{0, 0, 0, 0, 0}}, {0}}
+     0, 0, 0, 0, 0, {{0, 0, 0, 0, 0}}, {0}}
 
 /* Of the frame that agaaGetFrameStatistics would tell of. The view needs AGAA_CONFIG_COUNTERS. */
 AGAA_API AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,

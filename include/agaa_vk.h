@@ -25,9 +25,9 @@ typedef struct AgaaVkRequirements {
     uint32_t apiVersion; /* VK_API_VERSION_1_2 */
     uint32_t reserved;
     uint32_t requiredFeatureCount;
-    const char* const* requiredFeatures; /* member names of VkPhysicalDeviceFeatures… */
+    const char* const* requiredFeatures; /* members of VkPhysicalDeviceFeatures */
     uint32_t optionalFeatureCount;
-    const char* const* optionalFeatures;
+    const char* const* optionalFeatures; /* of Vulkan 1.3's or the extension's struct */
     uint32_t optionalDeviceExtensionCount; /* enable those the device has */
     const char* const* optionalDeviceExtensions;
 } AgaaVkRequirements;
@@ -107,7 +107,8 @@ AGAA_API AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaVi
 /* ---- host draw passes, known before anything is recorded -------------------------------------- */
 
 /* A host fragment shader is: #version 450, extensions, declarations, the host's own code, which fills an
- * AgaaSurfaceInput and calls agaa_emit() once. Compile the same text for each pass. */
+ * AgaaSurfaceInput and calls agaa_emit() once. Compile the same text for each pass; for alpha-masked materials
+ * `#define AGAA_ALPHA_MASKED 1` stands before the declarations. */
 typedef struct AgaaVkDrawPass {
     uint32_t sType;
     uint32_t structSize;

@@ -68,6 +68,7 @@ static AgaaCounters countersOf(const CounterBuffer& source) {
     out.shadowTaps = wide(source.shadowTaps);
     out.widenedLobes = wide(source.widenedLobes);
     out.shadedPixels = wide(source.shadedPixels);
+    out.misplaced = wide(source.misplaced);
     out.maxEventsPerPixel = source.maxEvents;
     return out;
 }
@@ -102,12 +103,20 @@ AgaaResult AgaaView_T::statistics(uint64_t completedFrame, AgaaFrameStatistics& 
     return AGAA_OK;
 }
 
-// What usually causes a disagreement between the geometry passes, for the reader of the log.
+// A few fragments of slivers lie outside their primitives; a wrong camera displaces nearly all.
+static bool isMisplaced(const AgaaFrameValidation& v) { return v.misplaced > v.visible / 100; }
+
+// What was found and what usually causes it, the more basic mistake first.
 static const char* explain(const AgaaFrameValidation& v) {
     if (v.visible == 0)
         return "Nothing is visible: the prepass drew nothing into the target. Usual causes: framebuffer, "
                "viewport or projection are not those of the pass, the depth test is not that of "
                "AgaaDrawState, or AGAA_VIEW_REVERSED_Z does not fit the projection.";
+    if (isMisplaced(v))
+        return "Fragments do not lie where AgaaFrame's camera puts AgaaSurfaceInput::position. Usual causes: "
+               "AgaaFrame::projection is not the rasteriser's (direction of y, clip correction, "
+               "AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE), positions are not relative to the eye, or another viewport "
+               "or view matrix was drawn with.";
     if (v.missed && v.multi)
         return "Samples were missed and others written where they are not visible. Usual causes: the passes "
                "do not compute the same position (one expression and `invariant gl_Position` in both), or "
@@ -118,10 +127,10 @@ static const char* explain(const AgaaFrameValidation& v) {
                "in both passes), the depth test is not EQUAL, cull modes differ, or an alpha mask is not "
                "computed from the same values in both passes.";
     if (v.multi)
-        return "Samples were written twice or where nothing is visible. Usual causes: the depth test is off "
-               "or not EQUAL in the material pass, the stencil test of AgaaDrawState is not applied, or "
-               "objects are drawn that the prepass left out.";
-    return "Every visible sample was written exactly once.";
+        return "Samples were written twice or where nothing is visible. Usual causes: objects are drawn that "
+               "the prepass left out with the depth test off, or an alpha mask differs between the passes.";
+    return "Every visible sample was written exactly once. What this cannot show is a depth test other than "
+           "EQUAL in the material pass: then the image differs from that of \"ssaa\".";
 }
 
 AgaaResult AgaaView_T::validation(uint64_t completedFrame, AgaaFrameValidation& out) const {
@@ -138,8 +147,10 @@ AgaaResult AgaaView_T::validation(uint64_t completedFrame, AgaaFrameValidation& 
     out.missed = counters.missed;
     out.multi = counters.multi;
     out.ties = counters.ties;
+    out.misplaced = counters.misplaced;
     out.invalidPixels = buffer.invalidPixels;
-    out.isValid = out.visible != 0 && out.missed == 0 && out.multi == 0;
+    out.isValid =
+        out.visible != 0 && out.missed == 0 && out.multi == 0 && !isMisplaced(out);
     out.pixelCount = std::min<uint32_t>(buffer.invalidPixels, AGAA_MAX_INVALID_PIXELS);
     for (uint32_t i = 0; i < AGAA_MAX_INVALID_PIXELS; ++i) {
         const uint32_t* words = buffer.pixels[i];

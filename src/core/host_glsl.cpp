@@ -137,7 +137,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
     out += defines(plan, pass, dialect) + places(dialect) + outputs(pass, dialect);
     for (const char* path : {"passes/frame.glsl", "math/sanitise.glsl", "math/encoding.glsl",
                              "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "host/surface.glsl",
-                             "host/counters.glsl"})
+                             "host/counters.glsl", "host/placement.glsl"})
         appendGlsl(out, path, seen);
     switch (pass.drawPass) {
     case AGAA_DRAW_PASS_VISIBILITY:

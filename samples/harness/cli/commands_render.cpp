@@ -88,7 +88,8 @@ json countersJson(const AgaaCounters& c) {
             {"shadowTaps", c.shadowTaps},
             {"widenedLobes", c.widenedLobes},
             {"shadedPixels", c.shadedPixels},
-            {"maxEventsPerPixel", c.maxEventsPerPixel}};
+            {"maxEventsPerPixel", c.maxEventsPerPixel},
+            {"misplaced", c.misplaced}};
 }
 
 json messagesJson(Renderer& renderer) {

@@ -1,6 +1,7 @@
 // Counts of a host's fragments: low words of the frame's 64-bit counts, by word (core/gpu_layout.h).
 #define AGAA_FRAGMENT_TIES 8u
 #define AGAA_FRAGMENT_SANITISED 10u
+#define AGAA_FRAGMENT_MISPLACED 20u
 
 #if AGAA_COUNTING && AGAA_STORAGE_IMAGES
 layout(r32ui, AGAA_AT_COUNTERS) uniform uimageBuffer agaa_counterWords;

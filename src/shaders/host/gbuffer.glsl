@@ -2,6 +2,7 @@
 // this define agaa_out0… and agaa_store(), which puts channel values in their attachments.
 
 void agaa_emit(AgaaSurfaceInput s) {
+    agaa_checkPlacement(s.position);
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
     if (bad != 0u && !AGAA_HELPER)
         agaa_countFragment(AGAA_FRAGMENT_SANITISED, 1u);

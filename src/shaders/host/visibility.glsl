@@ -1,6 +1,7 @@
 // Visibility pass: depth and the primitive's normal in the frame of the pixel's view ray, where a
 // surface that is seen faces the viewer at any field of view.
 void agaa_emit(AgaaSurfaceInput s) {
+    agaa_checkPlacement(s.position);
     vec2 centre = (vec2(agaa_hostPixel()) + 0.5) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
     vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projection0.x, agaa_frame.projection0.y,
                                  agaa_frame.projection0.z, agaa_frame.projection0.w,
