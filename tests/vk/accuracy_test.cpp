@@ -9,13 +9,6 @@
 namespace harness::test {
 namespace {
 
-std::vector<TestScene> allScenes() {
-    std::vector<TestScene> scenes = builtinTestScenes();
-    for (const TestScene& scene : sharedTestScenes())
-        scenes.push_back(scene);
-    return scenes;
-}
-
 class Accuracy : public testing::TestWithParam<TestScene> {
 protected:
     // mseTm of single and of agaa with 1, 2 and 4 aggregates, against ssaa of the same samples.
@@ -64,7 +57,7 @@ TEST_P(Accuracy, MoreAggregatesErrLessAndTwoErrATenthOfSingle) {
     EXPECT_TRUE(sharedRenderer().takeMessages().empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Accuracy, testing::ValuesIn(allScenes()),
+INSTANTIATE_TEST_SUITE_P(All, Accuracy, testing::ValuesIn(allTestScenes()),
                          [](const auto& info) { return info.param.name; });
 
 } // namespace

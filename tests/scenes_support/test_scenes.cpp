@@ -1,7 +1,9 @@
-#include "support.h"
+#include "test_scenes.h"
 
 #include "image/tonemap.h"
 #include "scene/builtin.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +49,13 @@ std::vector<TestScene> sharedTestScenes() {
     return list;
 }
 
+std::vector<TestScene> allTestScenes() {
+    std::vector<TestScene> scenes = builtinTestScenes();
+    for (const TestScene& scene : sharedTestScenes())
+        scenes.push_back(scene);
+    return scenes;
+}
+
 RenderSettings settingsFor(const TestScene& test, const Scene& scene, uint32_t width,
                            uint32_t height) {
     RenderSettings settings;
@@ -61,11 +70,6 @@ RenderSettings settingsFor(const TestScene& test, const Scene& scene, uint32_t w
     return settings;
 }
 
-Renderer& sharedRenderer() {
-    static const std::unique_ptr<Renderer> renderer = makeVulkanRenderer(RendererOptions{});
-    return *renderer;
-}
-
 Difference differenceOf(const Image& a, const Image& b) {
     Difference d;
     for (size_t i = 0; i < a.pixelCount(); ++i) {
@@ -75,6 +79,53 @@ Difference differenceOf(const Image& a, const Image& b) {
                                                       toneMap(double(b.rgb[3 * i + c]))));
     }
     return d;
+}
+
+double meanDifference(const Image& a, const Image& b) {
+    double sum = 0;
+    for (size_t i = 0; i < a.rgb.size(); ++i)
+        sum += std::fabs(toneMap(double(a.rgb[i])) - toneMap(double(b.rgb[i])));
+    return sum / double(a.rgb.size());
+}
+
+void expectEverySampleOnce(const AgaaCounters& c) {
+    EXPECT_GT(c.visible, 0u);
+    EXPECT_EQ(c.once, c.visible);
+    EXPECT_EQ(c.missed, 0u);
+    EXPECT_EQ(c.multi, 0u);
+    EXPECT_EQ(c.sanitised, 0u);
+}
+
+void expectWholeFrame(const RenderResult& result, uint32_t aggregates) {
+    const AgaaCounters& c = result.statistics.back().counters;
+    expectEverySampleOnce(c);
+    EXPECT_LE(c.maxEventsPerPixel, aggregates);
+    EXPECT_EQ(result.memory.totalBytes, result.statistics.back().payloadBytes);
+    for (float value : result.image.rgb)
+        ASSERT_TRUE(std::isfinite(value));
+}
+
+void expectImagesRepeat(Renderer& renderer, RenderSettings settings) {
+    for (const char* technique : {"ssaa", "agaa"}) {
+        settings.config.technique = technique;
+        const Image first = renderer.render(settings).image;
+        for (int i = 0; i < 2; ++i)
+            EXPECT_EQ(differenceOf(first, renderer.render(settings).image).pixels, 0u) << technique;
+    }
+}
+
+void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* name) {
+    const Image postDepth = renderer.render(settings).image;
+    // Attributes are taken at the sample itself in the one, at the fragment's inside point in the other;
+    // in the last, shading normals decide over aggregates in the place of geometric ones.
+    for (AgaaTier tier : {AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER}) {
+        settings.config.generationTier = tier;
+        const RenderResult result = renderer.render(settings);
+        expectEverySampleOnce(result.statistics.back().counters);
+        const double mean = meanDifference(postDepth, result.image);
+        std::printf("%-24s %-12s mean difference %.2f/255\n", name, agaaTierName(tier), 255 * mean);
+        EXPECT_LT(mean, 0.3 / 255);
+    }
 }
 
 } // namespace harness::test

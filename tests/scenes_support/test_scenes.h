@@ -1,0 +1,45 @@
+// Scenes and settings for tests of whole frames, and what a frame of any graphics API must hold.
+#pragma once
+
+#include "render/renderer.h"
+
+#include <string>
+#include <vector>
+
+namespace harness::test {
+
+struct TestScene {
+    std::string name;
+    std::string source; // built-in name or path
+    Camera camera;
+    bool hasCamera = false; // else the scene's own
+};
+
+// The built-in scenes.
+std::vector<TestScene> builtinTestScenes();
+// The shared scenes in $AGAA_SCENES or beside the source tree; empty where they are absent.
+std::vector<TestScene> sharedTestScenes();
+std::vector<TestScene> allTestScenes();
+
+// 17 lights, the scene's facts, counters on.
+RenderSettings settingsFor(const TestScene& test, const Scene& scene, uint32_t width,
+                           uint32_t height);
+
+// Pixels that differ in any bit, and the largest difference after tone mapping.
+struct Difference {
+    size_t pixels = 0;
+    double largest = 0;
+};
+Difference differenceOf(const Image& a, const Image& b);
+// After tone mapping, so that no highlight speaks for the image.
+double meanDifference(const Image& a, const Image& b);
+
+void expectEverySampleOnce(const AgaaCounters& counters);
+// The above; no pixel with more events than aggregates; as many bytes as predicted; nothing infinite.
+void expectWholeFrame(const RenderResult& result, uint32_t aggregates);
+// Bit by bit, with ssaa and agaa.
+void expectImagesRepeat(Renderer& renderer, RenderSettings settings);
+// The generation tiers' images, within a stated mean difference; prints it under the scene's name.
+void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* name);
+
+} // namespace harness::test
