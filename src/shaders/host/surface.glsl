@@ -88,6 +88,13 @@ uint agaa_alphaMask(float alpha, uint primitiveSeed) {
     return mask;
 }
 
+// Leaves a fragment these samples. OpenGL ignores the sample mask of targets with one sample.
+#if AGAA_HW_SAMPLES == 1
+#define AGAA_KEEP_SAMPLES(mask) if ((mask) == 0u) discard
+#else
+#define AGAA_KEEP_SAMPLES(mask) gl_SampleMask[0] = int(mask)
+#endif
+
 // Clamps to what a layout can hold; a non-finite value becomes 0 and is counted (hard case 37).
 uint agaa_sanitiseSurface(inout AgaaSurfaceInput s, float emissiveRange) {
     uint bad = 0u;

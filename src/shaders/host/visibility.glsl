@@ -15,6 +15,6 @@ void agaa_emit(AgaaSurfaceInput s) {
         n = -n;
     agaa_out0 = vec4(vec2(agaa_encodeHemiOct8(n)) / 255.0, 0.0, 0.0);
 #if AGAA_ALPHA_MASKED
-    gl_SampleMask[0] = int(agaa_alphaMask(s.alpha, s.primitiveSeed));
+    AGAA_KEEP_SAMPLES(agaa_alphaMask(s.alpha, s.primitiveSeed));
 #endif
 }
