@@ -56,6 +56,12 @@ std::vector<TestScene> allTestScenes() {
     return scenes;
 }
 
+void expectSharedScenes() {
+    if (sharedTestScenes().size() < 5)
+        GTEST_SKIP() << "only " << sharedTestScenes().size()
+                     << " of 5 shared scenes are in $AGAA_SCENES or ../shared/scenes";
+}
+
 RenderSettings settingsFor(const TestScene& test, const Scene& scene, uint32_t width,
                            uint32_t height) {
     RenderSettings settings;

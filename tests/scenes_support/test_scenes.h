@@ -20,6 +20,8 @@ std::vector<TestScene> builtinTestScenes();
 // The shared scenes in $AGAA_SCENES or beside the source tree; empty where they are absent.
 std::vector<TestScene> sharedTestScenes();
 std::vector<TestScene> allTestScenes();
+// Skips the test at hand where some of the shared scenes are absent.
+void expectSharedScenes();
 
 // 17 lights, the scene's facts, counters on.
 RenderSettings settingsFor(const TestScene& test, const Scene& scene, uint32_t width,

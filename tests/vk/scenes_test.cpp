@@ -66,11 +66,7 @@ TEST_P(Scenes, HardCase22_FarFromTheOriginNothingChanges) {
 INSTANTIATE_TEST_SUITE_P(All, Scenes, testing::ValuesIn(allTestScenes()),
                          [](const auto& info) { return info.param.name; });
 
-TEST(SharedScenes, ArePresent) {
-    if (sharedTestScenes().size() < 5)
-        GTEST_SKIP() << "only " << sharedTestScenes().size()
-                     << " of 5 shared scenes are in $AGAA_SCENES or ../shared/scenes";
-}
+TEST(SharedScenes, ArePresent) { expectSharedScenes(); }
 
 // At the end of the process: an entry that excuses nothing has outlived its reason.
 class AllowList : public testing::Environment {

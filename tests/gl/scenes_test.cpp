@@ -1,0 +1,84 @@
+// Every scene through the SDK on OpenGL: what holds on Vulkan holds here, and the images are the same.
+#include "support.h"
+
+#include "image/tonemap.h"
+#include "scene/gltf.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace harness::test {
+namespace {
+
+constexpr uint32_t width = 192, height = 108;
+
+Renderer& sharedVulkanRenderer() {
+    static const std::unique_ptr<Renderer> renderer = makeVulkanRenderer(RendererOptions{});
+    return *renderer;
+}
+
+class GlScenes : public testing::TestWithParam<TestScene> {
+protected:
+    void SetUp() override {
+        scene_ = loadScene(GetParam().source);
+        sharedGlRenderer().load(scene_);
+    }
+    void TearDown() override { expectNoMessages(sharedGlRenderer()); }
+    RenderSettings settings() const { return settingsFor(GetParam(), scene_, width, height); }
+
+    Scene scene_;
+};
+
+double shareAbove(const Image& a, const Image& b, double bound) {
+    size_t pixels = 0;
+    for (size_t i = 0; i < a.pixelCount(); ++i) {
+        double largest = 0;
+        for (size_t c = 3 * i; c < 3 * i + 3; ++c)
+            largest = std::max(largest,
+                               std::fabs(toneMap(double(a.rgb[c])) - toneMap(double(b.rgb[c]))));
+        pixels += largest > bound;
+    }
+    return double(pixels) / double(a.pixelCount());
+}
+
+// One view a row: the frame is checked by itself and against Vulkan's.
+TEST_P(GlScenes, EverySampleCountsOnceAndVulkanAgrees) {
+    sharedVulkanRenderer().load(scene_);
+    struct Row {
+        const char* technique;
+        uint32_t samples, aggregates;
+    };
+    for (const Row& row : {Row{"single", 1, 1}, {"ssaa", 8, 1}, {"agaa", 4, 1}, {"agaa", 8, 2},
+                           {"agaa", 2, 2}, {"agaa", 16, 3}, {"agaa", 32, 4}}) {
+        SCOPED_TRACE(testing::Message() << row.technique << " n=" << row.samples
+                                        << " c=" << row.aggregates);
+        RenderSettings s = settings();
+        s.config.technique = row.technique;
+        s.config.samples = row.samples;
+        s.config.aggregates = row.aggregates;
+        const RenderResult gl = sharedGlRenderer().render(s);
+        expectWholeFrame(gl, s.config.technique == std::string("agaa") ? row.aggregates : row.samples);
+        const RenderResult vk = sharedVulkanRenderer().render(s);
+        const double mean = meanDifference(gl.image, vk.image);
+        const double share = shareAbove(gl.image, vk.image, 4.0 / 255);
+        std::printf("%-24s %-6s n=%-2u c=%u: OpenGL against Vulkan, mean %.4f/255, above 4/255 %.4f %%\n",
+                    GetParam().name.c_str(), row.technique, row.samples, row.aggregates, 255 * mean,
+                    100 * share);
+        EXPECT_LE(mean, 0.5 / 255);
+        EXPECT_LE(share, 0.001);
+    }
+}
+
+TEST_P(GlScenes, TiersAgree) {
+    expectTiersAgree(sharedGlRenderer(), settings(), GetParam().name.c_str());
+}
+
+TEST_P(GlScenes, ImagesRepeatBitByBit) { expectImagesRepeat(sharedGlRenderer(), settings()); }
+
+INSTANTIATE_TEST_SUITE_P(All, GlScenes, testing::ValuesIn(allTestScenes()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(SharedScenes, ArePresent) { expectSharedScenes(); }
+
+} // namespace
+} // namespace harness::test
