@@ -46,10 +46,10 @@ const uint alphaTestBit = 16u;
 
 // Of the pixel's centre, unlike all else: the samples that survive the depth test, and so what counts as
 // inside, differ between the passes, and a sample that one pass covers must be covered in the next.
-float coverage(vec2 dx, vec2 dy) {
-    float alpha = material.baseColor.a * clamp(centreAlpha, 0.0, 1.0);
+float coverage(vec2 uv, vec2 dx, vec2 dy) {
+    float alpha = material.baseColor.a * clamp(AGAA_AT_CENTRE(centreAlpha), 0.0, 1.0);
     if ((features & baseColorBit) != 0u)
-        alpha *= textureGrad(baseColorMap, centreUv, dx, dy).a;
+        alpha *= textureGrad(baseColorMap, uv, dx, dy).a;
     if ((features & alphaTestBit) != 0u)
         alpha = agaa_sharpenAlpha(alpha, material.alphaCutoff);
     return alpha;
@@ -97,14 +97,15 @@ void main() {
     vec4 inside = AGAA_INSIDE(insidePosition);
     float scale = 1.0 / inside.w;
     // Gradients belong to the plain input: from pixel to pixel, the place inside jumps.
-    vec2 dx = agaa_dFdx(centreUv);
-    vec2 dy = agaa_dFdy(centreUv);
+    vec2 uvAtCentre = AGAA_AT_CENTRE(centreUv);
+    vec2 dx = agaa_dFdx(uvAtCentre);
+    vec2 dy = agaa_dFdy(uvAtCentre);
     surface.position = inside.xyz * scale;
-    surface.geometricNormal = agaa_planeNormal(centrePosition);
+    surface.geometricNormal = agaa_planeNormal(AGAA_AT_CENTRE(centrePosition));
     surface.primitiveSeed = primitiveSeed;
 
 #if AGAA_ALPHA_MASKED
-    surface.alpha = coverage(dx, dy);
+    surface.alpha = coverage(uvAtCentre, dx, dy);
 #endif
 #if AGAA_NEEDS_MATERIAL
     // At the pixel's centre they extrapolate where the primitive is thinner than a pixel.

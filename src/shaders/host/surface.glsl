@@ -4,7 +4,7 @@ struct AgaaSurfaceInput {
     vec3 position;        // of the fragment
     vec3 geometricNormal; // of the primitive's plane; either side
     float alpha;          // coverage in [0,1]; used where AGAA_ALPHA_MASKED is 1. Must be equal in
-                          // every pass: take it at the pixel centre, since AGAA_INSIDE depends on
+                          // every pass: take it at AGAA_AT_CENTRE, since AGAA_INSIDE depends on
                           // which samples survive
     uint primitiveSeed;   // differs between primitives that may overlap; the same in every pass
     vec3 diffuse;
@@ -33,6 +33,14 @@ AgaaSurfaceInput agaa_surfaceInput() {
 // displaces plain reads of the same input: pass a constant 1 along, divide by it, and take derivatives
 // of an input of their own where such drivers matter.
 #define AGAA_INSIDE(v) interpolateAtCentroid(v)
+
+// The value of a fragment input at the centre of its texel. Where a pass runs once per sample, OpenGL evaluates
+// plain inputs at the sample.
+#if defined(AGAA_PER_SAMPLE) && AGAA_PER_SAMPLE
+#define AGAA_AT_CENTRE(v) interpolateAtOffset(v, vec2(0.0))
+#else
+#define AGAA_AT_CENTRE(v) (v)
+#endif
 
 // Derivatives per pixel, whatever the target's scale; of plain inputs, so that they belong to the centre.
 #define AGAA_DERIVATIVES(T) \
