@@ -9,9 +9,12 @@ namespace harness::gl {
 
 namespace {
 
-// Of medium severity and above; the rest are remarks.
+// Of medium severity and above; the rest are remarks, as are those on performance: Mesa tells of every shader
+// variant that a state calls for.
 void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei length,
                             const GLchar* text, const void* user) {
+    if (type == GL_DEBUG_TYPE_PERFORMANCE)
+        return;
     if (severity != GL_DEBUG_SEVERITY_MEDIUM && severity != GL_DEBUG_SEVERITY_HIGH)
         return;
     ApiMessage message;
