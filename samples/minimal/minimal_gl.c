@@ -4,7 +4,7 @@
  */
 #define GL_GLEXT_PROTOTYPES
 #include "agaa_gl.h"
-#include "scene.h"
+#include "host.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

@@ -4,7 +4,7 @@
 #ifndef VK_OUTPUT_H
 #define VK_OUTPUT_H
 
-#include "scene.h"
+#include "host.h"
 
 #include <vulkan/vulkan.h>
 
