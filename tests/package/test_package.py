@@ -52,8 +52,8 @@ class Contents(unittest.TestCase):
 
     def test_documents_are_there(self):
         documents = PREFIX / "share" / "doc" / "agaa"
-        for name in ("LICENSE", "README.md", "integration.md", "state.md",
-                     "examples/minimal/CMakeLists.txt"):
+        for name in ("LICENSE", "NOTICES.md", "README.md", "integration.md", "state.md",
+                     "troubleshooting.md", "examples/minimal/CMakeLists.txt"):
             self.assertTrue((documents / name).is_file(), name)
 
     def test_nothing_names_the_place_of_building(self):
@@ -67,14 +67,15 @@ class Contents(unittest.TestCase):
 
     def test_soname_and_dependencies(self):
         text = run("readelf", "-d", LIBRARY)
-        major = VERSION.split(".")[0]
-        self.assertEqual(re.findall(r"\(SONAME\).*\[(.*)\]", text), [f"libagaa.so.{major}"])
+        # Minor versions are not compatible while the major one is 0.
+        major, minor = VERSION.split(".")[:2]
+        self.assertEqual(re.findall(r"\(SONAME\).*\[(.*)\]", text), [f"libagaa.so.{major}.{minor}"])
         # Graphics APIs are reached through the host's loader.
         needed = set(re.findall(r"\(NEEDED\).*\[(.*?)\.so", text))
         self.assertLessEqual(needed, {"libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64"})
         self.assertNotRegex(text, r"\((RPATH|RUNPATH)\)")
-        self.assertEqual(os.readlink(LIBRARY.parent / "libagaa.so"), f"libagaa.so.{major}")
-        self.assertEqual(os.readlink(LIBRARY.parent / f"libagaa.so.{major}"), LIBRARY.name)
+        self.assertEqual(os.readlink(LIBRARY.parent / "libagaa.so"), f"libagaa.so.{major}.{minor}")
+        self.assertEqual(os.readlink(LIBRARY.parent / f"libagaa.so.{major}.{minor}"), LIBRARY.name)
 
     def test_exported_symbols(self):
         abi = SOURCE / "tests" / "abi"
