@@ -42,7 +42,7 @@ void main() {
     AgaaSurfaceInput s = agaa_surfaceInput();
     s.position = position;
     s.geometricNormal = m.geometricNormal.xyz;
-    s.alpha = m.diffuse.w;
+    s.alpha = m.diffuse.w * STAGE_ALPHA_FACTOR;
     s.primitiveSeed = floatBitsToUint(m.geometricNormal.w);
     s.diffuse = m.diffuse.xyz;
     s.specular = m.specular.xyz;
@@ -116,15 +116,6 @@ StageContext::~StageContext() {
         ADD_FAILURE() << message.id << ": " << message.text;
 }
 
-AgaaLight sun() {
-    AgaaLight light{};
-    light.type = AGAA_LIGHT_DIRECTIONAL;
-    light.shadowMap = AGAA_NO_SHADOW;
-    light.direction[2] = -1;
-    light.color[0] = light.color[1] = light.color[2] = 3;
-    return light;
-}
-
 ShadowLayers::ShadowLayers(const std::vector<float>& layers, uint32_t size)
     : arena_(sharedDevice()) {
     VkImageCreateInfo info{};
@@ -157,13 +148,7 @@ ShadowLayers::ShadowLayers(const std::vector<float>& layers, uint32_t size)
 StageView::StageView(StageContext& context, const ViewSettings& settings)
     : context_(context), settings_(settings),
       output_(sharedDevice(), settings.width, settings.height), arena_(sharedDevice()) {
-    AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
-    desc.width = settings.width;
-    desc.height = settings.height;
-    desc.config = &settings.config;
-    desc.facts = &settings.facts;
-    desc.flags = settings.flags;
-    desc.pNext = settings.shadowFunction;
+    const AgaaViewDesc desc = viewDesc(settings_);
     require(agaaVkCreateView(context.get(), &desc, &view_), context, "agaaVkCreateView");
 
     set_ = StorageSet(sharedDevice(), 2,
@@ -180,7 +165,8 @@ void StageView::makePipelines() {
     agaaVkGetDrawPasses(view_, &count, nullptr);
     std::vector<AgaaVkDrawPass> passes(count, AgaaVkDrawPass AGAA_VK_DRAW_PASS_INIT);
     require(agaaVkGetDrawPasses(view_, &count, passes.data()), context_, "agaaVkGetDrawPasses");
-    for (const AgaaVkDrawPass& pass : passes) {
+    for (AgaaVkDrawPass& pass : passes) {
+        pass.state = drawState(settings_, pass.state, pass.pass);
         PassPipelines& made = passes_[pass.pipelineKey];
         const VkDescriptorSetLayout layouts[] = {(VkDescriptorSetLayout)pass.descriptorSetLayout,
                                                  set_.layout()};
@@ -195,9 +181,7 @@ void StageView::makePipelines() {
                                            "create a pipeline layout");
         for (int masked : {0, 1}) {
             const std::string text = std::string("#version 450\n") + pass.glslExtensions +
-                                     "#define AGAA_ALPHA_MASKED " + std::to_string(masked) +
-                                     "\n#define STAGE_SHADER " +
-                                     std::to_string(int(settings_.shader)) + "\n" +
+                                     shaderDefines(settings_, pass.pass, masked != 0) +
                                      pass.glslDeclarations + fragmentText;
             made.fragments[masked] = makeShader(device, ShaderStage::Fragment, text, pass.name);
             PipelineState state(pass, masked != 0);
@@ -215,7 +199,8 @@ void StageView::setTriangles(const std::vector<Triangle>& triangles) {
     vertices_ = arena_.hostBuffer(count * 3 * 2 * sizeof(glm::vec4),
                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     materials_ = arena_.hostBuffer(count * sizeof(Material), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    runs_.clear();
+    for (uint32_t pass : {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER})
+        runs_[pass] = drawRuns(settings_, triangles, pass);
     for (uint32_t i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];
         for (uint32_t corner = 0; corner < 3; ++corner) {
@@ -226,19 +211,12 @@ void StageView::setTriangles(const std::vector<Triangle>& triangles) {
         Material material = t.material;
         material.geometricNormal.w = std::bit_cast<float>(t.seed ? t.seed : i);
         std::memcpy(materials_.mapped + i * sizeof(Material), &material, sizeof(Material));
-        if (runs_.empty() || runs_.back().isMasked != t.isMasked)
-            runs_.push_back({3 * i, 0, t.isMasked});
-        runs_.back().count += 3;
     }
     set_.write({vertices_.buffer.get(), materials_.buffer.get()});
 }
 
 AgaaFrame StageView::frame() {
-    AgaaFrame frame = AGAA_FRAME_INIT;
-    frame.completedFrame = frameIndex_;
-    frame.frameIndex = ++frameIndex_;
-    std::memcpy(frame.view, &settings_.view, sizeof frame.view);
-    std::memcpy(frame.projection, &settings_.projection, sizeof frame.projection);
+    AgaaFrame frame = nextFrame(settings_, frameIndex_);
     frame.draw = onDraw;
     frame.drawUser = this;
     return frame;
@@ -261,10 +239,7 @@ void StageView::render(const AgaaFrame& wanted, const std::function<void(AgaaVkF
         if (change)
             change(vk);
         AgaaFrame frame = wanted;
-        std::vector<uint64_t> calls = {AGAA_SEGMENT_ALL};
-        if (splitSegments)
-            calls = {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING};
-        for (uint64_t segments : calls) {
+        for (uint64_t segments : segmentCalls(splitSegments)) {
             frame.segments = segments;
             require(agaaVkRecordFrame(view_, &frame, &vk), context_, "agaaVkRecordFrame");
         }
@@ -293,13 +268,13 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     const VkDescriptorSet sets[] = {(VkDescriptorSet)target.descriptorSet, set_.get()};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.layout.get(), 0, 2,
                             sets, 0, nullptr);
-    const glm::mat4 clip = settings_.projection * settings_.view;
+    const glm::mat4 clip = clipMatrix(settings_, target.pass);
     vkCmdPushConstants(commands, pass.layout.get(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof clip,
                        &clip);
-    for (const Run& run : runs_) {
+    for (const Run& run : runs_.at(target.pass)) {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                           pass.pipelines[run.isMasked].get());
-        vkCmdDraw(commands, run.count, 1, run.first, 0);
+        vkCmdDraw(commands, 3 * run.count, 1, 3 * run.first, 0);
     }
     return AGAA_OK;
 }

@@ -4,7 +4,7 @@
 
 #include "agaa_vk.h"
 #include "storage_set.h"
-#include "triangles.h"
+#include "view_settings.h"
 
 #include "vk/arena.h"
 #include "vk/device.h"
@@ -21,11 +21,6 @@
 #include <vector>
 
 namespace agaa::test {
-
-struct LogLine {
-    AgaaResult code;
-    std::string text;
-};
 
 struct HostOptions {
     bool renderPass = false;
@@ -52,28 +47,6 @@ private:
     AgaaContext context_ = nullptr;
     AgaaDeviceCaps caps_ = AGAA_DEVICE_CAPS_INIT;
 };
-
-struct ViewSettings {
-    AgaaConfig config = AGAA_CONFIG_INIT;
-    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
-    uint32_t width = 48;
-    uint32_t height = 32;
-    uint64_t flags = 0;
-    const AgaaShadowFunction* shadowFunction = nullptr;
-    glm::mat4 projection = perspective(60, 1.5f, 0.1f, 100);
-    glm::mat4 view{1};
-    // What the material shader does instead of passing the triangle's material on.
-    enum class Shader {
-        Material,
-        PrimitiveIds,
-        UvInside,
-        UvAtCentre,
-        OwnDepth, // writes gl_FragDepth and discards
-    } shader = Shader::Material;
-};
-
-// Directional, along -z, without shadow.
-AgaaLight sun();
 
 // Depth array images for AgaaVkFrame::shadowViews, each layer filled with one value.
 class ShadowLayers {
@@ -147,11 +120,7 @@ private:
     StorageSet set_;
     harness::vk::ShaderModule vertex_;
     std::map<uint64_t, PassPipelines> passes_; // by pipeline key
-    struct Run {
-        uint32_t first, count;
-        bool isMasked;
-    };
-    std::vector<Run> runs_;
+    std::map<uint32_t, std::vector<Run>> runs_; // by AgaaDrawPassId
 };
 
 } // namespace agaa::test

@@ -1,0 +1,225 @@
+#include "stage_host.h"
+
+#include "gl/draw_state.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <cstddef>
+#include <stdexcept>
+
+using namespace harness::gl;
+
+namespace agaa::test {
+
+namespace {
+
+// The materials' vectors are attributes of each corner.
+constexpr const char* vertexText = R"(#version 450
+layout(location = 0) in vec3 corner;
+layout(location = 1) in vec4 material[5];
+uniform mat4 clip;
+layout(location = 0) out vec3 position;
+layout(location = 1) flat out vec4 constants[5];
+invariant gl_Position;
+void main() {
+    position = corner;
+    constants = material;
+    gl_Position = clip * vec4(corner, 1.0);
+}
+)";
+
+constexpr const char* fragmentText = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) flat in vec4 constants[5];
+void main() {
+    AgaaSurfaceInput s = agaa_surfaceInput();
+    s.position = position;
+    s.diffuse = constants[0].xyz;
+    s.alpha = constants[0].w * STAGE_ALPHA_FACTOR;
+    s.specular = constants[1].xyz;
+    s.emissive = constants[2].xyz;
+    s.normal = constants[3].xyz;
+    s.alpha2 = constants[3].w;
+    s.geometricNormal = constants[4].xyz;
+    s.primitiveSeed = uint(constants[4].w);
+    agaa_emit(s);
+}
+)";
+
+struct Vertex {
+    glm::vec3 position;
+    Material material;
+};
+
+void require(AgaaResult result, const StageContext& context, const char* call) {
+    if (result < 0)
+        throw std::runtime_error(context.lines.empty() ? call : context.lines.back().text);
+}
+
+} // namespace
+
+void AGAA_CALL collectLines(void* user, uint32_t severity, AgaaResult code, const char* message) {
+    if (severity >= AGAA_SEVERITY_WARNING)
+        static_cast<std::vector<LogLine>*>(user)->push_back({code, message});
+}
+
+EglContext& sharedEgl() {
+    static EglContext egl;
+    return egl;
+}
+
+AgaaGlContextDesc contextDesc() {
+    AgaaGlContextDesc desc = AGAA_GL_CONTEXT_DESC_INIT;
+    desc.getProcAddr = EglContext::getProcAddr;
+    return desc;
+}
+
+StageContext::StageContext(const AgaaGlContextDesc& wanted, EglContext& egl) : egl_(egl) {
+    egl.makeCurrent();
+    AgaaLog log = AGAA_LOG_INIT;
+    log.callback = collectLines;
+    log.user = &lines;
+    AgaaGlContextDesc desc = wanted;
+    desc.log = &log;
+    require(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context_), *this, "agaaGlCreateContext");
+    require(agaaGlGetContextCaps(context_, &caps_), *this, "agaaGlGetContextCaps");
+}
+
+StageContext::~StageContext() {
+    egl_.makeCurrent();
+    destroy();
+    EXPECT_EQ(egl_.takeMessages(), "");
+}
+
+void StageContext::destroy() {
+    agaaDestroyContext(context_);
+    context_ = nullptr;
+}
+
+Texture shadowMap(const GladGLContext& gl, float depth) {
+    Texture map = createTexture(gl, GL_TEXTURE_2D_ARRAY);
+    gl.TextureStorage3D(map.get(), 1, GL_DEPTH_COMPONENT32F, 4, 4, 1);
+    gl.ClearTexImage(map.get(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    return map;
+}
+
+StageView::StageView(StageContext& context, const ViewSettings& settings)
+    : context_(context), gl_(context.egl().gl()), settings_(settings),
+      output_(createTexture(gl_, GL_TEXTURE_2D)), vertexArray_(createVertexArray(gl_)),
+      vertices_(createBuffer(gl_)) {
+    gl_.TextureStorage2D(output_.get(), 1, GL_RGBA32F, GLsizei(settings.width),
+                         GLsizei(settings.height));
+    const AgaaViewDesc desc = viewDesc(settings_);
+    require(agaaGlCreateView(context.get(), &desc, &view_), context, "agaaGlCreateView");
+    uint32_t count = 0;
+    agaaGlGetDrawPasses(view_, &count, nullptr);
+    std::vector<AgaaGlDrawPass> passes(count, AgaaGlDrawPass AGAA_GL_DRAW_PASS_INIT);
+    require(agaaGlGetDrawPasses(view_, &count, passes.data()), context, "agaaGlGetDrawPasses");
+    for (const AgaaGlDrawPass& pass : passes)
+        programs_.emplace(pass.pipelineKey, Programs{program(pass, false), program(pass, true)});
+    const GLuint array = vertexArray_.get();
+    gl_.VertexArrayVertexBuffer(array, 0, vertices_.get(), 0, sizeof(Vertex));
+    for (GLuint i = 0; i < 6; ++i) {
+        const size_t offset = i == 0 ? 0 : offsetof(Vertex, material) + (i - 1) * sizeof(glm::vec4);
+        gl_.EnableVertexArrayAttrib(array, i);
+        gl_.VertexArrayAttribFormat(array, i, i == 0 ? 3 : 4, GL_FLOAT, GL_FALSE, GLuint(offset));
+        gl_.VertexArrayAttribBinding(array, i, 0);
+    }
+}
+
+StageView::~StageView() {
+    context_.egl().makeCurrent();
+    agaaDestroyView(view_);
+}
+
+Program StageView::program(const AgaaGlDrawPass& pass, bool isMasked) const {
+    return Program(gl_, vertexText,
+                   versionLine(450) + pass.glslExtensions +
+                       shaderDefines(settings_, pass.pass, isMasked) + pass.glslDeclarations +
+                       fragmentText,
+                   pass.name);
+}
+
+void StageView::setTriangles(const std::vector<Triangle>& triangles) {
+    std::vector<Vertex> vertices;
+    for (size_t i = 0; i < triangles.size(); ++i)
+        for (const glm::vec3& position : triangles[i].position) {
+            vertices.push_back({position, triangles[i].material});
+            vertices.back().material.geometricNormal.w =
+                float(triangles[i].seed ? triangles[i].seed : uint32_t(i));
+        }
+    gl_.NamedBufferData(vertices_.get(), GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(),
+                        GL_STATIC_DRAW);
+    for (uint32_t pass :
+         {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER})
+        runs_[pass] = drawRuns(settings_, triangles, pass);
+}
+
+AgaaFrame StageView::frame() {
+    AgaaFrame frame = nextFrame(settings_, frameIndex_);
+    frame.draw = onDraw;
+    frame.drawUser = this;
+    return frame;
+}
+
+AgaaGlFrame StageView::glFrame() const {
+    AgaaGlFrame frame = AGAA_GL_FRAME_INIT;
+    frame.outputTexture = output_.get();
+    return frame;
+}
+
+void StageView::render(const AgaaFrame& wanted, const AgaaGlFrame& glFrame, bool splitSegments) {
+    AgaaFrame frame = wanted;
+    for (uint64_t segments : segmentCalls(splitSegments)) {
+        frame.segments = segments;
+        require(agaaGlRecordFrame(view_, &frame, &glFrame), context_, "agaaGlRecordFrame");
+    }
+    gl_.Finish();
+}
+
+std::vector<float> StageView::image() const {
+    std::vector<float> texels(size_t(4) * settings_.width * settings_.height);
+    gl_.GetTextureImage(output_.get(), 0, GL_RGBA, GL_FLOAT, GLsizei(texels.size() * sizeof(float)),
+                        texels.data());
+    return texels;
+}
+
+AgaaFrameStatistics StageView::statistics() const {
+    AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
+    require(agaaGetFrameStatistics(view_, frameIndex_, &statistics), context_,
+            "agaaGetFrameStatistics");
+    return statistics;
+}
+
+AgaaResult AGAA_CALL StageView::onDraw(void* user, const AgaaDrawTarget* target) {
+    return static_cast<StageView*>(user)->draw(*target);
+}
+
+AgaaResult StageView::draw(const AgaaDrawTarget& target) {
+    ++drawCalls;
+    if (const auto result = drawResults.find(target.pass); result != drawResults.end())
+        return result->second;
+    const AgaaDrawState state = drawState(settings_, target.state, target.pass);
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+    setTarget(gl_, target.width, target.height);
+    setDrawState(gl_, state);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.ClipControl(GL_LOWER_LEFT, settings_.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE
+                                       ? GL_NEGATIVE_ONE_TO_ONE
+                                       : GL_ZERO_TO_ONE);
+    gl_.BindVertexArray(vertexArray_.get());
+    const Programs& programs = programs_.at(target.pipelineKey);
+    const glm::mat4 clip = clipMatrix(settings_, target.pass);
+    for (const Run& run : runs_.at(target.pass)) {
+        const Program& program = run.isMasked ? programs.masked : programs.opaque;
+        gl_.UseProgram(program.get());
+        setStencilTest(gl_, run.isMasked ? state.stencilTestMasked : state.stencilTest);
+        gl_.UniformMatrix4fv(program.uniform("clip"), 1, GL_FALSE, glm::value_ptr(clip));
+        gl_.DrawArrays(GL_TRIANGLES, GLint(3 * run.first), GLsizei(3 * run.count));
+    }
+    return AGAA_OK;
+}
+
+} // namespace agaa::test

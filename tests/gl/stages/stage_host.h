@@ -1,0 +1,91 @@
+// The small OpenGL host that draws known triangles through the public interface.
+#pragma once
+
+#include "agaa_gl.h"
+#include "egl_context.h"
+#include "view_settings.h"
+
+#include "gl/objects.h"
+#include "gl/program.h"
+
+#include <map>
+
+namespace agaa::test {
+
+// One context for the process, with debug messages; those of medium or higher severity fail the test at hand.
+EglContext& sharedEgl();
+
+// What a context is made with, complete but for what the test wants to change.
+AgaaGlContextDesc contextDesc();
+
+class StageContext {
+public:
+    explicit StageContext(const AgaaGlContextDesc& desc = contextDesc(), EglContext& egl = sharedEgl());
+    ~StageContext();
+    StageContext(const StageContext&) = delete;
+    StageContext& operator=(const StageContext&) = delete;
+
+    AgaaContext get() const { return context_; }
+    const AgaaDeviceCaps& caps() const { return caps_; }
+    EglContext& egl() const { return egl_; }
+    // Destroys it before its time.
+    void destroy();
+    std::vector<LogLine> lines; // warnings and errors of the SDK
+
+private:
+    EglContext& egl_;
+    AgaaContext context_ = nullptr;
+    AgaaDeviceCaps caps_ = AGAA_DEVICE_CAPS_INIT;
+};
+
+// Writes into the lines that user points to.
+void AGAA_CALL collectLines(void* user, uint32_t severity, AgaaResult code, const char* message);
+
+// A depth map of one layer, everywhere as deep.
+harness::gl::Texture shadowMap(const GladGLContext& gl, float depth);
+
+class StageView {
+public:
+    StageView(StageContext& context, const ViewSettings& settings);
+    ~StageView();
+    StageView(const StageView&) = delete;
+    StageView& operator=(const StageView&) = delete;
+
+    void setTriangles(const std::vector<Triangle>& triangles);
+    AgaaFrame frame(); // the next, complete but for lights and shadows
+    AgaaGlFrame glFrame() const;
+    // Records by one call, or a call a segment. Throws where the SDK refuses.
+    void render(const AgaaFrame& frame, const AgaaGlFrame& glFrame, bool splitSegments = false);
+    void render(const AgaaFrame& wanted, bool splitSegments = false) {
+        render(wanted, glFrame(), splitSegments);
+    }
+    std::vector<float> image() const; // RGBA
+    AgaaFrameStatistics statistics() const;
+    AgaaView get() const { return view_; }
+    uint64_t frameIndex() const { return frameIndex_; }
+    const harness::gl::Texture& output() const { return output_; }
+
+    std::map<uint32_t, AgaaResult> drawResults; // of the callback, by pass; each call counts
+    uint32_t drawCalls = 0;
+
+private:
+    static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);
+    AgaaResult draw(const AgaaDrawTarget& target);
+    harness::gl::Program program(const AgaaGlDrawPass& pass, bool isMasked) const;
+
+    StageContext& context_;
+    const GladGLContext& gl_;
+    ViewSettings settings_;
+    AgaaView view_ = nullptr;
+    uint64_t frameIndex_ = 0;
+    harness::gl::Texture output_;
+    harness::gl::VertexArray vertexArray_;
+    harness::gl::Buffer vertices_;
+    struct Programs {
+        harness::gl::Program opaque, masked;
+    };
+    std::map<uint64_t, Programs> programs_;        // by pipeline key
+    std::map<uint32_t, std::vector<Run>> runs_; // by AgaaDrawPassId
+};
+
+} // namespace agaa::test

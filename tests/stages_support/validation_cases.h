@@ -1,0 +1,232 @@
+// agaaValidateFrame against hosts whose geometry passes are known to disagree. Rectangles on whole pixels, so that
+// every figure and every pixel named is known without looking. Each graphics API instantiates these for its host, a
+// type with the members Context and View.
+#pragma once
+
+#include "view_settings.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace agaa::test {
+
+constexpr uint32_t validatedSamples = 8;
+constexpr uint32_t allSamples = (1u << validatedSamples) - 1;
+
+struct PixelRectangle {
+    uint32_t x0, y0, x1, y1;
+    constexpr uint64_t pixels() const { return uint64_t(x1 - x0) * (y1 - y0); }
+    constexpr bool holds(uint32_t x, uint32_t y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
+};
+constexpr PixelRectangle first = {4, 4, 20, 20}, second = {24, 8, 40, 28}, masked = {8, 22, 16, 30};
+// Triangles of these in the list.
+constexpr Run ofFirst = {0, 2}, ofSecond = {2, 2}, ofAll = {0, 100};
+// Half of the masked one's samples.
+constexpr uint64_t maskedSamples = masked.pixels() * validatedSamples / 2;
+constexpr uint64_t visibleSamples =
+    (first.pixels() + second.pixels()) * validatedSamples + maskedSamples;
+
+inline std::vector<Triangle> validatedScene() {
+    std::vector<Triangle> list;
+    const auto add = [&](const PixelRectangle& r, float depth, float alpha) {
+        Material material;
+        material.diffuse.w = alpha;
+        for (Triangle& t : rectangle(float(r.x0), float(r.y0), float(r.x1), float(r.y1), depth, material)) {
+            t.isMasked = alpha < 1;
+            list.push_back(t);
+        }
+    };
+    add(first, 2, 1);
+    add(second, 3, 1);
+    add(masked, 4, 0.5f);
+    return list;
+}
+
+inline ViewSettings validatedSettings(const Mistake& mistake = {}) {
+    ViewSettings settings;
+    settings.config.samples = validatedSamples;
+    settings.config.flags = AGAA_CONFIG_COUNTERS;
+    settings.facts.shadowMapCount = 0;
+    settings.projection = pixelOrthographic(48, 32, 10);
+    settings.mistake = mistake;
+    return settings;
+}
+
+template <class Host>
+AgaaFrameValidation validationOf(const ViewSettings& settings,
+                                 const std::vector<Triangle>& scene = validatedScene()) {
+    typename Host::Context context;
+    typename Host::View view(context, settings);
+    view.setTriangles(scene);
+    const AgaaFrame frame = view.frame();
+    view.render(frame);
+    AgaaFrameValidation validation = AGAA_FRAME_VALIDATION_INIT;
+    EXPECT_EQ(agaaValidateFrame(view.get(), frame.frameIndex, &validation), AGAA_OK);
+    EXPECT_EQ(validation.frameIndex, frame.frameIndex);
+    return validation;
+}
+
+// As many pixels as there is room for, none twice, each in the rectangle and with these samples.
+inline void expectPixels(const AgaaFrameValidation& v, const PixelRectangle& where, uint32_t visible,
+                         uint32_t missed, uint32_t multi) {
+    EXPECT_EQ(v.invalidPixels, where.pixels());
+    ASSERT_EQ(v.pixelCount, uint32_t(AGAA_MAX_INVALID_PIXELS));
+    std::set<std::pair<uint32_t, uint32_t>> places;
+    for (const AgaaInvalidPixel& pixel : v.pixels) {
+        places.emplace(pixel.x, pixel.y);
+        EXPECT_TRUE(where.holds(pixel.x, pixel.y)) << pixel.x << ", " << pixel.y;
+        EXPECT_EQ(pixel.visible, visible);
+        EXPECT_EQ(pixel.missed, missed);
+        EXPECT_EQ(pixel.multi, multi);
+    }
+    EXPECT_EQ(places.size(), size_t(AGAA_MAX_INVALID_PIXELS));
+}
+
+inline void expectExplanation(const AgaaFrameValidation& v, const char* words) {
+    EXPECT_NE(std::string(v.explanation).find(words), std::string::npos) << v.explanation;
+}
+
+inline void expectInvalid(const AgaaFrameValidation& v, uint64_t visible, uint64_t missed,
+                          uint64_t multi) {
+    EXPECT_EQ(v.isValid, 0u);
+    EXPECT_EQ(v.visible, visible);
+    EXPECT_EQ(v.missed, missed);
+    EXPECT_EQ(v.once, visible - missed);
+    EXPECT_EQ(v.multi, multi);
+}
+
+inline void expectValid(const AgaaFrameValidation& v, uint64_t visible) {
+    EXPECT_EQ(v.isValid, 1u);
+    EXPECT_EQ(v.visible, visible);
+    EXPECT_EQ(v.once, visible);
+    EXPECT_EQ(v.missed + v.multi + v.invalidPixels + v.pixelCount, 0u);
+    for (const AgaaInvalidPixel& pixel : v.pixels)
+        EXPECT_EQ(pixel.x + pixel.y + pixel.visible + pixel.missed + pixel.multi, 0u);
+    expectExplanation(v, "exactly once");
+}
+
+template <class Host>
+class ValidationTest : public testing::Test {};
+TYPED_TEST_SUITE_P(ValidationTest);
+
+TYPED_TEST_P(ValidationTest, ARightFrameIsValid) {
+    ViewSettings settings = validatedSettings();
+    for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER}) {
+        settings.config.generationTier = tier;
+        expectValid(validationOf<TypeParam>(settings), visibleSamples);
+    }
+    settings.config.generationTier = AGAA_TIER_AUTO;
+    settings.config.technique = "ssaa";
+    expectValid(validationOf<TypeParam>(settings), visibleSamples);
+}
+
+TYPED_TEST_P(ValidationTest, AnObjectLeftOutIsMissed) {
+    ViewSettings settings = validatedSettings({.materialSkips = ofSecond});
+    for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_PER_SAMPLE}) {
+        settings.config.generationTier = tier;
+        const AgaaFrameValidation v = validationOf<TypeParam>(settings);
+        expectInvalid(v, visibleSamples, second.pixels() * validatedSamples, 0);
+        expectPixels(v, second, allSamples, allSamples, 0);
+        expectExplanation(v, "left out of the material pass");
+    }
+}
+
+TYPED_TEST_P(ValidationTest, AnObjectTooManyIsMulti) {
+    const AgaaFrameValidation v = validationOf<TypeParam>(
+        validatedSettings({.prepassSkips = ofSecond, .noDepthTest = true}));
+    const uint64_t samples = second.pixels() * validatedSamples;
+    expectInvalid(v, visibleSamples - samples, 0, samples);
+    expectPixels(v, second, 0, 0, allSamples);
+    expectExplanation(v, "objects are drawn that the prepass left out");
+}
+
+TYPED_TEST_P(ValidationTest, DifferentObjectsAreBoth) {
+    const AgaaFrameValidation v = validationOf<TypeParam>(validatedSettings(
+        {.prepassSkips = ofSecond, .materialSkips = ofFirst, .noDepthTest = true}));
+    const uint64_t more = second.pixels() * validatedSamples;
+    expectInvalid(v, visibleSamples - more, first.pixels() * validatedSamples, more);
+    EXPECT_EQ(v.invalidPixels, first.pixels() + second.pixels());
+    for (const AgaaInvalidPixel& pixel : v.pixels) {
+        const bool isMissed = first.holds(pixel.x, pixel.y);
+        EXPECT_NE(isMissed, second.holds(pixel.x, pixel.y));
+        EXPECT_EQ(pixel.missed, isMissed ? allSamples : 0);
+        EXPECT_EQ(pixel.multi, isMissed ? 0 : allSamples);
+    }
+    expectExplanation(v, "draw different objects");
+}
+
+// Positions of the material pass differ by a few units in the last place.
+TYPED_TEST_P(ValidationTest, AnotherPositionIsMissed) {
+    const AgaaFrameValidation v =
+        validationOf<TypeParam>(validatedSettings({.materialDepth = 1 + 0x1p-20f}));
+    expectInvalid(v, visibleSamples, visibleSamples, 0);
+    EXPECT_EQ(v.invalidPixels, first.pixels() + second.pixels() + masked.pixels());
+    for (const AgaaInvalidPixel& pixel : v.pixels)
+        EXPECT_EQ(pixel.missed, pixel.visible);
+    expectExplanation(v, "positions differ in the last bit");
+}
+
+TYPED_TEST_P(ValidationTest, AnotherMaskIsMissed) {
+    const AgaaFrameValidation v =
+        validationOf<TypeParam>(validatedSettings({.materialAlpha = 0.5f}));
+    expectInvalid(v, visibleSamples, maskedSamples / 2, 0);
+    EXPECT_EQ(v.invalidPixels, masked.pixels());
+    for (const AgaaInvalidPixel& pixel : v.pixels) {
+        EXPECT_TRUE(masked.holds(pixel.x, pixel.y));
+        EXPECT_NE(pixel.missed, 0u);
+        EXPECT_EQ(pixel.missed & ~pixel.visible, 0u);
+        EXPECT_EQ(pixel.multi, 0u);
+    }
+    expectExplanation(v, "alpha mask");
+}
+
+// Of duplicates at the same depth the first is kept in either way: it costs, but nothing is wrong.
+TYPED_TEST_P(ValidationTest, WithoutTheStencilTestDuplicatesAreTies) {
+    std::vector<Triangle> scene = validatedScene();
+    scene.insert(scene.end(), scene.begin(), scene.begin() + 2);
+    const AgaaFrameValidation right = validationOf<TypeParam>(validatedSettings(), scene);
+    expectValid(right, visibleSamples);
+    EXPECT_EQ(right.ties, 0u);
+    const AgaaFrameValidation without =
+        validationOf<TypeParam>(validatedSettings({.noStencilTest = true}), scene);
+    expectValid(without, visibleSamples);
+    EXPECT_EQ(without.ties, first.pixels() * validatedSamples);
+}
+
+TYPED_TEST_P(ValidationTest, NothingDrawnIsInvalid) {
+    const AgaaFrameValidation v = validationOf<TypeParam>(
+        validatedSettings({.prepassSkips = ofAll, .materialSkips = ofAll}));
+    expectInvalid(v, 0, 0, 0);
+    EXPECT_EQ(v.pixelCount, 0u);
+    expectExplanation(v, "Nothing is visible");
+}
+
+TYPED_TEST_P(ValidationTest, NeedsAFrameAndCounters) {
+    typename TypeParam::Context context;
+    AgaaFrameValidation validation = AGAA_FRAME_VALIDATION_INIT;
+    typename TypeParam::View counting(context, validatedSettings());
+    EXPECT_EQ(agaaValidateFrame(counting.get(), 1, &validation), AGAA_NOT_READY);
+    EXPECT_TRUE(context.lines.empty());
+    EXPECT_EQ(agaaValidateFrame(nullptr, 1, &validation), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaValidateFrame(counting.get(), 1, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    validation.structSize = 8;
+    EXPECT_EQ(agaaValidateFrame(counting.get(), 1, &validation), AGAA_ERROR_STRUCT);
+    validation.structSize = sizeof validation;
+    context.lines.clear();
+    ViewSettings settings = validatedSettings();
+    settings.config.flags = 0;
+    typename TypeParam::View silent(context, settings);
+    silent.setTriangles(validatedScene());
+    silent.render(silent.frame());
+    EXPECT_EQ(agaaValidateFrame(silent.get(), 1, &validation), AGAA_ERROR_WRONG_ORDER);
+    ASSERT_EQ(context.lines.size(), 1u);
+    EXPECT_NE(context.lines[0].text.find("AGAA_CONFIG_COUNTERS"), std::string::npos);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(ValidationTest, ARightFrameIsValid, AnObjectLeftOutIsMissed,
+                            AnObjectTooManyIsMulti, DifferentObjectsAreBoth, AnotherPositionIsMissed,
+                            AnotherMaskIsMissed, WithoutTheStencilTestDuplicatesAreTies,
+                            NothingDrawnIsInvalid, NeedsAFrameAndCounters);
+
+} // namespace agaa::test

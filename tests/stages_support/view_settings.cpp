@@ -1,0 +1,85 @@
+#include "view_settings.h"
+
+#include <cstring>
+
+namespace agaa::test {
+
+AgaaViewDesc viewDesc(const ViewSettings& settings) {
+    AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
+    desc.width = settings.width;
+    desc.height = settings.height;
+    desc.config = &settings.config;
+    desc.facts = &settings.facts;
+    desc.flags = settings.flags;
+    desc.pNext = settings.shadowFunction;
+    return desc;
+}
+
+AgaaFrame nextFrame(const ViewSettings& settings, uint64_t& frameIndex) {
+    AgaaFrame frame = AGAA_FRAME_INIT;
+    frame.completedFrame = frameIndex;
+    frame.frameIndex = ++frameIndex;
+    std::memcpy(frame.view, &settings.view, sizeof frame.view);
+    std::memcpy(frame.projection, &settings.projection, sizeof frame.projection);
+    return frame;
+}
+
+std::vector<uint64_t> segmentCalls(bool split) {
+    if (split)
+        return {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING};
+    return {AGAA_SEGMENT_ALL};
+}
+
+static bool isMaterialPass(uint32_t pass) { return pass != AGAA_DRAW_PASS_VISIBILITY; }
+
+std::vector<Run> drawRuns(const ViewSettings& settings, const std::vector<Triangle>& triangles,
+                          uint32_t pass) {
+    const Run& skipped = isMaterialPass(pass) ? settings.mistake.materialSkips
+                                              : settings.mistake.prepassSkips;
+    std::vector<Run> runs;
+    for (uint32_t i = 0; i < triangles.size(); ++i) {
+        if (i - skipped.first < skipped.count)
+            continue;
+        const bool follows = !runs.empty() && runs.back().isMasked == triangles[i].isMasked &&
+                             runs.back().first + runs.back().count == i;
+        if (!follows)
+            runs.push_back({i, 0, triangles[i].isMasked});
+        ++runs.back().count;
+    }
+    return runs;
+}
+
+AgaaDrawState drawState(const ViewSettings& settings, const AgaaDrawState& wanted, uint32_t pass) {
+    AgaaDrawState state = wanted;
+    if (isMaterialPass(pass) && settings.mistake.noDepthTest)
+        state.depthCompare = AGAA_COMPARE_ALWAYS;
+    if (isMaterialPass(pass) && settings.mistake.noStencilTest)
+        state.stencilTest = state.stencilTestMasked = 0;
+    return state;
+}
+
+glm::mat4 clipMatrix(const ViewSettings& settings, uint32_t pass) {
+    glm::mat4 clip = settings.projection * settings.view;
+    if (isMaterialPass(pass))
+        for (int column = 0; column < 4; ++column)
+            clip[column][2] *= settings.mistake.materialDepth;
+    return clip;
+}
+
+std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMasked) {
+    const float alpha = isMaterialPass(pass) ? settings.mistake.materialAlpha : 1;
+    return std::string("#define AGAA_ALPHA_MASKED ") + (isMasked ? "1\n" : "0\n") +
+           "#define STAGE_SHADER " + std::to_string(int(settings.shader)) + "\n" +
+           "#define STAGE_ALPHA_FACTOR " + std::to_string(alpha) + "\n";
+}
+
+AgaaLight sun() {
+    AgaaLight light{};
+    light.type = AGAA_LIGHT_DIRECTIONAL;
+    light.shadowMap = AGAA_NO_SHADOW;
+    light.direction[2] = -1;
+    light.color[0] = light.color[1] = light.color[2] = 3;
+    return light;
+}
+
+} // namespace agaa::test

@@ -1,0 +1,70 @@
+// What the small hosts of all graphics APIs are asked to do, and the mistakes that they can be told to make.
+#pragma once
+
+#include "agaa_sdk.h"
+#include "triangles.h"
+
+#include <string>
+#include <vector>
+
+namespace agaa::test {
+
+struct LogLine {
+    AgaaResult code;
+    std::string text;
+};
+
+// A stretch of the list of triangles.
+struct Run {
+    uint32_t first = 0, count = 0;
+    bool isMasked = false;
+};
+
+// How a host's material pass departs from its prepass.
+struct Mistake {
+    Run prepassSkips{}, materialSkips{};
+    float materialDepth = 1; // factor of depth in clip space
+    float materialAlpha = 1; // factor of masked materials' alpha
+    bool noDepthTest = false;
+    bool noStencilTest = false;
+};
+
+struct ViewSettings {
+    AgaaConfig config = AGAA_CONFIG_INIT;
+    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
+    uint32_t width = 48;
+    uint32_t height = 32;
+    uint64_t flags = 0;
+    const AgaaShadowFunction* shadowFunction = nullptr;
+    glm::mat4 projection = perspective(60, 1.5f, 0.1f, 100);
+    glm::mat4 view{1};
+    // What the material shader does instead of passing the triangle's material on.
+    enum class Shader {
+        Material,
+        PrimitiveIds,
+        UvInside,
+        UvAtCentre,
+        OwnDepth, // writes gl_FragDepth and discards
+    } shader = Shader::Material;
+    Mistake mistake;
+};
+
+// Points to the settings.
+AgaaViewDesc viewDesc(const ViewSettings& settings);
+// The frame after frameIndex, which is waited for. Draw callback, lights and shadows are the caller's.
+AgaaFrame nextFrame(const ViewSettings& settings, uint64_t& frameIndex);
+// The calls that record a frame.
+std::vector<uint64_t> segmentCalls(bool split);
+
+// What a pass draws, in what state and where, the mistake included.
+std::vector<Run> drawRuns(const ViewSettings& settings, const std::vector<Triangle>& triangles,
+                          uint32_t pass);
+AgaaDrawState drawState(const ViewSettings& settings, const AgaaDrawState& wanted, uint32_t pass);
+glm::mat4 clipMatrix(const ViewSettings& settings, uint32_t pass);
+// Defines for the material shader.
+std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMasked);
+
+// Directional, along -z, without shadow.
+AgaaLight sun();
+
+} // namespace agaa::test
