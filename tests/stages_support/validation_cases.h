@@ -100,7 +100,7 @@ inline void expectValid(const AgaaFrameValidation& v, uint64_t visible) {
     EXPECT_EQ(v.isValid, 1u);
     EXPECT_EQ(v.visible, visible);
     EXPECT_EQ(v.once, visible);
-    EXPECT_EQ(v.missed + v.multi + v.invalidPixels + v.pixelCount, 0u);
+    EXPECT_EQ(v.missed + v.multi + v.misplaced + v.invalidPixels + v.pixelCount, 0u);
     for (const AgaaInvalidPixel& pixel : v.pixels)
         EXPECT_EQ(pixel.x + pixel.y + pixel.visible + pixel.missed + pixel.multi, 0u);
     expectExplanation(v, "exactly once");
@@ -194,6 +194,26 @@ TYPED_TEST_P(ValidationTest, WithoutTheStencilTestDuplicatesAreTies) {
     EXPECT_EQ(without.ties, first.pixels() * validatedSamples);
 }
 
+// The frame's projection has another direction of y than the one that the host draws with.
+TYPED_TEST_P(ValidationTest, AnotherCameraMisplaces) {
+    ViewSettings settings = validatedSettings();
+    for (const char* technique : {"agaa", "ssaa"}) {
+        settings.config.technique = technique;
+        typename TypeParam::Context context;
+        typename TypeParam::View view(context, settings);
+        view.setTriangles(validatedScene());
+        AgaaFrame frame = view.frame();
+        frame.projection[5] = -frame.projection[5];
+        view.render(frame);
+        AgaaFrameValidation v = AGAA_FRAME_VALIDATION_INIT;
+        ASSERT_EQ(agaaValidateFrame(view.get(), frame.frameIndex, &v), AGAA_OK);
+        EXPECT_EQ(v.isValid, 0u);
+        EXPECT_GT(v.misplaced, (first.pixels() + second.pixels()) / 2);
+        EXPECT_EQ(v.missed + v.multi, 0u);
+        expectExplanation(v, "AgaaFrame's camera");
+    }
+}
+
 TYPED_TEST_P(ValidationTest, NothingDrawnIsInvalid) {
     const AgaaFrameValidation v = validationOf<TypeParam>(
         validatedSettings({.prepassSkips = ofAll, .materialSkips = ofAll}));
@@ -227,6 +247,6 @@ TYPED_TEST_P(ValidationTest, NeedsAFrameAndCounters) {
 REGISTER_TYPED_TEST_SUITE_P(ValidationTest, ARightFrameIsValid, AnObjectLeftOutIsMissed,
                             AnObjectTooManyIsMulti, DifferentObjectsAreBoth, AnotherPositionIsMissed,
                             AnotherMaskIsMissed, WithoutTheStencilTestDuplicatesAreTies,
-                            NothingDrawnIsInvalid, NeedsAFrameAndCounters);
+                            AnotherCameraMisplaces, NothingDrawnIsInvalid, NeedsAFrameAndCounters);
 
 } // namespace agaa::test
