@@ -32,6 +32,7 @@ WRONG = [
     ["render", "--camera=1,2,3,4,5,6,180"],
     ["render", "--frames", "0"],
     ["render", "--brdf", "lambert"],
+    ["render", "--backend", "gl", "--state-policy", "often"],
     ["render", "--ndf", "sggx"],
     ["render", "--seeds", "random"],
     ["render", "--k", "-1"],

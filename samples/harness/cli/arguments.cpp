@@ -1,5 +1,6 @@
 #include "cli/arguments.h"
 
+#include "agaa_gl.h"
 #include "cli/layout_file.h"
 
 #include <algorithm>
@@ -126,6 +127,13 @@ Camera parseCamera(const std::string& text) {
     if (std::fabs(forward.y) > 0.9999)
         camera.up = {0, 0, -1};
     return camera;
+}
+
+uint32_t parseStatePolicy(const std::string& name) {
+    return choice(name, "--state-policy",
+                  {{"restore", AGAA_GL_STATE_RESTORE},
+                   {"callbacks", AGAA_GL_STATE_CALLBACKS},
+                   {"none", AGAA_GL_STATE_NONE}});
 }
 
 void requireBackend(const std::string& name) {

@@ -18,6 +18,7 @@ struct DeviceArguments {
     bool storageImages = false;
     bool hostOutputs = false;
     uint32_t glslVersion = 450;
+    std::string statePolicy = "restore";
 };
 
 struct RenderArguments {

@@ -203,6 +203,7 @@ std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments) {
     options.storageImages = arguments.storageImages;
     options.hostOutputs = arguments.hostOutputs;
     options.glslVersion = arguments.glslVersion;
+    options.statePolicy = parseStatePolicy(arguments.statePolicy);
     return arguments.backend == "gl" ? makeGlRenderer(options) : makeVulkanRenderer(options);
 }
 

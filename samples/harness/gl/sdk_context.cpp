@@ -2,6 +2,21 @@
 
 namespace harness::gl {
 
+namespace {
+
+// With AGAA_GL_STATE_CALLBACKS: the sample engine sets all that it relies on before each use, so there is
+// nothing to remember, and only the SDK's objects must not stay bound.
+AgaaResult AGAA_CALL pushState(void*) { return AGAA_OK; }
+
+AgaaResult AGAA_CALL popState(void* user) {
+    const GladGLContext& gl = static_cast<const Device*>(user)->gl();
+    gl.UseProgram(0);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    return AGAA_OK;
+}
+
+} // namespace
+
 SdkContext::SdkContext(const Device& device, const RendererOptions& options) {
     const AgaaLog log = log_.log();
     device.makeCurrent();
@@ -10,6 +25,12 @@ SdkContext::SdkContext(const Device& device, const RendererOptions& options) {
     desc.glslVersion = options.glslVersion;
     desc.storage = options.storageImages ? AGAA_GL_STORAGE_IMAGES : AGAA_GL_STORAGE_BUFFERS;
     desc.outputs = options.hostOutputs ? AGAA_GL_OUTPUTS_HOST : AGAA_GL_OUTPUTS_SDK;
+    desc.statePolicy = options.statePolicy;
+    if (options.statePolicy == AGAA_GL_STATE_CALLBACKS) {
+        desc.pushState = pushState;
+        desc.popState = popState;
+        desc.stateUser = const_cast<Device*>(&device);
+    }
     desc.frameBinding = frameBinding;
     desc.metadataUnit = metadataUnit;
     desc.aggregatesBinding = aggregatesBinding;

@@ -23,6 +23,7 @@ struct RendererOptions {
     bool storageImages = false;     // material shaders without storage blocks
     bool hostOutputs = false;       // material shaders that declare their outputs themselves
     uint32_t glslVersion = 450;     // of material shaders
+    uint32_t statePolicy = 0;       // AgaaGlStatePolicy
 };
 
 struct RenderSettings {
