@@ -3,7 +3,9 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace harness::gl {
 
@@ -22,6 +24,23 @@ void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint id, GLenum severity, GLs
     message.id = std::to_string(id);
     message.text = std::string(text, length >= 0 ? size_t(length) : std::char_traits<char>::length(text));
     static_cast<MessageCollector*>(const_cast<void*>(user))->add(std::move(message));
+}
+
+std::string errorName(GLenum error) {
+    switch (error) {
+    case GL_INVALID_ENUM:
+        return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+        return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+        return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+        return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY:
+        return "GL_OUT_OF_MEMORY";
+    default:
+        return "error " + std::to_string(error);
+    }
 }
 
 } // namespace
@@ -62,6 +81,8 @@ void Device::createContext(const RendererOptions& options) {
     makeCurrent();
     if (!gladLoadGLContext(&gl_, eglGetProcAddress))
         throw std::runtime_error("The functions of OpenGL could not be loaded.");
+    if (!gl_.VERSION_4_5)
+        throw std::runtime_error("The installed OpenGL is older than 4.5.");
     if (!options.validation)
         return;
     gl_.Enable(GL_DEBUG_OUTPUT);
@@ -73,6 +94,20 @@ void Device::makeCurrent() const {
     if (eglGetCurrentContext() != context_ &&
         !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
         throw std::runtime_error("The OpenGL context could not be made current.");
+}
+
+void Device::checkErrors(const char* what) const {
+    const GLenum error = gl_.GetError();
+    if (error != GL_NO_ERROR)
+        throw std::runtime_error("OpenGL could not " + std::string(what) + ": " + errorName(error) + ".");
+}
+
+void Device::checkTextureSize(uint32_t width, uint32_t height) const {
+    GLint largest = 0;
+    gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (width == 0 || height == 0 || std::max(width, height) > uint32_t(largest))
+        throw std::runtime_error("OpenGL has no textures of " + std::to_string(width) + "x" +
+                                 std::to_string(height) + " pixels here.");
 }
 
 // The display is the process's: other devices may use it, so it is not terminated.

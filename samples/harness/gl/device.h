@@ -17,6 +17,11 @@ public:
 
     const GladGLContext& gl() const { return gl_; }
     void makeCurrent() const;
+    // Throws std::runtime_error "OpenGL could not <what>: <error>." where a call has failed: without
+    // validation nobody else tells.
+    void checkErrors(const char* what) const;
+    // The same for sizes that textures cannot have.
+    void checkTextureSize(uint32_t width, uint32_t height) const;
     std::vector<ApiMessage> takeMessages() { return messages_.take(); }
 
     // For AgaaGlContextDesc.

@@ -13,6 +13,7 @@ using namespace gl;
 GlRenderer::GlRenderer(const RendererOptions& options)
     : options_(options), device_(options), sdk_(device_, options), programs_(device_.gl(), options),
       shadowMaps_(device_.gl(), options.shadowMapSize), cameraConstants_(createBuffer(device_.gl())) {
+    device_.checkTextureSize(options.shadowMapSize, options.shadowMapSize);
     device_.gl().NamedBufferData(cameraConstants_.get(), sizeof(glm::mat4), nullptr,
                                  GL_DYNAMIC_DRAW);
 }
@@ -51,6 +52,7 @@ void GlRenderer::prepare(const FrameInput& input) {
     const GladGLContext& gl = device_.gl();
     const RenderSettings& settings = input.settings;
     if (outputWidth_ != settings.width || outputHeight_ != settings.height) {
+        device_.checkTextureSize(settings.width, settings.height);
         output_ = createTexture(gl, GL_TEXTURE_2D);
         gl.TextureStorage2D(output_.get(), 1, GL_RGBA32F, GLsizei(settings.width),
                             GLsizei(settings.height));
@@ -63,6 +65,7 @@ void GlRenderer::prepare(const FrameInput& input) {
     const glm::mat4 viewProjection(rasterised(input.camera.projection) * input.camera.view);
     gl.NamedBufferSubData(cameraConstants_.get(), 0, sizeof viewProjection,
                           glm::value_ptr(viewProjection));
+    device_.checkErrors("prepare a frame");
 }
 
 double GlRenderer::renderFrame(const FrameInput& input) {
@@ -80,7 +83,9 @@ double GlRenderer::renderFrame(const FrameInput& input) {
         return agaaGlRecordFrame(view_->view, &frame, &glFrame);
     });
     gl.Finish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+    device_.checkErrors("render a frame");
+    return elapsed.count();
 }
 
 Image GlRenderer::readOutput() {
