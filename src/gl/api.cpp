@@ -1,5 +1,5 @@
 // The OpenGL part of the C ABI.
-#include "core/validate.h"
+#include "core/backend_api.h"
 #include "gl/formats.h"
 #include "gl/view.h"
 
@@ -20,60 +20,36 @@ void checkContextDesc(const AgaaGlContextDesc* pointer) {
     checkRange(uint64_t(desc.storage), 0, AGAA_GL_STORAGE_IMAGES, "AgaaGlContextDesc::storage");
     checkRange(uint64_t(desc.outputs), 0, AGAA_GL_OUTPUTS_HOST, "AgaaGlContextDesc::outputs");
     checkRange(uint64_t(desc.statePolicy), 0, AGAA_GL_STATE_NONE, "AgaaGlContextDesc::statePolicy");
-    checkRange(uint64_t(desc.framesInFlight), 1, 8, "AgaaGlContextDesc::framesInFlight");
     require(desc.reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGlContextDesc::reserved is not 0.");
     require(desc.aggregatesBinding != desc.countersBinding, AGAA_ERROR_INVALID_ARGUMENT,
             "AgaaGlContextDesc::aggregatesBinding and countersBinding are the same.");
     const bool callbacks = desc.statePolicy == AGAA_GL_STATE_CALLBACKS;
     require(!callbacks || (desc.pushState && desc.popState), AGAA_ERROR_INVALID_ARGUMENT,
             "AGAA_GL_STATE_CALLBACKS needs AgaaGlContextDesc::pushState and popState.");
-    require(!desc.allocate == !desc.free, AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaGlContextDesc has only one of allocate and free.");
-    if (desc.log)
-        checkStruct(desc.log, AGAA_STRUCTURE_TYPE_LOG, "AgaaLog");
-}
-
-Log logOf(const AgaaGlContextDesc* desc) {
-    return desc && desc->structSize == sizeof *desc ? checkedLog(desc->log) : Log();
+    checkContextCommons(desc, "AgaaGlContextDesc");
 }
 
 void describe(const gl::View& view, size_t index, AgaaGlDrawPass& out) {
     const Plan& plan = view.plan;
     const Pass& pass = plan.passes[index];
     const gl::PassObjects& objects = view.passes[index];
-    const Resource& depth = plan.resources[pass.depthTarget];
-    out.pass = pass.drawPass;
-    out.stage = pass.stage;
-    out.name = pass.name.c_str();
     out.pipelineKey = objects.key;
     out.framebuffer = objects.framebuffer;
-    out.width = depth.width;
-    out.height = depth.height;
-    out.scaleX = plan.scaleX;
-    out.scaleY = plan.scaleY;
-    out.state = pass.drawState;
     for (size_t i = 0; i < 4; ++i)
         out.colorFormats[i] = i < pass.colorTargets.size()
                                   ? gl::internalFormat(plan.resources[pass.colorTargets[i]].format)
                                   : 0;
-    out.depthStencilFormat = gl::internalFormat(depth.format);
+    out.depthStencilFormat = gl::internalFormat(plan.resources[pass.depthTarget].format);
     out.glslExtensions = objects.extensions.c_str();
     out.glslDeclarations = objects.declarations.c_str();
 }
 
 void describe(const gl::View& view, ResourceId id, AgaaGlSurface& out) {
-    const Resource& resource = view.plan.resources[id];
     const gl::GpuResource& objects = (*view.resources)[id];
+    describeSurface(view.plan, id, out);
     out.texture = objects.texture;
     out.buffer = objects.buffers.empty() ? 0 : objects.buffers[0];
-    out.bytes = resource.bytes;
-    out.format = gl::internalFormat(resource.format);
-    out.width = resource.width;
-    out.height = resource.height;
-    out.samples = resource.samples;
-    out.scaleX = resource.width / view.plan.width;
-    out.scaleY = resource.height / view.plan.height;
-    out.reserved = 0;
+    out.format = gl::internalFormat(view.plan.resources[id].format);
 }
 
 } // namespace
@@ -82,23 +58,12 @@ extern "C" {
 
 AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion, const AgaaGlContextDesc* desc,
                                          AgaaContext* outContext) {
-    return guarded(logOf(desc), "agaaGlCreateContext", [&]() -> AgaaResult {
-        checkHeaderVersion(headerVersion);
-        require(outContext, AGAA_ERROR_INVALID_ARGUMENT, "the context pointer is null.");
-        checkContextDesc(desc);
-        const HostAllocator allocator{desc->allocate, desc->free, desc->allocateUser};
-        *outContext = construct<gl::Context>(allocator, *desc);
-        return AGAA_OK;
-    });
+    return createContext<gl::Context>("agaaGlCreateContext", headerVersion, desc, outContext,
+                                      checkContextDesc);
 }
 
 AgaaResult AGAA_CALL agaaGlGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps) {
-    return guarded(logOf(context), "agaaGlGetContextCaps", [&]() -> AgaaResult {
-        requireBackend(context, Backend::OpenGL);
-        checkStruct(outCaps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
-        *outCaps = context->caps;
-        return AGAA_OK;
-    });
+    return writeContextCaps("agaaGlGetContextCaps", context, Backend::OpenGL, outCaps);
 }
 
 AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* desc,
@@ -115,20 +80,10 @@ AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* d
 AgaaResult AGAA_CALL agaaGlGetDrawPasses(AgaaView view, uint32_t* count, AgaaGlDrawPass* passes) {
     return guarded(logOf(view), "agaaGlGetDrawPasses", [&]() -> AgaaResult {
         requireBackend(view, Backend::OpenGL);
-        require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
-        const uint32_t available = view->plan.geometryPasses();
-        if (passes) {
-            require(*count >= available, AGAA_ERROR_BUFFER_TOO_SMALL,
-                    "the array is too small for the draw passes.");
-            for (uint32_t i = 0; i < available; ++i)
-                checkStruct(&passes[i], AGAA_STRUCTURE_TYPE_GL_DRAW_PASS, "AgaaGlDrawPass");
-            uint32_t next = 0;
-            for (size_t i = 0; i < view->plan.passes.size(); ++i)
-                if (view->plan.passes[i].kind == PassKind::HostDraw)
-                    describe(static_cast<const gl::View&>(*view), i, passes[next++]);
-        }
-        *count = available;
-        return AGAA_OK;
+        return writeDrawPasses(view->plan, count, passes, AGAA_STRUCTURE_TYPE_GL_DRAW_PASS,
+                               "AgaaGlDrawPass", [&](size_t index, AgaaGlDrawPass& out) {
+                                   describe(static_cast<const gl::View&>(*view), index, out);
+                               });
     });
 }
 

@@ -1,5 +1,5 @@
 // The Vulkan part of the C ABI.
-#include "core/validate.h"
+#include "core/backend_api.h"
 #include "vk/formats.h"
 #include "vk/view.h"
 
@@ -22,38 +22,21 @@ void checkContextDesc(const AgaaVkContextDesc* pointer) {
     checkRange(uint64_t(desc.recording), 0, AGAA_VK_RECORDING_INLINE,
                "AgaaVkContextDesc::recording");
     checkRange(uint64_t(desc.descriptorSet), 0, 7, "AgaaVkContextDesc::descriptorSet");
-    checkRange(uint64_t(desc.framesInFlight), 1, 8, "AgaaVkContextDesc::framesInFlight");
     require(desc.reserved == 0 && desc.reserved2 == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaVkContextDesc has a reserved member that is not 0.");
-    require(!desc.allocate == !desc.free, AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaVkContextDesc has only one of allocate and free.");
-    if (desc.log)
-        checkStruct(desc.log, AGAA_STRUCTURE_TYPE_LOG, "AgaaLog");
-}
-
-Log logOf(const AgaaVkContextDesc* desc) {
-    return desc && desc->structSize == sizeof *desc ? checkedLog(desc->log) : Log();
+    checkContextCommons(desc, "AgaaVkContextDesc");
 }
 
 void describe(const vk::View& view, size_t index, AgaaVkDrawPass& out) {
     const Plan& plan = view.plan;
     const Pass& pass = plan.passes[index];
     const vk::HostPassObjects& host = view.passes[index].host;
-    const Resource& depth = plan.resources[pass.depthTarget];
-    out.pass = pass.drawPass;
-    out.stage = pass.stage;
-    out.name = pass.name.c_str();
     out.pipelineKey = host.key;
-    out.width = depth.width;
-    out.height = depth.height;
-    out.scaleX = plan.scaleX;
-    out.scaleY = plan.scaleY;
-    out.state = pass.drawState;
     for (size_t i = 0; i < 4; ++i)
         out.colorFormats[i] = i < pass.colorTargets.size()
                                   ? vk::vkFormat(plan.resources[pass.colorTargets[i]].format)
                                   : VK_FORMAT_UNDEFINED;
-    out.depthStencilFormat = vk::vkFormat(depth.format);
+    out.depthStencilFormat = vk::vkFormat(plan.resources[pass.depthTarget].format);
     out.renderPass = (uint64_t)host.renderPass;
     out.descriptorSetLayout = (uint64_t)view.passes[index].setLayout;
     out.glslExtensions = host.extensions.c_str();
@@ -73,22 +56,15 @@ VkImageLayout layoutAfter(const Plan& plan, ResourceId id, uint64_t segment) {
 }
 
 void describe(const vk::View& view, ResourceId id, AgaaVkSurface& out) {
-    const Resource& resource = view.plan.resources[id];
     const vk::GpuResource& gpu = (*view.resources)[id];
+    describeSurface(view.plan, id, out);
     out.image = (uint64_t)gpu.image;
     out.view = (uint64_t)gpu.fetchView;
     out.buffer = gpu.buffers.empty() ? 0 : (uint64_t)gpu.buffers[0];
-    out.bytes = resource.bytes;
-    out.format = vk::vkFormat(resource.format);
-    out.width = resource.width;
-    out.height = resource.height;
-    out.samples = resource.samples;
-    out.scaleX = resource.width / view.plan.width;
-    out.scaleY = resource.height / view.plan.height;
+    out.format = vk::vkFormat(view.plan.resources[id].format);
     for (uint32_t i = 0; i < 3; ++i)
         out.layouts[i] = gpu.image ? layoutAfter(view.plan, id, UINT64_C(1) << i)
                                    : VK_IMAGE_LAYOUT_UNDEFINED;
-    out.reserved = 0;
 }
 
 } // namespace
@@ -97,23 +73,12 @@ extern "C" {
 
 AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion, const AgaaVkContextDesc* desc,
                                          AgaaContext* outContext) {
-    return guarded(logOf(desc), "agaaVkCreateContext", [&]() -> AgaaResult {
-        checkHeaderVersion(headerVersion);
-        require(outContext, AGAA_ERROR_INVALID_ARGUMENT, "the context pointer is null.");
-        checkContextDesc(desc);
-        const HostAllocator allocator{desc->allocate, desc->free, desc->allocateUser};
-        *outContext = construct<vk::Context>(allocator, *desc);
-        return AGAA_OK;
-    });
+    return createContext<vk::Context>("agaaVkCreateContext", headerVersion, desc, outContext,
+                                      checkContextDesc);
 }
 
 AgaaResult AGAA_CALL agaaVkGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps) {
-    return guarded(logOf(context), "agaaVkGetContextCaps", [&]() -> AgaaResult {
-        requireBackend(context, Backend::Vulkan);
-        checkStruct(outCaps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
-        *outCaps = context->caps;
-        return AGAA_OK;
-    });
+    return writeContextCaps("agaaVkGetContextCaps", context, Backend::Vulkan, outCaps);
 }
 
 AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* desc,
@@ -132,21 +97,10 @@ AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* d
 AgaaResult AGAA_CALL agaaVkGetDrawPasses(AgaaView view, uint32_t* count, AgaaVkDrawPass* passes) {
     return guarded(logOf(view), "agaaVkGetDrawPasses", [&]() -> AgaaResult {
         requireBackend(view, Backend::Vulkan);
-        require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
-        const auto& own = static_cast<const vk::View&>(*view);
-        const uint32_t available = view->plan.geometryPasses();
-        if (passes) {
-            require(*count >= available, AGAA_ERROR_BUFFER_TOO_SMALL,
-                    "the array is too small for the draw passes.");
-            for (uint32_t i = 0; i < available; ++i)
-                checkStruct(&passes[i], AGAA_STRUCTURE_TYPE_VK_DRAW_PASS, "AgaaVkDrawPass");
-            uint32_t next = 0;
-            for (size_t i = 0; i < view->plan.passes.size(); ++i)
-                if (view->plan.passes[i].kind == PassKind::HostDraw)
-                    describe(own, i, passes[next++]);
-        }
-        *count = available;
-        return AGAA_OK;
+        return writeDrawPasses(view->plan, count, passes, AGAA_STRUCTURE_TYPE_VK_DRAW_PASS,
+                               "AgaaVkDrawPass", [&](size_t index, AgaaVkDrawPass& out) {
+                                   describe(static_cast<const vk::View&>(*view), index, out);
+                               });
     });
 }
 
