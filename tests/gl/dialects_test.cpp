@@ -1,0 +1,88 @@
+// What hosts may be written in and how: every choice gives the same image.
+#include "support.h"
+
+#include "scene/gltf.h"
+
+namespace harness::test {
+namespace {
+
+struct Choice {
+    const char* name;
+    RendererOptions options;
+};
+
+RendererOptions choice(uint32_t glslVersion, bool images = false, bool outputs = false,
+                       bool compatibility = false) {
+    RendererOptions options;
+    options.glslVersion = glslVersion;
+    options.storageImages = images;
+    options.hostOutputs = outputs;
+    options.compatibilityProfile = compatibility;
+    return options;
+}
+
+const Choice choices[] = {
+    {"330", choice(330)},
+    {"400", choice(400)},
+    {"430", choice(430)},
+    {"images", choice(450, true)},
+    {"outputs", choice(450, false, true)},
+    {"compatibility", choice(450, false, false, true)},
+    {"330, images, outputs, compatibility", choice(330, true, true, true)},
+};
+
+class Dialects : public testing::TestWithParam<const char*> {
+protected:
+    void SetUp() override {
+        scene_ = loadScene(GetParam());
+        settings_ = settingsFor({GetParam(), GetParam(), {}}, scene_, 96, 54);
+    }
+    RenderResult render(Renderer& renderer) const {
+        renderer.load(scene_);
+        const RenderResult result = renderer.render(settings_);
+        expectEverySampleOnce(result.statistics.back().counters);
+        expectNoMessages(renderer);
+        return result;
+    }
+    RenderResult render(const RendererOptions& options) const {
+        return render(*makeGlRenderer(options));
+    }
+
+    Scene scene_;
+    RenderSettings settings_;
+};
+
+TEST_P(Dialects, GiveTheSameImage) {
+    for (const uint32_t samples : {2u, 8u}) { // one and four samples a texel on Mesa
+        settings_.config.samples = samples;
+        const Image expected = render(sharedGlRenderer()).image;
+        for (const Choice& choice : choices) {
+            const Difference d = differenceOf(expected, render(choice.options).image);
+            std::printf("%-8s n=%u %-36s %zu pixels differ, at most by %.3f/255\n", GetParam(), samples,
+                        choice.name, d.pixels, 255 * d.largest);
+            EXPECT_EQ(d.pixels, 0u) << choice.name;
+        }
+    }
+}
+
+// Depth keeps other bits: what lies close together may show other samples, and shadows move by a rounding.
+TEST_P(Dialects, EitherClipConventionAgrees) {
+    RendererOptions options;
+    options.clipZFromMinusOne = true;
+    const std::unique_ptr<Renderer> renderer = makeGlRenderer(options);
+    for (const bool reversed : {false, true}) {
+        settings_.reversedZ = reversed;
+        const double mean =
+            meanDifference(render(sharedGlRenderer()).image, render(*renderer).image);
+        std::printf("%-8s z/w in [-1;1], %s depth: mean difference %.3f/255\n", GetParam(),
+                    reversed ? "reversed" : "standard", 255 * mean);
+        EXPECT_LE(mean, 0.1 / 255);
+    }
+}
+
+// masked, opaque
+INSTANTIATE_TEST_SUITE_P(All, Dialects, testing::Values("foliage", "bamboo"),
+                         [](const auto& info) { return std::string(info.param); });
+
+} // namespace
+} // namespace harness::test
