@@ -69,10 +69,14 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const
     for (const Resource& resource : plan.resources) {
         if (resource.kind != ResourceKind::ShadowMap)
             continue;
-        if (first || resource.hostSlot < frame.shadowCount)
-            checkTexture(gl, glFrame.shadowTextures[resource.hostSlot], GL_TEXTURE_2D_ARRAY,
-                         format("AgaaGlFrame::shadowTextures[%u]", resource.hostSlot),
-                         "TEXTURE_2D_ARRAY");
+        if (first || resource.hostSlot < frame.shadowCount) {
+            const GLuint map = glFrame.shadowTextures[resource.hostSlot];
+            const std::string name = format("AgaaGlFrame::shadowTextures[%u]", resource.hostSlot);
+            checkTexture(gl, map, GL_TEXTURE_2D_ARRAY, name, "TEXTURE_2D_ARRAY");
+            // Comparing with anything else is undefined.
+            if (levelParameter(gl, map, GL_TEXTURE_DEPTH_SIZE) == 0)
+                fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s holds no depth.", name.c_str()));
+        }
         first = false;
     }
 }
