@@ -16,8 +16,7 @@ namespace agaa::test {
 namespace {
 
 // The materials' vectors are attributes of each corner.
-constexpr const char* vertexText = R"(#version 450
-layout(location = 0) in vec3 corner;
+constexpr const char* vertexText = R"(layout(location = 0) in vec3 corner;
 layout(location = 1) in vec4 material[5];
 uniform mat4 clip;
 layout(location = 0) out vec3 position;
@@ -66,13 +65,16 @@ void AGAA_CALL collectLines(void* user, uint32_t severity, AgaaResult code, cons
 }
 
 EglContext& sharedEgl() {
-    static EglContext egl;
+    static EglContext egl(leastContext);
     return egl;
 }
+
+static uint32_t glslVersion(const GladGLContext& gl) { return gl.VERSION_4_5 ? 450 : 430; }
 
 AgaaGlContextDesc contextDesc() {
     AgaaGlContextDesc desc = AGAA_GL_CONTEXT_DESC_INIT;
     desc.getProcAddr = EglContext::getProcAddr;
+    desc.glslVersion = glslVersion(sharedEgl().gl());
     return desc;
 }
 
@@ -135,8 +137,9 @@ StageView::~StageView() {
 }
 
 Program StageView::program(const AgaaGlDrawPass& pass, bool isMasked) const {
-    return Program(gl_, vertexText,
-                   versionLine(450) + pass.glslExtensions +
+    const std::string version = versionLine(glslVersion(gl_));
+    return Program(gl_, version + vertexText,
+                   version + pass.glslExtensions +
                        shaderDefines(settings_, pass.pass, isMasked) + pass.glslDeclarations +
                        fragmentText,
                    pass.name);

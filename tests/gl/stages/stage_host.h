@@ -12,6 +12,9 @@
 
 namespace agaa::test {
 
+// The least that the library takes; drivers give more, unless they are told not to.
+inline constexpr EglContextDesc leastContext{.minor = 3};
+
 // One context for the process, with debug messages; those of medium or higher severity fail the test at hand.
 EglContext& sharedEgl();
 

@@ -1,0 +1,192 @@
+// Misuse of frames: an error code, one clear sentence, nothing drawn, nothing lost.
+#include "bench.h"
+#include "frame_misuse.h"
+
+namespace agaa::test {
+namespace {
+
+using harness::gl::Texture;
+
+struct Row {
+    const char* what;
+    AgaaResult expected;
+    std::function<void(AgaaFrame&, AgaaGlFrame&)> spoil;
+};
+
+Texture texture(GLenum target, GLenum format, GLsizei width, GLsizei height) {
+    const GladGLContext& gl = sharedEgl().gl();
+    Texture made = harness::gl::createTexture(gl, target);
+    if (target == GL_TEXTURE_2D)
+        gl.TextureStorage2D(made.get(), 1, format, width, height);
+    else
+        gl.TextureStorage3D(made.get(), 1, format, width, height, 1);
+    return made;
+}
+
+// A refused frame draws nothing; the next one is as good as ever.
+TEST(GlRecording, MisuseIsRefusedAndChangesNothing) {
+    Bench bench;
+    const std::vector<float> expected = bench.picture();
+    const Texture small = texture(GL_TEXTURE_2D, GL_RGBA16F, 47, 32);
+    const Texture integer = texture(GL_TEXTURE_2D, GL_RGBA32UI, 48, 32);
+    const Texture srgb = texture(GL_TEXTURE_2D, GL_SRGB8_ALPHA8, 48, 32);
+    const Texture layered = texture(GL_TEXTURE_2D_ARRAY, GL_RGBA16F, 48, 32);
+    const Texture flat = texture(GL_TEXTURE_2D, GL_DEPTH_COMPONENT32F, 4, 4);
+    std::vector<Row> rows = {
+        {"backend: wrong sType", AGAA_ERROR_STRUCT, [](auto&, auto& gl) { gl.sType = 9; }},
+        {"backend: wrong structSize", AGAA_ERROR_STRUCT, [](auto&, auto& gl) { gl.structSize = 0; }},
+        {"backend: unknown struct", AGAA_ERROR_UNKNOWN_STRUCT,
+         [](auto&, auto& gl) { gl.pNext = &unknownStruct; }},
+        {"backend: reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto& gl) { gl.reserved = 1; }},
+        {"no output", AGAA_ERROR_INVALID_ARGUMENT, [](auto&, auto& gl) { gl.outputTexture = 0; }},
+        {"output of no name", AGAA_ERROR_INVALID_ARGUMENT,
+         [](auto&, auto& gl) { gl.outputTexture = 54321; }},
+        {"output of another size", AGAA_ERROR_OUT_OF_RANGE,
+         [&](auto&, auto& gl) { gl.outputTexture = small.get(); }},
+        {"output of integers", AGAA_ERROR_UNSUPPORTED,
+         [&](auto&, auto& gl) { gl.outputTexture = integer.get(); }},
+        {"output of sRGB", AGAA_ERROR_UNSUPPORTED,
+         [&](auto&, auto& gl) { gl.outputTexture = srgb.get(); }},
+        {"output of layers", AGAA_ERROR_INVALID_ARGUMENT,
+         [&](auto&, auto& gl) { gl.outputTexture = layered.get(); }},
+        {"no shadow map", AGAA_ERROR_INVALID_ARGUMENT,
+         [](auto&, auto& gl) { gl.shadowTextures[0] = 0; }},
+        {"shadow map without layers", AGAA_ERROR_INVALID_ARGUMENT,
+         [&](auto&, auto& gl) { gl.shadowTextures[0] = flat.get(); }},
+        {"shadow map of colours", AGAA_ERROR_INVALID_ARGUMENT,
+         [&](auto&, auto& gl) { gl.shadowTextures[0] = layered.get(); }},
+        {"composites without the view's flag", AGAA_ERROR_OUT_OF_RANGE,
+         [](auto& f, auto&) { f.background[3] = 0; }},
+    };
+    for (const FrameMisuse& misuse : frameMisuses)
+        rows.push_back({misuse.what, misuse.expected, [&](auto& frame, auto&) {
+                            misuse.spoil(frame, bench.light, bench.shadow);
+                        }});
+    const AgaaShadow shadow = bench.shadow;
+    const AgaaLight light = bench.light;
+    bench.view.drawCalls = 0;
+    for (const Row& row : rows) {
+        AgaaFrame frame = bench.frame();
+        AgaaGlFrame glFrame = bench.glFrame();
+        row.spoil(frame, glFrame);
+        EXPECT_EQ(bench.record(frame, glFrame), row.expected) << row.what;
+        expectOneSentence(bench.context.lines, row.expected, row.what);
+        bench.shadow = shadow;
+        bench.light = light;
+    }
+    EXPECT_EQ(bench.view.drawCalls, 0u);
+    EXPECT_EQ(bench.view.image(), expected);
+    sharedEgl().takeMessages(); // drivers may tell of textures of a wrong target
+    EXPECT_EQ(bench.picture(), expected);
+}
+
+TEST(GlRecording, NullPointersAreRefused) {
+    Bench bench;
+    const AgaaFrame frame = bench.frame();
+    const AgaaGlFrame glFrame = bench.glFrame();
+    const AgaaView view = bench.view.get();
+    EXPECT_EQ(agaaGlRecordFrame(nullptr, &frame, &glFrame), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGlRecordFrame(view, nullptr, &glFrame), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGlRecordFrame(view, &frame, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    uint32_t count = 0;
+    EXPECT_EQ(agaaGlGetDrawPasses(view, nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGlGetDrawPasses(nullptr, &count, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    AgaaGlDrawPass passes[2] = {AGAA_GL_DRAW_PASS_INIT, AGAA_GL_DRAW_PASS_INIT};
+    count = 1;
+    EXPECT_EQ(agaaGlGetDrawPasses(view, &count, passes), AGAA_ERROR_BUFFER_TOO_SMALL);
+    passes[1].structSize = 1;
+    count = 2;
+    EXPECT_EQ(agaaGlGetDrawPasses(view, &count, passes), AGAA_ERROR_STRUCT);
+    AgaaGlSurface surface = AGAA_GL_SURFACE_INIT;
+    EXPECT_EQ(agaaGlGetSurface(nullptr, "depth", &surface), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGlGetSurface(view, nullptr, &surface), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGlGetSurface(view, "depth", nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGlGetSurface(view, "nothing", &surface), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGlGetSurface(view, "depth", &surface), AGAA_OK);
+    EXPECT_EQ(surface.width, 48 * surface.scaleX);
+}
+
+// The same frame can be recorded after all.
+TEST(GlRecording, AFailingCallbackLeavesTheOutput) {
+    Bench bench;
+    const std::vector<float> expected = bench.picture();
+    for (const uint32_t pass : {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE}) {
+        const AgaaFrame frame = bench.frame();
+        bench.view.drawResults[pass] = -77;
+        EXPECT_EQ(bench.record(frame, bench.glFrame()), AGAA_ERROR_CALLBACK);
+        expectOneSentence(bench.context.lines, AGAA_ERROR_CALLBACK, "callback");
+        EXPECT_NE(bench.context.lines[0].text.find("-77"), std::string::npos);
+        EXPECT_EQ(bench.view.image(), expected);
+        bench.view.drawResults.clear();
+        EXPECT_EQ(bench.record(frame, bench.glFrame()), AGAA_OK);
+        EXPECT_EQ(bench.view.image(), expected);
+    }
+}
+
+TEST(GlRecording, FramesAndSegmentsHaveAnOrder) {
+    Bench bench;
+    const std::vector<float> expected = bench.picture();
+    AgaaFrame frame = bench.frame();
+    const auto expect = [&](AgaaFrame& wanted, uint64_t segments, AgaaResult result, const char* what) {
+        wanted.segments = segments;
+        EXPECT_EQ(bench.record(wanted, bench.glFrame()), result) << what;
+        if (result != AGAA_OK)
+            expectOneSentence(bench.context.lines, result, what);
+    };
+    expect(frame, AGAA_SEGMENT_GENERATION, AGAA_ERROR_WRONG_ORDER, "begins in the middle");
+    expect(frame, AGAA_SEGMENT_PREPASS, AGAA_OK, "begins");
+    expect(frame, AGAA_SEGMENT_PREPASS, AGAA_ERROR_WRONG_ORDER, "twice");
+    expect(frame, AGAA_SEGMENT_SHADING, AGAA_ERROR_WRONG_ORDER, "one left out");
+    expect(frame, AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING, AGAA_OK, "the rest");
+    expect(frame, AGAA_SEGMENT_ALL, AGAA_ERROR_WRONG_ORDER, "the same frame");
+    EXPECT_EQ(bench.view.image(), expected);
+    AgaaFrame left = bench.frame();
+    expect(left, AGAA_SEGMENT_PREPASS, AGAA_OK, "begun and given up");
+    EXPECT_EQ(bench.picture(), expected);
+}
+
+// The slots of frames in flight, and the statistics that they keep.
+TEST(GlRecording, FramesInFlightAreARing) {
+    for (const uint32_t slots : {1u, 3u, 8u}) {
+        AgaaGlContextDesc desc = contextDesc();
+        desc.framesInFlight = slots;
+        Bench bench(desc);
+        const auto record = [&](uint64_t completed) {
+            AgaaFrame frame = bench.frame();
+            frame.completedFrame = completed;
+            return bench.record(frame, bench.glFrame());
+        };
+        AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
+        EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 9, &statistics), AGAA_NOT_READY);
+        EXPECT_TRUE(bench.context.lines.empty());
+        for (uint32_t i = 0; i < slots; ++i)
+            EXPECT_EQ(record(0), AGAA_OK) << i;
+        EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 0, &statistics), AGAA_NOT_READY);
+        for (uint32_t i = 1; i <= slots; ++i) {
+            EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), i, &statistics), AGAA_OK);
+            EXPECT_EQ(statistics.frameIndex, i);
+            EXPECT_GT(statistics.counters.visible, 0u);
+        }
+        EXPECT_EQ(record(0), AGAA_ERROR_WRONG_ORDER) << "one too many in flight";
+        expectOneSentence(bench.context.lines, AGAA_ERROR_WRONG_ORDER, "in flight");
+        EXPECT_EQ(record(1), AGAA_OK);
+        EXPECT_EQ(statistics.driverBytes, 0u);
+        statistics.structSize = 4;
+        EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 1, &statistics), AGAA_ERROR_STRUCT);
+    }
+}
+
+TEST(GlRecording, SegmentsInCallsOfTheirOwnAgree) {
+    for (const char* technique : {"single", "ssaa", "agaa"}) {
+        ViewSettings settings = benchSettings();
+        settings.config.technique = technique;
+        settings.config.samples = technique == std::string("single") ? 1 : 8;
+        Bench bench(contextDesc(), sharedEgl(), settings);
+        const std::vector<float> expected = bench.picture();
+        bench.view.render(bench.frame(), bench.glFrame(), true);
+        EXPECT_EQ(bench.view.image(), expected) << technique;
+    }
+}
+
+} // namespace
+} // namespace agaa::test

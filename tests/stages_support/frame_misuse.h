@@ -1,0 +1,76 @@
+// Frames that no graphics API may take.
+#pragma once
+
+#include "agaa_sdk.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace agaa::test {
+
+struct FrameMisuse {
+    const char* what;
+    AgaaResult expected;
+    // A frame with one light and one shadow.
+    std::function<void(AgaaFrame&, AgaaLight&, AgaaShadow&)> spoil;
+};
+
+inline constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
+inline constexpr AgaaStructHeader unknownStruct = {77, sizeof(AgaaStructHeader), nullptr};
+
+inline const FrameMisuse frameMisuses[] = {
+    {"wrong sType", AGAA_ERROR_STRUCT, [](auto& f, auto&, auto&) { f.sType = 3; }},
+    {"wrong structSize", AGAA_ERROR_STRUCT, [](auto& f, auto&, auto&) { f.structSize -= 8; }},
+    {"unknown struct in chain", AGAA_ERROR_UNKNOWN_STRUCT,
+     [](auto& f, auto&, auto&) { f.pNext = &unknownStruct; }},
+    {"no draw callback", AGAA_ERROR_INVALID_ARGUMENT,
+     [](auto& f, auto&, auto&) { f.draw = nullptr; }},
+    {"more shadows than declared", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.shadowCount = 2; }},
+    {"shadows null", AGAA_ERROR_INVALID_ARGUMENT,
+     [](auto& f, auto&, auto&) { f.shadows = nullptr; }},
+    {"shadow without layers", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& shadow) { shadow.layerCount = 0; }},
+    {"shadow with seven layers", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& shadow) { shadow.layerCount = 7; }},
+    {"shadow bias NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto&, auto& shadow) { shadow.depthBias = nan; }},
+    {"shadow matrix infinite", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& shadow) { shadow.matrices[0][3] = infinity; }},
+    {"lights null", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&, auto&) { f.lights = nullptr; }},
+    {"more lights than declared", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.lightCount = 65; }},
+    {"light of unknown type", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.type = 9; }},
+    {"light colour NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.color[1] = nan; }},
+    {"light colour negative", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.color[1] = -1; }},
+    {"light without direction", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.direction[2] = 0; }},
+    {"light names no shadow map", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.shadowMap = 3; }},
+    {"projection NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.projection[0] = nan; }},
+    {"projection of zeros", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { std::fill_n(f.projection, 16, 0.0f); }},
+    {"view infinite", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.view[5] = infinity; }},
+    {"view with a translation", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.view[12] = 3; }},
+    {"view that is no rotation", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.view[0] = 2; }},
+    {"ambient NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.ambient[2] = nan; }},
+    {"background NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.background[1] = nan; }},
+    {"no segment", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.segments = 0; }},
+    {"unknown segment", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.segments = 15; }},
+    {"begins with the last segment", AGAA_ERROR_WRONG_ORDER,
+     [](auto& f, auto&, auto&) { f.segments = AGAA_SEGMENT_SHADING; }},
+    {"leaves a segment out", AGAA_ERROR_WRONG_ORDER,
+     [](auto& f, auto&, auto&) { f.segments = AGAA_SEGMENT_PREPASS | AGAA_SEGMENT_SHADING; }},
+    {"frame 0", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.frameIndex = 0; }},
+    {"a frame completed that has not begun", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.completedFrame = f.frameIndex; }},
+};
+
+} // namespace agaa::test
