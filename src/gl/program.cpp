@@ -9,7 +9,11 @@ namespace agaa::gl {
 
 namespace {
 
-std::string firstLine(const std::string& log) { return log.substr(0, log.find('\n')); }
+// As the end of a sentence.
+std::string firstLine(const std::string& log) {
+    std::string line = log.substr(0, log.find('\n'));
+    return line.ends_with('.') ? line : line + '.';
+}
 
 std::string shaderLog(const GladGLContext& gl, GLuint shader) {
     GLint length = 0;
