@@ -103,7 +103,11 @@ void StageContext::destroy() {
 Texture shadowMap(const GladGLContext& gl, float depth) {
     Texture map = createTexture(gl, GL_TEXTURE_2D_ARRAY);
     gl.TextureStorage3D(map.get(), 1, GL_DEPTH_COMPONENT32F, 4, 4, 1);
-    gl.ClearTexImage(map.get(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    const Framebuffer framebuffer = createFramebuffer(gl);
+    gl.NamedFramebufferTextureLayer(framebuffer.get(), GL_DEPTH_ATTACHMENT, map.get(), 0, 0);
+    gl.NamedFramebufferDrawBuffer(framebuffer.get(), GL_NONE);
+    gl.DepthMask(GL_TRUE); // clears obey it
+    gl.ClearNamedFramebufferfv(framebuffer.get(), GL_DEPTH, 0, &depth);
     return map;
 }
 

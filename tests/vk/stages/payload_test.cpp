@@ -1,4 +1,5 @@
 // The plan's bytes against what is really created, recomputed from the intercepted create calls.
+#include "prediction.h"
 #include "stage_host.h"
 
 #include <gtest/gtest.h>
@@ -108,26 +109,13 @@ protected:
         desc.config = &config;
         desc.facts = &facts;
         desc.flags = viewFlags;
-        AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
-        uint32_t count = 0;
-        ASSERT_EQ(agaaQueryMemory(&desc, &context_.caps(), nullptr, &report, &count, nullptr), 0);
-        std::vector<AgaaSurface> surfaces(count);
-        ASSERT_EQ(agaaQueryMemory(&desc, &context_.caps(), nullptr, &report, &count,
-                                  surfaces.data()),
-                  0);
+        const Prediction predicted = predict(desc, context_.caps());
         created = {};
         AgaaView view = nullptr;
         ASSERT_EQ(agaaVkCreateView(context_.get(), &desc, &view), 0)
             << context_.lines.back().text;
-        // Buffers of the query must be among those created; what is left of images is theirs.
-        uint64_t bufferBytes = 0;
-        for (const AgaaSurface& surface : surfaces)
-            if (surface.isPerPixel && std::strcmp(surface.format, "buffer") == 0) {
-                ASSERT_GT(created.bufferSizes[surface.bytes], 0u) << surface.name;
-                --created.bufferSizes[surface.bytes];
-                bufferBytes += surface.bytes;
-            }
-        EXPECT_EQ(created.imageBytes + bufferBytes, report.totalBytes)
+        const uint64_t bufferBytes = takePixelBuffers(predicted, created.bufferSizes);
+        EXPECT_EQ(created.imageBytes + bufferBytes, predicted.report.totalBytes)
             << technique << " n=" << n << " c=" << c << " " << layoutName << " " << size.width
             << "x" << size.height;
         agaaDestroyView(view);

@@ -1,0 +1,277 @@
+// Misuse of contexts and views on OpenGL, their memory and their order.
+#include "bench.h"
+
+#include "agaa_vk.h"
+
+#include "core/handles.h"
+
+#include <cstdlib>
+#include <set>
+
+namespace agaa::test {
+namespace {
+
+AgaaLog logInto(std::vector<LogLine>& lines) {
+    AgaaLog log = AGAA_LOG_INIT;
+    log.callback = collectLines;
+    log.user = &lines;
+    return log;
+}
+
+AgaaResult create(AgaaGlContextDesc desc, std::vector<LogLine>& lines) {
+    const AgaaLog log = logInto(lines);
+    desc.log = &log;
+    AgaaContext context = nullptr;
+    const AgaaResult result = agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context);
+    agaaDestroyContext(context);
+    return result;
+}
+
+AgaaResult AGAA_CALL nothing(void*) { return AGAA_OK; }
+void* AGAA_CALL noMemory(void*, size_t, size_t) { return nullptr; }
+void AGAA_CALL noFree(void*, void*) {}
+AgaaGlFunction AGAA_CALL noFunction(void*, const char*) { return nullptr; }
+const AgaaStructHeader unknown = {77, sizeof(AgaaStructHeader), nullptr};
+
+TEST(GlMisuse, ContextsAreRefusedInASentence) {
+    sharedEgl().makeCurrent();
+    struct Row {
+        const char* what;
+        AgaaResult expected;
+        std::function<void(AgaaGlContextDesc&)> spoil;
+    };
+    const Row rows[] = {
+        {"sType", AGAA_ERROR_STRUCT, [](auto& d) { d.sType = 1; }},
+        {"unknown struct", AGAA_ERROR_UNKNOWN_STRUCT, [](auto& d) { d.pNext = &unknown; }},
+        {"no getProcAddr", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.getProcAddr = nullptr; }},
+        {"no functions", AGAA_ERROR_UNSUPPORTED, [](auto& d) { d.getProcAddr = noFunction; }},
+        {"GLSL 320", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.glslVersion = 320; }},
+        {"GLSL 455", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.glslVersion = 455; }},
+        {"storage", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.storage = 2; }},
+        {"outputs", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.outputs = 2; }},
+        {"policy", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.statePolicy = 3; }},
+        {"no frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.framesInFlight = 0; }},
+        {"nine frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.framesInFlight = 9; }},
+        {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.reserved = 1; }},
+        {"equal bindings", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.countersBinding = 0; }},
+        {"frame binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.frameBinding = 100000; }},
+        {"metadata unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.metadataUnit = 100000; }},
+        {"aggregates binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.aggregatesBinding = 100000; }},
+        {"counters image unit", AGAA_ERROR_OUT_OF_RANGE,
+         [](auto& d) {
+             d.storage = AGAA_GL_STORAGE_IMAGES;
+             d.countersBinding = 100000;
+         }},
+        {"no popState", AGAA_ERROR_INVALID_ARGUMENT,
+         [](auto& d) {
+             d.statePolicy = AGAA_GL_STATE_CALLBACKS;
+             d.pushState = nothing;
+         }},
+        {"no free", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.allocate = noMemory; }},
+        {"no memory", AGAA_ERROR_OUT_OF_MEMORY,
+         [](auto& d) {
+             d.allocate = noMemory;
+             d.free = noFree;
+         }},
+    };
+    for (const Row& row : rows) {
+        AgaaGlContextDesc desc = contextDesc();
+        row.spoil(desc);
+        std::vector<LogLine> lines;
+        EXPECT_EQ(create(desc, lines), row.expected) << row.what;
+        expectOneSentence(lines, row.expected, row.what);
+    }
+    std::vector<LogLine> lines;
+    EXPECT_EQ(create(contextDesc(), lines), AGAA_OK);
+    EXPECT_TRUE(lines.empty());
+    AgaaContext context = nullptr;
+    const AgaaGlContextDesc desc = contextDesc();
+    EXPECT_EQ(agaaGlCreateContext(AGAA_HEADER_VERSION, nullptr, &context), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGlCreateContext(77u << 22, &desc, &context), AGAA_ERROR_VERSION);
+    EXPECT_EQ(context, nullptr);
+    EXPECT_EQ(sharedEgl().takeMessages(), "");
+}
+
+TEST(GlMisuse, NeedsACurrentContext) {
+    {
+        const EglContext gone(leastContext); // and with it none is current
+    }
+    std::vector<LogLine> lines;
+    EXPECT_EQ(create(contextDesc(), lines), AGAA_ERROR_UNSUPPORTED);
+    expectOneSentence(lines, AGAA_ERROR_UNSUPPORTED, "no context");
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    EXPECT_EQ(agaaGlGetDeviceCaps(EglContext::getProcAddr, nullptr, nullptr, &caps),
+              AGAA_ERROR_UNSUPPORTED);
+    sharedEgl().makeCurrent();
+    EXPECT_EQ(agaaGlGetDeviceCaps(EglContext::getProcAddr, nullptr, nullptr, &caps), AGAA_OK);
+    EXPECT_EQ(agaaGlGetDeviceCaps(nullptr, nullptr, nullptr, &caps), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGlGetDeviceCaps(EglContext::getProcAddr, nullptr, nullptr, nullptr),
+              AGAA_ERROR_INVALID_ARGUMENT);
+}
+
+TEST(GlMisuse, ViewsAreRefusedInASentence) {
+    StageContext context;
+    AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
+    function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }";
+    function.shadows = 1;
+    AgaaShadowFunction other = function;
+    const auto expect = [&](const AgaaViewDesc* desc, AgaaResult result, const char* what) {
+        AgaaView view = nullptr;
+        context.lines.clear();
+        EXPECT_EQ(agaaGlCreateView(context.get(), desc, &view), result) << what;
+        if (result != AGAA_OK)
+            expectOneSentence(context.lines, result, what);
+        agaaDestroyView(view);
+    };
+    const ViewSettings settings = benchSettings();
+    AgaaViewDesc desc = viewDesc(settings);
+    expect(&desc, AGAA_OK, "right");
+    expect(nullptr, AGAA_ERROR_INVALID_ARGUMENT, "null");
+    desc.pNext = &unknown;
+    expect(&desc, AGAA_ERROR_UNKNOWN_STRUCT, "unknown struct");
+    desc.pNext = &other;
+    other.descriptorSetLayout = 5;
+    expect(&desc, AGAA_ERROR_INVALID_ARGUMENT, "a set layout of Vulkan's");
+    for (const char* text : {"float x = ;", "float other;"}) {
+        other = function;
+        other.glsl = text;
+        expect(&desc, AGAA_ERROR_INVALID_ARGUMENT, text);
+    }
+    EXPECT_NE(sharedEgl().takeMessages(), "") << "the driver tells of them too";
+    desc.pNext = &function;
+    expect(&desc, AGAA_OK, "a function");
+    desc = viewDesc(settings);
+    desc.width = 0;
+    expect(&desc, AGAA_ERROR_OUT_OF_RANGE, "no pixels");
+    desc.width = 1u << 20;
+    expect(&desc, AGAA_ERROR_TOO_LARGE, "too wide");
+    context.lines.clear();
+    EXPECT_EQ(agaaGlCreateView(context.get(), &desc, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    expectOneSentence(context.lines, AGAA_ERROR_INVALID_ARGUMENT, "no place for the view");
+}
+
+TEST(GlMisuse, HandlesOfAnotherBackendAreRefused) {
+    Bench bench;
+    AgaaVkFrame vkFrame = AGAA_VK_FRAME_INIT;
+    AgaaVkSurface surface = AGAA_VK_SURFACE_INIT;
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    const AgaaFrame frame = bench.frame();
+    const ViewSettings settings = benchSettings();
+    const AgaaViewDesc desc = viewDesc(settings);
+    AgaaView view = nullptr;
+    uint32_t count = 0;
+    const auto expect = [&](AgaaResult result, const char* what) {
+        EXPECT_EQ(result, AGAA_ERROR_INVALID_ARGUMENT) << what;
+        expectOneSentence(bench.context.lines, AGAA_ERROR_INVALID_ARGUMENT, what);
+        bench.context.lines.clear();
+    };
+    expect(agaaVkCreateView(bench.context.get(), &desc, &view), "create a view");
+    expect(agaaVkGetContextCaps(bench.context.get(), &caps), "caps");
+    expect(agaaVkRecordFrame(bench.view.get(), &frame, &vkFrame), "record");
+    expect(agaaVkGetDrawPasses(bench.view.get(), &count, nullptr), "draw passes");
+    expect(agaaVkGetSurface(bench.view.get(), "depth", &surface), "surface");
+}
+
+// Handles of Vulkan need no device to be refused.
+TEST(GlMisuse, HandlesOfVulkanAreRefused) {
+    std::vector<LogLine> lines;
+    const AgaaLog log = logInto(lines);
+    AgaaContext_T vulkan(Backend::Vulkan, &log, {}, 2);
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    EXPECT_EQ(agaaGlGetContextCaps(&vulkan, &caps), AGAA_ERROR_INVALID_ARGUMENT);
+    expectOneSentence(lines, AGAA_ERROR_INVALID_ARGUMENT, "caps");
+    lines.clear();
+    const ViewSettings settings = benchSettings();
+    const AgaaViewDesc desc = viewDesc(settings);
+    AgaaView view = nullptr;
+    EXPECT_EQ(agaaGlCreateView(&vulkan, &desc, &view), AGAA_ERROR_INVALID_ARGUMENT);
+    expectOneSentence(lines, AGAA_ERROR_INVALID_ARGUMENT, "view");
+}
+
+struct HostMemory {
+    std::set<void*> blocks;
+    size_t calls = 0;
+
+    static void* AGAA_CALL allocate(void* user, size_t size, size_t alignment) {
+        auto& memory = *static_cast<HostMemory*>(user);
+        ++memory.calls;
+        void* block = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+        memory.blocks.insert(block);
+        return block;
+    }
+    static void AGAA_CALL free(void* user, void* block) {
+        EXPECT_EQ(static_cast<HostMemory*>(user)->blocks.erase(block), 1u);
+        std::free(block);
+    }
+};
+
+TEST(GlLifetime, HandlesLiveInTheHostsMemory) {
+    HostMemory memory;
+    AgaaGlContextDesc desc = contextDesc();
+    desc.allocate = HostMemory::allocate;
+    desc.free = HostMemory::free;
+    desc.allocateUser = &memory;
+    {
+        Bench bench(desc);
+        EXPECT_EQ(memory.blocks.size(), 2u);
+        EXPECT_TRUE(memory.blocks.contains(bench.view.get()));
+        bench.picture();
+        ViewSettings tooLarge = benchSettings();
+        tooLarge.width = 1u << 20;
+        const AgaaViewDesc refused = viewDesc(tooLarge);
+        AgaaView none = nullptr;
+        EXPECT_LT(agaaGlCreateView(bench.context.get(), &refused, &none), 0);
+        EXPECT_EQ(memory.blocks.size(), 2u) << "what a failure had is given back";
+    }
+    EXPECT_GE(memory.calls, 2u);
+    EXPECT_TRUE(memory.blocks.empty());
+}
+
+TEST(GlLifetime, ViewsGoBeforeTheirContext) {
+    Bench bench;
+    const std::vector<float> expected = bench.picture();
+    bench.context.lines.clear();
+    const AgaaContext context = bench.context.get();
+    agaaDestroyContext(context); // too early: kept
+    expectOneSentence(bench.context.lines, AGAA_ERROR_WRONG_ORDER, "too early");
+    EXPECT_EQ(bench.picture(), expected);
+    agaaDestroyView(nullptr);
+    agaaDestroyContext(nullptr);
+}
+
+// Two views of one context, and another OpenGL context beside it.
+TEST(GlLifetime, ViewsAndContextsDoNotDisturbEachOther) {
+    Bench bench;
+    const std::vector<float> expected = bench.picture();
+    ViewSettings settings = benchSettings();
+    settings.width = 31;
+    settings.height = 17;
+    settings.config.technique = "ssaa";
+    StageView second(bench.context, settings);
+    second.setTriangles(randomTriangles({.triangles = 20}, 42));
+    AgaaFrame frame = second.frame();
+    frame.lights = &bench.light;
+    frame.lightCount = 1;
+    bench.light.shadowMap = AGAA_NO_SHADOW;
+    AgaaGlFrame glFrame = second.glFrame();
+    glFrame.shadowTextures[0] = bench.map.get();
+    second.render(frame, glFrame);
+    const std::vector<float> other = second.image();
+    bench.light.shadowMap = 0;
+    {
+        EglContext egl(leastContext);
+        Bench beside(contextDesc(), egl);
+        EXPECT_EQ(beside.picture(), expected);
+        sharedEgl().makeCurrent();
+        EXPECT_EQ(bench.picture(), expected);
+        egl.makeCurrent();
+        EXPECT_EQ(beside.picture(), expected);
+    }
+    sharedEgl().makeCurrent();
+    EXPECT_EQ(bench.picture(), expected);
+    EXPECT_EQ(second.image(), other);
+}
+
+} // namespace
+} // namespace agaa::test

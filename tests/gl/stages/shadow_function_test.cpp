@@ -1,0 +1,133 @@
+// Shadows by a function of the host's against the shadow map that says the same, and what else a frame may ask of
+// its view.
+#include "bench.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace agaa::test {
+namespace {
+
+constexpr uint32_t functionUnit = 20, functionBlock = 6; // beyond what frames touch
+constexpr const char* functionText = R"(
+layout(binding = 20) uniform sampler2D hostMap;
+layout(std140, binding = 6) uniform Host { float threshold; } host;
+float agaaHostShadow(uint shadow, vec3 position) {
+    return texelFetch(hostMap, ivec2(0), 0).x < host.threshold ? 0.0 : 1.0;
+}
+)";
+
+// All points lie at 0.25 of a map of this depth: lit where it is not less.
+std::vector<float> byMap(const ViewSettings& settings, float depth) {
+    Bench bench(contextDesc(), sharedEgl(), settings);
+    bench.map = shadowMap(sharedEgl().gl(), depth);
+    return bench.picture();
+}
+
+std::vector<float> byFunction(ViewSettings settings, float depth) {
+    const GladGLContext& gl = sharedEgl().gl();
+    AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
+    function.glsl = functionText;
+    function.shadows = 1;
+    settings.shadowFunction = &function;
+    const harness::gl::Texture map = harness::gl::createTexture(gl, GL_TEXTURE_2D);
+    gl.TextureStorage2D(map.get(), 1, GL_R32F, 1, 1);
+    gl.TextureSubImage2D(map.get(), 0, 0, 0, 1, 1, GL_RED, GL_FLOAT, &depth);
+    const harness::gl::Buffer block = harness::gl::createBuffer(gl);
+    const float threshold[4] = {0.25f, 0, 0, 0};
+    gl.NamedBufferData(block.get(), sizeof threshold, threshold, GL_STATIC_DRAW);
+    gl.BindTextureUnit(functionUnit, map.get());
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, functionBlock, block.get());
+    Bench bench(contextDesc(), sharedEgl(), settings);
+    bench.shadow = AgaaShadow{};
+    const std::vector<float> picture = bench.picture();
+    gl.BindTextureUnit(functionUnit, 0);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, functionBlock, 0);
+    return picture;
+}
+
+double sum(const std::vector<float>& picture) {
+    return std::accumulate(picture.begin(), picture.end(), 0.0);
+}
+
+TEST(GlShadowFunction, ShowsWhatTheSameMapShows) {
+    for (const char* technique : {"single", "ssaa", "agaa"}) {
+        ViewSettings settings = benchSettings();
+        settings.config.technique = technique;
+        settings.config.samples = technique == std::string("single") ? 1 : 4;
+        const std::vector<float> lit = byMap(settings, 0.5f), dark = byMap(settings, 0.125f);
+        EXPECT_GT(sum(lit), 1.02 * sum(dark)) << "there is light to lose";
+        EXPECT_EQ(byFunction(settings, 0.5f), lit) << technique;
+        EXPECT_EQ(byFunction(settings, 0.125f), dark) << technique;
+    }
+}
+
+// What the output held shows where nothing is drawn, and in part where something is.
+TEST(GlFrames, CompositeOverTheOutput) {
+    const GladGLContext& gl = sharedEgl().gl();
+    ViewSettings settings = benchSettings();
+    const auto render = [&](bool composite) {
+        settings.flags = composite ? AGAA_VIEW_COMPOSITE : 0;
+        Bench bench(contextDesc(), sharedEgl(), settings);
+        const float below[4] = {0.25f, 0.5f, 2.0f, 1};
+        const harness::gl::Framebuffer target = harness::gl::createFramebuffer(gl);
+        gl.NamedFramebufferTexture(target.get(), GL_COLOR_ATTACHMENT0, bench.view.output().get(), 0);
+        gl.Disable(GL_SCISSOR_TEST);
+        gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        gl.ClearNamedFramebufferfv(target.get(), GL_COLOR, 0, below);
+        AgaaFrame frame = bench.frame();
+        for (int i = 0; i < 4; ++i)
+            frame.background[i] = composite && i == 3 ? 0 : below[i];
+        bench.view.render(frame, bench.glFrame());
+        return bench.view.image();
+    };
+    for (const char* technique : {"ssaa", "agaa"}) {
+        settings.config.technique = technique;
+        EXPECT_EQ(render(true), render(false)) << technique << ": a background of the same colour";
+    }
+}
+
+double meanDifference(const std::vector<float>& a, const std::vector<float>& b) {
+    double total = 0;
+    for (size_t i = 0; i < a.size(); ++i)
+        total += std::fabs(double(a[i]) / (1 + double(a[i])) - double(b[i]) / (1 + double(b[i])));
+    return total / double(a.size());
+}
+
+// z in [-w;w] for z in [0;w].
+glm::mat4 fromMinusOne(glm::mat4 projection) {
+    for (int column = 0; column < 4; ++column)
+        projection[column][2] = 2 * projection[column][2] - projection[column][3];
+    return projection;
+}
+
+TEST(GlFrames, EitherDepthAndClipConventionAgrees) {
+    ViewSettings settings = benchSettings();
+    const auto render = [&](uint64_t flags, const glm::mat4& projection) {
+        settings.flags = flags;
+        settings.projection = projection;
+        Bench bench(contextDesc(), sharedEgl(), settings);
+        return bench.picture();
+    };
+    const glm::mat4 standard = perspective(60, 1.5f, 0.1f, 100);
+    const glm::mat4 reversed = reversedInfinite(60, 1.5f, 0.1f);
+    constexpr uint64_t below = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
+    const std::vector<float> expected = render(0, standard);
+    const struct {
+        const char* name;
+        uint64_t flags;
+        glm::mat4 projection;
+    } rows[] = {
+        {"reversed", AGAA_VIEW_REVERSED_Z, reversed},
+        {"[-1;1]", below, fromMinusOne(standard)},
+        {"[-1;1], reversed", below | AGAA_VIEW_REVERSED_Z, fromMinusOne(reversed)},
+    };
+    for (const auto& row : rows) {
+        const double mean = 255 * meanDifference(render(row.flags, row.projection), expected);
+        std::printf("%-18s mean difference %.4f/255\n", row.name, mean);
+        EXPECT_LT(mean, 0.05) << row.name;
+    }
+}
+
+} // namespace
+} // namespace agaa::test
