@@ -20,8 +20,8 @@ class Render(unittest.TestCase):
 
     backend = "vk"
 
-    def render(self, *arguments):
-        return harness.data("render", "--backend", self.backend, "--scene", "metal", "--size", "96x54",
+    def render(self, *arguments, size="96x54"):
+        return harness.data("render", "--backend", self.backend, "--scene", "metal", "--size", size,
                             *arguments)
 
     def test_every_technique(self):
@@ -62,7 +62,7 @@ class Render(unittest.TestCase):
 
     def test_odd_sizes(self):
         for size in ("1x1", "3x5", "33x17"):
-            data = self.render("--size", size, "--samples", "32")
+            data = self.render("--samples", "32", size=size)
             self.assertEqual(data["apiMessages"], [])
             self.assertEqual(data["counters"]["missed"], 0)
 
