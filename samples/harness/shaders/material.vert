@@ -30,15 +30,22 @@ DRAW_BLOCK Draw {
 
 invariant gl_Position;
 
+float transformRow(vec4 row, vec3 p) { return ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w; }
+
+vec3 transform(vec4 rows[3], vec3 p) {
+    return vec3(transformRow(rows[0], p), transformRow(rows[1], p), transformRow(rows[2], p));
+}
+
 vec3 rotate(vec4 rows[3], vec3 v) {
     return vec3(dot(rows[0].xyz, v), dot(rows[1].xyz, v), dot(rows[2].xyz, v));
 }
 
 void main() {
-    vec4 position = vec4(vertexPosition, 1.0);
-    centrePosition = vec3(dot(draw.toShading[0], position), dot(draw.toShading[1], position),
-                       dot(draw.toShading[2], position));
-    gl_Position = camera.viewProjection * vec4(centrePosition, 1.0);
+    // Sums in an order of their own: compilers are free to choose that of dot() and of matrix products, and of
+    // surfaces at equal depth rounding picks the one that shows.
+    centrePosition = transform(draw.toShading, vertexPosition);
+    mat4 m = camera.viewProjection;
+    gl_Position = ((m[0] * centrePosition.x + m[1] * centrePosition.y) + m[2] * centrePosition.z) + m[3];
     centreUv = vertexUv;
     centreAlpha = vertexColor.a;
 
