@@ -5,11 +5,12 @@ set(glad_folder ${PROJECT_BINARY_DIR}/glad)
 # What 4.3 lacks, so that it is loaded from contexts below 4.5 too, and what is optional.
 set(glad_extensions GL_ARB_direct_state_access GL_ARB_buffer_storage GL_ARB_clip_control GL_KHR_debug
     GL_ARB_post_depth_coverage GL_ARB_texture_filter_anisotropic GL_EXT_texture_filter_anisotropic
-    GL_NV_framebuffer_mixed_samples GL_NV_sample_mask_override_coverage)
+    GL_NV_framebuffer_mixed_samples GL_NV_sample_mask_override_coverage GL_ARB_polygon_offset_clamp
+    GL_EXT_polygon_offset_clamp GL_ARB_query_buffer_object GL_AMD_depth_clamp_separate)
 list(JOIN glad_extensions "," glad_extensions)
 add_custom_command(
   OUTPUT ${glad_folder}/src/gl.c ${glad_folder}/include/glad/gl.h
-  COMMAND ${GLAD} --quiet --reproducible --api gl:compatibility=4.5 --extensions ${glad_extensions}
+  COMMAND ${GLAD} --quiet --reproducible --api gl:compatibility=4.6 --extensions ${glad_extensions}
           --out-path ${glad_folder} c --mx
   COMMENT "Generating the OpenGL loader" VERBATIM)
 add_library(agaa_glad STATIC ${glad_folder}/src/gl.c ${glad_folder}/include/glad/gl.h)

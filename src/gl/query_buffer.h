@@ -6,11 +6,15 @@
 
 namespace agaa::gl {
 
+inline bool hasQueryBuffer(const GladGLContext& gl) {
+    return gl.VERSION_4_4 || gl.ARB_query_buffer_object;
+}
+
 // While it lives, no buffer takes the results of queries.
 class NoQueryBuffer {
 public:
     explicit NoQueryBuffer(const GladGLContext& gl) : gl_(gl) {
-        if (!gl.VERSION_4_4)
+        if (!hasQueryBuffer(gl))
             return;
         gl.GetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer_);
         gl.BindBuffer(GL_QUERY_BUFFER, 0);

@@ -1,5 +1,6 @@
 // Objects bound to the context. Those deleted since they were read are restored as 0: a name that
 // no longer exists would raise an error, or make an object that the host never asked for.
+#include "gl/query_buffer.h"
 #include "gl/state_access.h"
 #include "gl/state_table.h"
 
@@ -129,8 +130,7 @@ constexpr StateRow texture(GLenum parameter, const char* name, const char* descr
             StateArray::TextureUnits};
 }
 
-constexpr StateNeed kQueryBuffers{"4.4",
-                                  [](const GladGLContext& gl) { return gl.VERSION_4_4 != 0; }};
+constexpr StateNeed kQueryBuffers{"4.4 or GL_ARB_query_buffer_object", hasQueryBuffer};
 
 // clang-format off
 constexpr StateRow kRows[] = {

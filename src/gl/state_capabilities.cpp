@@ -14,6 +14,14 @@ constexpr StateRow capability(GLenum parameter, const char* name, const char* de
 
 constexpr StateProfile kCompatibility = StateProfile::Compatibility;
 
+// glEnable(GL_DEPTH_CLAMP) switches both planes, and asking tells of either.
+constexpr StateNeed kDepthClamp{
+    "no GL_AMD_depth_clamp_separate",
+    [](const GladGLContext& gl) { return gl.AMD_depth_clamp_separate == 0; }};
+constexpr StateNeed kDepthClampSeparate{
+    "GL_AMD_depth_clamp_separate",
+    [](const GladGLContext& gl) { return gl.AMD_depth_clamp_separate != 0; }};
+
 // clang-format off
 constexpr StateRow kRows[] = {
     {"GL_SCISSOR_TEST", "scissor test", {GL_SCISSOR_TEST}, "b", readCapabilityAt,
@@ -23,7 +31,14 @@ constexpr StateRow kRows[] = {
     {"GL_CLIP_DISTANCE0", "user clipping; with fixed functions GL_CLIP_PLANE0", {GL_CLIP_DISTANCE0},
      "b", readCapability, writeCapability, StateArray::ClipDistances},
     capability(GL_DEPTH_TEST, "GL_DEPTH_TEST", "depth test"),
-    capability(GL_DEPTH_CLAMP, "GL_DEPTH_CLAMP", "clamping of depths instead of clipping"),
+    capability(GL_DEPTH_CLAMP, "GL_DEPTH_CLAMP", "clamping of depths instead of clipping",
+               StateProfile::Any, kDepthClamp),
+    capability(GL_DEPTH_CLAMP_NEAR_AMD, "GL_DEPTH_CLAMP_NEAR_AMD",
+               "clamping at the near plane instead of clipping", StateProfile::Any,
+               kDepthClampSeparate),
+    capability(GL_DEPTH_CLAMP_FAR_AMD, "GL_DEPTH_CLAMP_FAR_AMD",
+               "clamping at the far plane instead of clipping", StateProfile::Any,
+               kDepthClampSeparate),
     capability(GL_STENCIL_TEST, "GL_STENCIL_TEST", "stencil test"),
     capability(GL_RASTERIZER_DISCARD, "GL_RASTERIZER_DISCARD", "dropping of all primitives"),
     capability(GL_CULL_FACE, "GL_CULL_FACE", "face culling"),

@@ -22,6 +22,30 @@ void setPolygonModes(const StateContext& context, const StateRow&, uint32_t,
     context.gl().PolygonMode(GL_BACK, component<GLenum>(value, 1));
 }
 
+// glPolygonOffset sets the clamp to 0, so the three are set by one call where there is a clamp.
+bool hasOffsetClamp(const GladGLContext& gl) {
+    return gl.VERSION_4_6 || gl.ARB_polygon_offset_clamp || gl.EXT_polygon_offset_clamp;
+}
+
+void readPolygonOffset(const StateReading& reading, const StateRow& row, uint32_t element,
+                       StateValue& out) {
+    StateRow had = row;
+    if (!hasOffsetClamp(reading.gl()))
+        had.layout.remove_suffix(1);
+    readValues(reading, had, element, out);
+}
+
+void setPolygonOffset(const StateContext& context, const StateRow&, uint32_t,
+                      const StateValue& value) {
+    const GladGLContext& gl = context.gl();
+    if (!hasOffsetClamp(gl))
+        callWith(gl.PolygonOffset, value);
+    else if (gl.PolygonOffsetClamp)
+        callWith(gl.PolygonOffsetClamp, value);
+    else
+        callWith(gl.PolygonOffsetClampEXT, value);
+}
+
 constexpr StateNeed kClipControl{"4.5 or GL_ARB_clip_control", [](const GladGLContext& gl) {
                                      return gl.VERSION_4_5 != 0 || gl.ARB_clip_control != 0;
                                  }};
@@ -45,9 +69,10 @@ constexpr StateRow kRows[] = {
      set<&Gl::PolygonMode, GL_FRONT_AND_BACK>, StateArray::Once, StateProfile::Core},
     {"GL_POLYGON_MODE", "polygons as areas, lines or points, front and back", {GL_POLYGON_MODE},
      "ee", readValues, setPolygonModes, StateArray::Once, StateProfile::Compatibility},
-    {"GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS", "depth offset",
-     {GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS}, "ff", readValues,
-     set<&Gl::PolygonOffset>},
+    {"GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS, GL_POLYGON_OFFSET_CLAMP",
+     "depth offset; the clamp where the context has it",
+     {GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS, GL_POLYGON_OFFSET_CLAMP}, "fff",
+     readPolygonOffset, setPolygonOffset},
     {"GL_LINE_WIDTH", "line width", {GL_LINE_WIDTH}, "f", readValues, set<&Gl::LineWidth>},
     {"GL_POINT_SIZE", "point size", {GL_POINT_SIZE}, "f", readValues, set<&Gl::PointSize>},
     {"GL_POINT_FADE_THRESHOLD_SIZE", "point size below which points fade",

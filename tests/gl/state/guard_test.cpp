@@ -124,6 +124,30 @@ TEST_P(GuardTest, scramblesEveryRowOtherwiseWithTheNextSeed) {
         ADD_FAILURE() << name << " is the same with all seeds";
 }
 
+// The clamp has three names: OpenGL 4.6 and both extensions.
+TEST_P(GuardTest, restoresTheClampOfDepthOffsets) {
+    if (!gl().ARB_polygon_offset_clamp || !gl().EXT_polygon_offset_clamp)
+        GTEST_SKIP() << "the context has no clamp";
+    GladGLContext arb = gl(), ext = gl(), none = gl();
+    ext.ARB_polygon_offset_clamp = none.ARB_polygon_offset_clamp = 0;
+    arb.EXT_polygon_offset_clamp = none.EXT_polygon_offset_clamp = 0;
+    arb.VERSION_4_6 = ext.VERSION_4_6 = none.VERSION_4_6 = 0;
+    ext.PolygonOffsetClamp = none.PolygonOffsetClamp = nullptr;
+    arb.PolygonOffsetClampEXT = none.PolygonOffsetClampEXT = nullptr;
+    for (const GladGLContext* table : {&arb, &ext, &none}) {
+        gl().PolygonOffsetClamp(2.0f, 3.0f, 0.25f);
+        gl::StateGuard guard(*table, testScope(), GetParam());
+        guard.capture();
+        gl().PolygonOffset(0.0f, 0.0f);
+        guard.restore();
+        GLfloat factor = 0, clamp = 0;
+        gl().GetFloatv(GL_POLYGON_OFFSET_FACTOR, &factor);
+        gl().GetFloatv(GL_POLYGON_OFFSET_CLAMP, &clamp);
+        EXPECT_EQ(factor, 2.0f);
+        EXPECT_EQ(clamp, table == &none ? 0.0f : 0.25f);
+    }
+}
+
 TEST_P(GuardTest, leavesPendingErrorsAlone) {
     gl::StateGuard guard(gl(), testScope(), GetParam());
     gl().Enable(GL_TEXTURE0);

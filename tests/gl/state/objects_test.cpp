@@ -1,4 +1,5 @@
 // Bindings whose objects, ranges or surroundings are out of the ordinary.
+#include "gl/query_buffer.h"
 #include "support.h"
 
 namespace agaa::test {
@@ -65,6 +66,31 @@ TEST_P(ObjectsTest, rangesBeyondTheBuffer) {
     // Legal at binding: the buffer may grow before it is used.
     gl().BindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, objects.buffers[0], 256, GLsizeiptr{1} << 30);
     expectRestored();
+}
+
+// Contexts of 4.3 have the binding by an extension.
+TEST_P(ObjectsTest, queryBufferOfAnExtension) {
+    if (!gl().ARB_query_buffer_object)
+        GTEST_SKIP() << "the context has not the extension";
+    HostObjects objects(gl());
+    GladGLContext older = gl();
+    older.VERSION_4_4 = 0;
+    gl().BindBuffer(GL_QUERY_BUFFER, objects.buffers[0]);
+    const auto bound = [&] {
+        GLint name = -1;
+        gl().GetIntegerv(GL_QUERY_BUFFER_BINDING, &name);
+        return GLuint(name);
+    };
+    {
+        const gl::NoQueryBuffer none(older);
+        EXPECT_EQ(bound(), 0u);
+    }
+    EXPECT_EQ(bound(), objects.buffers[0]);
+    gl::StateGuard guard(older, testScope(), GetParam());
+    guard.capture();
+    gl().BindBuffer(GL_QUERY_BUFFER, objects.buffers[1]);
+    guard.restore();
+    EXPECT_EQ(bound(), objects.buffers[0]);
 }
 
 TEST_P(ObjectsTest, noVertexArray) {

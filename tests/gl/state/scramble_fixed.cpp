@@ -77,8 +77,14 @@ const Scrambler kScramblers[] = {
              s.gl.PolygonMode(GL_FRONT_AND_BACK, polygonMode(s.values));
          }
      }},
-    {"GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS",
-     [](Scrambling& s) { s.gl.PolygonOffset(s.values.number(-2, 3), s.values.number(5, 9)); }},
+    {"GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS, GL_POLYGON_OFFSET_CLAMP",
+     [](Scrambling& s) {
+         const GLfloat factor = s.values.number(-2, 3), units = s.values.number(5, 9);
+         if (s.gl.ARB_polygon_offset_clamp)
+             s.gl.PolygonOffsetClamp(factor, units, s.values.number(0.125f, 0.5f));
+         else
+             s.gl.PolygonOffset(factor, units);
+     }},
     {"GL_LINE_WIDTH", // above 1 is an error in forward-compatible contexts
      [](Scrambling& s) { s.gl.LineWidth(s.values.number(0.25f, 0.75f)); }},
     {"GL_POINT_SIZE", [](Scrambling& s) { s.gl.PointSize(s.values.number(2, 6)); }},
