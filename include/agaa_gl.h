@@ -51,7 +51,8 @@ typedef enum AgaaGlStatePolicy {
      * when a callback or the frame fails. */
     AGAA_GL_STATE_RESTORE = 0,
     /* pushState is called on entry and after each draw callback, popState before each draw callback and at
-     * return: for hosts that can save and restore more cheaply than by glGet. */
+     * return: for hosts that can save and restore more cheaply than by glGet. Where the last popState fails
+     * the frame is AGAA_ERROR_CALLBACK, though its output was written. */
     AGAA_GL_STATE_CALLBACKS = 1,
     /* Nothing is saved: the host sets what it needs. */
     AGAA_GL_STATE_NONE = 2,
@@ -88,7 +89,7 @@ typedef struct AgaaGlContextDesc {
     AgaaGlStateCallback popState;
     void* stateUser;
     /* Where the SDK binds what the host's shaders read, during draw callbacks. The host's own bindings there
-     * come back with the rest of its state. */
+     * come back after the callback, but with AGAA_GL_STATE_NONE. */
     uint32_t frameBinding;      /* uniform buffer */
     uint32_t metadataUnit;      /* texture unit */
     uint32_t aggregatesBinding; /* shader storage buffer; with AGAA_GL_STORAGE_IMAGES an image unit */

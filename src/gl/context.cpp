@@ -97,6 +97,8 @@ Context::Context(const AgaaGlContextDesc& desc)
     if (dialect.storageImages)
         limitToImages(gl, caps);
     guard.emplace(gl, scopeOf(dialect), isCompatibilityProfile(gl));
+    if (statePolicy == AGAA_GL_STATE_CALLBACKS)
+        hostPlaces.emplace(gl, dialect, isCompatibilityProfile(gl));
     guard->capture();
     try {
         timeSource = probeTimer(gl) ? AGAA_TIME_DEVICE : AGAA_TIME_CPU_FINISH;

@@ -76,8 +76,6 @@ void View::runHostDraw(const AgaaFrame& frame, size_t index, uint32_t slot, Host
     const PassObjects& objects = passes[index];
     if (pass.clear)
         clearTargets(pass, objects.framebuffer);
-    state.giveBack();
-    bindForHost(pass, slot);
     const Resource& depth = plan.resources[pass.depthTarget];
     const AgaaDrawTarget target = {uint32_t(pass.drawPass),
                                    depth.width,
@@ -90,7 +88,13 @@ void View::runHostDraw(const AgaaFrame& frame, size_t index, uint32_t slot, Host
                                    0,
                                    objects.framebuffer,
                                    0};
+    state.giveBack();
+    if (context.hostPlaces)
+        context.hostPlaces->capture();
+    bindForHost(pass, slot);
     const AgaaResult result = frame.draw(frame.drawUser, &target);
+    if (context.hostPlaces)
+        context.hostPlaces->restore();
     if (result != AGAA_OK)
         fail(AGAA_ERROR_CALLBACK,
              format("the draw callback returned %d in pass \"%s\"; the output was not written.",
@@ -225,6 +229,7 @@ AgaaResult View::record(const AgaaFrame& frame, const AgaaGlFrame& glFrame) {
         HostState state(context);
         writeFrameData(frame, slot);
         runPasses(frame, glFrame, slot, state);
+        state.finish();
     } catch (...) {
         sequence.failed(frame);
         throw;

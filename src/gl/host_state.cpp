@@ -4,7 +4,10 @@
 
 namespace agaa::gl {
 
+// Of a frame that fails, which has a failure to tell of already.
 View::HostState::~HostState() {
+    if (finished_)
+        return;
     if (context_.statePolicy == AGAA_GL_STATE_RESTORE && captured_)
         context_.guard->restore(); // whatever a callback left behind
     if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS && away_)
@@ -19,6 +22,11 @@ void View::HostState::giveBack() {
         require(context_.popState(context_.stateUser) == AGAA_OK, AGAA_ERROR_CALLBACK,
                 "AgaaGlContextDesc::popState reported failure.");
     }
+}
+
+void View::HostState::finish() {
+    giveBack();
+    finished_ = true;
 }
 
 void View::HostState::takeAway() {

@@ -15,11 +15,13 @@ public:
 
     void giveBack(); // before a draw callback
     void takeAway(); // after it
+    void finish();   // gives back for good, and tells if that fails
 
 private:
     Context& context_;
     bool captured_ = false;
     bool away_ = false;
+    bool finished_ = false;
 };
 
 } // namespace agaa::gl

@@ -41,7 +41,7 @@ AgaaResult AGAA_CALL push(void* user) {
     host.calls += 'p';
     if (host.onPush)
         host.onPush();
-    return AGAA_OK;
+    return host.calls.size() - 1 == host.failingCall ? AGAA_ERROR_DEVICE : AGAA_OK;
 }
 
 AgaaResult AGAA_CALL pop(void* user) {
@@ -49,7 +49,7 @@ AgaaResult AGAA_CALL pop(void* user) {
     host.calls += 'o';
     if (host.onPop)
         host.onPop();
-    return AGAA_OK;
+    return host.calls.size() - 1 == host.failingCall ? AGAA_ERROR_DEVICE : AGAA_OK;
 }
 
 void attach(const GladGLContext& gl, GLuint program, GLenum stage, const std::string& text) {

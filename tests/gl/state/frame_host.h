@@ -54,6 +54,7 @@ public:
     std::function<void()> beforeDraw;              // at the start of each draw callback
     std::function<AgaaResult(uint32_t)> afterDraw; // at its end, with its number in the frame
     std::function<void()> onPush, onPop;
+    size_t failingCall = ~size_t{0}; // push or pop, by its place in calls
     std::string calls; // of the frame: a letter for each push (p), pop (o) and draw (d)
     std::vector<std::string> log;
     uint32_t output = 0;

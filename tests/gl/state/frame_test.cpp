@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 
+#include <memory>
 #include <set>
 
 namespace agaa::test {
@@ -213,6 +214,69 @@ TEST_P(FrameTest, callsPushAndPopInTurns) {
                   std::count(host->calls.begin(), host->calls.end(), 'o'))
             << host->calls;
     }
+}
+
+// A host with a stack of states, whose draws leave nothing behind.
+TEST_P(FrameTest, leavesNothingToAHostThatPushesAndPops) {
+    if (!start(AGAA_GL_STATE_CALLBACKS))
+        GTEST_SKIP() << "the device has not this tier";
+    std::vector<std::unique_ptr<gl::StateGuard>> stack;
+    const auto push = [&] {
+        stack.push_back(
+            std::make_unique<gl::StateGuard>(context.gl(), watchedScope(), compatibility));
+        stack.back()->capture();
+    };
+    const auto pop = [&] {
+        stack.back()->restore();
+        stack.pop_back();
+    };
+    host->onPush = [&] {
+        push();
+        scrambleState(touched, others, 3);
+    };
+    host->onPop = pop;
+    std::vector<gl::StateText> entry;
+    const auto scramble = [&](uint32_t seed) {
+        entry = scrambled(seed);
+        expectInCallbacks(entry);
+        host->beforeDraw = [push, expect = host->beforeDraw] {
+            expect();
+            push();
+        };
+        host->afterDraw = [&](uint32_t draw) {
+            pop();
+            return draw == failing ? AGAA_ERROR_DEVICE : AGAA_OK;
+        };
+    };
+    scramble(60);
+    ASSERT_EQ(host->record(), AGAA_OK);
+    expectState(entry, "after the frame");
+    const auto draws =
+        static_cast<uint32_t>(std::count(host->calls.begin(), host->calls.end(), 'd'));
+    for (failing = 0; failing < draws; ++failing) {
+        scramble(61 + failing);
+        EXPECT_EQ(host->record(), AGAA_ERROR_CALLBACK);
+        expectState(entry, "after the failure");
+        EXPECT_TRUE(stack.empty());
+    }
+}
+
+TEST_P(FrameTest, tellsOfPushesAndPopsThatFail) {
+    if (!start(AGAA_GL_STATE_CALLBACKS))
+        GTEST_SKIP() << "the device has not this tier";
+    ASSERT_EQ(host->record(), AGAA_OK);
+    const std::string calls = host->calls;
+    for (size_t call = 0; call < calls.size(); ++call) {
+        if (calls[call] == 'd')
+            continue;
+        host->failingCall = call;
+        host->log.clear();
+        EXPECT_EQ(host->record(), AGAA_ERROR_CALLBACK) << calls << " at " << call;
+        EXPECT_EQ(host->log.size(), 1u) << joined(host->log);
+        EXPECT_EQ(host->calls.size(), call + 1) << host->calls;
+    }
+    host->failingCall = ~size_t{0};
+    EXPECT_EQ(host->record(), AGAA_OK);
 }
 
 TEST_P(FrameTest, drawsTheSameWithoutSaving) {

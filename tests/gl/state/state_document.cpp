@@ -31,9 +31,10 @@ fails. A frame that is refused changes nothing, whatever the policy. The binding
 which the host's shaders read, are the SDK's during draw callbacks and the host's again at return.
 
 With `AGAA_GL_STATE_CALLBACKS`, `pushState` is called on entry and after each draw callback, `popState` before each
-draw callback and at return; the SDK leaves what lies between in any state. Engines that cache what they have
-set are served best by this or by `AGAA_GL_STATE_RESTORE`: telling them afterwards that their cache is stale
-does not always repair it.
+draw callback and at return; the SDK leaves what lies between in any state. The SDK binds at the places named in
+`AgaaGlContextDesc` after `popState`, and binds there again what the host had before the callback's `pushState`
+is called or the frame fails. Engines that cache what they have set are served best by this or by
+`AGAA_GL_STATE_RESTORE`: telling them afterwards that their cache is stale does not always repair it.
 
 ## What comes back
 

@@ -1,0 +1,26 @@
+// The host's bindings where draw callbacks find the SDK's, for hosts that save and restore their state
+// themselves: their popState comes before the SDK binds there, so it cannot bring these back.
+#pragma once
+
+#include "core/host_glsl.h"
+#include "gl/state_context.h"
+
+#include <vector>
+
+namespace agaa::gl {
+
+// As StateGuard; only of the numbered places, so what a callback does elsewhere stays.
+class HostPlaces {
+public:
+    HostPlaces(const GladGLContext& gl, const HostDialect& dialect, bool compatibilityProfile);
+
+    void capture();
+    void restore() noexcept;
+
+private:
+    StateContext context_;
+    std::vector<StateRow> rows_;
+    std::vector<StateValue> values_;
+};
+
+} // namespace agaa::gl
