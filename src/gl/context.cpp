@@ -115,9 +115,18 @@ Context::Context(const AgaaGlContextDesc& desc)
         gl.SamplerParameteri(shadowSampler, wrap, GL_CLAMP_TO_EDGE);
     gl.SamplerParameteri(shadowSampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     gl.SamplerParameteri(shadowSampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    gl.CreateSamplers(1, &texelSampler);
+    label(GL_SAMPLER, texelSampler, "agaa texel sampler");
+    for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl.SamplerParameteri(texelSampler, filter, GL_NEAREST);
+    for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        gl.SamplerParameteri(texelSampler, wrap, GL_CLAMP_TO_EDGE);
 }
 
-Context::~Context() { gl.DeleteSamplers(1, &shadowSampler); }
+Context::~Context() {
+    gl.DeleteSamplers(1, &shadowSampler);
+    gl.DeleteSamplers(1, &texelSampler);
+}
 
 void Context::label(GLenum kind, GLuint name, const std::string& text) const {
     gl.ObjectLabel(kind, name, GLsizei(text.size()), text.c_str());

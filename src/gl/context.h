@@ -38,6 +38,7 @@ public:
     std::optional<HostPlaces> hostPlaces; // with AGAA_GL_STATE_CALLBACKS
     AgaaTimeSource timeSource = AGAA_TIME_DEVICE;
     GLuint shadowSampler = 0;
+    GLuint texelSampler = 0; // for textures of the host, whose own filter may need mip levels
 };
 
 } // namespace agaa::gl

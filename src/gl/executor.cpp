@@ -131,7 +131,7 @@ void View::bindForCompute(const Pass& pass, const AgaaGlFrame& glFrame, uint32_t
         }
         case BindingType::Texture:
             gl.BindTextureUnit(binding.slot, texture);
-            gl.BindSampler(binding.slot, 0);
+            gl.BindSampler(binding.slot, output ? context.texelSampler : 0);
             break;
         case BindingType::ShadowTexture: {
             const GLuint own = glFrame.shadowTextures[resource.hostSlot];

@@ -87,6 +87,37 @@ TEST(GlFrames, CompositeOverTheOutput) {
     }
 }
 
+// As glTexImage2D leaves a texture: with a filter that wants mip levels, and without any.
+TEST(GlFrames, CompositeOverATextureWithoutMipLevels) {
+    const GladGLContext& gl = sharedEgl().gl();
+    ViewSettings settings = benchSettings();
+    settings.flags = AGAA_VIEW_COMPOSITE;
+    Bench bench(contextDesc(), sharedEgl(), settings);
+    const auto count = GLsizei(4 * settings.width * settings.height);
+    const std::vector<float> below(size_t(count), 0.5f);
+    const auto render = [&](GLuint output) {
+        gl.TextureSubImage2D(output, 0, 0, 0, GLsizei(settings.width), GLsizei(settings.height),
+                             GL_RGBA, GL_FLOAT, below.data());
+        AgaaFrame frame = bench.frame();
+        frame.background[3] = 0;
+        AgaaGlFrame glFrame = bench.glFrame();
+        glFrame.outputTexture = output;
+        bench.view.render(frame, glFrame);
+        std::vector<float> texels(below.size());
+        gl.GetTextureImage(output, 0, GL_RGBA, GL_FLOAT, count * GLsizei(sizeof(float)),
+                           texels.data());
+        return texels;
+    };
+    GLuint name = 0;
+    gl.GenTextures(1, &name);
+    const harness::gl::Texture output(gl, name);
+    gl.BindTexture(GL_TEXTURE_2D, name);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height), 0,
+                  GL_RGBA, GL_FLOAT, nullptr);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    EXPECT_EQ(render(name), render(bench.view.output().get()));
+}
+
 double meanDifference(const std::vector<float>& a, const std::vector<float>& b) {
     double total = 0;
     for (size_t i = 0; i < a.size(); ++i)
