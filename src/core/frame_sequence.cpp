@@ -63,6 +63,11 @@ void FrameSequence::failed(const AgaaFrame& frame) {
         segments_ = AGAA_SEGMENT_ALL;
 }
 
+void FrameSequence::failedHalfway(const AgaaFrame& frame) {
+    slots_[slotOf(frame)].complete = false;
+    failed(frame);
+}
+
 const FrameSequence::Slot* FrameSequence::newest(uint64_t completedFrame) const {
     const Slot* newest = nullptr;
     for (const Slot& slot : slots_)

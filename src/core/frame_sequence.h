@@ -21,6 +21,8 @@ public:
     void recorded(const AgaaFrame& frame);
     // The frame's commands are discarded or in part: one that began before cannot go on.
     void failed(const AgaaFrame& frame);
+    // The same where what came before the failure has run: the slot no longer holds the frame it did.
+    void failedHalfway(const AgaaFrame& frame);
 
     // Newest frame recorded whole, not after completedFrame; null where there is none.
     struct Slot {

@@ -160,6 +160,8 @@ void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t in
     const GladGLContext& gl = context.gl;
     if (const GLbitfield bits = barriers.before(plan, pass, context.dialect.storageImages))
         gl.MemoryBarrier(bits);
+    // First, for what a draw stored before its callback failed needs barriers too.
+    barriers.after(plan, pass);
     if (clock)
         clock->begin(slot, index);
     switch (pass.kind) {
@@ -178,7 +180,6 @@ void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t in
     }
     if (clock)
         clock->end(slot, index);
-    barriers.after(plan, pass);
 }
 
 namespace {
@@ -231,7 +232,7 @@ AgaaResult View::record(const AgaaFrame& frame, const AgaaGlFrame& glFrame) {
         runPasses(frame, glFrame, slot, state);
         state.finish();
     } catch (...) {
-        sequence.failed(frame);
+        sequence.failedHalfway(frame);
         throw;
     }
     sequence.recorded(frame);

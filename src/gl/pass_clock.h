@@ -9,6 +9,11 @@
 
 namespace agaa::gl {
 
+// Signed: a pass that was begun anew and never ended has the end of an earlier frame.
+inline double millisecondsBetween(GLuint64 begin, GLuint64 end) {
+    return double(int64_t(end - begin)) * 1e-6;
+}
+
 class PassClock {
 public:
     PassClock(const Context& context, size_t passCount, uint32_t slotCount);

@@ -16,7 +16,7 @@ public:
 
     // What must be made visible before the pass; the caller issues it.
     GLbitfield before(const Plan& plan, const Pass& pass, bool drawsUseImages);
-    // The pass was issued.
+    // The pass is issued next, or was.
     void after(const Plan& plan, const Pass& pass);
 
 private:

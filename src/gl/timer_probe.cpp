@@ -1,5 +1,6 @@
 #include "gl/timer_probe.h"
 
+#include "gl/pass_clock.h"
 #include "gl/program.h"
 #include "gl/query_buffer.h"
 
@@ -77,7 +78,7 @@ public:
         GLuint64 ticks[2] = {0, 0};
         for (int i = 0; i < 2; ++i)
             gl.GetQueryObjectui64v(stamps[i], GL_QUERY_RESULT, &ticks[i]);
-        driver = double(ticks[1] - ticks[0]) * 1e-6;
+        driver = millisecondsBetween(ticks[0], ticks[1]);
     }
 
 private:

@@ -122,6 +122,26 @@ TEST(GlRecording, AFailingCallbackLeavesTheOutput) {
     }
 }
 
+// What ran of it has overwritten the counters and times of the frame that had its slot.
+TEST(GlRecording, AFailedFrameTakesItsSlot) {
+    AgaaGlContextDesc desc = contextDesc();
+    desc.framesInFlight = 2;
+    Bench bench(desc);
+    bench.picture();
+    bench.picture();
+    AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
+    EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 1, &statistics), AGAA_OK);
+    const AgaaFrame frame = bench.frame();
+    bench.view.drawResults[AGAA_DRAW_PASS_AGGREGATE] = AGAA_ERROR_DEVICE;
+    EXPECT_EQ(bench.record(frame, bench.glFrame()), AGAA_ERROR_CALLBACK);
+    EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 1, &statistics), AGAA_NOT_READY);
+    EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 2, &statistics), AGAA_OK);
+    bench.view.drawResults.clear();
+    EXPECT_EQ(bench.record(frame, bench.glFrame()), AGAA_OK);
+    EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 3, &statistics), AGAA_OK);
+    EXPECT_EQ(statistics.frameIndex, 3u);
+}
+
 TEST(GlRecording, FramesAndSegmentsHaveAnOrder) {
     Bench bench;
     const std::vector<float> expected = bench.picture();

@@ -1,0 +1,49 @@
+// What frames ask of OpenGL, where a picture would not show a mistake or another driver's would.
+#include "bench.h"
+#include "replaced.h"
+
+#include "gl/pass_clock.h"
+
+namespace agaa::test {
+namespace {
+
+const GladGLContext& real() { return sharedEgl().gl(); }
+
+GLbitfield barriers; // since the last call that is looked at
+bool clearedBehindBarrier;
+
+void GLAD_API_PTR memoryBarrier(GLbitfield bits) {
+    barriers |= bits;
+    real().MemoryBarrier(bits);
+}
+void GLAD_API_PTR clearBuffer(GLuint buffer, GLenum internalFormat, GLenum format, GLenum type,
+                              const void* data) {
+    clearedBehindBarrier &= (barriers & GL_BUFFER_UPDATE_BARRIER_BIT) != 0;
+    real().ClearNamedBufferData(buffer, internalFormat, format, type, data);
+}
+
+// What a draw stored before its callback failed is cleared by the next frame.
+TEST(GlCalls, AFailureIsFollowedByBarriers) {
+    Replaced replaced;
+    replace(replaced, "glMemoryBarrier", memoryBarrier);
+    replace(replaced, "glClearNamedBufferData", clearBuffer);
+    Bench bench(contextDesc(replaced));
+    bench.picture();
+    for (const uint32_t pass : {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE}) {
+        bench.view.drawResults[pass] = AGAA_ERROR_DEVICE;
+        EXPECT_EQ(bench.record(bench.frame(), bench.glFrame()), AGAA_ERROR_CALLBACK);
+        bench.view.drawResults.clear();
+        barriers = 0;
+        clearedBehindBarrier = true;
+        EXPECT_EQ(bench.record(bench.frame(), bench.glFrame()), AGAA_OK);
+        EXPECT_TRUE(clearedBehindBarrier) << "pass " << pass;
+    }
+}
+
+TEST(GlCalls, TimesOfAnEarlierEndAreNotHuge) {
+    EXPECT_EQ(gl::millisecondsBetween(1'000'000, 3'500'000), 2.5);
+    EXPECT_EQ(gl::millisecondsBetween(3'500'000, 1'000'000), -2.5);
+}
+
+} // namespace
+} // namespace agaa::test
