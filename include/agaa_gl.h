@@ -176,7 +176,8 @@ typedef struct AgaaGlFrame {
     /* TEXTURE_2D of the view's size, level 0, of a format that image stores take, RGBA16F or RGBA32F by
      * choice. Needed by the shading segment. Row 0 is where the projection puts y = -1. */
     uint32_t outputTexture;
-    /* TEXTURE_2D_ARRAY with depth, one per AgaaFrame::shadows that no AgaaShadowFunction answers for. */
+    /* TEXTURE_2D_ARRAY with depth, one per AgaaFrame::shadows that no AgaaShadowFunction answers for. Others
+     * are not looked at: a frame without shadows needs none. */
     uint32_t shadowTextures[AGAA_MAX_SHADOW_MAPS];
     uint32_t reserved; /* 0 */
 } AgaaGlFrame;

@@ -176,7 +176,8 @@ typedef struct AgaaVkFrame {
     uint32_t outputLayoutIn;  /* VkImageLayout; UNDEFINED: contents are not kept */
     uint32_t outputLayoutOut; /* VkImageLayout the SDK leaves it in, visible to all later commands */
     /* Depth array views, readable by compute in SHADER_READ_ONLY_OPTIMAL, one per AgaaFrame::shadows that
-     * no AgaaShadowFunction answers for. */
+     * no AgaaShadowFunction answers for. Where the view declares such maps and the frame has none, the first
+     * of them all the same: descriptors cannot be empty. Others are not looked at. */
     uint64_t shadowViews[AGAA_MAX_SHADOW_MAPS];
     uint64_t shadowFunctionSet; /* VkDescriptorSet of AgaaShadowFunction::descriptorSetLayout, or 0 */
 } AgaaVkFrame;

@@ -102,11 +102,17 @@ void View::runHostDraw(const AgaaFrame& frame, size_t index, uint32_t slot, Host
     state.takeAway();
 }
 
-void View::bindForCompute(const Pass& pass, const AgaaGlFrame& glFrame, uint32_t slot) {
+void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
+                          uint32_t slot) {
     const GladGLContext& gl = context.gl;
-    GLuint anyShadow = 0;
-    for (GLuint texture : glFrame.shadowTextures)
-        anyShadow = anyShadow ? anyShadow : texture;
+    // Only the frame's own maps were checked; the shader declares others, but does not read them.
+    const auto mapOf = [&](const Resource& resource) {
+        return resource.hostSlot < frame.shadowCount ? glFrame.shadowTextures[resource.hostSlot] : 0u;
+    };
+    GLuint anyMap = 0;
+    for (const Resource& resource : plan.resources)
+        if (resource.kind == ResourceKind::ShadowMap && anyMap == 0)
+            anyMap = mapOf(resource);
     for (const Binding& binding : pass.bindings) {
         const Resource& resource = plan.resources[binding.resource];
         const bool output = resource.kind == ResourceKind::Output;
@@ -134,8 +140,8 @@ void View::bindForCompute(const Pass& pass, const AgaaGlFrame& glFrame, uint32_t
             gl.BindSampler(binding.slot, output ? context.texelSampler : 0);
             break;
         case BindingType::ShadowTexture: {
-            const GLuint own = glFrame.shadowTextures[resource.hostSlot];
-            gl.BindTextureUnit(binding.slot, own ? own : anyShadow);
+            const GLuint own = mapOf(resource);
+            gl.BindTextureUnit(binding.slot, own ? own : anyMap);
             gl.BindSampler(binding.slot, context.shadowSampler);
             break;
         }
@@ -170,7 +176,7 @@ void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t in
         break;
     case PassKind::Compute:
         gl.UseProgram(passes[index].program);
-        bindForCompute(pass, glFrame, slot);
+        bindForCompute(pass, frame, glFrame, slot);
         gl.DispatchCompute((plan.width + 7) / 8, (plan.height + 7) / 8, 1);
         break;
     case PassKind::Fill:

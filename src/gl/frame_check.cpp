@@ -65,19 +65,15 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const
                 std::end(outputFormats),
             AGAA_ERROR_UNSUPPORTED,
             "AgaaGlFrame::outputTexture is of a format that images cannot store, as RGBA16F can.");
-    bool first = true; // one map is needed for the slots of those that the frame has not
     for (const Resource& resource : plan.resources) {
-        if (resource.kind != ResourceKind::ShadowMap)
+        if (resource.kind != ResourceKind::ShadowMap || resource.hostSlot >= frame.shadowCount)
             continue;
-        if (first || resource.hostSlot < frame.shadowCount) {
-            const GLuint map = glFrame.shadowTextures[resource.hostSlot];
-            const std::string name = format("AgaaGlFrame::shadowTextures[%u]", resource.hostSlot);
-            checkTexture(gl, map, GL_TEXTURE_2D_ARRAY, name, "TEXTURE_2D_ARRAY");
-            // Comparing with anything else is undefined.
-            if (levelParameter(gl, map, GL_TEXTURE_DEPTH_SIZE) == 0)
-                fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s holds no depth.", name.c_str()));
-        }
-        first = false;
+        const GLuint map = glFrame.shadowTextures[resource.hostSlot];
+        const std::string name = format("AgaaGlFrame::shadowTextures[%u]", resource.hostSlot);
+        checkTexture(gl, map, GL_TEXTURE_2D_ARRAY, name, "TEXTURE_2D_ARRAY");
+        // Comparing with anything else is undefined.
+        if (levelParameter(gl, map, GL_TEXTURE_DEPTH_SIZE) == 0)
+            fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s holds no depth.", name.c_str()));
     }
 }
 

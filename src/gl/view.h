@@ -59,7 +59,8 @@ private:
     void runHostDraw(const AgaaFrame& frame, size_t pass, uint32_t slot, HostState& state);
     void clearTargets(const Pass& pass, GLuint framebuffer);
     void bindForHost(const Pass& pass, uint32_t slot);
-    void bindForCompute(const Pass& pass, const AgaaGlFrame& glFrame, uint32_t slot);
+    void bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
+                        uint32_t slot);
     void runTransfer(const Pass& pass, uint32_t slot);
 
     std::vector<std::byte> upload_; // of the largest upload buffer

@@ -48,7 +48,7 @@ void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
 }
 
 // Only of the passes about to be recorded: sets that an earlier segment bound must not change.
-void View::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uint64_t segments) {
+void View::writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot) {
     std::vector<VkWriteDescriptorSet> writes;
     // Reserved, so that pointers into them stay.
     std::vector<VkDescriptorBufferInfo> buffers;
@@ -63,7 +63,7 @@ void View::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uint64_t 
         if (resource.kind == ResourceKind::ShadowMap && !anyShadow)
             anyShadow = vkFrame.shadowViews[resource.hostSlot];
     for (size_t i = 0; i < passes.size(); ++i) {
-        if (!(plan.passes[i].segment & segments))
+        if (!(plan.passes[i].segment & frame.segments))
             continue;
         for (const Binding& binding : plan.passes[i].bindings) {
             const Resource& resource = plan.resources[binding.resource];
@@ -99,8 +99,10 @@ void View::writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uint64_t 
                 break;
             }
             case BindingType::ShadowTexture: {
-                const uint64_t own = vkFrame.shadowViews[resource.hostSlot];
-                const uint64_t view = own ? own : anyShadow;
+                // What lies beyond the frame's shadows may be stale.
+                const uint64_t view = resource.hostSlot < frame.shadowCount
+                                          ? vkFrame.shadowViews[resource.hostSlot]
+                                          : anyShadow;
                 image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, context.shadowSampler,
                       (VkImageView)view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
                 break;
@@ -254,7 +256,7 @@ AgaaResult View::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
     const uint32_t slot = sequence.slotOf(frame);
     checkTarget(frame, vkFrame);
     writeFrameData(frame, slot);
-    writeDescriptors(vkFrame, slot, frame.segments);
+    writeDescriptors(frame, vkFrame, slot);
     if (context.secondary)
         recordSecondaries(frame, slot);
     // Up to here nothing of the host's was touched.

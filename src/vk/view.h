@@ -59,7 +59,7 @@ private:
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
     void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot,
                       bool begins);
-    void writeDescriptors(const AgaaVkFrame& vkFrame, uint32_t slot, uint64_t segments);
+    void writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot);
     AgaaResult callHost(const AgaaFrame& frame, size_t pass, uint32_t slot,
                         VkCommandBuffer commands);
     AgaaResult recordSecondaries(const AgaaFrame& frame, uint32_t slot);

@@ -40,6 +40,55 @@ TEST(GlCalls, AFailureIsFollowedByBarriers) {
     }
 }
 
+GLuint deletedTexture() {
+    GLuint name = 0;
+    real().CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
+    real().DeleteTextures(1, &name);
+    return name;
+}
+
+// Slots of AgaaGlFrame that AgaaFrame has no shadow for may hold anything.
+TEST(GlCalls, OnlyTheFramesShadowMapsAreUsed) {
+    ViewSettings settings = benchSettings();
+    settings.facts.shadowMapCount = 2;
+    Bench bench(contextDesc(), sharedEgl(), settings);
+    const std::vector<float> expected = bench.picture();
+    AgaaGlFrame glFrame = bench.glFrame();
+    glFrame.shadowTextures[1] = deletedTexture();
+    bench.view.render(bench.frame(), glFrame);
+    EXPECT_EQ(sharedEgl().takeMessages(), "");
+    EXPECT_EQ(bench.view.image(), expected);
+}
+
+TEST(GlCalls, ASlotThatAFunctionAnswersForIsNotUsed) {
+    AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
+    function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }";
+    function.shadows = 1;
+    ViewSettings settings = benchSettings();
+    settings.facts.shadowMapCount = 2;
+    settings.shadowFunction = &function;
+    Bench bench(contextDesc(), sharedEgl(), settings);
+    bench.shadow = AgaaShadow{};
+    AgaaGlFrame glFrame = bench.glFrame();
+    glFrame.shadowTextures[0] = deletedTexture();
+    bench.view.render(bench.frame(), glFrame);
+    EXPECT_EQ(sharedEgl().takeMessages(), "");
+}
+
+TEST(GlCalls, AFrameWithoutShadowsNeedsNoMap) {
+    Bench bench;
+    bench.light.shadowMap = AGAA_NO_SHADOW;
+    AgaaFrame frame = bench.frame();
+    frame.shadowCount = 0;
+    bench.view.render(frame, bench.glFrame());
+    const std::vector<float> expected = bench.view.image();
+    frame = bench.frame();
+    frame.shadowCount = 0;
+    bench.view.render(frame, bench.view.glFrame());
+    EXPECT_EQ(sharedEgl().takeMessages(), "");
+    EXPECT_EQ(bench.view.image(), expected);
+}
+
 TEST(GlCalls, TimesOfAnEarlierEndAreNotHuge) {
     EXPECT_EQ(gl::millisecondsBetween(1'000'000, 3'500'000), 2.5);
     EXPECT_EQ(gl::millisecondsBetween(3'500'000, 1'000'000), -2.5);

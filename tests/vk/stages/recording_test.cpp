@@ -57,6 +57,21 @@ struct Bench {
     }
 };
 
+// What lies in AgaaVkFrame beyond the frame's shadows is not used, but for the first declared map.
+TEST(Recording, OnlyTheFramesShadowMapsAreUsed) {
+    StageContext context;
+    ViewSettings two = settings();
+    two.facts.shadowMapCount = 2;
+    StageView view(context, two);
+    view.setTriangles(randomTriangles({.triangles = 20}, 41));
+    const ShadowLayers shadow{{1.0f}, 4};
+    view.render(view.frame(), [&](AgaaVkFrame& vk) {
+        vk.shadowViews[0] = shadow.view();
+        vk.shadowViews[1] = ~uint64_t{0} - 5; // no view
+    });
+    EXPECT_GT(view.statistics().counters.visible, 0u);
+}
+
 struct Row {
     const char* what;
     AgaaResult expected;
