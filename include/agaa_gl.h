@@ -187,8 +187,9 @@ typedef struct AgaaGlFrame {
 /* Runs the frame's segments in the current context. Draw callbacks find the host's state as it was on
  * entry, but for the bindings named in AgaaGlContextDesc; they bind AgaaDrawTarget::framebuffer and set
  * viewport and AgaaDrawState themselves. A callback that fails is AGAA_ERROR_CALLBACK: the output is
- * untouched. Not to be called with transform feedback, conditional rendering or a query of GL_TIME_ELAPSED
- * active. An AgaaShadowFunction finds its resources where the host has bound them: texture units from 17,
+ * untouched. Active transform feedback that is not paused is AGAA_ERROR_WRONG_ORDER. Not to be called with
+ * conditional rendering or a query of GL_TIME_ELAPSED active. Other errors of OpenGL's are not looked for:
+ * they are left to the host's glGetError. An AgaaShadowFunction finds its resources where the host has bound them: texture units from 17,
  * other binding points from 4 are left alone. */
 AGAA_API AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame,
                                                 const AgaaGlFrame* glFrame);

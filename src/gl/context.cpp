@@ -132,14 +132,18 @@ void Context::label(GLenum kind, GLuint name, const std::string& text) const {
     gl.ObjectLabel(kind, name, GLsizei(text.size()), text.c_str());
 }
 
-void Context::takeHostErrors(const char* call) const {
+void Context::takeHostErrors(const char* call, GLenum ours) const {
     // A lost context repeats its error for ever.
     for (int i = 0; i < 16; ++i) {
         const GLenum error = gl.GetError();
         if (error == GL_NO_ERROR)
             return;
-        log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
-                  format("%s: error 0x%04X of an earlier call of the host's was pending.", call, error));
+        if (error != ours)
+            log.write(
+                AGAA_SEVERITY_WARNING, AGAA_OK,
+                format("%s: error 0x%04X of an earlier call of the host's was pending.", call, error));
+        else
+            ours = GL_NO_ERROR;
     }
 }
 

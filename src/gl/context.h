@@ -23,8 +23,8 @@ public:
     ~Context() override;
 
     void label(GLenum kind, GLuint name, const std::string& text) const;
-    // Tells the log about errors of the host's that would be taken for ours.
-    void takeHostErrors(const char* call) const;
+    // Tells the log about errors of the host's that would be taken for ours. One of the kind given is ours.
+    void takeHostErrors(const char* call, GLenum ours = GL_NO_ERROR) const;
     // Throws where a call of ours since takeHostErrors() failed.
     void checkErrors(const char* what) const;
 

@@ -230,6 +230,7 @@ AgaaResult View::record(const AgaaFrame& frame, const AgaaGlFrame& glFrame) {
     checkFrame(&frame, plan);
     checkStruct(&glFrame, AGAA_STRUCTURE_TYPE_GL_FRAME, "AgaaGlFrame");
     sequence.check(frame);
+    checkContextState();
     checkTarget(frame, glFrame);
     const uint32_t slot = sequence.slotOf(frame);
     try {

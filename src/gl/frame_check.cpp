@@ -21,8 +21,10 @@ GLint levelParameter(const GladGLContext& gl, GLuint texture, GLenum parameter) 
 }
 
 // Mesa does not tell a texture's target in compatibility contexts, so it is bound to that: what is bound there
-// now comes back. A texture of another target is an error that is not the host's to find.
-bool isOfTarget(const GladGLContext& gl, GLuint texture, GLenum target) {
+// now comes back. A texture of another target is an error that is not the host's to find; errors of the host's own
+// that come with it are told, but for one of the same kind, which is not to be told from it.
+bool isOfTarget(const Context& context, GLuint texture, GLenum target) {
+    const GladGLContext& gl = context.gl;
     GLint before = 0, bound = 0;
     const GLenum binding =
         target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_2D_ARRAY;
@@ -30,20 +32,29 @@ bool isOfTarget(const GladGLContext& gl, GLuint texture, GLenum target) {
     gl.BindTexture(target, texture);
     gl.GetIntegerv(binding, &bound);
     if (GLuint(bound) != texture)
-        gl.GetError();
+        context.takeHostErrors("agaaGlRecordFrame", GL_INVALID_OPERATION);
     gl.BindTexture(target, GLuint(before));
     return GLuint(bound) == texture;
 }
 
-void checkTexture(const GladGLContext& gl, GLuint texture, GLenum target, const std::string& name,
+void checkTexture(const Context& context, GLuint texture, GLenum target, const std::string& name,
                   const char* targetName) {
-    if (texture == 0 || !gl.IsTexture(texture))
+    if (texture == 0 || !context.gl.IsTexture(texture))
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is not a texture.", name.c_str()));
-    if (!isOfTarget(gl, texture, target))
+    if (!isOfTarget(context, texture, target))
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is not a %s.", name.c_str(), targetName));
 }
 
 } // namespace
+
+// Programs cannot be changed meanwhile, so every pass would fail.
+void View::checkContextState() const {
+    GLboolean isActive = GL_FALSE, isPaused = GL_FALSE;
+    context.gl.GetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &isActive);
+    context.gl.GetBooleanv(GL_TRANSFORM_FEEDBACK_PAUSED, &isPaused);
+    require(!isActive || isPaused, AGAA_ERROR_WRONG_ORDER,
+            "transform feedback is active; pause or end it before the frame.");
+}
 
 void View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const {
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
@@ -53,7 +64,7 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const
     require(plan.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
             "the frame composites over the output, but the view has no AGAA_VIEW_COMPOSITE.");
     const GLuint output = glFrame.outputTexture;
-    checkTexture(gl, output, GL_TEXTURE_2D, "AgaaGlFrame::outputTexture", "TEXTURE_2D");
+    checkTexture(context, output, GL_TEXTURE_2D, "AgaaGlFrame::outputTexture", "TEXTURE_2D");
     const GLint width = levelParameter(gl, output, GL_TEXTURE_WIDTH);
     const GLint height = levelParameter(gl, output, GL_TEXTURE_HEIGHT);
     if (uint32_t(width) != plan.width || uint32_t(height) != plan.height)
@@ -70,7 +81,7 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const
             continue;
         const GLuint map = glFrame.shadowTextures[resource.hostSlot];
         const std::string name = format("AgaaGlFrame::shadowTextures[%u]", resource.hostSlot);
-        checkTexture(gl, map, GL_TEXTURE_2D_ARRAY, name, "TEXTURE_2D_ARRAY");
+        checkTexture(context, map, GL_TEXTURE_2D_ARRAY, name, "TEXTURE_2D_ARRAY");
         // Comparing with anything else is undefined.
         if (levelParameter(gl, map, GL_TEXTURE_DEPTH_SIZE) == 0)
             fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s holds no depth.", name.c_str()));

@@ -50,6 +50,7 @@ private:
     SamplePositions readPositions() const;
     void destroy();
 
+    void checkContextState() const;
     void checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
     void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot,

@@ -80,6 +80,68 @@ TEST(GlRecording, MisuseIsRefusedAndChangesNothing) {
     EXPECT_EQ(bench.picture(), expected);
 }
 
+// A texture of a wrong target raises an error; one that was pending is not lost with it.
+TEST(GlRecording, ErrorsOfTheHostAreTold) {
+    Bench bench;
+    const Texture layered = texture(GL_TEXTURE_2D_ARRAY, GL_RGBA16F, 48, 32);
+    AgaaGlFrame glFrame = bench.glFrame();
+    glFrame.outputTexture = layered.get();
+    sharedEgl().gl().Enable(GL_TEXTURE0);
+    EXPECT_EQ(bench.record(bench.frame(), glFrame), AGAA_ERROR_INVALID_ARGUMENT);
+    ASSERT_EQ(bench.context.lines.size(), 2u);
+    EXPECT_NE(bench.context.lines[0].text.find("0x0500"), std::string::npos)
+        << bench.context.lines[0].text;
+    EXPECT_EQ(sharedEgl().gl().GetError(), GLenum{GL_NO_ERROR});
+    sharedEgl().takeMessages();
+    EXPECT_EQ(bench.record(bench.frame(), glFrame), AGAA_ERROR_INVALID_ARGUMENT);
+    expectOneSentence(bench.context.lines, AGAA_ERROR_INVALID_ARGUMENT, "nothing pending");
+    sharedEgl().takeMessages();
+    // Errors that no check comes across stay the host's.
+    sharedEgl().gl().Enable(GL_TEXTURE0);
+    EXPECT_EQ(bench.record(bench.frame(), bench.glFrame()), AGAA_OK);
+    EXPECT_EQ(sharedEgl().gl().GetError(), GLenum{GL_INVALID_ENUM});
+    sharedEgl().takeMessages();
+}
+
+GLuint programWithFeedback(const GladGLContext& gl) {
+    const char* text = "#version 430\nvoid main() { gl_Position = vec4(0.0); }\n";
+    const char* varying = "gl_Position";
+    const GLuint program = gl.CreateProgram(), shader = gl.CreateShader(GL_VERTEX_SHADER);
+    gl.ShaderSource(shader, 1, &text, nullptr);
+    gl.CompileShader(shader);
+    gl.AttachShader(program, shader);
+    gl.TransformFeedbackVaryings(program, 1, &varying, GL_INTERLEAVED_ATTRIBS);
+    gl.LinkProgram(program);
+    gl.DeleteShader(shader);
+    return program;
+}
+
+TEST(GlRecording, TransformFeedbackMustPause) {
+    const GladGLContext& gl = sharedEgl().gl();
+    Bench bench;
+    const std::vector<float> expected = bench.picture();
+    const GLuint program = programWithFeedback(gl);
+    const harness::gl::Buffer buffer = harness::gl::createBuffer(gl);
+    gl.NamedBufferData(buffer.get(), 256, nullptr, GL_STATIC_DRAW);
+    gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer.get());
+    gl.UseProgram(program);
+    gl.BeginTransformFeedback(GL_POINTS);
+    bench.view.drawCalls = 0;
+    const AgaaFrame frame = bench.frame();
+    EXPECT_EQ(bench.record(frame, bench.glFrame()), AGAA_ERROR_WRONG_ORDER);
+    expectOneSentence(bench.context.lines, AGAA_ERROR_WRONG_ORDER, "active", "transform feedback");
+    EXPECT_EQ(bench.view.drawCalls, 0u);
+    gl.PauseTransformFeedback();
+    EXPECT_EQ(bench.record(frame, bench.glFrame()), AGAA_OK);
+    EXPECT_EQ(bench.view.image(), expected);
+    gl.ResumeTransformFeedback();
+    gl.EndTransformFeedback();
+    gl.UseProgram(0);
+    gl.DeleteProgram(program);
+    gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+    EXPECT_EQ(sharedEgl().takeMessages(), "");
+}
+
 TEST(GlRecording, NullPointersAreRefused) {
     Bench bench;
     const AgaaFrame frame = bench.frame();

@@ -49,12 +49,14 @@ constexpr const char* kAfter = R"(
 - States that frames do not change and that the table therefore does not hold: matrices, lights, materials and
   other fixed functions, texture units and binding points beyond those above, texture targets beyond those
   above, evaluators, feedback and selection.
-- Transform feedback, conditional rendering and queries of `GL_TIME_ELAPSED`: they must not be active.
+- Conditional rendering and queries of `GL_TIME_ELAPSED`: they must not be active. Transform feedback must be
+  paused, or the frame is refused.
 - What belongs to objects: the draw buffers of a framebuffer, the attributes of a vertex array, the uniforms of
   a program. The SDK does not touch the host's objects, but for the output texture's contents.
 - Objects that a callback deletes: their bindings are 0 afterwards. A program deleted while it is in use is gone as
   soon as another one is used. A program linked anew without success is not used again.
-- Errors: those that were pending on entry stay pending.
+- Errors: those that were pending on entry stay pending, but for a frame that brings a texture of a wrong target:
+  it takes them and tells them to the log. What OpenGL raises in a frame is the host's to find by `glGetError`.
 )";
 
 const char* many(StateArray array) {
