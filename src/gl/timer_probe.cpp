@@ -1,5 +1,6 @@
 #include "gl/timer_probe.h"
 
+#include "core/error.h"
 #include "gl/pass_clock.h"
 #include "gl/program.h"
 #include "gl/query_buffer.h"
@@ -52,6 +53,10 @@ public:
         for (GLenum capability : {GL_SCISSOR_TEST, GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST,
                                   GL_RASTERIZER_DISCARD, GL_BLEND, GL_SAMPLE_SHADING})
             gl.Disable(capability);
+        GLint distances = 0; // undefined where the shader writes none
+        gl.GetIntegerv(GL_MAX_CLIP_DISTANCES, &distances);
+        for (GLint i = 0; i < distances; ++i)
+            gl.Disable(GLenum(GL_CLIP_DISTANCE0 + i));
         gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
         gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     }
@@ -92,11 +97,7 @@ private:
 
 } // namespace
 
-bool probeTimer(const GladGLContext& gl) {
-    GLint bits = 0;
-    gl.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
-    if (bits == 0)
-        return false;
+static bool isRight(const GladGLContext& gl) {
     const NoQueryBuffer none(gl);
     Work work(gl);
     double clock = 0, driver = 0;
@@ -108,6 +109,16 @@ bool probeTimer(const GladGLContext& gl) {
             break;
     }
     return driver >= 0.5 * clock && driver <= 1.5 * clock;
+}
+
+bool probeTimer(const GladGLContext& gl) {
+    GLint bits = 0;
+    gl.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
+    try {
+        return bits != 0 && isRight(gl);
+    } catch (const Error&) {
+        return false; // no reason to go without the SDK
+    }
 }
 
 } // namespace agaa::gl

@@ -89,6 +89,47 @@ TEST(GlCalls, AFrameWithoutShadowsNeedsNoMap) {
     EXPECT_EQ(bench.view.image(), expected);
 }
 
+bool compiles;
+void GLAD_API_PTR getShader(GLuint shader, GLenum parameter, GLint* value) {
+    real().GetShaderiv(shader, parameter, value);
+    if (parameter == GL_COMPILE_STATUS && !compiles)
+        *value = GL_FALSE;
+}
+
+TEST(GlCalls, AProbeThatDoesNotCompileLeavesTheClock) {
+    Replaced replaced;
+    replace(replaced, "glGetShaderiv", getShader);
+    compiles = false;
+    StageContext context(contextDesc(replaced));
+    compiles = true;
+    EXPECT_TRUE(context.lines.empty());
+    ViewSettings settings = benchSettings();
+    settings.config.flags |= AGAA_CONFIG_TIMESTAMPS;
+    StageView view(context, settings);
+    view.setTriangles(randomTriangles({.triangles = 20}, 41));
+    AgaaFrame frame = view.frame();
+    frame.shadowCount = 0;
+    view.render(frame);
+    EXPECT_EQ(view.statistics().timeSource, uint32_t{AGAA_TIME_CPU_FINISH});
+}
+
+uint32_t clipped; // draws
+void GLAD_API_PTR drawArrays(GLenum mode, GLint first, GLsizei count) {
+    clipped += real().IsEnabled(GL_CLIP_DISTANCE0 + 2);
+    real().DrawArrays(mode, first, count);
+}
+
+TEST(GlCalls, TheProbeIsNotClipped) {
+    Replaced replaced;
+    replace(replaced, "glDrawArrays", drawArrays);
+    clipped = 0;
+    real().Enable(GL_CLIP_DISTANCE0 + 2);
+    const StageContext context(contextDesc(replaced));
+    EXPECT_EQ(clipped, 0u);
+    EXPECT_TRUE(real().IsEnabled(GL_CLIP_DISTANCE0 + 2));
+    real().Disable(GL_CLIP_DISTANCE0 + 2);
+}
+
 TEST(GlCalls, TimesOfAnEarlierEndAreNotHuge) {
     EXPECT_EQ(gl::millisecondsBetween(1'000'000, 3'500'000), 2.5);
     EXPECT_EQ(gl::millisecondsBetween(3'500'000, 1'000'000), -2.5);
