@@ -13,7 +13,12 @@ View::View(Context& owner, const AgaaViewDesc& desc)
       barriers(plan.resources.size()) {
     require(plan.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
             "AgaaShadowFunction::descriptorSetLayout is of Vulkan.");
+    uint64_t largest = 0;
+    for (const Resource& resource : plan.resources)
+        if (resource.kind == ResourceKind::UploadBuffer)
+            largest = std::max(largest, resource.bytes);
     try {
+        upload_.resize(largest);
         resources.emplace(context, plan);
         createPasses();
         positions = readPositions();
@@ -24,11 +29,6 @@ View::View(Context& owner, const AgaaViewDesc& desc)
         destroy();
         throw;
     }
-    uint64_t largest = 0;
-    for (const Resource& resource : plan.resources)
-        if (resource.kind == ResourceKind::UploadBuffer)
-            largest = std::max(largest, resource.bytes);
-    upload_.resize(largest);
 }
 
 View::~View() { destroy(); }

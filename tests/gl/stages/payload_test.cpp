@@ -3,8 +3,22 @@
 #include "bench.h"
 #include "prediction.h"
 
+#include <cstdlib>
 #include <cstring>
+#include <new>
 #include <set>
+
+// Memory of this size is not to be had by this thread.
+static thread_local size_t missingSize = 0;
+
+void* operator new(size_t size) {
+    void* block = size != 0 && size == missingSize ? nullptr : std::malloc(size != 0 ? size : 1);
+    if (block == nullptr)
+        throw std::bad_alloc();
+    return block;
+}
+void operator delete(void* block) noexcept { std::free(block); }
+void operator delete(void* block, size_t) noexcept { std::free(block); }
 
 namespace agaa::test {
 namespace {
@@ -240,6 +254,29 @@ TEST_F(GlPayload, IsWhatTheQueryPredicts) {
             expectPayload(settings);
         }
     EXPECT_EQ(checked_, 74u);
+}
+
+// The memory that uploads are written in is of the size of a buffer of theirs.
+TEST(GlLeaks, ViewsWithoutMemoryLeaveNothing) {
+    StageContext context(interceptedDesc());
+    const ViewSettings settings = benchSettings();
+    const AgaaViewDesc desc = viewDesc(settings);
+    AgaaView view = nullptr;
+    ASSERT_EQ(agaaGlCreateView(context.get(), &desc, &view), AGAA_OK);
+    agaaDestroyView(view);
+    const auto alive = created.objects;
+    const auto sizes = created.bufferSizes;
+    uint32_t refused = 0;
+    for (const auto& [size, count] : sizes) {
+        view = nullptr;
+        missingSize = size;
+        const AgaaResult result = agaaGlCreateView(context.get(), &desc, &view);
+        missingSize = 0;
+        refused += result == AGAA_ERROR_OUT_OF_MEMORY;
+        agaaDestroyView(view);
+        EXPECT_EQ(created.objects, alive) << size << " bytes";
+    }
+    EXPECT_GE(refused, 1u);
 }
 
 // Frames create nothing that stays, failures neither.
