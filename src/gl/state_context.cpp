@@ -43,9 +43,10 @@ StateContext::StateContext(const GladGLContext& gl, const StateScope& scope,
     set(StateArray::StorageBindings,
         below(gl, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, scope.storageBindings));
     set(StateArray::ImageUnits, below(gl, GL_MAX_IMAGE_UNITS, scope.imageUnits));
-    set(StateArray::DrawBuffers,
-        first(std::min(limit(gl, GL_MAX_DRAW_BUFFERS), scope.drawBuffers)));
-    set(StateArray::Viewports, first(std::min(limit(gl, GL_MAX_VIEWPORTS), scope.viewports)));
+    // All of these: the calls without an index (glColorMask, glViewport, …) set all, and hosts use
+    // them in their draw callbacks.
+    set(StateArray::DrawBuffers, first(limit(gl, GL_MAX_DRAW_BUFFERS)));
+    set(StateArray::Viewports, first(limit(gl, GL_MAX_VIEWPORTS)));
     set(StateArray::ClipDistances, first(limit(gl, GL_MAX_CLIP_DISTANCES)));
     set(StateArray::SampleMaskWords, first(limit(gl, GL_MAX_SAMPLE_MASK_WORDS)));
 

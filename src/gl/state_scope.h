@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace agaa::gl {
@@ -14,10 +13,6 @@ struct StateScope {
     std::vector<uint32_t> uniformBindings;
     std::vector<uint32_t> storageBindings;
     std::vector<uint32_t> imageUnits;
-    // The calls without an index (glColorMask, glViewport, …) set all of them, and hosts use those
-    // calls in their draw callbacks; fewer is right only where nobody does.
-    uint32_t drawBuffers = std::numeric_limits<uint32_t>::max();
-    uint32_t viewports = std::numeric_limits<uint32_t>::max();
 };
 
 } // namespace agaa::gl

@@ -222,7 +222,7 @@ void FrameHost::readStatistics() {
     }
 }
 
-std::vector<gl::StateText> FrameHost::read() const {
+std::vector<StateText> FrameHost::read() const {
     return readState(gl_, watchedScope(), compatibility_);
 }
 

@@ -45,7 +45,7 @@ public:
     AgaaResult record() { return record(frame(), output); }
     void readStatistics();
 
-    std::vector<gl::StateText> read() const;
+    std::vector<StateText> read() const;
     // Leaves the context as it was when the host was made, but for the bindings by number.
     void useDefaults() { defaults_.restore(); }
     void clearOutput();

@@ -55,13 +55,13 @@ protected:
     }
 
     // The state on entry, scrambled.
-    std::vector<gl::StateText> scrambled(uint32_t seed) {
+    std::vector<StateText> scrambled(uint32_t seed) {
         host->clearOutput();
         scrambleState(watched, objects, seed);
         return host->read();
     }
     // Expects draw callbacks to find this state, but for the declared bindings.
-    void expectInCallbacks(const std::vector<gl::StateText>& entry) {
+    void expectInCallbacks(const std::vector<StateText>& entry) {
         host->beforeDraw = [this, entry] {
             const auto found = host->read();
             for (size_t i = 0; i < entry.size(); ++i)
@@ -81,7 +81,7 @@ protected:
                at("GL_TEXTURE_BINDING", kMetadataUnit) || at("GL_SAMPLER", kMetadataUnit) ||
                at(storage, kAggregatesBinding) || at(storage, kCountersBinding);
     }
-    void expectState(const std::vector<gl::StateText>& entry, const char* when) {
+    void expectState(const std::vector<StateText>& entry, const char* when) {
         EXPECT_EQ(joined(differences(entry, host->read())), "") << when;
         EXPECT_EQ(context.takeMessages(), "") << when;
     }
@@ -235,7 +235,7 @@ TEST_P(FrameTest, leavesNothingToAHostThatPushesAndPops) {
         scrambleState(touched, others, 3);
     };
     host->onPop = pop;
-    std::vector<gl::StateText> entry;
+    std::vector<StateText> entry;
     const auto scramble = [&](uint32_t seed) {
         entry = scrambled(seed);
         expectInCallbacks(entry);

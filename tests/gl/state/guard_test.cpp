@@ -109,7 +109,7 @@ TEST_P(GuardTest, scramblesEveryRowOtherwiseWithTheNextSeed) {
     HostObjects objects(gl());
     gl::StateGuard guard(gl(), testScope(), GetParam());
     std::set<std::string> same;
-    for (const gl::StateText& state : read())
+    for (const StateText& state : read())
         same.insert(state.name);
     for (uint32_t seed = 0; seed < 16; seed += 2) {
         scrambleState(guard.context(), objects, seed);

@@ -49,15 +49,15 @@ void scrambleState(const gl::StateContext& context, const HostObjects& objects, 
                 scrambleRow(context, objects, seed, row, element);
 }
 
-std::vector<gl::StateText> readState(const GladGLContext& gl, const gl::StateScope& scope,
+std::vector<StateText> readState(const GladGLContext& gl, const gl::StateScope& scope,
                                      bool compatibilityProfile) {
     gl::StateGuard guard(gl, scope, compatibilityProfile);
     guard.capture();
     return describe(guard);
 }
 
-std::vector<std::string> differences(const std::vector<gl::StateText>& first,
-                                     const std::vector<gl::StateText>& second) {
+std::vector<std::string> differences(const std::vector<StateText>& first,
+                                     const std::vector<StateText>& second) {
     std::vector<std::string> lines;
     if (first.size() != second.size())
         lines.push_back("not the same states");

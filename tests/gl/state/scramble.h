@@ -2,8 +2,8 @@
 // rows read and write is checked against them.
 #pragma once
 
-#include "gl/state_text.h"
 #include "host_objects.h"
+#include "state_text.h"
 
 #include <string>
 #include <vector>
@@ -17,10 +17,10 @@ void scrambleState(const gl::StateContext& context, const HostObjects& objects, 
 bool scrambleRow(const gl::StateContext& context, const HostObjects& objects, uint32_t seed,
                  const gl::StateRow& row, uint32_t element);
 
-std::vector<gl::StateText> readState(const GladGLContext& gl, const gl::StateScope& scope,
+std::vector<StateText> readState(const GladGLContext& gl, const gl::StateScope& scope,
                                      bool compatibilityProfile);
 // A line for each state that differs: its name, the first value and the second.
-std::vector<std::string> differences(const std::vector<gl::StateText>& first,
-                                     const std::vector<gl::StateText>& second);
+std::vector<std::string> differences(const std::vector<StateText>& first,
+                                     const std::vector<StateText>& second);
 
 } // namespace agaa::test

@@ -32,7 +32,7 @@ protected:
     void TearDown() override { EXPECT_EQ(context.takeMessages(), ""); }
 
     const GladGLContext& gl() const { return context.gl(); }
-    std::vector<gl::StateText> read() const { return readState(gl(), testScope(), GetParam()); }
+    std::vector<StateText> read() const { return readState(gl(), testScope(), GetParam()); }
 
     EglContext context;
 };

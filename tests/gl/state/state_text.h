@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace agaa::gl {
+namespace agaa::test {
 
 struct StateText {
     std::string name; // of the row, with the element in brackets where it is repeated
@@ -15,6 +15,6 @@ struct StateText {
 };
 
 // What the guard has captured.
-std::vector<StateText> describe(const StateGuard& guard);
+std::vector<StateText> describe(const gl::StateGuard& guard);
 
-} // namespace agaa::gl
+} // namespace agaa::test

@@ -1,12 +1,12 @@
-#include "gl/state_text.h"
+#include "state_text.h"
 
 #include "core/error.h"
 #include "gl/state_table.h"
 
-namespace agaa::gl {
+namespace agaa::test {
 namespace {
 
-std::string text(char type, const StateValue& value, size_t i) {
+std::string text(char type, const gl::StateValue& value, size_t i) {
     switch (type) {
     case 'b':
         return value.integer(i) != 0 ? "true" : "false";
@@ -22,16 +22,16 @@ std::string text(char type, const StateValue& value, size_t i) {
 
 } // namespace
 
-std::vector<StateText> describe(const StateGuard& guard) {
+std::vector<StateText> describe(const gl::StateGuard& guard) {
     std::vector<StateText> texts;
     texts.reserve(guard.captured().size());
-    for (const StateRow& row : stateTable()) {
+    for (const gl::StateRow& row : gl::stateTable()) {
         if (!guard.context().has(row))
             continue;
         for (const uint32_t element : guard.context().elements(row.array)) {
-            const StateValue& value = guard.captured()[texts.size()];
+            const gl::StateValue& value = guard.captured()[texts.size()];
             StateText& out = texts.emplace_back(StateText{row.name, {}});
-            if (row.array != StateArray::Once)
+            if (row.array != gl::StateArray::Once)
                 out.name += format(" [%u]", element);
             for (size_t i = 0; i < row.layout.size(); ++i) {
                 if (i != 0)
@@ -43,4 +43,4 @@ std::vector<StateText> describe(const StateGuard& guard) {
     return texts;
 }
 
-} // namespace agaa::gl
+} // namespace agaa::test
