@@ -289,8 +289,9 @@ typedef struct AgaaSceneFacts {
 
 #define AGAA_VIEW_REVERSED_Z UINT64_C(0x01) /* near is 1, far is 0; wants a float depth format */
 #define AGAA_VIEW_COMPOSITE UINT64_C(0x02)  /* frames may composite over what the output holds */
-#define AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE UINT64_C(0x04) /* the rasteriser maps z/w in [-1;1] to depth, OpenGL's
-                                                          default; else [0;1]. AgaaFrame::projection is its */
+/* The rasteriser maps z/w in [-1;1] to depth, which is OpenGL's default; without the flag, z/w in [0;1].
+ * AgaaFrame::projection puts the near and the far plane at the ends of that range. */
+#define AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE UINT64_C(0x04)
 
 typedef struct AgaaViewDesc {
     uint32_t sType;
@@ -309,9 +310,9 @@ typedef struct AgaaViewDesc {
  * compiled into the passes that shade; the text is GLSL 450 and defines
  *     float agaaHostShadow(uint shadow, vec3 position)
  * the share of light, [0;1], that a point in shading space gets past AgaaFrame::shadows[shadow]. It runs
- * in compute: no implicit derivatives. Its resources are in set 1 (Vulkan), or where agaaGlRecordFrame says; names beginning with agaa_
- * and AGAA_ are the library's. Code that does not compile is AGAA_ERROR_INVALID_ARGUMENT, with the
- * compiler's first message. */
+ * in compute: no implicit derivatives. Its resources are in set 1 (Vulkan), or where agaaGlRecordFrame says;
+ * names beginning with agaa_ and AGAA_ are the library's. Code that does not compile is
+ * AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. */
 typedef struct AgaaShadowFunction {
     uint32_t sType;
     uint32_t structSize;
@@ -613,7 +614,7 @@ typedef struct AgaaFrameValidation {
     uint64_t visible, once, missed, multi, ties; /* samples; as in AgaaCounters */
     uint64_t misplaced;                          /* fragments; as in AgaaCounters */
     uint64_t invalidPixels;                      /* with missed or multi samples */
-    uint32_t isValid;                            /* something visible, nothing missed or multi, misplaced below a hundredth */
+    uint32_t isValid; /* 1: something visible, nothing missed or multi, misplaced at most a hundredth of visible */
     uint32_t pixelCount;
     AgaaInvalidPixel pixels[AGAA_MAX_INVALID_PIXELS]; /* the first that were found */
     char explanation[512]; /* what was found and what usually causes it */
@@ -626,7 +627,8 @@ typedef struct AgaaFrameValidation {
 AGAA_API AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,
                                                 AgaaFrameValidation* outValidation);
 
-/* Destroying null is legal. On OpenGL the context must be current. Every frame recorded with the object must have finished. */
+/* Destroying null is legal. On OpenGL the context must be current. Every frame recorded with the object must have
+ * finished. */
 AGAA_API void AGAA_CALL agaaDestroyView(AgaaView view);
 AGAA_API void AGAA_CALL agaaDestroyContext(AgaaContext context);
 

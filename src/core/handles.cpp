@@ -107,9 +107,9 @@ AgaaResult AgaaView_T::statistics(uint64_t completedFrame, AgaaFrameStatistics& 
 static bool isMisplaced(const AgaaFrameValidation& v) { return v.misplaced > v.visible / 100; }
 
 // What was found and what usually causes it, the more basic mistake first.
-static const char* explain(const AgaaFrameValidation& v) {
+static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses) {
     if (v.visible == 0)
-        return "Nothing is visible: the prepass drew nothing into the target. Usual causes: framebuffer, "
+        return "Nothing is visible: the first geometry pass drew nothing into the target. Usual causes: framebuffer, "
                "viewport or projection are not those of the pass, the depth test is not that of "
                "AgaaDrawState, or AGAA_VIEW_REVERSED_Z does not fit the projection.";
     if (isMisplaced(v))
@@ -129,6 +129,9 @@ static const char* explain(const AgaaFrameValidation& v) {
     if (v.multi)
         return "Samples were written twice or where nothing is visible. Usual causes: objects are drawn that "
                "the prepass left out with the depth test off, or an alpha mask differs between the passes.";
+    if (geometryPasses == 1)
+        return "Every visible sample was written exactly once, by the only geometry pass: there is no other that "
+               "it could disagree with. Its fragments lie where AgaaFrame's camera puts them.";
     return "Every visible sample was written exactly once. What this cannot show is a depth test other than "
            "EQUAL in the material pass: then the image differs from that of \"ssaa\".";
 }
@@ -158,7 +161,7 @@ AgaaResult AgaaView_T::validation(uint64_t completedFrame, AgaaFrameValidation& 
         if (i < out.pixelCount)
             out.pixels[i] = {words[0], words[1], words[2], words[3], words[4]};
     }
-    std::strncpy(out.explanation, explain(out), sizeof out.explanation - 1);
+    std::strncpy(out.explanation, explain(out, plan.geometryPasses()), sizeof out.explanation - 1);
     out.explanation[sizeof out.explanation - 1] = 0;
     return AGAA_OK;
 }
