@@ -15,7 +15,9 @@ extern "C" {
 #endif
 
 typedef void (*AgaaGlFunction)(void);
-/* As eglGetProcAddress or glXGetProcAddress, with the host's pointer before the name. */
+/* As eglGetProcAddress or glXGetProcAddress, with the host's pointer before the name. Must return functions of
+ * OpenGL 1.x as well, which wglGetProcAddress alone does not. Called inside agaaGlGetDeviceCaps and
+ * agaaGlCreateContext only. */
 typedef AgaaGlFunction(AGAA_CALL* AgaaGlGetProcAddr)(void* user, const char* name);
 
 /* ---- before a context exists ------------------------------------------------------------------ */
@@ -39,7 +41,9 @@ typedef struct AgaaGlRequirements {
      NULL, 0, NULL}
 AGAA_API AgaaResult AGAA_CALL agaaGlGetRequirements(AgaaGlRequirements* outRequirements);
 
-/* Capabilities of the current context, to be passed to the queries of agaa_sdk.h. log may be null. */
+/* Capabilities of the current context, to be passed to the queries of agaa_sdk.h. log may be null. For
+ * AGAA_GL_STORAGE_IMAGES, whose limits are others, ask agaaGlGetContextCaps. AGAA_ERROR_UNSUPPORTED where no
+ * context is current or it is too old. */
 AGAA_API AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* getProcUser,
                                                   const AgaaLog* log, AgaaDeviceCaps* outCaps);
 
@@ -48,7 +52,8 @@ AGAA_API AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr,
 /* What becomes of the host's state. docs/state.md lists the states that RESTORE keeps. */
 typedef enum AgaaGlStatePolicy {
     /* Every state of the list is read on entry and set again before each draw callback and at return, also
-     * when a callback or the frame fails. */
+     * when a callback or the frame fails. A program that the host has deleted while it is in use is lost: OpenGL
+     * drops it when another is used. */
     AGAA_GL_STATE_RESTORE = 0,
     /* pushState is called on entry and after each draw callback, popState before each draw callback and at
      * return: for hosts that can save and restore more cheaply than by glGet. Where the last popState fails
@@ -73,6 +78,7 @@ typedef enum AgaaGlOutputs {
     AGAA_GL_OUTPUTS_MAX_ENUM = 0x7FFFFFFF
 } AgaaGlOutputs;
 
+/* Must not throw and must not call the SDK. Anything but AGAA_OK makes the frame AGAA_ERROR_CALLBACK. */
 typedef AgaaResult(AGAA_CALL* AgaaGlStateCallback)(void* user);
 
 typedef struct AgaaGlContextDesc {
@@ -85,7 +91,7 @@ typedef struct AgaaGlContextDesc {
     uint32_t storage;     /* AgaaGlStorage */
     uint32_t outputs;     /* AgaaGlOutputs */
     uint32_t statePolicy; /* AgaaGlStatePolicy */
-    AgaaGlStateCallback pushState; /* with AGAA_GL_STATE_CALLBACKS; as draw callbacks, otherwise */
+    AgaaGlStateCallback pushState; /* both with AGAA_GL_STATE_CALLBACKS; otherwise not called, may be null */
     AgaaGlStateCallback popState;
     void* stateUser;
     /* Where the SDK binds what the host's shaders read, during draw callbacks. The host's own bindings there
@@ -113,9 +119,15 @@ AGAA_API AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion,
                                                   const AgaaGlContextDesc* desc,
                                                   AgaaContext* outContext);
 
+/* Those of the context, with the limits of AgaaGlContextDesc::storage. AGAA_ERROR_INVALID_ARGUMENT for null and
+ * for contexts of Vulkan, AGAA_ERROR_STRUCT where outCaps is not initialised. */
 AGAA_API AgaaResult AGAA_CALL agaaGlGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps);
 
-/* Allocates the view's surfaces and compiles its passes. */
+/* Allocates the view's surfaces and compiles its passes. desc and what it points to are needed until the call
+ * returns. The view is the host's to destroy, before its context. AGAA_ERROR_UNSUPPORTED, _TOO_LARGE or _LAYOUT
+ * where the device or the library cannot, _OUT_OF_MEMORY or _DEVICE where the driver refuses; what was made is
+ * given back, and *outView is not written. The host's state is left as it was; errors that were pending are told
+ * to the log. */
 AGAA_API AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* desc,
                                                AgaaView* outView);
 
@@ -130,10 +142,11 @@ typedef struct AgaaGlDrawPass {
     const void* pNext;
     uint32_t pass;  /* AgaaDrawPassId */
     uint32_t stage; /* AgaaStage */
-    const char* name;
-    uint64_t pipelineKey;
+    const char* name;     /* owned by the view */
+    uint64_t pipelineKey; /* as AgaaDrawTarget::pipelineKey */
     uint32_t framebuffer; /* the view's; complete, of the format and size below */
-    uint32_t width, height, scaleX, scaleY;
+    uint32_t width, height;  /* texels of the target: pixels times the scale */
+    uint32_t scaleX, scaleY; /* sub-pixels a pixel */
     AgaaDrawState state;
     uint32_t colorFormats[4];    /* internal formats; state.colorAttachmentCount are used */
     uint32_t depthStencilFormat; /* internal format */
@@ -144,7 +157,9 @@ typedef struct AgaaGlDrawPass {
     {AGAA_STRUCTURE_TYPE_GL_DRAW_PASS, (uint32_t)sizeof(AgaaGlDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, \
      0, 0, {0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, NULL, NULL}
 
-/* Two-call: with passes null, writes the count; otherwise every element must be initialised. */
+/* Two-call: with passes null, writes the count; otherwise every element must be initialised, or the call is
+ * AGAA_ERROR_STRUCT. AGAA_ERROR_BUFFER_TOO_SMALL where *count is less than there are; AGAA_ERROR_INVALID_ARGUMENT
+ * for null and for views of Vulkan. */
 AGAA_API AgaaResult AGAA_CALL agaaGlGetDrawPasses(AgaaView view, uint32_t* count,
                                                   AgaaGlDrawPass* passes);
 
@@ -189,9 +204,10 @@ typedef struct AgaaGlFrame {
  * entry, but for the bindings named in AgaaGlContextDesc; they bind AgaaDrawTarget::framebuffer and set
  * viewport and AgaaDrawState themselves. A callback that fails is AGAA_ERROR_CALLBACK: the output is
  * untouched. Active transform feedback that is not paused is AGAA_ERROR_WRONG_ORDER. Not to be called with
- * conditional rendering or a query of GL_TIME_ELAPSED active. Other errors of OpenGL's are not looked for:
- * they are left to the host's glGetError. An AgaaShadowFunction finds its resources where the host has bound them: texture units from 17,
- * other binding points from 4 are left alone. */
+ * conditional rendering or a query of GL_TIME_ELAPSED active. Other errors of OpenGL's are not looked for: they
+ * are left to the host's glGetError. An AgaaShadowFunction finds its resources as bound when the last draw
+ * callback returns: texture units from 17 and other binding points from 4 are left alone, but for the places
+ * named in AgaaGlContextDesc. */
 AGAA_API AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame,
                                                 const AgaaGlFrame* glFrame);
 

@@ -53,8 +53,11 @@ constexpr const char* kAfter = R"(
   paused, or the frame is refused.
 - What belongs to objects: the draw buffers of a framebuffer, the attributes of a vertex array, the uniforms of
   a program. The SDK does not touch the host's objects, but for the output texture's contents.
-- Objects that a callback deletes: their bindings are 0 afterwards. A program deleted while it is in use is gone as
-  soon as another one is used. A program linked anew without success is not used again.
+- Objects that a callback deletes: their bindings are 0 afterwards. A program linked anew without success is not
+  used again.
+- A program that the host has deleted while it is in use, which is legal: OpenGL drops it as soon as a frame uses
+  another, and 0 is in use afterwards. Delete it after the frame.
+- Subroutine uniforms: OpenGL forgets them whenever a program is put into use.
 - Errors: those that were pending on entry stay pending, but for a frame that brings a texture of a wrong target:
   it takes them and tells them to the log. What OpenGL raises in a frame is the host's to find by `glGetError`.
 )";
