@@ -52,13 +52,15 @@ void agaa_countEnd() {
     atomicMax(agaa_groupCounts[AGAA_COUNT_MAX_EVENTS], agaa_ownCounts[AGAA_COUNT_EVENTS]);
     barrier();
     uint i = gl_LocalInvocationIndex;
-    if (i < AGAA_COUNT_MAX_EVENTS && agaa_groupCounts[i] != 0u) {
-        uint before = atomicAdd(agaa_counterBuffer.words[2u * i], agaa_groupCounts[i]);
-        if (before + agaa_groupCounts[i] < before) // carried
+    // In range for all invocations: Mesa reads the right side of && whatever the left one says.
+    uint count = agaa_groupCounts[min(i, AGAA_COUNT_MAX_EVENTS)];
+    if (i < AGAA_COUNT_MAX_EVENTS && count != 0u) {
+        uint before = atomicAdd(agaa_counterBuffer.words[2u * i], count);
+        if (before + count < before) // carried
             atomicAdd(agaa_counterBuffer.words[2u * i + 1u], 1u);
     }
     if (i == AGAA_COUNT_MAX_EVENTS)
-        atomicMax(agaa_counterBuffer.words[2u * i], agaa_groupCounts[i]);
+        atomicMax(agaa_counterBuffer.words[2u * i], count);
 }
 #else
 void agaa_countBegin() {}
