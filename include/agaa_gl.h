@@ -100,6 +100,8 @@ typedef struct AgaaGlContextDesc {
     uint32_t metadataUnit;      /* texture unit */
     uint32_t aggregatesBinding; /* shader storage buffer; with AGAA_GL_STORAGE_IMAGES an image unit */
     uint32_t countersBinding;   /* the same, not equal to aggregatesBinding */
+    uint32_t lightsBinding;     /* shader storage buffer, or with AGAA_GL_STORAGE_IMAGES uniform buffer */
+    uint32_t shadowUnit;        /* texture unit of the first of AGAA_MAX_SHADOW_MAPS */
     uint32_t framesInFlight;    /* [1;8]: frames whose statistics are kept */
     uint32_t reserved;          /* 0 */
     const AgaaLog* log;         /* may be null; copied */
@@ -110,7 +112,7 @@ typedef struct AgaaGlContextDesc {
 #define AGAA_GL_CONTEXT_DESC_INIT                                                                   \
     {AGAA_STRUCTURE_TYPE_GL_CONTEXT, (uint32_t)sizeof(AgaaGlContextDesc), NULL, NULL, NULL, 450,       \
      AGAA_GL_STORAGE_BUFFERS, AGAA_GL_OUTPUTS_SDK, AGAA_GL_STATE_RESTORE, NULL, NULL, NULL, 0, 0, 0, \
-     1, 2, 0, NULL, NULL, NULL, NULL}
+     1, 2, 1, 2, 0, NULL, NULL, NULL, NULL}
 
 /* headerVersion: pass AGAA_HEADER_VERSION. Probes whether the driver's timer queries are right, which takes
  * some milliseconds. The host's state is left as it was; errors that were pending are told to the log. Not to be

@@ -243,26 +243,31 @@ typedef struct AgaaConfig {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
-    const char* technique;    /* "single", "ssaa", "agaa" */
+    const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa" */
     uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16, 32 */
-    uint32_t aggregates;      /* c, [1;4]; used by techniques that aggregate */
+    uint32_t aggregates;      /* c of "agaa", [1;4]; S, surfaces kept, of "sbaa", [1;6] */
     const AgaaLayout* layout; /* null: "precise" */
     uint32_t brdf;            /* AgaaBrdf */
     uint32_t ndf;             /* AgaaNdf */
     float characteristicLength;            /* k of equation 1, in host units, [0;inf) */
     float characteristicLengthPerDistance; /* k is at least this times the distance, [0;1]; k > 0 */
     float aggregateThreshold; /* t: a further aggregate must be farther than this, [0;inf) */
+    /* What counts as one surface, for techniques that shade surfaces once; 0: as the technique has it. */
+    float surfaceCosine;   /* least cosine between normals, [0;1] */
+    float surfaceDistance; /* from the surface's plane, in widths of a pixel at its depth, [0;inf) */
+    float surfaceMaterial; /* largest difference of a material's channel, [0;1]; read by "simple_complex" */
     uint32_t seeds;           /* AgaaSeeds */
     uint32_t shadowTaps;      /* per aggregate and shadow, at most, [0;32]; 0: 8 */
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t generationTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
+    uint32_t reserved;        /* 0 */
     uint64_t flags;           /* AGAA_CONFIG_… */
 } AgaaConfig;
 #define AGAA_CONFIG_INIT                                                                            \
     {AGAA_STRUCTURE_TYPE_CONFIG, (uint32_t)sizeof(AgaaConfig), NULL, "agaa", 8, 2, NULL,             \
-     AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.03f, 0.02f, AGAA_SEEDS_MAXIMIN, 0, AGAA_TIER_AUTO,     \
-     AGAA_TIER_AUTO, 1, 0}
+     AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.03f, 0.02f, 0.0f, 0.0f, 0.0f, AGAA_SEEDS_MAXIMIN, 0,   \
+     AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0}
 
 /* What the scene calls for. The planner drops what is not named here. */
 #define AGAA_FACT_SPECULAR UINT64_C(0x01)
@@ -421,8 +426,10 @@ AGAA_API AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const Aga
 
 typedef enum AgaaDrawPassId {
     AGAA_DRAW_PASS_VISIBILITY = 1, /* depth and geometric normals */
-    AGAA_DRAW_PASS_AGGREGATE = 2,  /* materials, accumulated into aggregates; no colour output */
+    AGAA_DRAW_PASS_AGGREGATE = 2,  /* materials, accumulated into aggregates or kept as surfaces; no
+                                      colour output */
     AGAA_DRAW_PASS_GBUFFER = 3,    /* materials into a multisampled G-buffer */
+    AGAA_DRAW_PASS_FORWARD = 4,    /* materials, shaded in the fragment shader, into a multisampled colour */
     AGAA_DRAW_PASS_MAX_ENUM = 0x7FFFFFFF
 } AgaaDrawPassId;
 

@@ -26,6 +26,7 @@ uint32_t bytesPerTexel(Format format) {
     case Format::RGB16:
         return 6;
     case Format::RGBA16:
+    case Format::RGBA16F:
     case Format::RG32U:
         return 8;
     }
@@ -58,6 +59,8 @@ const char* formatName(Format format) {
         return "RGB16_UNORM";
     case Format::RGBA16:
         return "RGBA16_UNORM";
+    case Format::RGBA16F:
+        return "RGBA16_FLOAT";
     case Format::RGB10A2:
         return "RGB10A2_UNORM";
     case Format::R8U:

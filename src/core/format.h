@@ -18,6 +18,7 @@ enum class Format {
     RG16,
     RGB16, // model of the papers only: no device renders to it
     RGBA16,
+    RGBA16F,
     RGB10A2,
     R8U,
     R16U,

@@ -39,6 +39,10 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     std::memcpy(out.ambient, frame.ambient, sizeof frame.ambient);
     out.ambient[3] = plan.layout.emissiveRange();
     std::memcpy(out.background, frame.background, sizeof frame.background);
+    out.surface[0] = plan.config.surfaceCosine;
+    out.surface[1] = plan.config.surfaceDistance;
+    out.surface[2] = plan.config.surfaceMaterial;
+    out.surface[3] = float(plan.samples);
     for (size_t i = 0; i < positions.size(); ++i) {
         out.samples[i][0] = positions[i].x;
         out.samples[i][1] = positions[i].y;

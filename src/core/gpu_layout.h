@@ -15,9 +15,10 @@ struct FrameConstants {
     float cluster[4];      // k, k per distance, t, 0
     float ambient[4];      // rgb, emissive range
     float background[4];
+    float surface[4];      // one surface: least cosine, distance in pixels, difference of materials; n
     float samples[32][4];  // xy in the pixel, [0;1]
 };
-static_assert(sizeof(FrameConstants) == 64 + 32 + 16 * 4 + 512);
+static_assert(sizeof(FrameConstants) == 64 + 32 + 16 * 5 + 512);
 
 struct GpuShadow {
     float matrices[AGAA_MAX_SHADOW_LAYERS][16];

@@ -2,6 +2,8 @@
 
 #include "core/error.h"
 #include "core/glsl_text.h"
+#include "core/gpu_layout.h"
+#include "core/plan_builder.h"
 
 #include <algorithm>
 #include <charconv>
@@ -55,8 +57,9 @@ std::string outputs(const Pass& pass, const HostDialect& dialect) {
 // Where the host's set or binding points hold each of the SDK's resources.
 std::string places(const HostDialect& dialect) {
     std::string out;
-    const char* const names[] = {"FRAME", "METADATA", "AGGREGATES", "COUNTERS"};
-    for (uint32_t i = 0; i < 4; ++i)
+    const char* const names[] = {"FRAME",  "METADATA", "AGGREGATES", "COUNTERS", "LIGHTS",
+                                 "SHADOW0", "SHADOW1", "SHADOW2",    "SHADOW3"};
+    for (uint32_t i = 0; i < host_slot::Count; ++i)
         out += dialect.openGl ? format("#define AGAA_AT_%s binding = %u\n", names[i], dialect.bindings[i])
                               : format("#define AGAA_AT_%s set = %u, binding = %u\n", names[i],
                                        dialect.descriptorSet, i);
@@ -76,6 +79,30 @@ std::string storeAttachments(const Pass& pass) {
                       components[1].c_str(), components[2].c_str(), components[3].c_str());
     }
     return out + "}\n";
+}
+
+std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    std::string out;
+    const Constants& c = pass.constants;
+    define(out, "AGAA_BRDF", c[AGAA_BRDF]);
+    define(out, "AGAA_FILTER_DIFFUSE", c[AGAA_FILTER_DIFFUSE]);
+    define(out, "AGAA_HAS_SPECULAR", c[AGAA_HAS_SPECULAR]);
+    define(out, "AGAA_HAS_AMBIENT", c[AGAA_HAS_AMBIENT]);
+    define(out, "AGAA_SHADOW_MAPS", c[AGAA_SHADOW_MAPS]);
+    define(out, "AGAA_SHADING_COST", c[AGAA_SHADING_COST]);
+    defineSwitch(out, "AGAA_SHADOWS", plan.facts.shadowMapCount > 0);
+    if (!dialect.storageImages)
+        return out;
+    // Without storage blocks lights come in a uniform block, which promises no more than this.
+    constexpr uint64_t most = 16384;
+    if (lightBufferBytes(plan.facts.maxLights) > most)
+        fail(AGAA_ERROR_UNSUPPORTED,
+             format("forward shading without storage blocks takes %llu lights; AgaaSceneFacts::maxLights is %u.",
+                    (unsigned long long)((most - lightBufferBytes(1)) / sizeof(GpuLight) + 1),
+                    plan.facts.maxLights));
+    out += "#define AGAA_LIGHT_BLOCK layout(std140, AGAA_AT_LIGHTS) uniform\n";
+    defineSwitch(out, "AGAA_LIGHT_COUNT", std::max(plan.facts.maxLights, 1u));
+    return out;
 }
 
 std::string defines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
@@ -101,12 +128,18 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_FIRST_SAMPLE_ROUTING",
                      (plan.config.flags & AGAA_CONFIG_FIRST_SAMPLE_ROUTING) != 0);
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
+        defineSwitch(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
+        defineSwitch(out, "AGAA_REPRESENTED", c[AGAA_STRIDE] != c[AGAA_WORDS]);
         define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
         defineSwitch(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
         defineSwitch(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
     }
     if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
         define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
+    if (pass.drawPass == AGAA_DRAW_PASS_VISIBILITY)
+        defineSwitch(out, "AGAA_WRITES_NORMALS", !pass.colorTargets.empty());
+    if (pass.drawPass == AGAA_DRAW_PASS_FORWARD)
+        out += lightingDefines(plan, pass, dialect);
     return out;
 }
 
@@ -136,7 +169,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
     std::string out = "#ifndef AGAA_ALPHA_MASKED\n#define AGAA_ALPHA_MASKED 0\n#endif\n";
     out += defines(plan, pass, dialect) + places(dialect) + outputs(pass, dialect);
     for (const char* path : {"passes/frame.glsl", "math/sanitise.glsl", "math/encoding.glsl",
-                             "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "host/surface.glsl",
+                             "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "math/records.glsl", "host/surface.glsl",
                              "host/counters.glsl", "host/placement.glsl"})
         appendGlsl(out, path, seen);
     switch (pass.drawPass) {
@@ -146,6 +179,9 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
     case AGAA_DRAW_PASS_GBUFFER:
         out += storeAttachments(pass);
         appendGlsl(out, "host/gbuffer.glsl", seen);
+        break;
+    case AGAA_DRAW_PASS_FORWARD:
+        appendGlsl(out, "host/forward.glsl", seen);
         break;
     case AGAA_DRAW_PASS_AGGREGATE:
         out += putFields(pass.constants);

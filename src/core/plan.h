@@ -18,7 +18,7 @@ enum Constant : uint32_t {
 #define AGAA_CONSTANT(id, name, value) name = id,
 #include "shaders/passes/constants.inc"
 #undef AGAA_CONSTANT
-    ConstantCount = 48
+    ConstantCount = 49
 };
 using Constants = std::array<uint32_t, ConstantCount>;
 
@@ -94,7 +94,8 @@ struct Pass {
     AgaaDrawState drawState{};
     std::vector<ResourceId> colorTargets;
     ResourceId depthTarget = noResource;
-    bool clear = false; // targets: colour 0, depth far, stencil 0
+    bool clearsColor = false; // to 0
+    bool clearsDepth = false; // to far, stencil to 0
 
     // Fill (with zero), Copy
     ResourceId source = noResource;

@@ -34,10 +34,14 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     if (!technique.multisampled)
         plan.config.samples = 1;
     plan.samples = plan.config.samples;
+    if (technique.maxAggregates && plan.config.aggregates > technique.maxAggregates)
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaConfig::aggregates is %u; \"%s\" takes %u at most.",
+                                             plan.config.aggregates, technique.name,
+                                             technique.maxAggregates));
     plan.aggregates =
-        technique.aggregates ? std::min(plan.config.aggregates, plan.samples) : 0;
+        technique.maxAggregates ? std::min(plan.config.aggregates, plan.samples) : 0;
     chooseVisibilityTier();
-    if (technique.aggregates) {
+    if (technique.maxAggregates) {
         const GenerationChoice choice = chooseGeneration(
             caps_, plan.hwSamples, plan.config.generationTier, hasFact(AGAA_FACT_CUSTOM_DEPTH));
         if (choice.tier == AGAA_TIER_AUTO)
@@ -207,13 +211,18 @@ Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string&
                                {'c', "AGAA_COUNTING", counts()},
                                {'b', "AGAA_COMPOSITE", plan.composite},
                                {'a', "AGAA_SEVERAL", plan.aggregates > 1},
-                               {'g', "AGAA_FROM_GBUFFER", plan.generationTier == AGAA_TIER_GBUFFER}};
+                               {'g', "AGAA_FROM_GBUFFER", plan.generationTier == AGAA_TIER_GBUFFER},
+                               {'x', "AGAA_CLASSIFIED", false},
+                               {'r', "AGAA_REPRESENTED", false}};
     for (const char* letter = permutation; *letter; ++letter) {
         const Switch& s = *std::find_if(std::begin(switches), std::end(switches),
                                         [&](const Switch& each) { return each.letter == *letter; });
+        bool on = s.on;
+        if (letter[1] == '0' || letter[1] == '1')
+            on = *++letter == '1';
         pass.shader += s.letter;
-        pass.shader += s.on ? '1' : '0';
-        pass.defines += format("#define %s %d\n", s.define, s.on);
+        pass.shader += on ? '1' : '0';
+        pass.defines += format("#define %s %d\n", s.define, on);
     }
     pass.segment = segment;
     pass.constants = constants_;
@@ -238,6 +247,13 @@ void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId r
     pass.bindings.push_back({slot, type, resource, writes});
 }
 
+void PlanBuilder::defaultSurface(float cosine, float distance, float material) {
+    const auto set = [](float& value, float otherwise) { value = value > 0 ? value : otherwise; };
+    set(plan.config.surfaceCosine, cosine);
+    set(plan.config.surfaceDistance, distance);
+    set(plan.config.surfaceMaterial, material);
+}
+
 void PlanBuilder::bindCommon(Pass& pass) {
     const bool host = pass.kind == PassKind::HostDraw;
     if (!host)
@@ -247,13 +263,23 @@ void PlanBuilder::bindCommon(Pass& pass) {
              BindingType::StorageBuffer, counters_, true);
 }
 
-void PlanBuilder::bindLighting(Pass& pass) {
-    bind(pass, slot::Lights, BindingType::StorageBuffer, lights_);
-    output_ = add({.name = "output", .kind = ResourceKind::Output, .width = plan.width,
-                   .height = plan.height});
-    bind(pass, slot::Output, BindingType::StorageImage, output_, true);
+ResourceId PlanBuilder::output() {
+    if (output_ == noResource)
+        output_ = add({.name = "output", .kind = ResourceKind::Output, .width = plan.width,
+                       .height = plan.height});
+    return output_;
+}
+
+void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
+    bind(pass, slot::Output, BindingType::StorageImage, image == noResource ? output() : image, true);
     if (plan.composite)
-        bind(pass, slot::Below, BindingType::Texture, output_);
+        bind(pass, slot::Below, BindingType::Texture, output());
+}
+
+void PlanBuilder::bindLighting(Pass& pass) {
+    const bool host = pass.kind == PassKind::HostDraw;
+    bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer,
+         lights_);
     bindShadows(pass);
     listEffects();
 }
@@ -267,11 +293,15 @@ void PlanBuilder::bindShadows(Pass& pass) {
         if (!(plan.functionShadows >> i & 1))
             any = maps[i] =
                 add({.name = format("shadow-map-%u", i), .kind = ResourceKind::ShadowMap, .hostSlot = i});
+    const bool host = pass.kind == PassKind::HostDraw;
+    const uint32_t first = host ? uint32_t(host_slot::Shadow0) : uint32_t(slot::Shadow0);
     for (uint32_t i = 0; any != noResource && i < AGAA_MAX_SHADOW_MAPS; ++i)
-        bind(pass, slot::Shadow0 + i, BindingType::ShadowTexture,
-             maps[i] != noResource ? maps[i] : any);
+        bind(pass, first + i, BindingType::ShadowTexture, maps[i] != noResource ? maps[i] : any);
     if (!plan.functionShadows)
         return;
+    require(!host, AGAA_ERROR_UNSUPPORTED,
+            "AgaaShadowFunction is for techniques that shade in the SDK's passes; this one shades in the "
+            "host's.");
     pass.hostCode = shadowFunction_;
     pass.defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
                            plan.functionShadows, any != noResource);

@@ -24,7 +24,7 @@ enum : uint32_t {
 }
 // Binding slots of the set that hosts bind (src/shaders/host/).
 namespace host_slot {
-enum : uint32_t { Frame = 0, Metadata = 1, Aggregates = 2, Counters = 3 };
+enum : uint32_t { Frame = 0, Metadata = 1, Aggregates = 2, Counters = 3, Lights = 4, Shadow0 = 5, Count = 9 };
 }
 
 class PlanBuilder {
@@ -47,17 +47,23 @@ public:
     ResourceId depth(bool needsStencil);
 
     Pass& hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment);
-    // permutation: the letters of the switches that the shader is compiled for.
+    // permutation: the letters of the switches that the shader is compiled for; 0 or 1 after a letter says
+    // what the plan as a whole does not.
     Pass& compute(std::string name, AgaaStage stage, const std::string& shader,
                   const char* permutation, uint64_t segment);
     Pass& fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment);
 
     void bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
               bool writes = false);
+    // What counts as one surface where the config does not say.
+    void defaultSurface(float cosine, float distance, float material);
     // Frame constants and, where counted, counters.
     void bindCommon(Pass& pass);
-    // Lights, shadow maps, the host's shadow function and output of a pass that shades.
+    // Lights, shadow maps and the host's shadow function of a pass that shades.
     void bindLighting(Pass& pass);
+    ResourceId output(); // the host's image
+    // What agaa_writeOutput() writes, and composites over: an image of the plan's, or with none the output.
+    void bindOutput(Pass& pass, ResourceId image = noResource);
     void copyCounters();
     void effect(const char* name) { plan.effects.push_back(name); }
     void note(std::string text) { plan.notes.push_back(std::move(text)); }

@@ -12,8 +12,8 @@ class PlanBuilder;
 // A technique is a row of this table; see src/core/techniques/.
 struct Technique {
     const char* name;
-    bool aggregates;   // uses c and a generation stage
-    bool multisampled; // runs at more than one sample per pixel
+    uint32_t maxAggregates; // c or S, of techniques with a generation stage; 0: none
+    bool multisampled;      // runs at more than one sample per pixel
     void (*build)(PlanBuilder& builder);
 };
 const std::vector<const Technique*>& techniques();

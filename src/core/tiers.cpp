@@ -148,7 +148,7 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
                                       visibility.relativePrice, visibility.reason));
             if (visibility.tier == AGAA_TIER_AUTO)
                 continue; // no later stage can run either
-            if (technique->aggregates) {
+            if (technique->maxAggregates) {
                 rows.push_back(capability(*technique, samples, AGAA_STAGE_DEFINITION,
                                           AGAA_TIER_NATIVE, true, 1, "a compute pass."));
                 const GenerationChoice generation =

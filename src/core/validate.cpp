@@ -68,7 +68,7 @@ AgaaConfig checkConfig(const AgaaConfig* pointer) {
     if (config.samples < 1 || config.samples > 32 || !std::has_single_bit(config.samples))
         fail(AGAA_ERROR_OUT_OF_RANGE,
              format("AgaaConfig::samples is %u, not one of 1, 2, 4, 8, 16, 32.", config.samples));
-    checkRange(uint64_t(config.aggregates), 1, 4, "AgaaConfig::aggregates");
+    checkRange(uint64_t(config.aggregates), 1, 6, "AgaaConfig::aggregates");
     checkRange(uint64_t(config.brdf), 0, AGAA_BRDF_GGX, "AgaaConfig::brdf");
     checkRange(uint64_t(config.ndf), 0, AGAA_NDF_TOKSVIG, "AgaaConfig::ndf");
     checkRange(uint64_t(config.seeds), 0, AGAA_SEEDS_SUM_OF_SQUARES, "AgaaConfig::seeds");
@@ -83,6 +83,10 @@ AgaaConfig checkConfig(const AgaaConfig* pointer) {
             AGAA_ERROR_OUT_OF_RANGE,
             "AgaaConfig::characteristicLength and its share per distance are both 0; k must be > 0.");
     checkRange(double(config.aggregateThreshold), 0.0, 1e6, "AgaaConfig::aggregateThreshold");
+    checkRange(double(config.surfaceCosine), 0.0, 1.0, "AgaaConfig::surfaceCosine");
+    checkRange(double(config.surfaceDistance), 0.0, 1e6, "AgaaConfig::surfaceDistance");
+    checkRange(double(config.surfaceMaterial), 0.0, 1.0, "AgaaConfig::surfaceMaterial");
+    checkRange(uint64_t(config.reserved), 0, 0, "AgaaConfig::reserved");
     constexpr uint64_t known = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK |
                                AGAA_CONFIG_NO_DIFFUSE_FILTER | AGAA_CONFIG_NO_SHADOW_FILTER |
                                AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_NO_STENCIL |

@@ -23,6 +23,15 @@ void checkContextDesc(const AgaaGlContextDesc* pointer) {
     require(desc.reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGlContextDesc::reserved is not 0.");
     require(desc.aggregatesBinding != desc.countersBinding, AGAA_ERROR_INVALID_ARGUMENT,
             "AgaaGlContextDesc::aggregatesBinding and countersBinding are the same.");
+    const bool images = desc.storage == AGAA_GL_STORAGE_IMAGES;
+    require(desc.lightsBinding != (images ? desc.frameBinding : desc.aggregatesBinding) &&
+                (images || desc.lightsBinding != desc.countersBinding),
+            AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaGlContextDesc::lightsBinding is also that of another buffer.");
+    require(desc.metadataUnit < desc.shadowUnit ||
+                desc.metadataUnit - desc.shadowUnit >= AGAA_MAX_SHADOW_MAPS,
+            AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaGlContextDesc::metadataUnit is among the units from shadowUnit on.");
     const bool callbacks = desc.statePolicy == AGAA_GL_STATE_CALLBACKS;
     require(!callbacks || (desc.pushState && desc.popState), AGAA_ERROR_INVALID_ARGUMENT,
             "AGAA_GL_STATE_CALLBACKS needs AgaaGlContextDesc::pushState and popState.");

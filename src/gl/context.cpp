@@ -31,18 +31,14 @@ GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user) {
 }
 
 static StateScope scopeOf(const HostDialect& dialect) {
-    StateScope scope;
+    StateScope scope = hostPlaces(dialect);
     for (uint32_t unit = firstTextureUnit; unit <= lastTextureUnit; ++unit)
         scope.textureUnits.push_back(unit);
-    scope.textureUnits.push_back(dialect.bindings[host_slot::Metadata]);
-    scope.uniformBindings = {uniformBinding, dialect.bindings[host_slot::Frame]};
+    scope.uniformBindings.push_back(uniformBinding);
     for (uint32_t i = 0; i < storageBindingCount; ++i)
         scope.storageBindings.push_back(i);
     for (uint32_t i = 0; i < imageUnitCount; ++i)
         scope.imageUnits.push_back(i);
-    for (uint32_t place : {host_slot::Aggregates, host_slot::Counters})
-        (dialect.storageImages ? scope.imageUnits : scope.storageBindings)
-            .push_back(dialect.bindings[place]);
     return scope;
 }
 
@@ -67,6 +63,11 @@ static void checkBindings(const GladGLContext& gl, const HostDialect& dialect) {
         dialect.storageImages ? GL_MAX_IMAGE_UNITS : GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS;
     check(at[host_slot::Aggregates], storage, "aggregatesBinding");
     check(at[host_slot::Counters], storage, "countersBinding");
+    check(at[host_slot::Lights],
+          dialect.storageImages ? GL_MAX_UNIFORM_BUFFER_BINDINGS : GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS,
+          "lightsBinding");
+    check(at[host_slot::Shadow0 + AGAA_MAX_SHADOW_MAPS - 1], GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS,
+          "shadowUnit + 3");
 }
 
 // Where buffers are reached as images, these set the limits.
@@ -91,6 +92,9 @@ Context::Context(const AgaaGlContextDesc& desc)
     dialect.hostOutputs = desc.outputs == AGAA_GL_OUTPUTS_HOST;
     dialect.bindings = {desc.frameBinding, desc.metadataUnit, desc.aggregatesBinding,
                         desc.countersBinding};
+    dialect.bindings[host_slot::Lights] = desc.lightsBinding;
+    for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i)
+        dialect.bindings[host_slot::Shadow0 + i] = desc.shadowUnit + i;
     takeHostErrors("agaaGlCreateContext");
     caps = queryCaps(gl);
     checkBindings(gl, dialect);

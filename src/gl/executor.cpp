@@ -30,8 +30,10 @@ void View::clearTargets(const Pass& pass, GLuint framebuffer) {
     gl.DepthMask(GL_TRUE);
     gl.StencilMask(~0u);
     const GLfloat zero[4] = {0, 0, 0, 0};
-    for (size_t i = 0; i < pass.colorTargets.size(); ++i)
+    for (size_t i = 0; pass.clearsColor && i < pass.colorTargets.size(); ++i)
         gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, GLint(i), zero);
+    if (!pass.clearsDepth)
+        return;
     const GLfloat far = plan.reversedZ ? 0.0f : 1.0f;
     if (hasStencil(plan.resources[pass.depthTarget].format))
         gl.ClearNamedFramebufferfi(framebuffer, GL_DEPTH_STENCIL, 0, far, 0);
@@ -39,8 +41,23 @@ void View::clearTargets(const Pass& pass, GLuint framebuffer) {
         gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
 }
 
+// A map's own texture. Only the frame's maps were checked: where it has this one not, another takes its place,
+// which shaders declare but do not read.
+GLuint View::shadowTexture(const Resource& map, const AgaaFrame& frame, const AgaaGlFrame& glFrame) const {
+    const auto own = [&](const Resource& resource) {
+        return resource.hostSlot < frame.shadowCount ? glFrame.shadowTextures[resource.hostSlot] : 0u;
+    };
+    if (own(map))
+        return own(map);
+    for (const Resource& resource : plan.resources)
+        if (resource.kind == ResourceKind::ShadowMap && own(resource))
+            return own(resource);
+    return 0;
+}
+
 // Binding to an index also binds to the target, where the host's own buffer is to stay.
-void View::bindForHost(const Pass& pass, uint32_t slot) {
+void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
+                       uint32_t slot) {
     const GladGLContext& gl = context.gl;
     GLint uniformBuffer = 0, storageBuffer = 0;
     gl.GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &uniformBuffer);
@@ -52,15 +69,20 @@ void View::bindForHost(const Pass& pass, uint32_t slot) {
             gl.BindBufferBase(GL_UNIFORM_BUFFER, place, resources->buffer(binding.resource, slot));
             break;
         case BindingType::StorageBuffer:
-            if (context.dialect.storageImages)
+            if (context.dialect.storageImages && !binding.writes)
+                gl.BindBufferBase(GL_UNIFORM_BUFFER, place, resources->buffer(binding.resource, slot));
+            else if (context.dialect.storageImages)
                 gl.BindImageTexture(place, resources->bufferImage(binding.resource, slot), 0, GL_FALSE, 0,
                                     GL_READ_WRITE, GL_R32UI);
             else
                 gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, place,
                                   resources->buffer(binding.resource, slot));
             break;
-        case BindingType::Texture:
         case BindingType::ShadowTexture:
+            gl.BindTextureUnit(place, shadowTexture(plan.resources[binding.resource], frame, glFrame));
+            gl.BindSampler(place, context.shadowSampler);
+            break;
+        case BindingType::Texture:
         case BindingType::StorageImage:
             gl.BindTextureUnit(place, (*resources)[binding.resource].texture);
             gl.BindSampler(place, 0);
@@ -71,10 +93,11 @@ void View::bindForHost(const Pass& pass, uint32_t slot) {
     gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, GLuint(storageBuffer));
 }
 
-void View::runHostDraw(const AgaaFrame& frame, size_t index, uint32_t slot, HostState& state) {
+void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t index, uint32_t slot,
+                       HostState& state) {
     const Pass& pass = plan.passes[index];
     const PassObjects& objects = passes[index];
-    if (pass.clear)
+    if (pass.clearsColor || pass.clearsDepth)
         clearTargets(pass, objects.framebuffer);
     const Resource& depth = plan.resources[pass.depthTarget];
     const AgaaDrawTarget target = {uint32_t(pass.drawPass),
@@ -91,7 +114,7 @@ void View::runHostDraw(const AgaaFrame& frame, size_t index, uint32_t slot, Host
     state.giveBack();
     if (context.hostPlaces)
         context.hostPlaces->capture();
-    bindForHost(pass, slot);
+    bindForHost(pass, frame, glFrame, slot);
     const AgaaResult result = frame.draw(frame.drawUser, &target);
     if (context.hostPlaces)
         context.hostPlaces->restore();
@@ -105,14 +128,6 @@ void View::runHostDraw(const AgaaFrame& frame, size_t index, uint32_t slot, Host
 void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
                           uint32_t slot) {
     const GladGLContext& gl = context.gl;
-    // Only the frame's own maps were checked; the shader declares others, but does not read them.
-    const auto mapOf = [&](const Resource& resource) {
-        return resource.hostSlot < frame.shadowCount ? glFrame.shadowTextures[resource.hostSlot] : 0u;
-    };
-    GLuint anyMap = 0;
-    for (const Resource& resource : plan.resources)
-        if (resource.kind == ResourceKind::ShadowMap && anyMap == 0)
-            anyMap = mapOf(resource);
     for (const Binding& binding : pass.bindings) {
         const Resource& resource = plan.resources[binding.resource];
         const bool output = resource.kind == ResourceKind::Output;
@@ -139,12 +154,10 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
             gl.BindTextureUnit(binding.slot, texture);
             gl.BindSampler(binding.slot, output ? context.texelSampler : 0);
             break;
-        case BindingType::ShadowTexture: {
-            const GLuint own = mapOf(resource);
-            gl.BindTextureUnit(binding.slot, own ? own : anyMap);
+        case BindingType::ShadowTexture:
+            gl.BindTextureUnit(binding.slot, shadowTexture(resource, frame, glFrame));
             gl.BindSampler(binding.slot, context.shadowSampler);
             break;
-        }
         }
     }
 }
@@ -172,7 +185,7 @@ void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t in
         clock->begin(slot, index);
     switch (pass.kind) {
     case PassKind::HostDraw:
-        runHostDraw(frame, index, slot, state);
+        runHostDraw(frame, glFrame, index, slot, state);
         break;
     case PassKind::Compute:
         gl.UseProgram(passes[index].program);

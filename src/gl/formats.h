@@ -27,6 +27,8 @@ inline GLenum internalFormat(Format format) {
         return GL_RG16;
     case Format::RGBA16:
         return GL_RGBA16;
+    case Format::RGBA16F:
+        return GL_RGBA16F;
     case Format::RGB10A2:
         return GL_RGB10_A2;
     case Format::R8U:

@@ -5,18 +5,23 @@
 
 namespace agaa::gl {
 
-static StateScope placesOf(const HostDialect& dialect) {
+StateScope hostPlaces(const HostDialect& dialect) {
+    const auto& at = dialect.bindings;
     StateScope scope;
-    scope.uniformBindings = {dialect.bindings[host_slot::Frame]};
-    scope.textureUnits = {dialect.bindings[host_slot::Metadata]};
-    (dialect.storageImages ? scope.imageUnits : scope.storageBindings) = {
-        dialect.bindings[host_slot::Aggregates], dialect.bindings[host_slot::Counters]};
+    scope.uniformBindings = {at[host_slot::Frame]};
+    scope.textureUnits = {at[host_slot::Metadata]};
+    for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i)
+        scope.textureUnits.push_back(at[host_slot::Shadow0 + i]);
+    (dialect.storageImages ? scope.imageUnits : scope.storageBindings) = {at[host_slot::Aggregates],
+                                                                          at[host_slot::Counters]};
+    (dialect.storageImages ? scope.uniformBindings : scope.storageBindings)
+        .push_back(at[host_slot::Lights]);
     return scope;
 }
 
 HostPlaces::HostPlaces(const GladGLContext& gl, const HostDialect& dialect,
                        bool compatibilityProfile)
-    : context_(gl, placesOf(dialect), compatibilityProfile) {
+    : context_(gl, hostPlaces(dialect), compatibilityProfile) {
     size_t count = 0;
     for (const StateRow& row : bindingRows())
         if (row.array != StateArray::Once && context_.has(row)) {

@@ -9,6 +9,9 @@
 
 namespace agaa::gl {
 
+// Where draw callbacks find the SDK's resources.
+StateScope hostPlaces(const HostDialect& dialect);
+
 // As StateGuard; only of the numbered places, so what a callback does elsewhere stays.
 class HostPlaces {
 public:

@@ -57,11 +57,13 @@ private:
                    HostState& state);
     void runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t pass, uint32_t slot,
                  HostState& state);
-    void runHostDraw(const AgaaFrame& frame, size_t pass, uint32_t slot, HostState& state);
+    void runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t pass, uint32_t slot,
+                     HostState& state);
     void clearTargets(const Pass& pass, GLuint framebuffer);
-    void bindForHost(const Pass& pass, uint32_t slot);
+    void bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);
     void bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
                         uint32_t slot);
+    GLuint shadowTexture(const Resource& map, const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
     void runTransfer(const Pass& pass, uint32_t slot);
 
     std::vector<std::byte> upload_; // of the largest upload buffer

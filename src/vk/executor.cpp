@@ -190,13 +190,16 @@ void View::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t
         vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
     }
     barriers->usePass(pass);
-    bool writesOutput = false;
+    const Resource* output = nullptr; // where the pass uses it
     for (const Binding& binding : pass.bindings)
-        writesOutput |= plan.resources[binding.resource].kind == ResourceKind::Output;
+        if (plan.resources[binding.resource].kind == ResourceKind::Output)
+            output = &plan.resources[binding.resource];
     const auto image = (VkImage)vkFrame.outputImage;
-    if (writesOutput)
-        barriers->useOutput(image, VkImageLayout(vkFrame.outputLayoutIn), VK_IMAGE_LAYOUT_GENERAL,
-                            true);
+    if (output)
+        barriers->useOutput(image,
+                            index == output->firstPass ? VkImageLayout(vkFrame.outputLayoutIn)
+                                                       : VK_IMAGE_LAYOUT_GENERAL,
+                            VK_IMAGE_LAYOUT_GENERAL, true);
     barriers->record(commands);
     const uint32_t query = uint32_t(2 * (slot * passes.size() + index));
     if (queries)
@@ -222,7 +225,7 @@ void View::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t
     }
     if (queries)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query + 1);
-    if (writesOutput) {
+    if (output && index == output->lastPass) {
         barriers->useOutput(image, VK_IMAGE_LAYOUT_GENERAL, VkImageLayout(vkFrame.outputLayoutOut),
                             false);
         barriers->record(commands);

@@ -26,6 +26,8 @@ inline VkFormat vkFormat(Format format) {
         return VK_FORMAT_R16G16_UNORM;
     case Format::RGBA16:
         return VK_FORMAT_R16G16B16A16_UNORM;
+    case Format::RGBA16F:
+        return VK_FORMAT_R16G16B16A16_SFLOAT;
     case Format::RGB10A2:
         return VK_FORMAT_A2B10G10R10_UNORM_PACK32;
     case Format::R8U:

@@ -43,12 +43,12 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     for (ResourceId target : pass.colorTargets) {
         colors.push_back(
             {uint32_t(attachments.size()), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL});
-        attachments.push_back(attachment(plan.resources[target], pass.clear));
+        attachments.push_back(attachment(plan.resources[target], pass.clearsColor));
         views.push_back(resources[target].attachmentView);
     }
     const VkAttachmentReference depth{uint32_t(attachments.size()),
                                       VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
-    attachments.push_back(attachment(plan.resources[pass.depthTarget], pass.clear));
+    attachments.push_back(attachment(plan.resources[pass.depthTarget], pass.clearsDepth));
     views.push_back(resources[pass.depthTarget].attachmentView);
     VkSubpassDescription subpass{};
     subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
@@ -85,7 +85,7 @@ VkRenderingAttachmentInfo renderingAttachment(const Plan& plan, const Pass& pass
     info.imageView = resources[target].attachmentView;
     info.imageLayout = isDepth(format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
                                        : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    info.loadOp = pass.clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+    info.loadOp = (isDepth(format) ? pass.clearsDepth : pass.clearsColor) ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
     info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     info.clearValue = clearValue(plan, format);
     return info;
@@ -126,7 +126,7 @@ void beginHostRendering(const Context& context, const Plan& plan, const Pass& pa
         info.renderPass = objects.renderPass;
         info.framebuffer = objects.framebuffer;
         info.renderArea = area;
-        info.clearValueCount = pass.clear ? uint32_t(clears.size()) : 0;
+        info.clearValueCount = uint32_t(clears.size());
         info.pClearValues = clears.data();
         context.vk.CmdBeginRenderPass(commands, &info,
                                       secondary ? VK_SUBPASS_CONTENTS_SECONDARY_COMMAND_BUFFERS

@@ -49,9 +49,10 @@ void checkCounts(const PlanArguments& arguments) {
     if (n == 0 || n > 32 || (n & (n - 1)))
         throw BadArgument("--samples is " + std::to_string(n) +
                           "; it can be 1, 2, 4, 8, 16 or 32.");
-    if (arguments.aggregates < 1 || arguments.aggregates > 4)
-        throw BadArgument("--aggregates is " + std::to_string(arguments.aggregates) +
-                          "; it can be 1 to 4.");
+    const uint32_t most = arguments.technique == "sbaa" ? 6 : 4;
+    if (arguments.aggregates < 1 || arguments.aggregates > most)
+        throw BadArgument("--aggregates is " + std::to_string(arguments.aggregates) + "; it can be 1 to " +
+                          std::to_string(most) + ".");
 }
 
 void setTier(AgaaConfig& config, const std::string& text, bool& isModel) {
@@ -163,6 +164,10 @@ Configuration::Configuration(const PlanArguments& arguments) {
         config.characteristicLengthPerDistance = finite(*arguments.kPerDistance, "--k-per-distance");
     if (arguments.threshold)
         config.aggregateThreshold = finite(*arguments.threshold, "--threshold");
+    const std::vector<double> surface = parseNumbers(arguments.surface, 3, "--surface");
+    config.surfaceCosine = float(surface[0]);
+    config.surfaceDistance = float(surface[1]);
+    config.surfaceMaterial = float(surface[2]);
     config.shadowTaps = arguments.shadowTaps;
     config.shadingCost = arguments.shadingCost;
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };

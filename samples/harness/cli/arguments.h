@@ -38,6 +38,7 @@ struct PlanArguments {
     double k = 0;
     std::optional<double> kPerDistance;
     std::optional<double> threshold;
+    std::string surface = "0,0,0";
     uint32_t shadowTaps = 0;
     uint32_t shadingCost = 1;
     std::vector<std::string> tiers; // native, auto or stage=tier

@@ -11,9 +11,9 @@ using namespace harness;
 namespace {
 
 void addPlanOptions(CLI::App& app, PlanArguments& a) {
-    app.add_option("--technique", a.technique, "single, ssaa or agaa");
+    app.add_option("--technique", a.technique, "see agaa-harness caps: single, ssaa, agaa …");
     app.add_option("--samples", a.samples, "n: visibility samples per pixel");
-    app.add_option("--aggregates", a.aggregates, "c: aggregates per pixel");
+    app.add_option("--aggregates", a.aggregates, "c: aggregates per pixel, 1 to 4; S: surfaces of sbaa, 1 to 6");
     app.add_option("--layout", a.layout, "paper16, precise or a JSON file");
     app.add_option("--tier", a.tiers, "native, auto or stage=tier; repeatable")
         ->take_all()
@@ -30,6 +30,7 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--k", a.k, "characteristic length in scene units");
     app.add_option("--k-per-distance", a.kPerDistance, "at least this times the distance");
     app.add_option("--threshold", a.threshold, "t: least distance between aggregates");
+    app.add_option("--surface", a.surface, "one surface: least cosine, widths of a pixel, material; 0: default");
     app.add_option("--shadow-taps", a.shadowTaps, "per aggregate, at most; 0: chosen by n");
     app.add_option("--shading-cost", a.shadingCost, "evaluate lighting this many times");
     app.add_flag("--first-sample-routing", a.firstSampleRouting, "the paper's algorithm 2 (c)");

@@ -35,6 +35,8 @@ SdkContext::SdkContext(const Device& device, const RendererOptions& options) {
     desc.metadataUnit = metadataUnit;
     desc.aggregatesBinding = aggregatesBinding;
     desc.countersBinding = countersBinding;
+    desc.lightsBinding = lightsBinding;
+    desc.shadowUnit = shadowUnit;
     desc.log = &log;
     log_.check(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context_), "agaaGlCreateContext");
     log_.check(agaaGlGetContextCaps(context_, &caps_), "agaaGlGetContextCaps");

@@ -15,6 +15,8 @@ constexpr uint32_t frameBinding = 0;
 constexpr uint32_t metadataUnit = 4;
 constexpr uint32_t aggregatesBinding = 2;
 constexpr uint32_t countersBinding = 3;
+constexpr uint32_t lightsBinding = 5;
+constexpr uint32_t shadowUnit = 5;
 
 class SdkContext {
 public:

@@ -19,7 +19,7 @@ GBuffer drawGBuffer(PlanBuilder& b) {
     draw.drawState.colorAttachmentCount = uint32_t(g.attachments.size());
     draw.colorTargets = g.attachments;
     draw.depthTarget = g.depth;
-    draw.clear = true;
+    draw.clearsColor = draw.clearsDepth = true;
     setFields(draw.constants, AGAA_SOURCE_DIFFUSE_R, g.packing.fields);
     return g;
 }

@@ -1,21 +1,61 @@
-// `single` and `ssaa`: a G-buffer at n samples, every covered sample shaded. Materials are evaluated once
-// per fragment, lighting once per sample, as multisampled deferred engines do.
+// `single`, `fxaa`, `ssaa` and `simple_complex`: a G-buffer at n samples, from which samples are shaded. Materials are
+// evaluated once per fragment, lighting once per sample, as multisampled deferred engines do.
 #include "core/techniques/gbuffer.h"
 #include "core/techniques/techniques.h"
 
 namespace agaa {
 
-static void build(PlanBuilder& b) {
-    const GBuffer gbuffer = drawGBuffer(b);
-    Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples", "mscb",
-                            AGAA_SEGMENT_SHADING);
+namespace {
+
+// classes: which pixels are shaded once; or noResource. image: to be shaded; noResource: the output.
+void shadeSamples(PlanBuilder& b, const GBuffer& gbuffer, ResourceId classes,
+                  ResourceId image = noResource) {
+    Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples",
+                            classes == noResource ? "mscbx0" : "mscbx1", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     b.bindLighting(shade);
+    b.bindOutput(shade, image);
     gbuffer.bind(b, shade);
+    if (classes != noResource)
+        b.bind(shade, slot::Metadata, BindingType::Texture, classes);
+}
+
+void buildPerSample(PlanBuilder& b) {
+    shadeSamples(b, drawGBuffer(b), noResource);
     b.copyCounters();
 }
 
-const Technique singleTechnique = {"single", false, false, build};
-const Technique ssaaTechnique = {"ssaa", false, true, build};
+// Lottes 2009: edges of the shaded image are found and softened.
+void buildFxaa(PlanBuilder& b) {
+    const GBuffer gbuffer = drawGBuffer(b);
+    const ResourceId shaded = b.image("shaded", Format::RGBA16F, false);
+    shadeSamples(b, gbuffer, noResource, shaded);
+    Pass& filter = b.compute("fxaa", AGAA_STAGE_OTHER, "fxaa", "", AGAA_SEGMENT_SHADING);
+    b.bindCommon(filter);
+    b.bind(filter, slot::Surface0, BindingType::Texture, shaded);
+    b.bind(filter, slot::Output, BindingType::StorageImage, b.output(), true);
+    b.copyCounters();
+}
+
+// Lauritzen 2010: pixels that show one surface are shaded once.
+void buildSimpleComplex(PlanBuilder& b) {
+    b.defaultSurface(0.98f, 1.0f, 0.05f);
+    const GBuffer gbuffer = drawGBuffer(b);
+    const ResourceId classes = b.image("classes", Format::R8U, false);
+    Pass& classify = b.compute("classify pixels", AGAA_STAGE_DEFINITION, "classify", "m",
+                               AGAA_SEGMENT_SHADING);
+    b.bindCommon(classify);
+    gbuffer.bind(b, classify);
+    b.bind(classify, slot::MetadataOut, BindingType::StorageImage, classes, true);
+    shadeSamples(b, gbuffer, classes);
+    b.copyCounters();
+}
+
+} // namespace
+
+const Technique singleTechnique = {"single", 0, false, buildPerSample};
+const Technique ssaaTechnique = {"ssaa", 0, true, buildPerSample};
+const Technique fxaaTechnique = {"fxaa", 0, false, buildFxaa};
+const Technique simpleComplexTechnique = {"simple_complex", 0, true, buildSimpleComplex};
 
 } // namespace agaa

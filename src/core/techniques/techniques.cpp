@@ -3,8 +3,9 @@
 namespace agaa {
 
 const std::vector<const Technique*>& techniques() {
-    static const std::vector<const Technique*> table = {&singleTechnique, &ssaaTechnique,
-                                                        &agaaTechnique};
+    static const std::vector<const Technique*> table = {
+        &singleTechnique, &fxaaTechnique,          &msaaTechnique, &ssaaTechnique,
+        &simpleComplexTechnique, &sbaaTechnique, &agaaTechnique};
     return table;
 }
 

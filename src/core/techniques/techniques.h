@@ -6,7 +6,11 @@
 namespace agaa {
 
 extern const Technique singleTechnique;
+extern const Technique fxaaTechnique;
+extern const Technique msaaTechnique;
 extern const Technique ssaaTechnique;
+extern const Technique simpleComplexTechnique;
+extern const Technique sbaaTechnique;
 extern const Technique agaaTechnique;
 
 } // namespace agaa

@@ -4,17 +4,19 @@ layout(early_fragment_tests) in;
 #if AGAA_POST_DEPTH_COVERAGE
 layout(post_depth_coverage) in;
 #endif
-#if AGAA_AGGREGATES > 1
+#if AGAA_AGGREGATES > 1 && !AGAA_REPRESENTED
 layout(AGAA_AT_METADATA) uniform usampler2D agaa_metadata;
 #endif
 #if AGAA_STORAGE_IMAGES
 layout(r32ui, AGAA_AT_AGGREGATES) uniform uimageBuffer agaa_aggregates;
+uint agaa_readWord(uint word) { return imageLoad(agaa_aggregates, int(word)).x; }
 uint agaa_orWord(uint word, uint bits) { return imageAtomicOr(agaa_aggregates, int(word), bits); }
 void agaa_addToWord(uint word, uint amount) { imageAtomicAdd(agaa_aggregates, int(word), amount); }
 #else
 layout(std430, AGAA_AT_AGGREGATES) buffer agaa_AggregateBlock {
     uint words[];
 } agaa_aggregates;
+uint agaa_readWord(uint word) { return agaa_aggregates.words[word]; }
 uint agaa_orWord(uint word, uint bits) { return atomicOr(agaa_aggregates.words[word], bits); }
 void agaa_addToWord(uint word, uint amount) { atomicAdd(agaa_aggregates.words[word], amount); }
 #endif
@@ -35,13 +37,25 @@ uint agaa_fragmentMask(AgaaSurfaceInput s) {
 }
 
 uvec2 agaa_readPlanes(uvec2 pixel) {
-#if AGAA_AGGREGATES > 1
+#if AGAA_AGGREGATES > 1 && !AGAA_REPRESENTED
     return agaa_loadedPlanes(texelFetch(agaa_metadata, ivec2(pixel), 0).xy, AGAA_SAMPLES,
                              AGAA_AGGREGATES);
 #else
     return uvec2(0u);
 #endif
 }
+
+#if AGAA_REPRESENTED
+// 1 where the fragment owns the sample that stands for the surface.
+uint agaa_ownPart(uint mask, uint base) {
+    uvec2 record = uvec2(agaa_readWord(base + AGAA_WORDS), 0u);
+    if (AGAA_SAMPLES > 16)
+        record.y = agaa_readWord(base + AGAA_WORDS + 1u);
+    return agaa_recordSamples(record, AGAA_SAMPLES) == 0u
+               ? 0u
+               : mask >> agaa_recordShaded(record, AGAA_SAMPLES) & 1u;
+}
+#endif
 
 // One fragment's values in the words of an aggregate, to be multiplied by its number of samples.
 void agaa_putField(inout uint words[AGAA_WORDS], uint field, float value) {
@@ -76,14 +90,16 @@ void agaa_emit(AgaaSurfaceInput s) {
     agaa_packSurface(s, words);
     uvec2 pixel = agaa_hostPixel();
     uvec2 planes = agaa_readPlanes(pixel);
-    uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_WORDS);
+    uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_STRIDE);
     const uint coverageShift = AGAA_FIELD_COVERAGE >> 8 & 0xFFu;
 #if AGAA_FIRST_SAMPLE_ROUTING
     uint first = uint(findLSB(mask));
     uint only = (planes.x >> first & 1u) | (planes.y >> first & 1u) << 1u;
 #endif
-    for (uint a = 0u; a < AGAA_AGGREGATES; ++a, base += AGAA_WORDS) {
-#if AGAA_FIRST_SAMPLE_ROUTING
+    for (uint a = 0u; a < AGAA_AGGREGATES; ++a, base += AGAA_STRIDE) {
+#if AGAA_REPRESENTED
+        uint own = agaa_ownPart(mask, base);
+#elif AGAA_FIRST_SAMPLE_ROUTING
         uint own = a == only ? mask : 0u;
 #else
         uint own = mask & agaa_samplesOfAggregate(planes, a);

@@ -1,7 +1,8 @@
-// Visibility pass: depth and the primitive's normal in the frame of the pixel's view ray, where a
+// Visibility pass: depth and, where they are wanted, the primitive's normal in the frame of the pixel's view ray, where a
 // surface that is seen faces the viewer at any field of view.
 void agaa_emit(AgaaSurfaceInput s) {
     agaa_checkPlacement(s.position);
+#if AGAA_WRITES_NORMALS
     vec2 centre = (vec2(agaa_hostPixel()) + 0.5) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
     vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projection0.x, agaa_frame.projection0.y,
                                  agaa_frame.projection0.z, agaa_frame.projection0.w,
@@ -14,6 +15,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     if (n.z < 0.0)
         n = -n;
     agaa_out0 = vec4(vec2(agaa_encodeHemiOct8(n)) / 255.0, 0.0, 0.0);
+#endif
 #if AGAA_ALPHA_MASKED
     AGAA_KEEP_SAMPLES(agaa_alphaMask(s.alpha, s.primitiveSeed));
 #endif

@@ -9,6 +9,7 @@ layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
     vec4 cluster;     // k, k per distance, t, 0
     vec4 ambient;     // rgb, emissive range
     vec4 background;
+    vec4 surface;     // one surface: least cosine, distance in pixels, difference of materials; n
     vec4 samplePosition[32]; // xy in the pixel
 } agaa_frame;
 #endif

@@ -10,11 +10,12 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/gbuffer.glsl"
 #include "math/metadata.glsl"
 #include "math/ndf.glsl"
+#include "math/records.glsl"
 
 #if AGAA_SEVERAL
 layout(AGAA_AT_METADATA) uniform usampler2D agaa_metadata;
 #endif
-layout(std430, AGAA_AT_AGGREGATES) writeonly buffer agaa_AggregateBlock {
+layout(std430, AGAA_AT_AGGREGATES) buffer agaa_AggregateBlock {
     uint words[];
 } agaa_aggregates;
 
@@ -46,24 +47,37 @@ void agaa_addSample() {
               agaa_storedEmissive());
 }
 
+// Samples whose attributes are summed for an aggregate, of those in the pixel.
+uint agaa_summedSamples(uvec2 planes, uint a, uint base) {
+#if AGAA_REPRESENTED
+    uvec2 record = uvec2(agaa_aggregates.words[base + AGAA_WORDS], 0u);
+    if (AGAA_SAMPLES > 16u)
+        record.y = agaa_aggregates.words[base + AGAA_WORDS + 1u];
+    return agaa_recordSamples(record, AGAA_SAMPLES) == 0u ? 0u
+                                                          : 1u << agaa_recordShaded(record, AGAA_SAMPLES);
+#else
+    return agaa_samplesOfAggregate(planes, a);
+#endif
+}
+
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, agaa_frame.size.xy)))
         return;
     uvec2 planes = uvec2(0u);
-#if AGAA_SEVERAL
+#if AGAA_SEVERAL && !AGAA_REPRESENTED
     planes = agaa_loadedPlanes(texelFetch(agaa_metadata, ivec2(pixel), 0).xy, AGAA_SAMPLES,
                                AGAA_AGGREGATES);
 #endif
-    uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_WORDS);
-    for (uint a = 0u; a < AGAA_AGGREGATES; ++a, base += AGAA_WORDS) {
+    uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_STRIDE);
+    for (uint a = 0u; a < AGAA_AGGREGATES; ++a, base += AGAA_STRIDE) {
         for (uint w = 0u; w < agaa_maxWords; ++w)
             agaa_sums[w] = 0u;
-        uint own = agaa_samplesOfAggregate(planes, a);
+        uint own = agaa_summedSamples(planes, a, base);
         uint mask = 0u;
         for (uint i = 0u; i < AGAA_SAMPLES; ++i)
             if ((own >> i & 1u) != 0u && agaa_fetchSample(pixel, i)) {
-                mask |= 1u << i;
+                mask |= AGAA_REPRESENTED != 0 ? 1u : 1u << i;
                 agaa_addSample();
             }
         agaa_sums[AGAA_FIELD_COVERAGE & 0xFFu] |= mask << (AGAA_FIELD_COVERAGE >> 8u & 0xFFu);

@@ -27,6 +27,16 @@ bool agaa_fetchSample(uvec2 pixel, uint i) {
     return agaa_channel(AGAA_SOURCE_NORMAL_X) != 0.0;
 }
 
+// As agaa_fetchSample(), without the fetching of what is not asked for.
+bool agaa_isCovered(uvec2 pixel, uint i) {
+    const uint attachment = AGAA_SOURCE_NORMAL_X & 0xFFu;
+    vec4 texel = attachment == 0u   ? AGAA_FETCH(agaa_gbuffer0, pixel, i)
+                 : attachment == 1u ? AGAA_FETCH(agaa_gbuffer1, pixel, i)
+                 : attachment == 2u ? AGAA_FETCH(agaa_gbuffer2, pixel, i)
+                                    : AGAA_FETCH(agaa_gbuffer3, pixel, i);
+    return texel[AGAA_SOURCE_NORMAL_X >> 8u & 0xFFu] != 0.0;
+}
+
 vec2 agaa_normalCode() {
     return vec2(agaa_channel(AGAA_SOURCE_NORMAL_X), agaa_channel(AGAA_SOURCE_NORMAL_Y));
 }

@@ -1,6 +1,7 @@
 // All lights on one surface or aggregate, and the shadow lookups they share.
 #ifndef AGAA_LIGHTING_GLSL
 #define AGAA_LIGHTING_GLSL
+#include "passes/camera.glsl"
 #include "math/brdf.glsl"
 #include "math/light.glsl"
 #include "math/ndf.glsl"
@@ -18,9 +19,13 @@ struct agaa_GpuLight {
     vec4 colorShadow;
     vec4 cone;
 };
-layout(std430, AGAA_AT_LIGHTS) readonly buffer agaa_LightBlock {
+#ifndef AGAA_LIGHT_BLOCK
+#define AGAA_LIGHT_BLOCK layout(std430, AGAA_AT_LIGHTS) readonly buffer
+#define AGAA_LIGHT_COUNT
+#endif
+AGAA_LIGHT_BLOCK agaa_LightBlock {
     agaa_GpuShadow shadows[4];
-    agaa_GpuLight lights[];
+    agaa_GpuLight lights[AGAA_LIGHT_COUNT];
 } agaa_lightBuffer;
 
 // Shadows that a function of the host's answers for; then the pass is compiled with its text.
@@ -52,18 +57,22 @@ bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
     return false;
 }
 
+#ifndef AGAA_COMPARE // level 0; in fragment shaders there would be derivatives, undefined in branches
+#define AGAA_COMPARE(map, at) texture(map, at)
+#endif
+
 // Samplers are named one by one: drivers without dynamic indexing of sampler arrays run this too.
 float agaa_mapTap(uint map, vec3 p) {
     vec4 at;
     if (!agaa_shadowCoordinate(map, p, at))
         return 1.0;
     if (map == 0u)
-        return texture(agaa_shadowMap0, at);
+        return AGAA_COMPARE(agaa_shadowMap0, at);
     if (AGAA_SHADOW_MAPS > 1u && map == 1u)
-        return texture(agaa_shadowMap1, at);
+        return AGAA_COMPARE(agaa_shadowMap1, at);
     if (AGAA_SHADOW_MAPS > 2u && map == 2u)
-        return texture(agaa_shadowMap2, at);
-    return texture(agaa_shadowMap3, at);
+        return AGAA_COMPARE(agaa_shadowMap2, at);
+    return AGAA_COMPARE(agaa_shadowMap3, at);
 }
 #else
 float agaa_mapTap(uint map, vec3 p) { return 1.0; }

@@ -1,4 +1,5 @@
-// Shading once per aggregate, weighted by its share of the pixel's samples (AGAA section 3.5).
+// Shading once per aggregate, weighted by its share of the pixel's samples (AGAA section 3.5), or once per
+// surface that one of its samples represents (SBAA).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -10,7 +11,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
 #include "math/encoding.glsl"
+#include "math/records.glsl"
 #include "math/statistics.glsl"
+#define AGAA_MAX_EVENTS AGAA_AGGREGATES
+#include "passes/tile.glsl"
 
 layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
 #if AGAA_COUNTING
@@ -29,6 +33,19 @@ uint agaa_field(uint field) {
     return bitfieldExtract(word, int(field >> 8u & 0xFFu), int(bits));
 }
 
+#if AGAA_REPRESENTED
+uvec2 agaa_record() {
+    return uvec2(agaa_aggregates.words[agaa_base + AGAA_WORDS],
+                 AGAA_SAMPLES > 16u ? agaa_aggregates.words[agaa_base + AGAA_WORDS + 1u] : 0u);
+}
+
+// A surface that no fragment was kept for shows nothing.
+uint agaa_coverage() {
+    return agaa_field(AGAA_FIELD_COVERAGE) != 0u ? agaa_recordSamples(agaa_record(), AGAA_SAMPLES) : 0u;
+}
+
+float agaa_mean(uint field) { return agaa_meanOfSum(agaa_field(field), 1u, field >> 16); }
+#else
 uint agaa_coverage() { return agaa_field(AGAA_FIELD_COVERAGE); }
 
 // Sums take log2(n) bits more than one fragment's value.
@@ -36,6 +53,7 @@ float agaa_mean(uint field) {
     uint growth = uint(findMSB(AGAA_SAMPLES));
     return agaa_meanOfSum(agaa_field(field + (growth << 16)), agaa_count_, field >> 16);
 }
+#endif
 
 vec3 agaa_mean3(uint r, uint g, uint b) { return vec3(agaa_mean(r), agaa_mean(g), agaa_mean(b)); }
 
@@ -128,26 +146,21 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
     return agaa_toShadingSpace(mean);
 }
 
-void agaa_shadePixel(uvec2 pixel) {
-    uint pixelBase = (pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES * AGAA_WORDS;
-    vec3 color = vec3(0.0);
-    uint covered = 0u;
+void agaa_selectAggregate(uvec2 pixel, uint a) {
+    agaa_base = ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE;
+}
+
+agaa_PixelWork agaa_workOf(uvec2 pixel) {
+    agaa_PixelWork work = agaa_PixelWork(0u, 0u, 0u);
     uint coveredMask = 0u;
     uint twice = 0u;
-    uint events = 0u;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a) {
-        agaa_base = pixelBase + a * AGAA_WORDS;
+        agaa_selectAggregate(pixel, a);
         uint mask = agaa_coverage();
-        if (mask == 0u)
-            continue;
-        agaa_count_ = uint(bitCount(mask));
-        covered += agaa_count_;
+        work.events |= mask != 0u ? 1u << a : 0u;
+        work.covered += uint(bitCount(mask));
         twice |= coveredMask & mask;
         coveredMask |= mask;
-        ++events;
-        vec3 position = agaa_placeAggregate(pixel, mask);
-        agaa_Surface s = agaa_aggregateSurface(agaa_toEye(position));
-        color += agaa_lightSurface(s, position) * float(agaa_count_);
     }
 #if AGAA_COUNTING
     uint visible = 0u;
@@ -158,21 +171,33 @@ void agaa_shadePixel(uvec2 pixel) {
     agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(visible)));
     agaa_count(AGAA_COUNT_ONCE, once);
     agaa_count(AGAA_COUNT_MISSED, uint(bitCount(visible & ~coveredMask)));
-    agaa_count(AGAA_COUNT_MULTI, covered - once);
+    agaa_count(AGAA_COUNT_MULTI, work.covered - once);
     uint missed = visible & ~coveredMask;
     uint multi = twice | (coveredMask & ~visible);
     if ((missed | multi) != 0u)
         agaa_reportPixel(pixel, visible, missed, multi);
-    agaa_count(AGAA_COUNT_EVENTS, events);
-    agaa_count(AGAA_COUNT_PIXELS, events != 0u ? 1u : 0u);
+    agaa_count(AGAA_COUNT_EVENTS, uint(bitCount(work.events)));
+    agaa_count(AGAA_COUNT_PIXELS, work.events != 0u ? 1u : 0u);
 #endif
-    agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), covered);
+    return work;
+}
+
+vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
+    agaa_selectAggregate(pixel, a);
+    uint mask = agaa_coverage();
+    agaa_count_ = uint(bitCount(mask));
+    vec3 position = agaa_placeAggregate(pixel, mask);
+#if AGAA_REPRESENTED
+    uint shaded = agaa_recordShaded(agaa_record(), AGAA_SAMPLES);
+    position = agaa_toShadingSpace(
+        agaa_sampleViewPosition(pixel, shaded, AGAA_FETCH(agaa_depth, pixel, shaded).x));
+#endif
+    agaa_Surface s = agaa_aggregateSurface(agaa_toEye(position));
+    return agaa_lightSurface(s, position) * float(agaa_count_);
 }
 
 void main() {
     agaa_countBegin();
-    uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
-        agaa_shadePixel(pixel);
+    agaa_shadeTile();
     agaa_countEnd();
 }

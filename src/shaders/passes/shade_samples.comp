@@ -1,4 +1,5 @@
-// Shading of every covered sample of a multisampled G-buffer.
+// Shading of a multisampled G-buffer: of every covered sample, or, where pixels are classified, once of those
+// that show one surface (Lauritzen 2010).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -10,35 +11,84 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
 #include "passes/gbuffer.glsl"
+#define AGAA_MAX_EVENTS AGAA_SAMPLES
+#include "passes/tile.glsl"
 
 layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
-
-void agaa_shadePixel(uvec2 pixel) {
-    vec3 color = vec3(0.0);
-    uint covered = 0u;
-    for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
-        if (!agaa_fetchSample(pixel, i))
-            continue;
-        ++covered;
-        vec3 position = agaa_toShadingSpace(
-            agaa_sampleViewPosition(pixel, i, AGAA_FETCH(agaa_depth, pixel, i).x));
-#if AGAA_SHADOWS
-        for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-            agaa_visibility[map] = agaa_shadowTap(map, position);
+#if AGAA_CLASSIFIED
+layout(AGAA_AT_METADATA) uniform usampler2D agaa_classes;
 #endif
-        color += agaa_lightSurface(agaa_sampleSurface(), position);
-    }
+
+const uint agaa_wholePixel = 32u; // kind of event: one for all of the pixel's samples
+
+uint agaa_coveredSamples(uvec2 pixel) {
+    uint covered = 0u;
+    for (uint i = 0u; i < AGAA_SAMPLES; ++i)
+        if (agaa_isCovered(pixel, i))
+            covered |= 1u << i;
+    return covered;
+}
+
+vec3 agaa_samplePosition(uvec2 pixel, uint i) {
+    return agaa_toShadingSpace(agaa_sampleViewPosition(pixel, i, AGAA_FETCH(agaa_depth, pixel, i).x));
+}
+
+agaa_PixelWork agaa_workOf(uvec2 pixel) {
+    uint mask = agaa_coveredSamples(pixel);
+    uint covered = uint(bitCount(mask));
+    agaa_PixelWork work = agaa_PixelWork(mask, 0u, covered);
+#if AGAA_CLASSIFIED
+    if (covered > 1u && texelFetch(agaa_classes, ivec2(pixel), 0).x == 0u)
+        work = agaa_PixelWork(mask & (~mask + 1u), agaa_wholePixel, covered);
+#endif
     agaa_count(AGAA_COUNT_VISIBLE, covered);
     agaa_count(AGAA_COUNT_ONCE, covered);
-    agaa_count(AGAA_COUNT_EVENTS, covered);
+    agaa_count(AGAA_COUNT_EVENTS, uint(bitCount(work.events)));
     agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
-    agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), covered);
+    return work;
+}
+
+#if AGAA_SHADOWS
+void agaa_addTaps(vec3 position) {
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] += agaa_shadowTap(map, position);
+}
+#endif
+
+// Shadows end within surfaces too: of a pixel that is shaded once, they are looked up at its samples.
+void agaa_findVisibility(uvec2 pixel, uint mask) {
+#if AGAA_SHADOWS
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] = 0.0;
+    uint count = uint(bitCount(mask));
+    uint taps = AGAA_SHADOW_FILTER != 0u ? min(count, AGAA_SHADOW_TAPS) : 1u;
+    uint tapped = 0u;
+    uint seen = 0u;
+    for (uint left = mask; left != 0u; left &= left - 1u, ++seen)
+        if (tapped < taps && (2u * tapped + 1u) * count / (2u * taps) == seen) {
+            agaa_addTaps(agaa_samplePosition(pixel, uint(findLSB(left))));
+            ++tapped;
+        }
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] /= float(tapped);
+#endif
+}
+
+vec3 agaa_shadeEvent(uvec2 pixel, uint which) {
+    uint i = which & 31u;
+    uint mask = 1u << i;
+#if AGAA_CLASSIFIED
+    if ((which & agaa_wholePixel) != 0u)
+        mask = agaa_coveredSamples(pixel);
+#endif
+    agaa_findVisibility(pixel, mask);
+    agaa_fetchSample(pixel, i);
+    return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i)) *
+           float(bitCount(mask));
 }
 
 void main() {
     agaa_countBegin();
-    uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
-        agaa_shadePixel(pixel);
+    agaa_shadeTile();
     agaa_countEnd();
 }

@@ -1,6 +1,7 @@
 // Texels of the scaled, multisampled target by pixel and sample.
 #ifndef AGAA_TARGET_GLSL
 #define AGAA_TARGET_GLSL
+#include "passes/camera.glsl"
 #include "math/depth.glsl"
 
 #if AGAA_MULTISAMPLED
@@ -17,8 +18,6 @@ ivec2 agaa_texel(uvec2 pixel, uint i) {
                  uvec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X));
 }
 
-uint agaa_isOrthographic() { return agaa_frame.projection1.z != 0.0 ? 1u : 0u; }
-
 float agaa_sampleViewZ(float depth) {
     return agaa_viewZFromDepth(depth, agaa_frame.projection1.x, agaa_frame.projection1.y,
                                agaa_isOrthographic());
@@ -29,14 +28,5 @@ vec3 agaa_sampleViewPosition(uvec2 pixel, uint i, float depth) {
     return agaa_viewPosition(ndc, agaa_sampleViewZ(depth), agaa_frame.projection0.x,
                              agaa_frame.projection0.y, agaa_frame.projection0.z,
                              agaa_frame.projection0.w, agaa_isOrthographic());
-}
-
-vec3 agaa_toShadingSpace(vec3 viewPosition) { return transpose(mat3(agaa_frame.view)) * viewPosition; }
-
-// From a point in shading space toward the eye; for an orthographic view, against the view direction.
-vec3 agaa_toEye(vec3 position) {
-    vec3 towards = agaa_isOrthographic() != 0u ? transpose(mat3(agaa_frame.view))[2] : -position;
-    float d2 = dot(towards, towards);
-    return d2 > 0.0 ? towards * inversesqrt(d2) : vec3(0.0, 0.0, 1.0);
 }
 #endif

@@ -1,0 +1,37 @@
+// `msaa`: forward shading once per fragment into a multisampled target, which is resolved. A depth pass first,
+// so that what is hidden is not shaded.
+#include "core/techniques/aggregation.h" // wantsStencil
+#include "core/techniques/techniques.h"
+
+namespace agaa {
+
+static void build(PlanBuilder& b) {
+    const ResourceId depth = b.depth(wantsStencil(b));
+    const ResourceId color = b.image("color", Format::RGBA16F, true);
+    Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
+                               AGAA_SEGMENT_PREPASS);
+    b.bindCommon(prepass);
+    prepass.drawState.depthCompare = b.plan.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    prepass.drawState.depthWrite = 1;
+    prepass.depthTarget = depth;
+    prepass.clearsDepth = true;
+    Pass& forward = b.hostDraw("forward", AGAA_STAGE_SHADING, AGAA_DRAW_PASS_FORWARD, AGAA_SEGMENT_SHADING);
+    b.bindCommon(forward);
+    b.bindLighting(forward);
+    forward.drawState.depthCompare = AGAA_COMPARE_EQUAL;
+    forward.drawState.stencilTest = wantsStencil(b) && hasStencil(b.plan.depthFormat);
+    forward.drawState.stencilTestMasked = 0; // as where aggregates are generated
+    forward.drawState.colorAttachmentCount = 1;
+    forward.colorTargets = {color};
+    forward.clearsColor = true;
+    forward.depthTarget = depth;
+    Pass& resolve = b.compute("resolve", AGAA_STAGE_OTHER, "resolve", "mcb", AGAA_SEGMENT_SHADING);
+    b.bindCommon(resolve);
+    b.bind(resolve, slot::Surface0, BindingType::Texture, color);
+    b.bindOutput(resolve);
+    b.copyCounters();
+}
+
+const Technique msaaTechnique = {"msaa", 0, true, build};
+
+} // namespace agaa

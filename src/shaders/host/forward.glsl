@@ -1,0 +1,39 @@
+// Forward pass: a fragment is shaded once for all its samples, with the lighting of the deferred passes.
+layout(early_fragment_tests) in; // what is hidden is neither shaded nor counted
+#define AGAA_COUNT_EVENTS 6u
+#define AGAA_COUNT_SHADOW_TAPS 7u
+void agaa_count(uint which, uint amount) { agaa_countFragment(2u * which, amount); }
+#define AGAA_COMPARE(map, at) textureGrad(map, at, vec2(0.0), vec2(0.0))
+#include "passes/lighting.glsl"
+
+agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
+    agaa_Surface surface;
+    surface.diffuse = s.diffuse;
+    surface.specular = AGAA_HAS_SPECULAR != 0u ? s.specular : vec3(0.0);
+    surface.normal = s.normal;
+    surface.meanLength = 1.0;
+    surface.alpha2 = AGAA_HAS_SPECULAR != 0u ? s.alpha2 : 1.0;
+    surface.emissive = AGAA_EMISSIVE_CHANNELS != 0u ? s.emissive : vec3(0.0);
+    return surface;
+}
+
+void agaa_emit(AgaaSurfaceInput s) {
+    uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
+    uint kept = 1u;
+#if AGAA_ALPHA_MASKED
+    kept = agaa_alphaMask(s.alpha, s.primitiveSeed);
+#endif
+    if (kept != 0u && !AGAA_HELPER) {
+        if (bad != 0u)
+            agaa_countFragment(AGAA_FRAGMENT_SANITISED, 1u);
+        agaa_count(AGAA_COUNT_EVENTS, 1u);
+#if AGAA_SHADOWS
+        for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+            agaa_visibility[map] = agaa_shadowTap(map, s.position);
+#endif
+        agaa_out0 = vec4(min(agaa_lightSurface(agaa_forwardSurface(s), s.position), vec3(65504.0)), 1.0);
+    }
+#if AGAA_ALPHA_MASKED
+    AGAA_KEEP_SAMPLES(kept);
+#endif
+}

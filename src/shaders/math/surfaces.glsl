@@ -1,0 +1,126 @@
+// Which surfaces a pixel shows, and by which of its samples each is shaded.
+// Source: SBAA (Salvi and Vidimce, I3D 2012), merge mode: samples on one plane within tolerances are one
+// surface, and the surfaces that cover most are kept. Samples of others are dropped there; here they join
+// the kept surface nearest to them, which leaves less error. Primitive ids are not needed: samples of one
+// primitive share its plane.
+//
+// Works on the samples of clustering.glsl, whose arrays the including file fills by agaa_setSample.
+#ifndef AGAA_MATH_SURFACES_GLSL
+#define AGAA_MATH_SURFACES_GLSL
+#include "clustering.glsl"
+
+uint agaa_surfaceSamples[8]; // result: mask, own samples and those that joined; most of its own first
+uint agaa_surfaceShaded[8];  // result: the sample whose attributes stand for it
+
+// Before the rest: compilers warn of reads that they meet before writes.
+void agaa_forgetSurfaces(uint limit) {
+    for (uint s = 0u; s < limit; ++s) {
+        agaa_surfaceSamples[s] = 0u;
+        agaa_surfaceShaded[s] = 0u;
+    }
+}
+
+bool agaa_areOneSurface(uint a, uint b, real cosine, real width) {
+    const rvec3 between = agaa_samplePosition[b] - agaa_samplePosition[a];
+    return dot(agaa_sampleNormal[a], agaa_sampleNormal[b]) >= cosine &&
+           abs(dot(agaa_sampleNormal[a], between)) <= width &&
+           abs(dot(agaa_sampleNormal[b], between)) <= width;
+}
+
+// The sample of the mask nearest to the mean of their positions; the first of equals.
+uint agaa_centralSample(uint n, uint mask) {
+    rvec3 sum = rvec3(real(0.0), real(0.0), real(0.0));
+    rvec3 origin = sum;
+    uint count = 0u;
+    for (uint i = 0u; i < n; ++i) {
+        if (agaa_sampleIsCovered(mask, i)) {
+            origin = count == 0u ? agaa_samplePosition[i] : origin;
+            sum += agaa_samplePosition[i] - origin; // small numbers: hard case 14
+            count += 1u;
+        }
+    }
+    const rvec3 mean = origin + sum / real(max(count, 1u));
+    uint best = 0u;
+    real bestDistance = real(3.0e38);
+    for (uint i = 0u; i < n; ++i) {
+        if (agaa_sampleIsCovered(mask, i)) {
+            const rvec3 away = agaa_samplePosition[i] - mean;
+            const real d = dot(away, away);
+            if (d < bestDistance) {
+                best = i;
+                bestDistance = d;
+            }
+        }
+    }
+    return best;
+}
+
+// Puts a surface of `count` samples where it belongs among the kept ones, the later after its equals;
+// the last of `limit` falls out. Returns how many there are.
+uint agaa_keepSurface(uint kept, uint limit, uint mask) {
+    const uint count = uint(bitCount(mask));
+    uint place = kept;
+    for (uint s = limit; s > 0u; --s) {
+        if (s <= kept && uint(bitCount(agaa_surfaceSamples[s - 1u])) < count) {
+            place = s - 1u;
+        }
+    }
+    for (uint s = limit; s > 1u; --s) {
+        if (s - 1u > place && s - 1u <= kept) {
+            agaa_surfaceSamples[s - 1u] = agaa_surfaceSamples[s - 2u];
+        }
+    }
+    if (place < limit) {
+        agaa_surfaceSamples[place] = mask;
+    }
+    return min(kept + 1u, limit);
+}
+
+// At most `limit` (1 to 8) surfaces; their number. width: the tolerance to a plane; inverseK2: as in
+// Equation 1 of AGAA, to tell which surface is nearest.
+uint agaa_selectSurfaces(uint n, uint covered, uint limit, real cosine, real width, real inverseK2) {
+    uint kept = 0u;
+    uint left = covered;
+    agaa_forgetSurfaces(limit);
+    for (uint found = 0u; found < n && left != 0u; ++found) {
+        uint seed = 0u;
+        bool haveSeed = false;
+        uint mask = 0u;
+        for (uint i = 0u; i < n; ++i) {
+            if (agaa_sampleIsCovered(left, i)) {
+                seed = haveSeed ? seed : i;
+                haveSeed = true;
+                if (i == seed || agaa_areOneSurface(seed, i, cosine, width)) {
+                    mask = mask | (1u << i);
+                }
+            }
+        }
+        left = left & ~mask;
+        kept = agaa_keepSurface(kept, limit, mask);
+    }
+    uint taken = 0u;
+    for (uint s = 0u; s < kept; ++s) {
+        agaa_surfaceShaded[s] = agaa_centralSample(n, agaa_surfaceSamples[s]);
+        taken = taken | agaa_surfaceSamples[s];
+    }
+    for (uint i = 0u; i < n; ++i) {
+        if (agaa_sampleIsCovered(covered & ~taken, i)) {
+            uint best = 0u;
+            real bestDistance = real(3.0e38);
+            for (uint s = 0u; s < kept; ++s) {
+                const uint shaded = agaa_surfaceShaded[s];
+                const real d = agaa_sampleDistance(agaa_samplePosition[i], agaa_samplePosition[shaded],
+                                                   agaa_sampleNormal[i], agaa_sampleNormal[shaded],
+                                                   inverseK2);
+                if (d < bestDistance) {
+                    best = s;
+                    bestDistance = d;
+                }
+            }
+            agaa_surfaceSamples[best] = agaa_surfaceSamples[best] | (1u << i);
+        }
+    }
+    return kept;
+}
+
+#endif

@@ -1,0 +1,34 @@
+// Mean of a multisampled image over the background.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/target.glsl"
+#include "passes/counters.glsl"
+#include "passes/output.glsl"
+
+layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_color; // alpha: covered
+
+void agaa_resolvePixel(uvec2 pixel) {
+    vec3 sum = vec3(0.0);
+    uint covered = 0u;
+    for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
+        vec4 texel = AGAA_FETCH(agaa_color, pixel, i);
+        sum += texel.rgb;
+        covered += texel.a > 0.0 ? 1u : 0u;
+    }
+    agaa_count(AGAA_COUNT_VISIBLE, covered);
+    agaa_count(AGAA_COUNT_ONCE, covered);
+    agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
+    agaa_writeOutput(pixel, sum / float(AGAA_SAMPLES), covered);
+}
+
+void main() {
+    agaa_countBegin();
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (all(lessThan(pixel, agaa_frame.size.xy)))
+        agaa_resolvePixel(pixel);
+    agaa_countEnd();
+}

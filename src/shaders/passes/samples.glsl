@@ -1,0 +1,71 @@
+// A pixel's samples as the clustering takes them, from the prepass or from a G-buffer.
+#ifndef AGAA_SAMPLES_GLSL
+#define AGAA_SAMPLES_GLSL
+#include "math/encoding.glsl"
+#include "math/clustering.glsl"
+
+layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
+#if AGAA_FROM_GBUFFER
+#include "passes/gbuffer.glsl"
+#else
+layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
+#endif
+
+// The normal of a sample in a frame that all samples of the pixel share, and a number that is equal for
+// equal normals. False where there is no geometry.
+bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
+#if AGAA_FROM_GBUFFER
+    if (!agaa_fetchSample(pixel, i))
+        return false;
+    normal = agaa_decodeOct(agaa_normalCode(), AGAA_SOURCE_NORMAL_X >> 16);
+    uvec2 c = uvec2(agaa_normalCode() * 65535.0 + 0.5);
+    code = (c.x << 16 | c.y) * 2654435761u >> 16;
+#else
+    uvec2 c = uvec2(AGAA_FETCH(agaa_normals, pixel, i).xy * 255.0 + 0.5);
+    if (c.x + c.y == 0u)
+        return false;
+    normal = agaa_decodeHemiOct8(c);
+    code = c.x << 8 | c.y;
+#endif
+    return true;
+}
+
+// n, as a value that compilers do not know: with a constant they unroll loops within loops.
+uint agaa_sampleCount() { return uint(agaa_frame.surface.w); }
+
+struct agaa_PixelSamples {
+    uint covered;
+    float nearest; // distance
+    float quantum; // largest step of depth, as a length
+};
+
+agaa_PixelSamples agaa_loadSamples(uvec2 pixel) {
+    uint covered = 0u;
+    float nearest2 = 3.0e38;
+    float quantum = 0.0;
+    for (uint i = 0u; i < agaa_sampleCount(); ++i) {
+        vec3 normal;
+        uint code;
+        if (!agaa_loadNormal(pixel, i, normal, code))
+            continue;
+        covered |= 1u << i;
+        float depth = AGAA_FETCH(agaa_depth, pixel, i).x;
+        vec3 position = agaa_sampleViewPosition(pixel, i, depth);
+        uvec2 place = uvec2(agaa_frame.samplePosition[i].xy * 128.0);
+        agaa_setSample(i, position, normal, floatBitsToUint(depth),
+                       code << 16 | place.x << 8 | place.y);
+        nearest2 = min(nearest2, dot(position, position));
+        float step = agaa_frame.projection1.w;
+        step = step < 0.0 ? -step * depth : step; // float formats: relative
+        quantum = max(quantum, agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x,
+                                                 agaa_frame.projection1.y, agaa_isOrthographic(),
+                                                 step));
+    }
+    return agaa_PixelSamples(covered, sqrt(nearest2), quantum);
+}
+
+float agaa_pixelCharacteristicLength(agaa_PixelSamples samples) {
+    return agaa_characteristicLength(agaa_frame.cluster.x, agaa_frame.cluster.y, samples.nearest,
+                                     samples.quantum, agaa_frame.cluster.z);
+}
+#endif
