@@ -46,7 +46,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaLog, 32);
     EXPECT_SIZE(AgaaLayoutAttribute, 32);
     EXPECT_SIZE(AgaaLayout, 184);
-    EXPECT_SIZE(AgaaConfig, 88);
+    EXPECT_SIZE(AgaaConfig, 104);
     EXPECT_SIZE(AgaaSceneFacts, 32);
     EXPECT_SIZE(AgaaViewDesc, 48);
     EXPECT_SIZE(AgaaDeviceCaps, 296);
@@ -69,7 +69,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaVkFrame, 88);
     EXPECT_SIZE(AgaaFrameValidation, 760);
     EXPECT_SIZE(AgaaGlRequirements, 64);
-    EXPECT_SIZE(AgaaGlContextDesc, 128);
+    EXPECT_SIZE(AgaaGlContextDesc, 136);
     EXPECT_SIZE(AgaaGlDrawPass, 128);
     EXPECT_SIZE(AgaaGlSurface, 64);
     EXPECT_SIZE(AgaaGlFrame, 40);
@@ -78,7 +78,7 @@ TEST(Abi, Sizes) {
 TEST(Abi, Offsets) {
     EXPECT_OFFSET(AgaaConfig, technique, 16);
     EXPECT_OFFSET(AgaaConfig, layout, 32);
-    EXPECT_OFFSET(AgaaConfig, flags, 80);
+    EXPECT_OFFSET(AgaaConfig, flags, 96);
     EXPECT_OFFSET(AgaaFrame, view, 40);
     EXPECT_OFFSET(AgaaFrame, projection, 104);
     EXPECT_OFFSET(AgaaFrame, draw, 224);

@@ -58,14 +58,14 @@ void main() {
 
 template <typename Visit>
 void forEveryHostPass(const Visit& visit) {
-    for (const char* technique : {"single", "ssaa", "agaa"})
+    for (const char* technique : {"single", "msaa", "ssaa", "sbaa", "agaa"})
         for (const char* layout : {"precise", "paper16"})
             for (uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u})
                 for (uint32_t aggregates : {1u, 2u, 3u, 4u})
                     for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_PER_SAMPLE})
                         for (uint64_t flags : {UINT64_C(0), AGAA_CONFIG_COUNTERS,
                                                AGAA_CONFIG_FIRST_SAMPLE_ROUTING}) {
-                            const bool aggregating = std::string_view(technique) == "agaa";
+                            const bool aggregating = findTechnique(technique)->maxAggregates != 0;
                             if (!aggregating && (aggregates > 1 || tier))
                                 continue;
                             ViewSpec spec;

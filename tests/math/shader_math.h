@@ -27,6 +27,7 @@
     using glm::uvec2;                                                                              \
     using glm::uvec3;                                                                              \
     using glm::uvec4;                                                                              \
+    using glm::bitCount;                                                                           \
     using glm::abs;                                                                                \
     using glm::clamp;                                                                              \
     using glm::cross;                                                                              \

@@ -10,11 +10,14 @@
 #undef AGAA_MATH_STATISTICS_GLSL
 #undef AGAA_MATH_LIGHT_GLSL
 #undef AGAA_MATH_CLUSTERING_GLSL
+#undef AGAA_MATH_SURFACES_GLSL
+#undef AGAA_MATH_RECORDS_GLSL
 
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
+#include "../../src/shaders/math/records.glsl"
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/brdf.glsl"
 #include "../../src/shaders/math/depth.glsl"
@@ -23,4 +26,5 @@
 
 struct Clustering {
 #include "../../src/shaders/math/clustering.glsl"
+#include "../../src/shaders/math/surfaces.glsl"
 };

@@ -42,6 +42,12 @@ TEST_P(Scenes, TiersAgree) {
     expectTiersAgree(sharedRenderer(), settings(), GetParam().name.c_str());
 }
 
+TEST_P(Scenes, RivalsAreWhatTheirKindAllows) {
+    if (GetParam().hasCamera)
+        GTEST_SKIP() << "the built-in scenes cover it";
+    expectRivals(sharedRenderer(), settings(), GetParam().name.c_str());
+}
+
 TEST_P(Scenes, ImagesRepeatBitByBit) { expectImagesRepeat(sharedRenderer(), settings()); }
 
 TEST_P(Scenes, DrawOrderMattersOnlyWhereDepthsTie) {
