@@ -80,6 +80,9 @@ gl::StateScope touchedScope(bool storageImages) {
     scope.imageUnits = upTo(gl::imageUnitCount - 1);
     auto& places = storageImages ? scope.imageUnits : scope.storageBindings;
     places.insert(places.end(), {kAggregatesBinding, kCountersBinding});
+    (storageImages ? scope.uniformBindings : scope.storageBindings).push_back(kLightsBinding);
+    for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i)
+        scope.textureUnits.push_back(kShadowUnit + i);
     return scope;
 }
 
@@ -118,6 +121,8 @@ FrameHost::FrameHost(const EglContext& egl, const FrameSettings& settings, AgaaG
     desc.metadataUnit = kMetadataUnit;
     desc.aggregatesBinding = kAggregatesBinding;
     desc.countersBinding = kCountersBinding;
+    desc.lightsBinding = kLightsBinding;
+    desc.shadowUnit = kShadowUnit;
     desc.log = &messages;
     if (agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context_) != AGAA_OK)
         throw std::runtime_error(log.empty() ? "agaaGlCreateContext" : log.back());

@@ -23,7 +23,7 @@ struct FrameSettings {
 
 // Where the SDK binds what host shaders read: apart from its own passes' places.
 inline constexpr uint32_t kFrameBinding = 4, kMetadataUnit = 18, kAggregatesBinding = 5,
-                          kCountersBinding = 6;
+                          kCountersBinding = 6, kLightsBinding = 7, kShadowUnit = 20;
 
 // What frames may touch, and more to see that they do not.
 gl::StateScope touchedScope(bool storageImages);

@@ -22,6 +22,12 @@ const FrameCase kCases[] = {
     {"Single", {.technique = "single", .samples = 1}},
     {"Ssaa", {.technique = "ssaa"}},
     {"SsaaComposite", {.technique = "ssaa", .composite = true}},
+    {"Fxaa", {.technique = "fxaa", .samples = 1}},
+    {"FxaaComposite", {.technique = "fxaa", .samples = 1, .composite = true}},
+    {"SimpleComplex", {.technique = "simple_complex"}},
+    {"Msaa", {.technique = "msaa"}},
+    {"MsaaImages", {.technique = "msaa", .storageImages = true}},
+    {"Sbaa", {.technique = "sbaa"}},
     {"Agaa", {}},
     {"AgaaScaled", {.samples = 8}},
     {"AgaaComposite", {.composite = true}},
@@ -77,7 +83,12 @@ protected:
         };
         const char* storage =
             settings.storageImages ? "GL_IMAGE_BINDING_NAME" : "GL_SHADER_STORAGE_BUFFER_BINDING";
-        return at("GL_UNIFORM_BUFFER_BINDING", kFrameBinding) ||
+        for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i)
+            if (at("GL_TEXTURE_BINDING", kShadowUnit + i) || at("GL_SAMPLER", kShadowUnit + i))
+                return true;
+        const char* lights =
+            settings.storageImages ? "GL_UNIFORM_BUFFER_BINDING" : "GL_SHADER_STORAGE_BUFFER_BINDING";
+        return at(lights, kLightsBinding) || at("GL_UNIFORM_BUFFER_BINDING", kFrameBinding) ||
                at("GL_TEXTURE_BINDING", kMetadataUnit) || at("GL_SAMPLER", kMetadataUnit) ||
                at(storage, kAggregatesBinding) || at(storage, kCountersBinding);
     }
