@@ -74,8 +74,8 @@ static VkImageUsageFlags imageUsage(const Plan& plan, ResourceId id) {
         if (std::find(pass.colorTargets.begin(), pass.colorTargets.end(), id) !=
             pass.colorTargets.end())
             usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-        if (pass.depthTarget == id)
-            usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+        if (pass.depthTarget == id) // which hosts may read between segments
+            usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
     }
     if (plan.config.flags & AGAA_CONFIG_READBACK)
         usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
