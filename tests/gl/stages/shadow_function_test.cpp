@@ -51,7 +51,7 @@ double sum(const std::vector<float>& picture) {
 }
 
 TEST(GlShadowFunction, ShowsWhatTheSameMapShows) {
-    for (const char* technique : {"single", "ssaa", "agaa"}) {
+    for (const char* technique : {"single", "ssaa", "simple_complex", "sbaa", "agaa"}) {
         ViewSettings settings = benchSettings();
         settings.config.technique = technique;
         settings.config.samples = technique == std::string("single") ? 1 : 4;
@@ -81,7 +81,7 @@ TEST(GlFrames, CompositeOverTheOutput) {
         bench.view.render(frame, bench.glFrame());
         return bench.view.image();
     };
-    for (const char* technique : {"ssaa", "agaa"}) {
+    for (const char* technique : {"ssaa", "agaa", "sbaa", "simple_complex", "msaa", "fxaa"}) {
         settings.config.technique = technique;
         EXPECT_EQ(render(true), render(false)) << technique << ": a background of the same colour";
     }

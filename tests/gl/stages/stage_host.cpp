@@ -160,7 +160,7 @@ void StageView::setTriangles(const std::vector<Triangle>& triangles) {
     gl_.NamedBufferData(vertices_.get(), GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(),
                         GL_STATIC_DRAW);
     for (uint32_t pass :
-         {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER})
+         {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER, AGAA_DRAW_PASS_FORWARD})
         runs_[pass] = drawRuns(settings_, triangles, pass);
 }
 

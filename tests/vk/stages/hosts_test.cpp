@@ -78,6 +78,34 @@ TEST_P(HostsTest, OutputLayoutsAreLeftAsAsked) {
     EXPECT_EQ(view.image().rgb.size(), size_t(48 * 32 * 3));
 }
 
+// What the output held shows where nothing is drawn, and in part where something is.
+TEST_P(HostsTest, CompositesOverTheOutput) {
+    StageContext context;
+    ViewSettings settings = settingsFor(GetParam());
+    settings.facts.maxLights = 1;
+    const AgaaLight light = sun();
+    const auto render = [&](StageView& view, bool composite, uint32_t layoutIn) {
+        AgaaFrame frame = view.frame();
+        const float below[4] = {0.25f, 0.5f, 2.0f, 1};
+        for (int i = 0; i < 4; ++i)
+            frame.background[i] = composite ? 0 : below[i];
+        frame.lights = &light;
+        frame.lightCount = 1;
+        view.render(frame, [&](AgaaVkFrame& vk) { vk.outputLayoutIn = layoutIn; });
+    };
+    const auto scene = randomTriangles({.triangles = 50}, 16);
+    StageView plain(context, settings);
+    plain.setTriangles(scene);
+    render(plain, false, VK_IMAGE_LAYOUT_UNDEFINED);
+    settings.flags |= AGAA_VIEW_COMPOSITE;
+    StageView view(context, settings);
+    view.setTriangles({});
+    render(view, false, VK_IMAGE_LAYOUT_UNDEFINED); // fills the output
+    view.setTriangles(scene);
+    render(view, true, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    EXPECT_EQ(view.image().rgb, plain.image().rgb);
+}
+
 // The host reads the depth between the prepass and the rest.
 TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
     StageContext context;
@@ -109,9 +137,9 @@ TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
                                           use(surface.layouts[0]));
             frame.segments = segments;
             ASSERT_EQ(agaaVkRecordFrame(view.get(), &frame, &vk), AGAA_OK);
-            if (segments == AGAA_SEGMENT_PREPASS)
-                harness::vk::imageBarrier(commands, image, aspects, use(surface.layouts[0]),
-                                          readable);
+            const bool isFirst = segments == AGAA_SEGMENT_PREPASS;
+            harness::vk::imageBarrier(commands, image, aspects, use(surface.layouts[isFirst ? 0 : 2]),
+                                      readable);
         });
     };
     record(AGAA_SEGMENT_PREPASS);
@@ -132,6 +160,8 @@ TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
 
 // Where no two triangles tie, the order of drawing changes no bit.
 TEST_P(HostsTest, ShufflingChangesOnlyPixelsOfTies) {
+    if (std::string(GetParam()) == "fxaa")
+        GTEST_SKIP() << "a filter carries ties to pixels around them";
     StageContext context;
     ViewSettings settings = settingsFor(GetParam());
     std::vector<Triangle> scene =
@@ -179,7 +209,8 @@ TEST(Validation, LayerIsLoaded) {
     EXPECT_TRUE(sharedDevice().hasValidation());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, HostsTest, testing::Values("single", "ssaa", "agaa"));
+INSTANTIATE_TEST_SUITE_P(All, HostsTest,
+                         testing::Values("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"));
 
 } // namespace
 } // namespace agaa::test

@@ -122,6 +122,21 @@ TEST(ShadowFunction, AgreesWithDouble) {
             expectOracle(technique, mapped);
 }
 
+TEST(ShadowFunction, IsRefusedWhereTheHostShades) {
+    StageContext context;
+    AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
+    function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }";
+    function.shadows = 1;
+    ViewSettings settings = settingsFor("msaa", function, 1);
+    try {
+        StageView view(context, settings);
+        FAIL() << "the view was made";
+    } catch (const std::exception& error) {
+        EXPECT_NE(std::string(error.what()).find("AgaaShadowFunction"), std::string::npos)
+            << error.what();
+    }
+}
+
 // What it returns is held in [0;1], and what is not a number counts as dark.
 TEST(ShadowFunction, ResultsAreContained) {
     StageContext context;

@@ -199,7 +199,8 @@ void StageView::setTriangles(const std::vector<Triangle>& triangles) {
     vertices_ = arena_.hostBuffer(count * 3 * 2 * sizeof(glm::vec4),
                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     materials_ = arena_.hostBuffer(count * sizeof(Material), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    for (uint32_t pass : {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER})
+    for (uint32_t pass : {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER,
+                          AGAA_DRAW_PASS_FORWARD})
         runs_[pass] = drawRuns(settings_, triangles, pass);
     for (uint32_t i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];
