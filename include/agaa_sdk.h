@@ -238,6 +238,8 @@ typedef enum AgaaTier {
                                                          aggregate's depth variance, not at samples */
 #define AGAA_CONFIG_NO_STENCIL UINT64_C(0x20) /* first come, first kept; not repeatable on ties */
 #define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2 (c), for comparison */
+#define AGAA_CONFIG_SHOW_EVENTS UINT64_C(0x100) /* the output is each pixel's number of shading events, in all
+                                                   channels; not of "msaa", which cannot tell */
 
 typedef struct AgaaConfig {
     uint32_t sType;

@@ -117,6 +117,7 @@ void PlanBuilder::setConstants() {
     c[AGAA_HAS_SPECULAR] = plan.layout.has(AGAA_SEMANTIC_SPECULAR);
     c[AGAA_HAS_AMBIENT] = hasFact(AGAA_FACT_AMBIENT);
     c[AGAA_SHADING_COST] = config.shadingCost;
+    c[AGAA_SHOW_EVENTS] = (config.flags & AGAA_CONFIG_SHOW_EVENTS) != 0;
 }
 
 ResourceId PlanBuilder::add(Resource resource) {

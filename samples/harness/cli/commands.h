@@ -13,6 +13,7 @@ struct DeviceArguments {
     bool renderPass = false;
     bool inlineRecording = false;
     bool noValidation = false;
+    uint32_t keptViews = 2;
     bool compatibilityProfile = false;
     bool clipZFromMinusOne = false;
     bool storageImages = false;
@@ -45,6 +46,14 @@ struct CompareArguments {
     double gain = 4;
 };
 
+struct SweepArguments {
+    std::vector<std::string> scenes = {"bamboo", "foliage", "furball", "metal", "city"}; // or "scene@camera"
+    std::vector<std::string> backends = {"vk"};
+    std::string out = "sweep";
+    std::string size = "640x360";
+    bool quick = false;
+};
+
 void runCaps(const DeviceArguments& arguments, bool json);
 void runMemory(const PlanArguments& plan, const DeviceArguments& device, bool json);
 // sceneGiven: facts are those of the scene, else all.
@@ -53,6 +62,7 @@ void runScenes(bool json);
 void runRender(const RenderArguments& arguments, bool json);
 void runReference(const RenderArguments& arguments, bool json);
 void runCompare(const CompareArguments& arguments, bool json);
+void runSweep(const SweepArguments& arguments, bool json);
 
 // Shared by commands that render.
 std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments);

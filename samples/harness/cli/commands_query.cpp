@@ -196,6 +196,7 @@ std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments) {
     requireBackend(arguments.backend);
     RendererOptions options;
     options.validation = !arguments.noValidation;
+    options.keptViews = arguments.keptViews;
     options.renderPass = arguments.renderPass;
     options.inlineRecording = arguments.inlineRecording;
     options.compatibilityProfile = arguments.compatibilityProfile;

@@ -113,6 +113,15 @@ int run(int argc, char** argv) {
     compare->add_option("--difference", compareArguments.difference, "PNG of |a-b|");
     compare->add_option("--gain", compareArguments.gain, "of the difference image");
 
+    SweepArguments sweepArguments;
+    CLI::App* sweep = command("sweep", "techniques beside each other: results.json and report.html");
+    sweep->add_option("--scene", sweepArguments.scenes,
+                      "built-in scenes, .gltf or .glb; @ex,ey,ez,tx,ty,tz,fovDegrees after it sets the camera");
+    sweep->add_option("--backend", sweepArguments.backends, "vk, gl");
+    sweep->add_option("--out", sweepArguments.out, "folder; a sweep that it holds is gone on with");
+    sweep->add_option("--size", sweepArguments.size, "WxH");
+    sweep->add_flag("--quick", sweepArguments.quick, "two scenes, few rows, 320x180: minutes, not hours");
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp& help) {
@@ -134,7 +143,13 @@ int run(int argc, char** argv) {
         runRender(renderArguments, json);
     else if (*reference)
         runReference(referenceArguments, json);
-    else
+    else if (*sweep) {
+        if (sweepArguments.quick && sweep->count("--scene") == 0)
+            sweepArguments.scenes = {"bamboo", "metal"};
+        if (sweepArguments.quick && sweep->count("--size") == 0)
+            sweepArguments.size = "320x180";
+        runSweep(sweepArguments, json);
+    } else
         runCompare(compareArguments, json);
     return 0;
 }

@@ -40,7 +40,7 @@ SdkContext::SdkContext(const Device& device, const RendererOptions& options) {
     desc.log = &log;
     log_.check(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context_), "agaaGlCreateContext");
     log_.check(agaaGlGetContextCaps(context_, &caps_), "agaaGlGetContextCaps");
-    views_.emplace();
+    views_.emplace(options.keptViews);
 }
 
 SdkContext::~SdkContext() {

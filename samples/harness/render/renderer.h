@@ -17,6 +17,7 @@ struct RendererOptions {
     bool renderPass = false;     // Vulkan: VkRenderPass instead of dynamic rendering
     bool inlineRecording = false; // Vulkan: callbacks record into the host's command buffer
     uint32_t shadowMapSize = 2048;
+    uint32_t keptViews = 2; // of the SDK: measurements take turns between views
     // OpenGL
     bool compatibilityProfile = false;
     bool clipZFromMinusOne = false; // the default of OpenGL, in place of z/w in [0;1]

@@ -19,7 +19,7 @@ struct SdkView {
 template <class DrawPass>
 class SdkViews {
 public:
-    SdkViews() = default;
+    explicit SdkViews(size_t kept) : kept_(kept) {}
     ~SdkViews() {
         for (const SdkView<DrawPass>& view : views_)
             agaaDestroyView(view.view);
@@ -41,7 +41,7 @@ public:
             return views_.front();
         }
         // Before the new one takes its memory.
-        while (views_.size() >= kept) {
+        while (views_.size() >= kept_) {
             agaaDestroyView(views_.back().view);
             views_.pop_back();
         }
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    static constexpr size_t kept = 2;
+    size_t kept_; // at least 2
     std::list<SdkView<DrawPass>> views_; // the most recently used first
 };
 

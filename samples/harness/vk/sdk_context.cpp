@@ -5,7 +5,7 @@ namespace harness::vk {
 SdkContext::SdkContext(const Device& device, const RendererOptions& options,
                        uint32_t descriptorSet) {
     createContext(device, options, descriptorSet);
-    views_.emplace();
+    views_.emplace(options.keptViews);
 }
 
 void SdkContext::createContext(const Device& device, const RendererOptions& options,

@@ -49,7 +49,9 @@ void agaa_shadeTile() {
             color += agaa_eventColor[i - base];
         barrier();
     }
-    if (inside)
+    if (inside && AGAA_SHOW_EVENTS != 0u)
+        agaa_writeOutput(pixel, vec3(bitCount(work.events)), AGAA_SAMPLES);
+    else if (inside)
         agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), work.covered);
 }
 #endif

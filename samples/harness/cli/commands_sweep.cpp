@@ -1,0 +1,186 @@
+// sweep: techniques beside each other over scenes and backends; see docs/sweep.md.
+#include "cli/commands.h"
+
+#include "scene/builtin.h"
+#include "sweep/scene_sweep.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+namespace harness {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+// Written beside and moved, so that a sweep that is killed leaves a whole file.
+void writeJson(const fs::path& path, const json& value) {
+    const fs::path part = path.string() + ".part";
+    {
+        std::ofstream out(part);
+        out << value.dump(1) << '\n';
+        if (!out)
+            throw std::runtime_error("The file " + path.string() + " cannot be written.");
+    }
+    fs::rename(part, path);
+}
+
+// What was measured before with the same arguments.
+json readResults(const fs::path& path, const json& fresh) {
+    std::ifstream in(path);
+    if (!in)
+        return fresh;
+    const json old = json::parse(in, nullptr, false);
+    if (old.is_discarded() || !old.is_object())
+        throw std::runtime_error("The file " + path.string() + " is not that of a sweep; take another folder.");
+    for (const char* key : {"schema", "quick", "size"})
+        if (old.value(key, json()) != fresh[key])
+            throw std::runtime_error("The file " + path.string() +
+                                     " is of a sweep with other arguments; take another folder.");
+    return old;
+}
+
+std::string sceneName(const std::string& argument) { return fs::path(argument).stem().string(); }
+
+struct Task {
+    std::string backend;
+    std::string scene;
+    std::string camera;
+};
+
+json& backendOf(json& results, const std::string& name) {
+    for (json& backend : results["backends"])
+        if (backend["backend"] == name)
+            return backend;
+    results["backends"].push_back({{"backend", name}, {"scenes", json::array()}});
+    return results["backends"].back();
+}
+
+bool isDone(json& results, const Task& task) {
+    for (const json& scene : backendOf(results, task.backend)["scenes"])
+        if (scene["name"] == sceneName(task.scene))
+            return true;
+    return false;
+}
+
+// "scene" or "scene@ex,ey,ez,tx,ty,tz,fov".
+Task parseTask(const std::string& backend, const std::string& text) {
+    const size_t at = text.rfind('@');
+    if (at == std::string::npos)
+        return {backend, text, ""};
+    return {backend, text.substr(0, at), text.substr(at + 1)};
+}
+
+const char* passTimes(uint32_t source) {
+    return source == AGAA_TIME_DEVICE ? "device" : source == AGAA_TIME_CPU_FINISH ? "cpu-finish" : "none";
+}
+
+class Sweep {
+public:
+    Sweep(const SweepArguments& arguments) : arguments_(arguments), out_(arguments.out) {
+        fs::create_directories(out_ / "images");
+        results_ = readResults(out_ / "results.json", {{"schema", 1},
+                                                       {"quick", arguments.quick},
+                                                       {"size", arguments.size},
+                                                       {"backends", json::array()}});
+        for (const std::string& backend : arguments.backends)
+            for (const std::string& scene : arguments.scenes)
+                tasks_.push_back(parseTask(backend, scene));
+    }
+
+    json run() {
+        begin_ = std::chrono::steady_clock::now();
+        for (size_t i = 0; i < tasks_.size(); ++i) {
+            if (isDone(results_, tasks_[i])) {
+                ++skipped_;
+                continue;
+            }
+            measure(tasks_[i], i);
+            writeJson(out_ / "results.json", results_);
+        }
+        return results_;
+    }
+
+private:
+    void measure(const Task& task, size_t index) {
+        RenderArguments a;
+        a.device.backend = task.backend;
+        a.device.noValidation = true; // measured are drivers, not the layers above them
+        a.device.keptViews = 64;
+        a.scene = task.scene;
+        a.camera = task.camera;
+        a.plan.size = arguments_.size;
+        const Configuration configuration(a.plan);
+        const Scene scene = loadSceneArgument(a.scene);
+        const RenderSettings settings = renderSettings(a, configuration, scene);
+        const auto renderer = makeRenderer(a.device);
+        renderer->load(scene);
+        const std::string name = sceneName(task.scene);
+        SceneSweep sweep(*renderer, scene, settings, sweepOptions(arguments_.quick), out_ / "images", name,
+                         [&](const std::string& step, uint32_t done, uint32_t of) {
+                             tell(task, name, step, double(index) + double(done) / of);
+                         });
+        json result = sweep.run();
+        json& backend = backendOf(results_, task.backend);
+        backend["device"] = renderer->caps().deviceName;
+        backend["driver"] = renderer->caps().driverName;
+        backend["passTimes"] = passTimes(sweep.timeSource());
+        backend["scenes"].push_back(std::move(result));
+    }
+
+    void tell(const Task& task, const std::string& name, const std::string& step, double done) const {
+        const double elapsed =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+        const double worked = done - double(skipped_);
+        std::fprintf(stderr, "%s %s: %s", task.backend.c_str(), name.c_str(), step.c_str());
+        if (worked > 0.05)
+            std::fprintf(stderr, ", %.0f s left", elapsed * (double(tasks_.size()) - done) / worked);
+        std::fprintf(stderr, "\n");
+    }
+
+    const SweepArguments& arguments_;
+    fs::path out_;
+    json results_;
+    std::vector<Task> tasks_;
+    size_t skipped_ = 0;
+    std::chrono::steady_clock::time_point begin_;
+};
+
+void writeReport(const fs::path& out) {
+    const std::string command = "python3 '" AGAA_REPORT_SCRIPT "' '" + (out / "results.json").string() +
+                                "' '" + (out / "report.html").string() + "'";
+    if (std::system(command.c_str()) != 0)
+        throw std::runtime_error("The page was not written; results.json is whole. The command was: " + command);
+}
+
+} // namespace
+
+void runSweep(const SweepArguments& arguments, bool asJson) {
+    for (const std::string& backend : arguments.backends)
+        requireBackend(backend);
+    parseSize(arguments.size);
+    if (arguments.out.find('\'') != std::string::npos)
+        throw BadArgument("--out must not hold a quotation mark.");
+    for (const std::string& text : arguments.scenes) {
+        const Task task = parseTask("", text);
+        if (!task.camera.empty())
+            parseCamera(task.camera);
+        if (!makeBuiltinScene(task.scene) && !fs::exists(task.scene))
+            throw BadArgument("--scene names \"" + task.scene + "\", which is neither built in nor a file.");
+    }
+    const json results = Sweep(arguments).run();
+    writeReport(arguments.out);
+    if (asJson)
+        std::cout << json{{"results", (fs::path(arguments.out) / "results.json").string()},
+                          {"report", (fs::path(arguments.out) / "report.html").string()}}
+                         .dump(2)
+                  << '\n';
+    else
+        std::printf("Wrote %s/report.html\n", arguments.out.c_str());
+}
+
+} // namespace harness

@@ -1,0 +1,75 @@
+#include "sweep/reference.h"
+
+#include "image/tonemap.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace harness {
+
+glm::dvec2 pixelOffset(uint32_t i) {
+    constexpr double g = 1.32471795724474602596;
+    const double x = 0.5 + double(i) / g;
+    const double y = 0.5 + double(i) / (g * g);
+    return {x - std::floor(x) - 0.5, y - std::floor(y) - 0.5};
+}
+
+namespace {
+
+class Accumulator {
+public:
+    void add(const Image& image) {
+        if (sums_.empty())
+            sums_.assign(image.rgb.size(), 0.0);
+        for (size_t i = 0; i < sums_.size(); ++i)
+            sums_[i] += double(image.rgb[i]);
+        ++count_;
+    }
+    double mean(size_t i) const { return sums_[i] / double(count_); }
+    size_t size() const { return sums_.size(); }
+
+private:
+    std::vector<double> sums_;
+    size_t count_ = 0;
+};
+
+} // namespace
+
+Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t spp,
+                          const std::function<void(uint32_t)>& progress) {
+    settings.config.technique = "ssaa";
+    settings.config.samples = 1;
+    settings.frames = 1;
+    settings.warmup = 0;
+    const glm::dvec2 centre = settings.jitter;
+    Accumulator halves[2];
+    Reference reference;
+    for (uint32_t i = 0; i < spp; ++i) {
+        settings.jitter = centre + pixelOffset(i);
+        reference.image = renderer.render(settings).image;
+        halves[i & 1].add(reference.image);
+        if (progress)
+            progress(i + 1);
+    }
+    // The mean of two halves of equal size has a quarter of the squared difference between them.
+    for (size_t i = 0; i < halves[0].size(); ++i) {
+        const double a = halves[0].mean(i), b = halves[1].mean(i);
+        reference.image.rgb[i] = float(0.5 * (a + b));
+        reference.splitHalfMse += (a - b) * (a - b);
+        reference.splitHalfMseTm += std::pow(toneMap(a) - toneMap(b), 2);
+    }
+    const double scale = 1.0 / (4.0 * double(halves[0].size()));
+    reference.splitHalfMse *= scale;
+    reference.splitHalfMseTm *= scale;
+    return reference;
+}
+
+nlohmann::json metricsJson(const Metrics& m) {
+    nlohmann::json out = {{"mse", m.mse},           {"mseTm", m.mseTm}, {"relMse", m.relMse},
+                          {"psnrPeak", m.psnrPeak}, {"flip", m.flip},   {"flipP95", m.flipP95}};
+    out["psnr"] = std::isfinite(m.psnr) ? nlohmann::json(m.psnr) : nlohmann::json(); // equal images
+    return out;
+}
+
+} // namespace harness

@@ -1,0 +1,79 @@
+#include "sweep/rows.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace harness {
+
+std::string SweepRow::name() const {
+    std::ostringstream text;
+    text << technique << '-' << samples;
+    if (aggregates)
+        text << '-' << aggregates;
+    if (shadingCost > 1)
+        text << "-cost" << shadingCost;
+    if (generationTier != AGAA_TIER_AUTO)
+        text << '-' << agaaTierName(generationTier);
+    return text.str();
+}
+
+void SweepRow::apply(AgaaConfig& config) const {
+    config.technique = technique.c_str();
+    config.samples = samples;
+    config.aggregates = std::max(aggregates, 1u);
+    config.shadingCost = shadingCost;
+    config.generationTier = generationTier;
+}
+
+std::vector<SweepRow> sweepRows(bool quick) {
+    if (quick)
+        return {{"single"}, {"fxaa"}, {"msaa", 8}, {"ssaa", 8}, {"simple_complex", 8}, {"sbaa", 8, 2},
+                {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}};
+    std::vector<SweepRow> rows = {{"single"}, {"fxaa"}, {"msaa", 4}, {"msaa", 8}};
+    for (uint32_t n : {4u, 8u, 16u, 32u}) {
+        rows.push_back({"ssaa", n});
+        rows.push_back({"simple_complex", n});
+    }
+    for (uint32_t n : {8u, 32u})
+        for (uint32_t s : {1u, 2u, 4u, 6u})
+            rows.push_back({"sbaa", n, s});
+    for (uint32_t n : {4u, 8u, 16u, 32u})
+        for (uint32_t c : {1u, 2u, 3u, 4u})
+            if (n == 8 || n == 32 || c == 2)
+                rows.push_back({"agaa", n, c});
+    for (uint32_t n : {8u, 32u}) {
+        rows.push_back({"agaa", n, 2, 1, AGAA_TIER_GBUFFER});
+        rows.push_back({"sbaa", n, 2, 1, AGAA_TIER_GBUFFER});
+    }
+    for (uint32_t cost : {4u, 16u})
+        for (const SweepRow& row : {SweepRow{"msaa", 8}, {"ssaa", 8}, {"simple_complex", 8}, {"sbaa", 8, 2},
+                                    {"agaa", 8, 2}, {"simple_complex", 32}, {"agaa", 32, 2}}) {
+            rows.push_back(row);
+            rows.back().shadingCost = cost;
+        }
+    return rows;
+}
+
+const std::vector<SweepEffect>& sweepEffects() {
+    static const std::vector<SweepEffect> effects = {
+        {"shadow-filter", 0, AGAA_CONFIG_NO_SHADOW_FILTER},
+        {"filtered-diffuse", 0, AGAA_CONFIG_NO_DIFFUSE_FILTER},
+        {"ndf-widening", AGAA_FACT_SPECULAR, 0, true},
+        {"specular", AGAA_FACT_SPECULAR, 0},
+        {"emissive", AGAA_FACT_EMISSIVE, 0},
+        {"ambient", AGAA_FACT_AMBIENT, 0},
+        {"normal-maps", 0, 0, false, true},
+    };
+    return effects;
+}
+
+bool isCalledFor(const SweepEffect& effect, const Scene& scene, const AgaaSceneFacts& facts) {
+    if (effect.normalMaps)
+        return std::any_of(scene.materials.begin(), scene.materials.end(),
+                           [](const Material& m) { return m.normalTexture >= 0; });
+    if (effect.configFlag == AGAA_CONFIG_NO_SHADOW_FILTER)
+        return facts.shadowMapCount > 0;
+    return !effect.fact || (facts.flags & effect.fact);
+}
+
+} // namespace harness

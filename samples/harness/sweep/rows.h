@@ -1,0 +1,33 @@
+// What a sweep measures: rows of techniques, and effects that are switched off.
+#pragma once
+
+#include "render/renderer.h"
+
+#include <string>
+#include <vector>
+
+namespace harness {
+
+struct SweepRow {
+    std::string technique;
+    uint32_t samples = 1;    // n
+    uint32_t aggregates = 0; // c or S; 0 where neither
+    uint32_t shadingCost = 1;
+    uint32_t generationTier = AGAA_TIER_AUTO;
+
+    std::string name() const; // of files: "agaa-8-2", with the cost and the tier where they are not the usual
+    void apply(AgaaConfig& config) const; // technique points into the row
+};
+std::vector<SweepRow> sweepRows(bool quick);
+
+struct SweepEffect {
+    const char* name;
+    uint64_t fact;       // of the scene, that calls for it; 0: see isCalledFor
+    uint64_t configFlag; // that switches it off, or 0
+    bool ndf = false;    // switched off by AGAA_NDF_NONE
+    bool normalMaps = false; // by leaving out the scene's normal maps
+};
+const std::vector<SweepEffect>& sweepEffects();
+bool isCalledFor(const SweepEffect& effect, const Scene& scene, const AgaaSceneFacts& facts);
+
+} // namespace harness

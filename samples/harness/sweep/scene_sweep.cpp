@@ -1,0 +1,249 @@
+#include "sweep/scene_sweep.h"
+
+#include "cli/quantiles.h"
+#include "sweep/temporal.h"
+
+#include <algorithm>
+#include <map>
+
+namespace harness {
+
+using nlohmann::json;
+
+SweepOptions sweepOptions(bool quick) {
+    if (quick)
+        return {true, 5, 2, 64, 0, 0};
+    return {};
+}
+
+SceneSweep::SceneSweep(Renderer& renderer, const Scene& scene, const RenderSettings& base,
+                       const SweepOptions& options, std::filesystem::path images, std::string stem,
+                       Progress progress)
+    : renderer_(renderer), scene_(scene), base_(base), options_(options), images_(std::move(images)),
+      stem_(std::move(stem)), progress_(std::move(progress)) {
+    base_.frames = 1;
+    base_.warmup = 0;
+    for (const SweepRow& row : sweepRows(options.quick)) {
+        rows_.emplace_back();
+        rows_.back().row = row;
+    }
+    steps_ = 4 + options_.rounds + options_.timedRounds + options_.temporalShifts;
+}
+
+void SceneSweep::step(const std::string& what) {
+    if (progress_)
+        progress_(what, done_, steps_);
+    ++done_;
+}
+
+RenderResult SceneSweep::render(const SweepRow& row, uint64_t flags) {
+    RenderSettings settings = base_;
+    row.apply(settings.config);
+    settings.config.flags |= flags;
+    return renderer_.render(settings);
+}
+
+json SceneSweep::run() {
+    step("reference");
+    reference_ = renderReference(renderer_, base_, options_.referenceSamples);
+    writeImage("reference", reference_.image);
+    step("counters, images and warm-up");
+    warmUp();
+    measureErrors();
+    takeTurns(options_.rounds, 0, [](Measured& m, const RenderResult& result) {
+        m.frameMs.insert(m.frameMs.end(), result.frameMs.begin(), result.frameMs.end());
+    });
+    takeTurns(options_.timedRounds, AGAA_CONFIG_TIMESTAMPS, [](Measured& m, const RenderResult& result) {
+        m.timed.insert(m.timed.end(), result.statistics.begin(), result.statistics.end());
+    });
+    measureTemporal();
+    step("ablation");
+    const json effects = ablation();
+    json rows = json::array();
+    for (const Measured& m : rows_)
+        rows.push_back(rowJson(m));
+    return {{"name", stem_},
+            {"triangles", scene_.placedTriangles()},
+            {"lights", base_.lights.size()},
+            {"stresses", scene_.stresses},
+            {"pixelsPerDegree", Metrics{}.pixelsPerDegree},
+            {"reference",
+             {{"spp", options_.referenceSamples}, {"splitHalfMseTm", reference_.splitHalfMseTm}}},
+            {"referenceImage", writeImage("reference", reference_.image)},
+            {"rows", rows},
+            {"ablation", effects}};
+}
+
+// Compiles what there is to compile.
+void SceneSweep::warmUp() {
+    for (Measured& m : rows_) {
+        m.counted = render(m.row, AGAA_CONFIG_COUNTERS);
+        render(m.row, AGAA_CONFIG_TIMESTAMPS);
+        m.image = render(m.row).image;
+    }
+}
+
+void SceneSweep::takeTurns(uint32_t rounds, uint64_t flags,
+                           const std::function<void(Measured&, const RenderResult&)>& keep) {
+    for (const Measured& m : rows_)
+        render(m.row, flags); // makes the views, of which the renderer keeps enough
+    for (uint32_t round = 0; round < rounds; ++round) {
+        step(flags ? "times of passes" : "times of frames");
+        for (size_t i = 0; i < rows_.size(); ++i) {
+            Measured& m = rows_[round % 2 ? rows_.size() - 1 - i : i];
+            keep(m, render(m.row, flags));
+        }
+    }
+}
+
+const Image& SceneSweep::sameSamples(uint32_t samples) {
+    for (const auto& [n, image] : sameSamples_)
+        if (n == samples)
+            return image;
+    sameSamples_.emplace_back(samples, render({"ssaa", samples}).image);
+    return sameSamples_.back().second;
+}
+
+void SceneSweep::measureErrors() {
+    step("errors");
+    sameSamples_.reserve(6); // references into it stay
+    for (Measured& m : rows_) {
+        m.errorReference = metricsJson(compareImages(reference_.image, m.image));
+        if (m.row.samples > 1 && m.row.technique != "ssaa")
+            m.errorSameSamples = metricsJson(compareImages(sameSamples(m.row.samples), m.image));
+        if (m.row.shadingCost > 1)
+            continue;
+        const std::string name = m.row.name();
+        m.imageFile = writeImage(name, m.image);
+        const std::string difference = stem_ + "-" + name + "-diff.png";
+        writeDifferencePng(images_ / difference, reference_.image, m.image, 4);
+        m.differenceFile = "images/" + difference;
+        if (m.row.technique == "msaa")
+            continue;
+        // As dark as an image: one event is a quarter of the way to white, eight are near it.
+        Image events = render(m.row, AGAA_CONFIG_SHOW_EVENTS).image;
+        for (float& value : events.rgb)
+            value *= 0.25f;
+        m.heatFile = writeImage(name + "-events", events);
+    }
+}
+
+void SceneSweep::measureTemporal() {
+    std::map<size_t, TemporalAccumulator> accumulators;
+    for (uint32_t t = 0; t < options_.temporalShifts; ++t) {
+        step("temporal errors");
+        base_.jitter = pixelOffset(t);
+        const Image reference = renderReference(renderer_, base_, options_.temporalSamples).image;
+        for (size_t i = 0; i < rows_.size(); ++i)
+            if (rows_[i].row.shadingCost == 1)
+                accumulators[i].add(render(rows_[i].row).image, reference);
+    }
+    base_.jitter = glm::dvec2(0);
+    for (const auto& [i, accumulator] : accumulators) {
+        const TemporalError error = accumulator.result();
+        rows_[i].temporal = {{"shifts", options_.temporalShifts},
+                             {"biasSquared", error.biasSquared},
+                             {"variance", error.variance},
+                             {"flicker", error.flicker}};
+    }
+}
+
+// Each effect off and on in turns; errors against ssaa with all effects.
+json SceneSweep::ablation() {
+    const SweepRow row{"agaa", 8, 2};
+    const Image& reference = sameSamples(8);
+    const AgaaSceneFacts facts = sceneFacts(scene_, base_.lights);
+    Scene bare = scene_;
+    for (Material& material : bare.materials)
+        material.normalTexture = -1;
+    json list = json::array();
+    for (const SweepEffect& effect : sweepEffects()) {
+        const bool calledFor = isCalledFor(effect, scene_, facts);
+        std::vector<double> ms[2];
+        double error[2] = {};
+        for (uint32_t round = 0; round < (effect.normalMaps && !calledFor ? 0 : 2 * options_.timedRounds);
+             ++round) {
+            const bool off = (round % 4 == 1) || (round % 4 == 2); // A B B A
+            RenderSettings settings = base_;
+            row.apply(settings.config);
+            if (off) {
+                settings.facts.flags &= ~effect.fact;
+                settings.config.flags |= effect.configFlag;
+                if (effect.ndf) {
+                    settings.facts.flags |= effect.fact & facts.flags;
+                    settings.config.ndf = AGAA_NDF_NONE;
+                }
+            }
+            if (effect.normalMaps)
+                renderer_.load(off ? bare : scene_);
+            renderer_.render(settings);
+            const RenderResult result = renderer_.render(settings);
+            ms[off].push_back(result.frameMs.back());
+            error[off] = compareImages(reference, result.image).mseTm;
+        }
+        if (effect.normalMaps)
+            renderer_.load(scene_);
+        const auto side = [&](int which) {
+            return json{{"frameMs", {{"median", quantile(ms[which], 0.5)}, {"p95", quantile(ms[which], 0.95)}}},
+                        {"mseTm", error[which]}};
+        };
+        if (!ms[0].empty())
+            list.push_back({{"effect", effect.name}, {"n", row.samples}, {"c", row.aggregates},
+                            {"calledFor", calledFor}, {"on", side(0)}, {"off", side(1)}});
+    }
+    return list;
+}
+
+uint32_t SceneSweep::timeSource() const { return rows_.front().timed.front().timeSource; }
+
+std::string SceneSweep::writeImage(const std::string& name, const Image& image) const {
+    const std::string file = stem_ + "-" + name + ".png";
+    writePng(images_ / file, image);
+    return "images/" + file;
+}
+
+json SceneSweep::rowJson(const Measured& m) const {
+    const auto quantiles = [](const std::vector<double>& values) {
+        return json{{"median", quantile(values, 0.5)}, {"p95", quantile(values, 0.95)}};
+    };
+    json passes = json::array();
+    std::map<std::string, double> stages;
+    const AgaaFrameStatistics& first = m.timed.front();
+    for (uint32_t i = 0; i < first.passCount; ++i) {
+        std::vector<double> values;
+        for (const AgaaFrameStatistics& frame : m.timed)
+            values.push_back(frame.passes[i].milliseconds);
+        const char* stage = agaaStageName(first.passes[i].stage);
+        passes.push_back({{"name", first.passes[i].name}, {"stage", stage},
+                          {"ms", first.passes[i].isTimed ? quantiles(values) : json()}});
+        stages[stage] += quantile(values, 0.5);
+    }
+    json tiers = json::object();
+    for (const auto& [stage, tier] : m.counted.tiers)
+        tiers[stage] = tier;
+    const AgaaCounters& c = m.counted.statistics.back().counters;
+    const double pixels = double(base_.width) * base_.height;
+    return {{"technique", m.row.technique},
+            {"n", m.row.samples},
+            {"c", m.row.aggregates},
+            {"shadingCost", m.row.shadingCost},
+            {"tiers", tiers},
+            {"frameMs", quantiles(m.frameMs)},
+            {"passes", passes},
+            {"stageMs", stages},
+            {"geometryPasses", m.counted.statistics.back().geometryPasses},
+            {"bytesPerPixel", m.counted.memory.bytesPerPixel},
+            {"peakBytesPerPixel", double(m.counted.memory.peakBytes) / pixels},
+            {"eventsPerPixel", double(c.shadingEvents) / pixels},
+            {"eventsPerCoveredPixel",
+             c.shadedPixels ? double(c.shadingEvents) / double(c.shadedPixels) : 0.0},
+            {"shadowTapsPerPixel", double(c.shadowTaps) / pixels},
+            {"errorSameSamples", m.errorSameSamples},
+            {"errorReference", m.errorReference},
+            {"temporal", m.temporal},
+            {"image", m.imageFile},
+            {"difference", m.differenceFile},
+            {"heat", m.heatFile}};
+}
+
+} // namespace harness
