@@ -1,0 +1,93 @@
+// Bars by row: where a frame's time goes, and what the image does over time.
+
+const BAR_HEIGHT = 24;
+
+function drawBars(id, words, rows, datasets, title, plugins = []) {
+    drawChart(id, words, {
+        type: "bar",
+        data: {labels: rows.map(label), datasets},
+        plugins,
+        options: {
+            indexAxis: "y",
+            interaction: {mode: "index", axis: "y", intersect: false},
+            scales: {
+                x: {stacked: true, beginAtZero: true, title: {display: true, text: title}, ticks: {maxRotation: 0}},
+                y: {stacked: true, grid: {display: false}, ticks: {autoSkip: false, font: {size: 11}}},
+            },
+            plugins: {
+                legend: {display: datasets.length > 1, position: "top", labels: {boxWidth: 12, boxHeight: 12}},
+                tooltip: {
+                    filter: (item) => item.raw > 0,
+                    callbacks: {label: (item) => `${item.dataset.label} ${significant(item.raw)}`},
+                },
+            },
+            datasets: {bar: {categoryPercentage: 0.9, barPercentage: 0.85}},
+        },
+    }, 90 + BAR_HEIGHT * rows.length);
+}
+
+function showStages(backend, rows) {
+    const times = {device: "Times of passes are the device's own.",
+        "cpu-finish": "Times of passes are the processor's, waiting for each pass to end: they add up to more than a frame."};
+    byId("stage-note").textContent = times[backend.passTimes] ?? "";
+    const measured = sortedRows(rows).filter((row) => Object.keys(stagesOf(row)).length);
+    const select = byId("stage-n");
+    const sizes = unique(measured.map(samplesOf)).sort((a, b) => a - b);
+    // Rows of one n fill a screen; all of a whole sweep's do not.
+    setOptions(select, [{value: "all", text: "all"}, ...sizes.filter((n) => n > 1)
+        .map((n) => ({value: String(n), text: "n = " + n}))], measured.length > 20 ? "8" : "all");
+    const shown = measured.filter((row) => select.value === "all" || samplesOf(row) <= 1
+        || String(samplesOf(row)) === select.value);
+    if (!shown.length) {
+        noChart("stages", backend.passTimes === "none" ? "This backend has no times of passes."
+            : "No row has times of its passes.");
+        return;
+    }
+    const used = STAGES.filter((stage) => shown.some((row) => stagesOf(row)[stage]));
+    drawBars("stages", "Time of each stage by row", shown, used.map((stage) => ({
+        label: stage, data: shown.map((row) => stagesOf(row)[stage] ?? 0),
+        backgroundColor: tone(STAGE_COLOURS[stage]),
+    })), "ms, medians of passes");
+}
+
+// A line at 1: what flickers as the reference does ends there.
+const steadyLine = {
+    id: "steadyLine",
+    afterDatasetsDraw(chart) {
+        const x = chart.scales.x.getPixelForValue(1);
+        const {top, bottom, right} = chart.chartArea;
+        if (x > right)
+            return;
+        chart.ctx.save();
+        chart.ctx.strokeStyle = styleVariable("--text");
+        chart.ctx.setLineDash([4, 3]);
+        chart.ctx.beginPath();
+        chart.ctx.moveTo(x, top);
+        chart.ctx.lineTo(x, bottom);
+        chart.ctx.stroke();
+        chart.ctx.restore();
+    },
+};
+
+function showTemporal(rows) {
+    const measured = sortedRows(rows).filter((row) => finite(field(row, "temporal", "biasSquared")) !== null
+        || finite(field(row, "temporal", "variance")) !== null);
+    if (measured.length) {
+        const bars = (key) => measured.map((row) => finite(row.temporal[key]) ?? 0);
+        drawBars("temporal", "Bias and variance over time by row", measured, [
+            {label: "bias²", data: bars("biasSquared"), backgroundColor: tone(STAGE_COLOURS.generation)},
+            {label: "variance", data: bars("variance"), backgroundColor: tone(STAGE_COLOURS.shading)},
+        ], "mean squared error after tone mapping");
+    } else {
+        noChart("temporal", "This sweep has not measured images over time.");
+    }
+    const flickering = measured.filter((row) => finite(row.temporal.flicker) !== null);
+    if (flickering.length) {
+        drawBars("flicker", "Flicker by row", flickering, [{label: "flicker",
+            data: flickering.map((row) => row.temporal.flicker),
+            backgroundColor: flickering.map((row) => styleOf(techniqueOf(row)).color)}],
+        "standard deviation over time by the reference's", [steadyLine]);
+    } else {
+        noChart("flicker", "This sweep has not measured flicker.");
+    }
+}

@@ -1,0 +1,81 @@
+"use strict";
+// Reading of the results: anything may be missing, nothing of it may break the page.
+
+const results = JSON.parse(document.getElementById("results").textContent);
+const paperFigures = JSON.parse(document.getElementById("papers-figures").textContent);
+const MISSING = "–";
+const SOFTWARE = /llvmpipe|lavapipe|softpipe|swiftshader|swrast/i;
+
+const dicts = (value) => Array.isArray(value) ? value.filter((item) => item && typeof item === "object") : [];
+const finite = (value) => typeof value === "number" && Number.isFinite(value) ? value : null;
+const field = (value, ...keys) => keys.reduce((at, key) => at && typeof at === "object" ? at[key] : undefined, value);
+const backendsOf = () => dicts(results.backends);
+const scenesOf = (backend) => dicts(field(backend, "scenes"));
+const rowsOf = (scene) => dicts(field(scene, "rows"));
+const costOf = (row) => finite(row.shadingCost) ?? 1;
+const rowsAt = (scene, cost) => rowsOf(scene).filter((row) => costOf(row) === cost);
+const frameMs = (row) => finite(field(row, "frameMs", "median"));
+const samplesOf = (row) => finite(row.n) ?? 0;
+const techniqueOf = (row) => String(row.technique ?? "unnamed");
+const unique = (values) => [...new Set(values)];
+
+function label(row) {
+    const words = [techniqueOf(row)];
+    if (row.n > 1)
+        words.push("n=" + row.n);
+    if (row.c > 0)
+        words.push((row.technique === "sbaa" ? "S=" : "c=") + row.c);
+    if (row.alike)
+        words.push("(" + tiersOf(row) + ")");
+    return words.join(" ");
+}
+
+function tiersOf(row) {
+    const tiers = row.tiers && typeof row.tiers === "object" ? Object.values(row.tiers) : [];
+    return tiers.filter((tier) => tier).join(", ");
+}
+
+// Two rows of one scene that differ in their tiers alone say so in their names.
+for (const scene of backendsOf().flatMap(scenesOf)) {
+    const seen = new Map();
+    for (const row of rowsOf(scene)) {
+        const name = label(row) + "/" + costOf(row);
+        const first = seen.get(name);
+        if (first)
+            first.alike = row.alike = true;
+        else
+            seen.set(name, row);
+    }
+}
+
+// What is measured (key of an error) against what (the row's field).
+const METRICS = {
+    "mseTm": {name: "mseTm against the reference", against: "errorReference", key: "mseTm"},
+    "mseTm-ssaa": {name: "mseTm against ssaa at the same n", against: "errorSameSamples", key: "mseTm"},
+    "flip": {name: "FLIP against the reference", against: "errorReference", key: "flip"},
+    "flip-ssaa": {name: "FLIP against ssaa at the same n", against: "errorSameSamples", key: "flip"},
+};
+const errorOf = (row, metric) => finite(field(row, metric.against, metric.key));
+// Techniques of different n can be set beside each other only by the one reference.
+const referenceMetric = (metric) => METRICS[metric.key];
+
+// Errors of the reference are known as mseTm only; of other metrics every gap counts.
+function smallestGap(scene, metric) {
+    const own = finite(field(scene, "reference", "splitHalfMseTm"));
+    return metric.key === "mseTm" && metric.against === "errorReference" && own !== null ? 10 * own : 0;
+}
+
+function significant(value, digits = 3) {
+    if (finite(value) === null)
+        return MISSING;
+    const size = Math.abs(value);
+    if (size !== 0 && (size < 1e-3 || size >= 1e6))
+        return value.toExponential(digits - 1);
+    return size >= 10 ** digits ? String(Math.round(value)) : String(Number(value.toPrecision(digits)));
+}
+// Errors of a table share one notation, so that their orders of magnitude line up.
+const errorText = (value, metric) => finite(value) === null ? MISSING
+    : metric.key === "flip" ? value.toFixed(4) : value.toExponential(2);
+const msText = (value) => finite(value) === null ? MISSING : value.toFixed(value < 10 ? 2 : 1);
+const ratioText = (value) => finite(value) === null ? MISSING : value.toFixed(2) + "×";
+const ratio = (a, b) => finite(a) === null || finite(b) === null || b === 0 ? null : a / b;

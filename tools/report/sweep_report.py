@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Writes the page of a sweep: one file that needs no other and no network.
+
+usage: sweep_report.py RESULTS.json OUT.html
+
+docs/sweep.md describes RESULTS.json; its images are read relative to it.
+"""
+
+import argparse
+import json
+import math
+import sys
+from pathlib import Path
+
+from sweep_images import take_images
+
+HERE = Path(__file__).resolve().parent
+CHART_JS = ["/usr/share/javascript/chart.js/chart.min.js",
+            "/usr/share/nodejs/chart.js/dist/chart.min.js",
+            "/usr/share/nodejs/chart.js/dist/chart.umd.js"]
+SLIDER = HERE / "vendor" / "img-comparison-slider-8.0.7.min.js"
+# Later files use names of earlier ones.
+SCRIPTS = ["data.js", "maths.js", "dom.js", "charts.js", "pareto.js", "bars.js", "tables.js",
+           "papers.js", "compare.js", "main.js"]
+
+
+def find_chart_js(chosen):
+    for path in [chosen] if chosen else CHART_JS:
+        if Path(path).is_file():
+            return Path(path).read_text(encoding="utf-8")
+    raise FileNotFoundError(
+        f"Chart.js is not at {chosen}." if chosen else
+        "Chart.js is missing: install Debian's package libjs-chart.js, as scripts/install-deps "
+        "does, or name its chart.min.js by --chart-js.")
+
+
+def finite(value):
+    """The value with null for what JSON has no word for; browsers refuse NaN and Infinity."""
+    if isinstance(value, dict):
+        return {key: finite(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [finite(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def as_script(value):
+    """JSON that no text inside it can end the script element of."""
+    return json.dumps(value, ensure_ascii=False, allow_nan=False,
+                      separators=(",", ":")).replace("<", "\\u003c")
+
+
+def library(source):
+    # A map that is not there would be asked for when a reader opens the browser's tools.
+    return "\n".join(line for line in source.splitlines()
+                     if not line.startswith("//# sourceMappingURL"))
+
+
+def page(results, folder, chart_js, most_bytes):
+    def read(name):
+        return (HERE / name).read_text(encoding="utf-8")
+
+    results = finite(results)
+    images, left_out = take_images(results, folder, most_bytes)
+    results["imagesLeftOut"] = left_out
+    slider = f"/*!\n{read('vendor/img-comparison-slider.LICENSE')}*/\n" + SLIDER.read_text("utf-8")
+    parts = {
+        "STYLE": read("vendor/img-comparison-slider-8.0.7.css") + read("sweep/sweep.css"),
+        "RESULTS": as_script(results),
+        "PAPERS": as_script(json.loads(read("sweep/papers.json"))),
+        "IMAGES": "\n".join(f'<script type="text/plain" id="image-{i}">{text}</script>'
+                            for i, text in enumerate(images)),
+        "LIBRARIES": "\n".join(f"<script>\n{library(source)}\n</script>"
+                               for source in (chart_js, slider)),
+        "SCRIPT": "\n".join(read(f"sweep/{name}") for name in SCRIPTS),
+    }
+    # Split, not replaced one after the other: no part is searched for the marks of another.
+    pieces = read("sweep/page.html").split("@@")
+    return "".join(parts[piece] if i % 2 else piece for i, piece in enumerate(pieces))
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(description="Writes the page of a sweep.")
+    parser.add_argument("results", type=Path, help="the sweep's results.json")
+    parser.add_argument("out", type=Path, help="the page to write")
+    parser.add_argument("--chart-js", metavar="FILE", help="Chart.js, if not where Debian has it")
+    parser.add_argument("--image-mib", type=float, default=48, metavar="MIB",
+                        help="most room for images in the page (default: 48)")
+    options = parser.parse_args(arguments)
+    try:
+        chart_js = find_chart_js(options.chart_js)
+    except OSError as error:
+        print(error, file=sys.stderr)
+        return 1
+    try:
+        results = json.loads(options.results.read_text(encoding="utf-8"))
+        if not isinstance(results, dict):
+            raise ValueError("it holds no JSON object")
+        if results.get("schema", 1) != 1:
+            raise ValueError(f"its schema is {results['schema']}; this page shows schema 1")
+    except (OSError, ValueError) as error:
+        print(f"Could not read {options.results}: {error}", file=sys.stderr)
+        return 1
+    try:
+        options.out.parent.mkdir(parents=True, exist_ok=True)
+        options.out.write_text(page(results, options.results.parent, chart_js,
+                                    int(options.image_mib * (1 << 20))), encoding="utf-8")
+    except OSError as error:
+        print(f"Could not write {options.out}: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
