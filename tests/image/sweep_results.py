@@ -1,0 +1,140 @@
+"""A sweep that never ran: results as docs/sweep.md describes them, with small images."""
+
+import json
+import math
+import struct
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+TOOL = Path(__file__).resolve().parents[2] / "tools" / "report" / "sweep_report.py"
+WIDTH, HEIGHT = 96, 54
+
+
+def write_png(path, pixel):
+    """A picture of pixel(x, y) -> (r, g, b), compressed as weakly as writers in a hurry do."""
+    def chunk(kind, data):
+        return (struct.pack(">I", len(data)) + kind + data
+                + struct.pack(">I", zlib.crc32(kind + data)))
+
+    rows = b"".join(b"\0" + bytes(value for x in range(WIDTH) for value in pixel(x, y))
+                    for y in range(HEIGHT))
+    path.parent.mkdir(exist_ok=True)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n"
+                     + chunk(b"IHDR", struct.pack(">IIBBBBB", WIDTH, HEIGHT, 8, 2, 0, 0, 0))
+                     + chunk(b"IDAT", zlib.compress(rows, 0)) + chunk(b"IEND", b""))
+
+
+def error(mse_tm):
+    return {"mse": 2 * mse_tm, "mseTm": mse_tm, "relMse": 3 * mse_tm,
+            "psnr": -10 * math.log10(2 * mse_tm) if mse_tm > 0 else None, "psnrPeak": 1,
+            "flip": 1.6 * math.sqrt(mse_tm), "flipP95": 5 * math.sqrt(mse_tm)}
+
+
+def configurations():
+    yield from [("single", 1, 0), ("fxaa", 1, 0)]
+    for n in (4, 8, 16, 32):
+        yield from [("msaa", n, 0), ("ssaa", n, 0), ("simple_complex", n, 0)]
+        yield from [("sbaa", n, s) for s in (1, 2, 4, 6)]
+        yield from [("agaa", n, c) for c in (1, 2, 3, 4)]
+
+
+def make_row(scene, technique, n, c, cost, speed):
+    """A row of plausible numbers; the images of the first lighting cost only."""
+    dense = {"bamboo": 1.0, "metal": 1.6}.get(scene, 0.7)
+    share = {"single": 1, "fxaa": 1, "msaa": 1.3, "ssaa": n,
+             "simple_complex": 1 + 0.75 * dense * (n - 1) / 1.6}.get(technique, 0)
+    share = share or 1 + 0.35 * dense * max(0, c - 1) ** 0.7
+    merged = {"sbaa": 2.6e-3 / max(1, c) ** 2.2, "agaa": 9e-4 / max(1, c) ** 2, "msaa": 4e-4,
+              "simple_complex": 2e-7}.get(technique, 0) * dense * (1 if n > 4 else 0.7)
+    aliasing = 6.5e-3 * dense / n ** 1.35 * (0.7 if technique == "fxaa" else 1)
+    stages = {"prepass": 1.1 + 0.2 * n, "definition": 0.1 * n if technique in ("agaa", "sbaa") else 0,
+              "generation": 0.5 + (0.28 * n if technique != "msaa" else 0),
+              "shading": 2.2 * share * cost, "other": 0.4}
+    stages = {stage: ms * speed for stage, ms in stages.items()}
+    frame = 1.04 * sum(stages.values())
+    size = {"agaa": 16 * c + 6 * n + n * max(0, math.ceil(math.log2(c or 1))) / 8,
+            "sbaa": 9 * n + 14 * c, "msaa": 8 * n, "single": 16, "fxaa": 20}.get(technique, 16 * n)
+    stem = f"images/{scene}-{technique}-{n}-{c}"
+    first = cost == 1
+    return {
+        "technique": technique, "n": n, "c": c, "shadingCost": cost,
+        "tiers": {"visibility": "scaled-target", "generation": "post-depth-atomics"}
+        if technique == "agaa" else {"visibility": "scaled-target"},
+        "frameMs": {"median": frame, "p95": 1.1 * frame},
+        "passes": [{"name": stage, "stage": stage, "ms": {"median": ms, "p95": ms}}
+                   for stage, ms in stages.items()],
+        "stageMs": stages, "geometryPasses": 2 if technique in ("agaa", "sbaa") else 1,
+        "bytesPerPixel": size, "peakBytesPerPixel": 0.9 * size,
+        "eventsPerPixel": share * 0.66, "eventsPerCoveredPixel": share,
+        "shadowTapsPerPixel": 4 * share,
+        "errorSameSamples": error(merged) if n > 1 and technique != "ssaa" else None,
+        "errorReference": error(aliasing + merged + 2e-5),
+        "temporal": {"shifts": 8, "biasSquared": 0.4 * aliasing + merged,
+                     "variance": 0.6 * aliasing, "flicker": 1 + 150 * aliasing}
+        if first and n in (1, 8) else None,
+        "image": stem + ".png" if first else None,
+        "difference": stem + "-diff.png" if first else None,
+        "heat": stem + "-events.png" if first and technique in ("agaa", "simple_complex") else None,
+    }
+
+
+def make_scene(name, speed, folder):
+    rows = [make_row(name, technique, n, c, cost, speed) for cost in (1, 4, 16)
+            for technique, n, c in configurations()]
+    scene = {"name": name, "triangles": 31000, "lights": 17,
+             "stresses": "Stalks and leaves thinner than a pixel, with specular highlights.",
+             "pixelsPerDegree": 67.0, "reference": {"spp": 512, "splitHalfMseTm": 1.8e-6},
+             "rows": rows, "referenceImage": f"images/{name}-reference.png",
+             "ablation": [
+                 {"effect": effect, "n": 8, "c": 2, "calledFor": called,
+                  "on": {"frameMs": {"median": 10.4, "p95": 11}, "mseTm": 4e-4},
+                  "off": {"frameMs": {"median": 9.1, "p95": 10}, "mseTm": off}}
+                 for effect, called, off in [("shadow-filter", name == "bamboo", 9e-4),
+                                             ("ndf-widening", name != "bamboo", 4.05e-4)]]}
+
+    def stripes(width, tint):
+        return lambda x, y: tuple(min(255, int(40 + tint * 40 + 150 * max(
+            0, min(1, 0.5 + (math.sin((x + y / 3) / 2.5)) * width)) + 20 * channel))
+            for channel in range(3))
+
+    write_png(folder / scene["referenceImage"], stripes(0.5, 0))
+    for row in rows:
+        if row["image"] and not (folder / row["image"]).exists():
+            write_png(folder / row["image"], stripes(0.5 + 4 / row["n"], 0.02 * row["c"]))
+        if row["heat"] and not (folder / row["heat"]).exists():
+            write_png(folder / row["heat"], lambda x, y: (min(255, 9 * (x % 32)), 60, 120))
+    return scene
+
+
+def make_results(folder):
+    """The whole sweep of two backends; its images come to lie below the folder."""
+    backends = [
+        {"backend": "vk", "device": "llvmpipe (LLVM 15.0.6, 256 bits)", "driver": "lavapipe",
+         "passTimes": "device",
+         "scenes": [make_scene(name, 1, folder) for name in ("bamboo", "metal")]},
+        {"backend": "gl", "device": "llvmpipe", "driver": "Mesa 22.3.6", "passTimes": "none",
+         "scenes": [make_scene("metal", 1.3, folder)]},
+    ]
+    # A backend without times of passes, a sweep that was quick: most of it is not there.
+    for row in backends[1]["scenes"][0]["rows"]:
+        row.update(stageMs=None, passes=None, temporal=None, heat=None)
+    backends[1]["scenes"].append({
+        "name": "quick <b>", "rows": [
+            {"technique": "agaa", "n": 8, "c": 2, "shadingCost": 1, "frameMs": {"median": 3.5},
+             "errorReference": {"mseTm": 1e-3}, "image": "images/none.png"},
+            {"technique": "newcomer", "n": 4, "frameMs": None, "errorReference": None},
+            {}, None]})
+    return {"schema": 1, "quick": False, "size": "640x360", "backends": backends}
+
+
+def write_results(folder, results):
+    path = folder / "results.json"
+    path.write_text(json.dumps(results), encoding="utf-8")
+    return path
+
+
+def run_tool(*arguments):
+    return subprocess.run([sys.executable, "-B", str(TOOL), *map(str, arguments)],
+                          capture_output=True, text=True, check=False)

@@ -1,0 +1,286 @@
+#!/usr/bin/env python3
+"""Tests of the page that tools/report/sweep_report.py writes, in headless Chromium.
+
+With --keep DIR, leaves the page and pictures of it there, to be looked at.
+"""
+
+import json
+import re
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from browser import Browser, find_chromium
+from sweep_results import make_results, run_tool, write_results
+
+KEEP = None
+
+
+@unittest.skipUnless(find_chromium(), "needs Chromium, which is not installed")
+class Shown(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = KEEP or Path(folder.name)
+        cls.folder.mkdir(parents=True, exist_ok=True)
+        cls.results = make_results(cls.folder)
+        cls.page = cls.folder / "report.html"
+        done = run_tool(write_results(cls.folder, cls.results), cls.page)
+        if done.returncode:
+            raise RuntimeError(done.stderr)
+        cls.browser = Browser(find_chromium())
+        cls.addClassCleanup(cls.browser.close)
+
+    def open(self, width=1280, height=900, dark=False, page=None):
+        self.browser.complaints.clear()
+        self.browser.requests.clear()
+        self.browser.open(page or self.page, width, height, dark)
+        self.browser.wait("document.fonts.status === 'loaded'")
+
+    def tearDown(self):
+        self.assertEqual(self.browser.complaints, [])
+        outside = [url for url in self.browser.requests if not re.match("(file|data|blob):", url)]
+        self.assertEqual(outside, [])
+
+    def choose(self, select, text):
+        self.browser.run(f"""(() => {{
+            const select = document.getElementById({json.dumps(select)});
+            const option = [...select.options].find((one) => one.textContent === {json.dumps(text)});
+            if (!option || option.disabled) throw new Error("no choice " + {json.dumps(text)});
+            select.value = option.value;
+            select.dispatchEvent(new Event("change"));
+        }})()""")
+
+    def rows(self, selector):
+        """Lists of texts of a table's cells, a cell's note apart from its text by a line."""
+        return self.browser.run(f"""[...document.querySelectorAll("{selector} tr")].map((row) =>
+            [...row.children].map((cell) => [...cell.childNodes].map((node) => node.textContent)
+                .join("\\n")))""")
+
+    def painted(self, box):
+        return self.browser.run(f"""(() => {{
+            const canvas = document.querySelector("#{box} canvas");
+            if (!canvas) return 0;
+            const data = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+            return new Set(new Uint32Array(data.buffer)).size;
+        }})()""")
+
+    def wait_for_images(self):
+        self.browser.wait("""["left", "right"].every((side) => {
+            const image = document.getElementById("slider-" + side);
+            return image && image.complete && image.naturalWidth > 0; })""")
+
+    def test_charts_are_drawn(self):
+        for dark in (False, True):
+            self.open(dark=dark)
+            for box in ["pareto-time", "pareto-bytes", "stages", "temporal", "flicker"]:
+                self.assertGreater(self.painted(box), 10, box)
+            if KEEP:
+                self.browser.screenshot(KEEP / ("dark.png" if dark else "desktop.png"), whole=True)
+
+    def test_hover_names_the_row(self):
+        self.open()
+        for box in ["pareto-time", "pareto-bytes"]:
+            self.browser.run(f"document.getElementById('{box}').scrollIntoView({{block: 'center'}})")
+            x, y = self.browser.run(f"""(() => {{
+                const chart = charts.get("{box}");
+                const set = chart.data.datasets.findIndex((one) => one.label === "agaa");
+                const at = chart.data.datasets[set].data.findIndex(({{row}}) => row.n === 8 && row.c === 2);
+                const point = chart.getDatasetMeta(set).data[at];
+                const corner = chart.canvas.getBoundingClientRect();
+                return [corner.left + point.x, corner.top + point.y];
+            }})()""")
+            self.browser.mouse("mouseMoved", x - 30, y - 30)
+            self.browser.mouse("mouseMoved", x, y)
+            self.browser.wait(f"charts.get('{box}').tooltip.opacity > 0")
+            words = self.browser.run(f"""(() => {{ const tip = charts.get("{box}").tooltip;
+                return [...tip.title, ...tip.body.flatMap((part) => part.lines)].join("\\n"); }})()""")
+            for part in ["agaa n=8 c=2", "technique agaa, n 8, c 2", "post-depth-atomics"]:
+                self.assertIn(part, words)
+
+    def expected_equal_time(self, rows):
+        """The rows of the table, worked out anew: {budget: {technique: (error, n, c)}}."""
+        rows = [row for row in rows if row and row.get("shadingCost") == 1]
+        out = {}
+        for budget in rows:
+            if budget["technique"] == "ssaa":
+                best = {}
+                for row in rows:
+                    key = row["technique"]
+                    value = (row["errorReference"]["mseTm"], row["n"], row["c"])
+                    if row["frameMs"]["median"] <= budget["frameMs"]["median"]:
+                        best[key] = min(best.get(key, value), value)
+                out[f"ssaa n={budget['n']}"] = best
+        return out
+
+    def test_equal_time(self):
+        self.open()
+        scene = self.results["backends"][0]["scenes"][0]
+        expected = self.expected_equal_time(scene["rows"])
+        head, *lines = self.rows("#equal-time-table")
+        self.assertEqual([line[0] for line in lines], list(expected))
+        gap = 10 * scene["reference"]["splitHalfMseTm"]
+        for line in lines:
+            best = expected[line[0]]
+            winner = min(error for error, _, _ in best.values())
+            for technique, cell in zip(head[2:], line[2:]):
+                if technique not in best:
+                    self.assertEqual(cell, "–")
+                    continue
+                error, n, c = best[technique]
+                shown, _, note = cell.partition("\n")
+                value = float(shown.removesuffix(" ★"))
+                self.assertAlmostEqual(value / error, 1, delta=0.006, msg=cell)
+                self.assertEqual(shown.endswith("★"), error == winner, cell)
+                self.assertEqual("no difference" in note, 0 < error - winner < gap, cell)
+                if n > 1:
+                    self.assertIn(f"n={n}", note)
+                if c:
+                    self.assertRegex(note, f"[cS]={c}")
+
+    def test_choices(self):
+        self.open()
+        head = "document.getElementById('scene-name').textContent"
+        self.assertEqual(self.browser.run(head), "bamboo")
+        self.choose("scene", "metal")
+        self.assertEqual(self.browser.run(head), "metal")
+        vulkan = self.rows("#equal-time-table")
+        self.choose("backend", "OpenGL")
+        self.assertEqual(self.browser.run(head), "metal")
+        self.assertNotEqual(self.rows("#equal-time-table"), vulkan)
+        self.assertIn("Mesa 22.3.6", self.browser.run("document.getElementById('device').textContent"))
+        self.assertIn("no times of passes", self.browser.run("document.getElementById('stages').textContent"))
+        before = self.rows("#equal-time-table")
+        self.choose("cost", "16×")
+        self.assertNotEqual(self.rows("#equal-time-table"), before)
+        self.choose("metric", "FLIP against ssaa at the same n")
+        title = "charts.get('pareto-time').options.scales.y.title.text"
+        self.assertEqual(self.browser.run(title), "FLIP against ssaa at the same n")
+        self.assertIn("FLIP", self.browser.run("document.querySelector('#equal-time caption').textContent"))
+
+    def test_front_is_beaten_by_nothing(self):
+        self.open()
+        points, front = self.browser.run("""(() => {
+            const sets = charts.get("pareto-time").data.datasets;
+            const plain = (one) => one.data.map(({x, y}) => [x, y]);
+            return [sets.slice(0, -1).flatMap(plain), plain(sets[sets.length - 1])]; })()""")
+        self.assertGreater(len(front), 3)
+        for x, y in front[:-1]:
+            self.assertFalse(any(a <= x and b <= y and (a, b) != (x, y) for a, b in points))
+        self.assertEqual(len(points), 46)
+
+    def test_slider_moves(self):
+        self.open()
+        self.wait_for_images()
+        self.browser.run("document.getElementById('slider').scrollIntoView({block: 'center'})")
+        box = self.browser.run("(() => { const {x, y, width, height} = document.getElementById('slider')"
+                               ".getBoundingClientRect(); return [x, y, width, height]; })()")
+        x, y, width, height = box
+        place = "document.getElementById('slider').exposure"
+        self.assertAlmostEqual(self.browser.run(place), 50, delta=1)
+        self.browser.mouse("mousePressed", x + width / 2, y + height / 2, pressed=True)
+        self.browser.mouse("mouseMoved", x + width * 0.8, y + height / 2, pressed=True)
+        self.browser.mouse("mouseReleased", x + width * 0.8, y + height / 2)
+        self.assertAlmostEqual(self.browser.run(place), 80, delta=3)
+
+    def right_pixels(self):
+        """The largest red, green and blue of the right image."""
+        return self.browser.run("""(async () => {
+            const image = document.getElementById("slider-right");
+            await image.decode();
+            const canvas = new OffscreenCanvas(image.naturalWidth, image.naturalHeight);
+            const context = canvas.getContext("2d");
+            context.drawImage(image, 0, 0);
+            const most = [0, 0, 0];
+            context.getImageData(0, 0, canvas.width, canvas.height).data.forEach((value, i) => {
+                if (i % 4 < 3) most[i % 4] = Math.max(most[i % 4], value); });
+            return most; })()""")
+
+    def shown_mode(self, mode):
+        self.browser.wait(f"document.getElementById('slider').dataset.mode === '{mode}'")
+        self.wait_for_images()
+
+    def test_difference_and_events(self):
+        self.open()
+        self.wait_for_images()
+        self.choose("mode", "left − right, 4×")
+        self.shown_mode("between")
+        self.assertGreater(max(self.right_pixels()), 100)
+        self.choose("left", "agaa n=8 c=2")
+        self.browser.wait("document.getElementById('side-left').textContent.includes('agaa n=8 c=2')")
+        self.assertEqual(self.right_pixels(), [0, 0, 0])
+        self.choose("mode", "shading events")
+        self.shown_mode("heat")
+        self.assertEqual(self.right_pixels()[1:], [60, 120])
+        self.choose("right", "ssaa n=8")
+        self.shown_mode("image")
+        disabled = "document.querySelector('#mode option[value=heat]').disabled"
+        self.assertTrue(self.browser.run(disabled))
+
+    def test_ratios_and_effects(self):
+        self.open()
+        ratios = {line[0]: line[1:] for line in self.rows("#papers")}
+        rows = {(row["technique"], row["n"], row["c"]): row
+                for row in self.results["backends"][0]["scenes"][0]["rows"] if row["shadingCost"] == 1}
+        theirs, ours = rows["simple_complex", 8, 0], rows["agaa", 8, 2]
+        shading = theirs["stageMs"]["shading"] / ours["stageMs"]["shading"]
+        line = ratios["shading time, simple_complex / agaa c=2, n = 8"]
+        self.assertEqual(line[:2], [f"{shading:.2f}×", "3.50×"])
+        self.assertRegex(line[2], "^no: .*software rasteriser")
+        self.assertEqual(ratios["memory, agaa c=2 / sbaa S=2, n = 8"][:2], ["0.81×", "0.81×"])
+        effects = {tuple(line[:3]): line[-1] for line in self.rows("#ablation")}
+        self.assertEqual(effects["shadow-filter", "bamboo", "yes"], "removes 56 %")
+        self.assertEqual(effects["ndf-widening", "bamboo", "no"], "no difference")
+
+    def test_whatever_is_missing(self):
+        self.open()
+        self.choose("backend", "OpenGL")
+        self.choose("scene", "quick <b>")
+        self.assertEqual(self.browser.run("document.getElementById('scene-name').textContent"), "quick <b>")
+        self.choose("metric", "FLIP against the reference")
+        bare = [{}, {"backends": None}, {"backends": [{}]}, {"backends": [{"scenes": [{}]}]},
+                {"quick": True, "size": 3, "backends": [None, {"scenes": [{"reference": None, "rows": [
+                    {"technique": "ssaa", "n": 4, "frameMs": {"median": 1}, "stageMs": [3],
+                     "errorReference": {"mseTm": 0}, "temporal": {}, "tiers": None, "passes": 1}],
+                    "ablation": [{}, {"on": 1}]}]}]}]
+        with tempfile.TemporaryDirectory() as folder:
+            for results in bare:
+                page = Path(folder) / "bare.html"
+                done = run_tool(write_results(Path(folder), results), page)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                with self.subTest(results=results):
+                    self.open(page=page)
+                    self.assertEqual(self.browser.complaints, [])
+
+    def test_phone(self):
+        self.open(390, 844)
+        self.wait_for_images()
+        for scene in ["bamboo", "metal"]:
+            self.choose("scene", scene)
+            self.wait_for_images()
+            self.assertEqual(self.browser.run("document.documentElement.scrollWidth"), 390)
+            self.assertEqual(self.browser.run("scrollTo(50, 0), scrollX"), 0)
+        for box in ["pareto-time", "stages"]:
+            width = self.browser.run(f"charts.get('{box}').width")
+            self.assertTrue(250 < width <= 390, width)
+        wide = self.browser.run("[...document.querySelectorAll('.scroll')]"
+                                ".filter((one) => one.scrollWidth > one.clientWidth).length")
+        self.assertGreater(wide, 3)
+        # A page turned on its side, and back.
+        for width in (844, 390):
+            self.browser.resize(width, 844)
+            self.browser.wait(f"document.documentElement.scrollWidth === {width}"
+                              f" && charts.get('pareto-time').width <= {width}")
+        if KEEP:
+            self.browser.screenshot(KEEP / "phone.png", whole=True)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 2 and sys.argv[1] == "--keep":
+        KEEP = Path(sys.argv.pop(2))
+        sys.argv.pop(1)
+    if not find_chromium():
+        print("Chromium is not installed: how a browser shows the page is not tested.")
+    unittest.main()

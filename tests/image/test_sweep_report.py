@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""Tests of tools/report/sweep_report.py: what the file that it writes holds."""
+
+import copy
+import json
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from sweep_results import make_results, run_tool, write_png, write_results
+
+
+class Written(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.out = self.folder / "report.html"
+
+    def make(self, results, *arguments):
+        done = run_tool(write_results(self.folder, results), self.out, *arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return self.out.read_text(encoding="utf-8")
+
+    def embedded(self, source):
+        return json.loads(re.search(r'id="results">(.*?)</script>', source, re.DOTALL)[1])
+
+    def test_is_one_file(self):
+        source = self.make(make_results(self.folder))
+        self.assertIsNone(re.search(r"<(script|link|img)[^>]*(src|href)=(?!\"data:)", source))
+        self.assertNotRegex(source, r"@import|url\(|sourceMappingURL=index")
+        self.assertNotIn("@@", source)
+        self.assertIn("Chart.js v", source)
+        self.assertIn("Dmitry Snisarenko", source)
+
+    def test_text_of_results_is_no_markup(self):
+        results = {"backends": [{"device": "</script><script>alert(1)</script>", "scenes": []}]}
+        source = self.make(results)
+        self.assertNotIn("</script><script>alert", source)
+        self.assertEqual(self.embedded(source)["backends"], results["backends"])
+
+    def test_numbers_without_a_word_in_json(self):
+        source = self.make({"backends": [{"scenes": [{"rows": [{"n": float("nan")}]}]}]})
+        self.assertIsNone(self.embedded(source)["backends"][0]["scenes"][0]["rows"][0]["n"])
+
+    def test_images_are_kept_once_and_up_to_a_size(self):
+        results = make_results(self.folder)
+        # Copies: what differs in name alone is the same image.
+        other = results["backends"][1]["scenes"][0]["rows"][0]
+        (self.folder / "images/copy.png").write_bytes((self.folder / other["image"]).read_bytes())
+        other["image"] = "images/copy.png"
+        source = self.make(copy.deepcopy(results))
+        held = self.embedded(source)
+        texts = re.findall(r'<script type="text/plain" id="image-\d+">(.*?)</script>', source)
+        self.assertEqual(len(texts), len(set(texts)))
+        self.assertEqual(held["imagesLeftOut"], 0)
+        ids = [scene["rows"][0]["image"] for backend in held["backends"]
+               for scene in backend["scenes"][:1]]
+        self.assertTrue(all(isinstance(one, int) for one in ids), ids)
+
+        few = self.embedded(self.make(results, "--image-mib", "0.006"))
+        self.assertGreater(few["imagesLeftOut"], 0)
+        # The references come first.
+        self.assertIsInstance(few["backends"][0]["scenes"][0]["referenceImage"], int)
+        self.assertIsNone(few["backends"][0]["scenes"][0]["rows"][-1]["image"])
+
+    def test_images_outside_the_folder_are_not_shown(self):
+        (self.folder / "in").mkdir()
+        write_png(self.folder / "secret.png", lambda x, y: (1, 2, 3))
+        path = self.folder / "in" / "results.json"
+        path.write_text(json.dumps({"backends": [{"scenes": [
+            {"referenceImage": "../secret.png", "rows": [{"image": 5}]}]}]}), encoding="utf-8")
+        self.assertEqual(run_tool(path, self.out).returncode, 0)
+        self.assertNotIn('id="image-0"', self.out.read_text(encoding="utf-8"))
+
+    def test_errors(self):
+        path = self.folder / "results.json"
+        for content in [None, "{", "[]", '{"schema": 2}']:
+            if content:
+                path.write_text(content, encoding="utf-8")
+            done = run_tool(path, self.out)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(str(path), done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1)
+        path.write_text("{}", encoding="utf-8")
+        done = run_tool(path, self.out, "--chart-js", self.folder / "none.js")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("Chart.js is not at", done.stderr)
+        self.assertEqual(run_tool(path).returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
