@@ -93,14 +93,17 @@ def take_images(results, folder, most_bytes):
     for _, holder, key in wanted(results):
         name = holder.get(key)
         holder[key] = None
-        png = read_image(folder, name)
+        # Once the room is used up the rest, some gigabytes of a whole sweep, is not even read.
+        png = read_image(folder, name) if room > 0 else None
         if png is None:
+            left_out += room <= 0 and isinstance(name, str)
             continue
         digest = hashlib.sha256(png).digest()
         if digest not in ids:
             text = base64.b64encode(png).decode("ascii")
             if len(text) > room:
                 left_out += 1
+                room = 0
                 continue
             room -= len(text)
             ids[digest] = len(texts)

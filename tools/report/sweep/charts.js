@@ -70,13 +70,15 @@ function noChart(id, words) {
 }
 
 // Powers of ten are far apart; 2 and 5 between them are enough to read a value by.
-function logAxis(title, text) {
+function logAxis(title, text, values) {
     return {
         type: "logarithmic", title: {display: true, text: title},
+        // Room for whole points at the edges, but no empty decades.
+        min: Math.min(...values) / 1.3, max: Math.max(...values) * 1.3,
         ticks: {
             maxRotation: 0,
             callback(value, index, ticks) {
-                const mantissa = Number(value.toExponential().split("e")[0]);
+                const mantissa = Number(value.toExponential(6).split("e")[0]);
                 const decades = Math.log10(ticks[ticks.length - 1].value / ticks[0].value);
                 return mantissa === 1 || (decades < 2.5 && (mantissa === 2 || mantissa === 5)) ? text(value) : null;
             },

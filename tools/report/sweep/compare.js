@@ -51,8 +51,16 @@ function resizeCompare() {
         return;
     const natural = Number(slider.dataset.width) || 640;
     const room = byId("compare").clientWidth - 2;
-    slider.style.width = (compare.zoom === "fit" ? Math.min(room, 2 * natural) : natural * Number(compare.zoom)) + "px";
+    const tallest = 0.8 * window.innerHeight * (Number(slider.dataset.shape) || 1);
+    const fitting = Math.max(100, Math.min(room, tallest, 2 * natural));
+    const fits = compare.zoom === "fit";
+    slider.style.width = Math.round(fits ? fitting : natural * Number(compare.zoom)) + "px";
     slider.classList.toggle("magnified", slider.offsetWidth >= natural);
+    // A finger moves a picture larger than its frame, and the line only by its handle.
+    slider.handle = !fits && slider.offsetWidth > room;
+    const frame = slider.parentElement;
+    frame.scrollLeft = (frame.scrollWidth - frame.clientWidth) / 2;
+    frame.scrollTop = (frame.scrollHeight - frame.clientHeight) / 2;
 }
 
 async function updateCompare(choices) {
@@ -72,6 +80,7 @@ async function updateCompare(choices) {
     if (work !== compare.work)
         return;
     byId("slider").dataset.width = first.naturalWidth;
+    byId("slider").dataset.shape = first.naturalWidth / first.naturalHeight;
     byId("slider-left").src = first.src;
     byId("slider-right").src = url;
     byId("slider-left").alt = left.name;
@@ -115,8 +124,9 @@ function showCompare(scene) {
         element("div", {className: "controls inner"},
             ...["Left", "Right", "Right shows"].map((words, i) => element("label", {}, words + " ", selects[i])),
             element("div", {className: "zoom"}, ...zooms)),
-        element("div", {className: "sides"}, element("span", {id: "side-left"}), element("span", {id: "side-right"})),
-        element("div", {className: "frame"}, slider),
+        element("div", {className: "view"},
+            element("div", {className: "sides"}, element("span", {id: "side-left"}), element("span", {id: "side-right"})),
+            element("div", {className: "frame"}, slider)),
         element("p", {className: "hint", textContent: "Drag the line, or use the arrow keys on it. Brighter pixels of the map "
             + "of shading events were lit more often." + (results.imagesLeftOut ? ` ${results.imagesLeftOut} images of this sweep `
             + "are left out of this page to keep it small; they lie beside its results." : "")}));

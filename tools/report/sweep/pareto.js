@@ -29,7 +29,7 @@ function drawPareto(id, rows, metric, axis) {
         noChart(id, "No row has both this error and " + axis.missing + ".");
         return 0;
     }
-    // One row more than a front needs: its line runs on to the right edge's last point.
+    // The line runs on as far right as there are points, for what lies there above it.
     const front = paretoFront(points).map(({x, y}) => ({x, y}));
     const furthest = Math.max(...points.map((point) => point.x));
     if (front[front.length - 1].x < furthest)
@@ -56,9 +56,9 @@ function drawPareto(id, rows, metric, axis) {
         options: {
             interaction: {mode: "nearest", intersect: true},
             scales: {
-                x: logAxis(axis.name, (value) => significant(value)),
+                x: logAxis(axis.name, (value) => significant(value), points.map(({x}) => x)),
                 y: logAxis(metric.name, (value) => metric.key === "flip" ? significant(value)
-                    : value.toExponential(0).replace("e-", "e−")),
+                    : value.toExponential(0).replace("e-", "e−"), points.map(({y}) => y)),
             },
             plugins: {
                 legend: {position: "bottom", labels: {usePointStyle: true, boxHeight: 7, padding: 12}},
