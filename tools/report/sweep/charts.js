@@ -53,6 +53,8 @@ function drawChart(id, words, config, height = null) {
     Chart.defaults.borderColor = styleVariable("--line");
     Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
     Chart.defaults.animation = false;
+    Object.assign(Chart.defaults.plugins.tooltip, {backgroundColor: "rgba(16, 18, 21, 0.95)", borderWidth: 1,
+        borderColor: styleVariable("--quiet")});
     const canvas = element("canvas");
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", words);

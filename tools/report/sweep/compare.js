@@ -119,7 +119,8 @@ function showCompare(scene) {
     pressed();
     const slider = element("img-comparison-slider", {id: "slider"},
         element("img", {id: "slider-left", slot: "first", draggable: false}),
-        element("img", {id: "slider-right", slot: "second", draggable: false}));
+        element("img", {id: "slider-right", slot: "second", draggable: false}),
+        element("div", {className: "grip", slot: "handle", textContent: "◂ ▸"}));
     fill("compare",
         element("div", {className: "controls inner"},
             ...["Left", "Right", "Right shows"].map((words, i) => element("label", {}, words + " ", selects[i])),
