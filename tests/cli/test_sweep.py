@@ -1,0 +1,80 @@
+"""A sweep over one small scene: the fields of docs/sweep.md, its page, going on where it stopped."""
+import json
+import os
+import tempfile
+import unittest
+
+import harness
+
+ROW = ["technique", "n", "c", "shadingCost", "tiers", "frameMs", "passes", "stageMs", "geometryPasses",
+       "bytesPerPixel", "peakBytesPerPixel", "eventsPerPixel", "eventsPerCoveredPixel",
+       "shadowTapsPerPixel", "errorSameSamples", "errorReference", "temporal", "image", "difference",
+       "heat"]
+
+
+class Sweep(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.arguments = ["sweep", "--quick", "--scene", "metal", "--size", "64x36", "--out",
+                         cls.folder.name]
+        cls.written = harness.data(*cls.arguments)
+        with open(cls.written["results"]) as file:
+            cls.results = json.load(file)
+
+    def test_fields(self):
+        self.assertEqual(self.results["schema"], 1)
+        self.assertTrue(self.results["quick"])
+        backend = self.results["backends"][0]
+        self.assertTrue(backend["device"] and backend["driver"])
+        self.assertIn(backend["passTimes"], ("device", "cpu-finish", "none"))
+        scene = backend["scenes"][0]
+        self.assertEqual(scene["name"], "metal")
+        self.assertEqual(scene["lights"], 17)
+        self.assertGreater(scene["reference"]["splitHalfMseTm"], 0)
+        for row in scene["rows"]:
+            with self.subTest(row=f"{row['technique']} {row['n']} {row['c']}"):
+                for field in ROW:
+                    self.assertIn(field, row)
+                self.assertGreater(row["frameMs"]["median"], 0)
+                self.assertGreaterEqual(row["frameMs"]["p95"], row["frameMs"]["median"])
+                self.assertGreater(row["errorReference"]["mseTm"], 0)
+                self.assertEqual(row["errorSameSamples"] is None,
+                                 row["technique"] == "ssaa" or row["n"] == 1)
+                self.assertEqual(row["heat"] is None, row["technique"] == "msaa")
+                for name in (row["image"], row["difference"], row["heat"]):
+                    if name:
+                        self.assertTrue(os.path.exists(os.path.join(self.folder.name, name)), name)
+
+    def test_effects_that_are_not_called_for_change_nothing(self):
+        effects = {e["effect"]: e for e in self.results["backends"][0]["scenes"][0]["ablation"]}
+        self.assertFalse(effects["emissive"]["calledFor"])
+        self.assertEqual(effects["emissive"]["on"]["mseTm"], effects["emissive"]["off"]["mseTm"])
+        self.assertTrue(effects["specular"]["calledFor"])
+        self.assertGreater(effects["specular"]["off"]["mseTm"], effects["specular"]["on"]["mseTm"])
+
+    def test_page(self):
+        with open(self.written["report"]) as file:
+            page = file.read()
+        self.assertIn("simple_complex", page)
+        self.assertNotIn('src="http', page)
+
+    def test_goes_on_where_it_stopped(self):
+        again = harness.run(*self.arguments)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertNotIn("times of frames", again.stderr, "nothing is measured twice")
+        with open(self.written["results"]) as file:
+            self.assertEqual(json.load(file), self.results)
+
+    def test_refuses_a_folder_of_other_arguments(self):
+        result = harness.run("sweep", "--scene", "metal", "--size", "64x36", "--out", self.folder.name)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("other arguments", result.stderr)
+        result = harness.run("sweep", "--scene", "nowhere", "--out", self.folder.name)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("nowhere", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

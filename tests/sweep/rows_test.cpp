@@ -1,0 +1,77 @@
+// What a sweep measures: every technique and n, no row twice, files of their own.
+#include "sweep/rows.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace harness {
+namespace {
+
+TEST(SweepRows, NoRowTwice) {
+    for (bool quick : {false, true}) {
+        std::set<std::string> names;
+        for (const SweepRow& row : sweepRows(quick))
+            EXPECT_TRUE(names.insert(row.name()).second) << row.name();
+    }
+}
+
+TEST(SweepRows, EveryTechniqueIsThere) {
+    uint32_t count = 0;
+    ASSERT_EQ(agaaEnumerateTechniques(&count, nullptr), AGAA_OK);
+    std::vector<const char*> names(count);
+    ASSERT_EQ(agaaEnumerateTechniques(&count, names.data()), AGAA_OK);
+    for (bool quick : {false, true})
+        for (const char* name : names) {
+            bool found = false;
+            for (const SweepRow& row : sweepRows(quick))
+                found |= row.technique == name;
+            EXPECT_TRUE(found) << name;
+        }
+}
+
+// Rows of errors against ssaa at the same n need that row's times beside them.
+TEST(SweepRows, SupersamplingIsThereAtEveryN) {
+    for (bool quick : {false, true}) {
+        std::set<uint32_t> wanted, there;
+        for (const SweepRow& row : sweepRows(quick))
+            (row.technique == "ssaa" ? there : wanted).insert(row.samples);
+        wanted.erase(1);
+        for (uint32_t n : wanted)
+            EXPECT_TRUE(there.contains(n)) << n;
+    }
+}
+
+TEST(SweepRows, PlansCanBeMade) {
+    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
+    for (const SweepRow& row : sweepRows(false)) {
+        AgaaConfig config = AGAA_CONFIG_INIT;
+        row.apply(config);
+        AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
+        view.width = 64;
+        view.height = 36;
+        view.config = &config;
+        view.facts = &facts;
+        size_t size = 0;
+        EXPECT_EQ(agaaPlanToJson(&view, nullptr, nullptr, &size, nullptr), AGAA_OK) << row.name();
+    }
+}
+
+TEST(SweepEffects, AreCalledForByScenesThatHaveThem) {
+    Scene scene;
+    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
+    facts.flags = 0;
+    facts.shadowMapCount = 0;
+    for (const SweepEffect& effect : sweepEffects())
+        EXPECT_EQ(isCalledFor(effect, scene, facts), std::string(effect.name) == "filtered-diffuse")
+            << effect.name;
+    scene.materials.emplace_back();
+    scene.materials[0].normalTexture = 0;
+    facts.flags = AGAA_FACT_ALL_SHADED;
+    facts.shadowMapCount = 1;
+    for (const SweepEffect& effect : sweepEffects())
+        EXPECT_TRUE(isCalledFor(effect, scene, facts)) << effect.name;
+}
+
+} // namespace
+} // namespace harness
