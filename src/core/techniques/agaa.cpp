@@ -18,8 +18,7 @@ Format metadataFormat(uint32_t samples, uint32_t aggregates) {
 }
 
 // With one aggregate there is nothing to define: no metadata, no pass.
-template <class Samples>
-ResourceId defineAggregates(PlanBuilder& b, const Samples& samples) {
+ResourceId defineAggregates(PlanBuilder& b, const std::function<void(Pass&)>& bindSamples) {
     if (b.plan.aggregates == 1)
         return noResource;
     const ResourceId metadata =
@@ -27,20 +26,18 @@ ResourceId defineAggregates(PlanBuilder& b, const Samples& samples) {
     Pass& define = b.compute("define aggregates", AGAA_STAGE_DEFINITION, "definition", "mg",
                              AGAA_SEGMENT_GENERATION);
     b.bindCommon(define);
-    samples.bind(b, define);
+    bindSamples(define);
     b.bind(define, slot::MetadataOut, BindingType::StorageImage, metadata, true);
     return metadata;
-}
-
-AggregateRecord recordOf(const PlanBuilder& b) {
-    const AggregatePacking packing = packAggregate(b.plan.layout, b.plan.samples);
-    return {b.plan.layout, packing, packing.words};
 }
 
 // The papers' way, priced only: additive blending into c samples of colour targets.
 void buildNative(PlanBuilder& b) {
     const Prepass prepass = drawPrepass(b, true);
-    defineAggregates(b, prepass);
+    defineAggregates(b, [&](Pass& define) {
+        b.bind(define, slot::Depth, BindingType::Texture, prepass.depth);
+        b.bind(define, slot::Surface0, BindingType::Texture, prepass.normals);
+    });
     const uint32_t slots = std::bit_ceil(b.plan.aggregates); // no device has 3 samples
     uint64_t bytes = 0;
     const auto surface = [&](const char* name, Format format) {
@@ -56,36 +53,15 @@ void buildNative(PlanBuilder& b) {
     b.plan.bytesPerAggregate = uint32_t(bytes);
 }
 
-// A second geometry pass adds fragments to aggregates by integer atomics.
-void buildAtomics(PlanBuilder& b) {
-    const AggregateRecord record = recordOf(b);
-    const Prepass prepass = drawPrepass(b, wantsStencil(b));
-    const ResourceId metadata = defineAggregates(b, prepass);
-    const ResourceId aggregates = aggregateBuffer(b, record);
-    b.fill("clear aggregates", AGAA_STAGE_GENERATION, aggregates, AGAA_SEGMENT_GENERATION);
-    drawAggregates(b, prepass, record, metadata, aggregates);
-    shadeAggregates(b, record, generationOf(prepass, aggregates), "mscbr0");
-}
-
-// One geometry pass into a multisampled G-buffer, from which a compute pass sums.
-void buildFromGBuffer(PlanBuilder& b) {
-    const AggregateRecord record = recordOf(b);
-    const GBuffer gbuffer = drawGBuffer(b);
-    const ResourceId metadata = defineAggregates(b, gbuffer);
-    const ResourceId aggregates = aggregateBuffer(b, record);
-    gatherAggregates(b, gbuffer, record, metadata, aggregates, "mar0");
-    shadeAggregates(b, record, generationOf(gbuffer, aggregates), "mscbr0");
-}
-
 void build(PlanBuilder& b) {
-    switch (b.plan.generationTier) {
-    case AGAA_TIER_NV_MIXED_SAMPLES:
+    if (b.plan.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
         return buildNative(b);
-    case AGAA_TIER_GBUFFER:
-        return buildFromGBuffer(b);
-    default:
-        return buildAtomics(b);
-    }
+    Aggregation sums;
+    sums.layout = b.plan.layout;
+    sums.packing = packAggregate(b.plan.layout, b.plan.samples);
+    sums.stride = sums.packing.words;
+    sums.define = [&](const auto& bindSamples, ResourceId) { return defineAggregates(b, bindSamples); };
+    b.plan.generationTier == AGAA_TIER_GBUFFER ? buildFromGBuffer(b, sums) : buildTwoPasses(b, sums);
 }
 
 } // namespace

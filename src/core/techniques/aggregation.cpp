@@ -1,13 +1,9 @@
 #include "core/techniques/aggregation.h"
 
 #include "core/checked.h"
+#include "core/techniques/gbuffer.h"
 
 namespace agaa {
-
-void Prepass::bind(PlanBuilder& b, Pass& pass) const {
-    b.bind(pass, slot::Depth, BindingType::Texture, depth);
-    b.bind(pass, slot::Surface0, BindingType::Texture, normals);
-}
 
 Prepass drawPrepass(PlanBuilder& b, bool stencil) {
     const Prepass s{b.depth(stencil), b.image("normals", Format::RG8, true)};
@@ -23,24 +19,27 @@ Prepass drawPrepass(PlanBuilder& b, bool stencil) {
     return s;
 }
 
-ResourceId aggregateBuffer(PlanBuilder& b, const AggregateRecord& record) {
-    b.plan.bytesPerAggregate = 4 * record.stride;
-    return b.pixelBuffer("aggregates", checkedMultiply(b.plan.aggregates, 4 * record.stride));
-}
-
-void setRecord(Pass& pass, const AggregateRecord& record) {
-    setFields(pass.constants, AGAA_FIELD_DIFFUSE_R, record.packing.fields);
-    pass.constants[AGAA_WORDS] = record.packing.words;
-    pass.constants[AGAA_STRIDE] = record.stride;
-    pass.constants[AGAA_FIELD_COVERAGE] = record.packing.coverage.constant();
-    pass.constants[AGAA_FOLDED_ROUGHNESS] = record.layout.foldsRoughness();
-    pass.constants[AGAA_YCBCR_SPECULAR] = record.layout.specularIsYCbCr();
-}
-
 bool wantsStencil(const PlanBuilder& b) { return !(b.plan.config.flags & AGAA_CONFIG_NO_STENCIL); }
 
-void drawAggregates(PlanBuilder& b, const Prepass& prepass, const AggregateRecord& record,
-                    ResourceId metadata, ResourceId aggregates) {
+void setRecord(Pass& pass, const Aggregation& a) {
+    setFields(pass.constants, AGAA_FIELD_DIFFUSE_R, a.packing.fields);
+    pass.constants[AGAA_WORDS] = a.packing.words;
+    pass.constants[AGAA_STRIDE] = a.stride;
+    pass.constants[AGAA_FIELD_COVERAGE] = a.packing.coverage.constant();
+    pass.constants[AGAA_FOLDED_ROUGHNESS] = a.layout.foldsRoughness();
+    pass.constants[AGAA_YCBCR_SPECULAR] = a.layout.specularIsYCbCr();
+}
+
+namespace {
+
+ResourceId aggregateBuffer(PlanBuilder& b, const Aggregation& a) {
+    b.plan.bytesPerAggregate = 4 * a.stride;
+    return b.pixelBuffer("aggregates", checkedMultiply(b.plan.aggregates, 4 * a.stride));
+}
+
+// metadata: or noResource.
+void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass, ResourceId metadata,
+                    ResourceId aggregates) {
     const bool stencil = wantsStencil(b) && hasStencil(b.plan.depthFormat);
     if (wantsStencil(b) && !stencil)
         b.note("no format of depth and stencil: of equal depths the first to come is kept, which is "
@@ -61,44 +60,58 @@ void drawAggregates(PlanBuilder& b, const Prepass& prepass, const AggregateRecor
     b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.plan.hwSamples > 1)
         draw.extensions.push_back("post_depth_coverage");
-    setRecord(draw, record);
+    setRecord(draw, a);
 }
 
-void gatherAggregates(PlanBuilder& b, const GBuffer& gbuffer, const AggregateRecord& record,
-                      ResourceId metadata, ResourceId aggregates, const char* permutation) {
-    Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather", permutation,
-                             AGAA_SEGMENT_GENERATION);
+// coverage: a surface whose component is not 0 where a sample shows geometry, to count what generation
+// missed.
+void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId depth, ResourceId aggregates,
+                     ResourceId coverage, uint32_t component) {
+    Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates",
+                            a.represented ? "mscbr1" : "mscbr0", AGAA_SEGMENT_SHADING);
+    b.bindCommon(shade);
+    b.bindLighting(shade);
+    b.bindOutput(shade);
+    b.bind(shade, slot::Depth, BindingType::Texture, depth);
+    b.bind(shade, slot::Aggregates, BindingType::StorageBuffer, aggregates);
+    if (b.counts())
+        b.bind(shade, slot::Surface0, BindingType::Texture, coverage);
+    shade.constants[AGAA_COVERAGE_COMPONENT] = component;
+    setRecord(shade, a);
+    b.copyCounters();
+}
+
+} // namespace
+
+void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
+    const Prepass prepass = drawPrepass(b, wantsStencil(b));
+    const ResourceId aggregates = aggregateBuffer(b, a);
+    const ResourceId metadata = a.define(
+        [&](Pass& pass) {
+            b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
+            b.bind(pass, slot::Surface0, BindingType::Texture, prepass.normals);
+        },
+        aggregates);
+    if (!a.definitionClears)
+        b.fill("clear aggregates", AGAA_STAGE_GENERATION, aggregates, AGAA_SEGMENT_GENERATION);
+    drawAggregates(b, a, prepass, metadata, aggregates);
+    shadeAggregates(b, a, prepass.depth, aggregates, prepass.normals, 0);
+}
+
+void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {
+    const GBuffer gbuffer = drawGBuffer(b);
+    const ResourceId aggregates = aggregateBuffer(b, a);
+    const ResourceId metadata = a.define([&](Pass& pass) { gbuffer.bind(b, pass); }, aggregates);
+    Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather",
+                             a.represented ? "ma0r1" : "mar0", AGAA_SEGMENT_GENERATION);
     b.bindCommon(gather);
     gbuffer.bind(b, gather);
     if (metadata != noResource)
         b.bind(gather, slot::Metadata, BindingType::Texture, metadata);
     b.bind(gather, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
-    setRecord(gather, record);
-}
-
-void shadeAggregates(PlanBuilder& b, const AggregateRecord& record, const Generation& generation,
-                     const char* permutation) {
-    Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", permutation,
-                            AGAA_SEGMENT_SHADING);
-    b.bindCommon(shade);
-    b.bindLighting(shade);
-    b.bindOutput(shade);
-    b.bind(shade, slot::Depth, BindingType::Texture, generation.depth);
-    b.bind(shade, slot::Aggregates, BindingType::StorageBuffer, generation.aggregates);
-    if (b.counts())
-        b.bind(shade, slot::Surface0, BindingType::Texture, generation.coverage);
-    shade.constants[AGAA_COVERAGE_COMPONENT] = generation.coverageComponent;
-    setRecord(shade, record);
-    b.copyCounters();
-}
-
-Generation generationOf(const Prepass& prepass, ResourceId aggregates) {
-    return {prepass.depth, aggregates, prepass.normals, 0};
-}
-
-Generation generationOf(const GBuffer& gbuffer, ResourceId aggregates) {
+    setRecord(gather, a);
     const Field& normal = gbuffer.packing.fields[ChannelNormalX];
-    return {gbuffer.depth, aggregates, gbuffer.attachments[normal.word], normal.shift};
+    shadeAggregates(b, a, gbuffer.depth, aggregates, gbuffer.attachments[normal.word], normal.shift);
 }
 
 } // namespace agaa

@@ -10,26 +10,12 @@ namespace agaa {
 namespace {
 
 // A surface keeps one sample's attributes, at the precision that samples have.
-AggregateRecord recordOf(const PlanBuilder& b) {
-    Layout layout = b.plan.layout;
+Layout surfaceLayout(Layout layout) {
     for (AgaaLayoutAttribute& attribute : layout.attributes) {
         attribute.encoding = AGAA_ENCODING_UNORM;
         attribute.aggregateBits = std::max(attribute.sampleBits, 6u);
     }
-    const AggregatePacking packing = packAggregate(layout, 1);
-    const uint32_t ownWords = b.plan.samples > 16 ? 2 : 1; // of src/shaders/math/records.glsl
-    return {layout, packing, packing.words + ownWords};
-}
-
-template <class Samples>
-void selectSurfaces(PlanBuilder& b, const Samples& samples, const AggregateRecord& record,
-                    ResourceId surfaces) {
-    Pass& select = b.compute("select surfaces", AGAA_STAGE_DEFINITION, "select", "mg",
-                             AGAA_SEGMENT_GENERATION);
-    b.bindCommon(select);
-    samples.bind(b, select);
-    b.bind(select, slot::Aggregates, BindingType::StorageBuffer, surfaces, true);
-    setRecord(select, record);
+    return layout;
 }
 
 // The papers' memory (AGAA section 5.4 and its slides): nine bytes a sample, and the G-buffer of a sample
@@ -48,35 +34,28 @@ void buildNative(PlanBuilder& b) {
     b.plan.bytesPerAggregate = uint32_t(bytes);
 }
 
-// A second geometry pass: fragments that own a surface's sample leave their attributes.
-void buildTwoPasses(PlanBuilder& b) {
-    const AggregateRecord record = recordOf(b);
-    const Prepass prepass = drawPrepass(b, wantsStencil(b));
-    const ResourceId surfaces = aggregateBuffer(b, record);
-    selectSurfaces(b, prepass, record, surfaces);
-    drawAggregates(b, prepass, record, noResource, surfaces);
-    shadeAggregates(b, record, generationOf(prepass, surfaces), "mscbr1");
-}
-
-void buildFromGBuffer(PlanBuilder& b) {
-    const AggregateRecord record = recordOf(b);
-    const GBuffer gbuffer = drawGBuffer(b);
-    const ResourceId surfaces = aggregateBuffer(b, record);
-    selectSurfaces(b, gbuffer, record, surfaces);
-    gatherAggregates(b, gbuffer, record, noResource, surfaces, "ma0r1");
-    shadeAggregates(b, record, generationOf(gbuffer, surfaces), "mscbr1");
-}
-
 void build(PlanBuilder& b) {
     b.defaultSurface(0.9f, 1.0f, 1.0f);
-    switch (b.plan.generationTier) {
-    case AGAA_TIER_NV_MIXED_SAMPLES:
+    if (b.plan.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
         return buildNative(b);
-    case AGAA_TIER_GBUFFER:
-        return buildFromGBuffer(b);
-    default:
-        return buildTwoPasses(b);
-    }
+    Aggregation surfaces;
+    surfaces.layout = surfaceLayout(b.plan.layout);
+    surfaces.packing = packAggregate(surfaces.layout, 1);
+    const uint32_t ownWords = b.plan.samples > 16 ? 2 : 1; // of src/shaders/math/records.glsl
+    surfaces.stride = surfaces.packing.words + ownWords;
+    surfaces.represented = true;
+    surfaces.definitionClears = true;
+    surfaces.define = [&](const auto& bindSamples, ResourceId aggregates) {
+        Pass& select = b.compute("select surfaces", AGAA_STAGE_DEFINITION, "select", "mg",
+                                 AGAA_SEGMENT_GENERATION);
+        b.bindCommon(select);
+        bindSamples(select);
+        b.bind(select, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
+        setRecord(select, surfaces);
+        return noResource;
+    };
+    b.plan.generationTier == AGAA_TIER_GBUFFER ? buildFromGBuffer(b, surfaces)
+                                               : buildTwoPasses(b, surfaces);
 }
 
 } // namespace
