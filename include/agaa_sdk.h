@@ -512,7 +512,7 @@ typedef struct AgaaShadow {
 /* Segments of a frame, so that a host can use what one leaves before it records the next. */
 #define AGAA_SEGMENT_PREPASS UINT64_C(0x1)    /* visibility */
 #define AGAA_SEGMENT_GENERATION UINT64_C(0x2) /* definition and material passes */
-#define AGAA_SEGMENT_SHADING UINT64_C(0x4)
+#define AGAA_SEGMENT_SHADING UINT64_C(0x4)    /* with the draw pass FORWARD of "msaa" */
 #define AGAA_SEGMENT_ALL UINT64_C(0x7)
 /* The camera of a frame is that of its first segment; lights are read with AGAA_SEGMENT_SHADING. A frame
  * whose command buffer is discarded counts as completed. */

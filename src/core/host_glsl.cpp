@@ -97,9 +97,9 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
     constexpr uint64_t most = 16384;
     if (lightBufferBytes(plan.facts.maxLights) > most)
         fail(AGAA_ERROR_UNSUPPORTED,
-             format("forward shading without storage blocks takes %llu lights; AgaaSceneFacts::maxLights is %u.",
-                    (unsigned long long)((most - lightBufferBytes(1)) / sizeof(GpuLight) + 1),
-                    plan.facts.maxLights));
+             format("forward shading without storage blocks takes %u lights; AgaaSceneFacts::maxLights is "
+                    "%u.",
+                    uint32_t((most - lightBufferBytes(1)) / sizeof(GpuLight) + 1), plan.facts.maxLights));
     out += "#define AGAA_LIGHT_BLOCK layout(std140, AGAA_AT_LIGHTS) uniform\n";
     defineSwitch(out, "AGAA_LIGHT_COUNT", std::max(plan.facts.maxLights, 1u));
     return out;

@@ -85,7 +85,8 @@ VkRenderingAttachmentInfo renderingAttachment(const Plan& plan, const Pass& pass
     info.imageView = resources[target].attachmentView;
     info.imageLayout = isDepth(format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
                                        : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    info.loadOp = (isDepth(format) ? pass.clearsDepth : pass.clearsColor) ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+    const bool clears = isDepth(format) ? pass.clearsDepth : pass.clearsColor;
+    info.loadOp = clears ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
     info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     info.clearValue = clearValue(plan, format);
     return info;

@@ -1,5 +1,5 @@
-// Visibility pass: depth and, where they are wanted, the primitive's normal in the frame of the pixel's view ray, where a
-// surface that is seen faces the viewer at any field of view.
+// Visibility pass: depth and, where they are wanted, the primitive's normal in the frame of the pixel's view
+// ray, where a surface that is seen faces the viewer at any field of view.
 void agaa_emit(AgaaSurfaceInput s) {
     agaa_checkPlacement(s.position);
 #if AGAA_WRITES_NORMALS
