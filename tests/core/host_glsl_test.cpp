@@ -1,6 +1,7 @@
 // The GLSL handed to hosts compiles for every technique, n, c, layout, tier and switch.
 #include "plan_support.h"
 
+#include "core/error.h"
 #include "core/host_glsl.h"
 
 #include <glslang/Public/ShaderLang.h>
@@ -100,6 +101,28 @@ TEST_P(HostDialects, CompilesForEveryPlan) {
         }
     });
     EXPECT_GT(compiled, 50);
+}
+
+// A uniform block promises 16 KiB: shadow maps, and what is left of it for lights.
+TEST(HostGlslForward, WithoutStorageBlocksLightsAreBounded) {
+    for (uint32_t lights : {231u, 232u}) {
+        ViewSpec spec;
+        spec.technique = "msaa";
+        spec.maxLights = lights;
+        const Plan plan = planFor(spec, fourSampleDevice());
+        HostDialect dialect;
+        dialect.openGl = dialect.storageImages = true;
+        for (const Pass& pass : plan.passes) {
+            if (pass.kind != PassKind::HostDraw || pass.drawPass != AGAA_DRAW_PASS_FORWARD)
+                continue;
+            if (lights > 231) {
+                EXPECT_THROW(hostDeclarations(plan, pass, dialect), Error);
+                continue;
+            }
+            EXPECT_NE(hostDeclarations(plan, pass, dialect).find("std140, AGAA_AT_LIGHTS"),
+                      std::string::npos);
+        }
+    }
 }
 
 HostDialect openGl(uint32_t version, bool images, bool outputs) {

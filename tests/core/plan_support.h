@@ -17,6 +17,7 @@ struct ViewSpec {
     uint64_t configFlags = 0;
     uint64_t facts = AGAA_FACT_ALL_SHADED;
     uint32_t shadowMaps = 1;
+    uint32_t maxLights = 64;
     uint64_t viewFlags = 0;
 };
 
@@ -44,6 +45,7 @@ inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     facts.flags = spec.facts;
     facts.shadowMapCount = spec.shadowMaps;
+    facts.maxLights = spec.maxLights;
     AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
     view.width = spec.width;
     view.height = spec.height;
