@@ -3,117 +3,83 @@
  * SPDX-License-Identifier: MIT
  */
 #include "agaa_vk.h"
-#include "vk_output.h"
+#include "host.h"
 
 #include <glslang/Include/glslang_c_interface.h>
 #include <glslang/Public/resource_limits_c.h>
-
-enum { maxPasses = 4, maxExtensions = 8, agaaSet = 0 };
-
-typedef struct Pass {
-    uint64_t key;
-    VkPipelineLayout layout;
-    VkPipeline pipeline;
-} Pass;
+#include <vulkan/vulkan.h>
 
 typedef struct Host {
     VkInstance instance;
     VkPhysicalDevice physicalDevice;
     VkDevice device;
-    uint32_t queueFamily;
-    VkPhysicalDeviceFeatures2 features;
-    const char* extensions[maxExtensions];
-    uint32_t extensionCount;
+    VkImage output;
+    VkImageView outputView;
+    VkDeviceMemory outputMemory;
     AgaaContext context;
     AgaaView view;
-    Pass passes[maxPasses];
     uint32_t passCount;
-    float clipFromShading[16];
+    uint64_t keys[maxPasses];
+    VkPipelineLayout layouts[maxPasses];
+    VkPipeline pipelines[maxPasses];
+    AgaaFrame frame;
 } Host;
 
-static void createInstance(Host* host, uint32_t apiVersion) {
-    const VkApplicationInfo application = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
-                                           .apiVersion = apiVersion};
-    const VkInstanceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
-                                       .pApplicationInfo = &application};
-    check(vkCreateInstance(&info, NULL, &host->instance), "vkCreateInstance");
-}
+/* What agaaVkGetRequirements requires. Dynamic rendering, an option, stays off: the pipelines are for render passes. */
+static const VkPhysicalDeviceFeatures2 enabledFeatures = {
+    .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
+    .features = {.fragmentStoresAndAtomics = VK_TRUE, .sampleRateShading = VK_TRUE,
+                 .shaderStorageImageExtendedFormats = VK_TRUE, .shaderStorageImageWriteWithoutFormat = VK_TRUE}};
 
-/* The first device of this version, and its first queue family for graphics and compute. */
-static void choosePhysicalDevice(Host* host, uint32_t apiVersion) {
-    const VkQueueFlags wanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-    VkPhysicalDevice devices[8];
-    uint32_t deviceCount = 8, i;
-    check(vkEnumeratePhysicalDevices(host->instance, &deviceCount, devices), "vkEnumeratePhysicalDevices");
-    for (i = 0; i < deviceCount; ++i) {
-        VkPhysicalDeviceProperties properties;
-        VkQueueFamilyProperties families[16];
-        uint32_t familyCount = 16;
-        vkGetPhysicalDeviceProperties(devices[i], &properties);
-        vkGetPhysicalDeviceQueueFamilyProperties(devices[i], &familyCount, families);
-        host->physicalDevice = devices[i];
-        for (host->queueFamily = 0; host->queueFamily < familyCount; ++host->queueFamily)
-            if (properties.apiVersion >= apiVersion &&
-                (families[host->queueFamily].queueFlags & wanted) == wanted)
-                return;
-    }
-    fail("No Vulkan device is of version 1.2 and has a queue for graphics and compute.");
-}
-
-/* [requirements] */
-static VkBool32* findFeature(VkPhysicalDeviceFeatures* features, const char* name) {
-    if (strcmp(name, "fragmentStoresAndAtomics") == 0)
-        return &features->fragmentStoresAndAtomics;
-    if (strcmp(name, "sampleRateShading") == 0)
-        return &features->sampleRateShading;
-    if (strcmp(name, "shaderStorageImageExtendedFormats") == 0)
-        return &features->shaderStorageImageExtendedFormats;
-    if (strcmp(name, "shaderStorageImageWriteWithoutFormat") == 0)
-        return &features->shaderStorageImageWriteWithoutFormat;
-    fail("The SDK requires the feature \"%s\", which this host does not know.", name);
-    return NULL;
-}
-
-/* Enables the required features, and of the optional extensions those that the device has. The optional
- * feature, dynamic rendering, stays off: this host's pipelines are made for render passes. */
-static void chooseFeatures(Host* host, const AgaaVkRequirements* sdk) {
-    static VkExtensionProperties available[1024];
-    VkPhysicalDeviceFeatures supported;
-    uint32_t availableCount = 1024, i, j;
-    vkGetPhysicalDeviceFeatures(host->physicalDevice, &supported);
-    host->features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    for (i = 0; i < sdk->requiredFeatureCount; ++i) {
-        if (!*findFeature(&supported, sdk->requiredFeatures[i]))
-            fail("The device lacks the feature \"%s\".", sdk->requiredFeatures[i]);
-        *findFeature(&host->features.features, sdk->requiredFeatures[i]) = VK_TRUE;
-    }
-    check(vkEnumerateDeviceExtensionProperties(host->physicalDevice, NULL, &availableCount, available),
-          "vkEnumerateDeviceExtensionProperties");
-    for (i = 0; i < sdk->optionalDeviceExtensionCount && host->extensionCount < maxExtensions; ++i)
-        for (j = 0; j < availableCount; ++j)
-            if (strcmp(available[j].extensionName, sdk->optionalDeviceExtensions[i]) == 0)
-                host->extensions[host->extensionCount++] = sdk->optionalDeviceExtensions[i];
-}
-/* [/requirements] */
-
+/* The first device and its first queue family, which every common driver has for graphics and compute. */
 static void createDevice(Host* host) {
+    const VkApplicationInfo app = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .apiVersion = VK_API_VERSION_1_2};
+    const VkInstanceCreateInfo instance = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO, .pApplicationInfo = &app};
     const float priority = 1.0f;
     const VkDeviceQueueCreateInfo queue = {.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-                                           .queueFamilyIndex = host->queueFamily,
-                                           .queueCount = 1,
-                                           .pQueuePriorities = &priority};
-    const VkDeviceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
-                                     .pNext = &host->features,
-                                     .queueCreateInfoCount = 1,
-                                     .pQueueCreateInfos = &queue,
-                                     .enabledExtensionCount = host->extensionCount,
-                                     .ppEnabledExtensionNames = host->extensions};
-    check(vkCreateDevice(host->physicalDevice, &info, NULL, &host->device), "vkCreateDevice");
+                                           .queueCount = 1, .pQueuePriorities = &priority};
+    const VkDeviceCreateInfo device = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, .pNext = &enabledFeatures,
+                                       .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue};
+    uint32_t count = 1;
+    CHECK(vkCreateInstance(&instance, NULL, &host->instance));
+    CHECK(vkEnumeratePhysicalDevices(host->instance, &count, &host->physicalDevice));
+    require(count == 1, "There is no Vulkan device.");
+    CHECK(vkCreateDevice(host->physicalDevice, &device, NULL, &host->device));
 }
 
-/* [context] */
-static AgaaVkFunction AGAA_CALL getProcAddr(void* instance, const char* name) {
-    return (AgaaVkFunction)vkGetInstanceProcAddr((VkInstance)instance, name);
+/* Linear and mapped, so that the CPU reads what the SDK has written. An engine's image is its own. */
+static const float* createOutput(Host* host) {
+    const VkMemoryPropertyFlags wanted = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    const VkImageCreateInfo image = {
+        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO, .imageType = VK_IMAGE_TYPE_2D,
+        .format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = {width, height, 1}, .mipLevels = 1, .arrayLayers = 1,
+        .samples = VK_SAMPLE_COUNT_1_BIT, .tiling = VK_IMAGE_TILING_LINEAR, .usage = VK_IMAGE_USAGE_STORAGE_BIT};
+    VkMemoryAllocateInfo memory = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+    const VkImageSubresource color = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0};
+    VkImageFormatProperties limits;
+    VkSubresourceLayout rows;
+    VkPhysicalDeviceMemoryProperties types;
+    VkMemoryRequirements needed;
+    void* pixels;
+    CHECK(vkGetPhysicalDeviceImageFormatProperties(host->physicalDevice, image.format, image.imageType, image.tiling,
+                                                   image.usage, 0, &limits));
+    CHECK(vkCreateImage(host->device, &image, NULL, &host->output));
+    vkGetImageMemoryRequirements(host->device, host->output, &needed);
+    vkGetImageSubresourceLayout(host->device, host->output, &color, &rows);
+    require(rows.offset == 0 && rows.rowPitch == width * 4 * sizeof(float), "The rows of the image have gaps.");
+    vkGetPhysicalDeviceMemoryProperties(host->physicalDevice, &types);
+    while (!(needed.memoryTypeBits >> memory.memoryTypeIndex & 1) ||
+           (types.memoryTypes[memory.memoryTypeIndex].propertyFlags & wanted) != wanted)
+        require(++memory.memoryTypeIndex < types.memoryTypeCount, "No memory serves image and CPU.");
+    memory.allocationSize = needed.size;
+    CHECK(vkAllocateMemory(host->device, &memory, NULL, &host->outputMemory));
+    CHECK(vkBindImageMemory(host->device, host->output, host->outputMemory, 0));
+    CHECK(vkMapMemory(host->device, host->outputMemory, 0, VK_WHOLE_SIZE, 0, &pixels));
+    const VkImageViewCreateInfo view = {
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO, .image = host->output, .viewType = VK_IMAGE_VIEW_TYPE_2D,
+        .format = image.format, .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+    CHECK(vkCreateImageView(host->device, &view, NULL, &host->outputView));
+    return pixels;
 }
 
 static void createContext(Host* host) {
@@ -123,277 +89,194 @@ static void createContext(Host* host) {
     desc.instance = host->instance;
     desc.physicalDevice = host->physicalDevice;
     desc.device = host->device;
-    desc.queueFamily = host->queueFamily;
+    desc.queueFamily = 0;
     desc.apiVersion = VK_API_VERSION_1_2;
-    desc.getProcAddr = getProcAddr;
-    desc.enabledExtensions = host->extensions;
-    desc.enabledExtensionCount = host->extensionCount;
-    desc.enabledFeatures = &host->features;
-    desc.descriptorSet = agaaSet;
+    desc.getProcAddr = (AgaaVkGetInstanceProcAddr)vkGetInstanceProcAddr;
+    desc.enabledFeatures = &enabledFeatures;
+    desc.descriptorSet = 0;
     desc.framesInFlight = 1; /* this host waits for each frame */
     desc.log = &log;
-    checkSdk(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &host->context), "agaaVkCreateContext");
+    CHECK(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &host->context));
+    const AgaaViewDesc view = describeView();
+    CHECK(agaaVkCreateView(host->context, &view, &host->view));
 }
-/* [/context] */
 
-/* [view] */
-static void createView(Host* host) {
-    const AgaaConfig config = sceneConfig();
-    const AgaaSceneFacts facts = sceneFacts();
-    AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
-    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
-    AgaaMemoryReport memory = AGAA_MEMORY_REPORT_INIT;
-    desc.width = width;
-    desc.height = height;
-    desc.config = &config;
-    desc.facts = &facts;
-    checkSdk(agaaVkGetContextCaps(host->context, &caps), "agaaVkGetContextCaps");
-    checkSdk(agaaQueryMemory(&desc, &caps, NULL, &memory, NULL, NULL), "agaaQueryMemory");
-    printf("%s: %.0f bytes per pixel\n", caps.deviceName, memory.bytesPerPixel);
-    checkSdk(agaaVkCreateView(host->context, &desc, &host->view), "agaaVkCreateView");
-}
-/* [/view] */
-
-/* [compile] */
 static VkShaderModule compile(const Host* host, glslang_stage_t stage, const char* extensions,
                               const char* declarations, const char* code) {
     static char text[1 << 18];
-    const int messages = GLSLANG_MSG_SPV_RULES_BIT | GLSLANG_MSG_VULKAN_RULES_BIT;
-    const glslang_input_t input = {.language = GLSLANG_SOURCE_GLSL,
-                                   .stage = stage,
-                                   .client = GLSLANG_CLIENT_VULKAN,
-                                   .client_version = GLSLANG_TARGET_VULKAN_1_2,
-                                   .target_language = GLSLANG_TARGET_SPV,
-                                   .target_language_version = GLSLANG_TARGET_SPV_1_5,
-                                   .code = text,
-                                   .messages = (glslang_messages_t)messages,
-                                   .resource = glslang_default_resource()};
+    const glslang_messages_t messages = GLSLANG_MSG_SPV_RULES_BIT | GLSLANG_MSG_VULKAN_RULES_BIT;
+    const glslang_input_t input = {
+        .language = GLSLANG_SOURCE_GLSL, .stage = stage, .code = text, .resource = glslang_default_resource(),
+        .client = GLSLANG_CLIENT_VULKAN, .client_version = GLSLANG_TARGET_VULKAN_1_2, .messages = messages,
+        .target_language = GLSLANG_TARGET_SPV, .target_language_version = GLSLANG_TARGET_SPV_1_5};
+    const int length = snprintf(text, sizeof text, "#version 450\n%s%s%s", extensions, declarations, code);
     glslang_program_t* program = glslang_program_create();
     glslang_shader_t* shader = glslang_shader_create(&input);
-    VkShaderModuleCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     VkShaderModule module;
-    if (snprintf(text, sizeof text, "#version 450\n%s%s%s", extensions, declarations, code) >=
-        (int)sizeof text)
-        fail("A shader is longer than this host expects.");
-    if (!glslang_shader_preprocess(shader, &input) || !glslang_shader_parse(shader, &input))
-        fail("A shader does not compile: %s", glslang_shader_get_info_log(shader));
+    require(length < (int)sizeof text, "A shader is longer than this host expects.");
+    require(glslang_shader_preprocess(shader, &input) && glslang_shader_parse(shader, &input),
+            glslang_shader_get_info_log(shader));
     glslang_program_add_shader(program, shader);
-    if (!glslang_program_link(program, messages))
-        fail("A shader does not link: %s", glslang_program_get_info_log(program));
+    require(glslang_program_link(program, messages), glslang_program_get_info_log(program));
     glslang_program_SPIRV_generate(program, stage);
-    info.codeSize = glslang_program_SPIRV_get_size(program) * sizeof(uint32_t);
-    info.pCode = glslang_program_SPIRV_get_ptr(program);
-    check(vkCreateShaderModule(host->device, &info, NULL, &module), "vkCreateShaderModule");
+    const VkShaderModuleCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .pCode = glslang_program_SPIRV_get_ptr(program),
+        .codeSize = glslang_program_SPIRV_get_size(program) * sizeof(uint32_t)};
+    CHECK(vkCreateShaderModule(host->device, &info, NULL, &module));
     glslang_program_delete(program);
     glslang_shader_delete(shader);
     return module;
 }
-/* [/compile] */
 
-static Pass createPass(const Host* host, const AgaaVkDrawPass* sdk, VkShaderModule vertex) {
-    static const VkCompareOp compareOps[] = {VK_COMPARE_OP_LESS, VK_COMPARE_OP_GREATER,
-                                             VK_COMPARE_OP_EQUAL, VK_COMPARE_OP_ALWAYS};
-    /* [layout] */
+static void createPass(Host* host, uint32_t index, const AgaaVkDrawPass* sdk, VkShaderModule vertex) {
+    static const VkCompareOp compareOps[] = {VK_COMPARE_OP_LESS, VK_COMPARE_OP_GREATER, VK_COMPARE_OP_EQUAL,
+                                             VK_COMPARE_OP_ALWAYS};
+    const VkShaderModule fragment = compile(host, GLSLANG_STAGE_FRAGMENT, sdk->glslExtensions, sdk->glslDeclarations,
+                                            materialCode);
     const VkDescriptorSetLayout set = (VkDescriptorSetLayout)sdk->descriptorSetLayout;
-    const VkPushConstantRange push = {VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->clipFromShading};
-    const VkPipelineLayoutCreateInfo layout = {.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                               .setLayoutCount = 1, /* agaaSet is 0 */
-                                               .pSetLayouts = &set,
-                                               .pushConstantRangeCount = 1,
-                                               .pPushConstantRanges = &push};
-    /* [/layout] */
+    const VkPushConstantRange push = {VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->frame.projection};
+    const VkPipelineLayoutCreateInfo layout = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = 1, .pSetLayouts = &set,
+        .pushConstantRangeCount = 1, .pPushConstantRanges = &push};
     const VkPipelineShaderStageCreateInfo stages[2] = {
-        {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-         .stage = VK_SHADER_STAGE_VERTEX_BIT,
+        {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, .stage = VK_SHADER_STAGE_VERTEX_BIT,
          .module = vertex, .pName = "main"},
-        {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-         .stage = VK_SHADER_STAGE_FRAGMENT_BIT,
-         .module = compile(host, GLSLANG_STAGE_FRAGMENT, sdk->glslExtensions, sdk->glslDeclarations,
-                           materialCode),
-         .pName = "main"}};
+        {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, .stage = VK_SHADER_STAGE_FRAGMENT_BIT,
+         .module = fragment, .pName = "main"}};
     const VkPipelineVertexInputStateCreateInfo input = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     const VkPipelineInputAssemblyStateCreateInfo assembly = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
     const VkPipelineViewportStateCreateInfo viewport = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
-        .viewportCount = 1, .scissorCount = 1};
-    /* [state] */
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
     const VkPipelineRasterizationStateCreateInfo rasterization = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
-        .cullMode = VK_CULL_MODE_NONE, /* the host's choice, but the same in every pass */
-        .lineWidth = 1.0f};
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .lineWidth = 1.0f,
+        .cullMode = VK_CULL_MODE_NONE}; /* the host's choice, but the same in every pass */
     const VkPipelineMultisampleStateCreateInfo multisample = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
         .rasterizationSamples = (VkSampleCountFlagBits)sdk->state.samples,
-        .sampleShadingEnable = sdk->state.sampleShading,
-        .minSampleShading = 1.0f};
+        .sampleShadingEnable = sdk->state.sampleShading, .minSampleShading = 1.0f};
     const VkStencilOpState stencil = {.passOp = VK_STENCIL_OP_INCREMENT_AND_CLAMP,
-                                      .compareOp = VK_COMPARE_OP_EQUAL,
-                                      .compareMask = 0xFF,
-                                      .writeMask = 0xFF};
+                                      .compareOp = VK_COMPARE_OP_EQUAL, .compareMask = 0xFF, .writeMask = 0xFF};
     const VkPipelineDepthStencilStateCreateInfo depthStencil = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
-        .depthTestEnable = VK_TRUE,
-        .depthWriteEnable = sdk->state.depthWrite,
-        .depthCompareOp = compareOps[sdk->state.depthCompare],
-        .stencilTestEnable = sdk->state.stencilTest,
-        .front = stencil, .back = stencil};
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO, .depthTestEnable = VK_TRUE,
+        .depthWriteEnable = sdk->state.depthWrite, .depthCompareOp = compareOps[sdk->state.depthCompare],
+        .stencilTestEnable = sdk->state.stencilTest, .front = stencil, .back = stencil};
     const VkPipelineColorBlendAttachmentState target = {.colorWriteMask = sdk->state.colorWriteMask};
     const VkPipelineColorBlendAttachmentState targets[4] = {target, target, target, target};
     const VkPipelineColorBlendStateCreateInfo blend = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
-        .attachmentCount = sdk->state.colorAttachmentCount,
-        .pAttachments = targets};
-    /* [/state] */
-    const VkDynamicState dynamics[2] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+        .attachmentCount = sdk->state.colorAttachmentCount, .pAttachments = targets};
     const VkPipelineDynamicStateCreateInfo dynamic = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
-        .dynamicStateCount = 2,
-        .pDynamicStates = dynamics};
-    VkGraphicsPipelineCreateInfo info = {.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
-                                         .stageCount = 2,
-                                         .pStages = stages,
-                                         .pVertexInputState = &input,
-                                         .pInputAssemblyState = &assembly,
-                                         .pViewportState = &viewport,
-                                         .pRasterizationState = &rasterization,
-                                         .pMultisampleState = &multisample,
-                                         .pDepthStencilState = &depthStencil,
-                                         .pColorBlendState = &blend,
-                                         .pDynamicState = &dynamic,
-                                         .renderPass = (VkRenderPass)sdk->renderPass};
-    Pass pass = {.key = sdk->pipelineKey};
-    check(vkCreatePipelineLayout(host->device, &layout, NULL, &pass.layout), "vkCreatePipelineLayout");
-    info.layout = pass.layout;
-    check(vkCreateGraphicsPipelines(host->device, VK_NULL_HANDLE, 1, &info, NULL, &pass.pipeline),
-          "vkCreateGraphicsPipelines");
-    vkDestroyShaderModule(host->device, stages[1].module, NULL);
-    return pass;
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO, .dynamicStateCount = 2,
+        .pDynamicStates = (VkDynamicState[]){VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR}};
+    host->keys[index] = sdk->pipelineKey;
+    CHECK(vkCreatePipelineLayout(host->device, &layout, NULL, &host->layouts[index]));
+    const VkGraphicsPipelineCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, .stageCount = 2, .pStages = stages,
+        .pVertexInputState = &input, .pInputAssemblyState = &assembly, .pViewportState = &viewport,
+        .pRasterizationState = &rasterization, .pMultisampleState = &multisample, .pDepthStencilState = &depthStencil,
+        .pColorBlendState = &blend, .pDynamicState = &dynamic, .layout = host->layouts[index],
+        .renderPass = (VkRenderPass)sdk->renderPass};
+    CHECK(vkCreateGraphicsPipelines(host->device, VK_NULL_HANDLE, 1, &info, NULL, &host->pipelines[index]));
+    vkDestroyShaderModule(host->device, fragment, NULL);
 }
 
-/* [passes] */
 static void createPasses(Host* host) {
-    AgaaVkDrawPass passes[maxPasses] = {AGAA_VK_DRAW_PASS_INIT, AGAA_VK_DRAW_PASS_INIT,
-                                        AGAA_VK_DRAW_PASS_INIT, AGAA_VK_DRAW_PASS_INIT};
-    VkShaderModule vertex;
-    uint32_t i;
+    AgaaVkDrawPass passes[maxPasses] = {AGAA_VK_DRAW_PASS_INIT, AGAA_VK_DRAW_PASS_INIT, AGAA_VK_DRAW_PASS_INIT,
+                                        AGAA_VK_DRAW_PASS_INIT};
     host->passCount = maxPasses;
-    checkSdk(agaaVkGetDrawPasses(host->view, &host->passCount, passes), "agaaVkGetDrawPasses");
+    CHECK(agaaVkGetDrawPasses(host->view, &host->passCount, passes));
     glslang_initialize_process();
-    vertex = compile(host, GLSLANG_STAGE_VERTEX, "#define VERTEX gl_VertexIndex\n",
-                     "layout(push_constant) uniform Push { mat4 clipFromShading; };\n", vertexCode);
-    for (i = 0; i < host->passCount; ++i)
-        host->passes[i] = createPass(host, &passes[i], vertex);
-    glslang_finalize_process();
+    const VkShaderModule vertex = compile(host, GLSLANG_STAGE_VERTEX, "#define VERTEX gl_VertexIndex\n",
+                                          "layout(push_constant) uniform Push { mat4 clipFromShading; };", vertexCode);
+    for (uint32_t i = 0; i < host->passCount; ++i)
+        createPass(host, i, &passes[i], vertex);
     vkDestroyShaderModule(host->device, vertex, NULL);
+    glslang_finalize_process();
 }
-/* [/passes] */
 
-/* [draw] */
 static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
-    const Host* host = (const Host*)user;
-    const VkCommandBuffer commands = (VkCommandBuffer)target->commandBuffer;
+    const Host* host = user;
+    const VkCommandBuffer commands = target->commandBuffer;
     const VkDescriptorSet set = (VkDescriptorSet)target->descriptorSet;
     const VkViewport viewport = {0.0f, 0.0f, (float)target->width, (float)target->height, 0.0f, 1.0f};
     const VkRect2D scissor = {{0, 0}, {target->width, target->height}};
-    const Pass* pass = host->passes;
-    while (pass->key != target->pipelineKey)
-        if (++pass == host->passes + host->passCount)
+    uint32_t pass = 0;
+    while (host->keys[pass] != target->pipelineKey)
+        if (++pass == host->passCount)
             return AGAA_ERROR_CALLBACK;
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scissor);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass->pipeline);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass->layout, agaaSet, 1, &set, 0,
-                            NULL);
-    vkCmdPushConstants(commands, pass->layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->clipFromShading,
-                       host->clipFromShading);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, host->pipelines[pass]);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, host->layouts[pass], 0, 1, &set, 0, NULL);
+    vkCmdPushConstants(commands, host->layouts[pass], VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->frame.projection,
+                       host->frame.projection);
     vkCmdDraw(commands, vertexCount, 1, 0, 0);
     return AGAA_OK;
 }
-/* [/draw] */
 
-/* [record] */
-static void recordFrame(Host* host, uint64_t frameIndex, const Output* output, VkCommandBuffer commands) {
-    AgaaFrame frame = sceneFrame(0.0f);
-    AgaaVkFrame vkFrame = AGAA_VK_FRAME_INIT;
-    memcpy(host->clipFromShading, frame.projection, sizeof host->clipFromShading);
-    frame.frameIndex = frameIndex;
-    frame.completedFrame = frameIndex - 1; /* the one before has been waited for */
-    frame.draw = draw;
-    frame.drawUser = host;
-    vkFrame.commandBuffer = commands;
-    vkFrame.outputImage = (uint64_t)output->image;
-    vkFrame.outputView = (uint64_t)output->view;
-    vkFrame.outputLayoutIn = VK_IMAGE_LAYOUT_UNDEFINED;
-    vkFrame.outputLayoutOut = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
-    checkSdk(agaaVkRecordFrame(host->view, &frame, &vkFrame), "agaaVkRecordFrame");
-}
-/* [/record] */
-
-static void renderFrames(Host* host, const Output* output) {
-    const VkCommandPoolCreateInfo poolInfo = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                              .queueFamilyIndex = host->queueFamily};
-    const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                            .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+static void renderFrames(Host* host) {
+    const VkCommandPoolCreateInfo poolInfo = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    const VkMemoryBarrier out = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER, .srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT,
+                                 .dstAccessMask = VK_ACCESS_HOST_READ_BIT};
     VkCommandBufferAllocateInfo allocation = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                              .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                               .commandBufferCount = 1};
     VkCommandBuffer commands;
-    const VkSubmitInfo submit = {.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO,
-                                 .commandBufferCount = 1,
+    const VkSubmitInfo submit = {.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1,
                                  .pCommandBuffers = &commands};
+    AgaaVkFrame vkFrame = AGAA_VK_FRAME_INIT;
     VkQueue queue;
-    uint64_t i;
-    vkGetDeviceQueue(host->device, host->queueFamily, 0, &queue);
-    check(vkCreateCommandPool(host->device, &poolInfo, NULL, &allocation.commandPool), "vkCreateCommandPool");
-    check(vkAllocateCommandBuffers(host->device, &allocation, &commands), "vkAllocateCommandBuffers");
-    for (i = 1; i <= frameCount; ++i) {
-        check(vkResetCommandPool(host->device, allocation.commandPool, 0), "vkResetCommandPool");
-        check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
-        recordFrame(host, i, output, commands);
-        recordReadback(output, commands);
-        check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
-        check(vkQueueSubmit(queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit");
-        check(vkQueueWaitIdle(queue), "vkQueueWaitIdle");
+    vkGetDeviceQueue(host->device, 0, 0, &queue);
+    CHECK(vkCreateCommandPool(host->device, &poolInfo, NULL, &allocation.commandPool));
+    CHECK(vkAllocateCommandBuffers(host->device, &allocation, &commands));
+    vkFrame.commandBuffer = commands;
+    vkFrame.outputImage = (uint64_t)host->output;
+    vkFrame.outputView = (uint64_t)host->outputView;
+    vkFrame.outputLayoutIn = VK_IMAGE_LAYOUT_UNDEFINED;
+    vkFrame.outputLayoutOut = VK_IMAGE_LAYOUT_GENERAL;
+    for (uint64_t i = 1; i <= frameCount; ++i) {
+        host->frame = describeFrame(i, 0.0f);
+        host->frame.draw = draw;
+        host->frame.drawUser = host;
+        CHECK(vkResetCommandPool(host->device, allocation.commandPool, 0));
+        CHECK(vkBeginCommandBuffer(commands, &begin));
+        CHECK(agaaVkRecordFrame(host->view, &host->frame, &vkFrame));
+        vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &out, 0,
+                             NULL, 0, NULL);
+        CHECK(vkEndCommandBuffer(commands));
+        CHECK(vkQueueSubmit(queue, 1, &submit, VK_NULL_HANDLE));
+        CHECK(vkQueueWaitIdle(queue));
         reportFrame(host->view, i);
     }
     vkDestroyCommandPool(host->device, allocation.commandPool, NULL);
 }
 
-/* [destroy] */
-static void destroy(Host* host, const Output* output) {
-    uint32_t i;
+static void destroy(Host* host) {
     agaaDestroyView(host->view);
     agaaDestroyContext(host->context);
-    for (i = 0; i < host->passCount; ++i) {
-        vkDestroyPipeline(host->device, host->passes[i].pipeline, NULL);
-        vkDestroyPipelineLayout(host->device, host->passes[i].layout, NULL);
+    for (uint32_t i = 0; i < host->passCount; ++i) {
+        vkDestroyPipeline(host->device, host->pipelines[i], NULL);
+        vkDestroyPipelineLayout(host->device, host->layouts[i], NULL);
     }
-    destroyOutput(host->device, output);
+    vkDestroyImageView(host->device, host->outputView, NULL);
+    vkDestroyImage(host->device, host->output, NULL);
+    vkFreeMemory(host->device, host->outputMemory, NULL);
     vkDestroyDevice(host->device, NULL);
     vkDestroyInstance(host->instance, NULL);
 }
-/* [/destroy] */
 
 int main(int argumentCount, char** arguments) {
-    AgaaVkRequirements requirements = AGAA_VK_REQUIREMENTS_INIT;
     Host host = {0};
-    Output output;
-    if (argumentCount != 2)
-        fail("Usage: minimal_vk IMAGE.ppm");
-    checkSdk(agaaVkGetRequirements(&requirements), "agaaVkGetRequirements");
-    createInstance(&host, requirements.apiVersion);
-    choosePhysicalDevice(&host, requirements.apiVersion);
-    chooseFeatures(&host, &requirements);
+    require(argumentCount == 2, "Usage: minimal_vk IMAGE.ppm");
     createDevice(&host);
+    const float* pixels = createOutput(&host);
     createContext(&host);
-    createView(&host);
     createPasses(&host);
-    output = createOutput(host.physicalDevice, host.device);
-    renderFrames(&host, &output);
-    writeImage(arguments[1], output.pixels);
-    destroy(&host, &output);
+    renderFrames(&host);
+    writeImage(arguments[1], pixels);
+    destroy(&host);
     return EXIT_SUCCESS;
 }

@@ -56,17 +56,16 @@ class Minimal(unittest.TestCase):
             return read_ppm(path), result.stderr
 
     def check_output(self, text):
-        """The device and the frames, and nothing else: validation layers write here, too."""
+        """The frames and nothing else: validation layers write here, too. The host itself refuses frames in
+        which samples are missed or accumulated twice."""
         lines = text.splitlines()
-        self.assertRegex(lines[0], r"^.+: \d+ bytes per pixel$", text)
-        self.assertEqual(len(lines), 1 + FRAMES, text)
-        for index, line in enumerate(lines[1:], 1):
-            found = re.fullmatch(rf"frame {index}: visible (\d+) once (\d+) missed (\d+) multi (\d+) "
-                                 r"shadingEvents (\d+)", line)
+        self.assertEqual(len(lines), FRAMES, text)
+        for index, line in enumerate(lines, 1):
+            found = re.fullmatch(rf"frame {index}: visible (\d+) once (\d+) shadingEvents (\d+)", line)
             self.assertIsNotNone(found, text)
-            visible, once, missed, multi, events = map(int, found.groups())
+            visible, once, events = map(int, found.groups())
             self.assertGreater(visible, 0)
-            self.assertEqual((once, missed, multi), (visible, 0, 0), text)
+            self.assertEqual(once, visible, text)
             # Once for many samples is what the technique is for.
             self.assertTrue(visible / SAMPLES <= events < visible / 2, text)
 
