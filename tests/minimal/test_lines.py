@@ -1,0 +1,36 @@
+"""Measures the minimal hosts: what an integration takes is told by the lines of the smallest one."""
+import os
+import pathlib
+import re
+import unittest
+
+FOLDER = pathlib.Path(os.environ["AGAA_SOURCE"]) / "samples" / "minimal"
+LIMIT = 400  # every host stays below it, its scene, comments and empty lines included
+
+
+def files_of(path):
+    """The file and all of the folder that it includes, directly or not."""
+    found, open_ends = set(), [path]
+    while open_ends:
+        file = open_ends.pop()
+        if file.exists() and file not in found:
+            found.add(file)
+            names = re.findall(r'^#include "(.+)"$', file.read_text(), re.MULTILINE)
+            open_ends += [FOLDER / name for name in names]
+    return found
+
+
+class Lines(unittest.TestCase):
+    def test_hosts_are_small(self):
+        hosts = sorted(FOLDER.glob("*.c"))
+        self.assertEqual([host.name for host in hosts], ["minimal_gl.c", "minimal_vk.c"])
+        for host in hosts:
+            lines = {file.name: len(file.read_text().splitlines()) for file in files_of(host)}
+            self.assertIn("host.h", lines)
+            self.assertLess(sum(lines.values()), LIMIT, lines)
+            for file in files_of(host):
+                self.assertLessEqual(max(map(len, file.read_text().splitlines())), 120, file.name)
+
+
+if __name__ == "__main__":
+    unittest.main()
