@@ -1,6 +1,6 @@
 #include "sweep/scene_sweep.h"
 
-#include "cli/quantiles.h"
+#include "sweep/quantiles.h"
 #include "sweep/temporal.h"
 
 #include <algorithm>
