@@ -120,7 +120,7 @@ void SceneSweep::measureErrors() {
         m.differenceFile = "images/" + difference;
         if (m.row.technique == "msaa")
             continue;
-        // As dark as an image: one event is a quarter of the way to white, eight are near it.
+        // Shown as a light of a quarter each: one event is mid-grey, eight are near white.
         Image events = render(m.row, AGAA_CONFIG_SHOW_EVENTS).image;
         for (float& value : events.rgb)
             value *= 0.25f;

@@ -5,10 +5,6 @@
 #define AGAA_MATH_RECORDS_GLSL
 #include "real.glsl"
 
-uint agaa_surfaceRecordWords(uint n) {
-    return n > 16u ? 2u : 1u;
-}
-
 uvec2 agaa_storedSurface(uint samples, uint shaded, uint n) {
     return n > 16u ? uvec2(samples, shaded) : uvec2(samples | (shaded << 16u), 0u);
 }
