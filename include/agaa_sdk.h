@@ -240,6 +240,8 @@ typedef enum AgaaTier {
 #define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2 (c), for comparison */
 #define AGAA_CONFIG_SHOW_EVENTS UINT64_C(0x100) /* the output is each pixel's number of shading events, in all
                                                    channels; not of "msaa", which cannot tell */
+#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x200) /* AGAA 3.3 to the letter: samples of one surface may become
+                                                      several aggregates, as distance parts them too */
 
 typedef struct AgaaConfig {
     uint32_t sType;
@@ -254,7 +256,8 @@ typedef struct AgaaConfig {
     float characteristicLength;            /* k of equation 1, in host units, [0;inf) */
     float characteristicLengthPerDistance; /* k is at least this times the distance, [0;1]; k > 0 */
     float aggregateThreshold; /* t: a further aggregate must be farther than this, [0;inf) */
-    /* What counts as one surface, for techniques that shade surfaces once; 0: as the technique has it. */
+    /* What counts as one surface: shaded once by "simple_complex" and "sbaa", one aggregate of "agaa". 0: as the
+     * technique has it. */
     float surfaceCosine;   /* least cosine between normals, [0;1] */
     float surfaceDistance; /* from the surface's plane, in widths of a pixel at its depth, [0;inf) */
     float surfaceMaterial; /* largest difference of a material's channel, [0;1]; read by "simple_complex" */

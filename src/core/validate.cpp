@@ -90,7 +90,8 @@ AgaaConfig checkConfig(const AgaaConfig* pointer) {
     constexpr uint64_t known = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK |
                                AGAA_CONFIG_NO_DIFFUSE_FILTER | AGAA_CONFIG_NO_SHADOW_FILTER |
                                AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_NO_STENCIL |
-                               AGAA_CONFIG_FIRST_SAMPLE_ROUTING | AGAA_CONFIG_SHOW_EVENTS;
+                               AGAA_CONFIG_FIRST_SAMPLE_ROUTING | AGAA_CONFIG_SHOW_EVENTS |
+                               AGAA_CONFIG_SPLIT_SURFACES;
     require((config.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaConfig::flags has bits that are not known here.");
     return config;

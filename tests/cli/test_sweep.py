@@ -75,6 +75,20 @@ class Sweep(unittest.TestCase):
         self.assertEqual(result.returncode, 2)
         self.assertIn("nowhere", result.stderr)
 
+    def test_rows_that_are_asked_for(self):
+        with tempfile.TemporaryDirectory() as folder:
+            arguments = ["sweep", "--quick", "--scene", "metal", "--size", "32x18", "--out", folder]
+            result = harness.run(*arguments, "--row", "agaa-9-2")
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("agaa-9-2", result.stderr)
+            self.assertIn("agaa-8-2", result.stderr, "names those that there are")
+            written = harness.data(*arguments, "--row", "agaa-8-2", "--row", "ssaa-8")
+            with open(written["results"]) as file:
+                results = json.load(file)
+            self.assertEqual(results["rows"], ["agaa-8-2", "ssaa-8"])
+            rows = results["backends"][0]["scenes"][0]["rows"]
+            self.assertEqual([(r["technique"], r["n"], r["c"]) for r in rows], [("agaa", 8, 2), ("ssaa", 8, 0)])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -76,6 +76,31 @@ TEST(MathSurfaces, KnownPlanes) {
     EXPECT_EQ(state.agaa_surfaceSamples[0], 0xFFu);
 }
 
+// A slanted wall is one surface at any slope; a step of more than the tolerance or a crease is not, whichever
+// sample is first; one sample and none are.
+TEST(MathSurfaces, AllSamplesOfOnePlane) {
+    for (const double slope : {0.0, 1.0, 20.0}) {
+        const glm::dvec3 normal = glm::normalize(glm::dvec3(slope, 0, 1));
+        for (unsigned odd = 0; odd < 8; ++odd)
+            for (const bool isStep : {true, false}) {
+                math_f::Clustering flat{}, other{};
+                for (unsigned i = 0; i < 8; ++i) {
+                    const glm::dvec3 p(0.003 * i, 0.001 * (i % 3), -0.003 * i * slope);
+                    const bool stands = i == odd;
+                    const glm::dvec3 off = stands && isStep ? 1.5 * width * normal : glm::dvec3(0);
+                    const glm::dvec3 n = stands && !isStep ? glm::dvec3(0.6, 0, 0.8) * (slope > 0.5 ? -1.0 : 1.0) : normal;
+                    flat.agaa_setSample(i, glm::vec3(p), glm::vec3(normal), 0, 0);
+                    other.agaa_setSample(i, glm::vec3(p + off), glm::vec3(n), 0, 0);
+                }
+                EXPECT_TRUE(flat.agaa_areAllOneSurface(8, 0xFF, float(cosine), float(width)));
+                EXPECT_FALSE(other.agaa_areAllOneSurface(8, 0xFF, float(cosine), float(width))) << odd;
+                EXPECT_TRUE(other.agaa_areAllOneSurface(8, 0xFF & ~(1u << odd), float(cosine), float(width)));
+                EXPECT_TRUE(other.agaa_areAllOneSurface(8, 1u << odd, float(cosine), float(width)));
+                EXPECT_TRUE(other.agaa_areAllOneSurface(8, 0, float(cosine), float(width)));
+            }
+    }
+}
+
 // The largest surfaces are kept, whatever the order that they come in.
 TEST(MathSurfaces, KeepsTheLargest) {
     const unsigned sizes[] = {1, 4, 2, 6, 3, 5, 2, 9};

@@ -173,6 +173,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };
     flag(arguments.noStencil, AGAA_CONFIG_NO_STENCIL);
     flag(arguments.firstSampleRouting, AGAA_CONFIG_FIRST_SAMPLE_ROUTING);
+    flag(arguments.splitSurfaces, AGAA_CONFIG_SPLIT_SURFACES);
     flag(arguments.noDiffuseFilter, AGAA_CONFIG_NO_DIFFUSE_FILTER);
     flag(arguments.noShadowFilter, AGAA_CONFIG_NO_SHADOW_FILTER);
     flag(arguments.shadowAlongDepth, AGAA_CONFIG_SHADOW_ALONG_DEPTH);

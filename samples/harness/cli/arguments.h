@@ -44,6 +44,7 @@ struct PlanArguments {
     std::vector<std::string> tiers; // native, auto or stage=tier
     bool noStencil = false;
     bool firstSampleRouting = false;
+    bool splitSurfaces = false;
     bool noDiffuseFilter = false;
     bool noShadowFilter = false;
     bool shadowAlongDepth = false;

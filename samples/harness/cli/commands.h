@@ -51,6 +51,7 @@ struct SweepArguments {
     std::vector<std::string> backends = {"vk"};
     std::string out = "sweep";
     std::string size = "640x360";
+    std::vector<std::string> rows; // none: all
     bool quick = false;
 };
 

@@ -37,7 +37,7 @@ json readResults(const fs::path& path, const json& fresh) {
     const json old = json::parse(in, nullptr, false);
     if (old.is_discarded() || !old.is_object())
         throw std::runtime_error("The file " + path.string() + " is not that of a sweep; take another folder.");
-    for (const char* key : {"schema", "quick", "size"})
+    for (const char* key : {"schema", "quick", "size", "rows"})
         if (old.value(key, json()) != fresh[key])
             throw std::runtime_error("The file " + path.string() +
                                      " is of a sweep with other arguments; take another folder.");
@@ -83,9 +83,11 @@ class Sweep {
 public:
     Sweep(const SweepArguments& arguments) : arguments_(arguments), out_(arguments.out) {
         fs::create_directories(out_ / "images");
+        rows_ = arguments.rows.empty() ? sweepRows(arguments.quick) : namedSweepRows(arguments.rows);
         results_ = readResults(out_ / "results.json", {{"schema", 1},
                                                        {"quick", arguments.quick},
                                                        {"size", arguments.size},
+                                                       {"rows", arguments.rows},
                                                        {"backends", json::array()}});
         for (const std::string& backend : arguments.backends)
             for (const std::string& scene : arguments.scenes)
@@ -120,7 +122,7 @@ private:
         const auto renderer = makeRenderer(a.device);
         renderer->load(scene);
         const std::string name = sceneName(task.scene);
-        SceneSweep sweep(*renderer, scene, settings, sweepOptions(arguments_.quick), out_ / "images", name,
+        SceneSweep sweep(*renderer, scene, settings, sweepOptions(arguments_.quick), rows_, out_ / "images", name,
                          [&](const std::string& step, uint32_t done, uint32_t of) {
                              tell(task, name, step, double(index) + double(done) / of);
                          });
@@ -144,6 +146,7 @@ private:
 
     const SweepArguments& arguments_;
     fs::path out_;
+    std::vector<SweepRow> rows_;
     json results_;
     std::vector<Task> tasks_;
     size_t skipped_ = 0;
@@ -163,6 +166,11 @@ void runSweep(const SweepArguments& arguments, bool asJson) {
     for (const std::string& backend : arguments.backends)
         requireBackend(backend);
     parseSize(arguments.size);
+    try {
+        namedSweepRows(arguments.rows);
+    } catch (const std::invalid_argument& error) {
+        throw BadArgument(std::string("--row: ") + error.what());
+    }
     if (arguments.out.find('\'') != std::string::npos)
         throw BadArgument("--out must not hold a quotation mark.");
     for (const std::string& text : arguments.scenes) {

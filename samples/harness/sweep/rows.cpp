@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 namespace harness {
 
@@ -51,6 +52,23 @@ std::vector<SweepRow> sweepRows(bool quick) {
             rows.push_back(row);
             rows.back().shadingCost = cost;
         }
+    return rows;
+}
+
+std::vector<SweepRow> namedSweepRows(const std::vector<std::string>& names) {
+    const std::vector<SweepRow> table = sweepRows(false);
+    std::vector<SweepRow> rows;
+    for (const std::string& name : names) {
+        const auto row = std::find_if(table.begin(), table.end(),
+                                      [&](const SweepRow& r) { return r.name() == name; });
+        if (row == table.end()) {
+            std::string all;
+            for (const SweepRow& known : table)
+                all += (all.empty() ? "" : ", ") + known.name();
+            throw std::invalid_argument("There is no row \"" + name + "\"; rows are " + all + ".");
+        }
+        rows.push_back(*row);
+    }
     return rows;
 }
 

@@ -19,6 +19,8 @@ struct SweepRow {
     void apply(AgaaConfig& config) const; // technique points into the row
 };
 std::vector<SweepRow> sweepRows(bool quick);
+// Rows of a full sweep by their names, in the order given; throws std::invalid_argument.
+std::vector<SweepRow> namedSweepRows(const std::vector<std::string>& names);
 
 struct SweepEffect {
     const char* name;

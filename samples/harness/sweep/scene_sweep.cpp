@@ -17,13 +17,13 @@ SweepOptions sweepOptions(bool quick) {
 }
 
 SceneSweep::SceneSweep(Renderer& renderer, const Scene& scene, const RenderSettings& base,
-                       const SweepOptions& options, std::filesystem::path images, std::string stem,
-                       Progress progress)
+                       const SweepOptions& options, const std::vector<SweepRow>& rows,
+                       std::filesystem::path images, std::string stem, Progress progress)
     : renderer_(renderer), scene_(scene), base_(base), options_(options), images_(std::move(images)),
       stem_(std::move(stem)), progress_(std::move(progress)) {
     base_.frames = 1;
     base_.warmup = 0;
-    for (const SweepRow& row : sweepRows(options.quick)) {
+    for (const SweepRow& row : rows) {
         rows_.emplace_back();
         rows_.back().row = row;
     }

@@ -28,7 +28,7 @@ public:
 
     // images: a folder that exists; stem: of its files. base: camera, lights, facts, size.
     SceneSweep(Renderer& renderer, const Scene& scene, const RenderSettings& base, const SweepOptions& options,
-               std::filesystem::path images, std::string stem, Progress progress);
+               const std::vector<SweepRow>& rows, std::filesystem::path images, std::string stem, Progress progress);
 
     nlohmann::json run();
     uint32_t timeSource() const; // AgaaTimeSource of the passes, after run()

@@ -27,6 +27,21 @@ bool agaa_areOneSurface(uint a, uint b, real cosine, real width) {
            abs(dot(agaa_sampleNormal[b], between)) <= width;
 }
 
+// Whether all samples show one surface, that of the first.
+bool agaa_areAllOneSurface(uint n, uint covered, real cosine, real width) {
+    uint first = 0u;
+    bool any = false;
+    bool one = true;
+    for (uint i = 0u; i < n && one; ++i) {
+        if (agaa_sampleIsCovered(covered, i)) {
+            first = any ? first : i;
+            any = true;
+            one = agaa_areOneSurface(first, i, cosine, width);
+        }
+    }
+    return one;
+}
+
 // The sample of the mask nearest to the mean of their positions; the first of equals.
 uint agaa_centralSample(uint n, uint mask) {
     rvec3 sum = rvec3(real(0.0), real(0.0), real(0.0));

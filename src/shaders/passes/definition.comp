@@ -10,6 +10,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/target.glsl"
 #include "passes/samples.glsl"
 #include "math/metadata.glsl"
+#include "math/surfaces.glsl"
 
 layout(AGAA_AT_METADATA_OUT) writeonly uniform uimage2D agaa_metadata;
 
@@ -20,7 +21,10 @@ void main() {
     agaa_PixelSamples samples = agaa_loadSamples(pixel);
     float k = agaa_pixelCharacteristicLength(samples);
     uvec2 planes = uvec2(0u);
+    // Distance along a slanted surface would part its samples, and gain nothing: they have one normal.
+    float width = agaa_frame.surface.y * agaa_pixelWidth(samples.nearest) + samples.quantum;
     if (samples.covered != 0u &&
+        !agaa_areAllOneSurface(agaa_sampleCount(), samples.covered, agaa_frame.surface.x, width) &&
         agaa_defineAggregates(agaa_sampleCount(), samples.covered, AGAA_AGGREGATES, k, agaa_frame.cluster.z,
                               AGAA_SEEDS) > 1u) {
         for (uint i = 0u; i < agaa_sampleCount(); ++i)

@@ -10,6 +10,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/counters.glsl"
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
+#include "passes/choice.glsl"
 #include "math/encoding.glsl"
 #include "math/records.glsl"
 #include "math/statistics.glsl"
@@ -89,44 +90,42 @@ agaa_Surface agaa_aggregateSurface(vec3 toEye) {
     return s;
 }
 
+vec3 agaa_viewPositionOf(uvec2 pixel, uint i) {
+    return agaa_sampleViewPosition(pixel, i, AGAA_FETCH(agaa_depth, pixel, i).x);
+}
+
 // Mean position, and the aggregate's share of each shadow map's light: at up to AGAA_SHADOW_TAPS of its
 // own samples, evenly chosen, or along the view ray by the variance of its depth.
 vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
     vec3 mean = vec3(0.0);
     vec3 first = vec3(0.0);
     agaa_Moments depthMoments = agaa_momentsInit(0.0);
-    uint taps = min(agaa_count_, AGAA_SHADOW_TAPS);
-    uint seen = 0u;
-    uint tapped = 0u;
-#if AGAA_SHADOWS
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] = 0.0;
-#endif
-    for (uint left = mask; left != 0u; left &= left - 1u) {
-        uint i = uint(findLSB(left));
-        vec3 position = agaa_sampleViewPosition(pixel, i, AGAA_FETCH(agaa_depth, pixel, i).x);
-        if (seen == 0u) { // sums are relative to the first sample (hard case 14)
+    // The variance of depth takes all samples; for the mean eight are as good.
+    uint places = AGAA_SHADOW_FILTER == 2u ? agaa_count_ : min(agaa_count_, 8u);
+    agaa_Choice choice = agaa_chooseFrom(mask, places);
+    for (uint j = 0u; j < places; ++j) {
+        vec3 position = agaa_viewPositionOf(pixel, agaa_nextSample(choice, j));
+        if (j == 0u) { // sums are relative to the first sample (hard case 14)
             first = position;
             depthMoments = agaa_momentsInit(position.z);
         }
         mean += position - first;
         if (AGAA_SHADOW_FILTER == 2u)
             agaa_momentsAdd(depthMoments, position.z);
+    }
+    mean = first + mean / float(places);
 #if AGAA_SHADOWS
-        // Tap j falls on sample floor((j + 1/2) count / taps).
-        if (AGAA_SHADOW_FILTER == 1u && tapped < taps &&
-            (2u * tapped + 1u) * agaa_count_ / (2u * taps) == seen) {
-            vec3 p = agaa_toShadingSpace(position);
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] = 0.0;
+    uint taps = min(agaa_count_, AGAA_SHADOW_TAPS);
+    if (AGAA_SHADOW_FILTER == 1u) {
+        choice = agaa_chooseFrom(mask, taps);
+        for (uint j = 0u; j < taps; ++j) {
+            vec3 p = agaa_toShadingSpace(agaa_viewPositionOf(pixel, agaa_nextSample(choice, j)));
             for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
                 agaa_visibility[map] += agaa_shadowTap(map, p);
-            ++tapped;
         }
-#endif
-        ++seen;
-    }
-    mean = first + mean / float(agaa_count_);
-#if AGAA_SHADOWS
-    if (AGAA_SHADOW_FILTER != 1u) {
+    } else {
         float sigma = AGAA_SHADOW_FILTER == 2u ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
         taps = sigma > 0.0 ? 4u : 1u;
         for (uint j = 0u; j < taps; ++j) {
@@ -138,10 +137,9 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
             for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
                 agaa_visibility[map] += agaa_shadowTap(map, p);
         }
-        tapped = taps;
     }
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] /= float(tapped);
+        agaa_visibility[map] /= float(taps);
 #endif
     return agaa_toShadingSpace(mean);
 }

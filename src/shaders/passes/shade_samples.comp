@@ -10,6 +10,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/counters.glsl"
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
+#include "passes/choice.glsl"
 #include "passes/gbuffer.glsl"
 #define AGAA_MAX_EVENTS AGAA_SAMPLES
 #include "passes/tile.glsl"
@@ -62,15 +63,11 @@ void agaa_findVisibility(uvec2 pixel, uint mask) {
         agaa_visibility[map] = 0.0;
     uint count = uint(bitCount(mask));
     uint taps = AGAA_SHADOW_FILTER != 0u ? min(count, AGAA_SHADOW_TAPS) : 1u;
-    uint tapped = 0u;
-    uint seen = 0u;
-    for (uint left = mask; left != 0u; left &= left - 1u, ++seen)
-        if (tapped < taps && (2u * tapped + 1u) * count / (2u * taps) == seen) {
-            agaa_addTaps(agaa_samplePosition(pixel, uint(findLSB(left))));
-            ++tapped;
-        }
+    agaa_Choice choice = agaa_chooseFrom(mask, taps);
+    for (uint j = 0u; j < taps; ++j)
+        agaa_addTaps(agaa_samplePosition(pixel, agaa_nextSample(choice, j)));
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] /= float(tapped);
+        agaa_visibility[map] /= float(taps);
 #endif
 }
 

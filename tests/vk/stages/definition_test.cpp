@@ -34,6 +34,7 @@ struct Pixel {
     std::unique_ptr<math_d::Clustering> clustering = std::make_unique<math_d::Clustering>();
     uint32_t covered = 0;
     double k = 0;
+    double width = 0; // of one surface
 };
 
 class Oracle {
@@ -79,6 +80,8 @@ public:
                                             double(config.characteristicLengthPerDistance),
                                             std::sqrt(nearest2), quantum,
                                             double(config.aggregateThreshold));
+        const double scale = orthographic ? 1.0 : std::sqrt(nearest2);
+        pixel.width = double(config.surfaceDistance) * scale * 2 / (std::abs(double(p[0])) * plan.width) + quantum;
         return pixel;
     }
 
@@ -112,7 +115,7 @@ void expectOracle(StageContext& context, const ViewSettings& settings,
     const auto metadata = view.readSurface("metadata");
     const uint32_t n = view.plan().samples, c = view.plan().aggregates;
     SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c));
-    size_t pixels = 0, several = 0, different = 0, outOfRange = 0, stray = 0;
+    size_t pixels = 0, several = 0, ofOneSurface = 0, different = 0, outOfRange = 0, stray = 0;
     for (uint32_t y = 0; y < view.plan().height; ++y)
         for (uint32_t x = 0; x < view.plan().width; ++x) {
             const Pixel pixel = oracle.load(x, y);
@@ -126,14 +129,20 @@ void expectOracle(StageContext& context, const ViewSettings& settings,
                 continue;
             const AgaaConfig& config = view.plan().config;
             Ids cpu{pixel.covered, {}};
-            const uint32_t count = pixel.clustering->agaa_defineAggregates(
-                n, pixel.covered, c, pixel.k, double(config.aggregateThreshold), config.seeds);
-            for (uint32_t i = 0; i < n; ++i)
+            const bool one = pixel.clustering->agaa_areAllOneSurface(n, pixel.covered, double(config.surfaceCosine),
+                                                                     pixel.width);
+            const uint32_t count = one ? 1
+                                       : pixel.clustering->agaa_defineAggregates(
+                                             n, pixel.covered, c, pixel.k, double(config.aggregateThreshold),
+                                             config.seeds);
+            for (uint32_t i = 0; i < n && !one; ++i)
                 cpu.id[i] = pixel.clustering->agaa_sampleAggregate[i];
             ++pixels;
             several += count > 1;
+            ofOneSurface += one && std::popcount(pixel.covered) > 1;
             different += !samePartition(gpu, cpu, n);
         }
+    EXPECT_EQ(ofOneSurface == 0, (settings.config.flags & AGAA_CONFIG_SPLIT_SURFACES) != 0) << ofOneSurface;
     EXPECT_EQ(outOfRange, 0u);
     EXPECT_EQ(stray, 0u) << "samples without geometry belong to aggregate 0";
     EXPECT_GT(several, pixels / 5);
@@ -156,6 +165,14 @@ TEST(Definition, AgreesWithDoubleForEverySampleAndAggregateCount) {
     for (uint32_t n : {2u, 4u, 8u, 16u, 32u})
         for (uint32_t c : {2u, 3u, 4u})
             expectOracle(context, settingsFor(n, c), scene);
+}
+
+// As the paper has it: distance alone may part the samples of one surface.
+TEST(Definition, AgreesWhereSurfacesMayBeSplit) {
+    StageContext context;
+    ViewSettings settings = settingsFor(8, 2);
+    settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES;
+    expectOracle(context, settings, randomTriangles({.triangles = 400}, 26));
 }
 
 TEST(Definition, AgreesForSeedsAsPrinted) {
@@ -205,6 +222,7 @@ TEST(Definition, HardCase20AWallStaysOneAggregate) {
     StageContext context;
     for (float distance : {10.0f, 100.0f, 1000.0f, 4000.0f}) {
         ViewSettings settings = settingsFor(8, 4);
+        settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES; // by their distance, were it not for k
         settings.projection = perspective(5, 1.5f, 0.01f, 10000);
         const float s = distance;
         std::vector<Triangle> wall;
