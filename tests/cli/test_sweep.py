@@ -8,8 +8,8 @@ import harness
 
 ROW = ["technique", "n", "c", "shadingCost", "tiers", "frameMs", "passes", "stageMs", "geometryPasses",
        "bytesPerPixel", "peakBytesPerPixel", "eventsPerPixel", "eventsPerCoveredPixel",
-       "shadowTapsPerPixel", "errorSameSamples", "errorReference", "temporal", "image", "difference",
-       "heat"]
+       "shadowTapsPerPixel", "errorSameSamples", "errorReference", "temporal", "path", "image",
+       "difference", "heat"]
 
 
 class Sweep(unittest.TestCase):

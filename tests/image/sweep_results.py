@@ -71,8 +71,11 @@ def make_row(scene, technique, n, c, cost, speed):
         "shadowTapsPerPixel": 4 * share,
         "errorSameSamples": error(merged) if n > 1 and technique != "ssaa" else None,
         "errorReference": error(aliasing + merged + 2e-5),
-        "temporal": {"shifts": 8, "biasSquared": 0.4 * aliasing + merged,
+        "temporal": {"frames": 6, "biasSquared": 0.4 * aliasing + merged,
                      "variance": 0.6 * aliasing, "flicker": 1 + 150 * aliasing}
+        if first and n in (1, 8) else None,
+        "path": {"frames": 6, "biasSquared": 0.1 * aliasing + merged,
+                 "variance": 0.9 * aliasing, "flicker": 1 + 20 * aliasing}
         if first and n in (1, 8) else None,
         "image": stem + ".png" if first else None,
         "difference": stem + "-diff.png" if first else None,
@@ -119,7 +122,7 @@ def make_results(folder):
     ]
     # A backend without times of passes, a sweep that was quick: most of it is not there.
     for row in backends[1]["scenes"][0]["rows"]:
-        row.update(stageMs=None, passes=None, temporal=None, heat=None)
+        row.update(stageMs=None, passes=None, temporal=None, path=None, heat=None)
     backends[1]["scenes"].append({
         "name": "quick <b>", "rows": [
             {"technique": "agaa", "n": 8, "c": 2, "shadingCost": 1, "frameMs": {"median": 3.5},

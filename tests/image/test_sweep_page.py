@@ -75,7 +75,7 @@ class Shown(unittest.TestCase):
     def test_charts_are_drawn(self):
         for dark in (False, True):
             self.open(dark=dark)
-            for box in ["pareto-time", "pareto-bytes", "stages", "temporal", "flicker"]:
+            for box in ["pareto-time", "pareto-bytes", "stages", "temporal", "flicker", "path", "path-flicker"]:
                 self.assertGreater(self.painted(box), 10, box)
             if KEEP:
                 self.browser.screenshot(KEEP / ("dark.png" if dark else "desktop.png"), whole=True)
@@ -243,7 +243,7 @@ class Shown(unittest.TestCase):
         bare = [{}, {"backends": None}, {"backends": [{}]}, {"backends": [{"scenes": [{}]}]},
                 {"quick": True, "size": 3, "backends": [None, {"scenes": [{"reference": None, "rows": [
                     {"technique": "ssaa", "n": 4, "frameMs": {"median": 1}, "stageMs": [3],
-                     "errorReference": {"mseTm": 0}, "temporal": {}, "tiers": None, "passes": 1}],
+                     "errorReference": {"mseTm": 0}, "temporal": {}, "path": 3, "tiers": None, "passes": 1}],
                     "ablation": [{}, {"on": 1}]}]}]}]
         with tempfile.TemporaryDirectory() as folder:
             for results in bare:

@@ -27,7 +27,7 @@ SceneSweep::SceneSweep(Renderer& renderer, const Scene& scene, const RenderSetti
         rows_.emplace_back();
         rows_.back().row = row;
     }
-    steps_ = 4 + options_.rounds + options_.timedRounds + options_.temporalShifts;
+    steps_ = 4 + options_.rounds + options_.timedRounds + 2 * options_.temporalFrames;
 }
 
 void SceneSweep::step(const std::string& what) {
@@ -56,7 +56,11 @@ json SceneSweep::run() {
     takeTurns(options_.timedRounds, AGAA_CONFIG_TIMESTAMPS, [](Measured& m, const RenderResult& result) {
         m.timed.insert(m.timed.end(), result.statistics.begin(), result.statistics.end());
     });
-    measureTemporal();
+    measureTemporal("errors over sub-pixel shifts", &Measured::temporal,
+                    [&](uint32_t t) { base_.jitter = pixelOffset(t); });
+    measureTemporal("errors along a camera path", &Measured::path, [&, camera = base_.camera](uint32_t t) {
+        base_.camera = pathCamera(camera, t, base_.height);
+    });
     step("ablation");
     const json effects = ablation();
     json rows = json::array();
@@ -128,23 +132,25 @@ void SceneSweep::measureErrors() {
     }
 }
 
-void SceneSweep::measureTemporal() {
+void SceneSweep::measureTemporal(const char* what, json Measured::*result,
+                                 const std::function<void(uint32_t frame)>& place) {
+    const RenderSettings still = base_;
     std::map<size_t, TemporalAccumulator> accumulators;
-    for (uint32_t t = 0; t < options_.temporalShifts; ++t) {
-        step("temporal errors");
-        base_.jitter = pixelOffset(t);
+    for (uint32_t t = 0; t < options_.temporalFrames; ++t) {
+        step(what);
+        place(t);
         const Image reference = renderReference(renderer_, base_, options_.temporalSamples).image;
         for (size_t i = 0; i < rows_.size(); ++i)
             if (rows_[i].row.shadingCost == 1)
                 accumulators[i].add(render(rows_[i].row).image, reference);
     }
-    base_.jitter = glm::dvec2(0);
+    base_ = still;
     for (const auto& [i, accumulator] : accumulators) {
         const TemporalError error = accumulator.result();
-        rows_[i].temporal = {{"shifts", options_.temporalShifts},
-                             {"biasSquared", error.biasSquared},
-                             {"variance", error.variance},
-                             {"flicker", error.flicker}};
+        rows_[i].*result = {{"frames", options_.temporalFrames},
+                            {"biasSquared", error.biasSquared},
+                            {"variance", error.variance},
+                            {"flicker", error.flicker}};
     }
 }
 
@@ -241,6 +247,7 @@ json SceneSweep::rowJson(const Measured& m) const {
             {"errorSameSamples", m.errorSameSamples},
             {"errorReference", m.errorReference},
             {"temporal", m.temporal},
+            {"path", m.path},
             {"image", m.imageFile},
             {"difference", m.differenceFile},
             {"heat", m.heatFile}};

@@ -16,7 +16,7 @@ struct SweepOptions {
     uint32_t rounds = 7;       // of frames without times of passes; the rows take turns, forth and back
     uint32_t timedRounds = 3;  // of frames with them
     uint32_t referenceSamples = 512;
-    uint32_t temporalShifts = 6; // 0: none
+    uint32_t temporalFrames = 6; // shifts by parts of a pixel, and frames of a camera path; 0: none
     uint32_t temporalSamples = 32; // of the reference at each
 };
 SweepOptions sweepOptions(bool quick);
@@ -40,7 +40,7 @@ private:
         std::vector<AgaaFrameStatistics> timed;
         RenderResult counted; // one frame with counters
         Image image;
-        nlohmann::json errorSameSamples, errorReference, temporal;
+        nlohmann::json errorSameSamples, errorReference, temporal, path;
         nlohmann::json imageFile, differenceFile, heatFile;
     };
 
@@ -49,7 +49,9 @@ private:
     void takeTurns(uint32_t rounds, uint64_t flags,
                    const std::function<void(Measured&, const RenderResult&)>& keep);
     void measureErrors();
-    void measureTemporal();
+    // place: moves base_ to a frame. Results go to a member of the rows.
+    void measureTemporal(const char* what, nlohmann::json Measured::*result,
+                         const std::function<void(uint32_t frame)>& place);
     nlohmann::json ablation();
     nlohmann::json rowJson(const Measured& row) const;
     std::string writeImage(const std::string& name, const Image& image) const;

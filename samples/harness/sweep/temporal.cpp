@@ -7,6 +7,19 @@
 
 namespace harness {
 
+Camera pathCamera(Camera camera, uint32_t frame, uint32_t height) {
+    const glm::dvec3 forward = camera.target - camera.eye;
+    glm::dvec3 right = glm::cross(forward, camera.up);
+    if (glm::length(right) <= 1e-9 * glm::length(forward) * glm::length(camera.up))
+        right = glm::cross(forward, glm::dvec3(forward.y, forward.z, forward.x)); // looking along up
+    const double pixel = 2 * std::tan(glm::radians(camera.fovDegrees) / 2) * glm::length(forward) / height;
+    const double length = glm::length(right);
+    const glm::dvec3 step = length > 0 ? right * (1.3 * pixel * frame / length) : glm::dvec3(0);
+    camera.eye += step;
+    camera.target += step;
+    return camera;
+}
+
 void TemporalAccumulator::add(const Image& image, const Image& reference) {
     sums_.resize(image.rgb.size());
     for (size_t i = 0; i < sums_.size(); ++i) {
@@ -24,7 +37,7 @@ void TemporalAccumulator::add(const Image& image, const Image& reference) {
 
 TemporalError TemporalAccumulator::result() const {
     const double count = double(count_);
-    // Of values in [0;1] and a few shifts: the difference of sums keeps its digits.
+    // Of values in [0;1] and a few frames: the difference of sums keeps its digits.
     const auto variance = [&](double sum, double sum2) {
         return std::max(sum2 / count - (sum / count) * (sum / count), 0.0);
     };

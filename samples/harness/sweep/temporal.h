@@ -1,7 +1,8 @@
-// How an image's error moves when the camera does, by parts of a pixel.
+// How an image's error moves when the camera does: by parts of a pixel, and along a path.
 #pragma once
 
 #include "image/image.h"
+#include "scene/scene.h"
 
 #include <cstdint>
 #include <vector>
@@ -15,11 +16,15 @@ struct TemporalError {
     double flicker = 0;     // standard deviation of the image over time, by that of the reference; 0 / 0 is 1
 };
 
+// Frame t of a walk to the side, with which what the camera aims at moves 1.3 pixels a frame, what is nearer more
+// and what is farther less. height: of the image, in pixels.
+Camera pathCamera(Camera camera, uint32_t frame, uint32_t height);
+
 class TemporalAccumulator {
 public:
-    // Of one shift; all of one size.
+    // Of one frame; all of one size.
     void add(const Image& image, const Image& reference);
-    TemporalError result() const; // of at least one shift
+    TemporalError result() const; // of at least one frame
 
 private:
     struct Sums {

@@ -69,25 +69,31 @@ const steadyLine = {
     },
 };
 
-function showTemporal(rows) {
-    const measured = sortedRows(rows).filter((row) => finite(field(row, "temporal", "biasSquared")) !== null
-        || finite(field(row, "temporal", "variance")) !== null);
+// kind: field of a row. Charts go to the boxes of the ids given.
+function showOverTime(rows, kind, errorId, flickerId, words) {
+    const measured = sortedRows(rows).filter((row) => finite(field(row, kind, "biasSquared")) !== null
+        || finite(field(row, kind, "variance")) !== null);
     if (measured.length) {
-        const bars = (key) => measured.map((row) => finite(row.temporal[key]) ?? 0);
-        drawBars("temporal", "Bias and variance over time by row", measured, [
+        const bars = (key) => measured.map((row) => finite(row[kind][key]) ?? 0);
+        drawBars(errorId, `Bias and variance ${words} by row`, measured, [
             {label: "bias²", data: bars("biasSquared"), backgroundColor: tone(STAGE_COLOURS.generation)},
             {label: "variance", data: bars("variance"), backgroundColor: tone(STAGE_COLOURS.shading)},
         ], "mean squared error after tone mapping");
     } else {
-        noChart("temporal", "This sweep has not measured images over time.");
+        noChart(errorId, `This sweep has not measured images ${words}.`);
     }
-    const flickering = measured.filter((row) => finite(row.temporal.flicker) !== null);
+    const flickering = measured.filter((row) => finite(row[kind].flicker) !== null);
     if (flickering.length) {
-        drawBars("flicker", "Flicker by row", flickering, [{label: "flicker",
-            data: flickering.map((row) => row.temporal.flicker),
+        drawBars(flickerId, `Flicker ${words} by row`, flickering, [{label: "flicker",
+            data: flickering.map((row) => row[kind].flicker),
             backgroundColor: flickering.map((row) => styleOf(techniqueOf(row)).color)}],
         "standard deviation over time by the reference's", [steadyLine]);
     } else {
-        noChart("flicker", "This sweep has not measured flicker.");
+        noChart(flickerId, `This sweep has not measured flicker ${words}.`);
     }
+}
+
+function showTemporal(rows) {
+    showOverTime(rows, "temporal", "temporal", "flicker", "over sub-pixel shifts");
+    showOverTime(rows, "path", "path", "path-flicker", "along a camera path");
 }
