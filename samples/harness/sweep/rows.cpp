@@ -35,23 +35,25 @@ std::vector<SweepRow> sweepRows(bool quick) {
         rows.push_back({"ssaa", n});
         rows.push_back({"simple_complex", n});
     }
-    for (uint32_t n : {8u, 32u})
-        for (uint32_t s : {1u, 2u, 4u, 6u})
-            rows.push_back({"sbaa", n, s});
+    for (uint32_t s : {1u, 2u, 4u, 6u})
+        rows.push_back({"sbaa", 8, s});
+    for (uint32_t s : {2u, 4u})
+        rows.push_back({"sbaa", 32, s});
     for (uint32_t n : {4u, 8u, 16u, 32u})
         for (uint32_t c : {1u, 2u, 3u, 4u})
-            if (n == 8 || n == 32 || c == 2)
+            if (c == 2 || n == 8 || (n == 32 && c == 4))
                 rows.push_back({"agaa", n, c});
-    for (uint32_t n : {8u, 32u}) {
+    for (uint32_t n : {8u, 32u})
         rows.push_back({"agaa", n, 2, 1, AGAA_TIER_GBUFFER});
-        rows.push_back({"sbaa", n, 2, 1, AGAA_TIER_GBUFFER});
-    }
+    rows.push_back({"sbaa", 8, 2, 1, AGAA_TIER_GBUFFER});
+    // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
     for (uint32_t cost : {4u, 16u})
-        for (const SweepRow& row : {SweepRow{"msaa", 8}, {"ssaa", 8}, {"simple_complex", 8}, {"sbaa", 8, 2},
-                                    {"agaa", 8, 2}, {"simple_complex", 32}, {"agaa", 32, 2}}) {
-            rows.push_back(row);
-            rows.back().shadingCost = cost;
-        }
+        for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"sbaa", 8, 2}, {"agaa", 8, 2},
+                                    {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}, {"simple_complex", 32}, {"agaa", 32, 2}})
+            if (cost == 4 || row.samples == 8) {
+                rows.push_back(row);
+                rows.back().shadingCost = cost;
+            }
     return rows;
 }
 

@@ -45,7 +45,7 @@ private:
     };
 
     RenderResult render(const SweepRow& row, uint64_t flags = 0);
-    void warmUp();
+    void countEvents();
     void takeTurns(uint32_t rounds, uint64_t flags,
                    const std::function<void(Measured&, const RenderResult&)>& keep);
     void measureErrors();

@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""Tests of tools/report/choosing.py: that it picks what the results say."""
+
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+TOOL = Path(__file__).resolve().parents[2] / "tools" / "report" / "choosing.py"
+sys.path.insert(0, str(TOOL.parent))
+import choosing
+
+
+def row(technique, n, c, ms, error, size=100, cost=1, events=1.0, shading=1.0, merging=None):
+    return {"technique": technique, "n": n, "c": c, "shadingCost": cost, "tiers": {},
+            "frameMs": {"median": ms, "p95": ms}, "bytesPerPixel": size, "stageMs": {"shading": shading},
+            "eventsPerCoveredPixel": events, "errorReference": {"mseTm": error},
+            "errorSameSamples": None if merging is None else {"mseTm": merging}}
+
+
+def scene(**more):
+    return {"name": "metal", "reference": {"splitHalfMseTm": 1e-6}, "rows": [
+        row("single", 1, 0, 100, 1e-2, 20),
+        row("simple_complex", 8, 0, 300, 0.9e-3, 160, events=4, shading=200),
+        row("simple_complex", 8, 0, 900, 0.9e-3, 160, cost=4, events=4, shading=800),
+        row("agaa", 8, 2, 350, 0.905e-3, 90, events=2, shading=125, merging=3e-5),
+        row("agaa", 8, 2, 650, 0.905e-3, 90, cost=4, events=2, shading=425, merging=3e-5),
+        row("sbaa", 8, 2, 340, 1.2e-3, 100, merging=5e-5),
+        row("sbaa", 8, 4, 390, 0.95e-3, 130, merging=2e-5),
+        row("ssaa", 32, 0, 2000, 1e-4, 500)], **more}
+
+
+class Choosing(unittest.TestCase):
+    def setUp(self):
+        self.scene = scene()
+
+    def cells(self, lines):
+        return [text.strip() for text in lines[2].strip("| ").split("|")]
+
+    def test_the_fastest_for_an_error(self):
+        cells = self.cells(choosing.by_quality([self.scene]))
+        self.assertEqual(cells[1], "simple\\_complex n=8 (3.0x, 1/11, 160 B)")
+        self.assertEqual(cells[2], "simple\\_complex n=8 (3.0x, 1/11, 160 B)")
+        self.assertEqual(cells[3], "ssaa n=32 (20.0x, 1/100, 500 B)")
+
+    def test_gaps_that_the_reference_cannot_tell_are_none(self):
+        self.assertIn("simple", self.cells(choosing.by_time([self.scene]))[3])
+        # Least error within 4x is simple_complex; agaa's is as good by ten times the reference's error.
+        for r in self.scene["rows"]:
+            if r["technique"] == "agaa":
+                r["frameMs"]["median"] -= 60
+        self.assertIn("agaa n=8 c=2", self.cells(choosing.by_time([self.scene]))[3])
+        self.scene["reference"]["splitHalfMseTm"] = 1e-8
+        self.assertIn("simple", self.cells(choosing.by_time([self.scene]))[3])
+
+    def test_memory_and_nothing_that_fits(self):
+        cells = self.cells(choosing.by_memory([self.scene]))
+        self.assertTrue(cells[1].startswith("single"))
+        self.assertTrue(cells[2].startswith("agaa n=8 c=2"))
+        self.scene["rows"] = [r for r in self.scene["rows"] if r["technique"] != "single"][:1] + [
+            row("single", 1, 0, 100, 1e-2, 70)]
+        self.assertEqual(self.cells(choosing.by_memory([self.scene]))[1], "none")
+
+    def test_ratios_and_the_cost_from_which_agaa_wins(self):
+        ratios = choosing.ratios(self.scene, 8)
+        self.assertEqual((ratios["events"], ratios["shading"], ratios["frame"]), (2, 1.6, 300 / 350))
+        # 100 + 200 s against 250 + 100 s
+        self.assertAlmostEqual(choosing.win_cost(self.scene, 8), 1.5)
+        self.assertIsNone(choosing.win_cost(self.scene, 32))
+
+    def test_what_merging_costs(self):
+        self.assertEqual(choosing.merge_rows([self.scene])[0][4:], ["0.60", "yes", "no"])
+
+    def test_document(self):
+        results = {"size": "640x360", "backends": [{"backend": "vk", "device": "d", "driver": "e",
+                                                    "scenes": [self.scene, {"name": "bare", "rows": []}]}]}
+        text = choosing.document(results)
+        self.assertIn("at most 0.75 of the error of sbaa S=2 on 1 of 1 scenes", text)
+        self.assertIn("| metal (dense) | 8 | 2.00 | 1.60 | 0.80 | 0.86 |  | 1.5 |  |", text)
+
+    def test_refuses_what_is_no_sweep(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for text in ("{", "[]", '{"backends": [{}]}'):
+                path = Path(folder) / "results.json"
+                path.write_text(text)
+                done = subprocess.run([sys.executable, TOOL, path, Path(folder) / "out.md"], capture_output=True,
+                                      text=True)
+                self.assertEqual(done.returncode, 1, text)
+                self.assertIn("choosing:", done.stderr)
+                self.assertNotIn("Traceback", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

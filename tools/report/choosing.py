@@ -1,0 +1,240 @@
+#!/usr/bin/env python3
+"""Writes docs/choosing.md: which technique, n and c for which scene and budget, from a sweep's results alone.
+
+usage: choosing.py RESULTS.json OUT.md
+
+docs/sweep.md describes RESULTS.json. Of rows whose errors differ by less than ten times the reference's own
+error, the faster counts as the better.
+"""
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+QUALITIES = [4, 10, 30]  # times less error than single has
+BUDGETS = [2, 3, 4]      # times single's frame
+MEMORY = [64, 128, 256]  # bytes per pixel
+DENSE = ["bamboo", "foliage", "furball", "metal", "sh3d_foliage"]
+PAPER_EFFICIENCY = 0.64  # AGAA, section 5.2 and table 1: 2.84 of 4.42
+
+
+def name(row):
+    text = row["technique"].replace("_", "\\_")
+    if row["n"] > 1:
+        text += f" n={row['n']}"
+    if row["c"]:
+        text += f" {'S' if row['technique'] == 'sbaa' else 'c'}={row['c']}"
+    return text + (" from a G-buffer" if is_from_gbuffer(row) else "")
+
+
+def is_from_gbuffer(row):
+    return (row["tiers"] or {}).get("generation") == "gbuffer"
+
+
+def frame(row):
+    return row["frameMs"]["median"]
+
+
+def error(row):
+    return row["errorReference"]["mseTm"]
+
+
+def rows_of(scene, cost=1):
+    return [row for row in scene["rows"] if row["shadingCost"] == cost]
+
+
+def find(scene, technique, n, c=0, cost=1, gbuffer=False):
+    """The row, or None."""
+    for row in rows_of(scene, cost):
+        if ((row["technique"], row["n"], row["c"]) == (technique, n, c)
+                and is_from_gbuffer(row) == gbuffer):
+            return row
+    return None
+
+
+def fastest(rows):
+    return min(rows, key=frame, default=None)
+
+
+def most_accurate(scene, rows):
+    """Of those that the reference cannot tell from the best, the fastest."""
+    if not rows:
+        return None
+    least = min(error(row) for row in rows)
+    margin = 10 * scene["reference"]["splitHalfMseTm"]
+    return fastest([row for row in rows if error(row) <= least + margin])
+
+
+def cell(row, scene):
+    if row is None:
+        return "none"
+    single = find(scene, "single", 1)
+    return (f"{name(row)} ({frame(row) / frame(single):.1f}x, 1/{error(single) / error(row):.0f}, "
+            f"{row['bytesPerPixel']:.0f} B)")
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return lines + ["| " + " | ".join(str(value) for value in row) + " |" for row in rows] + [""]
+
+
+def by_quality(scenes):
+    def pick(scene, times):
+        limit = error(find(scene, "single", 1)) / times
+        return fastest([row for row in rows_of(scene) if error(row) <= limit])
+    return table(["scene"] + [f"error 1/{q} of single's" for q in QUALITIES],
+                 [[s["name"]] + [cell(pick(s, q), s) for q in QUALITIES] for s in scenes])
+
+
+def by_time(scenes):
+    def pick(scene, times):
+        limit = times * frame(find(scene, "single", 1))
+        return most_accurate(scene, [row for row in rows_of(scene) if frame(row) <= limit])
+    return table(["scene"] + [f"within {b}x single's frame" for b in BUDGETS],
+                 [[s["name"]] + [cell(pick(s, b), s) for b in BUDGETS] for s in scenes])
+
+
+def by_memory(scenes):
+    def pick(scene, limit):
+        return most_accurate(scene, [row for row in rows_of(scene) if row["bytesPerPixel"] <= limit])
+    return table(["scene"] + [f"within {m} B a pixel" for m in MEMORY],
+                 [[s["name"]] + [cell(pick(s, m), s) for m in MEMORY] for s in scenes])
+
+
+def shading(row):
+    """0 where passes have no times."""
+    return (row["stageMs"] or {}).get("shading") or 0
+
+
+def ratios(scene, n, gbuffer=False, cost=1):
+    """simple_complex by agaa c=2: of events, shading time and frame; or None."""
+    a = find(scene, "simple_complex", n, cost=cost)
+    b = find(scene, "agaa", n, 2, cost=cost, gbuffer=gbuffer)
+    if a is None or b is None:
+        return None
+    return {"events": a["eventsPerCoveredPixel"] / b["eventsPerCoveredPixel"],
+            "shading": shading(a) / shading(b) if shading(b) else 0,
+            "frame": frame(a) / frame(b)}
+
+
+def win_cost(scene, n, gbuffer=False):
+    """From which shading cost on agaa's frame is the shorter, by the lines through costs 1 and 4; or None."""
+    def line(technique, c, from_gbuffer):
+        one, four = (find(scene, technique, n, c, cost, from_gbuffer) for cost in (1, 4))
+        if one is None or four is None:
+            return None
+        slope = (frame(four) - frame(one)) / 3
+        return frame(one) - slope, slope
+    a, b = line("simple_complex", 0, False), line("agaa", 2, gbuffer)
+    if a is None or b is None or a[1] <= b[1]:
+        return None
+    return max((b[0] - a[0]) / (a[1] - b[1]), 0.0)
+
+
+def cost_text(scene, n, gbuffer=False):
+    value = win_cost(scene, n, gbuffer)
+    return "not measured" if value is None else "any" if value <= 1 else f"{value:.1f}"
+
+
+def speed_rows(scenes):
+    out = []
+    for scene in scenes:
+        for n in (8, 32):
+            two, one = ratios(scene, n), ratios(scene, n, gbuffer=True)
+            if two is None:
+                continue
+            out.append([scene["name"] + (" (dense)" if scene["name"] in DENSE else ""), n,
+                        f"{two['events']:.2f}", f"{two['shading']:.2f}",
+                        f"{two['shading'] / two['events']:.2f}", f"{two['frame']:.2f}",
+                        f"{one['frame']:.2f}" if one else "", cost_text(scene, n),
+                        cost_text(scene, n, True) if one else ""])
+    return out
+
+
+def merge_rows(scenes):
+    out = []
+    for scene in scenes:
+        rows = [find(scene, "agaa", 8, 2), find(scene, "sbaa", 8, 2), find(scene, "sbaa", 8, 4)]
+        if None in rows:
+            continue
+        agaa, two, four = (row["errorSameSamples"]["mseTm"] for row in rows)
+        out.append([scene["name"], f"{agaa:.2e}", f"{two:.2e}", f"{four:.2e}", f"{agaa / two:.2f}",
+                    "yes" if agaa <= 0.75 * two else "no", "yes" if agaa <= four else "no"])
+    return out
+
+
+def count(rows, column, wanted="yes"):
+    return sum(row[column] == wanted for row in rows)
+
+
+def span(values):
+    return f"{min(values):.2f} to {max(values):.2f}" if values else "not measured"
+
+
+def speed_sentences(scenes):
+    lines = []
+    for n in (8, 32):
+        two = {s["name"]: r for s in scenes if (r := ratios(s, n))}
+        one = {s["name"]: r for s in scenes if (r := ratios(s, n, gbuffer=True))}
+        if not two:
+            continue
+        dense = [two[s] for s in DENSE if s in two]
+        lines.append(
+            f"* At n={n}, simple\\_complex / agaa c=2: shading {span([r['shading'] for r in two.values()])}, "
+            f"on the dense scenes {span([r['shading'] for r in dense])}; that is "
+            f"{span([r['shading'] / r['events'] for r in two.values()])} of the ratio of their shading events "
+            f"(the paper: {PAPER_EFFICIENCY}). Whole frame: {span([r['frame'] for r in two.values()])} with two "
+            f"geometry passes, {span([r['frame'] for r in one.values()])} from a G-buffer.")
+    return lines
+
+
+def document(results):
+    lines = ["# Which technique, which n and c", "",
+             "Generated by `tools/report/choosing.py` from the results of `agaa-harness sweep` "
+             f"({results['size']}); docs/sweep.md says how they are measured. Errors are mean squares after tone "
+             "mapping, against the reference of 512 samples a pixel. In brackets: frame time by that of `single`, "
+             "error by that of `single`, bytes a pixel. A gap of less than ten times the reference's own error "
+             "counts as none; then the faster row is named.", ""]
+    for backend in results["backends"]:
+        scenes = [s for s in backend["scenes"] if find(s, "single", 1)]
+        if not scenes:
+            continue
+        speeds, merges = speed_rows(scenes), merge_rows(scenes)
+        lines += [f"## {'Vulkan' if backend['backend'] == 'vk' else 'OpenGL'}: {backend['device']}, "
+                  f"{backend['driver']}", ""]
+        lines += speed_sentences(scenes)
+        if merges:
+            lines += [f"* What merging costs at n=8: agaa c=2 has at most 0.75 of the error of sbaa S=2 on "
+                      f"{count(merges, 5)} of {len(merges)} scenes, at most that of sbaa S=4 on "
+                      f"{count(merges, 6)}.", ""]
+        lines += ["### The fastest for an error", ""] + by_quality(scenes)
+        lines += ["### The most accurate in a time", ""] + by_time(scenes)
+        lines += ["### The most accurate in memory", ""] + by_memory(scenes)
+        lines += ["### simple\\_complex by agaa c=2", "",
+                  "Ratios above 1 are for `agaa`. The last two columns: how many times heavier than 17 lights "
+                  "shading must be for `agaa` to have the shorter frame.", ""]
+        lines += table(["scene", "n", "events", "shading", "shading by events", "frame, two passes",
+                        "frame, from a G-buffer", "wins from, two passes", "wins from, G-buffer"], speeds)
+        lines += ["### What merging costs at n=8", "", "Mean squares after tone mapping against `ssaa` n=8.", ""]
+        lines += table(["scene", "agaa c=2", "sbaa S=2", "sbaa S=4", "agaa / sbaa S=2", "at most 0.75",
+                        "at most sbaa S=4"], merges)
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Writes docs/choosing.md from a sweep's results.")
+    parser.add_argument("results", type=Path)
+    parser.add_argument("out", type=Path)
+    arguments = parser.parse_args()
+    try:
+        results = json.loads(arguments.results.read_text(encoding="utf-8"))
+        arguments.out.write_text(document(results).rstrip() + "\n", encoding="utf-8")
+    except (OSError, json.JSONDecodeError) as problem:
+        sys.exit(f"choosing: {problem}")
+    except (KeyError, TypeError, AttributeError) as problem:
+        sys.exit(f"choosing: {arguments.results} is not of a sweep, or of another schema: {problem!r}")
+
+
+if __name__ == "__main__":
+    main()
