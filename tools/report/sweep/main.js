@@ -68,6 +68,7 @@ function showBackend() {
     setOptions(byId("scene"), scenes, "0");
     const same = scenes.find(({text}) => text === name);
     byId("scene").value = same?.value ?? scenes[0]?.value ?? "";
+    showClaims(backend);
     showAblation(chosen().backend);
     showScene();
 }

@@ -1,0 +1,84 @@
+// The paper's claims, what this run says of them over all scenes of the backend, and what the run shows of the cause.
+
+const spanText = (values, text = ratioText) => !values.length ? MISSING
+    : values.length === 1 ? text(values[0]) : `${text(Math.min(...values))} to ${text(Math.max(...values))}`;
+
+// A claim that values of one scene each must meet; null where no scene has the value.
+function judged(claim, scenes, value, holds, cause, text = ratioText) {
+    const measured = scenes.map((scene) => ({scene, value: value(scene)})).filter((one) => one.value !== null);
+    if (!measured.length)
+        return null;
+    const broken = measured.filter((one) => !holds(one.value));
+    const names = broken.map((one) => `${one.scene.name} ${text(one.value)}`).join(", ");
+    return [claim, spanText(measured.map((one) => one.value), text),
+        broken.length ? `on ${measured.length - broken.length} of ${measured.length}; not on ${names}`
+            : `on all ${measured.length}`,
+        broken.length ? cause(broken.map((one) => one.scene)) : ""];
+}
+
+const pairsAt = (scene, n, cost = 1) => pairAt(rowsAt(scene, cost), n);
+const percent = (value) => Math.round(100 * value) + " %";
+
+// How the ratio grows when lighting is most of the work: then the rest is what keeps it down.
+function heavierLighting(scenes, n, key) {
+    for (const cost of [16, 4]) {
+        const values = scenes.map((scene) => pairsAt(scene, n, cost)[key]).filter((value) => value !== null);
+        if (values.length)
+            return `with lighting ${cost}× heavier ${spanText(values)}`;
+    }
+    return "heavier lighting was not measured";
+}
+
+function shareOfStage(scenes, n, stages) {
+    const shares = scenes.map((scene) => {
+        const row = find(rowsAt(scene, 1), "agaa", n, 2);
+        const times = row ? stagesOf(row) : {};
+        const all = Object.values(times).reduce((sum, ms) => sum + ms, 0);
+        return all > 0 ? stages.reduce((sum, stage) => sum + (times[stage] ?? 0), 0) / all : null;
+    }).filter((share) => share !== null);
+    return shares.length ? spanText(shares, percent) : null;
+}
+
+const shadingCause = (n) => (scenes) => "work that both do once a pixel, such as shadows of all samples, weighs as much as "
+    + `the lighting: ${heavierLighting(scenes, n, "shading")} on these`;
+const frameCause = (n) => (scenes) => {
+    const share = shareOfStage(scenes, n, ["prepass", "generation"]);
+    return "the second geometry pass" + (share ? `: prepass and generation are ${share} of agaa's frame` : "")
+        + `; ${heavierLighting(scenes, n, "frame")}`;
+};
+
+function errorShare(s) {
+    return (scene) => {
+        const rows = rowsAt(scene, 1), metric = METRICS["mseTm-ssaa"];
+        const ours = find(rows, "agaa", 8, 2), theirs = find(rows, "sbaa", 8, s);
+        return ratio(ours && errorOf(ours, metric), theirs && errorOf(theirs, metric));
+    };
+}
+const errorCause = () => "one lobe, round and wide, stands for all normals of an aggregate, where sbaa keeps exact ones: "
+    + "glossy and thin surfaces show it; compare specular in the table of effects";
+
+function showClaims(backend) {
+    const scenes = scenesOf(backend), atLeast = (least) => (value) => value >= least, atMost = (most) => (value) => value <= most;
+    const lines = [
+        judged("shading at least 2× faster than simple/complex, n = 8", scenes, (s) => pairsAt(s, 8).shading, atLeast(2),
+            shadingCause(8)),
+        judged("shading at least 2.23× faster, n = 32 (table 1)", scenes, (s) => pairsAt(s, 32).shading, atLeast(2.23),
+            shadingCause(32)),
+        judged("0.64 of the ratio of shading events is gained in time, n = 8", scenes, (s) => pairsAt(s, 8).efficiency,
+            atLeast(0.64), shadingCause(8)),
+        judged("frames faster than simple/complex on every scene, n = 8", scenes, (s) => pairsAt(s, 8).frame, atLeast(1),
+            frameCause(8)),
+        judged("frames faster than simple/complex on every scene, n = 32", scenes, (s) => pairsAt(s, 32).frame, atLeast(1),
+            frameCause(32)),
+        judged("two aggregates are as good as four surfaces of SBAA, n = 8", scenes, errorShare(4), atMost(1), errorCause),
+        judged("two aggregates are better than two surfaces of SBAA, n = 8", scenes, errorShare(2), atMost(1), errorCause),
+    ].filter((line) => line);
+    if (!lines.length) {
+        fill("claims", absent("This sweep has no rows that the paper's claims are about."));
+        return;
+    }
+    const table = tableOf("Claims of the AGAA paper, and whether they hold in this run", ["<claim", "<ours", "<holds", "<why not"],
+        lines);
+    table.classList.add("words");
+    fill("claims", table);
+}
