@@ -115,8 +115,10 @@ void agaa_emit(AgaaSurfaceInput s) {
         if (fresh == 0u)
             continue;
         uint count = uint(bitCount(fresh));
+        // The product in the condition: words of a material without textures are uniform, and Mesa's lavapipe (22.3)
+        // makes a copy of a shader, which it never frees, at every draw whose uniforms decide a branch.
         for (uint w = 0u; w < AGAA_WORDS; ++w)
-            if (words[w] != 0u)
+            if (words[w] * count != 0u)
                 agaa_addToWord(base + w, words[w] * count);
     }
 }
