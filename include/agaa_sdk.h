@@ -240,8 +240,8 @@ typedef enum AgaaTier {
 #define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2 (c), for comparison */
 #define AGAA_CONFIG_SHOW_EVENTS UINT64_C(0x100) /* the output is each pixel's number of shading events, in all
                                                    channels; not of "msaa", which cannot tell */
-#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x200) /* AGAA 3.3 to the letter: samples of one surface may become
-                                                      several aggregates, as distance parts them too */
+#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x200) /* of "agaa": samples of one surface are clustered like all
+                                                      others (AGAA 3.3), so that distance may part them */
 
 typedef struct AgaaConfig {
     uint32_t sType;
@@ -262,7 +262,8 @@ typedef struct AgaaConfig {
     float surfaceDistance; /* from the surface's plane, in widths of a pixel at its depth, [0;inf) */
     float surfaceMaterial; /* largest difference of a material's channel, [0;1]; read by "simple_complex" */
     uint32_t seeds;           /* AgaaSeeds */
-    uint32_t shadowTaps;      /* per aggregate and shadow, at most, [0;32]; 0: 8 */
+    uint32_t shadowTaps;      /* samples of an aggregate that are looked up in each shadow, and whose mean its place
+                                 is; at most, [0;32]; 0: 8 */
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t generationTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */

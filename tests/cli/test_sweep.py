@@ -24,7 +24,7 @@ class Sweep(unittest.TestCase):
             cls.results = json.load(file)
 
     def test_fields(self):
-        self.assertEqual(self.results["schema"], 1)
+        self.assertEqual(self.results["schema"], 2)
         self.assertTrue(self.results["quick"])
         backend = self.results["backends"][0]
         self.assertTrue(backend["device"] and backend["driver"])

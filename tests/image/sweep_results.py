@@ -52,6 +52,8 @@ def make_row(scene, technique, n, c, cost, speed):
     stages = {"prepass": 1.1 + 0.2 * n, "definition": 0.1 * n if technique in ("agaa", "sbaa") else 0,
               "generation": 0.5 + (0.28 * n if technique != "msaa" else 0),
               "shading": 2.2 * share * cost, "other": 0.4}
+    if (scene, technique, n, c) == ("metal", "agaa", 8, 2):
+        stages["shading"] *= 6 # a scene that breaks claims of the paper
     stages = {stage: ms * speed for stage, ms in stages.items()}
     frame = 1.04 * sum(stages.values())
     size = {"agaa": 16 * c + 6 * n + n * max(0, math.ceil(math.log2(c or 1))) / 8,

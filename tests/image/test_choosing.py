@@ -41,9 +41,9 @@ class Choosing(unittest.TestCase):
 
     def test_the_fastest_for_an_error(self):
         cells = self.cells(choosing.by_quality([self.scene]))
-        self.assertEqual(cells[1], "simple\\_complex n=8 (3.0x, 1/11, 160 B)")
-        self.assertEqual(cells[2], "simple\\_complex n=8 (3.0x, 1/11, 160 B)")
-        self.assertEqual(cells[3], "ssaa n=32 (20.0x, 1/100, 500 B)")
+        self.assertEqual(cells[1], "simple\\_complex n=8 (3.00x, 0.09, 160 B)")
+        self.assertEqual(cells[2], "simple\\_complex n=8 (3.00x, 0.09, 160 B)")
+        self.assertEqual(cells[3], "ssaa n=32 (20.00x, 0.01, 500 B)")
 
     def test_gaps_that_the_reference_cannot_tell_are_none(self):
         self.assertIn("simple", self.cells(choosing.by_time([self.scene]))[3])
@@ -65,10 +65,28 @@ class Choosing(unittest.TestCase):
 
     def test_ratios_and_the_cost_from_which_agaa_wins(self):
         ratios = choosing.ratios(self.scene, 8)
-        self.assertEqual((ratios["events"], ratios["shading"], ratios["frame"]), (2, 1.6, 300 / 350))
+        self.assertEqual(ratios, {"events": 2, "shading": 1.6, "efficiency": 0.8, "frame": 300 / 350})
         # 100 + 200 s against 250 + 100 s
         self.assertAlmostEqual(choosing.win_cost(self.scene, 8), 1.5)
         self.assertIsNone(choosing.win_cost(self.scene, 32))
+        agaa = choosing.find(self.scene, "agaa", 8, 2, cost=4)
+        agaa["frameMs"]["median"] = 1200  # no lighting is heavy enough
+        self.assertEqual(choosing.cost_text(self.scene, 8), "beyond 16")
+        agaa["frameMs"]["median"] = 250
+        choosing.find(self.scene, "agaa", 8, 2)["frameMs"]["median"] = 100
+        self.assertEqual(choosing.cost_text(self.scene, 8), "any")
+
+    def test_what_was_not_measured_is_not_a_number(self):
+        for r in self.scene["rows"]:
+            r["stageMs"] = {"shading": 0}
+            r["eventsPerCoveredPixel"] = 0
+            r["errorReference"]["mseTm"] *= r["technique"] != "ssaa"
+            if r["errorSameSamples"]:
+                r["errorSameSamples"]["mseTm"] = 0
+        text = choosing.document({"size": "1x1", "backends": [{"backend": "gl", "device": "d", "driver": "e",
+                                                               "scenes": [self.scene]}]})
+        self.assertIn("shading not measured", text)
+        self.assertIn("ssaa n=32 (20.00x, 0, 500 B)", text)
 
     def test_what_merging_costs(self):
         self.assertEqual(choosing.merge_rows([self.scene])[0][4:], ["0.60", "yes", "no"])
@@ -78,7 +96,7 @@ class Choosing(unittest.TestCase):
                                                     "scenes": [self.scene, {"name": "bare", "rows": []}]}]}
         text = choosing.document(results)
         self.assertIn("at most 0.75 of the error of sbaa S=2 on 1 of 1 scenes", text)
-        self.assertIn("| metal (dense) | 8 | 2.00 | 1.60 | 0.80 | 0.86 |  | 1.5 |  |", text)
+        self.assertIn("| metal (dense) | 8 | 2.00 | 1.60 | 0.80 | 0.86 | not measured | 1.5 | not measured |", text)
 
     def test_refuses_what_is_no_sweep(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -88,7 +88,8 @@ TEST(MathSurfaces, AllSamplesOfOnePlane) {
                     const glm::dvec3 p(0.003 * i, 0.001 * (i % 3), -0.003 * i * slope);
                     const bool stands = i == odd;
                     const glm::dvec3 off = stands && isStep ? 1.5 * width * normal : glm::dvec3(0);
-                    const glm::dvec3 n = stands && !isStep ? glm::dvec3(0.6, 0, 0.8) * (slope > 0.5 ? -1.0 : 1.0) : normal;
+                    const glm::dvec3 crease = glm::dvec3(0.6, 0, 0.8) * (slope > 0.5 ? -1.0 : 1.0);
+                    const glm::dvec3 n = stands && !isStep ? crease : normal;
                     flat.agaa_setSample(i, glm::vec3(p), glm::vec3(normal), 0, 0);
                     other.agaa_setSample(i, glm::vec3(p + off), glm::vec3(n), 0, 0);
                 }

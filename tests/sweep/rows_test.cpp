@@ -16,6 +16,17 @@ TEST(SweepRows, NoRowTwice) {
     }
 }
 
+TEST(SweepRows, AreFoundByName) {
+    for (const SweepRow& row : sweepRows(false)) {
+        const auto found = namedSweepRows({row.name()});
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_EQ(found[0].name(), row.name());
+    }
+    EXPECT_THROW(namedSweepRows({"agaa-8-2", "agaa-8-2"}), std::invalid_argument);
+    EXPECT_THROW(namedSweepRows({"agaa"}), std::invalid_argument);
+    EXPECT_TRUE(namedSweepRows({}).empty());
+}
+
 TEST(SweepRows, EveryTechniqueIsThere) {
     uint32_t count = 0;
     ASSERT_EQ(agaaEnumerateTechniques(&count, nullptr), AGAA_OK);

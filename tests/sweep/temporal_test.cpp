@@ -39,6 +39,9 @@ TEST(Temporal, TheCameraWalksToTheSide) {
             const double pixels = glm::length(step) / distance / std::tan(glm::radians(25.0)) * 180;
             EXPECT_NEAR(pixels, 1.3 * frame, 1e-9);
         }
+    camera.target = camera.eye + glm::dvec3(2, 2, 2);
+    camera.up = glm::dvec3(1, 1, 1);
+    EXPECT_GT(glm::length(pathCamera(camera, 1, 360).eye - camera.eye), 0);
     camera.target = camera.eye;
     EXPECT_EQ(pathCamera(camera, 3, 360).eye, camera.eye) << "aims at nothing";
 }

@@ -3,12 +3,13 @@
 
 usage: choosing.py RESULTS.json OUT.md
 
-docs/sweep.md describes RESULTS.json. Of rows whose errors differ by less than ten times the reference's own
-error, the faster counts as the better.
+docs/sweep.md describes RESULTS.json. Where the most accurate row is asked for, errors that differ by less than
+ten times the reference's own count as equal, and the fastest of them is named.
 """
 
 import argparse
 import json
+import math
 import sys
 from pathlib import Path
 
@@ -66,12 +67,21 @@ def most_accurate(scene, rows):
     return fastest([row for row in rows if error(row) <= least + margin])
 
 
+def ratio(a, b):
+    """None where there is none to speak of."""
+    return a / b if a is not None and b else None
+
+
+def shown(value):
+    return "not measured" if value is None else f"{value:.2f}"
+
+
 def cell(row, scene):
     if row is None:
         return "none"
     single = find(scene, "single", 1)
-    return (f"{name(row)} ({frame(row) / frame(single):.1f}x, 1/{error(single) / error(row):.0f}, "
-            f"{row['bytesPerPixel']:.0f} B)")
+    share = ratio(error(row), error(single))
+    return f"{name(row)} ({shown(ratio(frame(row), frame(single)))}x, {share:.3g}, {row['bytesPerPixel']:.0f} B)"
 
 
 def table(head, rows):
@@ -103,8 +113,8 @@ def by_memory(scenes):
 
 
 def shading(row):
-    """0 where passes have no times."""
-    return (row["stageMs"] or {}).get("shading") or 0
+    """None where passes have no times."""
+    return (row["stageMs"] or {}).get("shading") or None
 
 
 def ratios(scene, n, gbuffer=False, cost=1):
@@ -113,13 +123,14 @@ def ratios(scene, n, gbuffer=False, cost=1):
     b = find(scene, "agaa", n, 2, cost=cost, gbuffer=gbuffer)
     if a is None or b is None:
         return None
-    return {"events": a["eventsPerCoveredPixel"] / b["eventsPerCoveredPixel"],
-            "shading": shading(a) / shading(b) if shading(b) else 0,
-            "frame": frame(a) / frame(b)}
+    events = ratio(a["eventsPerCoveredPixel"], b["eventsPerCoveredPixel"])
+    times = ratio(shading(a), shading(b))
+    return {"events": events, "shading": times, "efficiency": ratio(times, events), "frame": ratio(frame(a), frame(b))}
 
 
 def win_cost(scene, n, gbuffer=False):
-    """From which shading cost on agaa's frame is the shorter, by the lines through costs 1 and 4; or None."""
+    """From which shading cost on agaa's frame is the shorter, by the lines through costs 1 and 4: 0 where it
+    is up to 16, infinite where it is not for long; None where it was not measured."""
     def line(technique, c, from_gbuffer):
         one, four = (find(scene, technique, n, c, cost, from_gbuffer) for cost in (1, 4))
         if one is None or four is None:
@@ -127,14 +138,19 @@ def win_cost(scene, n, gbuffer=False):
         slope = (frame(four) - frame(one)) / 3
         return frame(one) - slope, slope
     a, b = line("simple_complex", 0, False), line("agaa", 2, gbuffer)
-    if a is None or b is None or a[1] <= b[1]:
+    if a is None or b is None:
         return None
-    return max((b[0] - a[0]) / (a[1] - b[1]), 0.0)
+    behind, gain = b[0] - a[0], a[1] - b[1]
+    if gain <= 0:
+        return 0.0 if behind < 16 * gain else math.inf
+    return max(behind / gain, 0.0)
 
 
 def cost_text(scene, n, gbuffer=False):
     value = win_cost(scene, n, gbuffer)
-    return "not measured" if value is None else "any" if value <= 1 else f"{value:.1f}"
+    if value is None:
+        return "not measured"
+    return "any" if value <= 1 else f"{value:.1f}" if value <= 16 else "beyond 16"
 
 
 def speed_rows(scenes):
@@ -145,10 +161,8 @@ def speed_rows(scenes):
             if two is None:
                 continue
             out.append([scene["name"] + (" (dense)" if scene["name"] in DENSE else ""), n,
-                        f"{two['events']:.2f}", f"{two['shading']:.2f}",
-                        f"{two['shading'] / two['events']:.2f}", f"{two['frame']:.2f}",
-                        f"{one['frame']:.2f}" if one else "", cost_text(scene, n),
-                        cost_text(scene, n, True) if one else ""])
+                        shown(two["events"]), shown(two["shading"]), shown(two["efficiency"]), shown(two["frame"]),
+                        shown(one and one["frame"]), cost_text(scene, n), cost_text(scene, n, True)])
     return out
 
 
@@ -159,7 +173,7 @@ def merge_rows(scenes):
         if None in rows:
             continue
         agaa, two, four = (row["errorSameSamples"]["mseTm"] for row in rows)
-        out.append([scene["name"], f"{agaa:.2e}", f"{two:.2e}", f"{four:.2e}", f"{agaa / two:.2f}",
+        out.append([scene["name"], f"{agaa:.2e}", f"{two:.2e}", f"{four:.2e}", shown(ratio(agaa, two)),
                     "yes" if agaa <= 0.75 * two else "no", "yes" if agaa <= four else "no"])
     return out
 
@@ -169,6 +183,7 @@ def count(rows, column, wanted="yes"):
 
 
 def span(values):
+    values = [value for value in values if value is not None]
     return f"{min(values):.2f} to {max(values):.2f}" if values else "not measured"
 
 
@@ -183,7 +198,7 @@ def speed_sentences(scenes):
         lines.append(
             f"* At n={n}, simple\\_complex / agaa c=2: shading {span([r['shading'] for r in two.values()])}, "
             f"on the dense scenes {span([r['shading'] for r in dense])}; that is "
-            f"{span([r['shading'] / r['events'] for r in two.values()])} of the ratio of their shading events "
+            f"{span([r['efficiency'] for r in two.values()])} of the ratio of their shading events "
             f"(the paper: {PAPER_EFFICIENCY}). Whole frame: {span([r['frame'] for r in two.values()])} with two "
             f"geometry passes, {span([r['frame'] for r in one.values()])} from a G-buffer.")
     return lines
@@ -193,9 +208,8 @@ def document(results):
     lines = ["# Which technique, which n and c", "",
              "Generated by `tools/report/choosing.py` from the results of `agaa-harness sweep` "
              f"({results['size']}); docs/sweep.md says how they are measured. Errors are mean squares after tone "
-             "mapping, against the reference of 512 samples a pixel. In brackets: frame time by that of `single`, "
-             "error by that of `single`, bytes a pixel. A gap of less than ten times the reference's own error "
-             "counts as none; then the faster row is named.", ""]
+             "mapping, against the reference. In brackets: frame time and error by those of `single`, bytes a pixel. "
+             "A gap of less than ten times the reference's own error counts as none; then the faster row is named.", ""]
     for backend in results["backends"]:
         scenes = [s for s in backend["scenes"] if find(s, "single", 1)]
         if not scenes:
@@ -212,8 +226,8 @@ def document(results):
         lines += ["### The most accurate in a time", ""] + by_time(scenes)
         lines += ["### The most accurate in memory", ""] + by_memory(scenes)
         lines += ["### simple\\_complex by agaa c=2", "",
-                  "Ratios above 1 are for `agaa`. The last two columns: how many times heavier than 17 lights "
-                  "shading must be for `agaa` to have the shorter frame.", ""]
+                  "Ratios above 1 are for `agaa`. The last two columns: how many times heavier than with the "
+                  "scene's own lights shading must be for `agaa` to have the shorter frame.", ""]
         lines += table(["scene", "n", "events", "shading", "shading by events", "frame, two passes",
                         "frame, from a G-buffer", "wins from, two passes", "wins from, G-buffer"], speeds)
         lines += ["### What merging costs at n=8", "", "Mean squares after tone mapping against `ssaa` n=8.", ""]

@@ -37,7 +37,10 @@ json readResults(const fs::path& path, const json& fresh) {
     const json old = json::parse(in, nullptr, false);
     if (old.is_discarded() || !old.is_object())
         throw std::runtime_error("The file " + path.string() + " is not that of a sweep; take another folder.");
-    for (const char* key : {"schema", "quick", "size", "rows"})
+    if (old.value("schema", json()) != fresh["schema"])
+        throw std::runtime_error("The file " + path.string() +
+                                 " is of another version of the sample engine; take another folder.");
+    for (const char* key : {"quick", "size", "rows"})
         if (old.value(key, json()) != fresh[key])
             throw std::runtime_error("The file " + path.string() +
                                      " is of a sweep with other arguments; take another folder.");
@@ -84,7 +87,7 @@ public:
     Sweep(const SweepArguments& arguments) : arguments_(arguments), out_(arguments.out) {
         fs::create_directories(out_ / "images");
         rows_ = arguments.rows.empty() ? sweepRows(arguments.quick) : namedSweepRows(arguments.rows);
-        results_ = readResults(out_ / "results.json", {{"schema", 1},
+        results_ = readResults(out_ / "results.json", {{"schema", 2},
                                                        {"quick", arguments.quick},
                                                        {"size", arguments.size},
                                                        {"rows", arguments.rows},

@@ -33,7 +33,7 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--surface", a.surface, "one surface: least cosine, widths of a pixel, material; 0: default");
     app.add_option("--shadow-taps", a.shadowTaps, "per aggregate, at most; 0: chosen by n");
     app.add_option("--shading-cost", a.shadingCost, "evaluate lighting this many times");
-    app.add_flag("--split-surfaces", a.splitSurfaces, "the paper's aggregates: one surface may make several");
+    app.add_flag("--split-surfaces", a.splitSurfaces, "agaa: one surface may make several aggregates");
     app.add_flag("--first-sample-routing", a.firstSampleRouting, "the paper's algorithm 2 (c)");
     app.add_flag("--no-diffuse-filter", a.noDiffuseFilter);
     app.add_flag("--no-shadow-filter", a.noShadowFilter);
@@ -121,7 +121,7 @@ int run(int argc, char** argv) {
     sweep->add_option("--backend", sweepArguments.backends, "vk, gl");
     sweep->add_option("--out", sweepArguments.out, "folder; a sweep that it holds is gone on with");
     sweep->add_option("--size", sweepArguments.size, "WxH");
-    sweep->add_option("--row", sweepArguments.rows, "only these, such as simple_complex-8 or agaa-8-2");
+    sweep->add_option("--row", sweepArguments.rows, "only these of a full sweep, such as agaa-8-2; repeatable");
     sweep->add_flag("--quick", sweepArguments.quick, "two scenes, few rows, 320x180: minutes, not hours");
 
     try {

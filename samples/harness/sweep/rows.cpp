@@ -48,7 +48,7 @@ std::vector<SweepRow> sweepRows(bool quick) {
     rows.push_back({"sbaa", 8, 2, 1, AGAA_TIER_GBUFFER});
     // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
     for (uint32_t cost : {4u, 16u})
-        for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"sbaa", 8, 2}, {"agaa", 8, 2},
+        for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"simple_complex", 8}, {"sbaa", 8, 2}, {"agaa", 8, 2},
                                     {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}, {"simple_complex", 32}, {"agaa", 32, 2}})
             if (cost == 4 || row.samples == 8) {
                 rows.push_back(row);
@@ -69,6 +69,8 @@ std::vector<SweepRow> namedSweepRows(const std::vector<std::string>& names) {
                 all += (all.empty() ? "" : ", ") + known.name();
             throw std::invalid_argument("There is no row \"" + name + "\"; rows are " + all + ".");
         }
+        if (std::count(names.begin(), names.end(), name) > 1)
+            throw std::invalid_argument("The row \"" + name + "\" is asked for twice.");
         rows.push_back(*row);
     }
     return rows;

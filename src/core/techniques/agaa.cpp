@@ -56,7 +56,7 @@ void buildNative(PlanBuilder& b) {
 void build(PlanBuilder& b) {
     if (b.plan.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
         return buildNative(b);
-    b.defaultSurface(0.9f, 1.0f, 1.0f);
+    b.defaultSurface(0.98f, 1.0f, 1.0f);
     if (b.plan.config.flags & AGAA_CONFIG_SPLIT_SURFACES)
         b.plan.config.surfaceCosine = 2.0f; // that no two normals have
     Aggregation sums;

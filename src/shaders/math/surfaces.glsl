@@ -27,15 +27,19 @@ bool agaa_areOneSurface(uint a, uint b, real cosine, real width) {
            abs(dot(agaa_sampleNormal[b], between)) <= width;
 }
 
-// Whether all samples show one surface, that of the first.
+// Whether all samples show one surface, that of the first by content.
 bool agaa_areAllOneSurface(uint n, uint covered, real cosine, real width) {
     uint first = 0u;
     bool any = false;
+    for (uint i = 0u; i < n; ++i) {
+        if (agaa_sampleIsCovered(covered, i) && (!any || agaa_contentPrecedes(i, first))) {
+            first = i;
+            any = true;
+        }
+    }
     bool one = true;
     for (uint i = 0u; i < n && one; ++i) {
         if (agaa_sampleIsCovered(covered, i)) {
-            first = any ? first : i;
-            any = true;
             one = agaa_areOneSurface(first, i, cosine, width);
         }
     }

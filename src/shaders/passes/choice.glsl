@@ -1,5 +1,5 @@
-// Some samples of many, evenly chosen. A loop over the chosen ones ends for all lanes together, where a loop over
-// all samples would pay for each in every lane.
+// Some samples of many, evenly chosen. A loop over the chosen ones does its work as often as there are such, where
+// one over all samples, lanes skipping different ones, does it for each.
 #ifndef AGAA_CHOICE_GLSL
 #define AGAA_CHOICE_GLSL
 

@@ -21,10 +21,10 @@ void main() {
     agaa_PixelSamples samples = agaa_loadSamples(pixel);
     float k = agaa_pixelCharacteristicLength(samples);
     uvec2 planes = uvec2(0u);
-    // Distance along a slanted surface would part its samples, and gain nothing: they have one normal.
-    float width = agaa_frame.surface.y * agaa_pixelWidth(samples.nearest) + samples.quantum;
+    // Distance along a slanted surface would part its samples, though they are shaded nearly alike.
     if (samples.covered != 0u &&
-        !agaa_areAllOneSurface(agaa_sampleCount(), samples.covered, agaa_frame.surface.x, width) &&
+        !agaa_areAllOneSurface(agaa_sampleCount(), samples.covered, agaa_frame.surface.x,
+                               agaa_surfaceWidth(samples)) &&
         agaa_defineAggregates(agaa_sampleCount(), samples.covered, AGAA_AGGREGATES, k, agaa_frame.cluster.z,
                               AGAA_SEEDS) > 1u) {
         for (uint i = 0u; i < agaa_sampleCount(); ++i)

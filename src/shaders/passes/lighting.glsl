@@ -95,6 +95,13 @@ float agaa_shadowTap(uint map, vec3 p) {
 
 float agaa_visibility[4]; // per shadow map, for the surface at hand
 
+void agaa_addTaps(vec3 position) {
+#if AGAA_SHADOWS
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] += agaa_shadowTap(map, position);
+#endif
+}
+
 vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
     agaa_GpuLight light = agaa_lightBuffer.lights[index];
     uint type = floatBitsToUint(light.directionType.w);

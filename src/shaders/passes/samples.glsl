@@ -11,7 +11,7 @@ layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
 layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
 #endif
 
-// The normal of a sample in a frame that all samples of the pixel share, and a number that is equal for
+// The normal of a sample in the frame of agaa_normalFrame(), and a number that is equal for
 // equal normals. False where there is no geometry.
 bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 #if AGAA_FROM_GBUFFER
@@ -35,13 +35,32 @@ uint agaa_sampleCount() { return uint(agaa_frame.surface.w); }
 
 struct agaa_PixelSamples {
     uint covered;
-    float nearest; // distance
-    float quantum; // largest step of depth, as a length
+    float nearest;  // distance
+    float nearestZ; // along the view
+    float quantum;  // largest step of depth, as a length
 };
+
+// Normals come in a frame of their own; planes want that of the positions.
+mat3 agaa_normalFrame(uvec2 pixel) {
+#if AGAA_FROM_GBUFFER
+    return mat3(agaa_frame.view);
+#else
+    vec2 centre = (vec2(pixel) + 0.5) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
+    vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projection0.x, agaa_frame.projection0.y,
+                                 agaa_frame.projection0.z, agaa_frame.projection0.w,
+                                 agaa_isOrthographic());
+    vec3 v = agaa_isOrthographic() != 0u ? vec3(0.0, 0.0, 1.0) : normalize(-ray);
+    vec3 t, b;
+    agaa_viewBasis(v, t, b);
+    return mat3(t, b, v);
+#endif
+}
 
 agaa_PixelSamples agaa_loadSamples(uvec2 pixel) {
     uint covered = 0u;
     float nearest2 = 3.0e38;
+    float nearestZ = 3.0e38;
+    mat3 frame = agaa_normalFrame(pixel);
     float quantum = 0.0;
     for (uint i = 0u; i < agaa_sampleCount(); ++i) {
         vec3 normal;
@@ -52,20 +71,26 @@ agaa_PixelSamples agaa_loadSamples(uvec2 pixel) {
         float depth = AGAA_FETCH(agaa_depth, pixel, i).x;
         vec3 position = agaa_sampleViewPosition(pixel, i, depth);
         uvec2 place = uvec2(agaa_frame.samplePosition[i].xy * 128.0);
-        agaa_setSample(i, position, normal, floatBitsToUint(depth),
+        agaa_setSample(i, position, frame * normal, floatBitsToUint(depth),
                        code << 16 | place.x << 8 | place.y);
         nearest2 = min(nearest2, dot(position, position));
+        nearestZ = min(nearestZ, abs(position.z));
         float step = agaa_frame.projection1.w;
         step = step < 0.0 ? -step * depth : step; // float formats: relative
         quantum = max(quantum, agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x,
                                                  agaa_frame.projection1.y, agaa_isOrthographic(),
                                                  step));
     }
-    return agaa_PixelSamples(covered, sqrt(nearest2), quantum);
+    return agaa_PixelSamples(covered, sqrt(nearest2), nearestZ, quantum);
 }
 
 float agaa_pixelCharacteristicLength(agaa_PixelSamples samples) {
     return agaa_characteristicLength(agaa_frame.cluster.x, agaa_frame.cluster.y, samples.nearest,
                                      samples.quantum, agaa_frame.cluster.z);
+}
+
+// How far from its plane a surface may be: the depths of two samples may each be a step off.
+float agaa_surfaceWidth(agaa_PixelSamples samples) {
+    return agaa_frame.surface.y * agaa_pixelWidth(samples.nearestZ) + 2.0 * samples.quantum;
 }
 #endif

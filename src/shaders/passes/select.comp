@@ -17,22 +17,6 @@ layout(std430, AGAA_AT_AGGREGATES) writeonly buffer agaa_AggregateBlock {
     uint words[];
 } agaa_aggregates;
 
-// Normals come in a frame of their own; planes want that of the positions.
-mat3 agaa_normalFrame(uvec2 pixel) {
-#if AGAA_FROM_GBUFFER
-    return mat3(agaa_frame.view);
-#else
-    vec2 centre = (vec2(pixel) + 0.5) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
-    vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projection0.x, agaa_frame.projection0.y,
-                                 agaa_frame.projection0.z, agaa_frame.projection0.w,
-                                 agaa_isOrthographic());
-    vec3 v = agaa_isOrthographic() != 0u ? vec3(0.0, 0.0, 1.0) : normalize(-ray);
-    vec3 t, b;
-    agaa_viewBasis(v, t, b);
-    return mat3(t, b, v);
-#endif
-}
-
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, agaa_frame.size.xy)))
@@ -40,12 +24,8 @@ void main() {
     agaa_PixelSamples samples = agaa_loadSamples(pixel);
     uint count = 0u;
     if (samples.covered != 0u) {
-        mat3 frame = agaa_normalFrame(pixel);
-        for (uint i = 0u; i < agaa_sampleCount(); ++i)
-            agaa_sampleNormal[i] = frame * agaa_sampleNormal[i];
-        float width = agaa_frame.surface.y * agaa_pixelWidth(samples.nearest) + 2.0 * samples.quantum;
         count = agaa_selectSurfaces(agaa_sampleCount(), samples.covered, AGAA_AGGREGATES,
-                                    agaa_frame.surface.x, width,
+                                    agaa_frame.surface.x, agaa_surfaceWidth(samples),
                                     agaa_inverseK2(agaa_pixelCharacteristicLength(samples)));
     }
     uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_STRIDE);

@@ -95,13 +95,16 @@ vec3 agaa_viewPositionOf(uvec2 pixel, uint i) {
 }
 
 // Mean position, and the aggregate's share of each shadow map's light: at up to AGAA_SHADOW_TAPS of its
-// own samples, evenly chosen, or along the view ray by the variance of its depth.
+// own samples, evenly chosen, or along the view ray by the variance of its depth, which takes all samples.
 vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
     vec3 mean = vec3(0.0);
     vec3 first = vec3(0.0);
     agaa_Moments depthMoments = agaa_momentsInit(0.0);
-    // The variance of depth takes all samples; for the mean eight are as good.
-    uint places = AGAA_SHADOW_FILTER == 2u ? agaa_count_ : min(agaa_count_, 8u);
+#if AGAA_SHADOWS
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] = 0.0;
+#endif
+    uint places = AGAA_SHADOW_FILTER == 2u ? agaa_count_ : min(agaa_count_, AGAA_SHADOW_TAPS);
     agaa_Choice choice = agaa_chooseFrom(mask, places);
     for (uint j = 0u; j < places; ++j) {
         vec3 position = agaa_viewPositionOf(pixel, agaa_nextSample(choice, j));
@@ -112,20 +115,12 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
         mean += position - first;
         if (AGAA_SHADOW_FILTER == 2u)
             agaa_momentsAdd(depthMoments, position.z);
+        if (AGAA_SHADOW_FILTER == 1u)
+            agaa_addTaps(agaa_toShadingSpace(position));
     }
     mean = first + mean / float(places);
-#if AGAA_SHADOWS
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] = 0.0;
-    uint taps = min(agaa_count_, AGAA_SHADOW_TAPS);
-    if (AGAA_SHADOW_FILTER == 1u) {
-        choice = agaa_chooseFrom(mask, taps);
-        for (uint j = 0u; j < taps; ++j) {
-            vec3 p = agaa_toShadingSpace(agaa_viewPositionOf(pixel, agaa_nextSample(choice, j)));
-            for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-                agaa_visibility[map] += agaa_shadowTap(map, p);
-        }
-    } else {
+    uint taps = places;
+    if (AGAA_SHADOW_FILTER != 1u) {
         float sigma = AGAA_SHADOW_FILTER == 2u ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
         taps = sigma > 0.0 ? 4u : 1u;
         for (uint j = 0u; j < taps; ++j) {
@@ -133,11 +128,10 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
             float offset = sigma * (j < 2u ? 0.45 : 1.34) * ((j & 1u) != 0u ? 1.0 : -1.0);
             float along = abs(mean.z) > 0.0 ? 1.0 + offset / mean.z : 1.0;
             vec3 at = agaa_isOrthographic() != 0u ? mean + vec3(0.0, 0.0, offset) : mean * along;
-            vec3 p = agaa_toShadingSpace(at);
-            for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-                agaa_visibility[map] += agaa_shadowTap(map, p);
+            agaa_addTaps(agaa_toShadingSpace(at));
         }
     }
+#if AGAA_SHADOWS
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] /= float(taps);
 #endif

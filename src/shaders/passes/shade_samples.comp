@@ -49,13 +49,6 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     return work;
 }
 
-#if AGAA_SHADOWS
-void agaa_addTaps(vec3 position) {
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] += agaa_shadowTap(map, position);
-}
-#endif
-
 // Shadows end within surfaces too: of a pixel that is shaded once, they are looked up at its samples.
 void agaa_findVisibility(uvec2 pixel, uint mask) {
 #if AGAA_SHADOWS

@@ -37,6 +37,16 @@ struct Pixel {
     double width = 0; // of one surface
 };
 
+glm::dvec3 viewPosition(const Plan& plan, const FrameConstants& constants, uint32_t x, uint32_t y, uint32_t i,
+                        double depth) {
+    const float* p = constants.projection;
+    const bool orthographic = p[6] != 0.0f;
+    const double z = math_d::agaa_viewZFromDepth(depth, double(p[4]), double(p[5]), orthographic);
+    const glm::dvec2 ndc((x + double(constants.samples[i][0])) / plan.width * 2 - 1,
+                         (y + double(constants.samples[i][1])) / plan.height * 2 - 1);
+    return math_d::agaa_viewPosition(ndc, z, double(p[0]), double(p[1]), double(p[2]), double(p[3]), orthographic);
+}
+
 class Oracle {
 public:
     Oracle(StageView& view, const AgaaFrame& frame)
@@ -49,7 +59,13 @@ public:
         const float* p = constants_.projection;
         const bool orthographic = p[6] != 0.0f;
         Pixel pixel;
-        double nearest2 = 1e300, quantum = 0;
+        double nearest2 = 1e300, nearestZ = 1e300, quantum = 0;
+        const rvec2 centre((x + 0.5) / plan.width * 2 - 1, (y + 0.5) / plan.height * 2 - 1);
+        const rvec3 ray = agaa_viewPosition(centre, -1.0, double(p[0]), double(p[1]), double(p[2]), double(p[3]),
+                                            orthographic);
+        const rvec3 v = orthographic ? rvec3(0, 0, 1) : glm::normalize(-ray);
+        rvec3 t, b;
+        agaa_viewBasis(v, t, b);
         for (uint32_t i = 0; i < plan.samples; ++i) {
             const size_t s = view_.sampleIndex(x, y, i);
             const glm::uvec2 code(channel(normals_[s].x), channel(normals_[s].y));
@@ -57,20 +73,17 @@ public:
                 continue;
             pixel.covered |= 1u << i;
             const double depth = double(std::bit_cast<float>(depth_[s].x));
-            const double z = agaa_viewZFromDepth(depth, double(p[4]), double(p[5]), orthographic);
-            const rvec2 ndc((x + double(constants_.samples[i][0])) / plan.width * 2 - 1,
-                            (y + double(constants_.samples[i][1])) / plan.height * 2 - 1);
-            const rvec3 position =
-                agaa_viewPosition(ndc, z, double(p[0]), double(p[1]), double(p[2]), double(p[3]),
-                                  orthographic);
+            const rvec3 position = viewPosition(plan, constants_, x, y, i, depth);
+            const double z = position.z;
             auto& c = *pixel.clustering;
             c.agaa_samplePosition[i] = position;
-            c.agaa_sampleNormal[i] = agaa_decodeHemiOct8(code);
+            c.agaa_sampleNormal[i] = glm::dmat3(t, b, v) * agaa_decodeHemiOct8(code);
             c.agaa_sampleKeyA[i] = depth_[s].x;
             c.agaa_sampleKeyB[i] = code.x << 24 | code.y << 16 |
                                    uint32_t(constants_.samples[i][0] * 128) << 8 |
                                    uint32_t(constants_.samples[i][1] * 128);
             nearest2 = std::min(nearest2, glm::dot(position, position));
+            nearestZ = std::min(nearestZ, std::abs(z));
             const double step = p[7] < 0 ? double(-p[7]) * depth : double(p[7]);
             quantum = std::max(quantum, agaa_depthQuantum(z, depth, double(p[4]), double(p[5]),
                                                           orthographic, step));
@@ -80,8 +93,8 @@ public:
                                             double(config.characteristicLengthPerDistance),
                                             std::sqrt(nearest2), quantum,
                                             double(config.aggregateThreshold));
-        const double scale = orthographic ? 1.0 : std::sqrt(nearest2);
-        pixel.width = double(config.surfaceDistance) * scale * 2 / (std::abs(double(p[0])) * plan.width) + quantum;
+        const double scale = orthographic ? 1.0 : nearestZ;
+        pixel.width = double(config.surfaceDistance) * scale * 2 / (std::abs(double(p[0])) * plan.width) + 2 * quantum;
         return pixel;
     }
 
@@ -167,7 +180,7 @@ TEST(Definition, AgreesWithDoubleForEverySampleAndAggregateCount) {
             expectOracle(context, settingsFor(n, c), scene);
 }
 
-// As the paper has it: distance alone may part the samples of one surface.
+// Distance alone may part the samples of one surface.
 TEST(Definition, AgreesWhereSurfacesMayBeSplit) {
     StageContext context;
     ViewSettings settings = settingsFor(8, 2);
@@ -215,6 +228,99 @@ TEST(Definition, HardCase55AgreesAtOddSizes) {
     settings.width = 31;
     settings.height = 17;
     expectOracle(context, settings, scene);
+}
+
+// A square of two triangles; `side` is along one of its edges.
+void addSquare(std::vector<Triangle>& scene, const glm::vec3& normal, const glm::vec3& side, const glm::vec3& centre,
+               float size) {
+    const glm::vec3 up = glm::cross(side, normal);
+    const glm::vec3 corners[4] = {centre - size * (side + up), centre + size * (side - up),
+                                  centre + size * (side + up), centre + size * (up - side)};
+    for (const auto& index : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+        Triangle t;
+        for (size_t i = 0; i < 3; ++i)
+            t.position[i] = corners[index[i]];
+        t.material.geometricNormal = t.material.normal = glm::vec4(planeNormal(t), 0);
+        t.material.normal.w = 0.5f;
+        scene.push_back(t);
+    }
+}
+
+struct Split {
+    size_t several = 0; // pixels of more than one aggregate
+    size_t layered = 0; // that show both layers, more than a pixel's width apart
+    size_t wrong = 0;   // one but not the other; pixels where the gap is about a width are left out
+};
+
+// A plane through (0, 0, -6) with this normal, both in view space, and a parallel one in front of its one half, if
+// the gap is not 0. The camera is turned, so that no axis of the host's is one of the view's.
+Split splitPixels(StageContext& context, uint32_t tier, const glm::vec3& normal, float gap) {
+    ViewSettings settings = settingsFor(8, 2);
+    settings.config.generationTier = tier;
+    settings.view = glm::mat4(glm::mat3(glm::vec3(0.36f, 0.48f, -0.8f), glm::vec3(-0.8f, 0.6f, 0),
+                                        glm::vec3(0.48f, 0.64f, 0.6f)));
+    const glm::mat3 toShading = glm::transpose(glm::mat3(settings.view));
+    const glm::vec3 side = glm::normalize(glm::cross(normal, glm::vec3(0.3f, 0.9f, 0.2f)));
+    const glm::vec3 behind(0, 0, -6);
+    constexpr float size = 30;
+    std::vector<Triangle> scene;
+    addSquare(scene, toShading * normal, toShading * side, toShading * behind, size);
+    if (gap > 0)
+        addSquare(scene, toShading * normal, toShading * side,
+                  toShading * (behind + gap * normal + size * side), size);
+    StageView view(context, settings);
+    view.setTriangles(scene);
+    const AgaaFrame frame = view.frame();
+    view.render(frame);
+    const FrameConstants constants = frameConstants(view.plan(), frame, view.positions());
+    const auto depth = view.readSurface("depth");
+    const auto metadata = view.readSurface("metadata");
+    Split split;
+    for (uint32_t y = 0; y < settings.height; ++y)
+        for (uint32_t x = 0; x < settings.width; ++x) {
+            double least = 1e9, most = -1e9, nearest = 1e9;
+            for (uint32_t i = 0; i < 8; ++i) {
+                const double d = double(std::bit_cast<float>(depth[view.sampleIndex(x, y, i)].x));
+                if (d == 1) // no geometry
+                    continue;
+                const glm::dvec3 at = viewPosition(view.plan(), constants, x, y, i, d);
+                const double along = glm::dot(at - glm::dvec3(behind), glm::dvec3(normal));
+                nearest = std::min(nearest, -at.z);
+                least = std::min(least, along);
+                most = std::max(most, along);
+            }
+            const double width = nearest * 2 / (double(constants.projection[0]) * settings.width);
+            if (gap > 0 && std::abs(gap / width - 1) < 0.1)
+                continue;
+            const bool layered = gap > width && most - least > double(gap) / 2;
+            const bool several = metadata[size_t(y) * settings.width + x].x != 0;
+            split.layered += layered;
+            split.several += several;
+            split.wrong += layered != several;
+        }
+    return split;
+}
+
+const glm::vec3 slopes[] = {{0, 0, 1}, {0.6f, 0, 0.8f}, {0, 0.8f, 0.6f}, {-0.64f, 0.48f, 0.6f}};
+constexpr uint32_t definitionTiers[] = {AGAA_TIER_AUTO, AGAA_TIER_GBUFFER};
+
+TEST(Definition, ASurfaceIsOneAggregateAtAnySlope) {
+    StageContext context;
+    for (const uint32_t tier : definitionTiers)
+        for (const glm::vec3& normal : slopes)
+            EXPECT_EQ(splitPixels(context, tier, normal, 0).several, 0u) << normal.x << ' ' << normal.y;
+}
+
+TEST(Definition, ParallelLayersAreTwoAggregates) {
+    StageContext context;
+    for (const uint32_t tier : definitionTiers)
+        for (const glm::vec3& normal : slopes)
+            for (const float gap : {0.9f, 2.0f}) {
+                const Split split = splitPixels(context, tier, normal, gap);
+                EXPECT_GT(split.layered, 5u);
+                EXPECT_EQ(split.wrong, 0u) << normal.x << ' ' << normal.y << ' ' << gap << ": " << split.layered
+                                           << " with two layers, " << split.several << " split";
+            }
 }
 
 // The depth buffer puts samples of a distant wall steps of many metres apart: it stays one aggregate.

@@ -191,11 +191,10 @@ glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
             if (mask >> i & 1)
                 places.push_back(position(x, y, i));
         glm::dvec3 mean(0);
-        const uint32_t taken = std::min(count, 8u);
-        for (uint32_t j = 0; j < taken; ++j)
-            mean += places[(2 * j + 1) * count / (2 * taken)] / double(taken);
-        std::vector<double> visibility;
         const uint32_t taps = std::min(count, plan.config.shadowTaps ? plan.config.shadowTaps : 8u);
+        for (uint32_t j = 0; j < taps; ++j)
+            mean += places[(2 * j + 1) * count / (2 * taps)] / double(taps);
+        std::vector<double> visibility;
         const bool filter = !(plan.config.flags & AGAA_CONFIG_NO_SHADOW_FILTER);
         for (uint32_t map = 0; map < frame_.shadowCount; ++map) {
             double lit = 0;
