@@ -131,7 +131,7 @@ def make_results(folder):
              "errorReference": {"mseTm": 1e-3}, "image": "images/none.png"},
             {"technique": "newcomer", "n": 4, "frameMs": None, "errorReference": None},
             {}, None]})
-    return {"schema": 1, "quick": False, "size": "640x360", "backends": backends}
+    return {"schema": 2, "quick": False, "size": "640x360", "backends": backends}
 
 
 def write_results(folder, results):

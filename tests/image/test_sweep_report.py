@@ -76,7 +76,7 @@ class Written(unittest.TestCase):
 
     def test_errors(self):
         path = self.folder / "results.json"
-        for content in [None, "{", "[]", '{"schema": 2}']:
+        for content in [None, "{", "[]", '{"schema": 1}']:
             if content:
                 path.write_text(content, encoding="utf-8")
             done = run_tool(path, self.out)

@@ -95,8 +95,8 @@ def main(arguments):
         results = json.loads(options.results.read_text(encoding="utf-8"))
         if not isinstance(results, dict):
             raise ValueError("it holds no JSON object")
-        if results.get("schema", 1) != 1:
-            raise ValueError(f"its schema is {results['schema']}; this page shows schema 1")
+        if results.get("schema", 2) != 2:
+            raise ValueError(f"its schema is {results['schema']}; this page shows schema 2")
     except (OSError, ValueError) as error:
         print(f"Could not read {options.results}: {error}", file=sys.stderr)
         return 1
