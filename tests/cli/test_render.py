@@ -24,6 +24,14 @@ class Render(unittest.TestCase):
         return harness.data("render", "--backend", self.backend, "--scene", "metal", "--size", size,
                             *arguments)
 
+    def test_counting_changes_no_pixel(self):
+        for technique in ("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"):
+            with self.subTest(technique=technique):
+                counted, bare = self.path("counted.exr"), self.path("bare.exr")
+                self.render("--technique", technique, "--exr", counted, size="48x27")
+                self.render("--technique", technique, "--exr", bare, "--no-counters", size="48x27")
+                self.assertEqual(harness.data("compare", counted, bare)["maxAbs"], 0)
+
     def test_every_technique(self):
         for technique in ("single", "ssaa", "agaa"):
             with self.subTest(technique=technique):

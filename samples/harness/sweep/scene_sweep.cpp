@@ -12,7 +12,7 @@ using nlohmann::json;
 
 SweepOptions sweepOptions(bool quick) {
     if (quick)
-        return {true, 5, 2, 64, 0, 0};
+        return {5, 2, 64, 0, 0};
     return {};
 }
 
@@ -46,7 +46,6 @@ RenderResult SceneSweep::render(const SweepRow& row, uint64_t flags) {
 json SceneSweep::run() {
     step("reference");
     reference_ = renderReference(renderer_, base_, options_.referenceSamples);
-    writeImage("reference", reference_.image);
     step("counters and images");
     countEvents();
     measureErrors();

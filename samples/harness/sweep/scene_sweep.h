@@ -12,7 +12,6 @@
 namespace harness {
 
 struct SweepOptions {
-    bool quick = false;
     uint32_t rounds = 7;       // of frames without times of passes; the rows take turns, forth and back
     uint32_t timedRounds = 3;  // of frames with them
     uint32_t referenceSamples = 512;
