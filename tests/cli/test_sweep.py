@@ -89,6 +89,20 @@ class Sweep(unittest.TestCase):
             rows = results["backends"][0]["scenes"][0]["rows"]
             self.assertEqual([(r["technique"], r["n"], r["c"]) for r in rows], [("agaa", 8, 2), ("ssaa", 8, 0)])
 
+    def test_backends_share_a_reference(self):
+        with tempfile.TemporaryDirectory() as folder:
+            written = harness.data("sweep", "--scene", "metal", "--size", "32x18", "--row", "agaa-8-2",
+                                   "--backend", "vk", "--backend", "gl", "--out", folder)
+            with open(written["results"]) as file:
+                vk, gl = (backend["scenes"][0] for backend in json.load(file)["backends"])
+        self.assertEqual(vk["reference"], gl["reference"])
+        a, b = vk["rows"][0], gl["rows"][0]
+        self.assertNotEqual(a["image"], b["image"])
+        for over_time in ("temporal", "path"):
+            for term in ("biasSquared", "variance", "flicker"):
+                self.assertAlmostEqual(a[over_time][term] / b[over_time][term], 1, delta=0.02)
+        self.assertAlmostEqual(a["errorReference"]["mseTm"] / b["errorReference"]["mseTm"], 1, delta=0.02)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -39,29 +39,39 @@ class Choosing(unittest.TestCase):
     def cells(self, lines):
         return [text.strip() for text in lines[2].strip("| ").split("|")]
 
+    def answers(self, question):
+        return choosing.by_scene([self.scene], *choosing.QUESTIONS[question][1:])
+
+    def test_how_often(self):
+        lines = choosing.how_often([self.scene, scene(name="city")])
+        self.assertEqual(lines[2], "| error 1/4 of single's | simple\\_complex n=8 (2) |")
+        self.assertEqual(len(lines), 2 + 9 + 1)
+        self.scene["rows"] = self.scene["rows"][:1]
+        self.assertIn("none (1)", choosing.how_often([self.scene, scene(name="city")])[2])
+
     def test_the_fastest_for_an_error(self):
-        cells = self.cells(choosing.by_quality([self.scene]))
+        cells = self.cells(self.answers(0))
         self.assertEqual(cells[1], "simple\\_complex n=8 (3.00x, 0.09, 160 B)")
         self.assertEqual(cells[2], "simple\\_complex n=8 (3.00x, 0.09, 160 B)")
         self.assertEqual(cells[3], "ssaa n=32 (20.00x, 0.01, 500 B)")
 
     def test_gaps_that_the_reference_cannot_tell_are_none(self):
-        self.assertIn("simple", self.cells(choosing.by_time([self.scene]))[3])
+        self.assertIn("simple", self.cells(self.answers(1))[3])
         # Least error within 4x is simple_complex; agaa's is as good by ten times the reference's error.
         for r in self.scene["rows"]:
             if r["technique"] == "agaa":
                 r["frameMs"]["median"] -= 60
-        self.assertIn("agaa n=8 c=2", self.cells(choosing.by_time([self.scene]))[3])
+        self.assertIn("agaa n=8 c=2", self.cells(self.answers(1))[3])
         self.scene["reference"]["splitHalfMseTm"] = 1e-8
-        self.assertIn("simple", self.cells(choosing.by_time([self.scene]))[3])
+        self.assertIn("simple", self.cells(self.answers(1))[3])
 
     def test_memory_and_nothing_that_fits(self):
-        cells = self.cells(choosing.by_memory([self.scene]))
+        cells = self.cells(self.answers(2))
         self.assertTrue(cells[1].startswith("single"))
         self.assertTrue(cells[2].startswith("agaa n=8 c=2"))
         self.scene["rows"] = [r for r in self.scene["rows"] if r["technique"] != "single"][:1] + [
             row("single", 1, 0, 100, 1e-2, 70)]
-        self.assertEqual(self.cells(choosing.by_memory([self.scene]))[1], "none")
+        self.assertEqual(self.cells(self.answers(2))[1], "none")
 
     def test_ratios_and_the_cost_from_which_agaa_wins(self):
         ratios = choosing.ratios(self.scene, 8)

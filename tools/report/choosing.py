@@ -11,6 +11,7 @@ import argparse
 import json
 import math
 import sys
+from collections import Counter
 from pathlib import Path
 
 QUALITIES = [4, 10, 30]  # times less error than single has
@@ -89,27 +90,40 @@ def table(head, rows):
     return lines + ["| " + " | ".join(str(value) for value in row) + " |" for row in rows] + [""]
 
 
-def by_quality(scenes):
-    def pick(scene, times):
-        limit = error(find(scene, "single", 1)) / times
-        return fastest([row for row in rows_of(scene) if error(row) <= limit])
-    return table(["scene"] + [f"error 1/{q} of single's" for q in QUALITIES],
-                 [[s["name"]] + [cell(pick(s, q), s) for q in QUALITIES] for s in scenes])
+def for_quality(scene, times):
+    limit = error(find(scene, "single", 1)) / times
+    return fastest([row for row in rows_of(scene) if error(row) <= limit])
 
 
-def by_time(scenes):
-    def pick(scene, times):
-        limit = times * frame(find(scene, "single", 1))
-        return most_accurate(scene, [row for row in rows_of(scene) if frame(row) <= limit])
-    return table(["scene"] + [f"within {b}x single's frame" for b in BUDGETS],
-                 [[s["name"]] + [cell(pick(s, b), s) for b in BUDGETS] for s in scenes])
+def for_time(scene, times):
+    limit = times * frame(find(scene, "single", 1))
+    return most_accurate(scene, [row for row in rows_of(scene) if frame(row) <= limit])
 
 
-def by_memory(scenes):
-    def pick(scene, limit):
-        return most_accurate(scene, [row for row in rows_of(scene) if row["bytesPerPixel"] <= limit])
-    return table(["scene"] + [f"within {m} B a pixel" for m in MEMORY],
-                 [[s["name"]] + [cell(pick(s, m), s) for m in MEMORY] for s in scenes])
+def for_memory(scene, limit):
+    return most_accurate(scene, [row for row in rows_of(scene) if row["bytesPerPixel"] <= limit])
+
+
+# What is asked for, how it is asked, and the row that answers it.
+QUESTIONS = [("The fastest for an error", "error 1/{} of single's", QUALITIES, for_quality),
+             ("The most accurate in a time", "within {}x single's frame", BUDGETS, for_time),
+             ("The most accurate in memory", "within {} B a pixel", MEMORY, for_memory)]
+
+
+def by_scene(scenes, asked, limits, pick):
+    return table(["scene"] + [asked.format(limit) for limit in limits],
+                 [[s["name"]] + [cell(pick(s, limit), s) for limit in limits] for s in scenes])
+
+
+def how_often(scenes):
+    """Which rows answer each question, and on how many scenes."""
+    lines = []
+    for _, asked, limits, pick in QUESTIONS:
+        for limit in limits:
+            rows = [pick(scene, limit) for scene in scenes]
+            picks = Counter("none" if row is None else name(row) for row in rows).most_common()
+            lines.append([asked.format(limit), ", ".join(f"{text} ({times})" for text, times in picks)])
+    return table(["budget", "what to take (on how many scenes)"], lines)
 
 
 def shading(row):
@@ -222,9 +236,9 @@ def document(results):
             lines += [f"* What merging costs at n=8: agaa c=2 has at most 0.75 of the error of sbaa S=2 on "
                       f"{count(merges, 5)} of {len(merges)} scenes, at most that of sbaa S=4 on "
                       f"{count(merges, 6)}.", ""]
-        lines += ["### The fastest for an error", ""] + by_quality(scenes)
-        lines += ["### The most accurate in a time", ""] + by_time(scenes)
-        lines += ["### The most accurate in memory", ""] + by_memory(scenes)
+        lines += ["### In short", ""] + how_often(scenes)
+        for title, asked, limits, pick in QUESTIONS:
+            lines += [f"### {title}", ""] + by_scene(scenes, asked, limits, pick)
         lines += ["### simple\\_complex by agaa c=2", "",
                   "Ratios above 1 are for `agaa`. The last two columns: how many times heavier than with the "
                   "scene's own lights shading must be for `agaa` to have the shorter frame.", ""]

@@ -92,8 +92,8 @@ public:
                                                        {"size", arguments.size},
                                                        {"rows", arguments.rows},
                                                        {"backends", json::array()}});
-        for (const std::string& backend : arguments.backends)
-            for (const std::string& scene : arguments.scenes)
+        for (const std::string& scene : arguments.scenes)
+            for (const std::string& backend : arguments.backends)
                 tasks_.push_back(parseTask(backend, scene));
     }
 
@@ -104,6 +104,8 @@ public:
                 ++skipped_;
                 continue;
             }
+            if (i == 0 || tasks_[i].scene != tasks_[i - 1].scene)
+                references_ = {};
             measure(tasks_[i], i);
             writeJson(out_ / "results.json", results_);
         }
@@ -125,11 +127,13 @@ private:
         const auto renderer = makeRenderer(a.device);
         renderer->load(scene);
         const std::string name = sceneName(task.scene);
-        SceneSweep sweep(*renderer, scene, settings, sweepOptions(arguments_.quick), rows_, out_ / "images", name,
+        SceneSweep sweep(*renderer, scene, settings, sweepOptions(arguments_.quick), rows_, references_,
+                         out_ / "images", task.backend + "-" + name,
                          [&](const std::string& step, uint32_t done, uint32_t of) {
                              tell(task, name, step, double(index) + double(done) / of);
                          });
         json result = sweep.run();
+        result["name"] = name;
         json& backend = backendOf(results_, task.backend);
         backend["device"] = renderer->caps().deviceName;
         backend["driver"] = renderer->caps().driverName;
@@ -152,6 +156,7 @@ private:
     std::vector<SweepRow> rows_;
     json results_;
     std::vector<Task> tasks_;
+    SceneReferences references_; // of the scene that is being measured
     size_t skipped_ = 0;
     std::chrono::steady_clock::time_point begin_;
 };

@@ -65,6 +65,14 @@ Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t 
     return reference;
 }
 
+const Reference& SceneReferences::get(const std::string& frame, Renderer& renderer,
+                                      const RenderSettings& settings, uint32_t spp) {
+    const auto known = kept_.find(frame);
+    if (known != kept_.end())
+        return known->second;
+    return kept_[frame] = renderReference(renderer, settings, spp);
+}
+
 nlohmann::json metricsJson(const Metrics& m) {
     nlohmann::json out = {{"mse", m.mse},           {"mseTm", m.mseTm}, {"relMse", m.relMse},
                           {"psnrPeak", m.psnrPeak}, {"flip", m.flip},   {"flipP95", m.flipP95}};

@@ -5,6 +5,8 @@
 #include "render/renderer.h"
 
 #include <functional>
+#include <map>
+#include <string>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -22,6 +24,17 @@ struct Reference {
 // As the settings are, but for technique and samples; around the settings' own jitter. spp: at least 2.
 Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t spp,
                           const std::function<void(uint32_t done)>& progress = {});
+
+// Those of one scene, rendered when first asked for and kept: backends share them, whose images agree (see the
+// tests) far below a reference's own error.
+class SceneReferences {
+public:
+    // frame: a name of the settings' camera and jitter.
+    const Reference& get(const std::string& frame, Renderer& renderer, const RenderSettings& settings, uint32_t spp);
+
+private:
+    std::map<std::string, Reference> kept_;
+};
 
 // As docs/sweep.md has an error.
 nlohmann::json metricsJson(const Metrics& metrics);

@@ -47,13 +47,16 @@ std::vector<SweepRow> sweepRows(bool quick) {
         rows.push_back({"agaa", n, 2, 1, AGAA_TIER_GBUFFER});
     rows.push_back({"sbaa", 8, 2, 1, AGAA_TIER_GBUFFER});
     // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
-    for (uint32_t cost : {4u, 16u})
-        for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"simple_complex", 8}, {"sbaa", 8, 2}, {"agaa", 8, 2},
-                                    {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}, {"simple_complex", 32}, {"agaa", 32, 2}})
-            if (cost == 4 || row.samples == 8) {
-                rows.push_back(row);
-                rows.back().shadingCost = cost;
-            }
+    const auto addHeavier = [&](SweepRow row, std::initializer_list<uint32_t> costs) {
+        for (uint32_t cost : costs) {
+            row.shadingCost = cost;
+            rows.push_back(row);
+        }
+    };
+    for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}})
+        addHeavier(row, {4, 16});
+    for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"sbaa", 8, 2}, {"simple_complex", 32}, {"agaa", 32, 2}})
+        addHeavier(row, {4});
     return rows;
 }
 

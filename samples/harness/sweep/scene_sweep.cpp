@@ -1,7 +1,6 @@
 #include "sweep/scene_sweep.h"
 
 #include "sweep/quantiles.h"
-#include "sweep/temporal.h"
 
 #include <algorithm>
 #include <map>
@@ -12,22 +11,38 @@ using nlohmann::json;
 
 SweepOptions sweepOptions(bool quick) {
     if (quick)
-        return {5, 2, 64, 0, 0};
+        return {.rounds = 5, .timedRounds = 2, .pathFrames = 0, .referenceSamples = 64, .temporalSamples = 0};
     return {};
 }
 
+namespace {
+
+// Heavier lighting does not change the image.
+bool isHeavier(const SweepRow& row) { return row.shadingCost > 1; }
+
+json temporalJson(const TemporalAccumulator& accumulator) {
+    const TemporalError error = accumulator.result();
+    return {{"frames", accumulator.count()},
+            {"biasSquared", error.biasSquared},
+            {"variance", error.variance},
+            {"flicker", error.flicker}};
+}
+
+} // namespace
+
 SceneSweep::SceneSweep(Renderer& renderer, const Scene& scene, const RenderSettings& base,
                        const SweepOptions& options, const std::vector<SweepRow>& rows,
-                       std::filesystem::path images, std::string stem, Progress progress)
+                       SceneReferences& references, std::filesystem::path images, std::string prefix,
+                       Progress progress)
     : renderer_(renderer), scene_(scene), base_(base), options_(options), images_(std::move(images)),
-      stem_(std::move(stem)), progress_(std::move(progress)) {
+      prefix_(std::move(prefix)), progress_(std::move(progress)), references_(references) {
     base_.frames = 1;
     base_.warmup = 0;
     for (const SweepRow& row : rows) {
         rows_.emplace_back();
         rows_.back().row = row;
     }
-    steps_ = 4 + options_.rounds + options_.timedRounds + 2 * options_.temporalFrames;
+    steps_ = 5 + options_.rounds + options_.timedRounds;
 }
 
 void SceneSweep::step(const std::string& what) {
@@ -45,34 +60,25 @@ RenderResult SceneSweep::render(const SweepRow& row, uint64_t flags) {
 
 json SceneSweep::run() {
     step("reference");
-    reference_ = renderReference(renderer_, base_, options_.referenceSamples);
+    reference_ = &references_.get("still", renderer_, base_, options_.referenceSamples);
     step("counters and images");
     countEvents();
     measureErrors();
-    takeTurns(options_.rounds, 0, [](Measured& m, const RenderResult& result) {
-        m.frameMs.insert(m.frameMs.end(), result.frameMs.begin(), result.frameMs.end());
-    });
-    takeTurns(options_.timedRounds, AGAA_CONFIG_TIMESTAMPS, [](Measured& m, const RenderResult& result) {
-        m.timed.insert(m.timed.end(), result.statistics.begin(), result.statistics.end());
-    });
-    measureTemporal("errors over sub-pixel shifts", &Measured::temporal,
-                    [&](uint32_t t) { base_.jitter = pixelOffset(t); });
-    measureTemporal("errors along a camera path", &Measured::path, [&, camera = base_.camera](uint32_t t) {
-        base_.camera = pathCamera(camera, t, base_.height);
-    });
+    measureFrames();
+    measurePasses();
+    measurePath();
     step("ablation");
     const json effects = ablation();
     json rows = json::array();
     for (const Measured& m : rows_)
         rows.push_back(rowJson(m));
-    return {{"name", stem_},
-            {"triangles", scene_.placedTriangles()},
+    return {{"triangles", scene_.placedTriangles()},
             {"lights", base_.lights.size()},
             {"stresses", scene_.stresses},
             {"pixelsPerDegree", Metrics{}.pixelsPerDegree},
             {"reference",
-             {{"spp", options_.referenceSamples}, {"splitHalfMseTm", reference_.splitHalfMseTm}}},
-            {"referenceImage", writeImage("reference", reference_.image)},
+             {{"spp", options_.referenceSamples}, {"splitHalfMseTm", reference_->splitHalfMseTm}}},
+            {"referenceImage", writeImage("reference", reference_->image)},
             {"rows", rows},
             {"ablation", effects}};
 }
@@ -85,16 +91,12 @@ void SceneSweep::countEvents() {
     }
 }
 
-void SceneSweep::takeTurns(uint32_t rounds, uint64_t flags,
-                           const std::function<void(Measured&, const RenderResult&)>& keep) {
-    for (const Measured& m : rows_)
-        render(m.row, flags); // warm-up: makes the views, of which the renderer keeps enough, and compiles
-    for (uint32_t round = 0; round < rounds; ++round) {
-        step(flags ? "times of passes" : "times of frames");
-        for (size_t i = 0; i < rows_.size(); ++i) {
-            Measured& m = rows_[round % 2 ? rows_.size() - 1 - i : i];
-            keep(m, render(m.row, flags));
-        }
+void SceneSweep::takeTurn(uint32_t round, uint64_t flags,
+                          const std::function<void(Measured&, RenderResult&)>& keep) {
+    for (size_t i = 0; i < rows_.size(); ++i) {
+        Measured& m = rows_[round % 2 ? rows_.size() - 1 - i : i];
+        RenderResult result = render(m.row, flags);
+        keep(m, result);
     }
 }
 
@@ -110,15 +112,15 @@ void SceneSweep::measureErrors() {
     step("errors");
     sameSamples_.reserve(6); // references into it stay
     for (Measured& m : rows_) {
-        m.errorReference = metricsJson(compareImages(reference_.image, m.image));
+        m.errorReference = metricsJson(compareImages(reference_->image, m.image));
         if (m.row.samples > 1 && m.row.technique != "ssaa")
             m.errorSameSamples = metricsJson(compareImages(sameSamples(m.row.samples), m.image));
-        if (m.row.shadingCost > 1)
+        if (isHeavier(m.row))
             continue;
         const std::string name = m.row.name();
         m.imageFile = writeImage(name, m.image);
-        const std::string difference = stem_ + "-" + name + "-diff.png";
-        writeDifferencePng(images_ / difference, reference_.image, m.image, 4);
+        const std::string difference = prefix_ + "-" + name + "-diff.png";
+        writeDifferencePng(images_ / difference, reference_->image, m.image, 4);
         m.differenceFile = "images/" + difference;
         if (m.row.technique == "msaa")
             continue;
@@ -130,26 +132,54 @@ void SceneSweep::measureErrors() {
     }
 }
 
-void SceneSweep::measureTemporal(const char* what, json Measured::*result,
-                                 const std::function<void(uint32_t frame)>& place) {
+void SceneSweep::measureFrames() {
     const RenderSettings still = base_;
-    std::map<size_t, TemporalAccumulator> accumulators;
-    for (uint32_t t = 0; t < options_.temporalFrames; ++t) {
-        step(what);
-        place(t);
-        const Image reference = renderReference(renderer_, base_, options_.temporalSamples).image;
-        for (size_t i = 0; i < rows_.size(); ++i)
-            if (rows_[i].row.shadingCost == 1)
-                accumulators[i].add(render(rows_[i].row).image, reference);
+    takeTurn(0, 0, [](Measured&, RenderResult&) {}); // warm-up: makes views, of which enough are kept, and compiles
+    std::map<const Measured*, TemporalAccumulator> shifts;
+    for (uint32_t round = 0; round < options_.rounds; ++round) {
+        step("times of frames");
+        base_.jitter = pixelOffset(round);
+        const Reference* reference = options_.temporalSamples ? &temporalReference("shift", round) : nullptr;
+        takeTurn(round, 0, [&](Measured& m, RenderResult& result) {
+            m.frameMs.insert(m.frameMs.end(), result.frameMs.begin(), result.frameMs.end());
+            if (reference && !isHeavier(m.row))
+                shifts[&m].add(result.image, reference->image);
+        });
+    }
+    for (Measured& m : rows_)
+        if (shifts.count(&m))
+            m.temporal = temporalJson(shifts[&m]);
+    base_ = still;
+}
+
+void SceneSweep::measurePasses() {
+    takeTurn(0, AGAA_CONFIG_TIMESTAMPS, [](Measured&, RenderResult&) {}); // warm-up
+    for (uint32_t round = 0; round < options_.timedRounds; ++round) {
+        step("times of passes");
+        takeTurn(round, AGAA_CONFIG_TIMESTAMPS, [](Measured& m, RenderResult& result) {
+            m.timed.insert(m.timed.end(), result.statistics.begin(), result.statistics.end());
+        });
+    }
+}
+
+void SceneSweep::measurePath() {
+    step("errors along a camera path");
+    const RenderSettings still = base_;
+    for (Measured& m : rows_) {
+        TemporalAccumulator path;
+        for (uint32_t frame = 0; frame < options_.pathFrames && !isHeavier(m.row); ++frame) {
+            base_.camera = pathCamera(still.camera, frame, base_.height);
+            const Reference& reference = temporalReference("path", frame);
+            path.add(render(m.row).image, reference.image);
+        }
+        if (path.count())
+            m.path = temporalJson(path);
     }
     base_ = still;
-    for (const auto& [i, accumulator] : accumulators) {
-        const TemporalError error = accumulator.result();
-        rows_[i].*result = {{"frames", options_.temporalFrames},
-                            {"biasSquared", error.biasSquared},
-                            {"variance", error.variance},
-                            {"flicker", error.flicker}};
-    }
+}
+
+const Reference& SceneSweep::temporalReference(const char* of, uint32_t frame) {
+    return references_.get(of + std::to_string(frame), renderer_, base_, options_.temporalSamples);
 }
 
 // Each effect off and on in turns; errors against ssaa with all effects.
@@ -201,7 +231,7 @@ json SceneSweep::ablation() {
 uint32_t SceneSweep::timeSource() const { return rows_.front().timed.front().timeSource; }
 
 std::string SceneSweep::writeImage(const std::string& name, const Image& image) const {
-    const std::string file = stem_ + "-" + name + ".png";
+    const std::string file = prefix_ + "-" + name + ".png";
     writePng(images_ / file, image);
     return "images/" + file;
 }

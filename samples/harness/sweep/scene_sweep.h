@@ -3,6 +3,7 @@
 
 #include "sweep/reference.h"
 #include "sweep/rows.h"
+#include "sweep/temporal.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,11 +13,12 @@
 namespace harness {
 
 struct SweepOptions {
-    uint32_t rounds = 7;       // of frames without times of passes; the rows take turns, forth and back
-    uint32_t timedRounds = 3;  // of frames with them
+    uint32_t rounds = 5;      // of frames without times of passes, each shifted by another part of a pixel; the
+                              // rows take turns, forth and back
+    uint32_t timedRounds = 2; // of frames with them
+    uint32_t pathFrames = 3;  // of a camera path
     uint32_t referenceSamples = 512;
-    uint32_t temporalFrames = 6; // shifts by parts of a pixel, and frames of a camera path; 0: none
-    uint32_t temporalSamples = 32; // of the reference at each
+    uint32_t temporalSamples = 32; // of the references of shifts and of the path; 0: no errors over time
 };
 SweepOptions sweepOptions(bool quick);
 
@@ -25,11 +27,13 @@ public:
     // step: told what is being done, and with how many of how many steps behind it.
     using Progress = std::function<void(const std::string& step, uint32_t done, uint32_t of)>;
 
-    // images: a folder that exists; stem: of its files. base: camera, lights, facts, size.
+    // images: a folder that exists; prefix: of its files. base: camera, lights, facts, size. references: the
+    // scene's, of other backends too.
     SceneSweep(Renderer& renderer, const Scene& scene, const RenderSettings& base, const SweepOptions& options,
-               const std::vector<SweepRow>& rows, std::filesystem::path images, std::string stem, Progress progress);
+               const std::vector<SweepRow>& rows, SceneReferences& references, std::filesystem::path images,
+               std::string prefix, Progress progress);
 
-    nlohmann::json run();
+    nlohmann::json run(); // but for the scene's name
     uint32_t timeSource() const; // AgaaTimeSource of the passes, after run()
 
 private:
@@ -45,12 +49,14 @@ private:
 
     RenderResult render(const SweepRow& row, uint64_t flags = 0);
     void countEvents();
-    void takeTurns(uint32_t rounds, uint64_t flags,
-                   const std::function<void(Measured&, const RenderResult&)>& keep);
+    // Renders all rows; forth, or back in odd rounds.
+    void takeTurn(uint32_t round, uint64_t flags, const std::function<void(Measured&, RenderResult&)>& keep);
     void measureErrors();
-    // place: moves base_ to a frame. Results go to a member of the rows.
-    void measureTemporal(const char* what, nlohmann::json Measured::*result,
-                         const std::function<void(uint32_t frame)>& place);
+    void measureFrames(); // their times, and errors over sub-pixel shifts
+    void measurePasses();
+    void measurePath();
+    // Of base_ as it is.
+    const Reference& temporalReference(const char* of, uint32_t frame);
     nlohmann::json ablation();
     nlohmann::json rowJson(const Measured& row) const;
     std::string writeImage(const std::string& name, const Image& image) const;
@@ -62,12 +68,13 @@ private:
     RenderSettings base_;
     SweepOptions options_;
     std::filesystem::path images_;
-    std::string stem_;
+    std::string prefix_;
     Progress progress_;
     uint32_t done_ = 0;
     uint32_t steps_ = 0;
     std::vector<Measured> rows_;
-    Reference reference_;
+    SceneReferences& references_;
+    const Reference* reference_ = nullptr;
     std::vector<std::pair<uint32_t, Image>> sameSamples_; // ssaa by n
 };
 

@@ -24,6 +24,7 @@ class TemporalAccumulator {
 public:
     // Of one frame; all of one size.
     void add(const Image& image, const Image& reference);
+    uint32_t count() const { return count_; }
     TemporalError result() const; // of at least one frame
 
 private:
