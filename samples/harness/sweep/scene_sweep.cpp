@@ -61,8 +61,10 @@ RenderResult SceneSweep::render(const SweepRow& row, uint64_t flags) {
 json SceneSweep::run() {
     step("reference");
     reference_ = &references_.get("still", renderer_, base_, options_.referenceSamples);
-    step("counters and images");
+    step("counters");
     countEvents();
+    step("images"); // and warm-up: makes the views of the timed frames, of which enough are kept, and compiles
+    takeTurn(0, 0, [](Measured& m, RenderResult& result) { m.still = std::move(result); });
     measureErrors();
     measureFrames();
     measurePasses();
@@ -83,11 +85,18 @@ json SceneSweep::run() {
             {"ablation", effects}};
 }
 
-// Counting changes no pixel.
+// Shown as a light of a quarter each: one event is mid-grey, eight are near white.
 void SceneSweep::countEvents() {
     for (Measured& m : rows_) {
-        m.counted = render(m.row, AGAA_CONFIG_COUNTERS);
-        m.image = std::move(m.counted.image);
+        const bool showsEvents = m.row.technique != "msaa";
+        RenderResult result =
+            render(m.row, AGAA_CONFIG_COUNTERS | (showsEvents ? AGAA_CONFIG_SHOW_EVENTS : 0));
+        m.counters = result.statistics.back().counters;
+        if (!showsEvents || isHeavier(m.row))
+            continue;
+        for (float& value : result.image.rgb)
+            value *= 0.25f;
+        m.heatFile = writeImage(m.row.name() + "-events", result.image);
     }
 }
 
@@ -109,32 +118,23 @@ const Image& SceneSweep::sameSamples(uint32_t samples) {
 }
 
 void SceneSweep::measureErrors() {
-    step("errors");
     sameSamples_.reserve(6); // references into it stay
     for (Measured& m : rows_) {
-        m.errorReference = metricsJson(compareImages(reference_->image, m.image));
+        m.errorReference = metricsJson(compareImages(reference_->image, m.still.image));
         if (m.row.samples > 1 && m.row.technique != "ssaa")
-            m.errorSameSamples = metricsJson(compareImages(sameSamples(m.row.samples), m.image));
+            m.errorSameSamples = metricsJson(compareImages(sameSamples(m.row.samples), m.still.image));
         if (isHeavier(m.row))
             continue;
         const std::string name = m.row.name();
-        m.imageFile = writeImage(name, m.image);
+        m.imageFile = writeImage(name, m.still.image);
         const std::string difference = prefix_ + "-" + name + "-diff.png";
-        writeDifferencePng(images_ / difference, reference_->image, m.image, 4);
+        writeDifferencePng(images_ / difference, reference_->image, m.still.image, 4);
         m.differenceFile = "images/" + difference;
-        if (m.row.technique == "msaa")
-            continue;
-        // Shown as a light of a quarter each: one event is mid-grey, eight are near white.
-        Image events = render(m.row, AGAA_CONFIG_SHOW_EVENTS).image;
-        for (float& value : events.rgb)
-            value *= 0.25f;
-        m.heatFile = writeImage(name + "-events", events);
     }
 }
 
 void SceneSweep::measureFrames() {
     const RenderSettings still = base_;
-    takeTurn(0, 0, [](Measured&, RenderResult&) {}); // warm-up: makes views, of which enough are kept, and compiles
     std::map<const Measured*, TemporalAccumulator> shifts;
     for (uint32_t round = 0; round < options_.rounds; ++round) {
         step("times of frames");
@@ -253,9 +253,9 @@ json SceneSweep::rowJson(const Measured& m) const {
         stages[stage] += quantile(values, 0.5);
     }
     json tiers = json::object();
-    for (const auto& [stage, tier] : m.counted.tiers)
+    for (const auto& [stage, tier] : m.still.tiers)
         tiers[stage] = tier;
-    const AgaaCounters& c = m.counted.statistics.back().counters;
+    const AgaaCounters& c = m.counters;
     const double pixels = double(base_.width) * base_.height;
     return {{"technique", m.row.technique},
             {"n", m.row.samples},
@@ -265,9 +265,9 @@ json SceneSweep::rowJson(const Measured& m) const {
             {"frameMs", quantiles(m.frameMs)},
             {"passes", passes},
             {"stageMs", stages},
-            {"geometryPasses", m.counted.statistics.back().geometryPasses},
-            {"bytesPerPixel", m.counted.memory.bytesPerPixel},
-            {"peakBytesPerPixel", double(m.counted.memory.peakBytes) / pixels},
+            {"geometryPasses", m.still.statistics.back().geometryPasses},
+            {"bytesPerPixel", m.still.memory.bytesPerPixel},
+            {"peakBytesPerPixel", double(m.still.memory.peakBytes) / pixels},
             {"eventsPerPixel", double(c.shadingEvents) / pixels},
             {"eventsPerCoveredPixel",
              c.shadedPixels ? double(c.shadingEvents) / double(c.shadedPixels) : 0.0},

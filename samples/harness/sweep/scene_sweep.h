@@ -41,14 +41,14 @@ private:
         SweepRow row;
         std::vector<double> frameMs;
         std::vector<AgaaFrameStatistics> timed;
-        RenderResult counted; // one frame with counters
-        Image image;
+        RenderResult still; // one frame as it is
+        AgaaCounters counters{};
         nlohmann::json errorSameSamples, errorReference, temporal, path;
         nlohmann::json imageFile, differenceFile, heatFile;
     };
 
     RenderResult render(const SweepRow& row, uint64_t flags = 0);
-    void countEvents();
+    void countEvents(); // and shows them
     // Renders all rows; forth, or back in odd rounds.
     void takeTurn(uint32_t round, uint64_t flags, const std::function<void(Measured&, RenderResult&)>& keep);
     void measureErrors();
