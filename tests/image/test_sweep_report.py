@@ -4,10 +4,13 @@
 import copy
 import json
 import re
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "report"))
+import sweep_images
 from sweep_results import make_results, run_tool, write_png, write_results
 
 
@@ -61,9 +64,25 @@ class Written(unittest.TestCase):
 
         few = self.embedded(self.make(results, "--image-mib", "0.006"))
         self.assertGreater(few["imagesLeftOut"], 0)
-        # The references come first.
+        # A scene's reference comes first.
         self.assertIsInstance(few["backends"][0]["scenes"][0]["referenceImage"], int)
         self.assertIsNone(few["backends"][0]["scenes"][0]["rows"][-1]["image"])
+
+    def test_what_is_compared_first_is_whole_before_the_next_scene(self):
+        def row(technique, n, c, tier="post-depth-atomics"):
+            return {"technique": technique, "n": n, "c": c, "tiers": {"generation": tier},
+                    "image": f"{technique}-{n}-{c}-{tier}", "heat": f"{technique}-{n}-{c}-{tier}-events"}
+        rows = [row("single", 1, 0), row("ssaa", 8, 0), row("simple_complex", 8, 0), row("agaa", 8, 1),
+                row("agaa", 8, 2), row("agaa", 8, 2, "gbuffer")]
+        results = {"backends": [{"scenes": [{"referenceImage": "reference", "rows": copy.deepcopy(rows)}
+                                            for _ in range(2)]}]}
+        names = [holder[key] for _, holder, key in sweep_images.wanted(results)]
+        first = ["reference", "simple_complex-8-0-post-depth-atomics",
+                 "simple_complex-8-0-post-depth-atomics-events", "agaa-8-2-post-depth-atomics",
+                 "agaa-8-2-post-depth-atomics-events"]
+        self.assertEqual(names[:10], first + first)
+        self.assertEqual(names[10:12], 2 * ["ssaa-8-0-post-depth-atomics"])
+        self.assertEqual(len(names), 2 * (1 + 2 * len(rows)))
 
     def test_images_outside_the_folder_are_not_shown(self):
         (self.folder / "in").mkdir()

@@ -9,6 +9,7 @@ SIGNATURE = b"\x89PNG\r\n\x1a\n"
 # What a reader compares first; everything else follows.
 FIRST_N = [8, 32, 4, 16]
 FIRST_TECHNIQUES = ["agaa", "simple_complex", "ssaa", "sbaa", "msaa", "fxaa", "single"]
+PAIR = 1  # up to this rank a scene's images are taken before those of the next scene
 
 
 def chunks(png):
@@ -58,10 +59,13 @@ def read_image(folder, name):
 
 
 def rank(row):
-    """Place of a row's image in the queue for the page's room."""
+    """Place of a row's image in the queue for the page's room: agaa is 0, its first rival 1."""
     n, c, technique = row.get("n"), row.get("c"), row.get("technique")
     place = FIRST_TECHNIQUES.index(technique) if technique in FIRST_TECHNIQUES else 7
     place += 10 * (FIRST_N.index(n) if n in FIRST_N else 0 if n in (0, 1, None) else 4)
+    tiers = row.get("tiers")
+    if isinstance(tiers, dict) and tiers.get("generation") == "gbuffer":
+        place += 50  # looks as with two passes
     return place + (0 if c in (0, 2, None) else 100)
 
 
@@ -70,20 +74,22 @@ def dicts(value):
 
 
 def wanted(results):
-    """(rank, holder, key) of every image that the page may show, the most wanted first."""
+    """(place, holder, key) of every image that the page may show, the most wanted first: what a reader
+    compares first, scene by scene, then the rest over all scenes."""
     found = []
     for backend in dicts(results.get("backends")):
-        for scene in dicts(backend.get("scenes")):
-            found.append((-1, scene, "referenceImage"))
+        for index, scene in enumerate(dicts(backend.get("scenes"))):
+            found.append(((-1, index), scene, "referenceImage"))
             for row in dicts(scene.get("rows")):
-                found.append((rank(row), row, "image"))
-                found.append((rank(row) + 5, row, "heat"))
+                first = rank(row) <= PAIR
+                found.append(((-1, index) if first else (rank(row), index), row, "image"))
+                found.append(((-1, index) if first else (rank(row) + 5, index), row, "heat"))
                 # The page subtracts any two images itself; it needs the written difference only
                 # where it has no reference to subtract.
                 if scene.get("referenceImage"):
                     row.pop("difference", None)
                 else:
-                    found.append((rank(row) + 5, row, "difference"))
+                    found.append(((rank(row) + 5, index), row, "difference"))
     return sorted(found, key=lambda entry: entry[0])
 
 
