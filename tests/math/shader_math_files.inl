@@ -7,6 +7,7 @@
 #undef AGAA_MATH_NDF_GLSL
 #undef AGAA_MATH_BRDF_GLSL
 #undef AGAA_MATH_DEPTH_GLSL
+#undef AGAA_MATH_BARYCENTRICS_GLSL
 #undef AGAA_MATH_STATISTICS_GLSL
 #undef AGAA_MATH_LIGHT_GLSL
 #undef AGAA_MATH_CLUSTERING_GLSL
@@ -21,6 +22,7 @@
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/brdf.glsl"
 #include "../../src/shaders/math/depth.glsl"
+#include "../../src/shaders/math/barycentrics.glsl"
 #include "../../src/shaders/math/statistics.glsl"
 #include "../../src/shaders/math/light.glsl"
 
