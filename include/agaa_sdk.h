@@ -98,6 +98,7 @@ typedef enum AgaaStructType {
     AGAA_STRUCTURE_TYPE_FRAME_STATISTICS = 10,
     AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION = 11,
     AGAA_STRUCTURE_TYPE_FRAME_VALIDATION = 12,
+    AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION = 13,
     AGAA_STRUCTURE_TYPE_VK_CONTEXT = 1000,
     AGAA_STRUCTURE_TYPE_VK_FRAME = 1001,
     AGAA_STRUCTURE_TYPE_VK_DRAW_PASS = 1002,
@@ -316,6 +317,32 @@ typedef struct AgaaViewDesc {
 } AgaaViewDesc;
 #define AGAA_VIEW_DESC_INIT                                                                         \
     {AGAA_STRUCTURE_TYPE_VIEW, (uint32_t)sizeof(AgaaViewDesc), NULL, 0, 0, NULL, NULL, 0}
+
+/* Chained to AgaaViewDesc: a multisampled G-buffer that the host draws itself, before it records the frame. The
+ * library draws nothing: AgaaFrame::draw is not called and may be null, and techniques that aggregate take the tier
+ * GBUFFER. Its passes are compiled with a function of the host's that reads a sample; the text is GLSL 450 and
+ * defines
+ *     bool agaaHostSample(uvec2 pixel, uint i, inout AgaaSample s)
+ * which fills s (src/shaders/passes/host_code.glsl, docs/integration.md) and says whether sample i, [0;n), shows
+ * geometry. It runs in compute: no implicit derivatives. Its resources, readable by compute when the frame's
+ * commands run, are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1], emission in [0;range]
+ * of the layout; what is not finite becomes 0. Names beginning with agaa_ and AGAA_ are the library's. Code that
+ * does not compile is AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. Not for "msaa". */
+typedef struct AgaaGBufferFunction {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    const char* glsl;
+    /* Where the n samples lie in the pixel, [0;1), as pairs x, y of gl_FragCoord; null: in a target of the
+     * visibility tier, whose texels agaaTexel(pixel, i) and agaaTexelSample(i) name. */
+    const float* samplePositions;
+    uint64_t descriptorSetLayout; /* Vulkan: VkDescriptorSetLayout of set 1, or 0 without resources; that of an
+                                     AgaaShadowFunction too, where both have one. OpenGL: 0 */
+    uint32_t depthBits;           /* of a fixed-point depth, 16 or 24; 0: a float */
+    uint32_t reserved;            /* 0 */
+} AgaaGBufferFunction;
+#define AGAA_GBUFFER_FUNCTION_INIT                                                                  \
+    {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, (uint32_t)sizeof(AgaaGBufferFunction), NULL, NULL, NULL, 0, 0, 0}
 
 /* Chained to AgaaViewDesc: shadows by a function of the host's in place of some shadow maps. It is
  * compiled into the passes that shade; the text is GLSL 450 and defines
@@ -537,7 +564,7 @@ typedef struct AgaaFrame {
     const AgaaShadow* shadows;
     float ambient[3];    /* radiance from all sides */
     float background[4]; /* colour; and 0 (with AGAA_VIEW_COMPOSITE): what the output holds instead */
-    AgaaDrawCallback draw;
+    AgaaDrawCallback draw; /* null only where the host draws the G-buffer (AgaaGBufferFunction) */
     void* drawUser;
 } AgaaFrame;
 #define AGAA_FRAME_INIT                                                                             \

@@ -2,14 +2,7 @@
  *   minimal_gl image.ppm
  * SPDX-License-Identifier: MIT
  */
-#define GL_GLEXT_PROTOTYPES
-#include "agaa_gl.h"
-#include "host.h"
-
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-#include <GL/gl.h>
-#include <GL/glext.h>
+#include "gl.h"
 
 typedef struct Host {
     AgaaContext context;
@@ -21,71 +14,10 @@ typedef struct Host {
     AgaaFrame frame;
 } Host;
 
-/* A context that needs no window, of the version that has all the SDK asks for. */
-static EGLDisplay createDisplay(const AgaaGlRequirements* sdk) {
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, (EGLint)sdk->completeMajorVersion,
-                                 EGL_CONTEXT_MINOR_VERSION, (EGLint)sdk->completeMinorVersion,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE, EGL_NONE};
-    EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-    require(eglInitialize(display, NULL, NULL) && eglBindAPI(EGL_OPENGL_API), "EGL offers no OpenGL without a window.");
-    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    require(context != EGL_NO_CONTEXT, "EGL has no OpenGL of the version that the SDK asks for.");
-    require(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context), "EGL demands a surface.");
-    return display;
-}
-
-static void APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
-                               const GLchar* message, const void* user) {
-    (void)source, (void)id, (void)severity, (void)length, (void)user;
-    require(type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR, message);
-}
-
-static AgaaGlFunction AGAA_CALL getProcAddr(void* user, const char* name) {
-    (void)user;
-    return (AgaaGlFunction)eglGetProcAddress(name);
-}
-
-static void createContext(Host* host) {
-    AgaaLog log = AGAA_LOG_INIT;
-    AgaaGlContextDesc desc = AGAA_GL_CONTEXT_DESC_INIT;
-    log.callback = onLog;
-    desc.getProcAddr = getProcAddr;
-    desc.glslVersion = 450;
-    desc.statePolicy = AGAA_GL_STATE_RESTORE;
-    desc.framesInFlight = 1; /* this host waits for each frame */
-    desc.log = &log;
-    CHECK(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &host->context));
-    AgaaViewDesc view = describeView();
-    view.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; /* glClipControl was not called */
-    CHECK(agaaGlCreateView(host->context, &view, &host->view));
-}
-
-static void attach(GLuint program, GLenum stage, const char* extensions, const char* declarations,
-                   const char* code) {
-    const char* const pieces[] = {"#version 450\n", extensions, declarations, code};
-    const GLuint shader = glCreateShader(stage);
-    char message[1024] = "";
-    GLint isCompiled;
-    glShaderSource(shader, 4, pieces, NULL);
-    glCompileShader(shader);
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
-    glGetShaderInfoLog(shader, sizeof message, NULL, message);
-    require(isCompiled, message);
-    glAttachShader(program, shader);
-    glDeleteShader(shader); /* goes with the program */
-}
-
-static GLuint createProgram(const AgaaGlDrawPass* sdk) {
-    const GLuint program = glCreateProgram();
-    GLint isLinked;
-    attach(program, GL_VERTEX_SHADER, "#define VERTEX gl_VertexID\n",
-           "layout(location = 0) uniform mat4 clipFromShading;\n", vertexCode);
-    attach(program, GL_FRAGMENT_SHADER, sdk->glslExtensions, sdk->glslDeclarations, materialCode);
-    glLinkProgram(program);
-    glGetProgramiv(program, GL_LINK_STATUS, &isLinked);
-    require(isLinked, "A program does not link.");
-    return program;
+static void createView(Host* host) {
+    AgaaViewDesc desc = describeView();
+    desc.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; /* glClipControl was not called */
+    CHECK(agaaGlCreateView(host->context, &desc, &host->view));
 }
 
 static void createPasses(Host* host) {
@@ -95,7 +27,7 @@ static void createPasses(Host* host) {
     CHECK(agaaGlGetDrawPasses(host->view, &host->passCount, passes));
     for (uint32_t i = 0; i < host->passCount; ++i) {
         host->keys[i] = passes[i].pipelineKey;
-        host->programs[i] = createProgram(&passes[i]);
+        host->programs[i] = createProgram(passes[i].glslExtensions, passes[i].glslDeclarations, materialCode);
     }
 }
 
@@ -142,13 +74,6 @@ static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
     return AGAA_OK;
 }
 
-static GLuint createOutput(void) {
-    GLuint texture;
-    glCreateTextures(GL_TEXTURE_2D, 1, &texture);
-    glTextureStorage2D(texture, 1, GL_RGBA32F, width, height);
-    return texture;
-}
-
 static void renderFrames(Host* host) {
     AgaaGlFrame glFrame = AGAA_GL_FRAME_INIT;
     glFrame.outputTexture = host->output;
@@ -173,22 +98,16 @@ static void destroy(Host* host) {
 }
 
 int main(int argumentCount, char** arguments) {
-    static float pixels[4 * width * height];
-    AgaaGlRequirements requirements = AGAA_GL_REQUIREMENTS_INIT;
     Host host = {0};
     require(argumentCount == 2, "Usage: minimal_gl IMAGE.ppm");
-    CHECK(agaaGlGetRequirements(&requirements));
-    const EGLDisplay display = createDisplay(&requirements);
-    glEnable(GL_DEBUG_OUTPUT);
-    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    glDebugMessageCallback(onMessage, NULL);
+    const EGLDisplay display = beginOpenGl();
     glGenVertexArrays(1, &host.vertexArray);
     host.output = createOutput();
-    createContext(&host);
+    host.context = createContext();
+    createView(&host);
     createPasses(&host);
     renderFrames(&host);
-    glGetTextureImage(host.output, 0, GL_RGBA, GL_FLOAT, sizeof pixels, pixels);
-    writeImage(arguments[1], pixels);
+    writeOutput(host.output, arguments[1]);
     destroy(&host);
     eglTerminate(display); /* takes the context along */
     return EXIT_SUCCESS;

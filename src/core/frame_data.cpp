@@ -13,8 +13,7 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     const float* p = frame.projection;
     // One step of the stored depth: of the whole range for fixed point, of the depth itself (told by
     // the sign) for float.
-    const float step = std::ldexp(1.0f, -24);
-    const float quantum = plan.depthFormat == Format::D24S8 ? step : -step;
+    const float quantum = plan.depthBits ? std::ldexp(1.0f, -int(plan.depthBits)) : -std::ldexp(1.0f, -24);
     const bool orthographic = p[15] == 1.0f;
     const float* offset = orthographic ? &p[12] : &p[8];
     // Depth is z/w as [0;1] takes it, or (z/w + 1) / 2.

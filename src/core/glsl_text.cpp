@@ -23,7 +23,7 @@ void appendGlsl(std::string& out, const std::string& path, std::set<std::string>
             // Nothing is left to include.
         } else if (line == "#include \"host-code\"") {
             // Compilers count the host's own lines, and say 100000 and more for ours.
-            out += "#line 1\n" + hostCode + "\n#line 100000\n";
+            out += hostCode + "#line 100000\n";
         } else if (line.starts_with("#include \"")) {
             std::string name(line.substr(10, line.find('"', 10) - 10));
             appendGlsl(out, name.find('/') == std::string::npos ? folder + name : name, seen,

@@ -85,6 +85,7 @@ struct Pass {
     // Compute: one invocation per pixel, 8 x 8 a group.
     std::string shader; // permutation in the library
     std::string hostCode; // GLSL of the host's: the pass is compiled with it, from these:
+    std::string hostCodeOrigin; // the members that the text came in
     std::string file;     // below src/shaders
     std::string defines;  // of the permutation
     Constants constants{};
@@ -119,12 +120,15 @@ struct Plan {
     AgaaSceneFacts facts{};
     Layout layout;
     uint32_t functionShadows = 0;     // bit i: the host's function answers for shadow i
+    bool hostGBuffer = false;         // the host draws it; a function of the host's reads its samples
+    std::vector<float> samplePositions; // n pairs, where the host says them
     uint64_t functionSetLayout = 0;   // of set 1 in passes with code of the host's
     bool reversedZ = false;
     bool composite = false; // over what the output holds
     bool clipZFromMinusOne = false;
     bool aliases = true; // resources of disjoint lifetimes may share memory
-    Format depthFormat = Format::None;
+    Format depthFormat = Format::None; // of the target; None where the host draws
+    uint32_t depthBits = 0;            // of fixed point; 0: float
     std::vector<Resource> resources;
     std::vector<Pass> passes;
     uint32_t bytesPerAggregate = 0;

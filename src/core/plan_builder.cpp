@@ -21,11 +21,7 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     plan.config = checkConfig(view.config);
     plan.aliases = plan.aliases && !(plan.config.flags & AGAA_CONFIG_READBACK);
     plan.facts = checkFacts(view.facts);
-    if (const AgaaShadowFunction* function = checkShadowFunction(view)) {
-        plan.functionShadows = function->shadows;
-        plan.functionSetLayout = function->descriptorSetLayout;
-        shadowFunction_ = function->glsl;
-    }
+    readFunctions(view);
     plan.layout = reduceLayout(checkLayout(plan.config.layout), plan.facts.flags);
     plan.config.layout = nullptr; // the host's pointer does not outlive the call
     const Technique& technique = *findTechnique(plan.config.technique);
@@ -41,15 +37,8 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     plan.aggregates =
         technique.maxAggregates ? std::min(plan.config.aggregates, plan.samples) : 0;
     chooseVisibilityTier();
-    if (technique.maxAggregates) {
-        const GenerationChoice choice = chooseGeneration(
-            caps_, plan.hwSamples, plan.config.generationTier, hasFact(AGAA_FACT_CUSTOM_DEPTH));
-        if (choice.tier == AGAA_TIER_AUTO)
-            fail(AGAA_ERROR_UNSUPPORTED, "generation cannot run: " + choice.reason);
-        plan.generationTier = choice.tier;
-        plan.runnable = plan.runnable && choice.runnable;
-        note("generation: " + choice.reason);
-    }
+    if (technique.maxAggregates)
+        chooseGenerationTier();
     require(!counts() || caps_.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
             "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");
     setConstants();
@@ -74,7 +63,54 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     }
 }
 
+void PlanBuilder::readFunctions(const AgaaViewDesc& view) {
+    if (const AgaaShadowFunction* function = checkShadowFunction(view)) {
+        plan.functionShadows = function->shadows;
+        plan.functionSetLayout = function->descriptorSetLayout;
+        shadowFunction_ = function->glsl;
+    }
+    const AgaaGBufferFunction* function = checkGBufferFunction(view);
+    if (!function)
+        return;
+    require(!function->descriptorSetLayout || !plan.functionSetLayout ||
+                function->descriptorSetLayout == plan.functionSetLayout,
+            AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaGBufferFunction and AgaaShadowFunction have different set layouts; both find their resources in "
+            "set 1.");
+    if (function->descriptorSetLayout)
+        plan.functionSetLayout = function->descriptorSetLayout;
+    plan.hostGBuffer = true;
+    plan.depthBits = function->depthBits;
+    if (const float* positions = function->samplePositions)
+        plan.samplePositions.assign(positions, positions + 2 * plan.config.samples);
+    gbufferFunction_ = function->glsl;
+}
+
+void PlanBuilder::chooseGenerationTier() {
+    if (plan.hostGBuffer) {
+        require(plan.config.generationTier == AGAA_TIER_AUTO || plan.config.generationTier == AGAA_TIER_GBUFFER,
+                AGAA_ERROR_UNSUPPORTED,
+                "generation cannot run: a G-buffer that the host draws leaves only the tier gbuffer.");
+        plan.generationTier = AGAA_TIER_GBUFFER;
+        note("generation: the host's multisampled G-buffer is aggregated by a compute pass.");
+        return;
+    }
+    const GenerationChoice choice =
+        chooseGeneration(caps_, plan.hwSamples, plan.config.generationTier, hasFact(AGAA_FACT_CUSTOM_DEPTH));
+    if (choice.tier == AGAA_TIER_AUTO)
+        fail(AGAA_ERROR_UNSUPPORTED, "generation cannot run: " + choice.reason);
+    plan.generationTier = choice.tier;
+    plan.runnable = plan.runnable && choice.runnable;
+    note("generation: " + choice.reason);
+}
+
 void PlanBuilder::chooseVisibilityTier() {
+    if (!plan.samplePositions.empty()) {
+        plan.visibilityTier = AGAA_TIER_NATIVE;
+        plan.hwSamples = plan.samples;
+        note("visibility: the host says where the samples of its G-buffer lie.");
+        return;
+    }
     const VisibilityChoice choice =
         chooseVisibility(caps_, plan.samples, plan.config.visibilityTier);
     if (choice.tier == AGAA_TIER_AUTO)
@@ -174,11 +210,14 @@ ResourceId PlanBuilder::depth(bool needsStencil) {
         note(format("depth: %s, because the device has no D24_UNORM_S8_UINT.",
                     formatName(plan.depthFormat)));
     }
+    plan.depthBits = plan.depthFormat == Format::D24S8 ? 24 : 0;
     return image("depth", plan.depthFormat, true);
 }
 
 Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass,
                             uint64_t segment) {
+    require(!plan.hostGBuffer, AGAA_ERROR_UNSUPPORTED,
+            "AgaaGBufferFunction is for techniques that shade a G-buffer; this one draws.");
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
@@ -264,6 +303,17 @@ void PlanBuilder::bindCommon(Pass& pass) {
              BindingType::StorageBuffer, counters_, true);
 }
 
+// Compilers count the lines of each text by themselves.
+void PlanBuilder::addHostCode(Pass& pass, const std::string& text, const char* origin) {
+    pass.hostCode += "#line 1\n" + text + "\n";
+    pass.hostCodeOrigin += (pass.hostCodeOrigin.empty() ? "" : " with ") + std::string(origin);
+}
+
+void PlanBuilder::bindHostGBuffer(Pass& pass) {
+    addHostCode(pass, gbufferFunction_, "AgaaGBufferFunction::glsl");
+    pass.defines += "#define AGAA_HOST_GBUFFER 1\n";
+}
+
 ResourceId PlanBuilder::output() {
     if (output_ == noResource)
         output_ = add({.name = "output", .kind = ResourceKind::Output, .width = plan.width,
@@ -303,7 +353,7 @@ void PlanBuilder::bindShadows(Pass& pass) {
     require(!host, AGAA_ERROR_UNSUPPORTED,
             "AgaaShadowFunction is for techniques that shade in the SDK's passes; this one shades in the "
             "host's.");
-    pass.hostCode = shadowFunction_;
+    addHostCode(pass, shadowFunction_, "AgaaShadowFunction::glsl");
     pass.defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
                            plan.functionShadows, any != noResource);
 }

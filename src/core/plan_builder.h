@@ -61,6 +61,8 @@ public:
     void bindCommon(Pass& pass);
     // Lights, shadow maps and the host's shadow function of a pass that shades.
     void bindLighting(Pass& pass);
+    // Compiles the pass with the host's function that reads samples of its own G-buffer.
+    void bindHostGBuffer(Pass& pass);
     ResourceId output(); // the host's image
     // What agaa_writeOutput() writes, and composites over: an image of the plan's, or with none the output.
     void bindOutput(Pass& pass, ResourceId image = noResource);
@@ -74,6 +76,9 @@ private:
     void chooseVisibilityTier();
     void setConstants();
     void checkLimits() const;
+    void readFunctions(const AgaaViewDesc& view);
+    void chooseGenerationTier();
+    static void addHostCode(Pass& pass, const std::string& text, const char* origin);
     void bindShadows(Pass& pass);
     void listEffects();
     void findLifetimes();
@@ -85,7 +90,7 @@ private:
     ResourceId lights_ = noResource;
     ResourceId counters_ = noResource;
     ResourceId output_ = noResource;
-    std::string shadowFunction_; // the host's text
+    std::string shadowFunction_, gbufferFunction_; // the host's texts
     uint32_t framesInFlight_;
 };
 

@@ -48,4 +48,11 @@ SamplePositions samplePositions(std::span<const SamplePosition> texel, uint32_t 
     return positions;
 }
 
+SamplePositions samplePositions(std::span<const float> pairs) {
+    SamplePositions positions{};
+    for (size_t i = 0; i < positions.size() && 2 * i + 1 < pairs.size(); ++i)
+        positions[i] = {pairs[2 * i], pairs[2 * i + 1]};
+    return positions;
+}
+
 } // namespace agaa

@@ -20,5 +20,6 @@ std::vector<SamplePosition> standardPositions(uint32_t hwSamples);
 using SamplePositions = std::array<SamplePosition, 32>;
 SamplePositions samplePositions(std::span<const SamplePosition> texel, uint32_t scaleX,
                                 uint32_t scaleY);
+SamplePositions samplePositions(std::span<const float> pairs); // x, y
 
 } // namespace agaa

@@ -2,12 +2,13 @@
 
 #include "core/planner.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace agaa {
 
 void checkHeader(const void* structure, uint32_t sType, size_t structSize, const char* name,
-                 uint32_t known) {
+                 std::initializer_list<uint32_t> known) {
     if (!structure)
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is null.", name));
     const auto* header = static_cast<const AgaaStructHeader*>(structure);
@@ -18,15 +19,17 @@ void checkHeader(const void* structure, uint32_t sType, size_t structSize, const
         fail(AGAA_ERROR_STRUCT, format("%s has structSize %u where this library's is %zu.", name,
                                        header->structSize, structSize));
     uint32_t length = 0;
-    bool found = false;
+    std::vector<uint32_t> seen;
     for (const auto* next = static_cast<const AgaaStructHeader*>(header->pNext); next;
          next = static_cast<const AgaaStructHeader*>(next->pNext)) {
         if (++length > 64) // a chain that closes on itself
             fail(AGAA_ERROR_UNKNOWN_STRUCT, format("the chain of %s does not end.", name));
-        if (known && next->sType == known && std::exchange(found, true))
-            fail(AGAA_ERROR_UNKNOWN_STRUCT,
-                 format("the chain of %s holds two structs of type %u.", name, known));
-        if (!(next->sType & AGAA_STRUCTURE_TYPE_OPTIONAL_BIT) && (!known || next->sType != known))
+        if (std::find(known.begin(), known.end(), next->sType) != known.end()) {
+            if (std::find(seen.begin(), seen.end(), next->sType) != seen.end())
+                fail(AGAA_ERROR_UNKNOWN_STRUCT,
+                     format("the chain of %s holds two structs of type %u.", name, next->sType));
+            seen.push_back(next->sType);
+        } else if (!(next->sType & AGAA_STRUCTURE_TYPE_OPTIONAL_BIT))
             fail(AGAA_ERROR_UNKNOWN_STRUCT,
                  format("the chain of %s holds a struct of type %u, which is not known here.", name,
                         next->sType));
@@ -111,7 +114,7 @@ AgaaSceneFacts checkFacts(const AgaaSceneFacts* pointer) {
 
 void checkViewDesc(const AgaaViewDesc* pointer) {
     checkHeader(pointer, AGAA_STRUCTURE_TYPE_VIEW, sizeof *pointer, "AgaaViewDesc",
-                AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION);
+                {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION});
     const AgaaViewDesc& desc = *pointer;
     require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc has no pixels: width and height must be at least 1.");
@@ -134,6 +137,23 @@ const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc) {
     const uint32_t declared = (1u << desc.facts->shadowMapCount) - 1;
     require(function->shadows != 0 && (function->shadows & ~declared) == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaShadowFunction::shadows names no shadow, or more than AgaaSceneFacts declares.");
+    return function;
+}
+
+const AgaaGBufferFunction* checkGBufferFunction(const AgaaViewDesc& desc) {
+    const void* chained = findChained(&desc, AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION);
+    if (!chained)
+        return nullptr;
+    const auto* function = static_cast<const AgaaGBufferFunction*>(chained);
+    require(function->structSize == sizeof *function, AGAA_ERROR_STRUCT,
+            "AgaaGBufferFunction has another structSize than this library's.");
+    require(function->glsl, AGAA_ERROR_INVALID_ARGUMENT, "AgaaGBufferFunction::glsl is null.");
+    require(function->reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGBufferFunction::reserved is not 0.");
+    require(function->depthBits == 0 || function->depthBits == 16 || function->depthBits == 24,
+            AGAA_ERROR_OUT_OF_RANGE, "AgaaGBufferFunction::depthBits is not one of 0, 16, 24.");
+    for (uint32_t i = 0; function->samplePositions && i < 2 * desc.config->samples; ++i)
+        require(function->samplePositions[i] >= 0 && function->samplePositions[i] < 1, AGAA_ERROR_OUT_OF_RANGE,
+                "AgaaGBufferFunction::samplePositions holds a place outside the pixel, [0;1).");
     return function;
 }
 
@@ -208,7 +228,7 @@ void checkFrame(const AgaaFrame* pointer, const Plan& plan) {
             AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::segments names no segment or an unknown one.");
     require(frame.completedFrame < frame.frameIndex, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::completedFrame is not before frameIndex.");
-    require(frame.draw, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::draw is null.");
+    require(frame.draw || plan.geometryPasses() == 0, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::draw is null.");
     checkMatrices(frame, plan.reversedZ);
     checkRange(uint64_t(frame.lightCount), 0, facts.maxLights,
                "AgaaFrame::lightCount (against AgaaSceneFacts::maxLights)");

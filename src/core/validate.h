@@ -9,9 +9,9 @@
 
 namespace agaa {
 
-// sType, structSize and the pNext chain. known: the type that may be chained to this struct; 0: none.
+// sType, structSize and the pNext chain. known: the types that may be chained to this struct, each once.
 void checkHeader(const void* structure, uint32_t sType, size_t structSize, const char* name,
-                 uint32_t known = 0);
+                 std::initializer_list<uint32_t> known = {});
 // The struct of this type in a chain, or null.
 const void* findChained(const void* structure, uint32_t sType);
 
@@ -36,8 +36,9 @@ AgaaConfig checkConfig(const AgaaConfig* config);
 AgaaSceneFacts checkFacts(const AgaaSceneFacts* facts);
 // Against what the view was made for.
 void checkFrame(const AgaaFrame* frame, const Plan& plan);
-// The function chained to a view, or null.
+// The functions chained to a view, or null.
 const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc);
+const AgaaGBufferFunction* checkGBufferFunction(const AgaaViewDesc& desc);
 // Name, chain and size of a view; the planner checks the rest against the device.
 void checkViewDesc(const AgaaViewDesc* desc);
 

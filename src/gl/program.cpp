@@ -71,7 +71,7 @@ GLuint compilePass(const GladGLContext& gl, const Pass& pass) {
     const StageText stage{GL_COMPUTE_SHADER, text.c_str()};
     return pass.hostCode.empty()
                ? linkProgram(gl, {stage}, "the pass " + pass.name)
-               : linkProgram(gl, {stage}, "AgaaShadowFunction::glsl", AGAA_ERROR_INVALID_ARGUMENT);
+               : linkProgram(gl, {stage}, pass.hostCodeOrigin, AGAA_ERROR_INVALID_ARGUMENT);
 }
 
 } // namespace agaa::gl

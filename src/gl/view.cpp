@@ -12,7 +12,7 @@ View::View(Context& owner, const AgaaViewDesc& desc)
     : AgaaView_T(owner, makePlan(desc, owner.caps, owner.framesInFlight)), context(owner),
       barriers(plan.resources.size()) {
     require(plan.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaShadowFunction::descriptorSetLayout is of Vulkan.");
+            "set layouts of AgaaGBufferFunction and AgaaShadowFunction are of Vulkan.");
     uint64_t largest = 0;
     for (const Resource& resource : plan.resources)
         if (resource.kind == ResourceKind::UploadBuffer)
@@ -85,19 +85,33 @@ void View::createFramebuffer(const Pass& pass, PassObjects& objects) {
 
 // OpenGL has no standard sample locations; it tells those of the framebuffer bound.
 SamplePositions View::readPositions() const {
+    if (!plan.samplePositions.empty())
+        return samplePositions(plan.samplePositions);
     const GladGLContext& gl = context.gl;
     std::vector<SamplePosition> texel(plan.hwSamples, SamplePosition{0.5f, 0.5f});
+    if (plan.hwSamples == 1)
+        return samplePositions(texel, plan.scaleX, plan.scaleY);
     const auto draw = std::find_if(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
         return pass.kind == PassKind::HostDraw;
     });
-    if (plan.hwSamples > 1) {
-        GLint bound = 0;
-        gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, passes[size_t(draw - plan.passes.begin())].framebuffer);
-        for (uint32_t i = 0; i < plan.hwSamples; ++i)
-            gl.GetMultisamplefv(GL_SAMPLE_POSITION, i, &texel[i].x);
-        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));
+    GLuint framebuffer = 0, texture = 0; // of the host's kind, where the plan draws nothing
+    if (draw != plan.passes.end()) {
+        framebuffer = passes[size_t(draw - plan.passes.begin())].framebuffer;
+    } else {
+        gl.CreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &texture);
+        gl.TextureStorage2DMultisample(texture, GLsizei(plan.hwSamples), GL_RGBA8, 1, 1, GL_TRUE);
+        gl.CreateFramebuffers(1, &framebuffer);
+        gl.NamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
     }
+    GLint bound = 0;
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    for (uint32_t i = 0; i < plan.hwSamples; ++i)
+        gl.GetMultisamplefv(GL_SAMPLE_POSITION, i, &texel[i].x);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));
+    if (texture)
+        gl.DeleteFramebuffers(1, &framebuffer);
+    gl.DeleteTextures(1, &texture);
     return samplePositions(texel, plan.scaleX, plan.scaleY);
 }
 

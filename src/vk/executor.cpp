@@ -35,8 +35,8 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const
                  format("AgaaVkFrame::shadowViews[%u] is null.", resource.hostSlot));
         first = false;
     }
-    require(!plan.functionSetLayout || vkFrame.shadowFunctionSet, AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaVkFrame::shadowFunctionSet is null.");
+    require(!plan.functionSetLayout || vkFrame.functionSet, AGAA_ERROR_INVALID_ARGUMENT,
+            "AgaaVkFrame::functionSet is null.");
 }
 
 void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
@@ -154,7 +154,7 @@ AgaaResult View::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
 void View::recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
                                VkCommandBuffer commands) {
     const PassObjects& objects = passes[pass];
-    const VkDescriptorSet sets[] = {objects.sets[slot], (VkDescriptorSet)vkFrame.shadowFunctionSet};
+    const VkDescriptorSet sets[] = {objects.sets[slot], (VkDescriptorSet)vkFrame.functionSet};
     context.vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipeline);
     context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
                                      objects.pipelineLayout, 0, usesHostSet(plan.passes[pass]) ? 2 : 1, sets, 0,

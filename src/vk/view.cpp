@@ -12,7 +12,9 @@ namespace agaa::vk {
 
 View::View(Context& device, const AgaaViewDesc& desc)
     : AgaaView_T(device, makePlan(desc, device.caps, device.framesInFlight)), context(device),
-      positions(samplePositions(standardPositions(plan.hwSamples), plan.scaleX, plan.scaleY)) {
+      positions(plan.samplePositions.empty()
+                    ? samplePositions(standardPositions(plan.hwSamples), plan.scaleX, plan.scaleY)
+                    : samplePositions(plan.samplePositions)) {
     try {
         resources.emplace(context, plan);
         barriers.emplace(context, plan, *resources);
@@ -137,7 +139,7 @@ void View::createPipelines() {
                      "agaa " + pass.name);
         std::vector<uint32_t> compiled;
         if (!pass.hostCode.empty())
-            compiled = compileCompute(passGlsl(pass), "AgaaShadowFunction::glsl");
+            compiled = compileCompute(passGlsl(pass), pass.hostCodeOrigin.c_str());
         const std::span<const uint32_t> words =
             compiled.empty() ? embeddedSpirv(pass.shader) : compiled;
         if (words.empty())
@@ -170,7 +172,7 @@ void View::createPipelines() {
 void View::createSlots() {
     slots.resize(context.framesInFlight);
     for (FrameSlot& slot : slots) {
-        if (!context.secondary)
+        if (!context.secondary || plan.geometryPasses() == 0)
             continue;
         VkCommandPoolCreateInfo pool{};
         pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;

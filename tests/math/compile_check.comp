@@ -12,6 +12,7 @@
 #include "../../src/shaders/math/ndf.glsl"
 #include "../../src/shaders/math/brdf.glsl"
 #include "../../src/shaders/math/depth.glsl"
+#include "../../src/shaders/math/barycentrics.glsl"
 #include "../../src/shaders/math/statistics.glsl"
 #include "../../src/shaders/math/light.glsl"
 #include "../../src/shaders/math/clustering.glsl"
@@ -37,6 +38,9 @@ void main() {
     acc += agaa_yCbCrToRgb(agaa_rgbToYCbCr(v));
     acc.x += agaa_unormToSigned(agaa_signedToUnorm(x.w)) +
              agaa_meanOfSum(agaa_quantise(x.x, 11u), 3u, 11u);
+    agaa_Barycentrics inside = agaa_barycentrics(v, acc, x.yzw, x.xy, x.zw);
+    acc += inside.at + inside.dx + inside.dy + inside.facing;
+    acc += agaa_emissiveFactor(v, acc);
     acc.y += agaa_toksvigAlpha2(agaa_alpha2FromRoughness(x.y),
                                 agaa_varianceFloor(len, agaa_storedLengthBound(1u, 16u)));
     acc.z += agaa_alpha2FromFoldedLength(agaa_foldedLength(x.z)) +

@@ -9,7 +9,6 @@ import unittest
 PROGRAMS = pathlib.Path(os.environ["AGAA_MINIMAL"])
 SIZE = (320, 180)
 FRAMES = 3
-SAMPLES = 8
 VALIDATION = {
     "VK_INSTANCE_LAYERS": "VK_LAYER_KHRONOS_validation",
     "VK_LAYER_ENABLES": "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT",
@@ -47,6 +46,8 @@ def coverage(pixel, background, color):
 
 
 class Minimal(unittest.TestCase):
+    samples = 8
+
     def render(self, program, environment=None):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "image.ppm"
@@ -67,7 +68,7 @@ class Minimal(unittest.TestCase):
             self.assertGreater(visible, 0)
             self.assertEqual(once, visible, text)
             # Once for many samples is what the technique is for.
-            self.assertTrue(visible / SAMPLES <= events < visible / 2, text)
+            self.assertTrue(visible / self.samples <= events < visible / 2, text)
 
     def check_image(self, pixels):
         counts = {}
@@ -89,10 +90,10 @@ class Minimal(unittest.TestCase):
                     shares.append(share)
                     break
         self.assertGreater(len(shares), 400, "few pixels lie between background and triangle")
-        # Coverage comes in eighths.
-        steps = {round(share * SAMPLES) for share in shares}
-        self.assertGreaterEqual(steps, set(range(1, SAMPLES)))
-        odd = [share for share in shares if abs(share * SAMPLES - round(share * SAMPLES)) > 0.1]
+        # Coverage comes in eighths, or as many parts as there are samples.
+        parts = [share * self.samples for share in shares]
+        self.assertGreaterEqual({round(part) for part in parts}, set(range(1, self.samples)))
+        odd = [part for part in parts if abs(part - round(part)) > 0.1]
         self.assertLess(len(odd), len(shares) / 20, odd)
 
     def check_refusals(self, program):
@@ -123,6 +124,18 @@ class OpenGl(Minimal):
 
     def test_refusals(self):
         self.check_refusals("minimal_gl")
+
+
+class OwnGBuffer(Minimal):
+    samples = 4
+
+    def test_frames_are_clean(self):
+        pixels, messages = self.render("gbuffer_gl")
+        self.assertEqual(messages, "")
+        self.check_image(pixels)
+
+    def test_refusals(self):
+        self.check_refusals("gbuffer_gl")
 
 
 class Both(Minimal):

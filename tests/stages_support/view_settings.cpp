@@ -11,7 +11,7 @@ AgaaViewDesc viewDesc(const ViewSettings& settings) {
     desc.config = &settings.config;
     desc.facts = &settings.facts;
     desc.flags = settings.flags;
-    desc.pNext = settings.shadowFunction;
+    desc.pNext = settings.chained;
     return desc;
 }
 

@@ -35,7 +35,7 @@ struct ViewSettings {
     uint32_t width = 48;
     uint32_t height = 32;
     uint64_t flags = 0;
-    const AgaaShadowFunction* shadowFunction = nullptr;
+    const void* chained = nullptr; // to the view: functions of the host's
     glm::mat4 projection = perspective(60, 1.5f, 0.1f, 100);
     glm::mat4 view{1};
     // What the material shader does instead of passing the triangle's material on.

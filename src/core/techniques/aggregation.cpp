@@ -63,20 +63,16 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     setRecord(draw, a);
 }
 
-// coverage: a surface whose component is not 0 where a sample shows geometry, to count what generation
-// missed.
-void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId depth, ResourceId aggregates,
-                     ResourceId coverage, uint32_t component) {
+// bindDepth: the samples' depth and, where counted, what tells those that show geometry.
+void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates,
+                     const std::function<void(Pass&)>& bindDepth) {
     Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates",
                             a.represented ? "mscbr1" : "mscbr0", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
-    b.bind(shade, slot::Depth, BindingType::Texture, depth);
+    bindDepth(shade);
     b.bind(shade, slot::Aggregates, BindingType::StorageBuffer, aggregates);
-    if (b.counts())
-        b.bind(shade, slot::Surface0, BindingType::Texture, coverage);
-    shade.constants[AGAA_COVERAGE_COMPONENT] = component;
     setRecord(shade, a);
     b.copyCounters();
 }
@@ -95,11 +91,16 @@ void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
     if (!a.definitionClears)
         b.fill("clear aggregates", AGAA_STAGE_GENERATION, aggregates, AGAA_SEGMENT_GENERATION);
     drawAggregates(b, a, prepass, metadata, aggregates);
-    shadeAggregates(b, a, prepass.depth, aggregates, prepass.normals, 0);
+    shadeAggregates(b, a, aggregates, [&](Pass& pass) {
+        b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
+        if (b.counts())
+            b.bind(pass, slot::Surface0, BindingType::Texture, prepass.normals);
+        pass.constants[AGAA_COVERAGE_COMPONENT] = 0;
+    });
 }
 
 void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {
-    const GBuffer gbuffer = drawGBuffer(b);
+    const GBuffer gbuffer = makeGBuffer(b);
     const ResourceId aggregates = aggregateBuffer(b, a);
     const ResourceId metadata = a.define([&](Pass& pass) { gbuffer.bind(b, pass); }, aggregates);
     Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather",
@@ -110,8 +111,7 @@ void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {
         b.bind(gather, slot::Metadata, BindingType::Texture, metadata);
     b.bind(gather, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     setRecord(gather, a);
-    const Field& normal = gbuffer.packing.fields[ChannelNormalX];
-    shadeAggregates(b, a, gbuffer.depth, aggregates, gbuffer.attachments[normal.word], normal.shift);
+    shadeAggregates(b, a, aggregates, [&](Pass& pass) { gbuffer.bindDepth(b, pass); });
 }
 
 } // namespace agaa

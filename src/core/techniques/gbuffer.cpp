@@ -4,9 +4,11 @@
 
 namespace agaa {
 
-GBuffer drawGBuffer(PlanBuilder& b) {
+GBuffer makeGBuffer(PlanBuilder& b) {
     GBuffer g;
     g.packing = packGBuffer(b.plan.layout);
+    if (b.plan.hostGBuffer)
+        return g;
     g.depth = b.depth(false);
     for (size_t i = 0; i < g.packing.attachments.size(); ++i)
         g.attachments.push_back(
@@ -25,12 +27,24 @@ GBuffer drawGBuffer(PlanBuilder& b) {
 }
 
 void GBuffer::bind(PlanBuilder& b, Pass& pass) const {
+    setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packing.fields);
+    if (attachments.empty())
+        return b.bindHostGBuffer(pass);
     b.bind(pass, slot::Depth, BindingType::Texture, depth);
     // Shaders name four attachments; slots beyond the layout's repeat the last and are not used.
     for (uint32_t i = 0; i < 4; ++i)
         b.bind(pass, slot::Surface0 + i, BindingType::Texture,
                attachments[std::min<size_t>(i, attachments.size() - 1)]);
-    setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packing.fields);
+}
+
+void GBuffer::bindDepth(PlanBuilder& b, Pass& pass) const {
+    if (attachments.empty())
+        return b.bindHostGBuffer(pass);
+    b.bind(pass, slot::Depth, BindingType::Texture, depth);
+    const Field& normal = packing.fields[ChannelNormalX];
+    if (b.counts())
+        b.bind(pass, slot::Surface0, BindingType::Texture, attachments[normal.word]);
+    pass.constants[AGAA_COVERAGE_COMPONENT] = normal.shift;
 }
 
 } // namespace agaa

@@ -1,4 +1,5 @@
-// The host's geometry pass into a G-buffer at the target's rate, which several techniques begin with.
+// A G-buffer at the target's rate, which several techniques begin with: the host's geometry pass into it, or the
+// host's own.
 #pragma once
 
 #include "core/plan_builder.h"
@@ -8,15 +9,17 @@
 namespace agaa {
 
 struct GBuffer {
-    ResourceId depth = noResource;
+    ResourceId depth = noResource; // and no attachments: the host's own
     std::vector<ResourceId> attachments;
     GBufferPacking packing;
 
     // Depth, attachments and where their channels lie, for a pass that reads samples
     // (src/shaders/passes/gbuffer.glsl).
     void bind(PlanBuilder& b, Pass& pass) const;
+    // The depth alone, and to count what a pass misses, the attachment that tells where geometry is.
+    void bindDepth(PlanBuilder& b, Pass& pass) const;
 };
 
-GBuffer drawGBuffer(PlanBuilder& b);
+GBuffer makeGBuffer(PlanBuilder& b);
 
 } // namespace agaa

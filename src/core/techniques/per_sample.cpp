@@ -21,13 +21,13 @@ void shadeSamples(PlanBuilder& b, const GBuffer& gbuffer, ResourceId classes,
 }
 
 void buildPerSample(PlanBuilder& b) {
-    shadeSamples(b, drawGBuffer(b), noResource);
+    shadeSamples(b, makeGBuffer(b), noResource);
     b.copyCounters();
 }
 
 // Lottes 2009: edges of the shaded image are found and softened.
 void buildFxaa(PlanBuilder& b) {
-    const GBuffer gbuffer = drawGBuffer(b);
+    const GBuffer gbuffer = makeGBuffer(b);
     const ResourceId shaded = b.image("shaded", Format::RGBA16F, false);
     shadeSamples(b, gbuffer, noResource, shaded);
     Pass& filter = b.compute("fxaa", AGAA_STAGE_OTHER, "fxaa", "", AGAA_SEGMENT_SHADING);
@@ -40,7 +40,7 @@ void buildFxaa(PlanBuilder& b) {
 // Lauritzen 2010: pixels that show one surface are shaded once.
 void buildSimpleComplex(PlanBuilder& b) {
     b.defaultSurface(0.98f, 1.0f, 0.05f);
-    const GBuffer gbuffer = drawGBuffer(b);
+    const GBuffer gbuffer = makeGBuffer(b);
     const ResourceId classes = b.image("classes", Format::R8U, false);
     Pass& classify = b.compute("classify pixels", AGAA_STAGE_DEFINITION, "classify", "m",
                                AGAA_SEGMENT_SHADING);

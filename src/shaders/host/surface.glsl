@@ -116,9 +116,6 @@ uint agaa_sanitiseSurface(inout AgaaSurfaceInput s, float emissiveRange) {
     return bad;
 }
 
-// Emission as a factor of the diffuse albedo, as layouts with one emissive channel keep it; in [0,1].
 float agaa_scalarEmissive(AgaaSurfaceInput s) {
-    float albedo = dot(s.diffuse, vec3(0.2126, 0.7152, 0.0722));
-    float emission = dot(s.emissive, vec3(0.2126, 0.7152, 0.0722));
-    return clamp(emission / (max(albedo, 1e-3) * AGAA_EMISSIVE_RANGE), 0.0, 1.0);
+    return agaa_emissiveFactor(s.diffuse, s.emissive / AGAA_EMISSIVE_RANGE);
 }

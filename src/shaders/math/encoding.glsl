@@ -170,4 +170,10 @@ rvec3 agaa_yCbCrToRgb(rvec3 c) {
     return rvec3(r, g, b);
 }
 
+// Emission, in shares of a layout's range, as a factor of the diffuse albedo; in [0;1].
+real agaa_emissiveFactor(rvec3 diffuse, rvec3 emissive) {
+    const rvec3 luma = rvec3(real(0.2126), real(0.7152), real(0.0722));
+    return clamp(dot(emissive, luma) / max(dot(diffuse, luma), real(1e-3)), real(0.0), real(1.0));
+}
+
 #endif

@@ -8,8 +8,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/frame.glsl"
 #include "passes/target.glsl"
 #include "passes/gbuffer.glsl"
+#include "passes/sample_depth.glsl"
 
-layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
 layout(AGAA_AT_METADATA_OUT) writeonly uniform uimage2D agaa_classes;
 
 float agaa_largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
@@ -36,7 +36,7 @@ void main() {
         if (!agaa_fetchSample(pixel, i))
             continue;
         agaa_Surface s = agaa_sampleSurface();
-        vec3 p = agaa_sampleViewPosition(pixel, i, AGAA_FETCH(agaa_depth, pixel, i).x);
+        vec3 p = agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i));
         if (isFirst) {
             first = s;
             first.normal = mat3(agaa_frame.view) * s.normal;

@@ -1,9 +1,34 @@
-// Samples of a multisampled G-buffer: where its attachments are, and what their channels hold.
+// Samples of a multisampled G-buffer: by the layout, where its attachments are and what their channels hold; or by
+// a function of the host's.
 #ifndef AGAA_GBUFFER_GLSL
 #define AGAA_GBUFFER_GLSL
 #include "math/encoding.glsl"
 #include "math/light.glsl"
+#include "passes/host_samples.glsl"
 
+#ifdef AGAA_HOST_GBUFFER
+AgaaSample agaa_fetched; // the one fetched last
+
+bool agaa_fetchSample(uvec2 pixel, uint i) { return agaa_readHost(pixel, i, agaa_fetched); }
+
+bool agaa_isCovered(uvec2 pixel, uint i) {
+    AgaaSample s;
+    return agaa_readHost(pixel, i, s);
+}
+
+vec2 agaa_normalCode() { return agaa_encodeOct(agaa_fetched.normal, AGAA_SOURCE_NORMAL_X >> 16); }
+vec3 agaa_fetchedNormal() { return agaa_fetched.normal; }
+vec3 agaa_fetchedDiffuse() { return agaa_fetched.diffuse; }
+vec3 agaa_fetchedSpecular() { return agaa_fetched.specular; }
+float agaa_fetchedAlpha2() { return agaa_fetched.alpha2; }
+
+vec3 agaa_storedEmissive() {
+    vec3 e = agaa_fetched.emissive / agaa_frame.ambient.w;
+    if (AGAA_EMISSIVE_CHANNELS == 1u)
+        return vec3(agaa_emissiveFactor(agaa_fetched.diffuse, e));
+    return AGAA_EMISSIVE_CHANNELS == 3u ? e : vec3(0.0);
+}
+#else
 layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_gbuffer0;
 layout(AGAA_AT_SURFACE1) uniform AGAA_TARGET_TEXTURE agaa_gbuffer1;
 layout(AGAA_AT_SURFACE2) uniform AGAA_TARGET_TEXTURE agaa_gbuffer2;
@@ -48,18 +73,30 @@ vec3 agaa_storedEmissive() {
     return AGAA_EMISSIVE_CHANNELS == 1u ? vec3(agaa_channel(AGAA_SOURCE_EMISSIVE_R)) : vec3(0.0);
 }
 
+vec3 agaa_fetchedNormal() { return agaa_decodeOct(agaa_normalCode(), AGAA_SOURCE_NORMAL_X >> 16); }
+
+vec3 agaa_fetchedDiffuse() {
+    return agaa_channel3(AGAA_SOURCE_DIFFUSE_R, AGAA_SOURCE_DIFFUSE_G, AGAA_SOURCE_DIFFUSE_B);
+}
+
+vec3 agaa_fetchedSpecular() {
+    return agaa_channel3(AGAA_SOURCE_SPECULAR_R, AGAA_SOURCE_SPECULAR_G, AGAA_SOURCE_SPECULAR_B);
+}
+
+float agaa_fetchedAlpha2() { return agaa_channel(AGAA_SOURCE_ROUGHNESS); }
+#endif
+
 agaa_Surface agaa_sampleSurface() {
     agaa_Surface s;
-    s.diffuse = agaa_channel3(AGAA_SOURCE_DIFFUSE_R, AGAA_SOURCE_DIFFUSE_G, AGAA_SOURCE_DIFFUSE_B);
-    s.normal = agaa_decodeOct(agaa_normalCode(), AGAA_SOURCE_NORMAL_X >> 16);
+    s.diffuse = agaa_fetchedDiffuse();
+    s.normal = agaa_fetchedNormal();
     s.meanLength = 1.0;
     s.specular = vec3(0.0);
     s.alpha2 = 1.0;
     if (AGAA_HAS_SPECULAR != 0u) {
-        s.specular = agaa_channel3(AGAA_SOURCE_SPECULAR_R, AGAA_SOURCE_SPECULAR_G,
-                                   AGAA_SOURCE_SPECULAR_B);
+        s.specular = agaa_fetchedSpecular();
         if (AGAA_SOURCE_ROUGHNESS >> 16 != 0u)
-            s.alpha2 = agaa_channel(AGAA_SOURCE_ROUGHNESS);
+            s.alpha2 = agaa_fetchedAlpha2();
     }
     s.emissive = agaa_frame.ambient.w * agaa_storedEmissive();
     if (AGAA_EMISSIVE_CHANNELS == 1u)

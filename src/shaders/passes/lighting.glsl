@@ -28,10 +28,7 @@ AGAA_LIGHT_BLOCK agaa_LightBlock {
     agaa_GpuLight lights[AGAA_LIGHT_COUNT];
 } agaa_lightBuffer;
 
-// Shadows that a function of the host's answers for; then the pass is compiled with its text.
-#ifdef AGAA_HOST_SHADOWS
-#include "host-code"
-#else
+#ifndef AGAA_SHADOW_TEXTURES // 0 where a function of the host's answers for all shadows
 #define AGAA_SHADOW_TEXTURES 1
 #endif
 

@@ -3,8 +3,8 @@
 #define AGAA_SAMPLES_GLSL
 #include "math/encoding.glsl"
 #include "math/clustering.glsl"
+#include "passes/sample_depth.glsl"
 
-layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
 #if AGAA_FROM_GBUFFER
 #include "passes/gbuffer.glsl"
 #else
@@ -17,7 +17,7 @@ bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 #if AGAA_FROM_GBUFFER
     if (!agaa_fetchSample(pixel, i))
         return false;
-    normal = agaa_decodeOct(agaa_normalCode(), AGAA_SOURCE_NORMAL_X >> 16);
+    normal = agaa_fetchedNormal();
     uvec2 c = uvec2(agaa_normalCode() * 65535.0 + 0.5);
     code = (c.x << 16 | c.y) * 2654435761u >> 16;
 #else
@@ -68,7 +68,7 @@ agaa_PixelSamples agaa_loadSamples(uvec2 pixel) {
         if (!agaa_loadNormal(pixel, i, normal, code))
             continue;
         covered |= 1u << i;
-        float depth = AGAA_FETCH(agaa_depth, pixel, i).x;
+        float depth = agaa_depthOf(pixel, i);
         vec3 position = agaa_sampleViewPosition(pixel, i, depth);
         uvec2 place = uvec2(agaa_frame.samplePosition[i].xy * 128.0);
         agaa_setSample(i, position, frame * normal, floatBitsToUint(depth),

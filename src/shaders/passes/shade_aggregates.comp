@@ -11,15 +11,26 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
 #include "passes/choice.glsl"
+#include "passes/sample_depth.glsl"
 #include "math/encoding.glsl"
 #include "math/records.glsl"
 #include "math/statistics.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "passes/tile.glsl"
 
-layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
 #if AGAA_COUNTING
+#ifdef AGAA_HOST_GBUFFER
+bool agaa_isVisible(uvec2 pixel, uint i) {
+    AgaaSample s;
+    return agaa_readHost(pixel, i, s);
+}
+#else
 layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
+
+bool agaa_isVisible(uvec2 pixel, uint i) {
+    return AGAA_FETCH(agaa_normals, pixel, i)[AGAA_COVERAGE_COMPONENT] > 0.0;
+}
+#endif
 #endif
 layout(std430, AGAA_AT_AGGREGATES) readonly buffer agaa_AggregateBlock {
     uint words[];
@@ -91,7 +102,7 @@ agaa_Surface agaa_aggregateSurface(vec3 toEye) {
 }
 
 vec3 agaa_viewPositionOf(uvec2 pixel, uint i) {
-    return agaa_sampleViewPosition(pixel, i, AGAA_FETCH(agaa_depth, pixel, i).x);
+    return agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i));
 }
 
 // Mean position, and the aggregate's share of each shadow map's light: at up to AGAA_SHADOW_TAPS of its
@@ -157,7 +168,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
 #if AGAA_COUNTING
     uint visible = 0u;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i)
-        if (AGAA_FETCH(agaa_normals, pixel, i)[AGAA_COVERAGE_COMPONENT] > 0.0)
+        if (agaa_isVisible(pixel, i))
             visible |= 1u << i;
     uint once = uint(bitCount(visible & coveredMask));
     agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(visible)));
@@ -182,7 +193,7 @@ vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
 #if AGAA_REPRESENTED
     uint shaded = agaa_recordShaded(agaa_record(), AGAA_SAMPLES);
     position = agaa_toShadingSpace(
-        agaa_sampleViewPosition(pixel, shaded, AGAA_FETCH(agaa_depth, pixel, shaded).x));
+        agaa_sampleViewPosition(pixel, shaded, agaa_depthOf(pixel, shaded)));
 #endif
     agaa_Surface s = agaa_aggregateSurface(agaa_toEye(position));
     return agaa_lightSurface(s, position) * float(agaa_count_);

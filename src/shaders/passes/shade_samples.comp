@@ -12,10 +12,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/output.glsl"
 #include "passes/choice.glsl"
 #include "passes/gbuffer.glsl"
+#include "passes/sample_depth.glsl"
 #define AGAA_MAX_EVENTS AGAA_SAMPLES
 #include "passes/tile.glsl"
 
-layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
 #if AGAA_CLASSIFIED
 layout(AGAA_AT_METADATA) uniform usampler2D agaa_classes;
 #endif
@@ -31,7 +31,7 @@ uint agaa_coveredSamples(uvec2 pixel) {
 }
 
 vec3 agaa_samplePosition(uvec2 pixel, uint i) {
-    return agaa_toShadingSpace(agaa_sampleViewPosition(pixel, i, AGAA_FETCH(agaa_depth, pixel, i).x));
+    return agaa_toShadingSpace(agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i)));
 }
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {

@@ -3,20 +3,16 @@
 #define AGAA_TARGET_GLSL
 #include "passes/camera.glsl"
 #include "math/depth.glsl"
+#include "math/sanitise.glsl"
+#include "passes/host_code.glsl"
 
 #if AGAA_MULTISAMPLED
 #define AGAA_TARGET_TEXTURE sampler2DMS
-#define AGAA_FETCH(image, pixel, i) texelFetch(image, agaa_texel(pixel, i), int((i) % AGAA_HW_SAMPLES))
+#define AGAA_FETCH(image, pixel, i) texelFetch(image, agaaTexel(pixel, i), agaaTexelSample(i))
 #else
 #define AGAA_TARGET_TEXTURE sampler2D
-#define AGAA_FETCH(image, pixel, i) texelFetch(image, agaa_texel(pixel, i), 0)
+#define AGAA_FETCH(image, pixel, i) texelFetch(image, agaaTexel(pixel, i), 0)
 #endif
-
-ivec2 agaa_texel(uvec2 pixel, uint i) {
-    uint group = i / AGAA_HW_SAMPLES;
-    return ivec2(pixel * uvec2(AGAA_SCALE_X, AGAA_SCALE_Y) +
-                 uvec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X));
-}
 
 float agaa_sampleViewZ(float depth) {
     return agaa_viewZFromDepth(depth, agaa_frame.projection1.x, agaa_frame.projection1.y,

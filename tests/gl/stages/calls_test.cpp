@@ -66,7 +66,7 @@ TEST(GlCalls, ASlotThatAFunctionAnswersForIsNotUsed) {
     function.shadows = 1;
     ViewSettings settings = benchSettings();
     settings.facts.shadowMapCount = 2;
-    settings.shadowFunction = &function;
+    settings.chained = &function;
     Bench bench(contextDesc(), sharedEgl(), settings);
     bench.shadow = AgaaShadow{};
     AgaaGlFrame glFrame = bench.glFrame();

@@ -294,7 +294,7 @@ TEST(GlLeaks, FramesAndFailuresLeaveNothing) {
         AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
         function.glsl = "float x = ;";
         function.shadows = 1;
-        settings.shadowFunction = &function;
+        settings.chained = &function;
         EXPECT_THROW(StageView(bench.context, settings), std::runtime_error);
         EXPECT_EQ(created.objects, alive);
         sharedEgl().takeMessages(); // of the function

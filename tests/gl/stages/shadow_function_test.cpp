@@ -29,7 +29,7 @@ std::vector<float> byFunction(ViewSettings settings, float depth) {
     AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
     function.glsl = functionText;
     function.shadows = 1;
-    settings.shadowFunction = &function;
+    settings.chained = &function;
     const harness::gl::Texture map = harness::gl::createTexture(gl, GL_TEXTURE_2D);
     gl.TextureStorage2D(map.get(), 1, GL_R32F, 1, 1);
     gl.TextureSubImage2D(map.get(), 0, 0, 0, 1, 1, GL_RED, GL_FLOAT, &depth);

@@ -41,7 +41,7 @@ ViewSettings settingsFor(const char* technique, const AgaaShadowFunction& functi
     settings.config.technique = technique;
     settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_COUNTERS;
     settings.facts.shadowMapCount = shadows;
-    settings.shadowFunction = &function;
+    settings.chained = &function;
     return settings;
 }
 
@@ -86,7 +86,7 @@ void expectOracle(const char* technique, bool mapped) {
     frame.shadowCount = 2;
     view.render(frame, [&](AgaaVkFrame& vk) {
         vk.shadowViews[0] = mapped ? map.view() : 0;
-        vk.shadowFunctionSet = host.set();
+        vk.functionSet = host.set();
     });
     const harness::Image image = view.image();
     const ShadingOracle oracle(view, frame, [&](uint32_t shadow, const glm::dvec3& p) {

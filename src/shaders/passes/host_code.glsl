@@ -1,0 +1,26 @@
+// Functions of the host's that a pass is compiled with, and what they speak of.
+#ifndef AGAA_HOST_CODE_GLSL
+#define AGAA_HOST_CODE_GLSL
+// Where sample i lies in a target whose pixels are AGAA_SCALE_X x AGAA_SCALE_Y texels of AGAA_HW_SAMPLES each.
+ivec2 agaaTexel(uvec2 pixel, uint i) {
+    uint group = i / AGAA_HW_SAMPLES;
+    return ivec2(pixel * uvec2(AGAA_SCALE_X, AGAA_SCALE_Y) +
+                 uvec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X));
+}
+int agaaTexelSample(uint i) { return int(i % AGAA_HW_SAMPLES); }
+
+#ifdef AGAA_HOST_GBUFFER
+// A sample of the host's G-buffer; the members are those of AgaaSurfaceInput.
+struct AgaaSample {
+    float depth; // as the host's depth buffer holds it
+    vec3 diffuse;
+    vec3 specular;
+    vec3 emissive;
+    vec3 normal; // shading space, unit
+    float alpha2;
+};
+#endif
+#if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_SHADOWS)
+#include "host-code"
+#endif
+#endif

@@ -1,0 +1,16 @@
+// Depth of a sample, as the depth buffer holds it.
+#ifndef AGAA_SAMPLE_DEPTH_GLSL
+#define AGAA_SAMPLE_DEPTH_GLSL
+#include "passes/host_samples.glsl"
+#ifdef AGAA_HOST_GBUFFER
+float agaa_depthOf(uvec2 pixel, uint i) {
+    AgaaSample s;
+    agaa_readHost(pixel, i, s);
+    return s.depth;
+}
+#else
+layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
+
+float agaa_depthOf(uvec2 pixel, uint i) { return AGAA_FETCH(agaa_depth, pixel, i).x; }
+#endif
+#endif
