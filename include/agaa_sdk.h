@@ -99,6 +99,7 @@ typedef enum AgaaStructType {
     AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION = 11,
     AGAA_STRUCTURE_TYPE_FRAME_VALIDATION = 12,
     AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION = 13,
+    AGAA_STRUCTURE_TYPE_FETCH_FUNCTION = 14,
     AGAA_STRUCTURE_TYPE_VK_CONTEXT = 1000,
     AGAA_STRUCTURE_TYPE_VK_FRAME = 1001,
     AGAA_STRUCTURE_TYPE_VK_DRAW_PASS = 1002,
@@ -226,6 +227,7 @@ typedef enum AgaaTier {
     AGAA_TIER_POST_DEPTH_ATOMICS = 17, /* fragment coverage after the depth test, integer atomics */
     AGAA_TIER_PER_SAMPLE = 18,         /* one invocation per sample, integer atomics */
     AGAA_TIER_GBUFFER = 19,            /* one geometry pass into a full multisampled G-buffer */
+    AGAA_TIER_IDS = 20, /* one geometry pass into depth and ids, by which materials are fetched (AgaaFetchFunction) */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 
@@ -343,6 +345,30 @@ typedef struct AgaaGBufferFunction {
 } AgaaGBufferFunction;
 #define AGAA_GBUFFER_FUNCTION_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, (uint32_t)sizeof(AgaaGBufferFunction), NULL, NULL, NULL, 0, 0, 0}
+
+/* Chained to AgaaViewDesc: materials by id, for the tier IDS, which AUTO then is. The visibility pass leaves, beside
+ * depth, which draw and primitive each sample shows (AgaaSurfaceInput::draw, ::primitive); the only other pass finds
+ * the primitives of a pixel, groups its samples, evaluates the material of each primitive once an aggregate and
+ * shades. It is compiled with functions of the host's; the text is GLSL 450 and defines
+ *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
+ *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)
+ * which give the clip coordinates of a triangle, as the vertex shader computed them, and the material at a point of
+ * it (src/shaders/passes/host_code.glsl, docs/integration.md). They run in compute: no implicit derivatives. Their
+ * resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1], emission in [0;range] of
+ * the layout; what is not finite becomes 0. The alpha test is the visibility pass's alone. Names and errors as at
+ * AgaaGBufferFunction. Of "agaa". */
+typedef struct AgaaFetchFunction {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    const char* glsl;
+    uint32_t maxDraws;      /* >= 1; the numbers of draws are below it */
+    uint32_t maxPrimitives; /* >= 1, of a draw; together at most 2^32 - 1 ids: maxDraws times maxPrimitives, rounded
+                               up to a power of two */
+    uint64_t descriptorSetLayout; /* as at AgaaGBufferFunction */
+} AgaaFetchFunction;
+#define AGAA_FETCH_FUNCTION_INIT                                                                    \
+    {AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0}
 
 /* Chained to AgaaViewDesc: shadows by a function of the host's in place of some shadow maps. It is
  * compiled into the passes that shade; the text is GLSL 450 and defines

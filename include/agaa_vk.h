@@ -179,7 +179,8 @@ typedef struct AgaaVkFrame {
      * no AgaaShadowFunction answers for. Where the view declares such maps and the frame has none, the first
      * of them all the same: descriptors cannot be empty. Others are not looked at. */
     uint64_t shadowViews[AGAA_MAX_SHADOW_MAPS];
-    uint64_t functionSet; /* VkDescriptorSet of the set layout of AgaaGBufferFunction or AgaaShadowFunction, or 0 */
+    uint64_t functionSet; /* VkDescriptorSet of the set layout of an AgaaGBufferFunction, AgaaFetchFunction or
+                             AgaaShadowFunction, or 0 */
 } AgaaVkFrame;
 #define AGAA_VK_FRAME_INIT                                                                          \
     {AGAA_STRUCTURE_TYPE_VK_FRAME, (uint32_t)sizeof(AgaaVkFrame), NULL, NULL, 0, 0, 0, 1, {0, 0, 0, 0}, 0}

@@ -136,8 +136,12 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     }
     if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
         define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
+    const bool writesIds = pass.drawPass == AGAA_DRAW_PASS_VISIBILITY && plan.generationTier == AGAA_TIER_IDS;
+    defineSwitch(out, "AGAA_WRITES_IDS", writesIds);
+    if (writesIds)
+        define(out, "AGAA_PRIMITIVE_BITS", plan.primitiveBits);
     if (pass.drawPass == AGAA_DRAW_PASS_VISIBILITY)
-        defineSwitch(out, "AGAA_WRITES_NORMALS", !pass.colorTargets.empty());
+        defineSwitch(out, "AGAA_WRITES_NORMALS", !pass.colorTargets.empty() && !writesIds);
     if (pass.drawPass == AGAA_DRAW_PASS_FORWARD)
         out += lightingDefines(plan, pass, dialect);
     return out;

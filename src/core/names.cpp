@@ -19,6 +19,7 @@ constexpr TierName tierNames[] = {
     {AGAA_TIER_POST_DEPTH_ATOMICS, "post-depth-atomics"},
     {AGAA_TIER_PER_SAMPLE, "per-sample"},
     {AGAA_TIER_GBUFFER, "gbuffer"},
+    {AGAA_TIER_IDS, "ids"},
 };
 } // namespace
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace agaa {
 
@@ -38,7 +39,7 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
         technique.maxAggregates ? std::min(plan.config.aggregates, plan.samples) : 0;
     chooseVisibilityTier();
     if (technique.maxAggregates)
-        chooseGenerationTier();
+        chooseGenerationTier(technique);
     require(!counts() || caps_.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
             "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");
     setConstants();
@@ -63,30 +64,40 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     }
 }
 
+// Functions of one view find their resources in the same set.
+void PlanBuilder::takeSetLayout(uint64_t setLayout) {
+    require(!setLayout || !plan.functionSetLayout || setLayout == plan.functionSetLayout,
+            AGAA_ERROR_INVALID_ARGUMENT,
+            "functions of the view have different set layouts; all find their resources in set 1.");
+    if (setLayout)
+        plan.functionSetLayout = setLayout;
+}
+
 void PlanBuilder::readFunctions(const AgaaViewDesc& view) {
     if (const AgaaShadowFunction* function = checkShadowFunction(view)) {
         plan.functionShadows = function->shadows;
-        plan.functionSetLayout = function->descriptorSetLayout;
+        takeSetLayout(function->descriptorSetLayout);
         shadowFunction_ = function->glsl;
     }
-    const AgaaGBufferFunction* function = checkGBufferFunction(view);
-    if (!function)
-        return;
-    require(!function->descriptorSetLayout || !plan.functionSetLayout ||
-                function->descriptorSetLayout == plan.functionSetLayout,
-            AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaGBufferFunction and AgaaShadowFunction have different set layouts; both find their resources in "
-            "set 1.");
-    if (function->descriptorSetLayout)
-        plan.functionSetLayout = function->descriptorSetLayout;
-    plan.hostGBuffer = true;
-    plan.depthBits = function->depthBits;
-    if (const float* positions = function->samplePositions)
-        plan.samplePositions.assign(positions, positions + 2 * plan.config.samples);
-    gbufferFunction_ = function->glsl;
+    if (const AgaaGBufferFunction* function = checkGBufferFunction(view)) {
+        takeSetLayout(function->descriptorSetLayout);
+        plan.hostGBuffer = true;
+        plan.depthBits = function->depthBits;
+        if (const float* positions = function->samplePositions)
+            plan.samplePositions.assign(positions, positions + 2 * plan.config.samples);
+        gbufferFunction_ = function->glsl;
+    }
+    if (const AgaaFetchFunction* function = checkFetchFunction(view)) {
+        require(!plan.hostGBuffer, AGAA_ERROR_INVALID_ARGUMENT,
+                "the view has an AgaaGBufferFunction and an AgaaFetchFunction; materials come by one of them.");
+        takeSetLayout(function->descriptorSetLayout);
+        plan.fetches = true;
+        plan.primitiveBits = uint32_t(std::bit_width(function->maxPrimitives - 1));
+        fetchFunction_ = function->glsl;
+    }
 }
 
-void PlanBuilder::chooseGenerationTier() {
+void PlanBuilder::chooseGenerationTier(const Technique& technique) {
     if (plan.hostGBuffer) {
         require(plan.config.generationTier == AGAA_TIER_AUTO || plan.config.generationTier == AGAA_TIER_GBUFFER,
                 AGAA_ERROR_UNSUPPORTED,
@@ -95,8 +106,19 @@ void PlanBuilder::chooseGenerationTier() {
         note("generation: the host's multisampled G-buffer is aggregated by a compute pass.");
         return;
     }
+    const uint32_t forced = plan.config.generationTier;
+    const bool takesIds = technique.takesIds && plan.fetches;
+    if (forced == AGAA_TIER_IDS && !takesIds)
+        fail(AGAA_ERROR_UNSUPPORTED,
+             format("generation cannot run: %s.", technique.takesIds ? "the tier ids needs an AgaaFetchFunction"
+                                                                     : "the tier ids is for \"agaa\""));
+    if (takesIds && (forced == AGAA_TIER_IDS || forced == AGAA_TIER_AUTO)) {
+        plan.generationTier = AGAA_TIER_IDS;
+        note("generation: materials are fetched by the ids that the only geometry pass leaves.");
+        return;
+    }
     const GenerationChoice choice =
-        chooseGeneration(caps_, plan.hwSamples, plan.config.generationTier, hasFact(AGAA_FACT_CUSTOM_DEPTH));
+        chooseGeneration(caps_, plan.hwSamples, forced, hasFact(AGAA_FACT_CUSTOM_DEPTH));
     if (choice.tier == AGAA_TIER_AUTO)
         fail(AGAA_ERROR_UNSUPPORTED, "generation cannot run: " + choice.reason);
     plan.generationTier = choice.tier;
@@ -312,6 +334,11 @@ void PlanBuilder::addHostCode(Pass& pass, const std::string& text, const char* o
 void PlanBuilder::bindHostGBuffer(Pass& pass) {
     addHostCode(pass, gbufferFunction_, "AgaaGBufferFunction::glsl");
     pass.defines += "#define AGAA_HOST_GBUFFER 1\n";
+}
+
+void PlanBuilder::bindHostFetch(Pass& pass) {
+    addHostCode(pass, fetchFunction_, "AgaaFetchFunction::glsl");
+    pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n", plan.primitiveBits);
 }
 
 ResourceId PlanBuilder::output() {

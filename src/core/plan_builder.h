@@ -63,6 +63,8 @@ public:
     void bindLighting(Pass& pass);
     // Compiles the pass with the host's function that reads samples of its own G-buffer.
     void bindHostGBuffer(Pass& pass);
+    // Compiles the pass with the host's functions that fetch materials.
+    void bindHostFetch(Pass& pass);
     ResourceId output(); // the host's image
     // What agaa_writeOutput() writes, and composites over: an image of the plan's, or with none the output.
     void bindOutput(Pass& pass, ResourceId image = noResource);
@@ -77,7 +79,8 @@ private:
     void setConstants();
     void checkLimits() const;
     void readFunctions(const AgaaViewDesc& view);
-    void chooseGenerationTier();
+    void takeSetLayout(uint64_t setLayout);
+    void chooseGenerationTier(const Technique& technique);
     static void addHostCode(Pass& pass, const std::string& text, const char* origin);
     void bindShadows(Pass& pass);
     void listEffects();
@@ -90,7 +93,7 @@ private:
     ResourceId lights_ = noResource;
     ResourceId counters_ = noResource;
     ResourceId output_ = noResource;
-    std::string shadowFunction_, gbufferFunction_; // the host's texts
+    std::string shadowFunction_, gbufferFunction_, fetchFunction_; // the host's texts
     uint32_t framesInFlight_;
 };
 

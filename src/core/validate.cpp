@@ -114,7 +114,8 @@ AgaaSceneFacts checkFacts(const AgaaSceneFacts* pointer) {
 
 void checkViewDesc(const AgaaViewDesc* pointer) {
     checkHeader(pointer, AGAA_STRUCTURE_TYPE_VIEW, sizeof *pointer, "AgaaViewDesc",
-                {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION});
+                {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, AGAA_STRUCTURE_TYPE_FETCH_FUNCTION,
+                 AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION});
     const AgaaViewDesc& desc = *pointer;
     require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc has no pixels: width and height must be at least 1.");
@@ -154,6 +155,24 @@ const AgaaGBufferFunction* checkGBufferFunction(const AgaaViewDesc& desc) {
     for (uint32_t i = 0; function->samplePositions && i < 2 * desc.config->samples; ++i)
         require(function->samplePositions[i] >= 0 && function->samplePositions[i] < 1, AGAA_ERROR_OUT_OF_RANGE,
                 "AgaaGBufferFunction::samplePositions holds a place outside the pixel, [0;1).");
+    return function;
+}
+
+const AgaaFetchFunction* checkFetchFunction(const AgaaViewDesc& desc) {
+    const void* chained = findChained(&desc, AGAA_STRUCTURE_TYPE_FETCH_FUNCTION);
+    if (!chained)
+        return nullptr;
+    const auto* function = static_cast<const AgaaFetchFunction*>(chained);
+    require(function->structSize == sizeof *function, AGAA_ERROR_STRUCT,
+            "AgaaFetchFunction has another structSize than this library's.");
+    require(function->glsl, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFetchFunction::glsl is null.");
+    require(function->maxDraws >= 1 && function->maxPrimitives >= 1, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaFetchFunction::maxDraws or ::maxPrimitives is 0.");
+    const int bits = std::bit_width(function->maxPrimitives - 1);
+    if ((uint64_t(function->maxDraws) << bits) > 0xFFFFFFFFu)
+        fail(AGAA_ERROR_TOO_LARGE,
+             format("%u draws of up to %u primitives each, which take %d bits, are more than 32-bit ids can tell.",
+                    function->maxDraws, function->maxPrimitives, bits));
     return function;
 }
 

@@ -39,6 +39,7 @@ void checkFrame(const AgaaFrame* frame, const Plan& plan);
 // The functions chained to a view, or null.
 const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc);
 const AgaaGBufferFunction* checkGBufferFunction(const AgaaViewDesc& desc);
+const AgaaFetchFunction* checkFetchFunction(const AgaaViewDesc& desc);
 // Name, chain and size of a view; the planner checks the rest against the device.
 void checkViewDesc(const AgaaViewDesc* desc);
 

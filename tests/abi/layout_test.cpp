@@ -28,6 +28,7 @@ TEST(Abi, HeadersComeFirst) {
     CHECK_HEADER(AgaaFrame);
     CHECK_HEADER(AgaaFrameStatistics);
     CHECK_HEADER(AgaaGBufferFunction);
+    CHECK_HEADER(AgaaFetchFunction);
     CHECK_HEADER(AgaaShadowFunction);
     CHECK_HEADER(AgaaFrameValidation);
     CHECK_HEADER(AgaaGlRequirements);
@@ -63,6 +64,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaPassTime, 64);
     EXPECT_SIZE(AgaaFrameStatistics, 1184);
     EXPECT_SIZE(AgaaGBufferFunction, 48);
+    EXPECT_SIZE(AgaaFetchFunction, 40);
     EXPECT_SIZE(AgaaShadowFunction, 40);
     EXPECT_SIZE(AgaaVkRequirements, 72);
     EXPECT_SIZE(AgaaVkSurface, 88);

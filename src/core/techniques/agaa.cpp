@@ -59,6 +59,8 @@ void build(PlanBuilder& b) {
     b.defaultSurface(0.98f, 1.0f, 1.0f);
     if (b.plan.config.flags & AGAA_CONFIG_SPLIT_SURFACES)
         b.plan.config.surfaceCosine = 2.0f; // that no two normals have
+    if (b.plan.generationTier == AGAA_TIER_IDS)
+        return buildFromIds(b);
     Aggregation sums;
     sums.layout = b.plan.layout;
     sums.packing = packAggregate(b.plan.layout, b.plan.samples);
@@ -69,6 +71,6 @@ void build(PlanBuilder& b) {
 
 } // namespace
 
-const Technique agaaTechnique = {"agaa", 4, true, build};
+const Technique agaaTechnique = {"agaa", 4, true, true, build};
 
 } // namespace agaa

@@ -5,8 +5,8 @@
 
 namespace agaa {
 
-Prepass drawPrepass(PlanBuilder& b, bool stencil) {
-    const Prepass s{b.depth(stencil), b.image("normals", Format::RG8, true)};
+Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format format) {
+    const Prepass s{b.depth(stencil), b.image(name, format, true)};
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
                                AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
@@ -112,6 +112,18 @@ void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {
     b.bind(gather, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     setRecord(gather, a);
     shadeAggregates(b, a, aggregates, [&](Pass& pass) { gbuffer.bindDepth(b, pass); });
+}
+
+void buildFromIds(PlanBuilder& b) {
+    const Prepass prepass = drawPrepass(b, false, "ids", Format::RGBA8);
+    Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_ids", "mscb", AGAA_SEGMENT_SHADING);
+    b.bindCommon(shade);
+    b.bindHostFetch(shade);
+    b.bindLighting(shade);
+    b.bindOutput(shade);
+    b.bind(shade, slot::Depth, BindingType::Texture, prepass.depth);
+    b.bind(shade, slot::Surface0, BindingType::Texture, prepass.normals);
+    b.copyCounters();
 }
 
 } // namespace agaa

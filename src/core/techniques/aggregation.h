@@ -10,10 +10,10 @@ namespace agaa {
 
 struct Prepass {
     ResourceId depth = noResource;
-    ResourceId normals = noResource;
+    ResourceId normals = noResource; // or ids
 };
-// Depth and geometric normals of every sample.
-Prepass drawPrepass(PlanBuilder& b, bool stencil);
+// Depth of every sample and, by name and format, what tells samples apart.
+Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name = "normals", Format format = Format::RG8);
 // Whether plans that draw twice want the stencil, to keep the first of equal depths.
 bool wantsStencil(const PlanBuilder& b);
 
@@ -36,5 +36,7 @@ void setRecord(Pass& pass, const Aggregation& aggregation);
 void buildTwoPasses(PlanBuilder& b, const Aggregation& aggregation);
 // One geometry pass into a multisampled G-buffer, from which a compute pass fills the aggregates.
 void buildFromGBuffer(PlanBuilder& b, const Aggregation& aggregation);
+// One geometry pass into depth and ids; a compute pass that groups samples, fetches materials and shades.
+void buildFromIds(PlanBuilder& b);
 
 } // namespace agaa

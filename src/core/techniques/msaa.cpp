@@ -32,6 +32,6 @@ static void build(PlanBuilder& b) {
     b.copyCounters();
 }
 
-const Technique msaaTechnique = {"msaa", 0, true, build};
+const Technique msaaTechnique = {"msaa", 0, true, false, build};
 
 } // namespace agaa

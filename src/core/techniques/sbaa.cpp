@@ -60,6 +60,6 @@ void build(PlanBuilder& b) {
 
 } // namespace
 
-const Technique sbaaTechnique = {"sbaa", 6, true, build};
+const Technique sbaaTechnique = {"sbaa", 6, true, false, build};
 
 } // namespace agaa

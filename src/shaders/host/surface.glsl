@@ -7,6 +7,8 @@ struct AgaaSurfaceInput {
                           // every pass: take it at AGAA_AT_CENTRE, since AGAA_INSIDE depends on
                           // which samples survive
     uint primitiveSeed;   // differs between primitives that may overlap; the same in every pass
+    uint draw;            // of the visibility pass where AGAA_WRITES_IDS is 1: what AgaaFetchFunction is asked for
+    uint primitive;       // of the draw, as gl_PrimitiveID counts
     vec3 diffuse;
     vec3 specular;        // reflectance at normal incidence
     vec3 emissive;
@@ -20,6 +22,8 @@ AgaaSurfaceInput agaa_surfaceInput() {
     s.geometricNormal = vec3(0.0, 0.0, 1.0);
     s.alpha = 1.0;
     s.primitiveSeed = 0u;
+    s.draw = 0u;
+    s.primitive = 0u;
     s.diffuse = vec3(0.5);
     s.specular = vec3(0.04);
     s.emissive = vec3(0.0);

@@ -1,5 +1,5 @@
-// Visibility pass: depth and, where they are wanted, the primitive's normal in the frame of the pixel's view
-// ray, where a surface that is seen faces the viewer at any field of view.
+// Visibility pass: depth and what tells samples apart. That is an id, or the primitive's normal in the frame of the
+// pixel's view ray, where a surface that is seen faces the viewer at any field of view.
 void agaa_emit(AgaaSurfaceInput s) {
     agaa_checkPlacement(s.position);
 #if AGAA_WRITES_NORMALS
@@ -15,6 +15,10 @@ void agaa_emit(AgaaSurfaceInput s) {
     if (n.z < 0.0)
         n = -n;
     agaa_out0 = vec4(vec2(agaa_encodeHemiOct8(n)) / 255.0, 0.0, 0.0);
+#endif
+#if AGAA_WRITES_IDS
+    uint id = (s.draw << AGAA_PRIMITIVE_BITS | s.primitive) + 1u;
+    agaa_out0 = vec4(uvec4(id, id >> 8u, id >> 16u, id >> 24u) & 255u) / 255.0;
 #endif
 #if AGAA_ALPHA_MASKED
     AGAA_KEEP_SAMPLES(agaa_alphaMask(s.alpha, s.primitiveSeed));

@@ -20,7 +20,25 @@ struct AgaaSample {
     float alpha2;
 };
 #endif
-#if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_SHADOWS)
+#ifdef AGAA_HOST_FETCH
+// A primitive that the prepass left the id of, and a point of it that a pixel shows.
+struct AgaaPrimitive {
+    uint draw;
+    uint primitive;
+    vec4 a, b, c; // clip coordinates of its vertices, as agaaHostTriangle() gave them
+    vec3 at;      // weights of the vertices at the point, perspective-correct, [0;1]
+    vec3 dx, dy;  // what the weights grow by from one pixel of the image to the next
+    float facing; // > 0 where a, b, c turn from x to y of the image, < 0 where the other way
+};
+struct AgaaMaterial { // the members are those of AgaaSurfaceInput
+    vec3 diffuse;
+    vec3 specular;
+    vec3 emissive;
+    vec3 normal; // shading space, unit
+    float alpha2;
+};
+#endif
+#if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH) || defined(AGAA_HOST_SHADOWS)
 #include "host-code"
 #endif
 #endif

@@ -5,12 +5,15 @@
 #include "math/clustering.glsl"
 #include "passes/sample_depth.glsl"
 
-#if AGAA_FROM_GBUFFER
+#if defined(AGAA_HOST_FETCH)
+#include "passes/fetch.glsl"
+#elif AGAA_FROM_GBUFFER
 #include "passes/gbuffer.glsl"
 #else
 layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
 #endif
 
+#ifndef AGAA_HOST_FETCH
 // The normal of a sample in the frame of agaa_normalFrame(), and a number that is equal for
 // equal normals. False where there is no geometry.
 bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
@@ -29,6 +32,7 @@ bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 #endif
     return true;
 }
+#endif
 
 // n, as a value that compilers do not know: with a constant they unroll loops within loops.
 uint agaa_sampleCount() { return uint(agaa_frame.surface.w); }
@@ -40,6 +44,47 @@ struct agaa_PixelSamples {
     float quantum;  // largest step of depth, as a length
 };
 
+// One more sample that shows geometry. normal: in the frame of the positions; code: equal for equal normals.
+void agaa_addSample(inout agaa_PixelSamples samples, uvec2 pixel, uint i, vec3 normal, uint code) {
+    samples.covered |= 1u << i;
+    float depth = agaa_depthOf(pixel, i);
+    vec3 position = agaa_sampleViewPosition(pixel, i, depth);
+    uvec2 place = uvec2(agaa_frame.samplePosition[i].xy * 128.0);
+    agaa_setSample(i, position, normal, floatBitsToUint(depth), code << 16 | place.x << 8 | place.y);
+    samples.nearest = min(samples.nearest, dot(position, position));
+    samples.nearestZ = min(samples.nearestZ, abs(position.z));
+    float step = agaa_frame.projection1.w;
+    step = step < 0.0 ? -step * depth : step; // float formats: relative
+    samples.quantum = max(samples.quantum, agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x,
+                                                             agaa_frame.projection1.y, agaa_isOrthographic(),
+                                                             step));
+}
+
+#ifdef AGAA_HOST_FETCH
+uint agaa_sampleIds[AGAA_MAX_SAMPLES];
+
+// Each primitive's normal is found once.
+void agaa_addSamples(inout agaa_PixelSamples samples, uvec2 pixel) {
+    uint left = 0u;
+    for (uint i = 0u; i < agaa_sampleCount(); ++i) {
+        agaa_sampleIds[i] = agaa_idOf(pixel, i);
+        left |= agaa_sampleIds[i] != 0u ? 1u << i : 0u;
+    }
+    while (left != 0u) {
+        uint id = agaa_sampleIds[findLSB(left)];
+        vec3 normal = agaa_planeNormal(agaa_primitive(id));
+        uvec3 c = uvec3((normal * 0.5 + 0.5) * 2047.0 + 0.5);
+        uint code = ((c.x * 2048u + c.y) * 2048u + c.z) * 2654435761u >> 16;
+        for (uint rest = left; rest != 0u; rest &= rest - 1u) {
+            uint i = uint(findLSB(rest));
+            if (agaa_sampleIds[i] == id) {
+                left &= ~(1u << i);
+                agaa_addSample(samples, pixel, i, normal, code);
+            }
+        }
+    }
+}
+#else
 // Normals come in a frame of their own; planes want that of the positions.
 mat3 agaa_normalFrame(uvec2 pixel) {
 #if AGAA_FROM_GBUFFER
@@ -56,32 +101,22 @@ mat3 agaa_normalFrame(uvec2 pixel) {
 #endif
 }
 
-agaa_PixelSamples agaa_loadSamples(uvec2 pixel) {
-    uint covered = 0u;
-    float nearest2 = 3.0e38;
-    float nearestZ = 3.0e38;
+void agaa_addSamples(inout agaa_PixelSamples samples, uvec2 pixel) {
     mat3 frame = agaa_normalFrame(pixel);
-    float quantum = 0.0;
     for (uint i = 0u; i < agaa_sampleCount(); ++i) {
         vec3 normal;
         uint code;
-        if (!agaa_loadNormal(pixel, i, normal, code))
-            continue;
-        covered |= 1u << i;
-        float depth = agaa_depthOf(pixel, i);
-        vec3 position = agaa_sampleViewPosition(pixel, i, depth);
-        uvec2 place = uvec2(agaa_frame.samplePosition[i].xy * 128.0);
-        agaa_setSample(i, position, frame * normal, floatBitsToUint(depth),
-                       code << 16 | place.x << 8 | place.y);
-        nearest2 = min(nearest2, dot(position, position));
-        nearestZ = min(nearestZ, abs(position.z));
-        float step = agaa_frame.projection1.w;
-        step = step < 0.0 ? -step * depth : step; // float formats: relative
-        quantum = max(quantum, agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x,
-                                                 agaa_frame.projection1.y, agaa_isOrthographic(),
-                                                 step));
+        if (agaa_loadNormal(pixel, i, normal, code))
+            agaa_addSample(samples, pixel, i, frame * normal, code);
     }
-    return agaa_PixelSamples(covered, sqrt(nearest2), nearestZ, quantum);
+}
+#endif
+
+agaa_PixelSamples agaa_loadSamples(uvec2 pixel) {
+    agaa_PixelSamples samples = agaa_PixelSamples(0u, 3.0e38, 3.0e38, 0.0);
+    agaa_addSamples(samples, pixel);
+    samples.nearest = sqrt(samples.nearest); // squares until here
+    return samples;
 }
 
 float agaa_pixelCharacteristicLength(agaa_PixelSamples samples) {

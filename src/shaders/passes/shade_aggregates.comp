@@ -10,11 +10,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/counters.glsl"
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
-#include "passes/choice.glsl"
-#include "passes/sample_depth.glsl"
+#include "passes/aggregate.glsl"
 #include "math/encoding.glsl"
 #include "math/records.glsl"
-#include "math/statistics.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "passes/tile.glsl"
 
@@ -69,84 +67,27 @@ float agaa_mean(uint field) {
 
 vec3 agaa_mean3(uint r, uint g, uint b) { return vec3(agaa_mean(r), agaa_mean(g), agaa_mean(b)); }
 
-agaa_Surface agaa_aggregateSurface(vec3 toEye) {
-    agaa_Surface s;
-    s.diffuse = agaa_mean3(AGAA_FIELD_DIFFUSE_R, AGAA_FIELD_DIFFUSE_G, AGAA_FIELD_DIFFUSE_B);
-    vec3 mean = agaa_mean3(AGAA_FIELD_NORMAL_X, AGAA_FIELD_NORMAL_Y, AGAA_FIELD_NORMAL_Z) * 2.0 - 1.0;
-    float meanLength;
-    agaa_meanDirection(mean, toEye, s.normal, meanLength);
-    s.specular = vec3(0.0);
-    s.alpha2 = 1.0;
-    s.meanLength = agaa_varianceFloor(meanLength, agaa_storedLengthBound(1u, AGAA_FIELD_NORMAL_X >> 16));
+agaa_Means agaa_aggregateMeans() {
+    agaa_Means m;
+    m.diffuse = agaa_mean3(AGAA_FIELD_DIFFUSE_R, AGAA_FIELD_DIFFUSE_G, AGAA_FIELD_DIFFUSE_B);
+    m.normal = agaa_mean3(AGAA_FIELD_NORMAL_X, AGAA_FIELD_NORMAL_Y, AGAA_FIELD_NORMAL_Z) * 2.0 - 1.0;
+    m.lengthBound = agaa_storedLengthBound(1u, AGAA_FIELD_NORMAL_X >> 16);
+    m.specular = vec3(0.0);
+    m.alpha2 = 1.0;
     if (AGAA_HAS_SPECULAR != 0u) {
-        s.specular = agaa_mean3(AGAA_FIELD_SPECULAR_R, AGAA_FIELD_SPECULAR_G, AGAA_FIELD_SPECULAR_B);
+        m.specular = agaa_mean3(AGAA_FIELD_SPECULAR_R, AGAA_FIELD_SPECULAR_G, AGAA_FIELD_SPECULAR_B);
         if (AGAA_YCBCR_SPECULAR != 0u)
-            s.specular = max(agaa_yCbCrToRgb(s.specular), vec3(0.0));
-        if (AGAA_FOLDED_ROUGHNESS != 0u) {
-            // The length says spread and roughness at once; the diffuse term cannot tell them apart.
-            s.alpha2 = agaa_alpha2FromFoldedLength(meanLength);
-            s.meanLength = 1.0;
-        } else {
-            float own = AGAA_FIELD_ROUGHNESS >> 16 != 0u ? agaa_mean(AGAA_FIELD_ROUGHNESS) : 1.0;
-            s.alpha2 = AGAA_NDF != 0u ? agaa_toksvigAlpha2(own, s.meanLength) : own;
-            agaa_count(AGAA_COUNT_WIDENED, s.alpha2 > own ? 1u : 0u);
-        }
+            m.specular = max(agaa_yCbCrToRgb(m.specular), vec3(0.0));
+        if (AGAA_FIELD_ROUGHNESS >> 16 != 0u)
+            m.alpha2 = agaa_mean(AGAA_FIELD_ROUGHNESS);
     }
-    s.emissive = vec3(0.0);
+    m.emissive = vec3(0.0);
     if (AGAA_EMISSIVE_CHANNELS == 3u)
-        s.emissive = agaa_frame.ambient.w *
+        m.emissive = agaa_frame.ambient.w *
                      agaa_mean3(AGAA_FIELD_EMISSIVE_R, AGAA_FIELD_EMISSIVE_G, AGAA_FIELD_EMISSIVE_B);
     if (AGAA_EMISSIVE_CHANNELS == 1u)
-        s.emissive = agaa_frame.ambient.w * agaa_mean(AGAA_FIELD_EMISSIVE_R) * s.diffuse;
-    return s;
-}
-
-vec3 agaa_viewPositionOf(uvec2 pixel, uint i) {
-    return agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i));
-}
-
-// Mean position, and the aggregate's share of each shadow map's light: at up to AGAA_SHADOW_TAPS of its
-// own samples, evenly chosen, or along the view ray by the variance of its depth, which takes all samples.
-vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
-    vec3 mean = vec3(0.0);
-    vec3 first = vec3(0.0);
-    agaa_Moments depthMoments = agaa_momentsInit(0.0);
-#if AGAA_SHADOWS
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] = 0.0;
-#endif
-    uint places = AGAA_SHADOW_FILTER == 2u ? agaa_count_ : min(agaa_count_, AGAA_SHADOW_TAPS);
-    agaa_Choice choice = agaa_chooseFrom(mask, places);
-    for (uint j = 0u; j < places; ++j) {
-        vec3 position = agaa_viewPositionOf(pixel, agaa_nextSample(choice, j));
-        if (j == 0u) { // sums are relative to the first sample (hard case 14)
-            first = position;
-            depthMoments = agaa_momentsInit(position.z);
-        }
-        mean += position - first;
-        if (AGAA_SHADOW_FILTER == 2u)
-            agaa_momentsAdd(depthMoments, position.z);
-        if (AGAA_SHADOW_FILTER == 1u)
-            agaa_addTaps(agaa_toShadingSpace(position));
-    }
-    mean = first + mean / float(places);
-    uint taps = places;
-    if (AGAA_SHADOW_FILTER != 1u) {
-        float sigma = AGAA_SHADOW_FILTER == 2u ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
-        taps = sigma > 0.0 ? 4u : 1u;
-        for (uint j = 0u; j < taps; ++j) {
-            // Four taps of equal weight whose spread is that of a Gaussian: +-0.45 and +-1.34 sigma.
-            float offset = sigma * (j < 2u ? 0.45 : 1.34) * ((j & 1u) != 0u ? 1.0 : -1.0);
-            float along = abs(mean.z) > 0.0 ? 1.0 + offset / mean.z : 1.0;
-            vec3 at = agaa_isOrthographic() != 0u ? mean + vec3(0.0, 0.0, offset) : mean * along;
-            agaa_addTaps(agaa_toShadingSpace(at));
-        }
-    }
-#if AGAA_SHADOWS
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] /= float(taps);
-#endif
-    return agaa_toShadingSpace(mean);
+        m.emissive = agaa_frame.ambient.w * agaa_mean(AGAA_FIELD_EMISSIVE_R) * m.diffuse;
+    return m;
 }
 
 void agaa_selectAggregate(uvec2 pixel, uint a) {
@@ -195,7 +136,7 @@ vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
     position = agaa_toShadingSpace(
         agaa_sampleViewPosition(pixel, shaded, agaa_depthOf(pixel, shaded)));
 #endif
-    agaa_Surface s = agaa_aggregateSurface(agaa_toEye(position));
+    agaa_Surface s = agaa_surfaceOfMeans(agaa_aggregateMeans(), AGAA_FOLDED_ROUGHNESS != 0u, agaa_toEye(position));
     return agaa_lightSurface(s, position) * float(agaa_count_);
 }
 

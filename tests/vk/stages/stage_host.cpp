@@ -44,6 +44,8 @@ void main() {
     s.geometricNormal = m.geometricNormal.xyz;
     s.alpha = m.diffuse.w * STAGE_ALPHA_FACTOR;
     s.primitiveSeed = floatBitsToUint(m.geometricNormal.w);
+    s.draw = 5u;
+    s.primitive = triangle;
     s.diffuse = m.diffuse.xyz;
     s.specular = m.specular.xyz;
     s.emissive = m.emissive.xyz;

@@ -86,6 +86,9 @@ public:
     AgaaView get() const { return view_; }
     const ViewSettings& settings() const { return settings_; }
     const harness::vk::OutputImage& output() const { return output_; }
+    // Two vectors a vertex, position and texture coordinates; a Material a triangle.
+    VkBuffer vertices() const { return vertices_.buffer.get(); }
+    VkBuffer materials() const { return materials_.buffer.get(); }
 
     // A surface by its name in the plan, texel by texel, sample by sample; floats as their bits.
     std::vector<glm::uvec4> readSurface(const std::string& name) const;

@@ -1,0 +1,89 @@
+// What shading an aggregate takes, wherever its sums are kept: its place, the shadows there, and its means as a
+// surface.
+#ifndef AGAA_AGGREGATE_GLSL
+#define AGAA_AGGREGATE_GLSL
+#include "passes/choice.glsl"
+#include "passes/sample_depth.glsl"
+#include "math/encoding.glsl"
+#include "math/statistics.glsl"
+
+struct agaa_Means {
+    vec3 diffuse;
+    vec3 specular;
+    vec3 emissive;     // radiance
+    vec3 normal;       // as long as the normals agree
+    float alpha2;
+    float lengthBound; // what rounding may have made the normal shorter by
+};
+
+// folded: the normal's length says spread and roughness at once; the diffuse term cannot tell them apart.
+agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
+    agaa_Surface s;
+    float meanLength;
+    agaa_meanDirection(m.normal, toEye, s.normal, meanLength);
+    s.diffuse = m.diffuse;
+    s.specular = m.specular;
+    s.emissive = m.emissive;
+    s.alpha2 = 1.0;
+    s.meanLength = agaa_varianceFloor(meanLength, m.lengthBound);
+    if (AGAA_HAS_SPECULAR == 0u)
+        return s;
+    if (folded) {
+        s.alpha2 = agaa_alpha2FromFoldedLength(meanLength);
+        s.meanLength = 1.0;
+    } else {
+        s.alpha2 = AGAA_NDF != 0u ? agaa_toksvigAlpha2(m.alpha2, s.meanLength) : m.alpha2;
+        agaa_count(AGAA_COUNT_WIDENED, s.alpha2 > m.alpha2 ? 1u : 0u);
+    }
+    return s;
+}
+
+vec3 agaa_viewPositionOf(uvec2 pixel, uint i) {
+    return agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i));
+}
+
+// Mean position, and the aggregate's share of each shadow map's light: at up to AGAA_SHADOW_TAPS of its
+// own samples, evenly chosen, or along the view ray by the variance of its depth, which takes all samples.
+vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
+    uint count = uint(bitCount(mask));
+    vec3 mean = vec3(0.0);
+    vec3 first = vec3(0.0);
+    agaa_Moments depthMoments = agaa_momentsInit(0.0);
+#if AGAA_SHADOWS
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] = 0.0;
+#endif
+    uint places = AGAA_SHADOW_FILTER == 2u ? count : min(count, AGAA_SHADOW_TAPS);
+    agaa_Choice choice = agaa_chooseFrom(mask, places);
+    for (uint j = 0u; j < places; ++j) {
+        vec3 position = agaa_viewPositionOf(pixel, agaa_nextSample(choice, j));
+        if (j == 0u) { // sums are relative to the first sample (hard case 14)
+            first = position;
+            depthMoments = agaa_momentsInit(position.z);
+        }
+        mean += position - first;
+        if (AGAA_SHADOW_FILTER == 2u)
+            agaa_momentsAdd(depthMoments, position.z);
+        if (AGAA_SHADOW_FILTER == 1u)
+            agaa_addTaps(agaa_toShadingSpace(position));
+    }
+    mean = first + mean / float(places);
+    uint taps = places;
+    if (AGAA_SHADOW_FILTER != 1u) {
+        float sigma = AGAA_SHADOW_FILTER == 2u ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
+        taps = sigma > 0.0 ? 4u : 1u;
+        for (uint j = 0u; j < taps; ++j) {
+            // Four taps of equal weight whose spread is that of a Gaussian: +-0.45 and +-1.34 sigma.
+            float offset = sigma * (j < 2u ? 0.45 : 1.34) * ((j & 1u) != 0u ? 1.0 : -1.0);
+            float along = abs(mean.z) > 0.0 ? 1.0 + offset / mean.z : 1.0;
+            vec3 at = agaa_isOrthographic() != 0u ? mean + vec3(0.0, 0.0, offset) : mean * along;
+            agaa_addTaps(agaa_toShadingSpace(at));
+        }
+    }
+#if AGAA_SHADOWS
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] /= float(taps);
+#endif
+    return agaa_toShadingSpace(mean);
+}
+#endif

@@ -1,0 +1,68 @@
+// Materials of the primitives that a prepass left the ids of, by functions of the host's.
+#ifndef AGAA_FETCH_GLSL
+#define AGAA_FETCH_GLSL
+#include "math/barycentrics.glsl"
+#include "math/ndf.glsl"
+
+// Four bytes: each is exact in an 8-bit channel, on every device at every sample count.
+layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_ids;
+
+// 0: no geometry.
+uint agaa_idOf(uvec2 pixel, uint i) {
+    uvec4 bytes = uvec4(AGAA_FETCH(agaa_ids, pixel, i) * 255.0 + 0.5);
+    return bytes.x | bytes.y << 8 | bytes.z << 16 | bytes.w << 24;
+}
+
+AgaaPrimitive agaa_primitive(uint id) {
+    AgaaPrimitive p;
+    p.draw = (id - 1u) >> AGAA_PRIMITIVE_BITS;
+    p.primitive = id - 1u & (1u << AGAA_PRIMITIVE_BITS) - 1u;
+    p.a = p.b = p.c = vec4(0.0, 0.0, 0.0, 1.0);
+    agaaHostTriangle(p.draw, p.primitive, p.a, p.b, p.c);
+    return p;
+}
+
+vec3 agaa_vertexViewPosition(vec4 clip) {
+    if (agaa_isOrthographic() != 0u)
+        return vec3((clip.xy - agaa_frame.projection0.zw) / agaa_frame.projection0.xy,
+                    (clip.z - agaa_frame.projection1.y) / agaa_frame.projection1.x);
+    return vec3((clip.xy + agaa_frame.projection0.zw * clip.w) / agaa_frame.projection0.xy, -clip.w);
+}
+
+// Of the primitive's plane in view space, facing the eye; vertices behind the eye are no exception.
+vec3 agaa_planeNormal(AgaaPrimitive p) {
+    vec3 a = agaa_vertexViewPosition(p.a);
+    vec3 n = cross(agaa_vertexViewPosition(p.b) - a, agaa_vertexViewPosition(p.c) - a);
+    float size = max(abs(n.x), max(abs(n.y), abs(n.z)));
+    if (!(size > 0.0) || isinf(size))
+        return vec3(0.0, 0.0, 1.0);
+    n = normalize(n / size);
+    float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, a / max(abs(a.x), max(abs(a.y), abs(a.z))));
+    return away > 0.0 ? -n : n;
+}
+
+// At a place in the pixel. What the function leaves alone is as in agaa_surfaceInput(); what is not finite becomes 0
+// (hard case 37).
+AgaaMaterial agaa_fetchMaterial(uvec2 pixel, uint id, vec2 place) {
+    AgaaPrimitive p = agaa_primitive(id);
+    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
+    vec2 ndc = (vec2(pixel) + place) / pixelsPerNdc - 1.0;
+    agaa_Barycentrics b = agaa_barycentrics(p.a.xyw, p.b.xyw, p.c.xyw, ndc, pixelsPerNdc);
+    p.at = b.at;
+    p.dx = b.dx;
+    p.dy = b.dy;
+    p.facing = b.facing;
+    AgaaMaterial m = AgaaMaterial(vec3(0.5), vec3(0.04), vec3(0.0), vec3(0.0, 0.0, 1.0), 1.0);
+    agaaHostMaterial(p, m);
+    uint bad = 0u;
+    m.diffuse = agaa_sanitise3(m.diffuse, 0.0, 1.0, bad);
+    m.specular = agaa_sanitise3(m.specular, 0.0, 1.0, bad);
+    m.emissive = agaa_sanitise3(m.emissive, 0.0, agaa_frame.ambient.w, bad);
+    m.normal = agaa_sanitise3(m.normal, -1.0, 1.0, bad);
+    float l2 = dot(m.normal, m.normal);
+    m.normal = l2 > 1e-12 ? m.normal * inversesqrt(l2) : vec3(0.0, 0.0, 1.0);
+    m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
+    agaa_count(AGAA_COUNT_SANITISED, bad);
+    return m;
+}
+#endif

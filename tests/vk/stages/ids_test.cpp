@@ -1,0 +1,311 @@
+// The tier ids: one geometry pass that leaves ids, materials fetched by them, against the tiers that draw materials.
+#include "stage_host.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+
+namespace agaa::test {
+namespace {
+
+constexpr uint32_t drawNumber = 5; // of stage_host.cpp
+
+std::string matrixText(const glm::mat4& m) {
+    std::string text = "mat4(";
+    for (int i = 0; i < 16; ++i) {
+        char number[32];
+        std::snprintf(number, sizeof number, "%s%.9g", i ? ", " : "", double(m[i / 4][i % 4]));
+        text += number;
+    }
+    return text + ")";
+}
+
+std::string fetchText(const ViewSettings& settings, const char* more = "") {
+    return "const mat4 hostClip = " + matrixText(settings.projection * settings.view) + R"(;
+layout(std430, set = 1, binding = 0) readonly buffer Vertices { vec4 data[]; } hostVertices;
+struct HostMaterial { vec4 diffuse, specular, emissive, normal, geometricNormal; };
+layout(std430, set = 1, binding = 1) readonly buffer Materials { HostMaterial data[]; } hostMaterials;
+vec4 hostVertex(uint i) { return hostClip * vec4(hostVertices.data[2u * i].xyz, 1.0); }
+void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {
+    a = hostVertex(3u * primitive);
+    b = hostVertex(3u * primitive + 1u);
+    c = hostVertex(3u * primitive + 2u);
+}
+void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {
+    HostMaterial h = hostMaterials.data[p.primitive];
+    m.diffuse = p.draw == )" +
+           std::to_string(drawNumber) + R"(u ? h.diffuse.xyz : vec3(1.0, 0.0, 1.0);
+    m.specular = h.specular.xyz;
+    m.emissive = h.emissive.xyz;
+    m.normal = h.normal.xyz;
+    m.alpha2 = h.normal.w;
+)" + more + "}\n";
+}
+
+ViewSettings settingsFor(uint32_t n, uint32_t c, uint32_t tier) {
+    ViewSettings settings;
+    settings.config.samples = n;
+    settings.config.aggregates = c;
+    settings.config.generationTier = tier;
+    settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_COUNTERS;
+    settings.facts.shadowMapCount = 0;
+    return settings;
+}
+
+// A view of the tier, with what its function reads.
+class IdsView {
+public:
+    IdsView(StageContext& context, ViewSettings settings, const std::vector<Triangle>& triangles, const char* more = "")
+        : set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT), text_(fetchText(settings, more)) {
+        function_.glsl = text_.c_str();
+        function_.maxDraws = drawNumber + 1;
+        function_.maxPrimitives = uint32_t(triangles.size());
+        function_.descriptorSetLayout = (uint64_t)set_.layout();
+        settings.chained = &function_;
+        view_ = std::make_unique<StageView>(context, settings);
+        view_->setTriangles(triangles);
+        set_.write({view_->vertices(), view_->materials()});
+    }
+    StageView& view() { return *view_; }
+    harness::Image render() {
+        const AgaaLight light = sun();
+        AgaaFrame frame = view_->frame();
+        frame.lights = &light;
+        frame.lightCount = 1;
+        frame.ambient[0] = frame.ambient[1] = frame.ambient[2] = 0.25f;
+        view_->render(frame, [&](AgaaVkFrame& vk) { vk.functionSet = (uint64_t)set_.get(); });
+        return view_->image();
+    }
+
+private:
+    StorageSet set_;
+    std::string text_;
+    AgaaFetchFunction function_ = AGAA_FETCH_FUNCTION_INIT;
+    std::unique_ptr<StageView> view_;
+};
+
+harness::Image drawn(StageView& view, const std::vector<Triangle>& triangles) {
+    view.setTriangles(triangles);
+    const AgaaLight light = sun();
+    AgaaFrame frame = view.frame();
+    frame.lights = &light;
+    frame.lightCount = 1;
+    frame.ambient[0] = frame.ambient[1] = frame.ambient[2] = 0.25f;
+    view.render(frame);
+    return view.image();
+}
+
+struct Difference {
+    double psnr = 0;    // of tone-mapped values, peak 1
+    double farPixels = 0; // share of pixels with a channel more than 24/255 off
+};
+
+double toneMapped(float x) { return std::pow(double(x) / (1 + double(x)), 1 / 2.2); }
+
+Difference compare(const harness::Image& a, const harness::Image& b) {
+    double sum = 0;
+    size_t far = 0;
+    for (size_t p = 0; p < a.pixelCount(); ++p) {
+        double most = 0;
+        for (size_t i = 3 * p; i < 3 * p + 3; ++i) {
+            const double d = std::fabs(toneMapped(a.rgb[i]) - toneMapped(b.rgb[i]));
+            sum += d * d;
+            most = std::max(most, d);
+        }
+        far += most > 24.0 / 255;
+    }
+    return {-10 * std::log10(std::max(sum / double(a.rgb.size()), 1e-20)), double(far) / double(a.pixelCount())};
+}
+
+// Materials that do not shine: what tiers still differ by is where they take positions and how they round.
+std::vector<Triangle> scene(uint32_t count) {
+    return randomTriangles({.triangles = count, .duplicates = 0.1f, .masked = 0.2f}, 61);
+}
+
+TEST(Ids, ShowWhatTheOtherTiersShow) {
+    StageContext context;
+    for (const auto& [n, c] : {std::pair{1u, 1u}, {4u, 2u}, {8u, 1u}, {8u, 2u}, {8u, 4u}, {32u, 2u}}) {
+        SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c));
+        const std::vector<Triangle> triangles = scene(150);
+        IdsView ids(context, settingsFor(n, c, AGAA_TIER_AUTO), triangles);
+        EXPECT_EQ(ids.view().plan().generationTier, AGAA_TIER_IDS);
+        EXPECT_EQ(ids.view().plan().geometryPasses(), 1u);
+        StageView twice(context, settingsFor(n, c, AGAA_TIER_POST_DEPTH_ATOMICS));
+        const Difference d = compare(ids.render(), drawn(twice, triangles));
+        std::printf("n=%u c=%u: PSNR %.1f dB, %.3f %% of pixels beyond 24/255\n", n, c, d.psnr, 100 * d.farPixels);
+        EXPECT_GE(d.psnr, 50) << "the tiers are of one technique";
+        EXPECT_LE(d.farPixels, 0.0005);
+        const AgaaCounters a = ids.view().statistics().counters, b = twice.statistics().counters;
+        EXPECT_EQ(a.visible, b.visible);
+        EXPECT_EQ(a.once, a.visible);
+        EXPECT_EQ(a.missed + a.multi + a.misplaced, 0u);
+        EXPECT_NEAR(double(a.shadingEvents), double(b.shadingEvents), 0.01 * double(b.shadingEvents));
+    }
+}
+
+// Each sample's id is that of the triangle which the material pass of another view finds there.
+TEST(Ids, AreThoseOfTheTrianglesSeen) {
+    StageContext context;
+    const std::vector<Triangle> triangles = scene(150);
+    IdsView ids(context, settingsFor(8, 2, AGAA_TIER_IDS), triangles);
+    ids.render();
+    const auto words = ids.view().readSurface("ids");
+    const auto depth = ids.view().readSurface("depth");
+    const Plan& plan = ids.view().plan();
+    EXPECT_EQ(plan.primitiveBits, 8u);
+    size_t shown = 0, wrong = 0;
+    std::set<uint32_t> seen;
+    for (size_t i = 0; i < words.size(); ++i) {
+        uint32_t id = 0;
+        for (int byte = 0; byte < 4; ++byte)
+            id |= uint32_t(std::lround(255 * std::bit_cast<float>(words[i][byte]))) << (8 * byte);
+        const bool isCovered = std::bit_cast<float>(depth[i].x) < 1;
+        wrong += isCovered != (id != 0);
+        if (!id)
+            continue;
+        ++shown;
+        wrong += (id - 1) >> plan.primitiveBits != drawNumber;
+        wrong += ((id - 1) & 255u) >= triangles.size();
+        seen.insert((id - 1) & 255u);
+    }
+    EXPECT_EQ(wrong, 0u);
+    EXPECT_GT(shown, words.size() / 4);
+    EXPECT_GT(seen.size(), triangles.size() / 3);
+}
+
+// A colour that changes over a triangle, by the weights, against the one that the rasteriser interpolates.
+TEST(Ids, AttributesAreThoseOfTheRasteriser) {
+    StageContext context;
+    const std::vector<Triangle> triangles = randomTriangles({.triangles = 60}, 67);
+    const char* byWeights = R"(
+    vec2 uv = p.at.x * hostVertices.data[6u * p.primitive + 1u].xy + p.at.y * hostVertices.data[6u * p.primitive + 3u].xy +
+              p.at.z * hostVertices.data[6u * p.primitive + 5u].xy;
+    m.diffuse = vec3(uv, 0.0);
+)";
+    for (uint32_t n : {1u, 8u}) {
+        IdsView ids(context, settingsFor(n, 1, AGAA_TIER_IDS), triangles, byWeights);
+        ViewSettings settings = settingsFor(n, 1, AGAA_TIER_GBUFFER);
+        settings.shader = ViewSettings::Shader::UvInside;
+        StageView raster(context, settings);
+        const Difference d = compare(ids.render(), drawn(raster, triangles));
+        std::printf("n=%u: PSNR %.1f dB\n", n, d.psnr);
+        EXPECT_GE(d.psnr, 45);
+    }
+}
+
+// The weights' derivatives, against differences between pixels of what is shown.
+TEST(Ids, DerivativesArePerPixel) {
+    StageContext context;
+    const Material grey;
+    std::vector<Triangle> triangles(1);
+    triangles[0].position[0] = {-8, -6, -4};
+    triangles[0].position[1] = {9, -5, -6};
+    triangles[0].position[2] = {0, 8, -9};
+    triangles[0].material = grey;
+    ViewSettings settings = settingsFor(1, 1, AGAA_TIER_IDS);
+    const auto shown = [&](const char* what) {
+        return IdsView(context, settings, triangles, what).render();
+    };
+    // Emission alone, since shading would filter it.
+    const harness::Image at = shown("m.diffuse = m.specular = vec3(0.0); m.emissive = p.at;");
+    const harness::Image dx = shown("m.diffuse = m.specular = vec3(0.0); m.emissive = vec3(0.5) + p.dx;");
+    const harness::Image dy = shown("m.diffuse = m.specular = vec3(0.0); m.emissive = vec3(0.5) + p.dy;");
+    size_t checked = 0;
+    for (uint32_t y = 1; y + 1 < at.height; ++y)
+        for (uint32_t x = 1; x + 1 < at.width; ++x)
+            for (uint32_t i = 0; i < 3; ++i) {
+                const auto value = [&](const harness::Image& image, uint32_t px, uint32_t py) {
+                    return image.rgb[3 * (size_t(py) * image.width + px) + i];
+                };
+                float least = 1;
+                for (uint32_t k = 0; k < 3; ++k)
+                    for (int o = -1; o <= 1; ++o) {
+                        const auto weight = [&](uint32_t px, uint32_t py) {
+                            return at.rgb[3 * (size_t(py) * at.width + px) + k];
+                        };
+                        least = std::min({least, weight(x + uint32_t(o), y), weight(x, y + uint32_t(o))});
+                    }
+                if (least < 0.05f)
+                    continue;
+                ++checked;
+                ASSERT_NEAR(value(dx, x, y) - 0.5f, 0.5f * (value(at, x + 1, y) - value(at, x - 1, y)), 1e-3f);
+                ASSERT_NEAR(value(dy, x, y) - 0.5f, 0.5f * (value(at, x, y + 1) - value(at, x, y - 1)), 1e-3f);
+            }
+    EXPECT_GT(checked, 500u);
+}
+
+TEST(Ids, MaterialsThatAreNotFiniteAreContained) {
+    StageContext context;
+    const std::vector<Triangle> triangles = scene(60);
+    for (const char* bad : {"0.0 / (m.alpha2 - m.alpha2)", "1.0 / (m.alpha2 - m.alpha2)", "1e30", "-1e30"}) {
+        const std::string text = std::string("float bad = ") + bad +
+                                 "; m = AgaaMaterial(vec3(bad), vec3(bad), vec3(bad), vec3(bad), bad);";
+        IdsView ids(context, settingsFor(8, 2, AGAA_TIER_IDS), triangles, text.c_str());
+        for (float value : ids.render().rgb) {
+            ASSERT_TRUE(std::isfinite(value)) << bad;
+            ASSERT_GE(value, 0.0f);
+        }
+    }
+}
+
+TEST(Ids, BadFunctionsAreRefusedInASentence) {
+    StageContext context;
+    constexpr const char* good =
+        "void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {}\n"
+        "void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {}\n";
+    struct Row {
+        const char* what;
+        AgaaResult code;
+        std::function<void(AgaaFetchFunction&, ViewSettings&)> spoil;
+    };
+    static AgaaGBufferFunction gbuffer = AGAA_GBUFFER_FUNCTION_INIT;
+    gbuffer.glsl = "bool agaaHostSample(uvec2 pixel, uint i, inout AgaaSample s) { return false; }";
+    const Row rows[] = {
+        {"no text", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glsl = nullptr; }},
+        {"does not compile", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glsl = "float x = ;"; }},
+        {"no function", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glsl = "float other;"; }},
+        {"size", AGAA_ERROR_STRUCT, [](auto& f, auto&) { f.structSize = 8; }},
+        {"no draws", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&) { f.maxDraws = 0; }},
+        {"no primitives", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&) { f.maxPrimitives = 0; }},
+        {"more draws than ids", AGAA_ERROR_TOO_LARGE,
+         [](auto& f, auto&) {
+             f.maxDraws = 1u << 12;
+             f.maxPrimitives = (1u << 20) + 1;
+         }},
+        {"another technique", AGAA_ERROR_UNSUPPORTED,
+         [](auto&, auto& s) {
+             s.config.technique = "sbaa";
+             s.config.generationTier = AGAA_TIER_IDS;
+         }},
+        {"a G-buffer too", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.pNext = &gbuffer; }},
+    };
+    for (const Row& row : rows) {
+        AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
+        function.glsl = good;
+        function.maxDraws = 10;
+        function.maxPrimitives = 1000;
+        ViewSettings settings = settingsFor(8, 2, AGAA_TIER_AUTO);
+        row.spoil(function, settings);
+        settings.chained = &function;
+        const AgaaViewDesc desc = viewDesc(settings);
+        AgaaView view = nullptr;
+        context.lines.clear();
+        EXPECT_EQ(agaaVkCreateView(context.get(), &desc, &view), row.code) << row.what;
+        ASSERT_EQ(context.lines.size(), 1u) << row.what;
+        EXPECT_EQ(context.lines[0].text.back(), '.') << context.lines[0].text;
+        EXPECT_EQ(context.lines[0].text.find('\n'), std::string::npos);
+    }
+    ViewSettings settings = settingsFor(8, 2, AGAA_TIER_IDS); // without a function
+    const AgaaViewDesc desc = viewDesc(settings);
+    AgaaView view = nullptr;
+    context.lines.clear();
+    EXPECT_EQ(agaaVkCreateView(context.get(), &desc, &view), AGAA_ERROR_UNSUPPORTED);
+    ASSERT_EQ(context.lines.size(), 1u);
+    EXPECT_NE(context.lines[0].text.find("AgaaFetchFunction"), std::string::npos) << context.lines[0].text;
+}
+
+} // namespace
+} // namespace agaa::test
