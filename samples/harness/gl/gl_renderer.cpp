@@ -38,8 +38,16 @@ glm::dmat4 GlRenderer::rasterised(const glm::dmat4& projection) const {
 void GlRenderer::upload() {
     device_.makeCurrent();
     shadowMaps_.invalidate();
+    fetch_.reset();
     gpuScene_.reset();
     gpuScene_.emplace(device_.gl(), scene());
+}
+
+const AgaaFetchFunction* GlRenderer::fetchFunction() {
+    device_.makeCurrent();
+    if (!fetch_)
+        fetch_.emplace(device_.gl(), scene());
+    return &fetch_->function();
 }
 
 AgaaView GlRenderer::useView(const AgaaViewDesc& desc) {
@@ -65,6 +73,10 @@ void GlRenderer::prepare(const FrameInput& input) {
     const glm::mat4 viewProjection(rasterised(input.camera.projection) * input.camera.view);
     gl.NamedBufferSubData(cameraConstants_.get(), 0, sizeof viewProjection,
                           glm::value_ptr(viewProjection));
+    if (fetch_) {
+        fetch_->update(scene(), input.draws, viewProjection);
+        fetch_->bind(*gpuScene_);
+    }
     device_.checkErrors("prepare a frame");
 }
 
@@ -107,6 +119,7 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
     gl.BindBufferBase(GL_UNIFORM_BUFFER, cameraBinding, cameraConstants_.get());
     gpuScene_->bindGeometry();
     uint32_t material = UINT32_MAX;
+    uint32_t index = 0;
     for (const Draw& draw : input.draws) {
         const Mesh& mesh = scene().meshes[draw.mesh];
         const Variant variant = variantOf(scene(), draw);
@@ -120,7 +133,7 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
             material = mesh.material;
             gpuScene_->bindMaterial(material);
         }
-        program.setDraw(gl, drawConstants(draw));
+        program.setDraw(gl, drawConstants(draw, index++));
         gpuScene_->draw(mesh);
     }
 }

@@ -1,7 +1,7 @@
 // The sample engine on OpenGL: the host that the SDK is built into.
 #pragma once
 
-#include "gl/gpu_scene.h"
+#include "gl/gpu_fetch.h"
 #include "gl/pass_programs.h"
 #include "gl/sdk_context.h"
 #include "gl/shadow_maps.h"
@@ -26,6 +26,7 @@ private:
     ClipY clipY() const override { return ClipY::Down; }
     uint64_t viewFlags() const override;
     void upload() override;
+    const AgaaFetchFunction* fetchFunction() override;
     AgaaView useView(const AgaaViewDesc& desc) override;
     void prepare(const FrameInput& input) override;
     double renderFrame(const FrameInput& input) override;
@@ -44,6 +45,7 @@ private:
     uint32_t outputWidth_ = 0;
     uint32_t outputHeight_ = 0;
     std::optional<gl::GpuScene> gpuScene_;
+    std::optional<gl::GpuFetch> fetch_; // where a view fetches by id
     const gl::GlSdkView* view_ = nullptr; // in use
 };
 

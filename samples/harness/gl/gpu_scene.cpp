@@ -105,21 +105,24 @@ void GpuScene::uploadTextures(const Scene& scene) {
     textures_.push_back(makeTexture({{1, 1, {255, 255, 255, 255}}}, false));
 }
 
+Sampler makeSampler(const GladGLContext& gl, Wrap u, Wrap v) {
+    Sampler sampler = createSampler(gl);
+    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_S, wrapMode(u));
+    gl.SamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_T, wrapMode(v));
+    if (hasUsableAnisotropy(gl)) {
+        GLfloat most = 1;
+        gl.GetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
+        gl.SamplerParameterf(sampler.get(), GL_TEXTURE_MAX_ANISOTROPY, std::min(8.0f, most));
+    }
+    return sampler;
+}
+
 GLuint GpuScene::sampler(Wrap u, Wrap v) {
     Sampler& sampler = samplers_[{u, v}];
-    if (!sampler) {
-        const GladGLContext& gl = *gl_;
-        sampler = createSampler(gl);
-        gl.SamplerParameteri(sampler.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-        gl.SamplerParameteri(sampler.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        gl.SamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_S, wrapMode(u));
-        gl.SamplerParameteri(sampler.get(), GL_TEXTURE_WRAP_T, wrapMode(v));
-        if (hasUsableAnisotropy(gl)) {
-            GLfloat most = 1;
-            gl.GetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
-            gl.SamplerParameterf(sampler.get(), GL_TEXTURE_MAX_ANISOTROPY, std::min(8.0f, most));
-        }
-    }
+    if (!sampler)
+        sampler = makeSampler(*gl_, u, v);
     return sampler.get();
 }
 

@@ -12,6 +12,9 @@ namespace harness::gl {
 // Besides the material's bindings of 0 to 4.
 constexpr GLuint cameraBinding = 1; // uniform buffer
 
+// As all of the engine's textures are filtered.
+Sampler makeSampler(const GladGLContext& gl, Wrap u, Wrap v);
+
 class GpuScene {
 public:
     GpuScene(const GladGLContext& gl, const Scene& scene);
@@ -21,6 +24,9 @@ public:
     // default one.
     void bindMaterial(uint32_t material) const;
     void draw(const Mesh& mesh) const;
+    // For compute too.
+    GLuint vertices() const { return vertices_.get(); }
+    GLuint indices() const { return indices_.get(); }
 
 private:
     void uploadGeometry(const Scene& scene);

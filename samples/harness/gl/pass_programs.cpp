@@ -15,6 +15,8 @@ void PassProgram::setDraw(const GladGLContext& gl, const DrawConstants& constant
         gl.ProgramUniform1ui(name, seed, constants.seed);
     if (handedness >= 0)
         gl.ProgramUniform1f(name, handedness, constants.handedness);
+    if (index >= 0)
+        gl.ProgramUniform1ui(name, index, constants.index);
 }
 
 PassPrograms::PassPrograms(const GladGLContext& gl, const RendererOptions& options)
@@ -53,7 +55,7 @@ std::string PassPrograms::fragmentText(const AgaaGlDrawPass& pass, const Variant
         }
         text += "#define COPY_OUTPUTS " + copies + "\n";
     }
-    return text + embedded::material_frag;
+    return text + embedded::material_glsl + embedded::material_frag;
 }
 
 PassProgram PassPrograms::make(const AgaaGlDrawPass& pass, const Variant& variant) const {
@@ -64,6 +66,7 @@ PassProgram PassPrograms::make(const AgaaGlDrawPass& pass, const Variant& varian
     made.normalToShading = made.program.uniform("draw.normalToShading");
     made.seed = made.program.uniform("draw.seed");
     made.handedness = made.program.uniform("draw.handedness");
+    made.index = made.program.uniform("draw.index");
     return made;
 }
 

@@ -16,6 +16,7 @@ struct PassProgram {
     GLint normalToShading = -1;
     GLint seed = -1;
     GLint handedness = -1;
+    GLint index = -1;
 
     void setDraw(const GladGLContext& gl, const DrawConstants& constants) const;
 };

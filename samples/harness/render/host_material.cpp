@@ -46,7 +46,7 @@ void checkMeshes(const Scene& scene) {
     }
 }
 
-DrawConstants drawConstants(const Draw& draw) {
+DrawConstants drawConstants(const Draw& draw, uint32_t index) {
     DrawConstants c{};
     const glm::dmat3 linear(draw.toShading);
     // The inverse transpose by cofactors: defined for flattened objects too.
@@ -66,6 +66,7 @@ DrawConstants drawConstants(const Draw& draw) {
     }
     c.seed = drawSeed(draw.instance);
     c.handedness = draw.isMirrored ? -1.0f : 1.0f;
+    c.index = index;
     return c;
 }
 

@@ -39,10 +39,12 @@ struct DrawConstants {
     std::array<glm::vec4, 3> normalToShading;
     uint32_t seed;
     float handedness;
+    uint32_t index;
 };
 static_assert(sizeof(DrawConstants) <= 128, "Vulkan promises no more push constants than this.");
 
-DrawConstants drawConstants(const Draw& draw);
+// index: in the frame's list of draws.
+DrawConstants drawConstants(const Draw& draw, uint32_t index);
 
 struct Variant {
     bool isMasked = false;

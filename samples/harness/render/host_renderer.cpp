@@ -40,6 +40,8 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     desc.facts = &facts;
     desc.flags = viewFlags() | (settings.reversedZ ? AGAA_VIEW_REVERSED_Z : 0) |
                  (settings.background.a == 0 ? AGAA_VIEW_COMPOSITE : 0);
+    if (settings.config.generationTier == AGAA_TIER_IDS)
+        desc.pNext = fetchFunction();
     const AgaaView view = useView(desc);
     RenderResult result;
     result.memory = predictMemory(desc, caps(), log());

@@ -190,6 +190,52 @@ std::vector<MipLevel> makeMipChain(const Texture& texture, const MipOptions& opt
     return levels;
 }
 
+namespace {
+
+// Between texel centres, wrapping around.
+glm::vec4 interpolated(const FloatLevel& level, double x, double y) {
+    const auto wrapped = [](double v, uint32_t size) {
+        const auto i = int64_t(std::floor(v)) % int64_t(size);
+        return size_t(i < 0 ? i + int64_t(size) : i);
+    };
+    const size_t x0 = wrapped(x, level.width), x1 = wrapped(x + 1, level.width);
+    const size_t y0 = wrapped(y, level.height), y1 = wrapped(y + 1, level.height);
+    const auto fx = float(x - std::floor(x)), fy = float(y - std::floor(y));
+    const auto at = [&](size_t i, size_t j) { return level.texels[j * level.width + i]; };
+    return glm::mix(glm::mix(at(x0, y0), at(x1, y0), fx), glm::mix(at(x0, y1), at(x1, y1), fx), fy);
+}
+
+FloatLevel resized(const FloatLevel& level, uint32_t width, uint32_t height) {
+    FloatLevel out{width, height, {}};
+    out.texels.reserve(size_t(width) * height);
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x)
+            out.texels.push_back(interpolated(level, (x + 0.5) * level.width / width - 0.5,
+                                              (y + 0.5) * level.height / height - 0.5));
+    return out;
+}
+
+} // namespace
+
+std::vector<MipLevel> resizeMipChain(const std::vector<MipLevel>& levels, bool srgb, uint32_t width,
+                                     uint32_t height) {
+    std::vector<MipLevel> out;
+    size_t source = 0; // the smallest level that is not smaller than wanted, or the largest
+    for (;; width = std::max(width / 2, 1u), height = std::max(height / 2, 1u)) {
+        while (source + 1 < levels.size() && levels[source + 1].width >= width && levels[source + 1].height >= height)
+            ++source;
+        const MipLevel& level = levels[source];
+        if (level.width == width && level.height == height) {
+            out.push_back(level);
+        } else {
+            const Texture texture{"", level.width, level.height, srgb, Wrap::Repeat, Wrap::Repeat, level.rgba};
+            out.push_back(encode(resized(decode(texture), width, height), srgb, {}, 1));
+        }
+        if (width == 1 && height == 1)
+            return out;
+    }
+}
+
 std::vector<MipOptions> mipOptions(const Scene& scene) {
     std::vector<MipOptions> options(scene.textures.size());
     const auto find = [&](int texture) {

@@ -36,13 +36,24 @@ void addLayout(Key& key, const AgaaLayout& layout) {
     }
 }
 
+void addFetchFunction(Key& key, const AgaaFetchFunction& function) {
+    key.add(function.glsl);
+    key.add(function.maxDraws);
+    key.add(function.maxPrimitives);
+    key.add(function.descriptorSetLayout);
+}
+
 } // namespace
 
 std::string viewKey(const AgaaViewDesc& desc) {
     const AgaaConfig& config = *desc.config;
-    if (desc.pNext || config.pNext || desc.facts->pNext || (config.layout && config.layout->pNext))
+    const auto* chained = static_cast<const AgaaStructHeader*>(desc.pNext);
+    const bool fetches = chained && chained->sType == AGAA_STRUCTURE_TYPE_FETCH_FUNCTION && !chained->pNext;
+    if ((chained && !fetches) || config.pNext || desc.facts->pNext || (config.layout && config.layout->pNext))
         return {};
     Key key;
+    if (fetches)
+        addFetchFunction(key, *static_cast<const AgaaFetchFunction*>(desc.pNext));
     key.add(desc.width);
     key.add(desc.height);
     key.add(desc.flags);

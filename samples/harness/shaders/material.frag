@@ -1,5 +1,5 @@
-// The sample engine's metallic-roughness material. The version, the SDK's extensions, interface.glsl and the
-// SDK's declarations come before this text.
+// The sample engine's material. The version, the SDK's extensions, interface.glsl, the SDK's declarations and
+// material.glsl come before this text.
 
 // Two sets of inputs, because Mesa's software rasteriser (22.3) has two faults at the edges of triangles.
 // Where a shader reads an input inside the primitive, plain reads of the same input, and so their
@@ -15,19 +15,13 @@ VARYING(5) centroid in vec4 insideTangent;
 VARYING(6) centroid in vec2 insideUv;
 VARYING(7) centroid in vec3 insideColor;
 VARYING(8) flat in uint primitiveSeed;
+VARYING(9) flat in uint drawIndex;
 
 layout(MATERIAL_AT(0)) uniform sampler2D baseColorMap;
 layout(MATERIAL_AT(1)) uniform sampler2D normalMap;
 layout(MATERIAL_AT(2)) uniform sampler2D metalRoughMap;
 layout(MATERIAL_AT(3)) uniform sampler2D emissiveMap;
-layout(std140, MATERIAL_AT(4)) uniform Material {
-    vec4 baseColor;
-    vec3 emissive;
-    float metallic;
-    float roughness;
-    float normalScale;
-    float alphaCutoff; // < 0: alpha is coverage as it is
-} material;
+layout(std140, MATERIAL_AT(4)) uniform Material { MaterialValues material; };
 
 // What the material has, by bits: base colour, normal, metallic-roughness and emissive map, alpha tested
 // at the cutoff. A constant of the pipeline: drivers that specialise shaders by the uniforms in their
@@ -55,41 +49,26 @@ float coverage(vec2 uv, vec2 dx, vec2 dy) {
     return alpha;
 }
 
-vec3 baseColor(float scale, vec2 uv, vec2 dx, vec2 dy) {
-    vec3 color = material.baseColor.rgb * max(AGAA_INSIDE(insideColor) * scale, vec3(0.0));
+SurfacePoint pointInside(vec3 position, float scale, vec2 dx, vec2 dy) {
+    // At the pixel's centre they extrapolate where the primitive is thinner than a pixel.
+    vec2 uv = AGAA_INSIDE(insideUv) * scale;
+    SurfacePoint p;
+    p.position = position;
+    p.normal = AGAA_INSIDE(insideNormal);
+    p.tangent = AGAA_INSIDE(insideTangent);
+    p.color = AGAA_INSIDE(insideColor) * scale;
+    p.isFront = gl_FrontFacing;
+    p.isBent = (features & normalBit) != 0u;
+    p.baseTexel = p.normalTexel = p.metalRoughTexel = p.emissiveTexel = vec4(1.0);
     if ((features & baseColorBit) != 0u)
-        color *= textureGrad(baseColorMap, uv, dx, dy).rgb;
-    return color;
-}
-
-// The vertex normal n bent by the normal map.
-vec3 mappedNormal(vec3 n, vec2 uv, vec2 dx, vec2 dy) {
-    vec4 tangent = AGAA_INSIDE(insideTangent);
-    vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
-    float tangentSquared = dot(t, t);
-    if (tangentSquared <= 0.0)
-        return n;
-    t *= inversesqrt(tangentSquared);
-    vec3 b = cross(n, t) * (tangent.w < 0.0 ? -1.0 : 1.0);
-    vec3 m = textureGrad(normalMap, uv, dx, dy).xyz * 2.0 - 1.0;
-    m.xy *= material.normalScale;
-    vec3 bent = t * m.x + b * m.y + n * m.z;
-    float bentSquared = dot(bent, bent);
-    return bentSquared > 1e-8 ? bent * inversesqrt(bentSquared) : n;
-}
-
-vec3 shadingNormal(vec3 position, vec2 uv, vec2 dx, vec2 dy) {
-    vec3 toViewer = normalize(-position);
-    vec3 vertexNormal = AGAA_INSIDE(insideNormal);
-    float squared = dot(vertexNormal, vertexNormal);
-    vec3 n = squared > 0.0 ? vertexNormal * inversesqrt(squared) : toViewer;
+        p.baseTexel = textureGrad(baseColorMap, uv, dx, dy);
     if ((features & normalBit) != 0u)
-        n = mappedNormal(n, uv, dx, dy);
-    if (!gl_FrontFacing)
-        n = -n; // glTF's rule for the back of double-sided materials
-    // Interpolation and normal maps may turn it away from the viewer: bend it onto the horizon.
-    float facing = dot(n, toViewer);
-    return facing < 0.0 ? normalize(n - toViewer * (facing - 1e-3)) : n;
+        p.normalTexel = textureGrad(normalMap, uv, dx, dy);
+    if ((features & metalRoughBit) != 0u)
+        p.metalRoughTexel = textureGrad(metalRoughMap, uv, dx, dy);
+    if ((features & emissiveBit) != 0u)
+        p.emissiveTexel = textureGrad(emissiveMap, uv, dx, dy);
+    return p;
 }
 
 void main() {
@@ -104,30 +83,20 @@ void main() {
     surface.geometricNormal = agaa_planeNormal(AGAA_AT_CENTRE(centrePosition));
     surface.primitiveSeed = primitiveSeed;
 
+#if AGAA_WRITES_IDS
+    surface.draw = drawIndex;
+    surface.primitive = uint(gl_PrimitiveID);
+#endif
 #if AGAA_ALPHA_MASKED
     surface.alpha = coverage(uvAtCentre, dx, dy);
 #endif
 #if AGAA_NEEDS_MATERIAL
-    // At the pixel's centre they extrapolate where the primitive is thinner than a pixel.
-    vec2 uv = AGAA_INSIDE(insideUv) * scale;
-    vec3 base = baseColor(scale, uv, dx, dy);
-    float metallic = material.metallic;
-    float roughness = material.roughness;
-    if ((features & metalRoughBit) != 0u) {
-        vec4 metalRough = textureGrad(metalRoughMap, uv, dx, dy);
-        metallic *= metalRough.b;
-        roughness *= metalRough.g;
-    }
-    surface.diffuse = base * (1.0 - metallic);
-    surface.specular = mix(vec3(0.04), base, metallic);
-    surface.emissive = material.emissive;
-    if ((features & emissiveBit) != 0u)
-        surface.emissive *= textureGrad(emissiveMap, uv, dx, dy).rgb;
-    surface.normal = shadingNormal(surface.position, uv, dx, dy);
-    // Below this the highlight of a light without extent has no width.
-    float alpha = max(roughness, 0.089);
-    alpha *= alpha;
-    surface.alpha2 = alpha * alpha;
+    SurfaceModel model = surfaceModel(material, pointInside(surface.position, scale, dx, dy));
+    surface.diffuse = model.diffuse;
+    surface.specular = model.specular;
+    surface.emissive = model.emissive;
+    surface.normal = model.normal;
+    surface.alpha2 = model.alpha2;
 #endif
     agaa_emit(surface);
 #ifdef COPY_OUTPUTS

@@ -18,6 +18,7 @@ VARYING(5) out vec4 insideTangent;
 VARYING(6) out vec2 insideUv;
 VARYING(7) out vec3 insideColor;
 VARYING(8) flat out uint primitiveSeed;
+VARYING(9) flat out uint drawIndex;
 
 layout(std140, CAMERA_AT) uniform Camera { mat4 viewProjection; } camera;
 
@@ -26,6 +27,7 @@ DRAW_BLOCK Draw {
     vec4 normalToShading[3]; // rows of the inverse transpose
     uint seed;
     float handedness; // -1 where the transform mirrors
+    uint index;       // in the frame's list
 } draw;
 
 invariant gl_Position;
@@ -58,4 +60,5 @@ void main() {
     // Of the primitive's first vertex.
     uint seed = (draw.seed ^ uint(VERTEX_INDEX)) * 0x9E3779B1u;
     primitiveSeed = seed ^ (seed >> 15);
+    drawIndex = draw.index;
 }

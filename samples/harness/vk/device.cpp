@@ -239,6 +239,7 @@ void Device::createDevice(bool useDynamicRendering) {
     // the edges of triangles.
     hasAnisotropy_ = properties_.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU &&
                      supported.isSet("samplerAnisotropy") && enabled.set("samplerAnisotropy");
+    hasPrimitiveIds_ = supported.isSet("geometryShader") && enabled.set("geometryShader");
     hasDynamicRendering_ = enabled.isSet("dynamicRendering");
 
     const float priority = 1;

@@ -31,6 +31,7 @@ public:
     bool hasDynamicRendering() const { return hasDynamicRendering_; }
     bool hasValidation() const { return hasValidation_; }
     bool hasAnisotropy() const { return hasAnisotropy_; }
+    bool hasPrimitiveIds() const { return hasPrimitiveIds_; }
     std::vector<ApiMessage> takeMessages() { return messages_.take(); }
 
     // Records, submits and waits.
@@ -66,6 +67,7 @@ private:
     std::vector<const char*> extensions_;
     bool hasDynamicRendering_ = false;
     bool hasAnisotropy_ = false;
+    bool hasPrimitiveIds_ = false; // in fragment shaders
     bool hasValidation_ = false;
 };
 

@@ -12,7 +12,7 @@ namespace {
 std::string fragmentText(const AgaaVkDrawPass& pass, bool isMasked) {
     return std::string("#version 450\n") + pass.glslExtensions + "\n#define AGAA_ALPHA_MASKED " +
            (isMasked ? "1\n" : "0\n") + pass.glslDeclarations + "\n" + embedded::interface_glsl +
-           embedded::material_frag;
+           embedded::material_glsl + embedded::material_frag;
 }
 
 } // namespace

@@ -39,45 +39,62 @@ void Uploader::fill(const BufferResource& buffer, std::span<const std::byte> byt
 }
 
 ImageResource Uploader::texture(Arena& arena, const std::vector<MipLevel>& levels, bool srgb) {
-    VkDeviceSize total = 0;
-    for (const MipLevel& level : levels)
-        total += level.rgba.size();
-    const BufferResource& source = staging(total);
+    return sampledImage(arena, {&levels}, srgb, VK_IMAGE_VIEW_TYPE_2D);
+}
 
-    std::vector<VkBufferImageCopy> copies;
-    VkDeviceSize offset = 0;
-    for (uint32_t i = 0; i < levels.size(); ++i) {
-        std::memcpy(source.mapped + offset, levels[i].rgba.data(), levels[i].rgba.size());
-        VkBufferImageCopy copy{};
-        copy.bufferOffset = offset;
-        copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, i, 0, 1};
-        copy.imageExtent = {levels[i].width, levels[i].height, 1};
-        copies.push_back(copy);
-        offset += levels[i].rgba.size();
-    }
+ImageResource Uploader::textureArray(Arena& arena, const std::vector<std::vector<MipLevel>>& layers, bool srgb) {
+    std::vector<const std::vector<MipLevel>*> pointers;
+    for (const std::vector<MipLevel>& layer : layers)
+        pointers.push_back(&layer);
+    return sampledImage(arena, pointers, srgb, VK_IMAGE_VIEW_TYPE_2D_ARRAY);
+}
 
+ImageResource Uploader::sampledImage(Arena& arena, const std::vector<const std::vector<MipLevel>*>& layers,
+                                     bool srgb, VkImageViewType viewType) {
+    const std::vector<MipLevel>& first = *layers.at(0);
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
     info.imageType = VK_IMAGE_TYPE_2D;
     info.format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
-    info.extent = {levels[0].width, levels[0].height, 1};
-    info.mipLevels = uint32_t(levels.size());
-    info.arrayLayers = 1;
+    info.extent = {first[0].width, first[0].height, 1};
+    info.mipLevels = uint32_t(first.size());
+    info.arrayLayers = uint32_t(layers.size());
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    ImageResource image = arena.image(info, VK_IMAGE_VIEW_TYPE_2D, VK_IMAGE_ASPECT_COLOR_BIT);
+    ImageResource image = arena.image(info, viewType, VK_IMAGE_ASPECT_COLOR_BIT);
 
     constexpr ImageUse nothing{VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
     constexpr ImageUse written{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
                                VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
-    constexpr ImageUse sampled{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT,
-                               VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    constexpr ImageUse sampled{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                               VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     device_->runCommands([&](VkCommandBuffer commands) {
         imageBarrier(commands, image.image.get(), VK_IMAGE_ASPECT_COLOR_BIT, nothing, written);
-        vkCmdCopyBufferToImage(commands, source.buffer.get(), image.image.get(),
-                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, uint32_t(copies.size()),
-                               copies.data());
+    });
+    for (uint32_t layer = 0; layer < layers.size(); ++layer) {
+        VkDeviceSize total = 0;
+        for (const MipLevel& level : *layers[layer])
+            total += level.rgba.size();
+        const BufferResource& source = staging(total);
+        std::vector<VkBufferImageCopy> copies;
+        VkDeviceSize offset = 0;
+        for (uint32_t i = 0; i < layers[layer]->size(); ++i) {
+            const MipLevel& level = (*layers[layer])[i];
+            std::memcpy(source.mapped + offset, level.rgba.data(), level.rgba.size());
+            VkBufferImageCopy copy{};
+            copy.bufferOffset = offset;
+            copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, i, layer, 1};
+            copy.imageExtent = {level.width, level.height, 1};
+            copies.push_back(copy);
+            offset += level.rgba.size();
+        }
+        device_->runCommands([&](VkCommandBuffer commands) {
+            vkCmdCopyBufferToImage(commands, source.buffer.get(), image.image.get(),
+                                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, uint32_t(copies.size()), copies.data());
+        });
+    }
+    device_->runCommands([&](VkCommandBuffer commands) {
         imageBarrier(commands, image.image.get(), VK_IMAGE_ASPECT_COLOR_BIT, written, sampled);
     });
     return image;

@@ -16,9 +16,13 @@ public:
     void fill(const BufferResource& buffer, std::span<const std::byte> bytes);
     // A sampled RGBA8 image in SHADER_READ_ONLY_OPTIMAL.
     ImageResource texture(Arena& arena, const std::vector<MipLevel>& levels, bool srgb);
+    // The same with layers of one size, for compute.
+    ImageResource textureArray(Arena& arena, const std::vector<std::vector<MipLevel>>& layers, bool srgb);
 
 private:
     const BufferResource& staging(VkDeviceSize size);
+    ImageResource sampledImage(Arena& arena, const std::vector<const std::vector<MipLevel>*>& layers, bool srgb,
+                               VkImageViewType viewType);
 
     const Device* device_;
     Arena arena_;

@@ -61,8 +61,18 @@ void VulkanRenderer::createCameraSet() {
 
 void VulkanRenderer::upload() {
     shadowMaps_.invalidate();
+    fetch_.reset();
     gpuScene_.reset();
     gpuScene_.emplace(device_, scene());
+}
+
+const AgaaFetchFunction* VulkanRenderer::fetchFunction() {
+    if (!device_.hasPrimitiveIds())
+        throw std::runtime_error("The device has no gl_PrimitiveID in fragment shaders (the feature geometryShader), "
+                                 "by which the sample engine tells the ids of the tier ids.");
+    if (!fetch_)
+        fetch_.emplace(device_, scene(), *gpuScene_);
+    return &fetch_->function();
 }
 
 AgaaView VulkanRenderer::useView(const AgaaViewDesc& desc) {
@@ -81,6 +91,8 @@ void VulkanRenderer::prepare(const FrameInput& input) {
         pipelines_.prepare(pass, scene(), input.draws, gpuScene_->materialLayout());
     const glm::mat4 viewProjection(input.camera.viewProjection);
     std::memcpy(cameraConstants_.mapped, glm::value_ptr(viewProjection), sizeof viewProjection);
+    if (fetch_)
+        fetch_->update(scene(), input.draws, viewProjection);
 }
 
 double VulkanRenderer::renderFrame(const FrameInput& input) {
@@ -104,6 +116,8 @@ void VulkanRenderer::recordFrame(const FrameInput& input, VkCommandBuffer comman
     vkFrame.outputLayoutOut = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     for (size_t i = 0; i < shadowMaps_.shadows().size(); ++i)
         vkFrame.shadowViews[i] = (uint64_t)shadowMaps_.view(i);
+    if (fetch_)
+        vkFrame.functionSet = (uint64_t)fetch_->set();
     if (settings.background.a == 0) {
         output_->recordClear(commands, glm::vec3(settings.background));
         vkFrame.outputLayoutIn = VK_IMAGE_LAYOUT_GENERAL;
@@ -128,6 +142,7 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
 
     VkPipeline bound = VK_NULL_HANDLE;
     VkDescriptorSet boundMaterial = VK_NULL_HANDLE;
+    uint32_t index = 0;
     for (const Draw& draw : input.draws) {
         const Mesh& mesh = scene().meshes[draw.mesh];
         const VkPipeline pipeline =
@@ -140,7 +155,7 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
             vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout,
                                     materialSetIndex, 1, &material, 0, nullptr);
         boundMaterial = material;
-        const DrawConstants constants = drawConstants(draw);
+        const DrawConstants constants = drawConstants(draw, index++);
         vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof constants,
                            &constants);
         vkCmdDrawIndexed(commands, mesh.indexCount, 1, mesh.firstIndex, int32_t(mesh.firstVertex),

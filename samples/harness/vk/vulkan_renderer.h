@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/host_renderer.h"
-#include "vk/gpu_scene.h"
+#include "vk/gpu_fetch.h"
 #include "vk/output_image.h"
 #include "vk/pass_pipelines.h"
 #include "vk/sdk_context.h"
@@ -24,6 +24,7 @@ private:
     SdkLog& log() override { return sdk_.log(); }
     ClipY clipY() const override { return ClipY::Down; }
     void upload() override;
+    const AgaaFetchFunction* fetchFunction() override;
     AgaaView useView(const AgaaViewDesc& desc) override;
     void prepare(const FrameInput& input) override;
     double renderFrame(const FrameInput& input) override;
@@ -45,6 +46,7 @@ private:
     vk::ShadowMaps shadowMaps_;
     std::optional<vk::OutputImage> output_;
     std::optional<vk::GpuScene> gpuScene_;
+    std::optional<vk::GpuFetch> fetch_; // where a view fetches by id
     const vk::VkSdkView* view_ = nullptr; // in use
 };
 

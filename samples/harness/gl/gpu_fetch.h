@@ -1,0 +1,32 @@
+// What the SDK's pass that fetches by id reads: the scene's buffers and texture arrays, bound where frames of the SDK
+// leave them alone.
+#pragma once
+
+#include "gl/gpu_scene.h"
+#include "render/fetch_scene.h"
+
+namespace harness::gl {
+
+class GpuFetch {
+public:
+    GpuFetch(const GladGLContext& gl, const Scene& scene);
+    GpuFetch(const GpuFetch&) = delete;
+    GpuFetch& operator=(const GpuFetch&) = delete;
+
+    const AgaaFetchFunction& function() const { return function_; }
+    void update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection);
+    // Before a frame.
+    void bind(const GpuScene& gpuScene) const;
+
+private:
+    Texture makeArray(const TextureLayers& layers, bool srgb) const;
+
+    const GladGLContext* gl_;
+    std::string glsl_;
+    AgaaFetchFunction function_ = AGAA_FETCH_FUNCTION_INIT;
+    Buffer camera_, draws_, materials_;
+    Texture colors_, values_;
+    Sampler sampler_;
+};
+
+} // namespace harness::gl

@@ -1,0 +1,77 @@
+// The metallic-roughness model of glTF, from what vertices and textures give at a point, whoever read them.
+
+// As the engine's MaterialConstants.
+struct MaterialValues {
+    vec4 baseColor;
+    vec3 emissive;
+    float metallic;
+    float roughness;
+    float normalScale;
+    float alphaCutoff; // < 0: alpha is coverage as it is
+};
+
+struct SurfacePoint {
+    vec3 position; // shading space
+    vec3 normal;   // of the vertices, of any length
+    vec4 tangent;  // w: handedness
+    vec3 color;    // of the vertices
+    bool isFront;
+    bool isBent; // by normalTexel
+    vec4 baseTexel; // 1 where the material has no such texture
+    vec4 normalTexel;
+    vec4 metalRoughTexel;
+    vec4 emissiveTexel;
+};
+
+struct SurfaceModel {
+    vec3 diffuse;
+    vec3 specular;
+    vec3 emissive;
+    vec3 normal;
+    float alpha2;
+};
+
+// The vertex normal n bent by the normal map.
+vec3 mappedNormal(vec3 n, vec4 tangent, vec3 m) {
+    vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
+    float tangentSquared = dot(t, t);
+    if (tangentSquared <= 0.0)
+        return n;
+    t *= inversesqrt(tangentSquared);
+    vec3 b = cross(n, t) * (tangent.w < 0.0 ? -1.0 : 1.0);
+    vec3 bent = t * m.x + b * m.y + n * m.z;
+    float bentSquared = dot(bent, bent);
+    return bentSquared > 1e-8 ? bent * inversesqrt(bentSquared) : n;
+}
+
+vec3 shadingNormal(SurfacePoint p, float normalScale) {
+    vec3 toViewer = normalize(-p.position);
+    float squared = dot(p.normal, p.normal);
+    vec3 n = squared > 0.0 ? p.normal * inversesqrt(squared) : toViewer;
+    if (p.isBent) {
+        vec3 m = p.normalTexel.xyz * 2.0 - 1.0;
+        m.xy *= normalScale;
+        n = mappedNormal(n, p.tangent, m);
+    }
+    if (!p.isFront)
+        n = -n; // glTF's rule for the back of double-sided materials
+    // Interpolation and normal maps may turn it away from the viewer: bend it onto the horizon.
+    float facing = dot(n, toViewer);
+    return facing < 0.0 ? normalize(n - toViewer * (facing - 1e-3)) : n;
+}
+
+SurfaceModel surfaceModel(MaterialValues material, SurfacePoint p) {
+    SurfaceModel s;
+    vec3 base = material.baseColor.rgb * max(p.color, vec3(0.0)) * p.baseTexel.rgb;
+    float metallic = material.metallic * p.metalRoughTexel.b;
+    float roughness = material.roughness * p.metalRoughTexel.g;
+    s.diffuse = base * (1.0 - metallic);
+    s.specular = mix(vec3(0.04), base, metallic);
+    s.emissive = material.emissive * p.emissiveTexel.rgb;
+    s.normal = shadingNormal(p, material.normalScale);
+    // Below this the highlight of a light without extent has no width.
+    float alpha = max(roughness, 0.089);
+    alpha *= alpha;
+    s.alpha2 = alpha * alpha;
+    return s;
+}

@@ -1,0 +1,35 @@
+// What the SDK's pass that fetches by id reads: a descriptor set with the scene's buffers and texture arrays.
+#pragma once
+
+#include "render/fetch_scene.h"
+#include "vk/gpu_scene.h"
+
+namespace harness::vk {
+
+class GpuFetch {
+public:
+    GpuFetch(const Device& device, const Scene& scene, const GpuScene& gpuScene);
+    GpuFetch(const GpuFetch&) = delete;
+    GpuFetch& operator=(const GpuFetch&) = delete;
+
+    const AgaaFetchFunction& function() const { return function_; }
+    VkDescriptorSet set() const { return set_; }
+    // Of the next frame; the one before has finished.
+    void update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection);
+
+private:
+    void createSet(const GpuScene& gpuScene);
+
+    const Device* device_;
+    Arena arena_;
+    std::string glsl_;
+    AgaaFetchFunction function_ = AGAA_FETCH_FUNCTION_INIT;
+    BufferResource camera_, draws_, materials_;
+    ImageResource colors_, values_;
+    Sampler sampler_;
+    DescriptorSetLayout layout_;
+    DescriptorPool pool_;
+    VkDescriptorSet set_ = VK_NULL_HANDLE;
+};
+
+} // namespace harness::vk
