@@ -1,5 +1,6 @@
-// Aggregates of what a pixel's ids name, shaded at once: samples are grouped, each primitive's material is evaluated
-// once an aggregate, in the middle of the samples that it has there, and nothing but the image goes to memory.
+// Aggregates of what a pixel's ids name, shaded at once. A tile's lanes list the primitives of their pixels, share out
+// the fetching of materials, each in the middle of the samples that its primitive has in a pixel, group their samples,
+// and share out the shading. Nothing but the image goes to memory.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_MAX_SAMPLES 32
@@ -17,10 +18,88 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "passes/tile.glsl"
 
-shared uint agaa_masks[64u * AGAA_AGGREGATES]; // samples of each aggregate of the tile's pixels
+// Primitives of pixels that are in hand; a tile with more takes them in turns, a pixel at a time at least.
+const uint agaa_listLength = 256u;
+shared uint agaa_listed; // places asked for, of which some may not have been had
+shared uint agaa_listId[agaa_listLength];
+shared uint agaa_listSamples[agaa_listLength]; // 0: nobody's
+shared uint agaa_listLane[agaa_listLength];
+shared vec3 agaa_listPlane[agaa_listLength]; // normal in view space
+shared AgaaMaterial agaa_listMaterial[agaa_listLength];
+shared uint agaa_pixelList[64];                    // first place | number of them << 16
+shared uint agaa_masks[64u * AGAA_AGGREGATES];     // samples of each aggregate
+shared uint agaa_waiting;                          // pixels that did not find room
+
+uint agaa_sampleIds[AGAA_MAX_SAMPLES];
+
+uint agaa_loadIds(uvec2 pixel) {
+    uint covered = 0u;
+    for (uint i = 0u; i < agaa_sampleCount(); ++i) {
+        agaa_sampleIds[i] = agaa_idOf(pixel, i);
+        covered |= agaa_sampleIds[i] != 0u ? 1u << i : 0u;
+    }
+    return covered;
+}
+
+// Samples that show what the first of them shows.
+uint agaa_alike(uint samples) {
+    uint id = agaa_sampleIds[findLSB(samples)];
+    uint alike = 0u;
+    for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
+        uint i = uint(findLSB(rest));
+        alike |= agaa_sampleIds[i] == id ? 1u << i : 0u;
+    }
+    return alike;
+}
+
+uint agaa_countPrimitives(uint covered) {
+    uint count = 0u;
+    for (uint left = covered; left != 0u; left &= ~agaa_alike(left))
+        ++count;
+    return count;
+}
+
+void agaa_listPrimitives(uint covered, uint first) {
+    const uint lane = gl_LocalInvocationIndex;
+    uint at = first;
+    for (uint left = covered; left != 0u; ++at) {
+        uint alike = agaa_alike(left);
+        agaa_listId[at] = agaa_sampleIds[findLSB(left)];
+        agaa_listSamples[at] = alike;
+        agaa_listLane[at] = lane;
+        left &= ~alike;
+    }
+    agaa_pixelList[lane] = first | at - first << 16u;
+}
+
+void agaa_fetchListed(uint at, uvec2 corner) {
+    uint samples = agaa_listSamples[at];
+    vec2 middle = vec2(0.0);
+    for (uint rest = samples; rest != 0u; rest &= rest - 1u)
+        middle += agaa_frame.samplePosition[findLSB(rest)].xy;
+    middle /= float(bitCount(samples));
+    uint lane = agaa_listLane[at];
+    AgaaPrimitive p = agaa_primitive(agaa_listId[at]);
+    agaa_listPlane[at] = agaa_planeNormal(p);
+    agaa_listMaterial[at] = agaa_fetchMaterial(p, corner + uvec2(lane & 7u, lane >> 3u), middle);
+}
+
+agaa_PixelSamples agaa_listedSamples(uvec2 pixel) {
+    agaa_PixelSamples samples = agaa_noSamples();
+    uint list = agaa_pixelList[gl_LocalInvocationIndex];
+    uint end = (list & 0xFFFFu) + (list >> 16u);
+    for (uint at = list & 0xFFFFu; at < end; ++at) {
+        vec3 normal = agaa_listPlane[at];
+        uvec3 c = uvec3((normal * 0.5 + 0.5) * 2047.0 + 0.5);
+        uint code = ((c.x * 2048u + c.y) * 2048u + c.z) * 2654435761u >> 16;
+        for (uint rest = agaa_listSamples[at]; rest != 0u; rest &= rest - 1u)
+            agaa_addSample(samples, pixel, uint(findLSB(rest)), normal, code);
+    }
+    return agaa_withDistance(samples);
+}
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
-    agaa_PixelSamples samples = agaa_loadSamples(pixel);
+    agaa_PixelSamples samples = agaa_listedSamples(pixel);
     uint count = samples.covered != 0u ? 1u : 0u;
     if (AGAA_AGGREGATES > 1u && count != 0u &&
         !agaa_areAllOneSurface(agaa_sampleCount(), samples.covered, agaa_frame.surface.x,
@@ -45,50 +124,76 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
 }
 
 // The means over samples: of each primitive as often as it has samples.
-agaa_Means agaa_meansOf(uvec2 pixel, uint mask) {
+agaa_Means agaa_meansOf(uint lane, uint mask) {
     agaa_Means m = agaa_Means(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 1e-6);
-    for (uint left = mask; left != 0u;) {
-        uint id = agaa_idOf(pixel, uint(findLSB(left)));
-        vec2 middle = vec2(0.0);
-        float count = 0.0;
-        for (uint rest = left; rest != 0u; rest &= rest - 1u) {
-            uint i = uint(findLSB(rest));
-            if (agaa_idOf(pixel, i) == id) {
-                left &= ~(1u << i);
-                middle += agaa_frame.samplePosition[i].xy;
-                count += 1.0;
-            }
-        }
-        AgaaMaterial one = agaa_fetchMaterial(pixel, id, middle / count);
-        m.diffuse += count * one.diffuse;
-        m.specular += count * one.specular;
-        m.emissive += count * one.emissive;
-        m.normal += count * one.normal;
-        m.alpha2 += count * one.alpha2;
-    }
     float share = 1.0 / float(bitCount(mask));
-    m.diffuse *= share;
-    m.specular *= share;
-    m.emissive *= share;
-    m.normal *= share;
-    m.alpha2 *= share;
-    if (AGAA_HAS_SPECULAR == 0u)
-        m.specular = vec3(0.0);
-    if (AGAA_EMISSIVE_CHANNELS == 0u)
-        m.emissive = vec3(0.0);
+    uint list = agaa_pixelList[lane];
+    uint end = (list & 0xFFFFu) + (list >> 16u);
+    for (uint at = list & 0xFFFFu; at < end; ++at) {
+        float weight = share * float(bitCount(agaa_listSamples[at] & mask));
+        if (weight == 0.0)
+            continue;
+        AgaaMaterial one = agaa_listMaterial[at];
+        m.diffuse += weight * one.diffuse;
+        m.normal += weight * one.normal;
+        if (AGAA_HAS_SPECULAR != 0u) {
+            m.specular += weight * one.specular;
+            m.alpha2 += weight * one.alpha2;
+        }
+        if (AGAA_EMISSIVE_CHANNELS != 0u)
+            m.emissive += weight * one.emissive;
+    }
     return m;
 }
 
 vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
-    uvec2 place = pixel & 7u;
-    uint mask = agaa_masks[(place.y * 8u + place.x) * AGAA_AGGREGATES + a];
+    uint lane = (pixel.y & 7u) * 8u + (pixel.x & 7u);
+    uint mask = agaa_masks[lane * AGAA_AGGREGATES + a];
     vec3 position = agaa_placeAggregate(pixel, mask);
-    agaa_Surface s = agaa_surfaceOfMeans(agaa_meansOf(pixel, mask), false, agaa_toEye(position));
+    agaa_Surface s = agaa_surfaceOfMeans(agaa_meansOf(lane, mask), false, agaa_toEye(position));
     return agaa_lightSurface(s, position) * float(bitCount(mask));
 }
 
 void main() {
     agaa_countBegin();
-    agaa_shadeTile();
+    const uint lane = gl_LocalInvocationIndex;
+    uvec2 corner = gl_WorkGroupID.xy * 8u;
+    uvec2 pixel = corner + gl_LocalInvocationID.xy;
+    bool inside = all(lessThan(pixel, agaa_frame.size.xy));
+    uint covered = inside ? agaa_loadIds(pixel) : 0u;
+    uint primitives = agaa_countPrimitives(covered);
+    if (inside && covered == 0u)
+        agaa_writePixel(pixel, agaa_PixelWork(0u, 0u, 0u), vec3(0.0));
+    bool waits = covered != 0u;
+    for (;;) {
+        if (lane == 0u)
+            agaa_listed = agaa_waiting = 0u;
+        for (uint at = lane; at < agaa_listLength; at += 64u)
+            agaa_listSamples[at] = 0u;
+        barrier();
+        uint first = waits ? atomicAdd(agaa_listed, primitives) : 0u;
+        bool turn = waits && first + primitives <= agaa_listLength;
+        if (turn)
+            agaa_listPrimitives(covered, first);
+        waits = waits && !turn;
+        if (waits)
+            atomicAdd(agaa_waiting, 1u);
+        barrier();
+        uint listed = min(agaa_listed, agaa_listLength);
+        uint waiting = agaa_waiting;
+        for (uint at = lane; at < listed; at += 64u)
+            if (agaa_listSamples[at] != 0u)
+                agaa_fetchListed(at, corner);
+        barrier();
+        agaa_PixelWork work = agaa_PixelWork(0u, 0u, 0u);
+        if (turn)
+            work = agaa_workOf(pixel);
+        vec3 color = agaa_shadeWork(work, corner);
+        if (turn)
+            agaa_writePixel(pixel, work, color);
+        if (waiting == 0u)
+            break;
+        barrier();
+    }
     agaa_countEnd();
 }

@@ -43,8 +43,7 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
 
 // At a place in the pixel. What the function leaves alone is as in agaa_surfaceInput(); what is not finite becomes 0
 // (hard case 37).
-AgaaMaterial agaa_fetchMaterial(uvec2 pixel, uint id, vec2 place) {
-    AgaaPrimitive p = agaa_primitive(id);
+AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, vec2 place) {
     vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
     vec2 ndc = (vec2(pixel) + place) / pixelsPerNdc - 1.0;
     agaa_Barycentrics b = agaa_barycentrics(p.a.xyw, p.b.xyw, p.c.xyw, ndc, pixelsPerNdc);

@@ -44,6 +44,14 @@ struct agaa_PixelSamples {
     float quantum;  // largest step of depth, as a length
 };
 
+agaa_PixelSamples agaa_noSamples() { return agaa_PixelSamples(0u, 3.0e38, 3.0e38, 0.0); }
+
+// While samples are added, the distance is its square.
+agaa_PixelSamples agaa_withDistance(agaa_PixelSamples samples) {
+    samples.nearest = sqrt(samples.nearest);
+    return samples;
+}
+
 // One more sample that shows geometry. normal: in the frame of the positions; code: equal for equal normals.
 void agaa_addSample(inout agaa_PixelSamples samples, uvec2 pixel, uint i, vec3 normal, uint code) {
     samples.covered |= 1u << i;
@@ -60,31 +68,7 @@ void agaa_addSample(inout agaa_PixelSamples samples, uvec2 pixel, uint i, vec3 n
                                                              step));
 }
 
-#ifdef AGAA_HOST_FETCH
-uint agaa_sampleIds[AGAA_MAX_SAMPLES];
-
-// Each primitive's normal is found once.
-void agaa_addSamples(inout agaa_PixelSamples samples, uvec2 pixel) {
-    uint left = 0u;
-    for (uint i = 0u; i < agaa_sampleCount(); ++i) {
-        agaa_sampleIds[i] = agaa_idOf(pixel, i);
-        left |= agaa_sampleIds[i] != 0u ? 1u << i : 0u;
-    }
-    while (left != 0u) {
-        uint id = agaa_sampleIds[findLSB(left)];
-        vec3 normal = agaa_planeNormal(agaa_primitive(id));
-        uvec3 c = uvec3((normal * 0.5 + 0.5) * 2047.0 + 0.5);
-        uint code = ((c.x * 2048u + c.y) * 2048u + c.z) * 2654435761u >> 16;
-        for (uint rest = left; rest != 0u; rest &= rest - 1u) {
-            uint i = uint(findLSB(rest));
-            if (agaa_sampleIds[i] == id) {
-                left &= ~(1u << i);
-                agaa_addSample(samples, pixel, i, normal, code);
-            }
-        }
-    }
-}
-#else
+#ifndef AGAA_HOST_FETCH
 // Normals come in a frame of their own; planes want that of the positions.
 mat3 agaa_normalFrame(uvec2 pixel) {
 #if AGAA_FROM_GBUFFER
@@ -110,14 +94,13 @@ void agaa_addSamples(inout agaa_PixelSamples samples, uvec2 pixel) {
             agaa_addSample(samples, pixel, i, frame * normal, code);
     }
 }
-#endif
 
 agaa_PixelSamples agaa_loadSamples(uvec2 pixel) {
-    agaa_PixelSamples samples = agaa_PixelSamples(0u, 3.0e38, 3.0e38, 0.0);
+    agaa_PixelSamples samples = agaa_noSamples();
     agaa_addSamples(samples, pixel);
-    samples.nearest = sqrt(samples.nearest); // squares until here
-    return samples;
+    return agaa_withDistance(samples);
 }
+#endif
 
 float agaa_pixelCharacteristicLength(agaa_PixelSamples samples) {
     return agaa_characteristicLength(agaa_frame.cluster.x, agaa_frame.cluster.y, samples.nearest,

@@ -19,14 +19,9 @@ shared uint agaa_eventCount;
 shared uint agaa_events[64u * AGAA_MAX_EVENTS]; // place in the tile | which << 8
 shared vec3 agaa_eventColor[64];
 
-void agaa_shadeTile() {
+// The sum of what the events of this lane's pixel give. Called by all lanes; corner: of the tile.
+vec3 agaa_shadeWork(agaa_PixelWork work, uvec2 corner) {
     const uint lane = gl_LocalInvocationIndex;
-    uvec2 corner = gl_WorkGroupID.xy * 8u;
-    uvec2 pixel = corner + gl_LocalInvocationID.xy;
-    bool inside = all(lessThan(pixel, agaa_frame.size.xy));
-    agaa_PixelWork work = agaa_PixelWork(0u, 0u, 0u);
-    if (inside)
-        work = agaa_workOf(pixel);
     if (lane == 0u)
         agaa_eventCount = 0u;
     barrier();
@@ -49,9 +44,25 @@ void agaa_shadeTile() {
             color += agaa_eventColor[i - base];
         barrier();
     }
-    if (inside && AGAA_SHOW_EVENTS != 0u)
+    return color;
+}
+
+void agaa_writePixel(uvec2 pixel, agaa_PixelWork work, vec3 color) {
+    if (AGAA_SHOW_EVENTS != 0u)
         agaa_writeOutput(pixel, vec3(bitCount(work.events)), AGAA_SAMPLES);
-    else if (inside)
+    else
         agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), work.covered);
+}
+
+void agaa_shadeTile() {
+    uvec2 corner = gl_WorkGroupID.xy * 8u;
+    uvec2 pixel = corner + gl_LocalInvocationID.xy;
+    bool inside = all(lessThan(pixel, agaa_frame.size.xy));
+    agaa_PixelWork work = agaa_PixelWork(0u, 0u, 0u);
+    if (inside)
+        work = agaa_workOf(pixel);
+    vec3 color = agaa_shadeWork(work, corner);
+    if (inside)
+        agaa_writePixel(pixel, work, color);
 }
 #endif
