@@ -270,7 +270,10 @@ typedef struct AgaaConfig {
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t generationTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
-    uint32_t reserved;        /* 0 */
+    /* Of the tier IDS. Bit i: lights of AgaaFrame::shadows[i] are shaded by means over what they reach of an
+     * aggregate, times the share that they reach, so that lit and unlit samples may differ in normal and colour.
+     * A tap a sample, in place of shadowTaps. */
+    uint32_t litShadows;
     uint64_t flags;           /* AGAA_CONFIG_… */
 } AgaaConfig;
 #define AGAA_CONFIG_INIT                                                                            \

@@ -40,6 +40,7 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     chooseVisibilityTier();
     if (technique.maxAggregates)
         chooseGenerationTier(technique);
+    checkLitShadows();
     require(!counts() || caps_.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
             "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");
     setConstants();
@@ -124,6 +125,15 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
     plan.generationTier = choice.tier;
     plan.runnable = plan.runnable && choice.runnable;
     note("generation: " + choice.reason);
+}
+
+// After the tier is known.
+void PlanBuilder::checkLitShadows() const {
+    const uint32_t lit = plan.config.litShadows;
+    require(lit >> plan.facts.shadowMapCount == 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaConfig::litShadows names shadows that AgaaSceneFacts does not declare.");
+    require(lit == 0 || plan.generationTier == AGAA_TIER_IDS, AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::litShadows needs the tier ids, which knows materials and shadows in one pass.");
 }
 
 void PlanBuilder::chooseVisibilityTier() {
@@ -401,6 +411,8 @@ void PlanBuilder::listEffects() {
     if (plan.aggregates) {
         if (plan.facts.shadowMapCount && constants_[AGAA_SHADOW_FILTER])
             effect("shadow-filter");
+        if (plan.config.litShadows)
+            effect("lit-aggregates");
         if (constants_[AGAA_FILTER_DIFFUSE])
             effect("filtered-diffuse");
         if (constants_[AGAA_NDF] && plan.layout.has(AGAA_SEMANTIC_SPECULAR))

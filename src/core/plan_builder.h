@@ -81,6 +81,7 @@ private:
     void readFunctions(const AgaaViewDesc& view);
     void takeSetLayout(uint64_t setLayout);
     void chooseGenerationTier(const Technique& technique);
+    void checkLitShadows() const;
     static void addHostCode(Pass& pass, const std::string& text, const char* origin);
     void bindShadows(Pass& pass);
     void listEffects();

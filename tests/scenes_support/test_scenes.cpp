@@ -123,8 +123,9 @@ void expectImagesRepeat(Renderer& renderer, RenderSettings settings) {
 void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* name) {
     const Image postDepth = renderer.render(settings).image;
     // Attributes are taken at the sample itself in the one, at the fragment's inside point in the other;
-    // in the last, shading normals decide over aggregates in the place of geometric ones.
-    for (AgaaTier tier : {AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER}) {
+    // from a G-buffer, shading normals decide over aggregates in the place of geometric ones; by id, a primitive is
+    // evaluated once a pixel, not once a texel of the scaled target, and textures are resized.
+    for (AgaaTier tier : {AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
         settings.config.generationTier = tier;
         const RenderResult result = renderer.render(settings);
         expectEverySampleOnce(result.statistics.back().counters);

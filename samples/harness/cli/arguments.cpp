@@ -170,6 +170,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.surfaceMaterial = float(surface[2]);
     config.shadowTaps = arguments.shadowTaps;
     config.shadingCost = arguments.shadingCost;
+    config.litShadows = arguments.lit ? 1 : 0; // scenes have one
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };
     flag(arguments.noStencil, AGAA_CONFIG_NO_STENCIL);
     flag(arguments.firstSampleRouting, AGAA_CONFIG_FIRST_SAMPLE_ROUTING);

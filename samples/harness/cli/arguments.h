@@ -45,6 +45,7 @@ struct PlanArguments {
     bool noStencil = false;
     bool firstSampleRouting = false;
     bool splitSurfaces = false;
+    bool lit = false;
     bool noDiffuseFilter = false;
     bool noShadowFilter = false;
     bool shadowAlongDepth = false;

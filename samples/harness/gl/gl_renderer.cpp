@@ -46,7 +46,7 @@ void GlRenderer::upload() {
 const AgaaFetchFunction* GlRenderer::fetchFunction() {
     device_.makeCurrent();
     if (!fetch_)
-        fetch_.emplace(device_.gl(), scene());
+        fetch_.emplace(device_.gl(), scene(), *gpuScene_);
     return &fetch_->function();
 }
 
@@ -75,7 +75,7 @@ void GlRenderer::prepare(const FrameInput& input) {
                           glm::value_ptr(viewProjection));
     if (fetch_) {
         fetch_->update(scene(), input.draws, viewProjection);
-        fetch_->bind(*gpuScene_);
+        fetch_->bind();
     }
     device_.checkErrors("prepare a frame");
 }

@@ -2,23 +2,38 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <iterator>
+#include <stdexcept>
+
 namespace harness::gl {
 
 // Of shaders/interface.glsl.
-constexpr GLuint cameraPlace = 6, firstStorage = 4, firstUnit = 20;
+constexpr GLuint cameraPlace = 6, firstUnit = 20;
 
-GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene) : gl_(&gl), glsl_(fetchGlsl(true)) {
+GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& gpuScene)
+    : gl_(&gl), glsl_(fetchGlsl(true)) {
     const FetchScene fetch = makeFetchScene(scene);
-    colors_ = makeArray(fetch.colors, true);
-    values_ = makeArray(fetch.values, false);
     sampler_ = makeSampler(gl, Wrap::Repeat, Wrap::Repeat);
     camera_ = createBuffer(gl);
     draws_ = createBuffer(gl);
     materials_ = createBuffer(gl);
+    vertices_ = createBuffer(gl);
     gl.NamedBufferData(camera_.get(), sizeof(glm::mat4), nullptr, GL_DYNAMIC_DRAW);
     gl.NamedBufferData(draws_.get(), GLsizeiptr(fetch.maxDraws * sizeof(FetchDraw)), nullptr, GL_DYNAMIC_DRAW);
     gl.NamedBufferData(materials_.get(), GLsizeiptr(fetch.materials.size() * sizeof(FetchMaterial)),
                        fetch.materials.data(), GL_STATIC_DRAW);
+    gl.NamedBufferData(vertices_.get(), GLsizeiptr(fetch.vertices.size() * sizeof(FetchVertex)),
+                       fetch.vertices.data(), GL_STATIC_DRAW);
+    textures_[0] = makeArray(fetch.colors, true);
+    textures_[1] = makeArray(fetch.values, false);
+    textures_[2] = texels(draws_.get(), GL_RGBA32UI);
+    textures_[3] = texels(materials_.get(), GL_RGBA32UI);
+    textures_[4] = texels(vertices_.get(), GL_RGBA32UI);
+    textures_[5] = texels(gpuScene.indices(), GL_R32UI);
+    GLint most = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    if (sizeof(FetchVertex) / 16 * fetch.vertices.size() > size_t(most) || scene.indices.size() > size_t(most))
+        throw std::runtime_error("The scene has more vertices or indices than the device's texture buffers hold.");
     function_.glsl = glsl_.c_str();
     function_.maxDraws = fetch.maxDraws;
     function_.maxPrimitives = fetch.maxPrimitives;
@@ -39,21 +54,23 @@ Texture GpuFetch::makeArray(const TextureLayers& layers, bool srgb) const {
     return texture;
 }
 
+Texture GpuFetch::texels(GLuint buffer, GLenum format) const {
+    Texture texture = createTexture(*gl_, GL_TEXTURE_BUFFER);
+    gl_->TextureBuffer(texture.get(), format, buffer);
+    return texture;
+}
+
 void GpuFetch::update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection) {
     const std::vector<FetchDraw> rows = fetchDraws(scene, draws);
     gl_->NamedBufferSubData(draws_.get(), 0, GLsizeiptr(rows.size() * sizeof(FetchDraw)), rows.data());
     gl_->NamedBufferSubData(camera_.get(), 0, sizeof viewProjection, glm::value_ptr(viewProjection));
 }
 
-void GpuFetch::bind(const GpuScene& gpuScene) const {
+void GpuFetch::bind() const {
     gl_->BindBufferBase(GL_UNIFORM_BUFFER, cameraPlace, camera_.get());
-    const GLuint buffers[] = {draws_.get(), materials_.get(), gpuScene.vertices(), gpuScene.indices()};
-    for (GLuint i = 0; i < 4; ++i)
-        gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, firstStorage + i, buffers[i]);
-    const GLuint textures[] = {colors_.get(), values_.get()};
-    for (GLuint i = 0; i < 2; ++i) {
-        gl_->BindTextureUnit(firstUnit + i, textures[i]);
-        gl_->BindSampler(firstUnit + i, sampler_.get());
+    for (GLuint i = 0; i < std::size(textures_); ++i) {
+        gl_->BindTextureUnit(firstUnit + i, textures_[i].get());
+        gl_->BindSampler(firstUnit + i, i < 2 ? sampler_.get() : 0);
     }
 }
 

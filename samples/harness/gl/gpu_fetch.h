@@ -9,23 +9,24 @@ namespace harness::gl {
 
 class GpuFetch {
 public:
-    GpuFetch(const GladGLContext& gl, const Scene& scene);
+    GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& gpuScene);
     GpuFetch(const GpuFetch&) = delete;
     GpuFetch& operator=(const GpuFetch&) = delete;
 
     const AgaaFetchFunction& function() const { return function_; }
     void update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection);
     // Before a frame.
-    void bind(const GpuScene& gpuScene) const;
+    void bind() const;
 
 private:
     Texture makeArray(const TextureLayers& layers, bool srgb) const;
+    Texture texels(GLuint buffer, GLenum format) const;
 
     const GladGLContext* gl_;
     std::string glsl_;
     AgaaFetchFunction function_ = AGAA_FETCH_FUNCTION_INIT;
-    Buffer camera_, draws_, materials_;
-    Texture colors_, values_;
+    Buffer camera_, draws_, materials_, vertices_;
+    Texture textures_[6]; // colours, values; draws, materials, vertices, indices
     Sampler sampler_;
 };
 

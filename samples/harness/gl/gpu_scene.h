@@ -24,8 +24,6 @@ public:
     // default one.
     void bindMaterial(uint32_t material) const;
     void draw(const Mesh& mesh) const;
-    // For compute too.
-    GLuint vertices() const { return vertices_.get(); }
     GLuint indices() const { return indices_.get(); }
 
 private:

@@ -73,6 +73,11 @@ FetchScene makeFetchScene(const Scene& scene) {
         }
         fetch.materials.push_back(made);
     }
+    for (const Vertex& v : scene.vertices)
+        fetch.vertices.push_back({v.position, glm::u8vec4(glm::u8vec3(v.color), v.tangent.w < 0 ? 0 : 255), v.normal, v.uv.x,
+                                  glm::vec3(v.tangent), v.uv.y});
+    if (fetch.vertices.empty())
+        fetch.vertices.push_back({});
     const std::vector<MipOptions> options = mipOptions(scene);
     fetch.colors = colors.make(options);
     fetch.values = values.make(options);

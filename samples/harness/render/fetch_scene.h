@@ -19,6 +19,7 @@ struct FetchDraw {
 };
 static_assert(sizeof(FetchDraw) == 112);
 
+// wraps: of the textures, of u, and of v times 4: 0 repeat, 1 mirror, 2 clamp. layers: -1 where there is none.
 struct FetchMaterial {
     MaterialConstants values;
     glm::ivec4 layers;
@@ -26,10 +27,21 @@ struct FetchMaterial {
 };
 static_assert(sizeof(FetchMaterial) == 80);
 
+struct FetchVertex {
+    glm::vec3 position;
+    glm::u8vec4 color; // a: 255 where the tangent's handedness is 1, else 0
+    glm::vec3 normal;
+    float u;
+    glm::vec3 tangent;
+    float v;
+};
+static_assert(sizeof(FetchVertex) == 48);
+
 // Of one size; never none, since a sampler must have something to read.
 using TextureLayers = std::vector<std::vector<MipLevel>>;
 
 struct FetchScene {
+    std::vector<FetchVertex> vertices;    // as Scene::vertices, one at least
     std::vector<FetchMaterial> materials; // as Scene::materials, then the default one
     TextureLayers colors;                 // sRGB
     TextureLayers values;

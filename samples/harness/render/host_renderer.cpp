@@ -33,10 +33,12 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     if (!isLoaded_)
         throw std::runtime_error("No scene is loaded.");
     const AgaaSceneFacts facts = completeFacts(scene_, settings);
+    AgaaConfig config = settings.config;
+    config.litShadows &= (1u << facts.shadowMapCount) - 1;
     AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
     desc.width = settings.width;
     desc.height = settings.height;
-    desc.config = &settings.config;
+    desc.config = &config;
     desc.facts = &facts;
     desc.flags = viewFlags() | (settings.reversedZ ? AGAA_VIEW_REVERSED_Z : 0) |
                  (settings.background.a == 0 ? AGAA_VIEW_COMPOSITE : 0);

@@ -60,10 +60,12 @@ std::string viewKey(const AgaaViewDesc& desc) {
     key.add(config.technique);
     for (const uint32_t value :
          {config.samples, config.aggregates, config.brdf, config.ndf, config.seeds,
-          config.shadowTaps, config.visibilityTier, config.generationTier, config.shadingCost})
+          config.shadowTaps, config.visibilityTier, config.generationTier, config.shadingCost,
+          config.litShadows})
         key.add(value);
     for (const float value : {config.characteristicLength, config.characteristicLengthPerDistance,
-                              config.aggregateThreshold})
+                              config.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,
+                              config.surfaceMaterial})
         key.add(value);
     key.add(config.flags);
     key.add(uint32_t(config.layout != nullptr));

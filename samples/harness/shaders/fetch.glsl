@@ -1,54 +1,56 @@
 // What the SDK's pass that fetches by id asks of the sample engine: triangles and materials from buffers, textures
-// from two arrays. interface.glsl and material.glsl come before this text.
+// from two arrays. interface.glsl and material.glsl come before this text. Buffers are read as texels of four words:
+// drivers load those at once, and software rasterisers without a bounds check a word and lane.
 
-// As the engine's FetchDraw and FetchMaterial.
-struct FetchDraw {
-    vec4 toShading[3];       // as material.vert's
-    vec4 normalToShading[3];
-    uint firstIndex;
-    uint firstVertex;
-    uint material;
-    float handedness;
-};
-struct FetchMaterial {
-    MaterialValues values;
-    ivec4 layers; // of base colour, normal, metallic-roughness and emissive texture; -1: none
-    uvec4 wraps;  // of these: of u, and of v times 4: 0 repeat, 1 mirror, 2 clamp
-};
 layout(std140, FETCH_UNIFORM_AT) uniform FetchCamera { mat4 viewProjection; } fetchCamera;
-layout(std430, FETCH_STORAGE_AT(0)) readonly buffer FetchDraws { FetchDraw data[]; } fetchDraws;
-layout(std430, FETCH_STORAGE_AT(1)) readonly buffer FetchMaterials { FetchMaterial data[]; } fetchMaterials;
-layout(std430, FETCH_STORAGE_AT(2)) readonly buffer FetchVertices { float data[]; } fetchVertices;
-layout(std430, FETCH_STORAGE_AT(3)) readonly buffer FetchIndices { uint data[]; } fetchIndices;
 layout(FETCH_TEXTURE_AT(0)) uniform sampler2DArray fetchColors; // sRGB
 layout(FETCH_TEXTURE_AT(1)) uniform sampler2DArray fetchValues;
+layout(FETCH_TEXTURE_AT(2)) uniform usamplerBuffer fetchDraws;     // as the engine's FetchDraw
+layout(FETCH_TEXTURE_AT(3)) uniform usamplerBuffer fetchMaterials; // FetchMaterial
+layout(FETCH_TEXTURE_AT(4)) uniform usamplerBuffer fetchVertices;  // FetchVertex
+layout(FETCH_TEXTURE_AT(5)) uniform usamplerBuffer fetchIndices;   // one word each
 
-const uint vertexFloats = 13u; // position 3, normal 3, tangent 4, uv 2, colour 1
+const int drawTexels = 7, materialTexels = 5, vertexTexels = 3;
 
-vec2 fetch2(uint at) { return vec2(fetchVertices.data[at], fetchVertices.data[at + 1u]); }
-vec3 fetch3(uint at) { return vec3(fetch2(at), fetchVertices.data[at + 2u]); }
+struct FetchDraw {
+    int at; // first texel
+    uint firstIndex;
+    uint firstVertex;
+    int material;
+    float handedness;
+};
+
+FetchDraw fetchDraw(uint index) {
+    int at = drawTexels * int(index);
+    uvec4 t = texelFetch(fetchDraws, at + 6);
+    return FetchDraw(at, t.x, t.y, int(t.z), uintBitsToFloat(t.w));
+}
+
+vec4 fetchRowOf(FetchDraw draw, int row) { return uintBitsToFloat(texelFetch(fetchDraws, draw.at + row)); }
 
 float fetchRow(vec4 row, vec3 p) { return ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w; }
-vec3 fetchTransform(vec4 rows[3], vec3 p) {
-    return vec3(fetchRow(rows[0], p), fetchRow(rows[1], p), fetchRow(rows[2], p));
+vec3 fetchTransform(FetchDraw draw, vec3 p) { // as material.vert's
+    return vec3(fetchRow(fetchRowOf(draw, 0), p), fetchRow(fetchRowOf(draw, 1), p), fetchRow(fetchRowOf(draw, 2), p));
 }
-vec3 fetchRotate(vec4 rows[3], vec3 v) {
-    return vec3(dot(rows[0].xyz, v), dot(rows[1].xyz, v), dot(rows[2].xyz, v));
+vec3 fetchRotate(FetchDraw draw, int firstRow, vec3 v) {
+    return vec3(dot(fetchRowOf(draw, firstRow).xyz, v), dot(fetchRowOf(draw, firstRow + 1).xyz, v),
+                dot(fetchRowOf(draw, firstRow + 2).xyz, v));
 }
 
-uint fetchVertex(FetchDraw draw, uint primitive, uint corner) {
-    return vertexFloats * (draw.firstVertex + fetchIndices.data[draw.firstIndex + 3u * primitive + corner]);
+int fetchVertex(FetchDraw draw, uint primitive, uint corner) {
+    uint index = texelFetch(fetchIndices, int(draw.firstIndex + 3u * primitive + corner)).x;
+    return vertexTexels * int(draw.firstVertex + index);
 }
 
 // As material.vert computes it.
-vec4 fetchClip(FetchDraw draw, uint vertex) {
-    vec3 p = fetchTransform(draw.toShading, fetch3(vertex));
+vec4 fetchClip(FetchDraw draw, int vertex) {
+    vec3 p = fetchTransform(draw, uintBitsToFloat(texelFetch(fetchVertices, vertex).xyz));
     mat4 m = fetchCamera.viewProjection;
     return ((m[0] * p.x + m[1] * p.y) + m[2] * p.z) + m[3];
 }
 
 void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {
-    FetchDraw d = fetchDraws.data[draw];
+    FetchDraw d = fetchDraw(draw);
     a = fetchClip(d, fetchVertex(d, primitive, 0u));
     b = fetchClip(d, fetchVertex(d, primitive, 1u));
     c = fetchClip(d, fetchVertex(d, primitive, 2u));
@@ -67,8 +69,7 @@ vec4 fetchTexel(sampler2DArray textures, int layer, uint wrap, vec2 uv, vec2 dx,
 }
 
 void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
-    FetchDraw draw = fetchDraws.data[primitive.draw];
-    FetchMaterial material = fetchMaterials.data[draw.material];
+    FetchDraw draw = fetchDraw(primitive.draw);
     SurfacePoint p;
     vec3 position = vec3(0.0);
     p.normal = vec3(0.0);
@@ -76,27 +77,39 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     p.color = vec3(0.0);
     vec2 uv = vec2(0.0), dx = vec2(0.0), dy = vec2(0.0);
     for (uint corner = 0u; corner < 3u; ++corner) {
-        uint v = fetchVertex(draw, primitive.primitive, corner);
+        int v = fetchVertex(draw, primitive.primitive, corner);
         float weight = primitive.at[corner];
-        position += weight * fetch3(v);
-        p.normal += weight * fetch3(v + 3u);
-        p.tangent += weight * vec4(fetch3(v + 6u), fetchVertices.data[v + 9u]);
-        vec2 own = fetch2(v + 10u);
+        uvec4 a = texelFetch(fetchVertices, v);
+        vec4 b = uintBitsToFloat(texelFetch(fetchVertices, v + 1));
+        vec4 c = uintBitsToFloat(texelFetch(fetchVertices, v + 2));
+        vec4 color = unpackUnorm4x8(a.w); // and the handedness of the tangent
+        position += weight * uintBitsToFloat(a.xyz);
+        p.color += weight * color.rgb;
+        p.normal += weight * b.xyz;
+        p.tangent += weight * vec4(c.xyz, color.a * 2.0 - 1.0);
+        vec2 own = vec2(b.w, c.w);
         uv += weight * own;
         dx += primitive.dx[corner] * own;
         dy += primitive.dy[corner] * own;
-        p.color += weight * unpackUnorm4x8(floatBitsToUint(fetchVertices.data[v + 12u])).rgb;
     }
-    p.position = fetchTransform(draw.toShading, position);
-    p.normal = fetchRotate(draw.normalToShading, p.normal);
-    p.tangent = vec4(fetchRotate(draw.toShading, p.tangent.xyz), p.tangent.w * draw.handedness);
+    p.position = fetchTransform(draw, position);
+    p.normal = fetchRotate(draw, 3, p.normal);
+    p.tangent = vec4(fetchRotate(draw, 0, p.tangent.xyz), p.tangent.w * draw.handedness);
     p.isFront = primitive.facing * draw.handedness < 0.0; // counter-clockwise where y points up
-    p.isBent = material.layers.y >= 0;
-    p.baseTexel = fetchTexel(fetchColors, material.layers.x, material.wraps.x, uv, dx, dy);
-    p.normalTexel = fetchTexel(fetchValues, material.layers.y, material.wraps.y, uv, dx, dy);
-    p.metalRoughTexel = fetchTexel(fetchValues, material.layers.z, material.wraps.z, uv, dx, dy);
-    p.emissiveTexel = fetchTexel(fetchColors, material.layers.w, material.wraps.w, uv, dx, dy);
-    SurfaceModel model = surfaceModel(material.values, p);
+
+    int m = materialTexels * draw.material;
+    vec4 emissive = uintBitsToFloat(texelFetch(fetchMaterials, m + 1));
+    vec4 numbers = uintBitsToFloat(texelFetch(fetchMaterials, m + 2));
+    ivec4 layers = ivec4(texelFetch(fetchMaterials, m + 3)); // of base colour, normal, metallic-roughness, emissive
+    uvec4 wraps = texelFetch(fetchMaterials, m + 4);
+    MaterialValues values = MaterialValues(uintBitsToFloat(texelFetch(fetchMaterials, m)), emissive.xyz, emissive.w,
+                                           numbers.x, numbers.y, numbers.z);
+    p.isBent = layers.y >= 0;
+    p.baseTexel = fetchTexel(fetchColors, layers.x, wraps.x, uv, dx, dy);
+    p.normalTexel = fetchTexel(fetchValues, layers.y, wraps.y, uv, dx, dy);
+    p.metalRoughTexel = fetchTexel(fetchValues, layers.z, wraps.z, uv, dx, dy);
+    p.emissiveTexel = fetchTexel(fetchColors, layers.w, wraps.w, uv, dx, dy);
+    SurfaceModel model = surfaceModel(values, p);
     result.diffuse = model.diffuse;
     result.specular = model.specular;
     result.emissive = model.emissive;

@@ -6,7 +6,6 @@
 #define DRAW_BLOCK uniform struct
 #define VERTEX_INDEX gl_VertexID
 #define FETCH_UNIFORM_AT binding = 6
-#define FETCH_STORAGE_AT(n) binding = 4 + n
 #define FETCH_TEXTURE_AT(n) binding = 20 + n
 #else
 #define CAMERA_AT set = 0, binding = 0
@@ -15,8 +14,7 @@
 #define DRAW_BLOCK layout(push_constant) uniform
 #define VERTEX_INDEX gl_VertexIndex
 #define FETCH_UNIFORM_AT set = 1, binding = 0
-#define FETCH_STORAGE_AT(n) set = 1, binding = 1 + n
-#define FETCH_TEXTURE_AT(n) set = 1, binding = 5 + n
+#define FETCH_TEXTURE_AT(n) set = 1, binding = 1 + n
 #endif
 #define LOCATION(n) layout(location = n)
 // Between the stages; older GLSL matches by name.

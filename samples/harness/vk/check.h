@@ -43,6 +43,7 @@ private:
 };
 
 using Buffer = Owned<VkBuffer, vkDestroyBuffer>;
+using BufferView = Owned<VkBufferView, vkDestroyBufferView>;
 using CommandPool = Owned<VkCommandPool, vkDestroyCommandPool>;
 using DescriptorPool = Owned<VkDescriptorPool, vkDestroyDescriptorPool>;
 using DescriptorSetLayout = Owned<VkDescriptorSetLayout, vkDestroyDescriptorSetLayout>;

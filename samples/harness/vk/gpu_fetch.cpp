@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
 #include <glm/gtc/type_ptr.hpp>
 
 namespace harness::vk {
 
 // Bindings of shaders/fetch.glsl.
-enum : uint32_t { CameraBinding, DrawBinding, MaterialBinding, VertexBinding, IndexBinding, ColorBinding, ValueBinding,
+enum : uint32_t { CameraBinding, ColorBinding, ValueBinding, DrawBinding, MaterialBinding, VertexBinding, IndexBinding,
                   BindingCount };
 
 GpuFetch::GpuFetch(const Device& device, const Scene& scene, const GpuScene& gpuScene)
@@ -17,9 +18,18 @@ GpuFetch::GpuFetch(const Device& device, const Scene& scene, const GpuScene& gpu
     colors_ = uploader.textureArray(arena_, fetch.colors, true);
     values_ = uploader.textureArray(arena_, fetch.values, false);
     camera_ = arena_.hostBuffer(sizeof(glm::mat4), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    draws_ = arena_.hostBuffer(fetch.maxDraws * sizeof(FetchDraw), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    materials_ = arena_.hostBuffer(fetch.materials.size() * sizeof(FetchMaterial), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    std::memcpy(materials_.mapped, fetch.materials.data(), fetch.materials.size() * sizeof(FetchMaterial));
+    constexpr VkBufferUsageFlags texelBuffer = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+    const auto materials = std::as_bytes(std::span(fetch.materials));
+    const auto vertices = std::as_bytes(std::span(fetch.vertices));
+    draws_ = arena_.hostBuffer(fetch.maxDraws * sizeof(FetchDraw), texelBuffer);
+    materials_ = arena_.deviceBuffer(materials.size(), texelBuffer | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    vertices_ = arena_.deviceBuffer(vertices.size(), texelBuffer | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    uploader.fill(materials_, materials);
+    uploader.fill(vertices_, vertices);
+    drawTexels_ = texels(draws_.buffer.get(), fetch.maxDraws * sizeof(FetchDraw), VK_FORMAT_R32G32B32A32_UINT);
+    materialTexels_ = texels(materials_.buffer.get(), materials.size(), VK_FORMAT_R32G32B32A32_UINT);
+    vertexTexels_ = texels(vertices_.buffer.get(), vertices.size(), VK_FORMAT_R32G32B32A32_UINT);
+    indexTexels_ = texels(gpuScene.indices().buffer.get(), VK_WHOLE_SIZE, VK_FORMAT_R32_UINT);
     VkSamplerCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
     info.magFilter = info.minFilter = VK_FILTER_LINEAR;
@@ -29,18 +39,30 @@ GpuFetch::GpuFetch(const Device& device, const Scene& scene, const GpuScene& gpu
     info.maxAnisotropy = std::min(8.0f, device.limits().maxSamplerAnisotropy);
     info.maxLod = VK_LOD_CLAMP_NONE;
     sampler_ = make<Sampler>(device.get(), vkCreateSampler, info, "create a sampler");
-    createSet(gpuScene);
+    createSet();
     function_.glsl = glsl_.c_str();
     function_.maxDraws = fetch.maxDraws;
     function_.maxPrimitives = fetch.maxPrimitives;
     function_.descriptorSetLayout = (uint64_t)layout_.get();
 }
 
-void GpuFetch::createSet(const GpuScene& gpuScene) {
+BufferView GpuFetch::texels(VkBuffer buffer, VkDeviceSize size, VkFormat format) const {
+    const VkDeviceSize texel = format == VK_FORMAT_R32_UINT ? 4 : 16;
+    if (size != VK_WHOLE_SIZE && size / texel > device_->limits().maxTexelBufferElements)
+        throw std::runtime_error("The scene has more vertices or draws than the device's texel buffers hold.");
+    VkBufferViewCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
+    info.buffer = buffer;
+    info.format = format;
+    info.range = size;
+    return make<BufferView>(device_->get(), vkCreateBufferView, info, "create a buffer view");
+}
+
+void GpuFetch::createSet() {
     const auto type = [](uint32_t binding) {
         return binding == CameraBinding ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
-               : binding < ColorBinding ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-                                        : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+               : binding < DrawBinding  ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                        : VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
     };
     std::array<VkDescriptorSetLayoutBinding, BindingCount> bindings{};
     for (uint32_t i = 0; i < BindingCount; ++i)
@@ -52,7 +74,7 @@ void GpuFetch::createSet(const GpuScene& gpuScene) {
     layout_ = make<DescriptorSetLayout>(device_->get(), vkCreateDescriptorSetLayout, layout,
                                         "create a descriptor set layout");
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
-                                          {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 4},
+                                          {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 4},
                                           {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2}};
     VkDescriptorPoolCreateInfo pool{};
     pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
@@ -68,11 +90,11 @@ void GpuFetch::createSet(const GpuScene& gpuScene) {
     allocation.pSetLayouts = &handle;
     check(vkAllocateDescriptorSets(device_->get(), &allocation, &set_), "allocate a descriptor set");
 
-    const VkBuffer buffers[] = {camera_.buffer.get(), draws_.buffer.get(), materials_.buffer.get(),
-                                gpuScene.vertices(), gpuScene.indices()};
-    const VkImageView views[] = {colors_.view.get(), values_.view.get()};
-    std::array<VkDescriptorBufferInfo, ColorBinding> bufferInfos{};
-    std::array<VkDescriptorImageInfo, BindingCount - ColorBinding> imageInfos{};
+    const VkDescriptorBufferInfo camera{camera_.buffer.get(), 0, VK_WHOLE_SIZE};
+    const VkDescriptorImageInfo images[] = {
+        {sampler_.get(), colors_.view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
+        {sampler_.get(), values_.view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}};
+    const VkBufferView views[] = {drawTexels_.get(), materialTexels_.get(), vertexTexels_.get(), indexTexels_.get()};
     std::array<VkWriteDescriptorSet, BindingCount> writes{};
     for (uint32_t i = 0; i < BindingCount; ++i) {
         writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
@@ -80,14 +102,11 @@ void GpuFetch::createSet(const GpuScene& gpuScene) {
         writes[i].dstBinding = i;
         writes[i].descriptorCount = 1;
         writes[i].descriptorType = type(i);
-        if (i < ColorBinding) {
-            bufferInfos[i] = {buffers[i], 0, VK_WHOLE_SIZE};
-            writes[i].pBufferInfo = &bufferInfos[i];
-        } else {
-            imageInfos[i - ColorBinding] = {sampler_.get(), views[i - ColorBinding],
-                                            VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-            writes[i].pImageInfo = &imageInfos[i - ColorBinding];
-        }
+        writes[i].pBufferInfo = &camera; // what the type does not name is not read
+        if (i >= DrawBinding)
+            writes[i].pTexelBufferView = &views[i - DrawBinding];
+        else if (i >= ColorBinding)
+            writes[i].pImageInfo = &images[i - ColorBinding];
     }
     vkUpdateDescriptorSets(device_->get(), BindingCount, writes.data(), 0, nullptr);
 }

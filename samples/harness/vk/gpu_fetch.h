@@ -18,13 +18,15 @@ public:
     void update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection);
 
 private:
-    void createSet(const GpuScene& gpuScene);
+    BufferView texels(VkBuffer buffer, VkDeviceSize size, VkFormat format) const;
+    void createSet();
 
     const Device* device_;
     Arena arena_;
     std::string glsl_;
     AgaaFetchFunction function_ = AGAA_FETCH_FUNCTION_INIT;
-    BufferResource camera_, draws_, materials_;
+    BufferResource camera_, draws_, materials_, vertices_;
+    BufferView drawTexels_, materialTexels_, vertexTexels_, indexTexels_;
     ImageResource colors_, values_;
     Sampler sampler_;
     DescriptorSetLayout layout_;

@@ -18,9 +18,7 @@ public:
     // Meshes without a valid material get the default one.
     VkDescriptorSet materialSet(uint32_t material) const;
     void bindGeometry(VkCommandBuffer commands) const;
-    // For compute too.
-    VkBuffer vertices() const { return vertices_.buffer.get(); }
-    VkBuffer indices() const { return indices_.buffer.get(); }
+    const BufferResource& indices() const { return indices_; } // texels too
 
 private:
     void uploadGeometry(Uploader& uploader, const Scene& scene);

@@ -119,6 +119,8 @@ void buildFromIds(PlanBuilder& b) {
     Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_ids", "mscb", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     b.bindHostFetch(shade);
+    if (b.plan.config.litShadows)
+        shade.defines += format("#define AGAA_LIT_SHADOWS %uu\n", b.plan.config.litShadows);
     b.bindLighting(shade);
     b.bindOutput(shade);
     b.bind(shade, slot::Depth, BindingType::Texture, prepass.depth);

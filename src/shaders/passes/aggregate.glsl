@@ -33,9 +33,12 @@ agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
         s.meanLength = 1.0;
     } else {
         s.alpha2 = AGAA_NDF != 0u ? agaa_toksvigAlpha2(m.alpha2, s.meanLength) : m.alpha2;
-        agaa_count(AGAA_COUNT_WIDENED, s.alpha2 > m.alpha2 ? 1u : 0u);
     }
     return s;
+}
+
+void agaa_countWidening(agaa_Means means, agaa_Surface surface) {
+    agaa_count(AGAA_COUNT_WIDENED, AGAA_HAS_SPECULAR != 0u && surface.alpha2 > means.alpha2 ? 1u : 0u);
 }
 
 vec3 agaa_viewPositionOf(uvec2 pixel, uint i) {

@@ -16,6 +16,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/samples.glsl"
 #include "math/surfaces.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
+#define AGAA_OWN_TILE
 #include "passes/tile.glsl"
 
 // Primitives of pixels that are in hand; a tile with more takes them in turns, a pixel at a time at least.
@@ -30,8 +31,12 @@ shared uint agaa_pixelList[64];                    // first place | number of th
 shared uint agaa_masks[64u * AGAA_AGGREGATES];     // samples of each aggregate
 shared uint agaa_waiting;                          // pixels that did not find room
 
+// Of the lane's own pixel.
 uint agaa_sampleIds[AGAA_MAX_SAMPLES];
+uint agaa_samplePrimitive[AGAA_MAX_SAMPLES]; // which of the pixel's
+uint agaa_primitiveSamples[AGAA_MAX_SAMPLES];
 
+// Returns the samples that show geometry.
 uint agaa_loadIds(uvec2 pixel) {
     uint covered = 0u;
     for (uint i = 0u; i < agaa_sampleCount(); ++i) {
@@ -41,35 +46,33 @@ uint agaa_loadIds(uvec2 pixel) {
     return covered;
 }
 
-// Samples that show what the first of them shows.
-uint agaa_alike(uint samples) {
-    uint id = agaa_sampleIds[findLSB(samples)];
-    uint alike = 0u;
-    for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
-        uint i = uint(findLSB(rest));
-        alike |= agaa_sampleIds[i] == id ? 1u << i : 0u;
-    }
-    return alike;
-}
-
-uint agaa_countPrimitives(uint covered) {
+// Returns how many primitives these samples show.
+uint agaa_findPrimitives(uint covered) {
     uint count = 0u;
-    for (uint left = covered; left != 0u; left &= ~agaa_alike(left))
-        ++count;
+    for (uint left = covered; left != 0u; ++count) {
+        uint id = agaa_sampleIds[findLSB(left)];
+        uint alike = 0u;
+        for (uint rest = left; rest != 0u; rest &= rest - 1u) {
+            uint i = uint(findLSB(rest));
+            if (agaa_sampleIds[i] == id) {
+                alike |= 1u << i;
+                agaa_samplePrimitive[i] = count;
+            }
+        }
+        agaa_primitiveSamples[count] = alike;
+        left &= ~alike;
+    }
     return count;
 }
 
-void agaa_listPrimitives(uint covered, uint first) {
+void agaa_listPrimitives(uint first, uint count) {
     const uint lane = gl_LocalInvocationIndex;
-    uint at = first;
-    for (uint left = covered; left != 0u; ++at) {
-        uint alike = agaa_alike(left);
-        agaa_listId[at] = agaa_sampleIds[findLSB(left)];
-        agaa_listSamples[at] = alike;
-        agaa_listLane[at] = lane;
-        left &= ~alike;
+    for (uint i = 0u; i < count; ++i) {
+        agaa_listId[first + i] = agaa_sampleIds[findLSB(agaa_primitiveSamples[i])];
+        agaa_listSamples[first + i] = agaa_primitiveSamples[i];
+        agaa_listLane[first + i] = lane;
     }
-    agaa_pixelList[lane] = first | at - first << 16u;
+    agaa_pixelList[lane] = first | count << 16u;
 }
 
 void agaa_fetchListed(uint at, uvec2 corner) {
@@ -84,24 +87,23 @@ void agaa_fetchListed(uint at, uvec2 corner) {
     agaa_listMaterial[at] = agaa_fetchMaterial(p, corner + uvec2(lane & 7u, lane >> 3u), middle);
 }
 
-agaa_PixelSamples agaa_listedSamples(uvec2 pixel) {
+agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint covered) {
     agaa_PixelSamples samples = agaa_noSamples();
-    uint list = agaa_pixelList[gl_LocalInvocationIndex];
-    uint end = (list & 0xFFFFu) + (list >> 16u);
-    for (uint at = list & 0xFFFFu; at < end; ++at) {
-        vec3 normal = agaa_listPlane[at];
+    uint first = agaa_pixelList[gl_LocalInvocationIndex] & 0xFFFFu;
+    for (uint i = 0u; i < agaa_sampleCount(); ++i) {
+        if ((covered >> i & 1u) == 0u)
+            continue;
+        vec3 normal = agaa_listPlane[first + agaa_samplePrimitive[i]];
         uvec3 c = uvec3((normal * 0.5 + 0.5) * 2047.0 + 0.5);
-        uint code = ((c.x * 2048u + c.y) * 2048u + c.z) * 2654435761u >> 16;
-        for (uint rest = agaa_listSamples[at]; rest != 0u; rest &= rest - 1u)
-            agaa_addSample(samples, pixel, uint(findLSB(rest)), normal, code);
+        agaa_addSample(samples, pixel, i, normal, ((c.x * 2048u + c.y) * 2048u + c.z) * 2654435761u >> 16);
     }
     return agaa_withDistance(samples);
 }
 
-agaa_PixelWork agaa_workOf(uvec2 pixel) {
-    agaa_PixelSamples samples = agaa_listedSamples(pixel);
-    uint count = samples.covered != 0u ? 1u : 0u;
-    if (AGAA_AGGREGATES > 1u && count != 0u &&
+agaa_PixelWork agaa_workOf(uvec2 pixel, uint covered) {
+    agaa_PixelSamples samples = agaa_listedSamples(pixel, covered);
+    uint count = 1u;
+    if (AGAA_AGGREGATES > 1u &&
         !agaa_areAllOneSurface(agaa_sampleCount(), samples.covered, agaa_frame.surface.x,
                                agaa_surfaceWidth(samples)))
         count = agaa_defineAggregates(agaa_sampleCount(), samples.covered, AGAA_AGGREGATES,
@@ -109,48 +111,88 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
                                       AGAA_SEEDS);
     uint base = gl_LocalInvocationIndex * AGAA_AGGREGATES;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
-        agaa_masks[base + a] = a == 0u && count == 1u ? samples.covered : 0u;
+        agaa_masks[base + a] = a == 0u && count == 1u ? covered : 0u;
     if (count > 1u)
-        for (uint left = samples.covered; left != 0u; left &= left - 1u) {
+        for (uint left = covered; left != 0u; left &= left - 1u) {
             uint i = uint(findLSB(left));
             agaa_masks[base + agaa_sampleAggregate[i]] |= 1u << i;
         }
-    uint covered = uint(bitCount(samples.covered));
-    agaa_count(AGAA_COUNT_VISIBLE, covered);
-    agaa_count(AGAA_COUNT_ONCE, covered);
+    agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(covered)));
+    agaa_count(AGAA_COUNT_ONCE, uint(bitCount(covered)));
     agaa_count(AGAA_COUNT_EVENTS, count);
-    agaa_count(AGAA_COUNT_PIXELS, count != 0u ? 1u : 0u);
-    return agaa_PixelWork((1u << count) - 1u, 0u, covered);
+    agaa_count(AGAA_COUNT_PIXELS, 1u);
+    return agaa_PixelWork((1u << count) - 1u, 0u, uint(bitCount(covered)));
 }
 
-// The means over samples: of each primitive as often as it has samples.
+void agaa_addMaterial(inout agaa_Means m, float weight, AgaaMaterial one) {
+    m.diffuse += weight * one.diffuse;
+    m.normal += weight * one.normal;
+    if (AGAA_HAS_SPECULAR != 0u) {
+        m.specular += weight * one.specular;
+        m.alpha2 += weight * one.alpha2;
+    }
+    if (AGAA_EMISSIVE_CHANNELS != 0u)
+        m.emissive += weight * one.emissive;
+}
+
+agaa_Means agaa_noMeans() { return agaa_Means(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 1e-6); }
+
+// The means over samples: of each primitive as often as it has samples. lane: of the pixel.
 agaa_Means agaa_meansOf(uint lane, uint mask) {
-    agaa_Means m = agaa_Means(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 1e-6);
+    agaa_Means m = agaa_noMeans();
     float share = 1.0 / float(bitCount(mask));
     uint list = agaa_pixelList[lane];
     uint end = (list & 0xFFFFu) + (list >> 16u);
     for (uint at = list & 0xFFFFu; at < end; ++at) {
         float weight = share * float(bitCount(agaa_listSamples[at] & mask));
-        if (weight == 0.0)
-            continue;
-        AgaaMaterial one = agaa_listMaterial[at];
-        m.diffuse += weight * one.diffuse;
-        m.normal += weight * one.normal;
-        if (AGAA_HAS_SPECULAR != 0u) {
-            m.specular += weight * one.specular;
-            m.alpha2 += weight * one.alpha2;
-        }
-        if (AGAA_EMISSIVE_CHANNELS != 0u)
-            m.emissive += weight * one.emissive;
+        if (weight > 0.0)
+            agaa_addMaterial(m, weight, agaa_listMaterial[at]);
     }
     return m;
 }
+
+#ifdef AGAA_LIT_SHADOWS
+// The means over what the lights of a shadow reach of the samples, and the share of them that they do.
+agaa_Means agaa_litMeansOf(uvec2 pixel, uint lane, uint mask, uint map, out float share) {
+    agaa_Means m = agaa_noMeans();
+    float sum = 0.0;
+    uint list = agaa_pixelList[lane];
+    uint end = (list & 0xFFFFu) + (list >> 16u);
+    for (uint at = list & 0xFFFFu; at < end; ++at) {
+        float weight = 0.0;
+        for (uint rest = agaa_listSamples[at] & mask; rest != 0u; rest &= rest - 1u)
+            weight += agaa_shadowTap(map, agaa_toShadingSpace(agaa_viewPositionOf(pixel, uint(findLSB(rest)))));
+        if (weight > 0.0)
+            agaa_addMaterial(m, weight, agaa_listMaterial[at]);
+        sum += weight;
+    }
+    share = sum / float(bitCount(mask));
+    float scale = sum > 0.0 ? 1.0 / sum : 0.0;
+    m.diffuse *= scale;
+    m.specular *= scale;
+    m.normal *= scale;
+    m.alpha2 *= scale;
+    return m;
+}
+
+void agaa_findLitSurfaces(uvec2 pixel, uint lane, uint mask, vec3 toEye) {
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        if (agaa_isLitShadow(map))
+            agaa_litSurface[map] = agaa_surfaceOfMeans(
+                agaa_litMeansOf(pixel, lane, mask, map, agaa_visibility[map]), false, toEye);
+}
+#endif
 
 vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
     uint lane = (pixel.y & 7u) * 8u + (pixel.x & 7u);
     uint mask = agaa_masks[lane * AGAA_AGGREGATES + a];
     vec3 position = agaa_placeAggregate(pixel, mask);
-    agaa_Surface s = agaa_surfaceOfMeans(agaa_meansOf(lane, mask), false, agaa_toEye(position));
+    agaa_Means means = agaa_meansOf(lane, mask);
+    agaa_Surface s = agaa_surfaceOfMeans(means, false, agaa_toEye(position));
+    agaa_countWidening(means, s);
+#ifdef AGAA_LIT_SHADOWS
+    agaa_findLitSurfaces(pixel, lane, mask, agaa_toEye(position));
+#endif
     return agaa_lightSurface(s, position) * float(bitCount(mask));
 }
 
@@ -161,7 +203,7 @@ void main() {
     uvec2 pixel = corner + gl_LocalInvocationID.xy;
     bool inside = all(lessThan(pixel, agaa_frame.size.xy));
     uint covered = inside ? agaa_loadIds(pixel) : 0u;
-    uint primitives = agaa_countPrimitives(covered);
+    uint primitives = agaa_findPrimitives(covered);
     if (inside && covered == 0u)
         agaa_writePixel(pixel, agaa_PixelWork(0u, 0u, 0u), vec3(0.0));
     bool waits = covered != 0u;
@@ -174,7 +216,7 @@ void main() {
         uint first = waits ? atomicAdd(agaa_listed, primitives) : 0u;
         bool turn = waits && first + primitives <= agaa_listLength;
         if (turn)
-            agaa_listPrimitives(covered, first);
+            agaa_listPrimitives(first, primitives);
         waits = waits && !turn;
         if (waits)
             atomicAdd(agaa_waiting, 1u);
@@ -187,7 +229,7 @@ void main() {
         barrier();
         agaa_PixelWork work = agaa_PixelWork(0u, 0u, 0u);
         if (turn)
-            work = agaa_workOf(pixel);
+            work = agaa_workOf(pixel, covered);
         vec3 color = agaa_shadeWork(work, corner);
         if (turn)
             agaa_writePixel(pixel, work, color);

@@ -91,11 +91,24 @@ float agaa_shadowTap(uint map, vec3 p) {
 }
 
 float agaa_visibility[4]; // per shadow map, for the surface at hand
+#ifdef AGAA_LIT_SHADOWS
+agaa_Surface agaa_litSurface[4]; // what the lights of these shadows reach of it
+#endif
+
+// Whether visibility comes with the lit surface, not by taps.
+bool agaa_isLitShadow(uint map) {
+#ifdef AGAA_LIT_SHADOWS
+    return (AGAA_LIT_SHADOWS >> map & 1u) != 0u;
+#else
+    return false;
+#endif
+}
 
 void agaa_addTaps(vec3 position) {
 #if AGAA_SHADOWS
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] += agaa_shadowTap(map, position);
+        if (!agaa_isLitShadow(map))
+            agaa_visibility[map] += agaa_shadowTap(map, position);
 #endif
 }
 
@@ -121,6 +134,10 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
         intensity *= agaa_visibility[map];
     if (intensity <= 0.0)
         return vec3(0.0);
+#ifdef AGAA_LIT_SHADOWS
+    if (map < 4u && agaa_isLitShadow(map))
+        s = agaa_litSurface[map];
+#endif
     return agaa_shade(s, toEye, toLight, AGAA_BRDF, AGAA_FILTER_DIFFUSE) * light.colorShadow.rgb *
            intensity;
 }

@@ -136,7 +136,9 @@ vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
     position = agaa_toShadingSpace(
         agaa_sampleViewPosition(pixel, shaded, agaa_depthOf(pixel, shaded)));
 #endif
-    agaa_Surface s = agaa_surfaceOfMeans(agaa_aggregateMeans(), AGAA_FOLDED_ROUGHNESS != 0u, agaa_toEye(position));
+    agaa_Means means = agaa_aggregateMeans();
+    agaa_Surface s = agaa_surfaceOfMeans(means, AGAA_FOLDED_ROUGHNESS != 0u, agaa_toEye(position));
+    agaa_countWidening(means, s);
     return agaa_lightSurface(s, position) * float(agaa_count_);
 }
 

@@ -11,7 +11,6 @@ struct agaa_PixelWork {
 };
 
 // Of the shader that includes this.
-agaa_PixelWork agaa_workOf(uvec2 pixel);
 // Radiance times the number of samples that the event stands for. which: bit and kind.
 vec3 agaa_shadeEvent(uvec2 pixel, uint which);
 
@@ -54,6 +53,9 @@ void agaa_writePixel(uvec2 pixel, agaa_PixelWork work, vec3 color) {
         agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), work.covered);
 }
 
+#ifndef AGAA_OWN_TILE // shaders that find the work of a tile together
+agaa_PixelWork agaa_workOf(uvec2 pixel);
+
 void agaa_shadeTile() {
     uvec2 corner = gl_WorkGroupID.xy * 8u;
     uvec2 pixel = corner + gl_LocalInvocationID.xy;
@@ -65,4 +67,5 @@ void agaa_shadeTile() {
     if (inside)
         agaa_writePixel(pixel, work, color);
 }
+#endif
 #endif

@@ -58,23 +58,27 @@ ViewSettings settingsFor(uint32_t n, uint32_t c, uint32_t tier) {
 // A view of the tier, with what its function reads.
 class IdsView {
 public:
-    IdsView(StageContext& context, ViewSettings settings, const std::vector<Triangle>& triangles, const char* more = "")
+    // chained: a further struct of the view's, or null.
+    IdsView(StageContext& context, ViewSettings settings, const std::vector<Triangle>& triangles, const char* more = "",
+            const void* chained = nullptr)
         : set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT), text_(fetchText(settings, more)) {
         function_.glsl = text_.c_str();
         function_.maxDraws = drawNumber + 1;
         function_.maxPrimitives = uint32_t(triangles.size());
         function_.descriptorSetLayout = (uint64_t)set_.layout();
+        function_.pNext = chained;
         settings.chained = &function_;
         view_ = std::make_unique<StageView>(context, settings);
         view_->setTriangles(triangles);
         set_.write({view_->vertices(), view_->materials()});
     }
     StageView& view() { return *view_; }
-    harness::Image render() {
-        const AgaaLight light = sun();
+    harness::Image render(const AgaaLight& light = sun(), const AgaaShadow* shadow = nullptr) {
         AgaaFrame frame = view_->frame();
         frame.lights = &light;
         frame.lightCount = 1;
+        frame.shadows = shadow;
+        frame.shadowCount = shadow ? 1 : 0;
         frame.ambient[0] = frame.ambient[1] = frame.ambient[2] = 0.25f;
         view_->render(frame, [&](AgaaVkFrame& vk) { vk.functionSet = (uint64_t)set_.get(); });
         return view_->image();
@@ -235,6 +239,52 @@ TEST(Ids, DerivativesArePerPixel) {
                 ASSERT_NEAR(value(dy, x, y) - 0.5f, 0.5f * (value(at, x, y + 1) - value(at, x, y - 1)), 1e-3f);
             }
     EXPECT_GT(checked, 500u);
+}
+
+// Where a light reaches some of an aggregate's samples, and these differ from the others in colour and normal, their
+// own means must shade them: per-sample shading is the truth.
+TEST(Ids, LitMeansAreCloserToTheTruth) {
+    StageContext context;
+    const std::vector<Triangle> triangles = randomTriangles({.triangles = 150}, 61);
+    AgaaShadowFunction shadows = AGAA_SHADOW_FUNCTION_INIT;
+    shadows.glsl = "float agaaHostShadow(uint shadow, vec3 position) {\n"
+                   "    return fract(3.0 * position.z) > 0.5 ? 1.0 : 0.0;\n}\n";
+    shadows.shadows = 1;
+    AgaaLight light = sun();
+    light.shadowMap = 0;
+    const AgaaShadow shadow{};
+    ViewSettings settings = settingsFor(8, 1, AGAA_TIER_IDS);
+    settings.facts.shadowMapCount = 1;
+    settings.facts.flags = 0; // diffuse alone
+    const auto shaded = [&](const char* technique, uint32_t lit) {
+        ViewSettings own = settings;
+        own.config.technique = technique;
+        own.config.litShadows = lit;
+        if (std::string(technique) == "ssaa") {
+            own.config.generationTier = AGAA_TIER_AUTO;
+            own.chained = &shadows;
+            StageView view(context, own);
+            view.setTriangles(triangles);
+            AgaaFrame frame = view.frame();
+            frame.lights = &light;
+            frame.lightCount = 1;
+            frame.shadows = &shadow;
+            frame.shadowCount = 1;
+            view.render(frame);
+            return view.image();
+        }
+        IdsView ids(context, own, triangles, "", &shadows);
+        const harness::Image image = ids.render(light, &shadow);
+        // Eight samples are eight taps, by either way.
+        EXPECT_EQ(ids.view().statistics().counters.shadowTaps, ids.view().statistics().counters.visible);
+        return image;
+    };
+    const harness::Image truth = shaded("ssaa", 0);
+    const auto error = [&](const harness::Image& image) { return std::pow(10, -compare(truth, image).psnr / 10); };
+    const double plain = error(shaded("agaa", 0)), lit = error(shaded("agaa", 1));
+    std::printf("mseTm: plain %.2e, lit %.2e\n", plain, lit);
+    EXPECT_GT(plain, 1e-5) << "there is something to gain";
+    EXPECT_LT(lit, 0.7 * plain);
 }
 
 TEST(Ids, MaterialsThatAreNotFiniteAreContained) {
