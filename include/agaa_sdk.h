@@ -275,11 +275,16 @@ typedef struct AgaaConfig {
      * A tap a sample, in place of shadowTaps. */
     uint32_t litShadows;
     uint64_t flags;           /* AGAA_CONFIG_… */
+    /* Of the tiers GBUFFER and IDS, which know materials when they group samples. Shading normals differ by
+     * glossWeight / alpha as much in equation 1, [1;20], alpha of GGX: what shines narrowly is parted sooner. [0;16];
+     * 0: by normals alone. */
+    float glossWeight;
+    uint32_t reserved; /* 0 */
 } AgaaConfig;
 #define AGAA_CONFIG_INIT                                                                            \
     {AGAA_STRUCTURE_TYPE_CONFIG, (uint32_t)sizeof(AgaaConfig), NULL, "agaa", 8, 2, NULL,             \
      AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.03f, 0.02f, 0.0f, 0.0f, 0.0f, AGAA_SEEDS_MAXIMIN, 0,   \
-     AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0}
+     AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0, 0.0f, 0}
 
 /* What the scene calls for. The planner drops what is not named here. */
 #define AGAA_FACT_SPECULAR UINT64_C(0x01)

@@ -18,7 +18,7 @@ enum Constant : uint32_t {
 #define AGAA_CONSTANT(id, name, value) name = id,
 #include "shaders/passes/constants.inc"
 #undef AGAA_CONSTANT
-    ConstantCount = 50
+    ConstantCount = 51
 };
 using Constants = std::array<uint32_t, ConstantCount>;
 

@@ -40,7 +40,7 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     chooseVisibilityTier();
     if (technique.maxAggregates)
         chooseGenerationTier(technique);
-    checkLitShadows();
+    checkTierOptions();
     require(!counts() || caps_.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
             "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");
     setConstants();
@@ -128,10 +128,14 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
 }
 
 // After the tier is known.
-void PlanBuilder::checkLitShadows() const {
+void PlanBuilder::checkTierOptions() const {
     const uint32_t lit = plan.config.litShadows;
     require(lit >> plan.facts.shadowMapCount == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaConfig::litShadows names shadows that AgaaSceneFacts does not declare.");
+    require(plan.config.glossWeight == 0 || plan.generationTier == AGAA_TIER_IDS ||
+                plan.generationTier == AGAA_TIER_GBUFFER,
+            AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::glossWeight needs the tier ids or gbuffer, which know materials when they group samples.");
     require(lit == 0 || plan.generationTier == AGAA_TIER_IDS, AGAA_ERROR_UNSUPPORTED,
             "AgaaConfig::litShadows needs the tier ids, which knows materials and shadows in one pass.");
 }
@@ -185,6 +189,7 @@ void PlanBuilder::setConstants() {
     c[AGAA_HAS_SPECULAR] = plan.layout.has(AGAA_SEMANTIC_SPECULAR);
     c[AGAA_HAS_AMBIENT] = hasFact(AGAA_FACT_AMBIENT);
     c[AGAA_SHADING_COST] = config.shadingCost;
+    c[AGAA_GLOSS_WEIGHT] = std::bit_cast<uint32_t>(config.glossWeight);
     c[AGAA_SHOW_EVENTS] = (config.flags & AGAA_CONFIG_SHOW_EVENTS) != 0;
 }
 

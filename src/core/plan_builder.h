@@ -81,7 +81,7 @@ private:
     void readFunctions(const AgaaViewDesc& view);
     void takeSetLayout(uint64_t setLayout);
     void chooseGenerationTier(const Technique& technique);
-    void checkLitShadows() const;
+    void checkTierOptions() const;
     static void addHostCode(Pass& pass, const std::string& text, const char* origin);
     void bindShadows(Pass& pass);
     void listEffects();

@@ -90,6 +90,8 @@ AgaaConfig checkConfig(const AgaaConfig* pointer) {
     checkRange(double(config.surfaceDistance), 0.0, 1e6, "AgaaConfig::surfaceDistance");
     checkRange(double(config.surfaceMaterial), 0.0, 1.0, "AgaaConfig::surfaceMaterial");
     checkRange(uint64_t(config.litShadows), 0, (1u << AGAA_MAX_SHADOW_MAPS) - 1, "AgaaConfig::litShadows");
+    checkRange(double(config.glossWeight), 0.0, 16.0, "AgaaConfig::glossWeight");
+    checkRange(uint64_t(config.reserved), 0, 0, "AgaaConfig::reserved");
     constexpr uint64_t known = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK |
                                AGAA_CONFIG_NO_DIFFUSE_FILTER | AGAA_CONFIG_NO_SHADOW_FILTER |
                                AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_NO_STENCIL |

@@ -48,7 +48,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaLog, 32);
     EXPECT_SIZE(AgaaLayoutAttribute, 32);
     EXPECT_SIZE(AgaaLayout, 184);
-    EXPECT_SIZE(AgaaConfig, 104);
+    EXPECT_SIZE(AgaaConfig, 112);
     EXPECT_SIZE(AgaaSceneFacts, 32);
     EXPECT_SIZE(AgaaViewDesc, 48);
     EXPECT_SIZE(AgaaDeviceCaps, 296);

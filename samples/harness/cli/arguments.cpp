@@ -170,6 +170,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.surfaceMaterial = float(surface[2]);
     config.shadowTaps = arguments.shadowTaps;
     config.shadingCost = arguments.shadingCost;
+    config.glossWeight = finite(arguments.glossWeight, "--gloss-weight");
     config.litShadows = arguments.lit ? 1 : 0; // scenes have one
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };
     flag(arguments.noStencil, AGAA_CONFIG_NO_STENCIL);

@@ -46,6 +46,7 @@ struct PlanArguments {
     bool firstSampleRouting = false;
     bool splitSurfaces = false;
     bool lit = false;
+    double glossWeight = 0;
     bool noDiffuseFilter = false;
     bool noShadowFilter = false;
     bool shadowAlongDepth = false;

@@ -31,6 +31,7 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--k-per-distance", a.kPerDistance, "at least this times the distance");
     app.add_option("--threshold", a.threshold, "t: least distance between aggregates");
     app.add_option("--surface", a.surface, "one surface: least cosine, widths of a pixel, material; 0: default");
+    app.add_option("--gloss-weight", a.glossWeight, "agaa by id or from a G-buffer: of shading normals");
     app.add_flag("--lit", a.lit, "agaa by id: lit statistics for the lights with shadows");
     app.add_option("--shadow-taps", a.shadowTaps, "per aggregate, at most; 0: 8");
     app.add_option("--shading-cost", a.shadingCost, "evaluate lighting this many times");

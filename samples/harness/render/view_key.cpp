@@ -65,7 +65,7 @@ std::string viewKey(const AgaaViewDesc& desc) {
         key.add(value);
     for (const float value : {config.characteristicLength, config.characteristicLengthPerDistance,
                               config.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,
-                              config.surfaceMaterial})
+                              config.surfaceMaterial, config.glossWeight})
         key.add(value);
     key.add(config.flags);
     key.add(uint32_t(config.layout != nullptr));

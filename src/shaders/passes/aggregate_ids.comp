@@ -100,12 +100,24 @@ agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint covered) {
     return agaa_withDistance(samples);
 }
 
+void agaa_weighNormals(uint covered) {
+    uint first = agaa_pixelList[gl_LocalInvocationIndex] & 0xFFFFu;
+    for (uint i = 0u; i < agaa_sampleCount(); ++i)
+        if ((covered >> i & 1u) != 0u) {
+            AgaaMaterial m = agaa_listMaterial[first + agaa_samplePrimitive[i]];
+            agaa_weighNormal(i, mat3(agaa_frame.view) * m.normal, m.alpha2);
+        }
+}
+
 agaa_PixelWork agaa_workOf(uvec2 pixel, uint covered) {
     agaa_PixelSamples samples = agaa_listedSamples(pixel, covered);
     uint count = 1u;
-    if (AGAA_AGGREGATES > 1u &&
-        !agaa_areAllOneSurface(agaa_sampleCount(), samples.covered, agaa_frame.surface.x,
-                               agaa_surfaceWidth(samples)))
+    bool parted = AGAA_AGGREGATES > 1u &&
+                  !agaa_areAllOneSurface(agaa_sampleCount(), samples.covered, agaa_frame.surface.x,
+                                         agaa_surfaceWidth(samples));
+    if (parted && AGAA_GLOSS_WEIGHT != 0u)
+        agaa_weighNormals(covered);
+    if (parted)
         count = agaa_defineAggregates(agaa_sampleCount(), samples.covered, AGAA_AGGREGATES,
                                       agaa_pixelCharacteristicLength(samples), agaa_frame.cluster.z,
                                       AGAA_SEEDS);

@@ -22,11 +22,15 @@ void main() {
     float k = agaa_pixelCharacteristicLength(samples);
     uvec2 planes = uvec2(0u);
     // Distance along a slanted surface would part its samples, though they are shaded nearly alike.
-    if (samples.covered != 0u &&
-        !agaa_areAllOneSurface(agaa_sampleCount(), samples.covered, agaa_frame.surface.x,
-                               agaa_surfaceWidth(samples)) &&
-        agaa_defineAggregates(agaa_sampleCount(), samples.covered, AGAA_AGGREGATES, k, agaa_frame.cluster.z,
-                              AGAA_SEEDS) > 1u) {
+    bool parted = samples.covered != 0u &&
+                  !agaa_areAllOneSurface(agaa_sampleCount(), samples.covered, agaa_frame.surface.x,
+                                         agaa_surfaceWidth(samples));
+#if AGAA_FROM_GBUFFER
+    if (parted && AGAA_GLOSS_WEIGHT != 0u)
+        agaa_weighNormals(pixel, samples.covered);
+#endif
+    if (parted && agaa_defineAggregates(agaa_sampleCount(), samples.covered, AGAA_AGGREGATES, k,
+                                        agaa_frame.cluster.z, AGAA_SEEDS) > 1u) {
         for (uint i = 0u; i < agaa_sampleCount(); ++i)
             if ((samples.covered >> i & 1u) != 0u)
                 agaa_putAggregateId(planes, i, agaa_sampleAggregate[i]);

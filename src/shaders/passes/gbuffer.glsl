@@ -83,7 +83,9 @@ vec3 agaa_fetchedSpecular() {
     return agaa_channel3(AGAA_SOURCE_SPECULAR_R, AGAA_SOURCE_SPECULAR_G, AGAA_SOURCE_SPECULAR_B);
 }
 
-float agaa_fetchedAlpha2() { return agaa_channel(AGAA_SOURCE_ROUGHNESS); }
+float agaa_fetchedAlpha2() {
+    return AGAA_SOURCE_ROUGHNESS >> 16 != 0u ? agaa_channel(AGAA_SOURCE_ROUGHNESS) : 1.0;
+}
 #endif
 
 agaa_Surface agaa_sampleSurface() {
@@ -95,8 +97,7 @@ agaa_Surface agaa_sampleSurface() {
     s.alpha2 = 1.0;
     if (AGAA_HAS_SPECULAR != 0u) {
         s.specular = agaa_fetchedSpecular();
-        if (AGAA_SOURCE_ROUGHNESS >> 16 != 0u)
-            s.alpha2 = agaa_fetchedAlpha2();
+        s.alpha2 = agaa_fetchedAlpha2();
     }
     s.emissive = agaa_frame.ambient.w * agaa_storedEmissive();
     if (AGAA_EMISSIVE_CHANNELS == 1u)

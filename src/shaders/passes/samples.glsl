@@ -44,6 +44,12 @@ struct agaa_PixelSamples {
     float quantum;  // largest step of depth, as a length
 };
 
+// Normals, for the clustering alone, as long as their gloss makes differences count: w = weight / alpha, [1;20].
+void agaa_weighNormal(uint i, vec3 shadingNormal, float alpha2) {
+    float w = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) * inversesqrt(alpha2), 1.0, 20.0);
+    agaa_sampleNormal[i] = sqrt(w) * shadingNormal;
+}
+
 agaa_PixelSamples agaa_noSamples() { return agaa_PixelSamples(0u, 3.0e38, 3.0e38, 0.0); }
 
 // While samples are added, the distance is its square.
@@ -94,6 +100,14 @@ void agaa_addSamples(inout agaa_PixelSamples samples, uvec2 pixel) {
             agaa_addSample(samples, pixel, i, frame * normal, code);
     }
 }
+
+#if AGAA_FROM_GBUFFER
+void agaa_weighNormals(uvec2 pixel, uint covered) {
+    for (uint i = 0u; i < agaa_sampleCount(); ++i)
+        if ((covered >> i & 1u) != 0u && agaa_fetchSample(pixel, i))
+            agaa_weighNormal(i, agaa_sampleNormal[i], agaa_fetchedAlpha2());
+}
+#endif
 
 agaa_PixelSamples agaa_loadSamples(uvec2 pixel) {
     agaa_PixelSamples samples = agaa_noSamples();

@@ -287,6 +287,39 @@ TEST(Ids, LitMeansAreCloserToTheTruth) {
     EXPECT_LT(lit, 0.7 * plain);
 }
 
+// Narrow lobes tell normals apart that wide ones do not: with the weight, glossy surfaces are parted where rough ones
+// stay together, by the tiers that know materials in time.
+TEST(Ids, GlossPartsWhatShinesNarrowly) {
+    StageContext context;
+    const auto events = [&](uint32_t tier, float alpha2, float weight) {
+        std::vector<Triangle> triangles = randomTriangles({.triangles = 150}, 61);
+        for (size_t i = 0; i < triangles.size(); ++i) { // normals a few degrees apart
+            const float tilt = 0.15f * float(i % 5);
+            triangles[i].material.normal = glm::vec4(std::sin(tilt), 0, std::cos(tilt), alpha2);
+        }
+        ViewSettings settings = settingsFor(8, 4, tier);
+        settings.config.aggregateThreshold = 0.05f;
+        settings.config.characteristicLength = 1e6f; // normals alone
+        settings.config.characteristicLengthPerDistance = 0;
+        settings.config.glossWeight = weight;
+        if (tier == AGAA_TIER_IDS) {
+            IdsView ids(context, settings, triangles);
+            ids.render();
+            return ids.view().statistics().counters.shadingEvents;
+        }
+        StageView view(context, settings);
+        drawn(view, triangles);
+        return view.statistics().counters.shadingEvents;
+    };
+    for (const uint32_t tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
+        SCOPED_TRACE(agaaTierName(tier));
+        const uint64_t rough = events(tier, 1.0f, 0.5f);
+        EXPECT_GT(events(tier, 1e-4f, 0.5f), rough + rough / 50);
+        if (tier == AGAA_TIER_GBUFFER) // by id, planes decide where there is no weight
+            EXPECT_EQ(events(tier, 1e-4f, 0.0f), rough);
+    }
+}
+
 TEST(Ids, MaterialsThatAreNotFiniteAreContained) {
     StageContext context;
     const std::vector<Triangle> triangles = scene(60);
