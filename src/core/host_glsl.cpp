@@ -138,8 +138,11 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
     const bool writesIds = pass.drawPass == AGAA_DRAW_PASS_VISIBILITY && plan.generationTier == AGAA_TIER_IDS;
     defineSwitch(out, "AGAA_WRITES_IDS", writesIds);
-    if (writesIds)
+    if (writesIds) {
+        define(out, "AGAA_MAX_DRAWS", plan.maxDraws);
+        define(out, "AGAA_MAX_PRIMITIVES", plan.maxPrimitives);
         define(out, "AGAA_PRIMITIVE_BITS", plan.primitiveBits);
+    }
     if (pass.drawPass == AGAA_DRAW_PASS_VISIBILITY)
         defineSwitch(out, "AGAA_WRITES_NORMALS", !pass.colorTargets.empty() && !writesIds);
     if (pass.drawPass == AGAA_DRAW_PASS_FORWARD)

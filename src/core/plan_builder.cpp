@@ -93,6 +93,8 @@ void PlanBuilder::readFunctions(const AgaaViewDesc& view) {
                 "the view has an AgaaGBufferFunction and an AgaaFetchFunction; materials come by one of them.");
         takeSetLayout(function->descriptorSetLayout);
         plan.fetches = true;
+        plan.maxDraws = function->maxDraws;
+        plan.maxPrimitives = function->maxPrimitives;
         plan.primitiveBits = uint32_t(std::bit_width(function->maxPrimitives - 1));
         fetchFunction_ = function->glsl;
     }

@@ -17,7 +17,10 @@ void agaa_emit(AgaaSurfaceInput s) {
     agaa_out0 = vec4(vec2(agaa_encodeHemiOct8(n)) / 255.0, 0.0, 0.0);
 #endif
 #if AGAA_WRITES_IDS
-    uint id = (s.draw << AGAA_PRIMITIVE_BITS | s.primitive) + 1u;
+    // What the host did not announce is shown as the last that it did: ids must name what can be fetched.
+    if ((s.draw >= AGAA_MAX_DRAWS || s.primitive >= AGAA_MAX_PRIMITIVES) && !AGAA_HELPER)
+        agaa_countFragment(AGAA_FRAGMENT_SANITISED, 1u);
+    uint id = (min(s.draw, AGAA_MAX_DRAWS - 1u) << AGAA_PRIMITIVE_BITS | min(s.primitive, AGAA_MAX_PRIMITIVES - 1u)) + 1u;
     agaa_out0 = vec4(uvec4(id, id >> 8u, id >> 16u, id >> 24u) & 255u) / 255.0;
 #endif
 #if AGAA_ALPHA_MASKED

@@ -59,12 +59,13 @@ ViewSettings settingsFor(uint32_t n, uint32_t c, uint32_t tier) {
 class IdsView {
 public:
     // chained: a further struct of the view's, or null.
+    // announced: of the triangles; 0: all.
     IdsView(StageContext& context, ViewSettings settings, const std::vector<Triangle>& triangles, const char* more = "",
-            const void* chained = nullptr)
+            const void* chained = nullptr, uint32_t announced = 0)
         : set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT), text_(fetchText(settings, more)) {
         function_.glsl = text_.c_str();
         function_.maxDraws = drawNumber + 1;
-        function_.maxPrimitives = uint32_t(triangles.size());
+        function_.maxPrimitives = announced ? announced : uint32_t(triangles.size());
         function_.descriptorSetLayout = (uint64_t)set_.layout();
         function_.pNext = chained;
         settings.chained = &function_;
@@ -315,9 +316,25 @@ TEST(Ids, GlossPartsWhatShinesNarrowly) {
         SCOPED_TRACE(agaaTierName(tier));
         const uint64_t rough = events(tier, 1.0f, 0.5f);
         EXPECT_GT(events(tier, 1e-4f, 0.5f), rough + rough / 50);
-        if (tier == AGAA_TIER_GBUFFER) // by id, planes decide where there is no weight
+        if (tier == AGAA_TIER_GBUFFER) { // by id, planes decide where there is no weight
             EXPECT_EQ(events(tier, 1e-4f, 0.0f), rough);
+        }
     }
+}
+
+// A host that draws more than it announced: what is beyond shows the last announced, is counted, and fetches nothing
+// that is not there.
+TEST(Ids, WhatWasNotAnnouncedIsCounted) {
+    StageContext context;
+    const std::vector<Triangle> triangles = scene(150);
+    IdsView ids(context, settingsFor(4, 2, AGAA_TIER_IDS), triangles,
+                "if (p.primitive >= 10u) m.emissive = vec3(60000.0);", nullptr, 10);
+    for (float value : ids.render().rgb)
+        ASSERT_LT(value, 1000.0f);
+    EXPECT_GT(ids.view().statistics().counters.sanitised, 0u);
+    IdsView whole(context, settingsFor(4, 2, AGAA_TIER_IDS), triangles);
+    whole.render();
+    EXPECT_EQ(whole.view().statistics().counters.sanitised, 0u);
 }
 
 TEST(Ids, MaterialsThatAreNotFiniteAreContained) {
