@@ -1,6 +1,6 @@
-// Aggregates of what a pixel's ids name, shaded at once. A tile's lanes list the primitives of their pixels, share out
-// the fetching of materials, each in the middle of the samples that its primitive has in a pixel, group their samples,
-// and share out the shading. Nothing but the image goes to memory.
+// Aggregates of what a pixel's ids name, shaded at once. A tile's lanes list the primitives of their pixels and share
+// out the fetching of materials, each in the middle of the samples that its primitive has in a pixel, the grouping of
+// samples in pixels of several primitives, and the shading. Nothing but the image goes to memory.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_MAX_SAMPLES 32
@@ -28,12 +28,15 @@ shared uint agaa_listLane[agaa_listLength];
 shared vec3 agaa_listPlane[agaa_listLength]; // normal in view space
 shared AgaaMaterial agaa_listMaterial[agaa_listLength];
 shared uint agaa_pixelList[64];                    // first place | number of them << 16
+shared uint agaa_manyCount;                        // pixels of several primitives
+shared uint agaa_many[64];
+shared uint agaa_aggregateCount[64];
 shared uint agaa_masks[64u * AGAA_AGGREGATES];     // samples of each aggregate
 shared uint agaa_waiting;                          // pixels that did not find room
 
-// Of the lane's own pixel.
+// Of the pixel at hand.
 uint agaa_sampleIds[AGAA_MAX_SAMPLES];
-uint agaa_samplePrimitive[AGAA_MAX_SAMPLES]; // which of the pixel's
+uint agaa_samplePrimitive[AGAA_MAX_SAMPLES]; // its place in the list
 uint agaa_primitiveSamples[AGAA_MAX_SAMPLES];
 
 // Returns the samples that show geometry.
@@ -54,10 +57,7 @@ uint agaa_findPrimitives(uint covered) {
         uint alike = 0u;
         for (uint rest = left; rest != 0u; rest &= rest - 1u) {
             uint i = uint(findLSB(rest));
-            if (agaa_sampleIds[i] == id) {
-                alike |= 1u << i;
-                agaa_samplePrimitive[i] = count;
-            }
+            alike |= agaa_sampleIds[i] == id ? 1u << i : 0u;
         }
         agaa_primitiveSamples[count] = alike;
         left &= ~alike;
@@ -87,13 +87,21 @@ void agaa_fetchListed(uint at, uvec2 corner) {
     agaa_listMaterial[at] = agaa_fetchMaterial(p, corner + uvec2(lane & 7u, lane >> 3u), middle);
 }
 
-agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint covered) {
+// lane: of the pixel, which may be another's.
+agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
     agaa_PixelSamples samples = agaa_noSamples();
-    uint first = agaa_pixelList[gl_LocalInvocationIndex] & 0xFFFFu;
+    uint first = agaa_pixelList[lane] & 0xFFFFu;
+    uint count = agaa_pixelList[lane] >> 16u;
+    uint covered = 0u;
+    for (uint k = 0u; k < count; ++k) {
+        covered |= agaa_listSamples[first + k];
+        for (uint rest = agaa_listSamples[first + k]; rest != 0u; rest &= rest - 1u)
+            agaa_samplePrimitive[findLSB(rest)] = first + k;
+    }
     for (uint i = 0u; i < agaa_sampleCount(); ++i) {
         if ((covered >> i & 1u) == 0u)
             continue;
-        vec3 normal = agaa_listPlane[first + agaa_samplePrimitive[i]];
+        vec3 normal = agaa_listPlane[agaa_samplePrimitive[i]];
         uvec3 c = uvec3((normal * 0.5 + 0.5) * 2047.0 + 0.5);
         agaa_addSample(samples, pixel, i, normal, ((c.x * 2048u + c.y) * 2048u + c.z) * 2654435761u >> 16);
     }
@@ -101,39 +109,41 @@ agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint covered) {
 }
 
 void agaa_weighNormals(uint covered) {
-    uint first = agaa_pixelList[gl_LocalInvocationIndex] & 0xFFFFu;
     for (uint i = 0u; i < agaa_sampleCount(); ++i)
         if ((covered >> i & 1u) != 0u) {
-            AgaaMaterial m = agaa_listMaterial[first + agaa_samplePrimitive[i]];
+            AgaaMaterial m = agaa_listMaterial[agaa_samplePrimitive[i]];
             agaa_weighNormal(i, mat3(agaa_frame.view) * m.normal, m.alpha2);
         }
 }
 
-agaa_PixelWork agaa_workOf(uvec2 pixel, uint covered) {
-    agaa_PixelSamples samples = agaa_listedSamples(pixel, covered);
+void agaa_groupSamples(uvec2 pixel, uint lane) {
+    agaa_PixelSamples samples = agaa_listedSamples(pixel, lane);
     uint count = 1u;
-    bool parted = AGAA_AGGREGATES > 1u &&
-                  !agaa_areAllOneSurface(agaa_sampleCount(), samples.covered, agaa_frame.surface.x,
+    bool parted = !agaa_areAllOneSurface(agaa_sampleCount(), samples.covered, agaa_frame.surface.x,
                                          agaa_surfaceWidth(samples));
     if (parted && AGAA_GLOSS_WEIGHT != 0u)
-        agaa_weighNormals(covered);
+        agaa_weighNormals(samples.covered);
     if (parted)
         count = agaa_defineAggregates(agaa_sampleCount(), samples.covered, AGAA_AGGREGATES,
                                       agaa_pixelCharacteristicLength(samples), agaa_frame.cluster.z,
                                       AGAA_SEEDS);
-    uint base = gl_LocalInvocationIndex * AGAA_AGGREGATES;
+    agaa_aggregateCount[lane] = count;
+    uint base = lane * AGAA_AGGREGATES;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
-        agaa_masks[base + a] = a == 0u && count == 1u ? covered : 0u;
+        agaa_masks[base + a] = a == 0u && count == 1u ? samples.covered : 0u;
     if (count > 1u)
-        for (uint left = covered; left != 0u; left &= left - 1u) {
+        for (uint left = samples.covered; left != 0u; left &= left - 1u) {
             uint i = uint(findLSB(left));
             agaa_masks[base + agaa_sampleAggregate[i]] |= 1u << i;
         }
-    agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(covered)));
-    agaa_count(AGAA_COUNT_ONCE, uint(bitCount(covered)));
+}
+
+agaa_PixelWork agaa_countedWork(uint count, uint samples) {
+    agaa_count(AGAA_COUNT_VISIBLE, samples);
+    agaa_count(AGAA_COUNT_ONCE, samples);
     agaa_count(AGAA_COUNT_EVENTS, count);
     agaa_count(AGAA_COUNT_PIXELS, 1u);
-    return agaa_PixelWork((1u << count) - 1u, 0u, uint(bitCount(covered)));
+    return agaa_PixelWork((1u << count) - 1u, 0u, samples);
 }
 
 void agaa_addMaterial(inout agaa_Means m, float weight, AgaaMaterial one) {
@@ -221,14 +231,20 @@ void main() {
     bool waits = covered != 0u;
     for (;;) {
         if (lane == 0u)
-            agaa_listed = agaa_waiting = 0u;
+            agaa_listed = agaa_waiting = agaa_manyCount = 0u;
         for (uint at = lane; at < agaa_listLength; at += 64u)
             agaa_listSamples[at] = 0u;
         barrier();
         uint first = waits ? atomicAdd(agaa_listed, primitives) : 0u;
         bool turn = waits && first + primitives <= agaa_listLength;
-        if (turn)
+        if (turn) {
             agaa_listPrimitives(first, primitives);
+            agaa_aggregateCount[lane] = 1u;
+            agaa_masks[lane * AGAA_AGGREGATES] = covered;
+        }
+        // A primitive is plane: with one there is nothing to group.
+        if (turn && primitives > 1u && AGAA_AGGREGATES > 1u)
+            agaa_many[atomicAdd(agaa_manyCount, 1u)] = lane;
         waits = waits && !turn;
         if (waits)
             atomicAdd(agaa_waiting, 1u);
@@ -239,9 +255,14 @@ void main() {
             if (agaa_listSamples[at] != 0u)
                 agaa_fetchListed(at, corner);
         barrier();
+        if (lane < agaa_manyCount) {
+            uint other = agaa_many[lane];
+            agaa_groupSamples(corner + uvec2(other & 7u, other >> 3u), other);
+        }
+        barrier();
         agaa_PixelWork work = agaa_PixelWork(0u, 0u, 0u);
         if (turn)
-            work = agaa_workOf(pixel, covered);
+            work = agaa_countedWork(agaa_aggregateCount[lane], uint(bitCount(covered)));
         vec3 color = agaa_shadeWork(work, corner);
         if (turn)
             agaa_writePixel(pixel, work, color);
