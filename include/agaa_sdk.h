@@ -332,9 +332,9 @@ typedef struct AgaaViewDesc {
  * library draws nothing: AgaaFrame::draw is not called and may be null, and techniques that aggregate take the tier
  * GBUFFER. Its passes are compiled with a function of the host's that reads a sample; the text is GLSL 450 and
  * defines
- *     bool agaaHostSample(uvec2 pixel, uint i, inout AgaaSample s)
- * which fills s (src/shaders/passes/host_code.glsl, docs/integration.md) and says whether sample i, [0;n), shows
- * geometry. It runs in compute: no implicit derivatives. Its resources, readable by compute when the frame's
+ *     bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m)
+ * which gives depth as the host's depth buffer holds it, and the material (src/shaders/passes/host_code.glsl,
+ * docs/integration.md), and says whether sample i, [0;n), shows geometry. It runs in compute: no implicit derivatives. Its resources, readable by compute when the frame's
  * commands run, are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1], emission in [0;range]
  * of the layout; what is not finite becomes 0. Names beginning with agaa_ and AGAA_ are the library's. Code that
  * does not compile is AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. Not for "msaa". */

@@ -28,11 +28,11 @@ static const char sampleCode[] =
     "layout(binding = 20) uniform sampler2DMS diffuse;\n"
     "layout(binding = 21) uniform sampler2DMS normal;\n"
     "layout(binding = 22) uniform sampler2DMS depth;\n"
-    "bool agaaHostSample(uvec2 pixel, uint i, inout AgaaSample s) {\n"
+    "bool agaaHostSample(uvec2 pixel, uint i, inout float z, inout AgaaMaterial m) {\n"
     "    vec4 n = texelFetch(normal, ivec2(pixel), int(i));\n"
-    "    s.depth = texelFetch(depth, ivec2(pixel), int(i)).x;\n"
-    "    s.diffuse = texelFetch(diffuse, ivec2(pixel), int(i)).rgb;\n"
-    "    s.normal = n.xyz;\n"
+    "    z = texelFetch(depth, ivec2(pixel), int(i)).x;\n"
+    "    m.diffuse = texelFetch(diffuse, ivec2(pixel), int(i)).rgb;\n"
+    "    m.normal = n.xyz;\n"
     "    return n.w > 0.0;\n"
     "}\n";
 

@@ -58,5 +58,15 @@ class Memory(unittest.TestCase):
             self.assertEqual(scene["lights"], 17)
 
 
+class ById(unittest.TestCase):
+    def test_eight_bytes_a_sample_and_nothing_an_aggregate(self):
+        for n in (1, 4, 8, 16, 32):
+            for c in (1, 2, 4):
+                data = harness.data("memory", "--technique", "agaa", "--samples", str(n), "--aggregates", str(c),
+                                    "--tier", "generation=ids")
+                self.assertEqual(data["bytesPerPixel"], 8 * n)
+                self.assertEqual(data["bytesPerAggregate"], 0)
+
+
 if __name__ == "__main__":
     unittest.main()

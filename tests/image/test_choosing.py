@@ -73,6 +73,16 @@ class Choosing(unittest.TestCase):
             row("single", 1, 0, 100, 1e-2, 70)]
         self.assertEqual(self.cells(self.answers(2))[1], "none")
 
+    def test_ways_to_materials_are_told_apart(self):
+        for tier, ms in (("gbuffer", 250), ("ids", 200)):
+            other = row("agaa", 8, 2, ms, 0.905e-3, 90, events=2, shading=125, merging=3e-5)
+            other["tiers"] = {"generation": tier}
+            self.scene["rows"].append(other)
+        self.assertAlmostEqual(choosing.ratios(self.scene, 8)["frame"], 300 / 350)
+        self.assertAlmostEqual(choosing.ratios(self.scene, 8, "gbuffer")["frame"], 300 / 250)
+        self.assertAlmostEqual(choosing.ratios(self.scene, 8, "ids")["frame"], 300 / 200)
+        self.assertTrue(self.cells(self.answers(0))[1].startswith("agaa n=8 c=2 by id"))
+
     def test_ratios_and_the_cost_from_which_agaa_wins(self):
         ratios = choosing.ratios(self.scene, 8)
         self.assertEqual(ratios, {"events": 2, "shading": 1.6, "efficiency": 0.8, "frame": 300 / 350})
@@ -106,7 +116,8 @@ class Choosing(unittest.TestCase):
                                                     "scenes": [self.scene, {"name": "bare", "rows": []}]}]}
         text = choosing.document(results)
         self.assertIn("at most 0.75 of the error of sbaa S=2 on 1 of 1 scenes", text)
-        self.assertIn("| metal (dense) | 8 | 2.00 | 1.60 | 0.80 | 0.86 | not measured | 1.5 | not measured |", text)
+        self.assertIn("| metal (dense) | 8 | 2.00 | 1.60 | 0.80 | 0.86 | not measured | not measured | 1.5 | not measured | "
+                      "not measured |", text)
 
     def test_refuses_what_is_no_sweep(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -63,6 +63,11 @@ TEST(SweepRows, PlansCanBeMade) {
         view.height = 36;
         view.config = &config;
         view.facts = &facts;
+        AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
+        fetch.glsl = "";
+        fetch.maxDraws = fetch.maxPrimitives = 1;
+        if (row.generationTier == AGAA_TIER_IDS)
+            view.pNext = &fetch;
         size_t size = 0;
         EXPECT_EQ(agaaPlanToJson(&view, nullptr, nullptr, &size, nullptr), AGAA_OK) << row.name();
     }

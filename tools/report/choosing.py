@@ -27,11 +27,13 @@ def name(row):
         text += f" n={row['n']}"
     if row["c"]:
         text += f" {'S' if row['technique'] == 'sbaa' else 'c'}={row['c']}"
-    return text + (" from a G-buffer" if is_from_gbuffer(row) else "")
+    return text + {"gbuffer": " from a G-buffer", "ids": " by id"}.get(way(row), "")
 
 
-def is_from_gbuffer(row):
-    return (row["tiers"] or {}).get("generation") == "gbuffer"
+def way(row):
+    """How an aggregating row comes by materials: "gbuffer", "ids", or None, by two passes."""
+    tier = (row["tiers"] or {}).get("generation")
+    return tier if tier in ("gbuffer", "ids") else None
 
 
 def frame(row):
@@ -46,11 +48,10 @@ def rows_of(scene, cost=1):
     return [row for row in scene["rows"] if row["shadingCost"] == cost]
 
 
-def find(scene, technique, n, c=0, cost=1, gbuffer=False):
-    """The row, or None."""
+def find(scene, technique, n, c=0, cost=1, by=None):
+    """The row, or None. by: as way() tells."""
     for row in rows_of(scene, cost):
-        if ((row["technique"], row["n"], row["c"]) == (technique, n, c)
-                and is_from_gbuffer(row) == gbuffer):
+        if (row["technique"], row["n"], row["c"], way(row)) == (technique, n, c, by):
             return row
     return None
 
@@ -131,10 +132,10 @@ def shading(row):
     return (row["stageMs"] or {}).get("shading") or None
 
 
-def ratios(scene, n, gbuffer=False, cost=1):
+def ratios(scene, n, by=None, cost=1):
     """simple_complex by agaa c=2: of events, shading time and frame; or None."""
     a = find(scene, "simple_complex", n, cost=cost)
-    b = find(scene, "agaa", n, 2, cost=cost, gbuffer=gbuffer)
+    b = find(scene, "agaa", n, 2, cost=cost, by=by)
     if a is None or b is None:
         return None
     events = ratio(a["eventsPerCoveredPixel"], b["eventsPerCoveredPixel"])
@@ -142,16 +143,16 @@ def ratios(scene, n, gbuffer=False, cost=1):
     return {"events": events, "shading": times, "efficiency": ratio(times, events), "frame": ratio(frame(a), frame(b))}
 
 
-def win_cost(scene, n, gbuffer=False):
+def win_cost(scene, n, by=None):
     """From which shading cost on agaa's frame is the shorter, by the lines through costs 1 and 4: 0 where it
     is up to 16, infinite where it is not for long; None where it was not measured."""
-    def line(technique, c, from_gbuffer):
-        one, four = (find(scene, technique, n, c, cost, from_gbuffer) for cost in (1, 4))
+    def line(technique, c, way_taken):
+        one, four = (find(scene, technique, n, c, cost, way_taken) for cost in (1, 4))
         if one is None or four is None:
             return None
         slope = (frame(four) - frame(one)) / 3
         return frame(one) - slope, slope
-    a, b = line("simple_complex", 0, False), line("agaa", 2, gbuffer)
+    a, b = line("simple_complex", 0, None), line("agaa", 2, by)
     if a is None or b is None:
         return None
     behind, gain = b[0] - a[0], a[1] - b[1]
@@ -160,8 +161,8 @@ def win_cost(scene, n, gbuffer=False):
     return max(behind / gain, 0.0)
 
 
-def cost_text(scene, n, gbuffer=False):
-    value = win_cost(scene, n, gbuffer)
+def cost_text(scene, n, by=None):
+    value = win_cost(scene, n, by)
     if value is None:
         return "not measured"
     return "any" if value <= 1 else f"{value:.1f}" if value <= 16 else "beyond 16"
@@ -171,12 +172,13 @@ def speed_rows(scenes):
     out = []
     for scene in scenes:
         for n in (8, 32):
-            two, one = ratios(scene, n), ratios(scene, n, gbuffer=True)
+            two, one, ids = (ratios(scene, n, by) for by in (None, "gbuffer", "ids"))
             if two is None:
                 continue
             out.append([scene["name"] + (" (dense)" if scene["name"] in DENSE else ""), n,
                         shown(two["events"]), shown(two["shading"]), shown(two["efficiency"]), shown(two["frame"]),
-                        shown(one and one["frame"]), cost_text(scene, n), cost_text(scene, n, True)])
+                        shown(one and one["frame"]), shown(ids and ids["frame"]), cost_text(scene, n),
+                        cost_text(scene, n, "gbuffer"), cost_text(scene, n, "ids")])
     return out
 
 
@@ -205,7 +207,8 @@ def speed_sentences(scenes):
     lines = []
     for n in (8, 32):
         two = {s["name"]: r for s in scenes if (r := ratios(s, n))}
-        one = {s["name"]: r for s in scenes if (r := ratios(s, n, gbuffer=True))}
+        one = {s["name"]: r for s in scenes if (r := ratios(s, n, "gbuffer"))}
+        ids = {s["name"]: r for s in scenes if (r := ratios(s, n, "ids"))}
         if not two:
             continue
         dense = [two[s] for s in DENSE if s in two]
@@ -214,7 +217,8 @@ def speed_sentences(scenes):
             f"on the dense scenes {span([r['shading'] for r in dense])}; that is "
             f"{span([r['efficiency'] for r in two.values()])} of the ratio of their shading events "
             f"(the paper: {PAPER_EFFICIENCY}). Whole frame: {span([r['frame'] for r in two.values()])} with two "
-            f"geometry passes, {span([r['frame'] for r in one.values()])} from a G-buffer.")
+            f"geometry passes, {span([r['frame'] for r in one.values()])} from a G-buffer, "
+            f"{span([r['frame'] for r in ids.values()])} by id.")
     return lines
 
 
@@ -240,10 +244,11 @@ def document(results):
         for title, asked, limits, pick in QUESTIONS:
             lines += [f"### {title}", ""] + by_scene(scenes, asked, limits, pick)
         lines += ["### simple\\_complex by agaa c=2", "",
-                  "Ratios above 1 are for `agaa`. The last two columns: how many times heavier than with the "
+                  "Ratios above 1 are for `agaa`. The last three columns: how many times heavier than with the "
                   "scene's own lights shading must be for `agaa` to have the shorter frame.", ""]
         lines += table(["scene", "n", "events", "shading", "shading by events", "frame, two passes",
-                        "frame, from a G-buffer", "wins from, two passes", "wins from, G-buffer"], speeds)
+                        "frame, from a G-buffer", "frame, by id", "wins from, two passes", "wins from, G-buffer",
+                        "wins from, by id"], speeds)
         lines += ["### What merging costs at n=8", "", "Mean squares after tone mapping against `ssaa` n=8.", ""]
         lines += table(["scene", "agaa c=2", "sbaa S=2", "sbaa S=4", "agaa / sbaa S=2", "at most 0.75",
                         "at most sbaa S=4"], merges)

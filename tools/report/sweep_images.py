@@ -64,7 +64,7 @@ def rank(row):
     place = FIRST_TECHNIQUES.index(technique) if technique in FIRST_TECHNIQUES else 7
     place += 10 * (FIRST_N.index(n) if n in FIRST_N else 0 if n in (0, 1, None) else 4)
     tiers = row.get("tiers")
-    if isinstance(tiers, dict) and tiers.get("generation") == "gbuffer":
+    if isinstance(tiers, dict) and tiers.get("generation") in ("gbuffer", "ids"):
         place += 50  # looks as with two passes
     return place + (0 if c in (0, 2, None) else 100)
 

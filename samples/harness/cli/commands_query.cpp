@@ -59,6 +59,15 @@ AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& fa
     view.config = &configuration.config;
     view.facts = &facts;
     view.flags = reversedZ && !configuration.isModel ? AGAA_VIEW_REVERSED_Z : 0;
+    // Plans depend on there being functions, not on what they say.
+    static const AgaaFetchFunction fetch = [] {
+        AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
+        function.glsl = "";
+        function.maxDraws = function.maxPrimitives = 1u << 15;
+        return function;
+    }();
+    if (configuration.config.generationTier == AGAA_TIER_IDS)
+        view.pNext = &fetch;
     return view;
 }
 

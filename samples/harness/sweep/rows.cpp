@@ -29,7 +29,7 @@ void SweepRow::apply(AgaaConfig& config) const {
 std::vector<SweepRow> sweepRows(bool quick) {
     if (quick)
         return {{"single"}, {"fxaa"}, {"msaa", 8}, {"ssaa", 8}, {"simple_complex", 8}, {"sbaa", 8, 2},
-                {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}};
+                {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}, {"agaa", 8, 2, 1, AGAA_TIER_IDS}};
     std::vector<SweepRow> rows = {{"single"}, {"fxaa"}, {"msaa", 4}, {"msaa", 8}};
     for (uint32_t n : {4u, 8u, 16u, 32u}) {
         rows.push_back({"ssaa", n});
@@ -44,7 +44,8 @@ std::vector<SweepRow> sweepRows(bool quick) {
             if (c == 2 || n == 8 || (n == 32 && c == 4))
                 rows.push_back({"agaa", n, c});
     for (uint32_t n : {8u, 32u})
-        rows.push_back({"agaa", n, 2, 1, AGAA_TIER_GBUFFER});
+        for (AgaaTier tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
+            rows.push_back({"agaa", n, 2, 1, tier});
     rows.push_back({"sbaa", 8, 2, 1, AGAA_TIER_GBUFFER});
     // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
     const auto addHeavier = [&](SweepRow row, std::initializer_list<uint32_t> costs) {
@@ -53,7 +54,8 @@ std::vector<SweepRow> sweepRows(bool quick) {
             rows.push_back(row);
         }
     };
-    for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}})
+    for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
+                                {"agaa", 8, 2, 1, AGAA_TIER_IDS}})
         addHeavier(row, {4, 16});
     for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"sbaa", 8, 2}, {"simple_complex", 32}, {"agaa", 32, 2}})
         addHeavier(row, {4});

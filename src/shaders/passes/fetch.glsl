@@ -2,7 +2,7 @@
 #ifndef AGAA_FETCH_GLSL
 #define AGAA_FETCH_GLSL
 #include "math/barycentrics.glsl"
-#include "math/ndf.glsl"
+#include "passes/host_samples.glsl"
 
 // Four bytes: each is exact in an 8-bit channel, on every device at every sample count.
 layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_ids;
@@ -41,8 +41,7 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
     return away > 0.0 ? -n : n;
 }
 
-// At a place in the pixel. What the function leaves alone is as in agaa_surfaceInput(); what is not finite becomes 0
-// (hard case 37).
+// At a place in the pixel.
 AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, vec2 place) {
     vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
     vec2 ndc = (vec2(pixel) + place) / pixelsPerNdc - 1.0;
@@ -51,17 +50,9 @@ AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, vec2 place) {
     p.dx = b.dx;
     p.dy = b.dy;
     p.facing = b.facing;
-    AgaaMaterial m = AgaaMaterial(vec3(0.5), vec3(0.04), vec3(0.0), vec3(0.0, 0.0, 1.0), 1.0);
+    AgaaMaterial m = agaa_defaultMaterial();
     agaaHostMaterial(p, m);
-    uint bad = 0u;
-    m.diffuse = agaa_sanitise3(m.diffuse, 0.0, 1.0, bad);
-    m.specular = agaa_sanitise3(m.specular, 0.0, 1.0, bad);
-    m.emissive = agaa_sanitise3(m.emissive, 0.0, agaa_frame.ambient.w, bad);
-    m.normal = agaa_sanitise3(m.normal, -1.0, 1.0, bad);
-    float l2 = dot(m.normal, m.normal);
-    m.normal = l2 > 1e-12 ? m.normal * inversesqrt(l2) : vec3(0.0, 0.0, 1.0);
-    m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
-    agaa_count(AGAA_COUNT_SANITISED, bad);
+    agaa_count(AGAA_COUNT_SANITISED, agaa_sanitiseMaterial(m));
     return m;
 }
 #endif

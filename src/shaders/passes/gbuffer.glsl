@@ -7,14 +7,14 @@
 #include "passes/host_samples.glsl"
 
 #ifdef AGAA_HOST_GBUFFER
-AgaaSample agaa_fetched; // the one fetched last
+AgaaMaterial agaa_fetched; // of the sample fetched last
 
-bool agaa_fetchSample(uvec2 pixel, uint i) { return agaa_readHost(pixel, i, agaa_fetched); }
-
-bool agaa_isCovered(uvec2 pixel, uint i) {
-    AgaaSample s;
-    return agaa_readHost(pixel, i, s);
+bool agaa_fetchSample(uvec2 pixel, uint i) {
+    float depth;
+    return agaa_readHost(pixel, i, depth, agaa_fetched);
 }
+
+bool agaa_isCovered(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
 
 vec2 agaa_normalCode() { return agaa_encodeOct(agaa_fetched.normal, AGAA_SOURCE_NORMAL_X >> 16); }
 vec3 agaa_fetchedNormal() { return agaa_fetched.normal; }

@@ -9,10 +9,8 @@ ivec2 agaaTexel(uvec2 pixel, uint i) {
 }
 int agaaTexelSample(uint i) { return int(i % AGAA_HW_SAMPLES); }
 
-#ifdef AGAA_HOST_GBUFFER
-// A sample of the host's G-buffer; the members are those of AgaaSurfaceInput.
-struct AgaaSample {
-    float depth; // as the host's depth buffer holds it
+#if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH)
+struct AgaaMaterial { // the members are those of AgaaSurfaceInput
     vec3 diffuse;
     vec3 specular;
     vec3 emissive;
@@ -29,13 +27,6 @@ struct AgaaPrimitive {
     vec3 at;      // weights of the vertices at the point, perspective-correct, [0;1]
     vec3 dx, dy;  // what the weights grow by from one pixel of the image to the next
     float facing; // > 0 where a, b, c turn from x to y of the image, < 0 where the other way
-};
-struct AgaaMaterial { // the members are those of AgaaSurfaceInput
-    vec3 diffuse;
-    vec3 specular;
-    vec3 emissive;
-    vec3 normal; // shading space, unit
-    float alpha2;
 };
 #endif
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH) || defined(AGAA_HOST_SHADOWS)

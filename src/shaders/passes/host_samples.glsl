@@ -1,23 +1,41 @@
-// Samples of a G-buffer that a function of the host's reads.
+// Materials that functions of the host's give, and samples of a G-buffer of its own.
 #ifndef AGAA_HOST_SAMPLES_GLSL
 #define AGAA_HOST_SAMPLES_GLSL
 #include "math/ndf.glsl"
-#ifdef AGAA_HOST_GBUFFER
-// What the function leaves alone is as in agaa_surfaceInput(); what is not finite becomes 0 (hard case 37).
-bool agaa_readHost(uvec2 pixel, uint i, out AgaaSample s) {
-    s = AgaaSample(0.0, vec3(0.5), vec3(0.04), vec3(0.0), vec3(0.0, 0.0, 1.0), 1.0);
-    if (!agaaHostSample(pixel, i, s))
-        return false;
+#if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH)
+// What functions leave alone; as in agaa_surfaceInput().
+AgaaMaterial agaa_defaultMaterial() {
+    return AgaaMaterial(vec3(0.5), vec3(0.04), vec3(0.0), vec3(0.0, 0.0, 1.0), 1.0);
+}
+
+// What is not finite becomes 0 (hard case 37). Returns 1 where something was not.
+uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
     uint bad = 0u;
-    s.depth = agaa_sanitise(s.depth, 0.0, 1.0, bad);
-    s.diffuse = agaa_sanitise3(s.diffuse, 0.0, 1.0, bad);
-    s.specular = agaa_sanitise3(s.specular, 0.0, 1.0, bad);
-    s.emissive = agaa_sanitise3(s.emissive, 0.0, agaa_frame.ambient.w, bad);
-    s.normal = agaa_sanitise3(s.normal, -1.0, 1.0, bad);
-    float l2 = dot(s.normal, s.normal);
-    s.normal = l2 > 1e-12 ? s.normal * inversesqrt(l2) : vec3(0.0, 0.0, 1.0);
-    s.alpha2 = agaa_sanitise(s.alpha2, agaa_minAlpha2(), 1.0, bad);
+    m.diffuse = agaa_sanitise3(m.diffuse, 0.0, 1.0, bad);
+    m.specular = agaa_sanitise3(m.specular, 0.0, 1.0, bad);
+    m.emissive = agaa_sanitise3(m.emissive, 0.0, agaa_frame.ambient.w, bad);
+    m.normal = agaa_sanitise3(m.normal, -1.0, 1.0, bad);
+    float l2 = dot(m.normal, m.normal);
+    m.normal = l2 > 1e-12 ? m.normal * inversesqrt(l2) : vec3(0.0, 0.0, 1.0);
+    m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
+    return bad;
+}
+#endif
+#ifdef AGAA_HOST_GBUFFER
+bool agaa_readHost(uvec2 pixel, uint i, out float depth, out AgaaMaterial material) {
+    depth = 0.0;
+    material = agaa_defaultMaterial();
+    if (!agaaHostSample(pixel, i, depth, material))
+        return false;
+    uint bad = agaa_sanitiseMaterial(material);
+    depth = agaa_sanitise(depth, 0.0, 1.0, bad);
     return true;
+}
+
+bool agaa_hostShows(uvec2 pixel, uint i) {
+    float depth;
+    AgaaMaterial material;
+    return agaa_readHost(pixel, i, depth, material);
 }
 #endif
 #endif

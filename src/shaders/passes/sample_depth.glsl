@@ -4,9 +4,10 @@
 #include "passes/host_samples.glsl"
 #ifdef AGAA_HOST_GBUFFER
 float agaa_depthOf(uvec2 pixel, uint i) {
-    AgaaSample s;
-    agaa_readHost(pixel, i, s);
-    return s.depth;
+    float depth;
+    AgaaMaterial material;
+    agaa_readHost(pixel, i, depth, material);
+    return depth;
 }
 #else
 layout(AGAA_AT_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;

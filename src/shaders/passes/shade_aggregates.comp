@@ -18,10 +18,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #if AGAA_COUNTING
 #ifdef AGAA_HOST_GBUFFER
-bool agaa_isVisible(uvec2 pixel, uint i) {
-    AgaaSample s;
-    return agaa_readHost(pixel, i, s);
-}
+bool agaa_isVisible(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
 #else
 layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
 

@@ -30,17 +30,17 @@ std::string functionText(const AgaaLayout& hostLayout, uint64_t facts) {
     const auto channels = [&](int first) {
         return "vec3(" + channel(first) + ", " + channel(first + 1) + ", " + channel(first + 2) + ")";
     };
-    text += "bool agaaHostSample(uvec2 pixel, uint i, inout AgaaSample s) {\n"
+    text += "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) {\n"
             "    ivec2 texel = agaaTexel(pixel, i);\n    int sub = agaaTexelSample(i);\n"
             "    vec2 code = vec2(" +
             channel(ChannelNormalX) + ", " + channel(ChannelNormalY) + ");\n    if (code.x == 0.0)\n        return false;\n";
-    text += format("    s.depth = texelFetch(host%zu, texel, sub).x;\n", count);
-    text += format("    s.normal = agaa_decodeOct(code, %uu);\n", packing.fields[ChannelNormalX].bits);
-    text += "    s.diffuse = " + channels(ChannelDiffuseR) + ";\n";
-    text += "    s.specular = " + channels(ChannelSpecularR) + ";\n";
-    text += "    s.alpha2 = " + channel(ChannelRoughness) + ";\n";
-    text += format("    s.emissive = %f * ", double(layout.emissiveRange())) +
-            (layout[AGAA_SEMANTIC_EMISSIVE].channels == 1 ? channel(ChannelEmissiveR) + " * s.diffuse"
+    text += format("    depth = texelFetch(host%zu, texel, sub).x;\n", count);
+    text += format("    m.normal = agaa_decodeOct(code, %uu);\n", packing.fields[ChannelNormalX].bits);
+    text += "    m.diffuse = " + channels(ChannelDiffuseR) + ";\n";
+    text += "    m.specular = " + channels(ChannelSpecularR) + ";\n";
+    text += "    m.alpha2 = " + channel(ChannelRoughness) + ";\n";
+    text += format("    m.emissive = %f * ", double(layout.emissiveRange())) +
+            (layout[AGAA_SEMANTIC_EMISSIVE].channels == 1 ? channel(ChannelEmissiveR) + " * m.diffuse"
                                                           : channels(ChannelEmissiveR)) +
             ";\n    return true;\n}\n";
     return text;
@@ -104,7 +104,7 @@ TEST(GlHostGBuffer, BadOnesAreRefusedInASentence) {
     expectOneSentence(context.lines, AGAA_ERROR_INVALID_ARGUMENT, "no GLSL", "AgaaGBufferFunction::glsl");
     sharedEgl().takeMessages(); // of the compiler
     context.lines.clear();
-    function.glsl = "bool agaaHostSample(uvec2 pixel, uint i, inout AgaaSample s) { return false; }";
+    function.glsl = "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }";
     function.descriptorSetLayout = 1;
     EXPECT_EQ(agaaGlCreateView(context.get(), &desc, &view), AGAA_ERROR_INVALID_ARGUMENT);
     expectOneSentence(context.lines, AGAA_ERROR_INVALID_ARGUMENT, "a set layout", "Vulkan");

@@ -197,17 +197,7 @@ TEST(ShadowFunction, BadOnesAreRefusedInASentence) {
         function.shadows = 1;
         row.spoil(function);
         const ViewSettings settings = settingsFor("agaa", function, 1);
-        AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
-        desc.width = desc.height = 16;
-        desc.config = &settings.config;
-        desc.facts = &settings.facts;
-        desc.pNext = &function;
-        AgaaView view = nullptr;
-        context.lines.clear();
-        EXPECT_EQ(agaaVkCreateView(context.get(), &desc, &view), row.code) << row.what;
-        ASSERT_EQ(context.lines.size(), 1u) << row.what;
-        EXPECT_EQ(context.lines[0].text.back(), '.') << context.lines[0].text;
-        EXPECT_EQ(context.lines[0].text.find('\n'), std::string::npos);
+        expectRefused(context, settings, row.code, row.what);
     }
 }
 

@@ -118,6 +118,20 @@ StageContext::~StageContext() {
         ADD_FAILURE() << message.id << ": " << message.text;
 }
 
+std::string expectRefused(StageContext& context, const ViewSettings& settings, AgaaResult code, const char* what) {
+    const AgaaViewDesc desc = viewDesc(settings);
+    AgaaView view = nullptr;
+    context.lines.clear();
+    EXPECT_EQ(agaaVkCreateView(context.get(), &desc, &view), code) << what;
+    EXPECT_EQ(context.lines.size(), 1u) << what;
+    if (context.lines.empty())
+        return {};
+    const std::string& text = context.lines[0].text;
+    EXPECT_EQ(text.back(), '.') << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    return text;
+}
+
 ShadowLayers::ShadowLayers(const std::vector<float>& layers, uint32_t size)
     : arena_(sharedDevice()) {
     VkImageCreateInfo info{};

@@ -48,6 +48,9 @@ private:
     AgaaDeviceCaps caps_ = AGAA_DEVICE_CAPS_INIT;
 };
 
+// Making a view of these settings fails with this code and one sentence, which is returned. what: told in failures.
+std::string expectRefused(StageContext& context, const ViewSettings& settings, AgaaResult code, const char* what);
+
 // Depth array images for AgaaVkFrame::shadowViews, each layer filled with one value.
 class ShadowLayers {
 public:
