@@ -276,8 +276,8 @@ typedef struct AgaaConfig {
     uint32_t litShadows;
     uint64_t flags;           /* AGAA_CONFIG_… */
     /* Of the tiers GBUFFER and IDS, which know materials when they group samples. Shading normals differ by
-     * glossWeight / alpha as much in equation 1, [1;20], alpha of GGX: what shines narrowly is parted sooner. [0;16];
-     * 0: by normals alone. */
+     * glossWeight / alpha as much in equation 1, [1;20], alpha of GGX, up to the term's largest value of 1; equal normals of different gloss
+     * differ too. What shines narrowly is parted sooner. [0;16]; 0: by normals alone. */
     float glossWeight;
     uint32_t reserved; /* 0 */
 } AgaaConfig;
@@ -356,7 +356,7 @@ typedef struct AgaaGBufferFunction {
 
 /* Chained to AgaaViewDesc: materials by id, for the tier IDS, which AUTO then is. The visibility pass leaves, beside
  * depth, which draw and primitive each sample shows (AgaaSurfaceInput::draw, ::primitive); the only other pass finds
- * the primitives of a pixel, groups its samples, evaluates the material of each primitive once an aggregate and
+ * the primitives of a pixel, evaluates the material of each once, in the middle of its samples, groups these and
  * shades. It is compiled with functions of the host's; the text is GLSL 450 and defines
  *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)

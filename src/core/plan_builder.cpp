@@ -191,7 +191,7 @@ void PlanBuilder::setConstants() {
     c[AGAA_HAS_SPECULAR] = plan.layout.has(AGAA_SEMANTIC_SPECULAR);
     c[AGAA_HAS_AMBIENT] = hasFact(AGAA_FACT_AMBIENT);
     c[AGAA_SHADING_COST] = config.shadingCost;
-    c[AGAA_GLOSS_WEIGHT] = std::bit_cast<uint32_t>(config.glossWeight);
+    c[AGAA_GLOSS_WEIGHT] = config.glossWeight > 0 ? std::bit_cast<uint32_t>(config.glossWeight) : 0; // not -0
     c[AGAA_SHOW_EVENTS] = (config.flags & AGAA_CONFIG_SHOW_EVENTS) != 0;
 }
 
@@ -355,7 +355,8 @@ void PlanBuilder::bindHostGBuffer(Pass& pass) {
 
 void PlanBuilder::bindHostFetch(Pass& pass) {
     addHostCode(pass, fetchFunction_, "AgaaFetchFunction::glsl");
-    pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n", plan.primitiveBits);
+    pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n",
+                           plan.primitiveBits, plan.clipZFromMinusOne);
 }
 
 ResourceId PlanBuilder::output() {

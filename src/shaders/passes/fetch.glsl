@@ -23,6 +23,9 @@ AgaaPrimitive agaa_primitive(uint id) {
 }
 
 vec3 agaa_vertexViewPosition(vec4 clip) {
+#if AGAA_CLIP_Z_FROM_MINUS_ONE
+    clip.z = 0.5 * (clip.z + clip.w);
+#endif
     if (agaa_isOrthographic() != 0u)
         return vec3((clip.xy - agaa_frame.projection0.zw) / agaa_frame.projection0.xy,
                     (clip.z - agaa_frame.projection1.y) / agaa_frame.projection1.x);
@@ -37,7 +40,7 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
     if (!(size > 0.0) || isinf(size))
         return vec3(0.0, 0.0, 1.0);
     n = normalize(n / size);
-    float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, a / max(abs(a.x), max(abs(a.y), abs(a.z))));
+    float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, a / max(max(abs(a.x), max(abs(a.y), abs(a.z))), 1e-30));
     return away > 0.0 ? -n : n;
 }
 
