@@ -208,8 +208,9 @@ typedef struct AgaaGlFrame {
  * untouched. Active transform feedback that is not paused is AGAA_ERROR_WRONG_ORDER. Not to be called with
  * conditional rendering or a query of GL_TIME_ELAPSED active. Other errors of OpenGL's are not looked for: they
  * are left to the host's glGetError. Functions of the host's (AgaaGBufferFunction, AgaaFetchFunction,
- * AgaaShadowFunction) find their resources as bound on entry, or where the host draws, when the last draw callback returns: texture units from 17
- * and other binding points from 4 are left alone, but for the places named in AgaaGlContextDesc. */
+ * AgaaShadowFunction) find their resources as bound on entry, or where the host draws, when the last draw callback
+ * returns: texture units from 17 and other binding points from 4 are left alone, but for the places named in
+ * AgaaGlContextDesc. */
 AGAA_API AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame,
                                                 const AgaaGlFrame* glFrame);
 

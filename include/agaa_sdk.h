@@ -276,8 +276,8 @@ typedef struct AgaaConfig {
     uint32_t litShadows;
     uint64_t flags;           /* AGAA_CONFIG_… */
     /* Of the tiers GBUFFER and IDS, which know materials when they group samples. Shading normals differ by
-     * glossWeight / alpha as much in equation 1, [1;20], alpha of GGX, up to the term's largest value of 1; equal normals of different gloss
-     * differ too. What shines narrowly is parted sooner. [0;16]; 0: by normals alone. */
+     * glossWeight / alpha as much in equation 1, [1;20], alpha of GGX, up to the term's largest value of 1; equal
+     * normals of different gloss differ too. What shines narrowly is parted sooner. [0;16]; 0: by normals alone. */
     float glossWeight;
     uint32_t reserved; /* 0 */
 } AgaaConfig;
@@ -334,8 +334,8 @@ typedef struct AgaaViewDesc {
  * defines
  *     bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m)
  * which gives depth as the host's depth buffer holds it, and the material (src/shaders/passes/host_code.glsl,
- * docs/integration.md), and says whether sample i, [0;n), shows geometry. It runs in compute: no implicit derivatives. Its resources, readable by compute when the frame's
- * commands run, are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1], emission in [0;range]
+ * docs/integration.md), and says whether sample i, [0;n), shows geometry. It runs in compute: no implicit
+ * derivatives. Its resources, readable by compute when the frame's commands run, are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1], emission in [0;range]
  * of the layout; what is not finite becomes 0. Names beginning with agaa_ and AGAA_ are the library's. Code that
  * does not compile is AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. Not for "msaa". */
 typedef struct AgaaGBufferFunction {

@@ -108,6 +108,9 @@ static bool isMisplaced(const AgaaFrameValidation& v) { return v.misplaced > v.v
 
 // What was found and what usually causes it, the more basic mistake first.
 static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses) {
+    if (v.visible == 0 && geometryPasses == 0)
+        return "Nothing is visible: agaaHostSample says of no sample that it shows geometry. Usual causes: its "
+               "resources are not those that were drawn, or were not readable by compute yet.";
     if (v.visible == 0)
         return "Nothing is visible: the first geometry pass drew nothing into the target. Usual causes: framebuffer, "
                "viewport or projection are not those of the pass, the depth test is not that of "
@@ -129,6 +132,9 @@ static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses
     if (v.multi)
         return "Samples were written twice or where nothing is visible. Usual causes: objects are drawn that "
                "the prepass left out with the depth test off, or an alpha mask differs between the passes.";
+    if (geometryPasses == 0)
+        return "Every sample that agaaHostSample shows was accumulated exactly once. Whether its depth fits AgaaFrame's "
+               "camera cannot be told.";
     if (geometryPasses == 1)
         return "Every visible sample was written exactly once, by the only geometry pass: there is no other that "
                "it could disagree with. Its fragments lie where AgaaFrame's camera puts them.";

@@ -121,8 +121,7 @@ struct Plan {
     Layout layout;
     uint32_t functionShadows = 0;     // bit i: the host's function answers for shadow i
     bool hostGBuffer = false;         // the host draws it; a function of the host's reads its samples
-    bool fetches = false;             // materials by id, by functions of the host's
-    uint32_t maxDraws = 0, maxPrimitives = 0; // that ids tell apart
+    uint32_t maxDraws = 0, maxPrimitives = 0; // that ids tell apart; 0: nothing fetches materials by id
     uint32_t primitiveBits = 0;       // of an id, the low ones
     std::vector<float> samplePositions; // n pairs, where the host says them
     uint64_t functionSetLayout = 0;   // of set 1 in passes with code of the host's

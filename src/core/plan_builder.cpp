@@ -92,7 +92,6 @@ void PlanBuilder::readFunctions(const AgaaViewDesc& view) {
         require(!plan.hostGBuffer, AGAA_ERROR_INVALID_ARGUMENT,
                 "the view has an AgaaGBufferFunction and an AgaaFetchFunction; materials come by one of them.");
         takeSetLayout(function->descriptorSetLayout);
-        plan.fetches = true;
         plan.maxDraws = function->maxDraws;
         plan.maxPrimitives = function->maxPrimitives;
         plan.primitiveBits = uint32_t(std::bit_width(function->maxPrimitives - 1));
@@ -110,7 +109,7 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
         return;
     }
     const uint32_t forced = plan.config.generationTier;
-    const bool takesIds = technique.takesIds && plan.fetches;
+    const bool takesIds = technique.takesIds && plan.maxDraws > 0;
     if (forced == AGAA_TIER_IDS && !takesIds)
         fail(AGAA_ERROR_UNSUPPORTED,
              format("generation cannot run: %s.", technique.takesIds ? "the tier ids needs an AgaaFetchFunction"
@@ -355,7 +354,8 @@ void PlanBuilder::bindHostGBuffer(Pass& pass) {
 
 void PlanBuilder::bindHostFetch(Pass& pass) {
     addHostCode(pass, fetchFunction_, "AgaaFetchFunction::glsl");
-    pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n",
+    pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
+                           "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n",
                            plan.primitiveBits, plan.clipZFromMinusOne);
 }
 
