@@ -15,6 +15,12 @@ std::string SweepRow::name() const {
         text << "-cost" << shadingCost;
     if (generationTier != AGAA_TIER_AUTO)
         text << '-' << agaaTierName(generationTier);
+    if (litShadows)
+        text << "-lit" << litShadows;
+    if (glossWeight > 0)
+        text << "-gloss" << glossWeight;
+    if (aggregateThreshold > 0)
+        text << "-t" << aggregateThreshold;
     return text.str();
 }
 
@@ -24,6 +30,9 @@ void SweepRow::apply(AgaaConfig& config) const {
     config.aggregates = std::max(aggregates, 1u);
     config.shadingCost = shadingCost;
     config.generationTier = generationTier;
+    config.litShadows = litShadows;
+    config.glossWeight = glossWeight;
+    config.aggregateThreshold = aggregateThreshold;
 }
 
 std::vector<SweepRow> sweepRows(bool quick) {
@@ -47,6 +56,13 @@ std::vector<SweepRow> sweepRows(bool quick) {
         for (AgaaTier tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
             rows.push_back({"agaa", n, 2, 1, tier});
     rows.push_back({"sbaa", 8, 2, 1, AGAA_TIER_GBUFFER});
+    // What adaptive and lit aggregates and the weight of gloss do, each added to those before.
+    rows.push_back({"agaa", 8, 4, 1, AGAA_TIER_IDS, 0, 0, 0.1f});
+    rows.push_back({"agaa", 8, 1, 1, AGAA_TIER_IDS, 1, 0.5f});
+    for (uint32_t n : {8u, 32u}) {
+        rows.push_back({"agaa", n, 2, 1, AGAA_TIER_IDS, 1, 0.5f});
+        rows.push_back({"agaa", n, 4, 1, AGAA_TIER_IDS, 1, 0.5f, 0.1f});
+    }
     // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
     const auto addHeavier = [&](SweepRow row, std::initializer_list<uint32_t> costs) {
         for (uint32_t cost : costs) {
@@ -57,7 +73,8 @@ std::vector<SweepRow> sweepRows(bool quick) {
     for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
                                 {"agaa", 8, 2, 1, AGAA_TIER_IDS}})
         addHeavier(row, {4, 16});
-    for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"sbaa", 8, 2}, {"simple_complex", 32}, {"agaa", 32, 2}})
+    for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"sbaa", 8, 2}, {"simple_complex", 32}, {"agaa", 32, 2},
+                                {"agaa", 32, 2, 1, AGAA_TIER_IDS}})
         addHeavier(row, {4});
     return rows;
 }

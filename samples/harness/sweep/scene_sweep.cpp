@@ -64,7 +64,7 @@ json SceneSweep::run() {
     step("counters");
     countEvents();
     step("images"); // and warm-up: makes the views of the timed frames, of which enough are kept, and compiles
-    takeTurn(0, 0, [](Measured& m, RenderResult& result) { m.still = std::move(result); });
+    takeTurn(0, 0, true, [](Measured& m, RenderResult& result) { m.still = std::move(result); });
     measureErrors();
     measureFrames();
     measurePasses();
@@ -88,6 +88,10 @@ json SceneSweep::run() {
 // Shown as a light of a quarter each: one event is mid-grey, eight are near white.
 void SceneSweep::countEvents() {
     for (Measured& m : rows_) {
+        if (const Measured* same = sameButCost(m)) {
+            m.counters = same->counters;
+            continue;
+        }
         const bool showsEvents = m.row.technique != "msaa";
         RenderResult result =
             render(m.row, AGAA_CONFIG_COUNTERS | (showsEvents ? AGAA_CONFIG_SHOW_EVENTS : 0));
@@ -100,10 +104,22 @@ void SceneSweep::countEvents() {
     }
 }
 
-void SceneSweep::takeTurn(uint32_t round, uint64_t flags,
+// The table has rows of heavier lighting after those that they repeat.
+const SceneSweep::Measured* SceneSweep::sameButCost(const Measured& row) const {
+    SweepRow same = row.row;
+    same.shadingCost = 1;
+    for (const Measured* m = rows_.data(); m != &row; ++m)
+        if (isHeavier(row.row) && m->row.name() == same.name())
+            return m;
+    return nullptr;
+}
+
+void SceneSweep::takeTurn(uint32_t round, uint64_t flags, bool withHeavier,
                           const std::function<void(Measured&, RenderResult&)>& keep) {
     for (size_t i = 0; i < rows_.size(); ++i) {
         Measured& m = rows_[round % 2 ? rows_.size() - 1 - i : i];
+        if (isHeavier(m.row) && !withHeavier)
+            continue;
         RenderResult result = render(m.row, flags);
         keep(m, result);
     }
@@ -140,7 +156,7 @@ void SceneSweep::measureFrames() {
         step("times of frames");
         base_.jitter = pixelOffset(round);
         const Reference* reference = options_.temporalSamples ? &temporalReference("shift", round) : nullptr;
-        takeTurn(round, 0, [&](Measured& m, RenderResult& result) {
+        takeTurn(round, 0, round < options_.heavierRounds, [&](Measured& m, RenderResult& result) {
             m.frameMs.insert(m.frameMs.end(), result.frameMs.begin(), result.frameMs.end());
             if (reference && !isHeavier(m.row))
                 shifts[&m].add(result.image, reference->image);
@@ -153,10 +169,11 @@ void SceneSweep::measureFrames() {
 }
 
 void SceneSweep::measurePasses() {
-    takeTurn(0, AGAA_CONFIG_TIMESTAMPS, [](Measured&, RenderResult&) {}); // warm-up
+    takeTurn(0, AGAA_CONFIG_TIMESTAMPS, true, [](Measured&, RenderResult&) {}); // warm-up
     for (uint32_t round = 0; round < options_.timedRounds; ++round) {
         step("times of passes");
-        takeTurn(round, AGAA_CONFIG_TIMESTAMPS, [](Measured& m, RenderResult& result) {
+        const bool withHeavier = round < options_.heavierTimedRounds;
+        takeTurn(round, AGAA_CONFIG_TIMESTAMPS, withHeavier, [](Measured& m, RenderResult& result) {
             m.timed.insert(m.timed.end(), result.statistics.begin(), result.statistics.end());
         });
     }
@@ -261,6 +278,9 @@ json SceneSweep::rowJson(const Measured& m) const {
             {"n", m.row.samples},
             {"c", m.row.aggregates},
             {"shadingCost", m.row.shadingCost},
+            {"litShadows", m.row.litShadows},
+            {"glossWeight", m.row.glossWeight},
+            {"aggregateThreshold", m.row.aggregateThreshold},
             {"tiers", tiers},
             {"frameMs", quantiles(m.frameMs)},
             {"passes", passes},

@@ -16,6 +16,7 @@ struct SweepOptions {
     uint32_t rounds = 5;      // of frames without times of passes, each shifted by another part of a pixel; the
                               // rows take turns, forth and back
     uint32_t timedRounds = 2; // of frames with them
+    uint32_t heavierRounds = 3, heavierTimedRounds = 1; // as many of these are with the rows of heavier lighting too
     uint32_t pathFrames = 3;  // of a camera path
     uint32_t referenceSamples = 512;
     uint32_t temporalSamples = 32; // of the references of shifts and of the path; 0: no errors over time
@@ -49,8 +50,10 @@ private:
 
     RenderResult render(const SweepRow& row, uint64_t flags = 0);
     void countEvents(); // and shows them
-    // Renders all rows; forth, or back in odd rounds.
-    void takeTurn(uint32_t round, uint64_t flags, const std::function<void(Measured&, RenderResult&)>& keep);
+    const Measured* sameButCost(const Measured& row) const; // of those that are counted; or null
+    // Renders all rows, or all but those of heavier lighting; forth, or back in odd rounds.
+    void takeTurn(uint32_t round, uint64_t flags, bool withHeavier,
+                  const std::function<void(Measured&, RenderResult&)>& keep);
     void measureErrors();
     void measureFrames(); // their times, and errors over sub-pixel shifts
     void measurePasses();
