@@ -226,7 +226,8 @@ typedef enum AgaaTier {
     AGAA_TIER_NV_MIXED_SAMPLES = 16,  /* the paper's: additive blending with coverage override */
     AGAA_TIER_POST_DEPTH_ATOMICS = 17, /* fragment coverage after the depth test, integer atomics */
     AGAA_TIER_PER_SAMPLE = 18,         /* one invocation per sample, integer atomics */
-    AGAA_TIER_GBUFFER = 19,            /* one geometry pass into a full multisampled G-buffer */
+    AGAA_TIER_GBUFFER = 19, /* one geometry pass into a full multisampled G-buffer, whose samples a compute pass
+                               aggregates */
     AGAA_TIER_IDS = 20, /* one geometry pass into depth and ids, by which materials are fetched (AgaaFetchFunction) */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
@@ -241,10 +242,25 @@ typedef enum AgaaTier {
                                                          aggregate's depth variance, not at samples */
 #define AGAA_CONFIG_NO_STENCIL UINT64_C(0x20) /* first come, first kept; not repeatable on ties */
 #define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2 (c), for comparison */
-#define AGAA_CONFIG_SHOW_EVENTS UINT64_C(0x100) /* the output is each pixel's number of shading events, in all
-                                                   channels; not of "msaa", which cannot tell */
-#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x200) /* of "agaa": samples of one surface are clustered like all
+#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x100) /* of "agaa": samples of one surface are clustered like all
                                                       others (AGAA 3.3), so that distance may part them */
+#define AGAA_CONFIG_BUFFERED UINT64_C(0x200) /* of "agaa", tiers IDS and GBUFFER: aggregates go to memory, the surface
+                                                "aggregates", and a pass of its own shades them */
+
+/* What the output shows of each pixel in place of its image: numbers and shares in all channels, or a colour. Not of
+ * "msaa", whose shading is the host's. */
+typedef enum AgaaDebugView {
+    AGAA_DEBUG_VIEW_NONE = 0,
+    AGAA_DEBUG_VIEW_EVENTS = 1,     /* shading events */
+    AGAA_DEBUG_VIEW_AGGREGATES = 2, /* aggregates, or surfaces kept by "sbaa" */
+    AGAA_DEBUG_VIEW_CLUSTERS = 3,   /* of these a colour each, in the share of its samples */
+    AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tier IDS: primitives that samples show */
+    AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that gets to what is covered */
+    AGAA_DEBUG_VIEW_WIDENED = 6,    /* by how much the NDF widened lobes: alpha of GGX, mean over what is covered */
+    AGAA_DEBUG_VIEW_TIER = 7,       /* grey: not aggregated; orange: by two passes; blue: from a G-buffer; green: by ids;
+                                       half as bright where one shading event did */
+    AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
+} AgaaDebugView;
 
 typedef struct AgaaConfig {
     uint32_t sType;
@@ -270,21 +286,27 @@ typedef struct AgaaConfig {
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t generationTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
-    /* Of the tier IDS. Bit i: lights of AgaaFrame::shadows[i] are shaded by means over what they reach of an
+    /* Of the tiers IDS and GBUFFER. Bit i: lights of AgaaFrame::shadows[i] are shaded by means over what they reach of an
      * aggregate, times the share that they reach, so that lit and unlit samples may differ in normal and colour.
-     * A tap a sample, in place of shadowTaps. */
+     * A tap a sample, in place of shadowTaps. Shadows that AgaaSceneFacts does not declare are left out. */
     uint32_t litShadows;
     uint64_t flags;           /* AGAA_CONFIG_… */
     /* Of the tiers GBUFFER and IDS, which know materials when they group samples. Shading normals differ by
      * glossWeight / alpha as much in equation 1, [1;20], alpha of GGX, up to the term's largest value of 1; equal
      * normals of different gloss differ too. What shines narrowly is parted sooner. [0;16]; 0: by normals alone. */
     float glossWeight;
-    uint32_t reserved; /* 0 */
+    uint32_t debugView; /* AgaaDebugView */
 } AgaaConfig;
 #define AGAA_CONFIG_INIT                                                                            \
     {AGAA_STRUCTURE_TYPE_CONFIG, (uint32_t)sizeof(AgaaConfig), NULL, "agaa", 8, 2, NULL,             \
      AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.03f, 0.02f, 0.0f, 0.0f, 0.0f, AGAA_SEEDS_MAXIMIN, 0,   \
      AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0, 0.0f, 0}
+
+/* Named settings of "agaa", from measurements (docs/presets.md): "paper", as its sections say; "fast", "balanced" and
+ * "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf, litShadows (the first
+ * shadow), glossWeight and what flags say of clustering and filters; leaves the rest. All but "paper" want materials
+ * where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER. */
+AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config);
 
 /* What the scene calls for. The planner drops what is not named here. */
 #define AGAA_FACT_SPECULAR UINT64_C(0x01)
@@ -365,6 +387,10 @@ typedef struct AgaaGBufferFunction {
  * resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1], emission in [0;range] of
  * the layout; what is not finite becomes 0. The alpha test is the visibility pass's alone. Names and errors as at
  * AgaaGBufferFunction. Of "agaa". */
+/* Some draws cannot be fetched: displaced, or by shaders that compute cannot call. The visibility pass gives them
+ * AgaaSurfaceInput::draw = AGAA_UNFETCHED, and a second geometry pass, AGAA_DRAW_PASS_GBUFFER at equal depth, draws
+ * these draws alone into a multisampled G-buffer, from which their samples are taken. */
+#define AGAA_FETCH_NOT_ALL_DRAWS UINT64_C(0x01)
 typedef struct AgaaFetchFunction {
     uint32_t sType;
     uint32_t structSize;
@@ -375,9 +401,10 @@ typedef struct AgaaFetchFunction {
     uint32_t maxPrimitives; /* >= 1, of a draw; together at most 2^32 - 1 ids: maxDraws times maxPrimitives, rounded
                                up to a power of two */
     uint64_t descriptorSetLayout; /* as at AgaaGBufferFunction */
+    uint64_t flags;               /* AGAA_FETCH_… */
 } AgaaFetchFunction;
 #define AGAA_FETCH_FUNCTION_INIT                                                                    \
-    {AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0}
+    {AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0, 0}
 
 /* Chained to AgaaViewDesc: shadows by a function of the host's in place of some shadow maps. It is
  * compiled into the passes that shade; the text is GLSL 450 and defines
@@ -419,10 +446,12 @@ typedef struct AgaaDeviceCaps {
     uint32_t sampleCounts; /* bit i: 2^i samples for colour and depth that can also be sampled */
     uint32_t maxImageSize; /* texels */
     uint64_t maxStorageRange; /* bytes */
+    uint32_t maxSharedBytes;  /* of a workgroup, in compute */
+    uint32_t reserved;        /* 0 */
     uint64_t flags;        /* AGAA_DEVICE_… */
 } AgaaDeviceCaps;
 #define AGAA_DEVICE_CAPS_INIT                                                                       \
-    {AGAA_STRUCTURE_TYPE_DEVICE_CAPS, (uint32_t)sizeof(AgaaDeviceCaps), NULL, {0}, {0}, 0, 0, 0, 0}
+    {AGAA_STRUCTURE_TYPE_DEVICE_CAPS, (uint32_t)sizeof(AgaaDeviceCaps), NULL, {0}, {0}, 0, 0, 0, 16384, 0, 0}
 
 typedef enum AgaaStage {
     AGAA_STAGE_PREPASS = 0,
@@ -623,6 +652,9 @@ typedef struct AgaaCounters {
     uint64_t widenedLobes;  /* events whose specular lobe the NDF widened */
     uint64_t shadedPixels;  /* pixels with at least one event */
     uint64_t maxEventsPerPixel;
+    uint64_t aggregates; /* or surfaces of "sbaa", of all pixels */
+    uint64_t primitives; /* tier IDS: that samples show, of all pixels */
+    uint64_t materials;  /* tier IDS: fetched, each for the samples of a primitive in a pixel */
     uint64_t misplaced; /* fragments of the first geometry pass that do not lie where the camera puts them;
                            few of slivers, whose positions extrapolate */
 } AgaaCounters;
@@ -661,7 +693,7 @@ typedef struct AgaaFrameStatistics {
 } AgaaFrameStatistics;
 #define AGAA_FRAME_STATISTICS_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0,           \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, {{{0}, 0, 0, 0.0}}, 0, 0, 0, 0, 0}
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, {{{0}, 0, 0, 0.0}}, 0, 0, 0, 0, 0}
 
 /* Figures of the newest frame, recorded whole, that is not after completedFrame: the newest whose GPU work
  * is known to have finished. AGAA_NOT_READY where there is none. */

@@ -4,6 +4,7 @@
 #include "core/layout.h"
 #include "core/names.h"
 #include "core/planner.h"
+#include "core/presets.h"
 #include "core/tiers.h"
 #include "core/validate.h"
 
@@ -76,6 +77,16 @@ AgaaResult AGAA_CALL agaaGetBuiltinLayout(const char* name, AgaaLayout* outLayou
     return guarded(Log(), "agaaGetBuiltinLayout", [&]() -> AgaaResult {
         require(name && outLayout, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
         *outLayout = builtinLayout(name);
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config) {
+    return guarded(Log(), "agaaApplyPreset", [&]() -> AgaaResult {
+        require(name, AGAA_ERROR_INVALID_ARGUMENT, "the name is null.");
+        checkStruct(config, AGAA_STRUCTURE_TYPE_CONFIG, "AgaaConfig");
+        if (!applyPreset(name, *config))
+            fail(AGAA_ERROR_INVALID_ARGUMENT, format("no preset is called \"%.64s\".", name));
         return AGAA_OK;
     });
 }

@@ -57,12 +57,15 @@ struct CounterBuffer {
     uint32_t widenedLobes[2];
     uint32_t shadedPixels[2];
     uint32_t misplaced[2];
+    uint32_t aggregates[2];
+    uint32_t primitives[2];
+    uint32_t materials[2];
     uint32_t maxEvents;
     uint32_t padding0;
     uint32_t invalidPixels; // found; the first of them follow
     uint32_t padding1;
     uint32_t pixels[AGAA_MAX_INVALID_PIXELS][8]; // AgaaInvalidPixel, padded
 };
-static_assert(sizeof(CounterBuffer) == 4 * (26 + 8 * AGAA_MAX_INVALID_PIXELS));
+static_assert(sizeof(CounterBuffer) == 4 * (32 + 8 * AGAA_MAX_INVALID_PIXELS));
 
 } // namespace agaa

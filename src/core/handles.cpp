@@ -67,6 +67,9 @@ static AgaaCounters countersOf(const CounterBuffer& source) {
     out.shadingEvents = wide(source.shadingEvents);
     out.shadowTaps = wide(source.shadowTaps);
     out.widenedLobes = wide(source.widenedLobes);
+    out.aggregates = wide(source.aggregates);
+    out.primitives = wide(source.primitives);
+    out.materials = wide(source.materials);
     out.shadedPixels = wide(source.shadedPixels);
     out.misplaced = wide(source.misplaced);
     out.maxEventsPerPixel = source.maxEvents;

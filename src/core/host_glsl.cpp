@@ -139,6 +139,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     const bool writesIds = pass.drawPass == AGAA_DRAW_PASS_VISIBILITY && plan.generationTier == AGAA_TIER_IDS;
     defineSwitch(out, "AGAA_WRITES_IDS", writesIds);
     if (writesIds) {
+        defineSwitch(out, "AGAA_SOME_UNFETCHED", plan.someUnfetched);
         define(out, "AGAA_MAX_DRAWS", plan.maxDraws);
         define(out, "AGAA_MAX_PRIMITIVES", plan.maxPrimitives);
         define(out, "AGAA_PRIMITIVE_BITS", plan.primitiveBits);

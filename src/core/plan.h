@@ -18,7 +18,7 @@ enum Constant : uint32_t {
 #define AGAA_CONSTANT(id, name, value) name = id,
 #include "shaders/passes/constants.inc"
 #undef AGAA_CONSTANT
-    ConstantCount = 51
+    ConstantCount = 53
 };
 using Constants = std::array<uint32_t, ConstantCount>;
 
@@ -123,6 +123,7 @@ struct Plan {
     bool hostGBuffer = false;         // the host draws it; a function of the host's reads its samples
     uint32_t maxDraws = 0, maxPrimitives = 0; // that ids tell apart; 0: nothing fetches materials by id
     uint32_t primitiveBits = 0;       // of an id, the low ones
+    bool someUnfetched = false;       // draws that ids cannot name go into a G-buffer
     std::vector<float> samplePositions; // n pairs, where the host says them
     uint64_t functionSetLayout = 0;   // of set 1 in passes with code of the host's
     bool reversedZ = false;

@@ -37,10 +37,11 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
                                              technique.maxAggregates));
     plan.aggregates =
         technique.maxAggregates ? std::min(plan.config.aggregates, plan.samples) : 0;
+    dropUndeclared();
     chooseVisibilityTier();
     if (technique.maxAggregates)
         chooseGenerationTier(technique);
-    checkTierOptions();
+    checkTierOptions(technique);
     require(!counts() || caps_.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
             "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");
     setConstants();
@@ -94,6 +95,7 @@ void PlanBuilder::readFunctions(const AgaaViewDesc& view) {
         takeSetLayout(function->descriptorSetLayout);
         plan.maxDraws = function->maxDraws;
         plan.maxPrimitives = function->maxPrimitives;
+        plan.someUnfetched = function->flags & AGAA_FETCH_NOT_ALL_DRAWS;
         plan.primitiveBits = uint32_t(std::bit_width(function->maxPrimitives - 1));
         fetchFunction_ = function->glsl;
     }
@@ -109,14 +111,24 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
         return;
     }
     const uint32_t forced = plan.config.generationTier;
-    const bool takesIds = technique.takesIds && plan.maxDraws > 0;
+    const bool takesIds = technique.groupsSamples && plan.maxDraws > 0;
     if (forced == AGAA_TIER_IDS && !takesIds)
-        fail(AGAA_ERROR_UNSUPPORTED,
-             format("generation cannot run: %s.", technique.takesIds ? "the tier ids needs an AgaaFetchFunction"
-                                                                     : "the tier ids is for \"agaa\""));
+        fail(AGAA_ERROR_UNSUPPORTED, format("generation cannot run: %s.",
+                                            technique.groupsSamples ? "the tier ids needs an AgaaFetchFunction"
+                                                                    : "the tier ids is for \"agaa\""));
     if (takesIds && (forced == AGAA_TIER_IDS || forced == AGAA_TIER_AUTO)) {
         plan.generationTier = AGAA_TIER_IDS;
-        note("generation: materials are fetched by the ids that the only geometry pass leaves.");
+        note(plan.someUnfetched
+                 ? "generation: materials are fetched by the ids that the first geometry pass leaves; draws that "
+                   "cannot be fetched are drawn again, into a multisampled G-buffer."
+                 : "generation: materials are fetched by the ids that the only geometry pass leaves.");
+        return;
+    }
+    if (technique.groupsSamples && forced == AGAA_TIER_AUTO &&
+        (plan.config.litShadows || plan.config.glossWeight > 0)) {
+        plan.generationTier = AGAA_TIER_GBUFFER;
+        note("generation: lit shadows and the weight of gloss want materials where samples are grouped, so that a "
+             "multisampled G-buffer is aggregated by a compute pass.");
         return;
     }
     const GenerationChoice choice =
@@ -128,17 +140,37 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
     note("generation: " + choice.reason);
 }
 
+// Effects that the scene does not call for.
+void PlanBuilder::dropUndeclared() {
+    const uint32_t lit = plan.config.litShadows & ((1u << plan.facts.shadowMapCount) - 1);
+    if (lit != plan.config.litShadows)
+        note("lit aggregates: AgaaConfig::litShadows names shadows that AgaaSceneFacts does not declare; they are "
+             "left out.");
+    plan.config.litShadows = lit;
+}
+
 // After the tier is known.
-void PlanBuilder::checkTierOptions() const {
-    const uint32_t lit = plan.config.litShadows;
-    require(lit >> plan.facts.shadowMapCount == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaConfig::litShadows names shadows that AgaaSceneFacts does not declare.");
-    require(plan.config.glossWeight == 0 || plan.generationTier == AGAA_TIER_IDS ||
-                plan.generationTier == AGAA_TIER_GBUFFER,
+void PlanBuilder::checkTierOptions(const Technique& technique) const {
+    const AgaaConfig& config = plan.config;
+    const bool knowsMaterials = technique.groupsSamples && (plan.generationTier == AGAA_TIER_IDS ||
+                                                            plan.generationTier == AGAA_TIER_GBUFFER);
+    const bool buffered = config.flags & AGAA_CONFIG_BUFFERED;
+    require(config.glossWeight == 0 || knowsMaterials, AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::glossWeight needs \"agaa\" and the tier ids or gbuffer, which know materials when they "
+            "group samples.");
+    require(config.litShadows == 0 || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::litShadows needs \"agaa\" and the tier ids or gbuffer without AGAA_CONFIG_BUFFERED, which "
+            "know materials and shadows in one pass.");
+    require(!buffered || knowsMaterials, AGAA_ERROR_UNSUPPORTED,
+            "AGAA_CONFIG_BUFFERED is a choice of \"agaa\" by the tier ids or gbuffer; others have no other way.");
+    const uint32_t view = config.debugView;
+    const bool ofAggregates = view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_CLUSTERS ||
+                              view == AGAA_DEBUG_VIEW_WIDENED;
+    require(!ofAggregates || technique.maxAggregates, AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::debugView shows aggregates, of which this technique makes none.");
+    require(view != AGAA_DEBUG_VIEW_PRIMITIVES || (plan.generationTier == AGAA_TIER_IDS && !buffered),
             AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::glossWeight needs the tier ids or gbuffer, which know materials when they group samples.");
-    require(lit == 0 || plan.generationTier == AGAA_TIER_IDS, AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::litShadows needs the tier ids, which knows materials and shadows in one pass.");
+            "AgaaConfig::debugView shows primitives, which only the tier ids without AGAA_CONFIG_BUFFERED counts.");
 }
 
 void PlanBuilder::chooseVisibilityTier() {
@@ -191,7 +223,9 @@ void PlanBuilder::setConstants() {
     c[AGAA_HAS_AMBIENT] = hasFact(AGAA_FACT_AMBIENT);
     c[AGAA_SHADING_COST] = config.shadingCost;
     c[AGAA_GLOSS_WEIGHT] = config.glossWeight > 0 ? std::bit_cast<uint32_t>(config.glossWeight) : 0; // not -0
-    c[AGAA_SHOW_EVENTS] = (config.flags & AGAA_CONFIG_SHOW_EVENTS) != 0;
+    c[AGAA_LIT_SHADOWS] = config.litShadows;
+    c[AGAA_DEBUG_VIEW] = config.debugView;
+    c[AGAA_GENERATION_TIER] = plan.generationTier;
 }
 
 ResourceId PlanBuilder::add(Resource resource) {
@@ -291,6 +325,7 @@ Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string&
                                {'a', "AGAA_SEVERAL", plan.aggregates > 1},
                                {'g', "AGAA_FROM_GBUFFER", plan.generationTier == AGAA_TIER_GBUFFER},
                                {'x', "AGAA_CLASSIFIED", false},
+                               {'l', "AGAA_LIT", plan.config.litShadows != 0},
                                {'r', "AGAA_REPRESENTED", false}};
     for (const char* letter = permutation; *letter; ++letter) {
         const Switch& s = *std::find_if(std::begin(switches), std::end(switches),
@@ -354,9 +389,14 @@ void PlanBuilder::bindHostGBuffer(Pass& pass) {
 
 void PlanBuilder::bindHostFetch(Pass& pass) {
     addHostCode(pass, fetchFunction_, "AgaaFetchFunction::glsl");
+    // What a listed primitive takes of shared memory, and what else does.
+    constexpr uint32_t listed = 80, others = 8192;
+    const uint32_t room = (std::max(caps_.maxSharedBytes, others) - others) / listed;
     pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
-                           "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n",
-                           plan.primitiveBits, plan.clipZFromMinusOne);
+                           "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",
+                           plan.primitiveBits, plan.clipZFromMinusOne, std::clamp(room / 32 * 32, 32u, 256u));
+    if (plan.someUnfetched)
+        pass.defines += "#define AGAA_SOME_UNFETCHED 1\n";
 }
 
 ResourceId PlanBuilder::output() {
@@ -374,6 +414,8 @@ void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
 
 void PlanBuilder::bindLighting(Pass& pass) {
     const bool host = pass.kind == PassKind::HostDraw;
+    require(!host || plan.config.debugView == AGAA_DEBUG_VIEW_NONE, AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::debugView is for techniques that shade in the SDK's passes; this one shades in the host's.");
     bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer,
          lights_);
     bindShadows(pass);

@@ -81,7 +81,8 @@ private:
     void readFunctions(const AgaaViewDesc& view);
     void takeSetLayout(uint64_t setLayout);
     void chooseGenerationTier(const Technique& technique);
-    void checkTierOptions() const;
+    void dropUndeclared();
+    void checkTierOptions(const Technique& technique) const;
     static void addHostCode(Pass& pass, const std::string& text, const char* origin);
     void bindShadows(Pass& pass);
     void listEffects();

@@ -91,12 +91,12 @@ AgaaConfig checkConfig(const AgaaConfig* pointer) {
     checkRange(double(config.surfaceMaterial), 0.0, 1.0, "AgaaConfig::surfaceMaterial");
     checkRange(uint64_t(config.litShadows), 0, (1u << AGAA_MAX_SHADOW_MAPS) - 1, "AgaaConfig::litShadows");
     checkRange(double(config.glossWeight), 0.0, 16.0, "AgaaConfig::glossWeight");
-    checkRange(uint64_t(config.reserved), 0, 0, "AgaaConfig::reserved");
+    checkRange(uint64_t(config.debugView), 0, AGAA_DEBUG_VIEW_TIER, "AgaaConfig::debugView");
     constexpr uint64_t known = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK |
                                AGAA_CONFIG_NO_DIFFUSE_FILTER | AGAA_CONFIG_NO_SHADOW_FILTER |
                                AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_NO_STENCIL |
-                               AGAA_CONFIG_FIRST_SAMPLE_ROUTING | AGAA_CONFIG_SHOW_EVENTS |
-                               AGAA_CONFIG_SPLIT_SURFACES;
+                               AGAA_CONFIG_FIRST_SAMPLE_ROUTING | AGAA_CONFIG_SPLIT_SURFACES |
+                               AGAA_CONFIG_BUFFERED;
     require((config.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaConfig::flags has bits that are not known here.");
     return config;
@@ -170,8 +170,12 @@ const AgaaFetchFunction* checkFetchFunction(const AgaaViewDesc& desc) {
     require(function->glsl, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFetchFunction::glsl is null.");
     require(function->maxDraws >= 1 && function->maxPrimitives >= 1, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFetchFunction::maxDraws or ::maxPrimitives is 0.");
+    require((function->flags & ~AGAA_FETCH_NOT_ALL_DRAWS) == 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaFetchFunction::flags has bits that are not known here.");
     const int bits = std::bit_width(function->maxPrimitives - 1);
-    if ((uint64_t(function->maxDraws) << bits) > 0xFFFFFFFFu)
+    // One id is of what cannot be fetched, one of no geometry.
+    const uint32_t ids = function->flags & AGAA_FETCH_NOT_ALL_DRAWS ? 0xFFFFFFFEu : 0xFFFFFFFFu;
+    if ((uint64_t(function->maxDraws) << bits) > ids)
         fail(AGAA_ERROR_TOO_LARGE,
              format("%u draws of up to %u primitives each, which take %d bits, are more than 32-bit ids can tell.",
                     function->maxDraws, function->maxPrimitives, bits));

@@ -56,6 +56,7 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
     GLint64 range = 0;
     gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &range);
     caps.maxStorageRange = uint64_t(std::max<GLint64>(range, 0));
+    caps.maxSharedBytes = uint32_t(integer(gl, GL_MAX_COMPUTE_SHARED_MEMORY_SIZE));
     caps.flags = AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 |
                  AGAA_DEVICE_D32S8 | AGAA_DEVICE_NO_ALIASING;
     if (integer(gl, GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) >= 2)

@@ -89,6 +89,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
                                   limits.maxFramebufferHeight, limits.maxViewportDimensions[0],
                                   limits.maxViewportDimensions[1]});
     caps.maxStorageRange = limits.maxStorageBufferRange;
+    caps.maxSharedBytes = limits.maxComputeSharedMemorySize;
     const auto set = [&](bool on, uint64_t flag) { caps.flags |= on ? flag : 0; };
     set(f.fragmentStoresAndAtomics, AGAA_DEVICE_FRAGMENT_ATOMICS);
     set(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);

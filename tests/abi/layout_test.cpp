@@ -51,7 +51,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaConfig, 112);
     EXPECT_SIZE(AgaaSceneFacts, 32);
     EXPECT_SIZE(AgaaViewDesc, 48);
-    EXPECT_SIZE(AgaaDeviceCaps, 296);
+    EXPECT_SIZE(AgaaDeviceCaps, 304);
     EXPECT_SIZE(AgaaCapability, 272);
     EXPECT_SIZE(AgaaSurface, 120);
     EXPECT_SIZE(AgaaMemoryReport, 56);
@@ -60,11 +60,11 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaLight, 64);
     EXPECT_SIZE(AgaaShadow, 392);
     EXPECT_SIZE(AgaaFrame, 240);
-    EXPECT_SIZE(AgaaCounters, 96);
+    EXPECT_SIZE(AgaaCounters, 120);
     EXPECT_SIZE(AgaaPassTime, 64);
-    EXPECT_SIZE(AgaaFrameStatistics, 1184);
+    EXPECT_SIZE(AgaaFrameStatistics, 1208);
     EXPECT_SIZE(AgaaGBufferFunction, 48);
-    EXPECT_SIZE(AgaaFetchFunction, 40);
+    EXPECT_SIZE(AgaaFetchFunction, 48);
     EXPECT_SIZE(AgaaShadowFunction, 40);
     EXPECT_SIZE(AgaaVkRequirements, 72);
     EXPECT_SIZE(AgaaVkSurface, 88);

@@ -3,6 +3,8 @@
 
 #include "core/planner.h"
 
+#include <functional>
+
 namespace agaa::test {
 
 struct ViewSpec {
@@ -19,6 +21,8 @@ struct ViewSpec {
     uint32_t shadowMaps = 1;
     uint32_t maxLights = 64;
     uint64_t viewFlags = 0;
+    const void* chained = nullptr;                 // to the view
+    std::function<void(AgaaConfig&)> change = {}; // of what else there is
 };
 
 // A device with 1 and 4 samples, as Mesa's software rasterisers.
@@ -42,6 +46,8 @@ inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
     config.visibilityTier = spec.visibilityTier;
     config.generationTier = spec.generationTier;
     config.flags = spec.configFlags;
+    if (spec.change)
+        spec.change(config);
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     facts.flags = spec.facts;
     facts.shadowMapCount = spec.shadowMaps;
@@ -52,6 +58,7 @@ inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
     view.config = &config;
     view.facts = &facts;
     view.flags = spec.viewFlags;
+    view.pNext = spec.chained;
     return makePlan(view, caps, 2);
 }
 

@@ -77,13 +77,48 @@ const Row rows[] = {
     {"cosine of 2", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.surfaceCosine = 2; }},
     {"negative distance", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.surfaceDistance = -1; }},
     {"material not a number", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.surfaceMaterial = NAN; }},
-    {"reserved of the config", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.reserved = 1; }},
     {"gloss weight", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.glossWeight = 17; }},
     {"gloss weight that is none", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.glossWeight = NAN; }},
-    {"gloss weight of another tier", AGAA_ERROR_UNSUPPORTED, [](Request& r) { r.config.glossWeight = 0.5f; }},
+    {"gloss weight of another tier", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) {
+         r.config.glossWeight = 0.5f;
+         r.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
+     }},
+    {"gloss weight of another technique", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) {
+         r.config.glossWeight = 0.5f;
+         r.config.technique = "sbaa";
+         r.config.generationTier = AGAA_TIER_GBUFFER;
+     }},
     {"lit shadows", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.litShadows = 16; }},
-    {"lit shadows that are not there", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.litShadows = 8; }},
-    {"lit shadows of another tier", AGAA_ERROR_UNSUPPORTED, [](Request& r) { r.config.litShadows = 1; }},
+    {"lit shadows of another tier", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) {
+         r.config.litShadows = 1;
+         r.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
+     }},
+    {"lit shadows without materials at hand", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) {
+         r.config.litShadows = 1;
+         r.config.flags = AGAA_CONFIG_BUFFERED;
+     }},
+    {"buffered where there is no other way", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) {
+         r.config.flags = AGAA_CONFIG_BUFFERED;
+         r.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
+     }},
+    {"debug view", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.debugView = 8; }},
+    {"debug view of forward shading", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) {
+         r.config.technique = "msaa";
+         r.config.debugView = AGAA_DEBUG_VIEW_EVENTS;
+     }},
+    {"debug view of aggregates that are not made", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) {
+         r.config.technique = "ssaa";
+         r.config.debugView = AGAA_DEBUG_VIEW_CLUSTERS;
+     }},
+    {"debug view of primitives without ids", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) { r.config.debugView = AGAA_DEBUG_VIEW_PRIMITIVES; }},
     {"c = 5", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregates = 5; }},
     {"HardCase21 k = 0", AGAA_ERROR_OUT_OF_RANGE,
      [](Request& r) { r.config.characteristicLengthPerDistance = 0; }},

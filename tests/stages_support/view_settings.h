@@ -45,6 +45,7 @@ struct ViewSettings {
         UvInside,
         UvAtCentre,
         OwnDepth, // writes gl_FragDepth and discards
+        ThirdUnfetched, // says of each third triangle that it cannot be fetched
     } shader = Shader::Material;
     Mistake mistake;
 };

@@ -27,7 +27,14 @@ def name(row):
         text += f" n={row['n']}"
     if row["c"]:
         text += f" {'S' if row['technique'] == 'sbaa' else 'c'}={row['c']}"
-    return text + {"gbuffer": " from a G-buffer", "ids": " by id"}.get(way(row), "")
+    text += {"gbuffer": " from a G-buffer", "ids": " by id"}.get(way(row), "")
+    return ", ".join([text] + effects(row))
+
+
+def effects(row):
+    """What a row does beyond its technique."""
+    return (["lit"] if row["litShadows"] else []) + [
+        f"{word} {row[key]:g}" for word, key in (("gloss", "glossWeight"), ("t", "aggregateThreshold")) if row[key]]
 
 
 def way(row):
@@ -49,9 +56,9 @@ def rows_of(scene, cost=1):
 
 
 def find(scene, technique, n, c=0, cost=1, by=None):
-    """The row, or None. by: as way() tells."""
+    """The row, or None. by: as way() tells; of rows without further effects."""
     for row in rows_of(scene, cost):
-        if (row["technique"], row["n"], row["c"], way(row)) == (technique, n, c, by):
+        if (row["technique"], row["n"], row["c"], way(row)) == (technique, n, c, by) and not effects(row):
             return row
     return None
 

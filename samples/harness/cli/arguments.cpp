@@ -179,8 +179,25 @@ Configuration::Configuration(const PlanArguments& arguments) {
     flag(arguments.noDiffuseFilter, AGAA_CONFIG_NO_DIFFUSE_FILTER);
     flag(arguments.noShadowFilter, AGAA_CONFIG_NO_SHADOW_FILTER);
     flag(arguments.shadowAlongDepth, AGAA_CONFIG_SHADOW_ALONG_DEPTH);
+    flag(arguments.buffered, AGAA_CONFIG_BUFFERED);
+    config.debugView = choice(arguments.view, "--view",
+                              {{"none", AGAA_DEBUG_VIEW_NONE},
+                               {"events", AGAA_DEBUG_VIEW_EVENTS},
+                               {"aggregates", AGAA_DEBUG_VIEW_AGGREGATES},
+                               {"clusters", AGAA_DEBUG_VIEW_CLUSTERS},
+                               {"primitives", AGAA_DEBUG_VIEW_PRIMITIVES},
+                               {"lit", AGAA_DEBUG_VIEW_LIT},
+                               {"widened", AGAA_DEBUG_VIEW_WIDENED},
+                               {"tier", AGAA_DEBUG_VIEW_TIER}});
     for (const std::string& tier : arguments.tiers)
         setTier(config, tier, isModel);
+    if (arguments.preset.empty())
+        return;
+    if (agaaApplyPreset(arguments.preset.c_str(), &config) != AGAA_OK)
+        throw BadArgument("--preset is \"" + arguments.preset + "\"; it can be paper, fast, balanced or accurate.");
+    // The sample engine can fetch, and does where a preset is for that.
+    if (arguments.preset != "paper" && config.generationTier == AGAA_TIER_AUTO)
+        config.generationTier = AGAA_TIER_IDS;
 }
 
 } // namespace harness

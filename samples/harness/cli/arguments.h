@@ -46,6 +46,9 @@ struct PlanArguments {
     bool firstSampleRouting = false;
     bool splitSurfaces = false;
     bool lit = false;
+    bool buffered = false;
+    std::string view = "none";
+    std::string preset; // or empty
     double glossWeight = 0;
     bool noDiffuseFilter = false;
     bool noShadowFilter = false;

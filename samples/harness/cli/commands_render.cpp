@@ -46,6 +46,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
         leaveOut(effect, settings);
     settings.reversedZ = arguments.plan.reversedZ;
     settings.drawOrderSeed = arguments.drawOrderSeed;
+    settings.unfetchedEvery = arguments.unfetchedEvery;
     settings.frames = arguments.frames;
     settings.warmup = arguments.warmup;
     const auto jitter = parseNumbers(arguments.jitter, 2, "--jitter");
@@ -89,6 +90,9 @@ json countersJson(const AgaaCounters& c) {
             {"widenedLobes", c.widenedLobes},
             {"shadedPixels", c.shadedPixels},
             {"maxEventsPerPixel", c.maxEventsPerPixel},
+            {"aggregates", c.aggregates},
+            {"primitives", c.primitives},
+            {"materials", c.materials},
             {"misplaced", c.misplaced}};
 }
 
@@ -175,8 +179,14 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     const auto renderer = makeRenderer(arguments.device);
     renderer->load(scene);
     const Measurement m = measure(*renderer, settings, arguments);
-    if (!arguments.png.empty())
-        writePng(arguments.png, m.plain.image);
+    if (!arguments.png.empty()) {
+        Image shown = m.plain.image;
+        const uint32_t view = settings.config.debugView;
+        if (view == AGAA_DEBUG_VIEW_EVENTS || view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_PRIMITIVES)
+            for (float& value : shown.rgb) // one is mid-grey, eight are near white
+                value *= 0.25f;
+        writePng(arguments.png, shown);
+    }
     if (!arguments.exr.empty())
         writeExr(arguments.exr, m.plain.image);
     const json out = resultJson(m, arguments, *renderer, configuration.size);

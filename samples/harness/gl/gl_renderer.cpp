@@ -119,8 +119,10 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
     gl.BindBufferBase(GL_UNIFORM_BUFFER, cameraBinding, cameraConstants_.get());
     gpuScene_->bindGeometry();
     uint32_t material = UINT32_MAX;
-    uint32_t index = 0;
-    for (const Draw& draw : input.draws) {
+    for (uint32_t index = 0; index < input.draws.size(); ++index) {
+        const Draw& draw = input.draws[index];
+        if (!isDrawnIn(target.pass, draw, input.fetches))
+            continue;
         const Mesh& mesh = scene().meshes[draw.mesh];
         const Variant variant = variantOf(scene(), draw);
         const PassProgram& program = programs_.program(target.pipelineKey, variant);
@@ -133,7 +135,7 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
             material = mesh.material;
             gpuScene_->bindMaterial(material);
         }
-        program.setDraw(gl, drawConstants(draw, index++));
+        program.setDraw(gl, drawConstants(draw, index));
         gpuScene_->draw(mesh);
     }
 }

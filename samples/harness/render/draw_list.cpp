@@ -44,6 +44,10 @@ bool isMasked(const Scene& scene, const Mesh& mesh) {
            scene.materials[mesh.material].alphaMode != AlphaMode::Opaque;
 }
 
+bool isDrawnIn(uint32_t pass, const Draw& draw, bool fetches) {
+    return pass != AGAA_DRAW_PASS_GBUFFER || !fetches || !draw.isFetched;
+}
+
 uint32_t drawSeed(uint32_t instance) {
     uint32_t x = (instance + 1) * 0x9E3779B9u;
     x = (x ^ (x >> 16)) * 0x85EBCA6Bu;

@@ -13,6 +13,7 @@ struct Draw {
     uint32_t instance = 0;
     bool isMasked = false;
     bool isMirrored = false; // the transform turns triangles inside out
+    bool isFetched = true;   // by id, where the frame fetches
     glm::dmat4 toShading{1};
 };
 
@@ -29,6 +30,9 @@ std::vector<Draw> makeDrawList(const Scene& scene, const glm::dvec3& worldOffset
 
 // The material mode by which a mesh is drawn; meshes without a valid material are opaque.
 bool isMasked(const Scene& scene, const Mesh& mesh);
+
+// Whether a pass draws it, an AgaaDrawPassId: where others are fetched by id, a G-buffer is for what is not.
+bool isDrawnIn(uint32_t pass, const Draw& draw, bool fetches);
 
 // A number of the instance's own that does not depend on the order of drawing.
 uint32_t drawSeed(uint32_t instance);

@@ -66,7 +66,7 @@ DrawConstants drawConstants(const Draw& draw, uint32_t index) {
     }
     c.seed = drawSeed(draw.instance);
     c.handedness = draw.isMirrored ? -1.0f : 1.0f;
-    c.index = index;
+    c.index = draw.isFetched ? index : UINT32_MAX; // AGAA_UNFETCHED
     return c;
 }
 

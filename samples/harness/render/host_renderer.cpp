@@ -34,7 +34,6 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
         throw std::runtime_error("No scene is loaded.");
     const AgaaSceneFacts facts = completeFacts(scene_, settings);
     AgaaConfig config = settings.config;
-    config.litShadows &= (1u << facts.shadowMapCount) - 1;
     AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
     desc.width = settings.width;
     desc.height = settings.height;
@@ -42,14 +41,19 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     desc.facts = &facts;
     desc.flags = viewFlags() | (settings.reversedZ ? AGAA_VIEW_REVERSED_Z : 0) |
                  (settings.background.a == 0 ? AGAA_VIEW_COMPOSITE : 0);
-    if (settings.config.generationTier == AGAA_TIER_IDS)
-        desc.pNext = fetchFunction();
+    const bool fetches = settings.config.generationTier == AGAA_TIER_IDS;
+    AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
+    if (fetches) {
+        fetch = *fetchFunction();
+        fetch.flags = settings.unfetchedEvery ? AGAA_FETCH_NOT_ALL_DRAWS : 0;
+        desc.pNext = &fetch;
+    }
     const AgaaView view = useView(desc);
     RenderResult result;
     result.memory = predictMemory(desc, caps(), log());
     result.tiers = plannedTiers(desc, caps(), log());
 
-    FrameInput input{settings, cameraMatrices(scene_, settings, clipY()), {}, {}, true};
+    FrameInput input{settings, cameraMatrices(scene_, settings, clipY()), {}, {}, true, fetches};
     input.lights = toAgaaLights(settings.lights, settings.worldOffset, input.camera.eye);
     DrawListOptions options;
     options.useMasked = input.useMasked = (facts.flags & AGAA_FACT_ALPHA_MASKED) != 0;
@@ -58,6 +62,8 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     options.shuffleSeed = settings.drawOrderSeed;
     input.draws = makeDrawList(scene_, settings.worldOffset, input.camera.eye,
                                input.camera.viewProjection, options);
+    for (size_t i = 0; settings.unfetchedEvery && i < input.draws.size(); i += settings.unfetchedEvery)
+        input.draws[i].isFetched = false;
     prepare(input);
     for (uint32_t frame = 0; frame < settings.warmup + std::max(settings.frames, 1u); ++frame) {
         const double milliseconds = renderFrame(input);

@@ -42,6 +42,7 @@ struct RenderSettings {
     glm::dvec3 worldOffset{0};  // added to scene, lights and camera: tests precision far from 0
     uint32_t frames = 1;
     uint32_t warmup = 0;
+    uint32_t unfetchedEvery = 0; // tier IDS: each so-manieth draw is one that cannot be fetched
     bool splitSegments = false; // record each segment by a call of its own
 };
 

@@ -41,6 +41,7 @@ void addFetchFunction(Key& key, const AgaaFetchFunction& function) {
     key.add(function.maxDraws);
     key.add(function.maxPrimitives);
     key.add(function.descriptorSetLayout);
+    key.add(function.flags);
 }
 
 } // namespace
@@ -61,7 +62,7 @@ std::string viewKey(const AgaaViewDesc& desc) {
     for (const uint32_t value :
          {config.samples, config.aggregates, config.brdf, config.ndf, config.seeds,
           config.shadowTaps, config.visibilityTier, config.generationTier, config.shadingCost,
-          config.litShadows})
+          config.litShadows, config.debugView})
         key.add(value);
     for (const float value : {config.characteristicLength, config.characteristicLengthPerDistance,
                               config.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,

@@ -51,8 +51,9 @@ void SceneSweep::step(const std::string& what) {
     ++done_;
 }
 
-RenderResult SceneSweep::render(const SweepRow& row, uint64_t flags) {
+RenderResult SceneSweep::render(const SweepRow& row, uint64_t flags, uint32_t debugView) {
     RenderSettings settings = base_;
+    settings.config.debugView = debugView;
     row.apply(settings.config);
     settings.config.flags |= flags;
     return renderer_.render(settings);
@@ -94,7 +95,7 @@ void SceneSweep::countEvents() {
         }
         const bool showsEvents = m.row.technique != "msaa";
         RenderResult result =
-            render(m.row, AGAA_CONFIG_COUNTERS | (showsEvents ? AGAA_CONFIG_SHOW_EVENTS : 0));
+            render(m.row, AGAA_CONFIG_COUNTERS, showsEvents ? AGAA_DEBUG_VIEW_EVENTS : AGAA_DEBUG_VIEW_NONE);
         m.counters = result.statistics.back().counters;
         if (!showsEvents || isHeavier(m.row))
             continue;

@@ -48,7 +48,7 @@ private:
         nlohmann::json imageFile, differenceFile, heatFile;
     };
 
-    RenderResult render(const SweepRow& row, uint64_t flags = 0);
+    RenderResult render(const SweepRow& row, uint64_t flags = 0, uint32_t debugView = AGAA_DEBUG_VIEW_NONE);
     void countEvents(); // and shows them
     const Measured* sameButCost(const Measured& row) const; // of those that are counted; or null
     // Renders all rows, or all but those of heavier lighting; forth, or back in odd rounds.

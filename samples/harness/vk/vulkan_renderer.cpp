@@ -142,8 +142,10 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
 
     VkPipeline bound = VK_NULL_HANDLE;
     VkDescriptorSet boundMaterial = VK_NULL_HANDLE;
-    uint32_t index = 0;
-    for (const Draw& draw : input.draws) {
+    for (uint32_t index = 0; index < input.draws.size(); ++index) {
+        const Draw& draw = input.draws[index];
+        if (!isDrawnIn(target.pass, draw, input.fetches))
+            continue;
         const Mesh& mesh = scene().meshes[draw.mesh];
         const VkPipeline pipeline =
             pipelines_.pipeline(target.pipelineKey, variantOf(scene(), draw));
@@ -155,7 +157,7 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
             vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout,
                                     materialSetIndex, 1, &material, 0, nullptr);
         boundMaterial = material;
-        const DrawConstants constants = drawConstants(draw, index++);
+        const DrawConstants constants = drawConstants(draw, index);
         vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof constants,
                            &constants);
         vkCmdDrawIndexed(commands, mesh.indexCount, 1, mesh.firstIndex, int32_t(mesh.firstVertex),

@@ -59,14 +59,16 @@ void build(PlanBuilder& b) {
     b.defaultSurface(0.98f, 1.0f, 1.0f);
     if (b.plan.config.flags & AGAA_CONFIG_SPLIT_SURFACES)
         b.plan.config.surfaceCosine = 2.0f; // that no two normals have
-    if (b.plan.generationTier == AGAA_TIER_IDS)
-        return buildFromIds(b);
+    const bool byIds = b.plan.generationTier == AGAA_TIER_IDS;
+    const bool fromGBuffer = b.plan.generationTier == AGAA_TIER_GBUFFER;
+    if ((byIds || fromGBuffer) && !(b.plan.config.flags & AGAA_CONFIG_BUFFERED))
+        return byIds ? shadeFromIds(b) : shadeFromGBuffer(b);
     Aggregation sums;
     sums.layout = b.plan.layout;
     sums.packing = packAggregate(b.plan.layout, b.plan.samples);
     sums.stride = sums.packing.words;
     sums.define = [&](const auto& bindSamples, ResourceId) { return defineAggregates(b, bindSamples); };
-    b.plan.generationTier == AGAA_TIER_GBUFFER ? buildFromGBuffer(b, sums) : buildTwoPasses(b, sums);
+    byIds ? buildFromIds(b, sums) : fromGBuffer ? buildFromGBuffer(b, sums) : buildTwoPasses(b, sums);
 }
 
 } // namespace

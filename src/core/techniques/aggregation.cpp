@@ -3,6 +3,8 @@
 #include "core/checked.h"
 #include "core/techniques/gbuffer.h"
 
+#include <optional>
+
 namespace agaa {
 
 Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format format) {
@@ -31,6 +33,8 @@ void setRecord(Pass& pass, const Aggregation& a) {
 }
 
 namespace {
+
+constexpr uint32_t anyComponent = 4; // of AGAA_COVERAGE_COMPONENT
 
 ResourceId aggregateBuffer(PlanBuilder& b, const Aggregation& a) {
     b.plan.bytesPerAggregate = 4 * a.stride;
@@ -114,18 +118,68 @@ void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {
     shadeAggregates(b, a, aggregates, [&](Pass& pass) { gbuffer.bindDepth(b, pass); });
 }
 
-void buildFromIds(PlanBuilder& b) {
-    const Prepass prepass = drawPrepass(b, false, "ids", Format::RGBA8);
-    Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_ids", "mscb", AGAA_SEGMENT_SHADING);
+void shadeFromGBuffer(PlanBuilder& b) {
+    const GBuffer gbuffer = makeGBuffer(b);
+    Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_gbuffer", "mscbl",
+                            AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
-    b.bindHostFetch(shade);
-    if (b.plan.config.litShadows)
-        shade.defines += format("#define AGAA_LIT_SHADOWS %uu\n", b.plan.config.litShadows);
+    gbuffer.bind(b, shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
-    b.bind(shade, slot::Depth, BindingType::Texture, prepass.depth);
-    b.bind(shade, slot::Surface0, BindingType::Texture, prepass.normals);
     b.copyCounters();
+}
+
+namespace {
+
+// Depth, ids and, where some draws cannot be fetched, their G-buffer.
+struct Ids {
+    Prepass prepass;
+    std::optional<GBuffer> unfetched;
+
+    void bind(PlanBuilder& b, Pass& pass) const {
+        b.bindHostFetch(pass);
+        b.bind(pass, slot::Metadata, BindingType::Texture, prepass.normals);
+        if (unfetched)
+            unfetched->bind(b, pass);
+        else
+            b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
+    }
+};
+
+Ids drawIds(PlanBuilder& b) {
+    Ids ids{drawPrepass(b, false, "ids", Format::RGBA8), {}};
+    if (b.plan.someUnfetched)
+        ids.unfetched = drawGBufferOver(b, ids.prepass.depth);
+    return ids;
+}
+
+} // namespace
+
+void shadeFromIds(PlanBuilder& b) {
+    const Ids ids = drawIds(b);
+    Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_ids", "mscbl",
+                            AGAA_SEGMENT_SHADING);
+    b.bindCommon(shade);
+    ids.bind(b, shade);
+    b.bindLighting(shade);
+    b.bindOutput(shade);
+    b.copyCounters();
+}
+
+void buildFromIds(PlanBuilder& b, const Aggregation& a) {
+    const Ids ids = drawIds(b);
+    const ResourceId aggregates = aggregateBuffer(b, a);
+    Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather_ids", "mc", AGAA_SEGMENT_GENERATION);
+    b.bindCommon(gather);
+    ids.bind(b, gather);
+    b.bind(gather, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
+    setRecord(gather, a);
+    shadeAggregates(b, a, aggregates, [&](Pass& pass) {
+        b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth);
+        if (b.counts())
+            b.bind(pass, slot::Surface0, BindingType::Texture, ids.prepass.normals);
+        pass.constants[AGAA_COVERAGE_COMPONENT] = anyComponent;
+    });
 }
 
 } // namespace agaa

@@ -36,7 +36,11 @@ void setRecord(Pass& pass, const Aggregation& aggregation);
 void buildTwoPasses(PlanBuilder& b, const Aggregation& aggregation);
 // One geometry pass into a multisampled G-buffer, from which a compute pass fills the aggregates.
 void buildFromGBuffer(PlanBuilder& b, const Aggregation& aggregation);
-// One geometry pass into depth and ids; a compute pass that groups samples, fetches materials and shades.
-void buildFromIds(PlanBuilder& b);
+// The same of samples that are grouped by what they show, in one compute pass that shades at once.
+void shadeFromGBuffer(PlanBuilder& b);
+// One geometry pass into depth and ids; a compute pass that fetches materials, groups samples and fills the aggregates.
+void buildFromIds(PlanBuilder& b, const Aggregation& aggregation);
+// The same with a compute pass that shades at once.
+void shadeFromIds(PlanBuilder& b);
 
 } // namespace agaa

@@ -4,25 +4,44 @@
 
 namespace agaa {
 
-GBuffer makeGBuffer(PlanBuilder& b) {
-    GBuffer g;
+namespace {
+
+// Into attachments of its own, which it clears; over the depth that `g` has.
+Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const char* name) {
     g.packing = packGBuffer(b.plan.layout);
-    if (b.plan.hostGBuffer)
-        return g;
-    g.depth = b.depth(false);
     for (size_t i = 0; i < g.packing.attachments.size(); ++i)
         g.attachments.push_back(
             b.image("gbuffer-" + std::to_string(i), g.packing.attachments[i], true));
-    Pass& draw = b.hostDraw("gbuffer", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_GBUFFER,
-                            AGAA_SEGMENT_PREPASS);
+    Pass& draw = b.hostDraw(name, AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_PREPASS);
     b.bindCommon(draw);
-    draw.drawState.depthCompare = b.plan.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
-    draw.drawState.depthWrite = 1;
     draw.drawState.colorAttachmentCount = uint32_t(g.attachments.size());
     draw.colorTargets = g.attachments;
     draw.depthTarget = g.depth;
-    draw.clearsColor = draw.clearsDepth = true;
+    draw.clearsColor = true;
     setFields(draw.constants, AGAA_SOURCE_DIFFUSE_R, g.packing.fields);
+    return draw;
+}
+
+} // namespace
+
+GBuffer makeGBuffer(PlanBuilder& b) {
+    GBuffer g;
+    if (b.plan.hostGBuffer) {
+        g.packing = packGBuffer(b.plan.layout);
+        return g;
+    }
+    g.depth = b.depth(false);
+    Pass& draw = drawGBuffer(b, g, "gbuffer");
+    draw.drawState.depthCompare = b.plan.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    draw.drawState.depthWrite = 1;
+    draw.clearsDepth = true;
+    return g;
+}
+
+GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth) {
+    GBuffer g;
+    g.depth = depth;
+    drawGBuffer(b, g, "gbuffer of unfetched draws").drawState.depthCompare = AGAA_COMPARE_EQUAL;
     return g;
 }
 

@@ -21,5 +21,7 @@ struct GBuffer {
 };
 
 GBuffer makeGBuffer(PlanBuilder& b);
+// Over a depth that an earlier pass left, where it is equal.
+GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth);
 
 } // namespace agaa

@@ -16,6 +16,8 @@ struct AgaaSurfaceInput {
     float alpha2;
 };
 
+const uint AGAA_UNFETCHED = 0xFFFFFFFFu; // AgaaSurfaceInput::draw of what AGAA_FETCH_NOT_ALL_DRAWS says
+
 AgaaSurfaceInput agaa_surfaceInput() {
     AgaaSurfaceInput s;
     s.position = vec3(0.0, 0.0, -1.0);

@@ -152,6 +152,7 @@ uint agaa_literalCandidate(uint n, uint covered, uint seeds, real inverseK2) {
 // the lower corner of the bounding box, in integers of 2^-20 of its size, do not.
 uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real inverseK2) {
     const real steps = real(1048576.0);
+    const real longest = real(8.0); // of a normal's components, where gloss weighs them
     const real size = clamp(extent, real(1e-30), real(1e30));
     const real scale = steps / size;
     uint count = 0u;
@@ -164,9 +165,9 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
             sumP.x += uint(clamp(p.x * scale, real(0.0), steps) + real(0.5));
             sumP.y += uint(clamp(p.y * scale, real(0.0), steps) + real(0.5));
             sumP.z += uint(clamp(p.z * scale, real(0.0), steps) + real(0.5));
-            sumN.x += uint((clamp(m.x, real(-1.0), real(1.0)) + real(1.0)) * steps + real(0.5));
-            sumN.y += uint((clamp(m.y, real(-1.0), real(1.0)) + real(1.0)) * steps + real(0.5));
-            sumN.z += uint((clamp(m.z, real(-1.0), real(1.0)) + real(1.0)) * steps + real(0.5));
+            sumN.x += uint((clamp(m.x, -longest, longest) + longest) * steps + real(0.5));
+            sumN.y += uint((clamp(m.y, -longest, longest) + longest) * steps + real(0.5));
+            sumN.z += uint((clamp(m.z, -longest, longest) + longest) * steps + real(0.5));
             count += 1u;
         }
     }
@@ -175,8 +176,8 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
     // The mean normal is left unnormalised: its distance is then the mean of the distances to all
     // normals up to a constant, and there is no direction to invent where normals cancel.
     const rvec3 meanN =
-        rvec3(real(sumN.x) * inverse - real(1.0), real(sumN.y) * inverse - real(1.0),
-              real(sumN.z) * inverse - real(1.0));
+        rvec3(real(sumN.x) * inverse - longest, real(sumN.y) * inverse - longest,
+              real(sumN.z) * inverse - longest);
     uint best = 0u;
     uint bestDistance = 0u;
     bool haveBest = false;

@@ -3,6 +3,7 @@
 #ifndef AGAA_AGGREGATE_GLSL
 #define AGAA_AGGREGATE_GLSL
 #include "passes/choice.glsl"
+#include "passes/debug_view.glsl"
 #include "passes/sample_depth.glsl"
 #include "math/encoding.glsl"
 #include "math/statistics.glsl"
@@ -15,6 +16,20 @@ struct agaa_Means {
     float alpha2;
     float lengthBound; // what rounding may have made the normal shorter by
 };
+
+agaa_Means agaa_noMeans() { return agaa_Means(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 1e-6); }
+
+// One unwidened surface more.
+void agaa_addToMeans(inout agaa_Means m, float weight, agaa_Surface one) {
+    m.diffuse += weight * one.diffuse;
+    m.normal += weight * one.normal;
+    if (AGAA_HAS_SPECULAR != 0u) {
+        m.specular += weight * one.specular;
+        m.alpha2 += weight * one.alpha2;
+    }
+    if (AGAA_EMISSIVE_CHANNELS != 0u)
+        m.emissive += weight * one.emissive;
+}
 
 // folded: the normal's length says spread and roughness at once; the diffuse term cannot tell them apart.
 agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
@@ -39,6 +54,11 @@ agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
 
 void agaa_countWidening(agaa_Means means, agaa_Surface surface) {
     agaa_count(AGAA_COUNT_WIDENED, AGAA_HAS_SPECULAR != 0u && surface.alpha2 > means.alpha2 ? 1u : 0u);
+}
+
+// By how much alpha grew.
+float agaa_widening(agaa_Means means, agaa_Surface surface) {
+    return AGAA_HAS_SPECULAR == 0u ? 0.0 : max(sqrt(surface.alpha2) - sqrt(means.alpha2), 0.0);
 }
 
 vec3 agaa_viewPositionOf(uvec2 pixel, uint i) {
@@ -88,5 +108,41 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
         agaa_visibility[map] /= float(taps);
 #endif
     return agaa_toShadingSpace(mean);
+}
+
+#if AGAA_LIT
+float agaa_sampleLight[32]; // share of a shadow's light that each sample gets, of the aggregate at hand
+
+// Of the shader that includes this: sums of a pixel's samples, each times scale * agaa_sampleLight of it.
+agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale);
+
+// Of each key light's shadow, the share of the samples that its light reaches and the means over what it reaches.
+void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map) {
+        if (!agaa_isLitShadow(map))
+            continue;
+        float sum = 0.0;
+        for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
+            uint i = uint(findLSB(rest));
+            agaa_sampleLight[i] = agaa_shadowTap(map, agaa_toShadingSpace(agaa_viewPositionOf(pixel, i)));
+            sum += agaa_sampleLight[i];
+        }
+        agaa_visibility[map] = sum / float(bitCount(mask));
+        agaa_litSurface[map] =
+            agaa_surfaceOfMeans(agaa_litMeans(pixel, mask, sum > 0.0 ? 1.0 / sum : 0.0), false, toEye);
+    }
+}
+#endif
+
+// Shading of an aggregate after agaa_placeAggregate(), times the number of its samples.
+vec3 agaa_shadeMeans(uvec2 pixel, vec3 position, uint a, uint mask, agaa_Means means, bool folded) {
+    vec3 toEye = agaa_toEye(position);
+    agaa_Surface s = agaa_surfaceOfMeans(means, folded, toEye);
+    agaa_countWidening(means, s);
+#if AGAA_LIT
+    agaa_findLitSurfaces(pixel, mask, toEye);
+#endif
+    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, agaa_widening(means, s)) : agaa_lightSurface(s, position);
+    return color * float(bitCount(mask));
 }
 #endif

@@ -12,12 +12,15 @@
 #define AGAA_COUNT_WIDENED 8u
 #define AGAA_COUNT_PIXELS 9u
 #define AGAA_COUNT_MISPLACED 10u // by fragments only
-#define AGAA_COUNT_MAX_EVENTS 11u // one word, a maximum
-#define AGAA_COUNTS 12u
+#define AGAA_COUNT_AGGREGATES 11u
+#define AGAA_COUNT_PRIMITIVES 12u
+#define AGAA_COUNT_MATERIALS 13u
+#define AGAA_COUNT_MAX_EVENTS 14u // one word, a maximum
+#define AGAA_COUNTS 15u
 
 #if AGAA_COUNTING
 layout(std430, AGAA_AT_COUNTERS) coherent buffer agaa_CounterBlock {
-    uint words[24]; // of the counts
+    uint words[30]; // of the counts
     uint invalidPixelCount; // with missed or multi samples
     uint padding;
     uint invalidPixels[8][8]; // x, y, visible, missed, multi of the first

@@ -5,12 +5,21 @@
 #include "passes/host_samples.glsl"
 
 // Four bytes: each is exact in an 8-bit channel, on every device at every sample count.
-layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_ids;
+layout(AGAA_AT_METADATA) uniform AGAA_TARGET_TEXTURE agaa_ids;
 
 // 0: no geometry.
 uint agaa_idOf(uvec2 pixel, uint i) {
     uvec4 bytes = uvec4(AGAA_FETCH(agaa_ids, pixel, i) * 255.0 + 0.5);
     return bytes.x | bytes.y << 8 | bytes.z << 16 | bytes.w << 24;
+}
+
+// False of draws that a G-buffer holds instead (AGAA_FETCH_NOT_ALL_DRAWS).
+bool agaa_isFetched(uint id) {
+#ifdef AGAA_SOME_UNFETCHED
+    return id != 0xFFFFFFFFu;
+#else
+    return true;
+#endif
 }
 
 AgaaPrimitive agaa_primitive(uint id) {
@@ -55,6 +64,7 @@ AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, vec2 place) {
     p.facing = b.facing;
     AgaaMaterial m = agaa_defaultMaterial();
     agaaHostMaterial(p, m);
+    agaa_count(AGAA_COUNT_MATERIALS, 1u);
     agaa_count(AGAA_COUNT_SANITISED, agaa_sanitiseMaterial(m));
     return m;
 }

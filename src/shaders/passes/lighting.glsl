@@ -91,13 +91,13 @@ float agaa_shadowTap(uint map, vec3 p) {
 }
 
 float agaa_visibility[4]; // per shadow map, for the surface at hand
-#ifdef AGAA_LIT_SHADOWS
+#if AGAA_LIT
 agaa_Surface agaa_litSurface[4]; // what the lights of these shadows reach of it
 #endif
 
 // Whether visibility comes with the lit surface, not by taps.
 bool agaa_isLitShadow(uint map) {
-#ifdef AGAA_LIT_SHADOWS
+#if AGAA_LIT
     return (AGAA_LIT_SHADOWS >> map & 1u) != 0u;
 #else
     return false;
@@ -134,7 +134,7 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
         intensity *= agaa_visibility[map];
     if (intensity <= 0.0)
         return vec3(0.0);
-#ifdef AGAA_LIT_SHADOWS
+#if AGAA_LIT
     if (map < 4u && agaa_isLitShadow(map))
         s = agaa_litSurface[map];
 #endif

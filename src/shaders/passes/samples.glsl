@@ -5,11 +5,13 @@
 #include "math/clustering.glsl"
 #include "passes/sample_depth.glsl"
 
-#if defined(AGAA_HOST_FETCH)
+#ifdef AGAA_HOST_FETCH
 #include "passes/fetch.glsl"
-#elif AGAA_FROM_GBUFFER
+#endif
+#if AGAA_FROM_GBUFFER || defined(AGAA_SOME_UNFETCHED)
 #include "passes/gbuffer.glsl"
-#else
+#endif
+#if !defined(AGAA_HOST_FETCH) && !AGAA_FROM_GBUFFER
 layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
 #endif
 
@@ -102,7 +104,7 @@ void agaa_addSamples(inout agaa_PixelSamples samples, uvec2 pixel) {
 }
 
 #if AGAA_FROM_GBUFFER
-void agaa_weighNormals(uvec2 pixel, uint covered) {
+void agaa_weighFetchedNormals(uvec2 pixel, uint covered) {
     for (uint i = 0u; i < agaa_sampleCount(); ++i)
         if ((covered >> i & 1u) != 0u && agaa_fetchSample(pixel, i))
             agaa_weighNormal(i, agaa_sampleNormal[i], agaa_fetchedAlpha2());

@@ -23,7 +23,9 @@ bool agaa_isVisible(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
 layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
 
 bool agaa_isVisible(uvec2 pixel, uint i) {
-    return AGAA_FETCH(agaa_normals, pixel, i)[AGAA_COVERAGE_COMPONENT] > 0.0;
+    vec4 texel = AGAA_FETCH(agaa_normals, pixel, i);
+    // Of an id, which is not 0, any byte may be.
+    return AGAA_COVERAGE_COMPONENT < 4u ? texel[AGAA_COVERAGE_COMPONENT] > 0.0 : texel != vec4(0.0);
 }
 #endif
 #endif
@@ -118,6 +120,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     if ((missed | multi) != 0u)
         agaa_reportPixel(pixel, visible, missed, multi);
     agaa_count(AGAA_COUNT_EVENTS, uint(bitCount(work.events)));
+    agaa_count(AGAA_COUNT_AGGREGATES, uint(bitCount(work.events)));
     agaa_count(AGAA_COUNT_PIXELS, work.events != 0u ? 1u : 0u);
 #endif
     return work;
@@ -133,10 +136,7 @@ vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
     position = agaa_toShadingSpace(
         agaa_sampleViewPosition(pixel, shaded, agaa_depthOf(pixel, shaded)));
 #endif
-    agaa_Means means = agaa_aggregateMeans();
-    agaa_Surface s = agaa_surfaceOfMeans(means, AGAA_FOLDED_ROUGHNESS != 0u, agaa_toEye(position));
-    agaa_countWidening(means, s);
-    return agaa_lightSurface(s, position) * float(agaa_count_);
+    return agaa_shadeMeans(pixel, position, a, mask, agaa_aggregateMeans(), AGAA_FOLDED_ROUGHNESS != 0u);
 }
 
 void main() {

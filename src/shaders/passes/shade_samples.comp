@@ -72,6 +72,8 @@ vec3 agaa_shadeEvent(uvec2 pixel, uint which) {
         mask = agaa_coveredSamples(pixel);
 #endif
     agaa_findVisibility(pixel, mask);
+    if (agaa_showsEvents())
+        return agaa_shownOfEvent(0u, 0.0) * float(bitCount(mask));
     agaa_fetchSample(pixel, i);
     return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i)) *
            float(bitCount(mask));

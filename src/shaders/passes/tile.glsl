@@ -2,6 +2,7 @@
 // numbers of them (Lauritzen 2010: per-sample shading of complex pixels).
 #ifndef AGAA_TILE_GLSL
 #define AGAA_TILE_GLSL
+#include "passes/debug_view.glsl"
 
 // What a pixel has to shade: the events whose bits are set, each of the kind given.
 struct agaa_PixelWork {
@@ -11,7 +12,7 @@ struct agaa_PixelWork {
 };
 
 // Of the shader that includes this.
-// Radiance times the number of samples that the event stands for. which: bit and kind.
+// Radiance, or agaa_shownOfEvent(), times the number of samples that the event stands for. which: bit and kind.
 vec3 agaa_shadeEvent(uvec2 pixel, uint which);
 
 shared uint agaa_eventCount;
@@ -47,10 +48,12 @@ vec3 agaa_shadeWork(agaa_PixelWork work, uvec2 corner) {
 }
 
 void agaa_writePixel(uvec2 pixel, agaa_PixelWork work, vec3 color) {
-    if (AGAA_SHOW_EVENTS != 0u)
-        agaa_writeOutput(pixel, vec3(bitCount(work.events)), AGAA_SAMPLES);
-    else
+    if (AGAA_DEBUG_VIEW != 0u) {
+        vec3 mean = color / float(max(work.covered, 1u));
+        agaa_writeOutput(pixel, agaa_shownOfPixel(uint(bitCount(work.events)), mean), AGAA_SAMPLES);
+    } else {
         agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), work.covered);
+    }
 }
 
 #ifndef AGAA_OWN_TILE // shaders that find the work of a tile together

@@ -257,6 +257,7 @@ struct Split {
 Split splitPixels(StageContext& context, uint32_t tier, const glm::vec3& normal, float gap) {
     ViewSettings settings = settingsFor(8, 2);
     settings.config.generationTier = tier;
+    settings.config.flags |= tier == AGAA_TIER_GBUFFER ? AGAA_CONFIG_BUFFERED : 0; // for the metadata
     settings.view = glm::mat4(glm::mat3(glm::vec3(0.36f, 0.48f, -0.8f), glm::vec3(-0.8f, 0.6f, 0),
                                         glm::vec3(0.48f, 0.64f, 0.6f)));
     const glm::mat3 toShading = glm::transpose(glm::mat3(settings.view));

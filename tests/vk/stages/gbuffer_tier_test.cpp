@@ -53,7 +53,9 @@ void expectSums(StageContext& context, uint32_t n, uint32_t c, const char* layou
     SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c) + " " + layoutName);
     AgaaLayout layout;
     agaaGetBuiltinLayout(layoutName, &layout);
-    StageView view(context, settingsFor(n, c, &layout));
+    ViewSettings settings = settingsFor(n, c, &layout);
+    settings.config.flags |= AGAA_CONFIG_BUFFERED;
+    StageView view(context, settings);
     view.setTriangles(randomTriangles({.triangles = 300, .duplicates = 0.1f, .masked = 0.2f}, 61));
     view.render(view.frame());
     const Plan& plan = view.plan();
@@ -167,6 +169,22 @@ TEST(GBufferTier, ServesMaterialsThatWriteDepthAndDiscard) {
     settings.shader = ViewSettings::Shader::Material;
     const Rendered plain = render(context, settings);
     EXPECT_GT(meanDifference(plain.image, samples.image), 2e-2) << "the materials must matter";
+}
+
+// Sums in memory and means in registers differ by how sums are rounded.
+TEST(GBufferTier, BufferedShowsTheSame) {
+    StageContext context;
+    for (const auto& [n, c] : {std::pair{1u, 1u}, {8u, 1u}, {8u, 2u}, {32u, 4u}}) {
+        ViewSettings settings = settingsFor(n, c);
+        const Rendered fused = render(context, settings);
+        settings.config.flags |= AGAA_CONFIG_BUFFERED;
+        const Rendered buffered = render(context, settings);
+        EXPECT_EQ(fused.counters.visible, buffered.counters.visible);
+        EXPECT_EQ(fused.counters.once, fused.counters.visible);
+        EXPECT_EQ(fused.counters.shadingEvents, buffered.counters.shadingEvents);
+        EXPECT_EQ(fused.counters.aggregates, buffered.counters.aggregates);
+        EXPECT_LT(meanDifference(fused.image, buffered.image), 1e-4);
+    }
 }
 
 // Two tiers of one stage: the same samples, and images that agree.

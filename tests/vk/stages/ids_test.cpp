@@ -59,15 +59,16 @@ ViewSettings settingsFor(uint32_t n, uint32_t c, uint32_t tier) {
 class IdsView {
 public:
     // chained: a further struct of the view's, or null.
-    // announced: of the triangles; 0: all.
+    // announced: of the triangles; 0: all. flags: of the function.
     IdsView(StageContext& context, ViewSettings settings, const std::vector<Triangle>& triangles, const char* more = "",
-            const void* chained = nullptr, uint32_t announced = 0)
+            const void* chained = nullptr, uint32_t announced = 0, uint64_t flags = 0)
         : set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT), text_(fetchText(settings, more)) {
         function_.glsl = text_.c_str();
         function_.maxDraws = drawNumber + 1;
         function_.maxPrimitives = announced ? announced : uint32_t(triangles.size());
         function_.descriptorSetLayout = (uint64_t)set_.layout();
         function_.pNext = chained;
+        function_.flags = flags;
         settings.chained = &function_;
         view_ = std::make_unique<StageView>(context, settings);
         view_->setTriangles(triangles);
@@ -149,6 +150,55 @@ TEST(Ids, ShowWhatTheOtherTiersShow) {
         EXPECT_EQ(a.missed + a.multi + a.misplaced, 0u);
         EXPECT_NEAR(double(a.shadingEvents), double(b.shadingEvents), 0.002 * double(b.shadingEvents));
     }
+}
+
+// What is kept in memory between the passes, and where some triangles come from, does not change the image.
+TEST(Ids, BufferedAndUnfetchedShowTheSame) {
+    StageContext context;
+    const std::vector<Triangle> triangles = randomTriangles({.triangles = 150, .masked = 0.2f}, 61);
+    for (const auto& [n, c] : {std::pair{1u, 1u}, {8u, 1u}, {8u, 2u}, {32u, 4u}}) {
+        SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c));
+        IdsView fused(context, settingsFor(n, c, AGAA_TIER_IDS), triangles);
+        const harness::Image image = fused.render();
+        const AgaaCounters a = fused.view().statistics().counters;
+        const auto expectLike = [&](ViewSettings settings, uint64_t flags, double psnr) {
+            IdsView other(context, settings, triangles, "", nullptr, 0, flags);
+            const Difference d = compare(image, other.render());
+            std::printf("n=%u c=%u: PSNR %.1f dB\n", n, c, d.psnr);
+            EXPECT_GE(d.psnr, psnr);
+            EXPECT_EQ(d.farPixels, 0);
+            const AgaaCounters b = other.view().statistics().counters;
+            EXPECT_EQ(b.visible, a.visible);
+            EXPECT_EQ(b.once, b.visible);
+            EXPECT_EQ(b.missed + b.multi, 0u);
+            return b;
+        };
+        ViewSettings settings = settingsFor(n, c, AGAA_TIER_IDS);
+        settings.config.flags |= AGAA_CONFIG_BUFFERED;
+        const AgaaCounters buffered = expectLike(settings, 0, 95);
+        EXPECT_EQ(buffered.shadingEvents, a.shadingEvents);
+        EXPECT_EQ(buffered.materials, a.materials);
+        settings = settingsFor(n, c, AGAA_TIER_IDS);
+        settings.shader = ViewSettings::Shader::ThirdUnfetched;
+        const AgaaCounters mixed = expectLike(settings, AGAA_FETCH_NOT_ALL_DRAWS, 85);
+        EXPECT_LT(mixed.materials, a.materials);
+        EXPECT_GT(mixed.materials, a.materials / 2);
+        settings.config.flags |= AGAA_CONFIG_BUFFERED;
+        expectLike(settings, AGAA_FETCH_NOT_ALL_DRAWS, 85);
+    }
+}
+
+// A primitive is fetched once in a pixel, however many of its samples it has.
+TEST(Ids, CountersTellPrimitivesAndMaterials) {
+    StageContext context;
+    const std::vector<Triangle> triangles = scene(150);
+    IdsView ids(context, settingsFor(8, 2, AGAA_TIER_IDS), triangles);
+    ids.render();
+    const AgaaCounters c = ids.view().statistics().counters;
+    EXPECT_EQ(c.materials, c.primitives);
+    EXPECT_EQ(c.aggregates, c.shadingEvents);
+    EXPECT_GT(c.primitives, c.shadedPixels);
+    EXPECT_LT(c.primitives, c.visible);
 }
 
 // Each sample's id is that of the triangle which another view's G-buffer finds there.

@@ -62,6 +62,8 @@ void main() {
     gl_FragDepth = triangle % 2u == 0u ? gl_FragCoord.z : 0.999 * gl_FragCoord.z;
     if ((uint(gl_FragCoord.x) + triangle) % 5u == 0u)
         discard;
+#elif STAGE_SHADER == 5
+    s.draw = triangle % 3u == 0u ? AGAA_UNFETCHED : s.draw;
 #endif
     agaa_emit(s);
 }

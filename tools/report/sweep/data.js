@@ -25,8 +25,14 @@ function label(row) {
         words.push("n=" + row.n);
     if (row.c > 0)
         words.push((row.technique === "sbaa" ? "S=" : "c=") + row.c);
+    if (row.litShadows)
+        words.push("lit");
+    if (row.glossWeight)
+        words.push("gloss=" + significant(row.glossWeight, 2));
+    if (row.aggregateThreshold)
+        words.push("t=" + significant(row.aggregateThreshold, 2));
     if (row.alike)
-        words.push("(" + tiersOf(row) + ")");
+        words.push("("(" + tiersOf(row) + ")");
     return words.join(" ");
 }
 

@@ -1,0 +1,75 @@
+// Aggregates of a multisampled G-buffer, shaded at once: nothing but the image goes to memory.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define AGAA_MAX_SAMPLES 32
+#define AGAA_FROM_GBUFFER 1
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/target.glsl"
+#include "passes/counters.glsl"
+#include "passes/lighting.glsl"
+#include "passes/output.glsl"
+#include "passes/aggregate.glsl"
+#include "passes/grouping.glsl"
+#define AGAA_MAX_EVENTS AGAA_AGGREGATES
+#include "passes/tile.glsl"
+
+shared uint agaa_masks[64u * AGAA_AGGREGATES]; // samples of each aggregate
+
+void agaa_weighNormals(uvec2 pixel, uint covered) { agaa_weighFetchedNormals(pixel, covered); }
+
+agaa_PixelWork agaa_workOf(uvec2 pixel) {
+    agaa_PixelSamples samples = agaa_loadSamples(pixel);
+    uint count = agaa_groupSamples(pixel, samples);
+    uint base = gl_LocalInvocationIndex * AGAA_AGGREGATES;
+    for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
+        agaa_masks[base + a] = a == 0u && count == 1u ? samples.covered : 0u;
+    if (count > 1u)
+        for (uint left = samples.covered; left != 0u; left &= left - 1u) {
+            uint i = uint(findLSB(left));
+            agaa_masks[base + agaa_sampleAggregate[i]] |= 1u << i;
+        }
+    uint covered = uint(bitCount(samples.covered));
+    agaa_count(AGAA_COUNT_VISIBLE, covered);
+    agaa_count(AGAA_COUNT_ONCE, covered);
+    agaa_count(AGAA_COUNT_EVENTS, count);
+    agaa_count(AGAA_COUNT_AGGREGATES, count);
+    agaa_count(AGAA_COUNT_PIXELS, min(count, 1u));
+    return agaa_PixelWork((1u << count) - 1u, 0u, covered);
+}
+
+agaa_Means agaa_meansOf(uvec2 pixel, uint mask) {
+    agaa_Means m = agaa_noMeans();
+    float share = 1.0 / float(bitCount(mask));
+    for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
+        agaa_fetchSample(pixel, uint(findLSB(rest)));
+        agaa_addToMeans(m, share, agaa_sampleSurface());
+    }
+    return m;
+}
+
+#if AGAA_LIT
+agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) {
+    agaa_Means m = agaa_noMeans();
+    for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
+        uint i = uint(findLSB(rest));
+        agaa_fetchSample(pixel, i);
+        agaa_addToMeans(m, scale * agaa_sampleLight[i], agaa_sampleSurface());
+    }
+    return m;
+}
+#endif
+
+vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
+    uint lane = (pixel.y & 7u) * 8u + (pixel.x & 7u);
+    uint mask = agaa_masks[lane * AGAA_AGGREGATES + a];
+    return agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, mask), a, mask, agaa_meansOf(pixel, mask), false);
+}
+
+void main() {
+    agaa_countBegin();
+    agaa_shadeTile();
+    agaa_countEnd();
+}

@@ -1,0 +1,48 @@
+// Aggregates of what a pixel's ids name, left in memory as the tiers that accumulate fragments leave theirs.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define AGAA_MAX_SAMPLES 32
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/target.glsl"
+#include "passes/counters.glsl"
+#include "math/light.glsl"
+#include "passes/primitives.glsl"
+#include "passes/sums.glsl"
+
+void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
+    agaa_clearSums();
+    uint list = agaa_pixelList[gl_LocalInvocationIndex];
+    uint end = (list & 0xFFFFu) + (list >> 16u);
+    for (uint at = list & 0xFFFFu; at < end && mask != 0u; ++at) {
+        agaa_Surface s = agaa_listedSurface(at);
+        vec3 emissive = s.emissive / agaa_frame.ambient.w;
+        if (AGAA_EMISSIVE_CHANNELS == 1u)
+            emissive = vec3(agaa_emissiveFactor(s.diffuse, emissive));
+        uint count = uint(bitCount(agaa_listSamples[at] & mask));
+        if (count != 0u)
+            agaa_addToSums(s, emissive, count);
+    }
+    agaa_storeSums(mask, ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE);
+}
+
+void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered) {
+    if (isHeld)
+        for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
+            agaa_storeAggregate(pixel, a, agaa_masks[gl_LocalInvocationIndex * AGAA_AGGREGATES + a]);
+}
+
+void main() {
+    agaa_countBegin();
+    uvec2 corner = gl_WorkGroupID.xy * 8u;
+    uvec2 pixel = corner + gl_LocalInvocationID.xy;
+    bool inside = all(lessThan(pixel, agaa_frame.size.xy));
+    uint covered = inside ? agaa_loadIds(pixel) : 0u;
+    if (inside && covered == 0u)
+        for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
+            agaa_storeAggregate(pixel, a, 0u);
+    agaa_takeTile(corner, pixel, covered);
+    agaa_countEnd();
+}

@@ -1,0 +1,187 @@
+// Primitives that a tile's pixels name by ids: its lanes list them, and share out the fetching of materials, each in the
+// middle of the samples that its primitive has in a pixel, and the grouping of samples in pixels of several.
+#ifndef AGAA_PRIMITIVES_GLSL
+#define AGAA_PRIMITIVES_GLSL
+#include "passes/grouping.glsl"
+#include "passes/debug_view.glsl"
+
+// Primitives of pixels that are in hand; a tile with more takes them in turns, a pixel at a time at least.
+#ifndef AGAA_LIST_LENGTH
+#define AGAA_LIST_LENGTH 256u
+#endif
+const uint agaa_listLength = AGAA_LIST_LENGTH;
+shared uint agaa_listed; // places asked for, of which some may not have been had
+shared uint agaa_listId[agaa_listLength];
+shared uint agaa_listSamples[agaa_listLength]; // 0: nobody's
+shared uint agaa_listLane[agaa_listLength];
+shared vec3 agaa_listPlane[agaa_listLength]; // normal in view space
+shared AgaaMaterial agaa_listMaterial[agaa_listLength];
+shared uint agaa_pixelList[64];                    // first place | number of them << 16
+shared uint agaa_manyCount;                        // pixels of several primitives
+shared uint agaa_many[64];
+shared uint agaa_aggregateCount[64];
+shared uint agaa_masks[64u * AGAA_AGGREGATES];     // samples of each aggregate
+shared uint agaa_waiting;                          // pixels that did not find room
+
+// Of the pixel at hand.
+uint agaa_sampleIds[AGAA_MAX_SAMPLES];
+uint agaa_samplePrimitive[AGAA_MAX_SAMPLES]; // its place in the list
+uint agaa_primitiveSamples[AGAA_MAX_SAMPLES];
+
+// Returns the samples that show geometry.
+uint agaa_loadIds(uvec2 pixel) {
+    uint covered = 0u;
+    for (uint i = 0u; i < agaa_sampleCount(); ++i) {
+        agaa_sampleIds[i] = agaa_idOf(pixel, i);
+        covered |= agaa_sampleIds[i] != 0u ? 1u << i : 0u;
+    }
+    return covered;
+}
+
+// Returns how many primitives these samples show.
+uint agaa_findPrimitives(uint covered) {
+    uint count = 0u;
+    for (uint left = covered; left != 0u; ++count) {
+        uint id = agaa_sampleIds[findLSB(left)];
+        uint alike = left & (~left + 1u);
+        for (uint rest = agaa_isFetched(id) ? left : 0u; rest != 0u; rest &= rest - 1u) {
+            uint i = uint(findLSB(rest));
+            alike |= agaa_sampleIds[i] == id ? 1u << i : 0u;
+        }
+        agaa_primitiveSamples[count] = alike;
+        left &= ~alike;
+    }
+    return count;
+}
+
+void agaa_listPrimitives(uint first, uint count) {
+    const uint lane = gl_LocalInvocationIndex;
+    for (uint i = 0u; i < count; ++i) {
+        agaa_listId[first + i] = agaa_sampleIds[findLSB(agaa_primitiveSamples[i])];
+        agaa_listSamples[first + i] = agaa_primitiveSamples[i];
+        agaa_listLane[first + i] = lane;
+    }
+    agaa_pixelList[lane] = first | count << 16u;
+}
+
+void agaa_fetchListed(uint at, uvec2 corner) {
+    uint samples = agaa_listSamples[at];
+    vec2 middle = vec2(0.0);
+    for (uint rest = samples; rest != 0u; rest &= rest - 1u)
+        middle += agaa_frame.samplePosition[findLSB(rest)].xy;
+    middle /= float(bitCount(samples));
+    uint lane = agaa_listLane[at];
+    uvec2 pixel = corner + uvec2(lane & 7u, lane >> 3u);
+#ifdef AGAA_SOME_UNFETCHED
+    if (!agaa_isFetched(agaa_listId[at])) {
+        agaa_fetchSample(pixel, uint(findLSB(samples)));
+        agaa_Surface s = agaa_sampleSurface();
+        agaa_listPlane[at] = mat3(agaa_frame.view) * s.normal;
+        agaa_listMaterial[at] = AgaaMaterial(s.diffuse, s.specular, s.emissive, s.normal, s.alpha2);
+        return;
+    }
+#endif
+    AgaaPrimitive p = agaa_primitive(agaa_listId[at]);
+    agaa_listPlane[at] = agaa_planeNormal(p);
+    agaa_listMaterial[at] = agaa_fetchMaterial(p, pixel, middle);
+}
+
+// lane: of the pixel, which may be another's.
+agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
+    agaa_PixelSamples samples = agaa_noSamples();
+    uint first = agaa_pixelList[lane] & 0xFFFFu;
+    uint count = agaa_pixelList[lane] >> 16u;
+    uint covered = 0u;
+    for (uint k = 0u; k < count; ++k) {
+        covered |= agaa_listSamples[first + k];
+        for (uint rest = agaa_listSamples[first + k]; rest != 0u; rest &= rest - 1u)
+            agaa_samplePrimitive[findLSB(rest)] = first + k;
+    }
+    for (uint i = 0u; i < agaa_sampleCount(); ++i) {
+        if ((covered >> i & 1u) == 0u)
+            continue;
+        vec3 normal = agaa_listPlane[agaa_samplePrimitive[i]];
+        uvec3 c = uvec3((normal * 0.5 + 0.5) * 2047.0 + 0.5);
+        agaa_addSample(samples, pixel, i, normal, ((c.x * 2048u + c.y) * 2048u + c.z) * 2654435761u >> 16);
+    }
+    return agaa_withDistance(samples);
+}
+
+void agaa_weighNormals(uvec2 pixel, uint covered) {
+    for (uint i = 0u; i < agaa_sampleCount(); ++i)
+        if ((covered >> i & 1u) != 0u) {
+            AgaaMaterial m = agaa_listMaterial[agaa_samplePrimitive[i]];
+            agaa_weighNormal(i, mat3(agaa_frame.view) * m.normal, m.alpha2);
+        }
+}
+
+// lane: of the pixel, which may be another's.
+void agaa_groupListed(uvec2 pixel, uint lane) {
+    agaa_PixelSamples samples = agaa_listedSamples(pixel, lane);
+    uint count = agaa_groupSamples(pixel, samples);
+    agaa_aggregateCount[lane] = count;
+    uint base = lane * AGAA_AGGREGATES;
+    for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
+        agaa_masks[base + a] = a == 0u && count == 1u ? samples.covered : 0u;
+    if (count > 1u)
+        for (uint left = samples.covered; left != 0u; left &= left - 1u) {
+            uint i = uint(findLSB(left));
+            agaa_masks[base + agaa_sampleAggregate[i]] |= 1u << i;
+        }
+}
+
+agaa_Surface agaa_listedSurface(uint at) {
+    AgaaMaterial m = agaa_listMaterial[at];
+    return agaa_Surface(m.diffuse, m.specular, m.emissive, m.normal, 1.0, m.alpha2);
+}
+
+// Of the shader that includes this; called by all lanes.
+// A pixel's aggregates are known, by agaa_masks; isHeld: the lane has one, all of whose samples are `covered`.
+void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered);
+
+// Each pixel with geometry is taken once.
+void agaa_takeTile(uvec2 corner, uvec2 pixel, uint covered) {
+    const uint lane = gl_LocalInvocationIndex;
+    uint primitives = agaa_findPrimitives(covered);
+    agaa_shownPrimitives = primitives;
+    agaa_count(AGAA_COUNT_PRIMITIVES, primitives);
+    bool waits = covered != 0u;
+    for (;;) {
+        if (lane == 0u)
+            agaa_listed = agaa_waiting = agaa_manyCount = 0u;
+        for (uint at = lane; at < agaa_listLength; at += 64u)
+            agaa_listSamples[at] = 0u;
+        barrier();
+        uint first = waits ? atomicAdd(agaa_listed, primitives) : 0u;
+        bool turn = waits && first + primitives <= agaa_listLength;
+        if (turn) {
+            agaa_listPrimitives(first, primitives);
+            agaa_aggregateCount[lane] = 1u;
+            for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
+                agaa_masks[lane * AGAA_AGGREGATES + a] = a == 0u ? covered : 0u;
+        }
+        // A primitive is plane: with one there is nothing to group.
+        if (turn && primitives > 1u && AGAA_AGGREGATES > 1u)
+            agaa_many[atomicAdd(agaa_manyCount, 1u)] = lane;
+        waits = waits && !turn;
+        if (waits)
+            atomicAdd(agaa_waiting, 1u);
+        barrier();
+        uint listed = min(agaa_listed, agaa_listLength);
+        uint waiting = agaa_waiting;
+        for (uint at = lane; at < listed; at += 64u)
+            if (agaa_listSamples[at] != 0u)
+                agaa_fetchListed(at, corner);
+        barrier();
+        if (lane < agaa_manyCount) {
+            uint other = agaa_many[lane];
+            agaa_groupListed(corner + uvec2(other & 7u, other >> 3u), other);
+        }
+        barrier();
+        agaa_takePixel(turn, corner, pixel, covered);
+        if (waiting == 0u)
+            break;
+        barrier();
+    }
+}
+#endif

@@ -1,0 +1,119 @@
+// Plans that know materials when they group samples: by id, from a G-buffer; presets.
+#include "plan_support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace agaa::test {
+namespace {
+
+AgaaFetchFunction fetchFunction(uint64_t flags = 0) {
+    AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
+    function.glsl = "void agaaHostTriangle";
+    function.maxDraws = function.maxPrimitives = 100;
+    function.flags = flags;
+    return function;
+}
+
+bool has(const std::vector<std::string>& texts, const std::string& part) {
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const std::string& text) { return text.find(part) != std::string::npos; });
+}
+
+bool hasResource(const Plan& plan, const std::string& name) {
+    return std::any_of(plan.resources.begin(), plan.resources.end(), [&](const Resource& r) { return r.name == name; });
+}
+
+TEST(GroupedPlan, AggregatesAreInMemoryOnlyWhereAsked) {
+    const AgaaFetchFunction function = fetchFunction();
+    for (const void* chained : {static_cast<const void*>(&function), static_cast<const void*>(nullptr)})
+        for (uint64_t flag : {uint64_t(0), AGAA_CONFIG_BUFFERED}) {
+            ViewSpec spec;
+            spec.generationTier = chained ? AGAA_TIER_IDS : AGAA_TIER_GBUFFER;
+            spec.chained = chained;
+            spec.configFlags = flag;
+            const Plan plan = planFor(spec, fourSampleDevice());
+            EXPECT_EQ(plan.geometryPasses(), 1u);
+            EXPECT_EQ(hasResource(plan, "aggregates"), flag != 0);
+            EXPECT_EQ(plan.bytesPerAggregate > 0, flag != 0);
+        }
+}
+
+TEST(GroupedPlan, DrawsThatCannotBeFetchedAddAGBuffer) {
+    const AgaaFetchFunction all = fetchFunction(), some = fetchFunction(AGAA_FETCH_NOT_ALL_DRAWS);
+    ViewSpec spec;
+    spec.chained = &all;
+    const Plan fetched = planFor(spec, fourSampleDevice());
+    EXPECT_EQ(fetched.geometryPasses(), 1u);
+    EXPECT_FALSE(hasResource(fetched, "gbuffer-0"));
+    EXPECT_EQ(fetched.totalBytes(), uint64_t(640 * 360 * 8 * 8)) << "8 bytes a sample, nothing per aggregate";
+    spec.chained = &some;
+    const Plan mixed = planFor(spec, fourSampleDevice());
+    EXPECT_EQ(mixed.geometryPasses(), 2u);
+    EXPECT_TRUE(hasResource(mixed, "gbuffer-0"));
+    EXPECT_TRUE(has(mixed.notes, "cannot be fetched"));
+    const Pass& over = mixed.passes[1];
+    EXPECT_EQ(over.drawPass, AGAA_DRAW_PASS_GBUFFER);
+    EXPECT_EQ(over.drawState.depthCompare, uint32_t(AGAA_COMPARE_EQUAL));
+    EXPECT_EQ(over.drawState.depthWrite, 0u);
+    EXPECT_FALSE(over.clearsDepth);
+    EXPECT_EQ(over.depthTarget, mixed.passes[0].depthTarget);
+}
+
+TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
+    ViewSpec spec;
+    spec.change = [](AgaaConfig& config) { config.litShadows = 1; };
+    const Plan lit = planFor(spec, fourSampleDevice());
+    EXPECT_EQ(lit.generationTier, AGAA_TIER_GBUFFER);
+    EXPECT_TRUE(has(lit.notes, "lit shadows"));
+    EXPECT_TRUE(has(lit.effects, "lit-aggregates"));
+    spec.shadowMaps = 0; // an effect that the scene does not call for
+    const Plan dark = planFor(spec, fourSampleDevice());
+    EXPECT_EQ(dark.config.litShadows, 0u);
+    EXPECT_FALSE(has(dark.effects, "lit-aggregates"));
+    EXPECT_TRUE(has(dark.notes, "does not declare"));
+}
+
+TEST(GroupedPlan, TheListFitsSharedMemory) {
+    const AgaaFetchFunction function = fetchFunction();
+    ViewSpec spec;
+    spec.chained = &function;
+    const auto lengthOn = [&](uint32_t bytes) {
+        AgaaDeviceCaps caps = fourSampleDevice();
+        caps.maxSharedBytes = bytes;
+        const std::string& defines = planFor(spec, caps).passes.back().defines;
+        const size_t at = defines.find("AGAA_LIST_LENGTH ");
+        return std::stoul(defines.substr(at + 17));
+    };
+    EXPECT_EQ(lengthOn(16384), 96u);
+    EXPECT_EQ(lengthOn(32768), 256u);
+    EXPECT_EQ(lengthOn(0), 32u) << "a pixel's primitives at 32 samples";
+}
+
+TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
+    for (const char* name : {"paper", "fast", "balanced", "accurate"}) {
+        AgaaConfig config = AGAA_CONFIG_INIT;
+        config.technique = "ssaa";
+        config.samples = 16;
+        config.flags = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_NO_SHADOW_FILTER;
+        ASSERT_EQ(agaaApplyPreset(name, &config), AGAA_OK) << name;
+        EXPECT_STREQ(config.technique, "agaa");
+        EXPECT_EQ(config.samples, 16u);
+        EXPECT_TRUE(config.flags & AGAA_CONFIG_COUNTERS);
+        EXPECT_FALSE(config.flags & AGAA_CONFIG_NO_SHADOW_FILTER);
+        ViewSpec spec;
+        spec.change = [&](AgaaConfig& c) { agaaApplyPreset(name, &c); };
+        const Plan plan = planFor(spec, fourSampleDevice());
+        EXPECT_EQ(plan.generationTier == AGAA_TIER_GBUFFER, std::string(name) != "paper") << name;
+    }
+    AgaaConfig config = AGAA_CONFIG_INIT;
+    EXPECT_EQ(agaaApplyPreset("best", &config), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaApplyPreset(nullptr, &config), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaApplyPreset("paper", nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    config.structSize = 1;
+    EXPECT_EQ(agaaApplyPreset("paper", &config), AGAA_ERROR_STRUCT);
+}
+
+} // namespace
+} // namespace agaa::test
