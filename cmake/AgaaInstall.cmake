@@ -10,6 +10,7 @@ install(TARGETS agaa EXPORT agaa-targets
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES include/agaa_sdk.h include/agaa_vk.h include/agaa_gl.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY include/agaa DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/agaa)
 install(EXPORT agaa-targets NAMESPACE agaa:: DESTINATION ${package_dir})

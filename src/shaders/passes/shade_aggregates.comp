@@ -25,7 +25,7 @@ layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
 bool agaa_isVisible(uvec2 pixel, uint i) {
     vec4 texel = AGAA_FETCH(agaa_normals, pixel, i);
     // Of an id, which is not 0, any byte may be.
-    return AGAA_COVERAGE_COMPONENT < 4u ? texel[AGAA_COVERAGE_COMPONENT] > 0.0 : texel != vec4(0.0);
+    return AGAA_COVERAGE_COMPONENT < 4u ? texel[AGAA_COVERAGE_COMPONENT & 3u] > 0.0 : texel != vec4(0.0);
 }
 #endif
 #endif

@@ -1,0 +1,216 @@
+/* What a view is: layout, settings, facts of the scene. Part of agaa_sdk.h.
+ * SPDX-License-Identifier: MIT */
+#ifndef AGAA_CONFIG_H
+#define AGAA_CONFIG_H
+
+#include "agaa/base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- G-buffer layout (AGAA section 4.3, figure 7) ------------------------------------------- */
+
+typedef enum AgaaSemantic {
+    AGAA_SEMANTIC_DIFFUSE = 0,   /* 3 channels: diffuse albedo */
+    AGAA_SEMANTIC_SPECULAR = 1,  /* 3 channels: specular reflectance at normal incidence */
+    AGAA_SEMANTIC_NORMAL = 2,    /* 3 channels per aggregate, stored as 2 per sample */
+    AGAA_SEMANTIC_ROUGHNESS = 3, /* 1 channel: alpha squared */
+    AGAA_SEMANTIC_EMISSIVE = 4,  /* 3 channels, or 1: a factor of the diffuse albedo */
+    AGAA_SEMANTIC_COUNT = 5,
+    AGAA_SEMANTIC_MAX_ENUM = 0x7FFFFFFF
+} AgaaSemantic;
+
+typedef enum AgaaEncoding {
+    AGAA_ENCODING_UNORM = 0, /* value / range in [0,1] */
+    AGAA_ENCODING_YCBCR = 1, /* luma at `bits`, both chroma channels at `chromaBits` (aggregates) */
+    AGAA_ENCODING_FOLDED = 2, /* roughness only: shortens the normal, takes no bits (aggregates) */
+    AGAA_ENCODING_MAX_ENUM = 0x7FFFFFFF
+} AgaaEncoding;
+
+typedef struct AgaaLayoutAttribute {
+    uint32_t semantic;      /* AgaaSemantic, each at most once; DIFFUSE and NORMAL are mandatory */
+    uint32_t channels;      /* as at AgaaSemantic */
+    uint32_t sampleBits;    /* per channel in the multisampled G-buffer: 8, 10 or 16 */
+    uint32_t aggregateBits; /* per channel and fragment before summing: [6;16]; 0: as many as n leaves of
+                               16, or a whole 16 */
+    uint32_t chromaBits;    /* YCBCR: [6;16] */
+    uint32_t encoding;      /* AgaaEncoding */
+    float range;            /* [1e-6;65504]: the value that full scale stands for; 1 except EMISSIVE */
+    uint32_t reserved;      /* 0 */
+} AgaaLayoutAttribute;
+
+#define AGAA_MAX_LAYOUT_ATTRIBUTES 5
+typedef struct AgaaLayout {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t attributeCount;
+    uint32_t reserved; /* 0 */
+    AgaaLayoutAttribute attributes[AGAA_MAX_LAYOUT_ATTRIBUTES];
+} AgaaLayout;
+
+/* Built-in layouts: "paper16" (AGAA figure 7) and "precise" (the default: 11 bits or more per
+ * fragment and channel, roughness beside the normal). */
+AGAA_API AgaaResult AGAA_CALL agaaGetBuiltinLayout(const char* name, AgaaLayout* outLayout);
+
+/* ---- configuration -------------------------------------------------------------------------- */
+
+typedef enum AgaaBrdf {
+    AGAA_BRDF_BLINN_PHONG = 0,
+    AGAA_BRDF_GGX = 1,
+    AGAA_BRDF_MAX_ENUM = 0x7FFFFFFF
+} AgaaBrdf;
+
+/* How the spread of normals inside an aggregate widens the specular lobe (AGAA section 3.5.2). */
+typedef enum AgaaNdf {
+    AGAA_NDF_NONE = 0, /* no widening: for ablation */
+    AGAA_NDF_TOKSVIG = 1,
+    AGAA_NDF_MAX_ENUM = 0x7FFFFFFF
+} AgaaNdf;
+
+typedef enum AgaaSeeds {
+    AGAA_SEEDS_MAXIMIN = 0,
+    AGAA_SEEDS_SUM_OF_SQUARES = 1, /* AGAA algorithm 1 (e) as printed, for comparison */
+    AGAA_SEEDS_MAX_ENUM = 0x7FFFFFFF
+} AgaaSeeds;
+
+typedef enum AgaaTier {
+    AGAA_TIER_AUTO = 0,
+    /* visibility */
+    AGAA_TIER_NATIVE = 1,
+    AGAA_TIER_NV_MULTICAST = 2,
+    AGAA_TIER_SCALED_TARGET = 3, /* a target of SX x SY sub-pixels at the device's sample count */
+    AGAA_TIER_LAYERS = 4,
+    /* generation */
+    AGAA_TIER_NV_MIXED_SAMPLES = 16,  /* the paper's: additive blending with coverage override */
+    AGAA_TIER_POST_DEPTH_ATOMICS = 17, /* fragment coverage after the depth test, integer atomics */
+    AGAA_TIER_PER_SAMPLE = 18,         /* one invocation per sample, integer atomics */
+    AGAA_TIER_GBUFFER = 19, /* one geometry pass into a full multisampled G-buffer, whose samples a compute pass
+                               aggregates */
+    AGAA_TIER_IDS = 20, /* one geometry pass into depth and ids, by which materials are fetched (AgaaFetchFunction) */
+    AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
+} AgaaTier;
+
+/* Bits of AgaaConfig::flags. */
+#define AGAA_CONFIG_COUNTERS UINT64_C(0x01)   /* count events; see AgaaCounters */
+#define AGAA_CONFIG_TIMESTAMPS UINT64_C(0x02) /* time each pass */
+#define AGAA_CONFIG_READBACK UINT64_C(0x04)   /* surfaces may be copied from; no aliasing */
+#define AGAA_CONFIG_NO_DIFFUSE_FILTER UINT64_C(0x08)
+#define AGAA_CONFIG_NO_SHADOW_FILTER UINT64_C(0x10) /* one tap at the aggregate's mean position */
+#define AGAA_CONFIG_SHADOW_ALONG_DEPTH UINT64_C(0x80) /* AGAA 3.5.3: taps along the view ray by the
+                                                         aggregate's depth variance, not at samples */
+#define AGAA_CONFIG_NO_STENCIL UINT64_C(0x20) /* first come, first kept; not repeatable on ties */
+#define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2 (c), for comparison */
+#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x100) /* of "agaa": samples of one surface are clustered like all
+                                                      others (AGAA 3.3), so that distance may part them */
+#define AGAA_CONFIG_BUFFERED UINT64_C(0x200) /* of "agaa", tiers IDS and GBUFFER: aggregates go to memory, the surface
+                                                "aggregates", and a pass of its own shades them */
+
+/* What the output shows of each pixel in place of its image: numbers and shares in all channels, or a colour. Not of
+ * "msaa", whose shading is the host's. */
+typedef enum AgaaDebugView {
+    AGAA_DEBUG_VIEW_NONE = 0,
+    AGAA_DEBUG_VIEW_EVENTS = 1,     /* shading events */
+    AGAA_DEBUG_VIEW_AGGREGATES = 2, /* aggregates, or surfaces kept by "sbaa" */
+    AGAA_DEBUG_VIEW_CLUSTERS = 3,   /* of these a colour each, in the share of its samples */
+    AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tier IDS: primitives that samples show */
+    AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that gets to what is covered */
+    AGAA_DEBUG_VIEW_WIDENED = 6,    /* by how much the NDF widened lobes: alpha of GGX, mean over what is covered */
+    AGAA_DEBUG_VIEW_TIER = 7,       /* grey: not aggregated; orange: by two passes; blue: from a G-buffer; green: by ids;
+                                       half as bright where one shading event did */
+    AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
+} AgaaDebugView;
+
+typedef struct AgaaConfig {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa" */
+    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16, 32 */
+    uint32_t aggregates;      /* c of "agaa", [1;4]; S, surfaces kept, of "sbaa", [1;6] */
+    const AgaaLayout* layout; /* null: "precise" */
+    uint32_t brdf;            /* AgaaBrdf */
+    uint32_t ndf;             /* AgaaNdf */
+    float characteristicLength;            /* k of equation 1, in host units, [0;inf) */
+    float characteristicLengthPerDistance; /* k is at least this times the distance, [0;1]; k > 0 */
+    float aggregateThreshold; /* t: a further aggregate must be farther than this, [0;inf) */
+    /* What counts as one surface: shaded once by "simple_complex" and "sbaa", one aggregate of "agaa". 0: as the
+     * technique has it. */
+    float surfaceCosine;   /* least cosine between normals, [0;1] */
+    float surfaceDistance; /* from the surface's plane, in widths of a pixel at its depth, [0;inf) */
+    float surfaceMaterial; /* largest difference of a material's channel, [0;1]; read by "simple_complex" */
+    uint32_t seeds;           /* AgaaSeeds */
+    uint32_t shadowTaps;      /* samples of an aggregate that are looked up in each shadow, and whose mean its place
+                                 is; at most, [0;32]; 0: 8 */
+    uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
+    uint32_t generationTier;  /* AgaaTier; AUTO: best that runs */
+    uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
+    /* Of the tiers IDS and GBUFFER. Bit i: lights of AgaaFrame::shadows[i] are shaded by means over what they reach of an
+     * aggregate, times the share that they reach, so that lit and unlit samples may differ in normal and colour.
+     * A tap a sample, in place of shadowTaps. Shadows that AgaaSceneFacts does not declare are left out. */
+    uint32_t litShadows;
+    uint64_t flags;           /* AGAA_CONFIG_… */
+    /* Of the tiers GBUFFER and IDS, which know materials when they group samples. Shading normals differ by
+     * glossWeight / alpha as much in equation 1, [1;20], alpha of GGX, up to the term's largest value of 1; equal
+     * normals of different gloss differ too. What shines narrowly is parted sooner. [0;16]; 0: by normals alone. */
+    float glossWeight;
+    uint32_t debugView; /* AgaaDebugView */
+} AgaaConfig;
+#define AGAA_CONFIG_INIT                                                                            \
+    {AGAA_STRUCTURE_TYPE_CONFIG, (uint32_t)sizeof(AgaaConfig), NULL, "agaa", 8, 2, NULL,             \
+     AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.03f, 0.02f, 0.0f, 0.0f, 0.0f, AGAA_SEEDS_MAXIMIN, 0,   \
+     AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0, 0.0f, 0}
+
+/* Named settings of "agaa", from measurements (docs/presets.md): "paper", as its sections say; "fast", "balanced" and
+ * "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf, litShadows (the first
+ * shadow), glossWeight and what flags say of clustering and filters; leaves the rest. All but "paper" want materials
+ * where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER. */
+AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config);
+
+/* What the scene calls for. The planner drops what is not named here. */
+#define AGAA_FACT_SPECULAR UINT64_C(0x01)
+#define AGAA_FACT_EMISSIVE UINT64_C(0x02)
+#define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04)
+#define AGAA_FACT_AMBIENT UINT64_C(0x08)
+#define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10) /* materials write depth or discard on their own:
+                                                 generation takes the tier gbuffer */
+#define AGAA_FACT_ALL_SHADED (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED | AGAA_FACT_AMBIENT)
+
+#define AGAA_MAX_SHADOW_MAPS 4
+#define AGAA_MAX_SHADOW_LAYERS 6
+typedef struct AgaaSceneFacts {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint64_t flags;          /* AGAA_FACT_… */
+    uint32_t maxLights;      /* [0;4096] */
+    uint32_t shadowMapCount; /* [0;AGAA_MAX_SHADOW_MAPS] */
+} AgaaSceneFacts;
+#define AGAA_SCENE_FACTS_INIT                                                                       \
+    {AGAA_STRUCTURE_TYPE_SCENE_FACTS, (uint32_t)sizeof(AgaaSceneFacts), NULL,                       \
+     AGAA_FACT_ALL_SHADED, 64, 1}
+
+#define AGAA_VIEW_REVERSED_Z UINT64_C(0x01) /* near is 1, far is 0; wants a float depth format */
+#define AGAA_VIEW_COMPOSITE UINT64_C(0x02)  /* frames may composite over what the output holds */
+/* The rasteriser maps z/w in [-1;1] to depth, which is OpenGL's default; without the flag, z/w in [0;1].
+ * AgaaFrame::projection puts the near and the far plane at the ends of that range. */
+#define AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE UINT64_C(0x04)
+
+typedef struct AgaaViewDesc {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t width;  /* pixels, >= 1 */
+    uint32_t height; /* pixels, >= 1 */
+    const AgaaConfig* config;
+    const AgaaSceneFacts* facts;
+    uint64_t flags; /* AGAA_VIEW_… */
+} AgaaViewDesc;
+#define AGAA_VIEW_DESC_INIT                                                                         \
+    {AGAA_STRUCTURE_TYPE_VIEW, (uint32_t)sizeof(AgaaViewDesc), NULL, 0, 0, NULL, NULL, 0}
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* AGAA_CONFIG_H */

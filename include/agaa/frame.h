@@ -1,0 +1,132 @@
+/* What a host draws and hands over each frame. Part of agaa_sdk.h.
+ * SPDX-License-Identifier: MIT */
+#ifndef AGAA_FRAME_H
+#define AGAA_FRAME_H
+
+#include "agaa/config.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- host draw passes ----------------------------------------------------------------------- */
+
+typedef enum AgaaDrawPassId {
+    AGAA_DRAW_PASS_VISIBILITY = 1, /* depth and geometric normals */
+    AGAA_DRAW_PASS_AGGREGATE = 2,  /* materials, accumulated into aggregates or kept as surfaces; no
+                                      colour output */
+    AGAA_DRAW_PASS_GBUFFER = 3,    /* materials into a multisampled G-buffer */
+    AGAA_DRAW_PASS_FORWARD = 4,    /* materials, shaded in the fragment shader, into a multisampled colour */
+    AGAA_DRAW_PASS_MAX_ENUM = 0x7FFFFFFF
+} AgaaDrawPassId;
+
+typedef enum AgaaCompare {
+    AGAA_COMPARE_LESS = 0,
+    AGAA_COMPARE_GREATER = 1,
+    AGAA_COMPARE_EQUAL = 2,
+    AGAA_COMPARE_ALWAYS = 3,
+    AGAA_COMPARE_MAX_ENUM = 0x7FFFFFFF
+} AgaaCompare;
+
+/* Fixed-function state that the host's pipelines must have in this pass. Cull mode is the host's
+ * choice and must be the same in all passes of a frame. Nothing that mixes, moves or takes away fragments:
+ * no blending, logic operation, alpha-to-coverage, sample mask, depth bias, scissor or sRGB conversion. */
+typedef struct AgaaDrawState {
+    uint32_t depthCompare; /* AgaaCompare */
+    uint32_t depthWrite;
+    uint32_t stencilTest;  /* 1: pass where stencil EQUAL 0 (mask 0xFF), then INCREMENT_AND_CLAMP */
+    uint32_t stencilTestMasked; /* the same for alpha-masked materials */
+    uint32_t colorAttachmentCount;
+    uint32_t colorWriteMask; /* RGBA bits 1, 2, 4, 8, the same for all attachments */
+    uint32_t samples;        /* of the target */
+    uint32_t sampleShading;  /* 1: one invocation per sample (minSampleShading 1) */
+} AgaaDrawState;
+
+typedef struct AgaaDrawTarget {
+    uint32_t pass;          /* AgaaDrawPassId */
+    uint32_t width, height; /* viewport and scissor, from (0,0): the scaled target */
+    uint32_t scaleX, scaleY; /* sub-pixels per pixel; multiply derivatives by these */
+    AgaaDrawState state;
+    uint64_t pipelineKey; /* changes when pipelines and shaders of this pass must be rebuilt */
+    void* commandBuffer;  /* backend's: VkCommandBuffer, inside rendering; null on OpenGL */
+    uint64_t descriptorSet; /* backend's: VkDescriptorSet, bind at the index given at context creation */
+    uint32_t framebuffer;   /* backend's: OpenGL's name, to be bound by the host */
+    uint32_t reserved;
+} AgaaDrawTarget;
+
+/* Draw the scene's opaque and alpha-masked geometry. The target is cleared. Vulkan: called with rendering
+ * begun by the SDK, which also ends it; nothing is bound, viewport and scissor are unset. Commands are
+ * recorded inline: the callback executes no command buffers of its own. OpenGL: as at agaaGlRecordFrame.
+ * Return AGAA_OK, or any other value to give up the frame. Must not throw, must not call the SDK. */
+typedef AgaaResult(AGAA_CALL* AgaaDrawCallback)(void* user, const AgaaDrawTarget* target);
+
+/* ---- frame ---------------------------------------------------------------------------------- */
+
+typedef enum AgaaLightType {
+    AGAA_LIGHT_DIRECTIONAL = 0,
+    AGAA_LIGHT_POINT = 1,
+    AGAA_LIGHT_SPOT = 2,
+    AGAA_LIGHT_MAX_ENUM = 0x7FFFFFFF
+} AgaaLightType;
+
+#define AGAA_NO_SHADOW 0xFFFFFFFFu
+
+typedef struct AgaaLight {
+    uint32_t type;      /* AgaaLightType */
+    uint32_t shadowMap; /* index into AgaaFrame::shadows, or AGAA_NO_SHADOW */
+    float position[3];  /* shading space */
+    float direction[3]; /* unit, the way the light travels, shading space */
+    float color[3];     /* irradiance (directional) or intensity, >= 0 */
+    float range;        /* > 0, or 0: infinite */
+    float cosInner;     /* spot: cosines of the half angles, inner >= outer */
+    float cosOuter;
+    float radius;       /* of the lamp, >= 0: the inverse-square law stops there */
+    float reserved;     /* 0 */
+} AgaaLight;
+
+/* A shadow map is a 2D array of depth layers, each with its matrix. A point uses the first layer whose
+ * clip volume holds it: one layer is a plain map, several in order of detail are cascades, six are the
+ * faces of a cube. Points in no layer are lit. Compared as: lit where depth - bias <= stored. Where an
+ * AgaaShadowFunction answers, layerCount is 0 and the rest is not read. */
+typedef struct AgaaShadow {
+    uint32_t layerCount; /* [1;AGAA_MAX_SHADOW_LAYERS], or 0: by the host's function */
+    float depthBias;     /* in the map's depth, >= 0 */
+    float matrices[AGAA_MAX_SHADOW_LAYERS][16]; /* shading space to the layer's clip space, z in [0,w] */
+} AgaaShadow;
+
+/* Segments of a frame, so that a host can use what one leaves before it records the next. */
+#define AGAA_SEGMENT_PREPASS UINT64_C(0x1)    /* visibility */
+#define AGAA_SEGMENT_GENERATION UINT64_C(0x2) /* definition and material passes */
+#define AGAA_SEGMENT_SHADING UINT64_C(0x4)    /* with the draw pass FORWARD of "msaa" */
+#define AGAA_SEGMENT_ALL UINT64_C(0x7)
+/* The camera of a frame is that of its first segment; lights are read with AGAA_SEGMENT_SHADING. A frame
+ * whose command buffer is discarded counts as completed. */
+
+typedef struct AgaaFrame {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint64_t frameIndex;     /* increases by at least one each frame, from 1 */
+    uint64_t completedFrame; /* newest frame whose GPU work is known to have finished; 0: none */
+    uint64_t segments;       /* AGAA_SEGMENT_…, in order, each once per frame */
+    float view[16];       /* shading to view space: a rotation, its translation is zero */
+    float projection[16]; /* as the rasteriser uses it, sub-pixel jitter and the y flip of a negative viewport
+                             height included */
+    uint32_t lightCount;
+    uint32_t shadowCount;
+    const AgaaLight* lights;
+    const AgaaShadow* shadows;
+    float ambient[3];    /* radiance from all sides */
+    float background[4]; /* colour; and 0 (with AGAA_VIEW_COMPOSITE): what the output holds instead */
+    AgaaDrawCallback draw; /* null only where the host draws the G-buffer (AgaaGBufferFunction) */
+    void* drawUser;
+} AgaaFrame;
+#define AGAA_FRAME_INIT                                                                             \
+    {AGAA_STRUCTURE_TYPE_FRAME, (uint32_t)sizeof(AgaaFrame), NULL, 0, 0, AGAA_SEGMENT_ALL,           \
+     {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, 0, 0, NULL, NULL,                        \
+     {0, 0, 0}, {0, 0, 0, 1}, NULL, NULL}
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* AGAA_FRAME_H */
