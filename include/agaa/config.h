@@ -162,10 +162,10 @@ typedef struct AgaaConfig {
      AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.03f, 0.02f, 0.0f, 0.0f, 0.0f, AGAA_SEEDS_MAXIMIN, 0,   \
      AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0, 0.0f, 0}
 
-/* Named settings of "agaa", from measurements (docs/presets.md): "paper", as its sections say; "fast", "balanced" and
+/* Named settings of "agaa", from measurements (docs/choosing.md): "paper", as its sections say; "fast", "balanced" and
  * "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf, litShadows (the first
- * shadow), glossWeight and what flags say of clustering and filters; leaves the rest. All but "paper" want materials
- * where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER. */
+ * shadow), glossWeight and what flags say of clustering and filters; leaves the rest. The last two want
+ * materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER. */
 AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config);
 
 /* What the scene calls for. The planner drops what is not named here. */

@@ -1,4 +1,4 @@
-// Named settings; docs/presets.md has the measurements that they are chosen from.
+// Named settings; docs/choosing.md has the measurements that they are chosen from.
 #include "core/presets.h"
 
 namespace agaa {
@@ -22,8 +22,8 @@ constexpr uint64_t decided = AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_SPLIT_
 constexpr Preset presets[] = {
     {"paper", 2, 0.02f, AGAA_SEEDS_SUM_OF_SQUARES, 0, 0.0f,
      AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_SPLIT_SURFACES},
-    {"fast", 1, 0.02f, AGAA_SEEDS_MAXIMIN, 1, 0.0f, 0},
-    {"balanced", 2, 0.02f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, 0},
+    {"fast", 1, 0.02f, AGAA_SEEDS_MAXIMIN, 0, 0.0f, 0},
+    {"balanced", 4, 0.4f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, 0},
     {"accurate", 4, 0.1f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, 0},
 };
 

@@ -6,7 +6,7 @@ import unittest
 
 import harness
 
-ROW = ["technique", "n", "c", "shadingCost", "tiers", "frameMs", "passes", "stageMs", "geometryPasses",
+ROW = ["technique", "n", "c", "shadingCost", "preset", "tiers", "frameMs", "passes", "stageMs", "geometryPasses",
        "bytesPerPixel", "peakBytesPerPixel", "eventsPerPixel", "eventsPerCoveredPixel",
        "shadowTapsPerPixel", "errorSameSamples", "errorReference", "temporal", "path", "image",
        "difference", "heat"]

@@ -105,7 +105,8 @@ TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
         ViewSpec spec;
         spec.change = [&](AgaaConfig& c) { agaaApplyPreset(name, &c); };
         const Plan plan = planFor(spec, fourSampleDevice());
-        EXPECT_EQ(plan.generationTier == AGAA_TIER_GBUFFER, std::string(name) != "paper") << name;
+        EXPECT_EQ(plan.generationTier == AGAA_TIER_GBUFFER, config.litShadows != 0) << name;
+        EXPECT_EQ(config.litShadows != 0, std::string(name) == "balanced" || std::string(name) == "accurate");
     }
     AgaaConfig config = AGAA_CONFIG_INIT;
     EXPECT_EQ(agaaApplyPreset("best", &config), AGAA_ERROR_INVALID_ARGUMENT);

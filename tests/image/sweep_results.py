@@ -61,7 +61,7 @@ def make_row(scene, technique, n, c, cost, speed):
     stem = f"images/{scene}-{technique}-{n}-{c}"
     first = cost == 1
     return {
-        "technique": technique, "n": n, "c": c, "shadingCost": cost,
+        "technique": technique, "n": n, "c": c, "shadingCost": cost, "preset": "",
         "tiers": {"visibility": "scaled-target", "generation": "post-depth-atomics"}
         if technique == "agaa" else {"visibility": "scaled-target"},
         "frameMs": {"median": frame, "p95": 1.1 * frame},

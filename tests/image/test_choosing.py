@@ -14,7 +14,7 @@ import choosing
 
 
 def row(technique, n, c, ms, error, size=100, cost=1, events=1.0, shading=1.0, merging=None):
-    return {"technique": technique, "n": n, "c": c, "shadingCost": cost, "tiers": {},
+    return {"technique": technique, "n": n, "c": c, "shadingCost": cost, "preset": "", "tiers": {},
             "frameMs": {"median": ms, "p95": ms}, "bytesPerPixel": size, "stageMs": {"shading": shading},
             "eventsPerCoveredPixel": events, "errorReference": {"mseTm": error},
             "errorSameSamples": None if merging is None else {"mseTm": merging}}
@@ -48,6 +48,17 @@ class Choosing(unittest.TestCase):
         self.assertEqual(len(lines), 2 + 9 + 1)
         self.scene["rows"] = self.scene["rows"][:1]
         self.assertIn("none (1)", choosing.how_often([self.scene, scene(name="city")])[2])
+
+    def test_presets_are_beside_the_papers(self):
+        rows = []
+        for i, (preset, by) in enumerate(choosing.PRESETS):
+            rows.append(row("agaa", 8, 2, 400 - 20 * i, 1e-3, 90, events=1.5, merging=1e-3 / (i + 1)))
+            rows[-1].update(preset=preset, tiers={"generation": by} if by else {})
+        whole = scene(name="city", rows=[row("single", 1, 0, 100, 1e-2, 20)] + rows)
+        table = choosing.preset_rows([self.scene, whole])  # the other scene has none
+        self.assertEqual(table[0], ["paper", "two passes", "0.1000", "0.1000", "0.100 (city)", "1.50", "1.00", "90"])
+        self.assertEqual(table[1][:3] + table[1][6:7], ["fast", "from a G-buffer", "0.0500", "0.95"])
+        self.assertEqual(choosing.preset_rows([self.scene]), [])
 
     def test_the_fastest_for_an_error(self):
         cells = self.cells(self.answers(0))

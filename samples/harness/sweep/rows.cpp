@@ -9,18 +9,14 @@ namespace harness {
 std::string SweepRow::name() const {
     std::ostringstream text;
     text << technique << '-' << samples;
-    if (aggregates)
+    if (!preset.empty())
+        text << '-' << preset;
+    else if (aggregates)
         text << '-' << aggregates;
     if (shadingCost > 1)
         text << "-cost" << shadingCost;
     if (generationTier != AGAA_TIER_AUTO)
         text << '-' << agaaTierName(generationTier);
-    if (litShadows)
-        text << "-lit" << litShadows;
-    if (glossWeight > 0)
-        text << "-gloss" << glossWeight;
-    if (aggregateThreshold > 0)
-        text << "-t" << aggregateThreshold;
     return text.str();
 }
 
@@ -30,9 +26,8 @@ void SweepRow::apply(AgaaConfig& config) const {
     config.aggregates = std::max(aggregates, 1u);
     config.shadingCost = shadingCost;
     config.generationTier = generationTier;
-    config.litShadows = litShadows;
-    config.glossWeight = glossWeight;
-    config.aggregateThreshold = aggregateThreshold;
+    if (!preset.empty() && agaaApplyPreset(preset.c_str(), &config) != AGAA_OK)
+        throw std::invalid_argument("There is no preset \"" + preset + "\".");
 }
 
 std::vector<SweepRow> sweepRows(bool quick) {
@@ -56,12 +51,12 @@ std::vector<SweepRow> sweepRows(bool quick) {
         for (AgaaTier tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
             rows.push_back({"agaa", n, 2, 1, tier});
     rows.push_back({"sbaa", 8, 2, 1, AGAA_TIER_GBUFFER});
-    // What adaptive and lit aggregates and the weight of gloss do, each added to those before.
-    rows.push_back({"agaa", 8, 4, 1, AGAA_TIER_IDS, 0, 0, 0.1f});
-    rows.push_back({"agaa", 8, 1, 1, AGAA_TIER_IDS, 1, 0.5f});
-    for (uint32_t n : {8u, 32u}) {
-        rows.push_back({"agaa", n, 2, 1, AGAA_TIER_IDS, 1, 0.5f});
-        rows.push_back({"agaa", n, 4, 1, AGAA_TIER_IDS, 1, 0.5f, 0.1f});
+    rows.push_back({"agaa", 8, 2, 1, AGAA_TIER_AUTO, "paper"});
+    for (AgaaTier tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
+        rows.push_back({"agaa", 8, 1, 1, tier, "fast"});
+        rows.push_back({"agaa", 8, 4, 1, tier, "balanced"});
+        rows.push_back({"agaa", 8, 4, 1, tier, "accurate"});
+        rows.push_back({"agaa", 32, 4, 1, tier, "accurate"});
     }
     // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
     const auto addHeavier = [&](SweepRow row, std::initializer_list<uint32_t> costs) {

@@ -14,11 +14,9 @@ struct SweepRow {
     uint32_t aggregates = 0; // c or S; 0 where neither
     uint32_t shadingCost = 1;
     uint32_t generationTier = AGAA_TIER_AUTO;
-    uint32_t litShadows = 0;
-    float glossWeight = 0;
-    float aggregateThreshold = 0;
+    std::string preset = {}; // that aggregates are of; or none
 
-    // Of files: "agaa-8-2", with what is not the usual: "agaa-8-4-ids-lit1-gloss0.5-t0.1".
+    // Of files: "agaa-8-2", "agaa-8-accurate"; with the cost and the tier where they are not the usual.
     std::string name() const;
     void apply(AgaaConfig& config) const; // technique points into the row
 };

@@ -3,7 +3,7 @@
 #include "sweep/quantiles.h"
 
 #include <algorithm>
-#include <map>
+#include <future>
 
 namespace harness {
 
@@ -126,28 +126,40 @@ void SceneSweep::takeTurn(uint32_t round, uint64_t flags, bool withHeavier,
     }
 }
 
-const Image& SceneSweep::sameSamples(uint32_t samples) {
-    for (const auto& [n, image] : sameSamples_)
-        if (n == samples)
-            return image;
-    sameSamples_.emplace_back(samples, render({"ssaa", samples}).image);
-    return sameSamples_.back().second;
+const Image* SceneSweep::sameSamples(const SweepRow& row) {
+    if (row.samples == 1 || row.technique == "ssaa")
+        return nullptr;
+    const auto found = sameSamples_.find(row.samples);
+    return &(found != sameSamples_.end()
+                 ? found
+                 : sameSamples_.emplace(row.samples, render({"ssaa", row.samples}).image).first)
+                ->second;
 }
 
+// On two threads: nothing is timed meanwhile.
 void SceneSweep::measureErrors() {
-    sameSamples_.reserve(6); // references into it stay
-    for (Measured& m : rows_) {
-        m.errorReference = metricsJson(compareImages(reference_->image, m.still.image));
-        if (m.row.samples > 1 && m.row.technique != "ssaa")
-            m.errorSameSamples = metricsJson(compareImages(sameSamples(m.row.samples), m.still.image));
-        if (isHeavier(m.row))
-            continue;
-        const std::string name = m.row.name();
-        m.imageFile = writeImage(name, m.still.image);
-        const std::string difference = prefix_ + "-" + name + "-diff.png";
-        writeDifferencePng(images_ / difference, reference_->image, m.still.image, 4);
-        m.differenceFile = "images/" + difference;
-    }
+    for (Measured& m : rows_)
+        sameSamples(m.row); // renders what is not there yet
+    const auto everySecond = [this](size_t first) {
+        for (size_t i = first; i < rows_.size(); i += 2)
+            measureErrors(rows_[i]);
+    };
+    std::future<void> other = std::async(std::launch::async, everySecond, 1);
+    everySecond(0);
+    other.get();
+}
+
+void SceneSweep::measureErrors(Measured& m) {
+    m.errorReference = metricsJson(compareImages(reference_->image, m.still.image));
+    if (const Image* same = sameSamples(m.row))
+        m.errorSameSamples = metricsJson(compareImages(*same, m.still.image));
+    if (isHeavier(m.row))
+        return;
+    const std::string name = m.row.name();
+    m.imageFile = writeImage(name, m.still.image);
+    const std::string difference = prefix_ + "-" + name + "-diff.png";
+    writeDifferencePng(images_ / difference, reference_->image, m.still.image, 4);
+    m.differenceFile = "images/" + difference;
 }
 
 void SceneSweep::measureFrames() {
@@ -184,8 +196,10 @@ void SceneSweep::measurePath() {
     step("errors along a camera path");
     const RenderSettings still = base_;
     for (Measured& m : rows_) {
+        if (isHeavier(m.row) || m.row.samples > options_.pathSamples)
+            continue;
         TemporalAccumulator path;
-        for (uint32_t frame = 0; frame < options_.pathFrames && !isHeavier(m.row); ++frame) {
+        for (uint32_t frame = 0; frame < options_.pathFrames; ++frame) {
             base_.camera = pathCamera(still.camera, frame, base_.height);
             const Reference& reference = temporalReference("path", frame);
             path.add(render(m.row).image, reference.image);
@@ -203,7 +217,7 @@ const Reference& SceneSweep::temporalReference(const char* of, uint32_t frame) {
 // Each effect off and on in turns; errors against ssaa with all effects.
 json SceneSweep::ablation() {
     const SweepRow row{"agaa", 8, 2};
-    const Image& reference = sameSamples(8);
+    const Image& reference = *sameSamples(row);
     const AgaaSceneFacts facts = sceneFacts(scene_, base_.lights);
     Scene bare = scene_;
     for (Material& material : bare.materials)
@@ -279,9 +293,7 @@ json SceneSweep::rowJson(const Measured& m) const {
             {"n", m.row.samples},
             {"c", m.row.aggregates},
             {"shadingCost", m.row.shadingCost},
-            {"litShadows", m.row.litShadows},
-            {"glossWeight", m.row.glossWeight},
-            {"aggregateThreshold", m.row.aggregateThreshold},
+            {"preset", m.row.preset},
             {"tiers", tiers},
             {"frameMs", quantiles(m.frameMs)},
             {"passes", passes},

@@ -8,16 +8,18 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace harness {
 
 struct SweepOptions {
-    uint32_t rounds = 5;      // of frames without times of passes, each shifted by another part of a pixel; the
+    uint32_t rounds = 4;      // of frames without times of passes, each shifted by another part of a pixel; the
                               // rows take turns, forth and back
     uint32_t timedRounds = 2; // of frames with them
     uint32_t heavierRounds = 3, heavierTimedRounds = 1; // as many of these are with the rows of heavier lighting too
     uint32_t pathFrames = 3;  // of a camera path
+    uint32_t pathSamples = 8; // rows of more samples do not walk it
     uint32_t referenceSamples = 512;
     uint32_t temporalSamples = 32; // of the references of shifts and of the path; 0: no errors over time
 };
@@ -55,6 +57,7 @@ private:
     void takeTurn(uint32_t round, uint64_t flags, bool withHeavier,
                   const std::function<void(Measured&, RenderResult&)>& keep);
     void measureErrors();
+    void measureErrors(Measured& row); // against images that are there
     void measureFrames(); // their times, and errors over sub-pixel shifts
     void measurePasses();
     void measurePath();
@@ -63,7 +66,7 @@ private:
     nlohmann::json ablation();
     nlohmann::json rowJson(const Measured& row) const;
     std::string writeImage(const std::string& name, const Image& image) const;
-    const Image& sameSamples(uint32_t samples);
+    const Image* sameSamples(const SweepRow& row); // null where the row has no n
     void step(const std::string& what);
 
     Renderer& renderer_;
@@ -78,7 +81,7 @@ private:
     std::vector<Measured> rows_;
     SceneReferences& references_;
     const Reference* reference_ = nullptr;
-    std::vector<std::pair<uint32_t, Image>> sameSamples_; // ssaa by n
+    std::map<uint32_t, Image> sameSamples_; // ssaa by n
 };
 
 } // namespace harness

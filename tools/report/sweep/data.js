@@ -23,14 +23,10 @@ function label(row) {
     const words = [techniqueOf(row)];
     if (row.n > 1)
         words.push("n=" + row.n);
-    if (row.c > 0)
+    if (row.preset)
+        words.push(row.preset);
+    else if (row.c > 0)
         words.push((row.technique === "sbaa" ? "S=" : "c=") + row.c);
-    if (row.litShadows)
-        words.push("lit");
-    if (row.glossWeight)
-        words.push("gloss=" + significant(row.glossWeight, 2));
-    if (row.aggregateThreshold)
-        words.push("t=" + significant(row.aggregateThreshold, 2));
     if (row.alike)
         words.push("("(" + tiersOf(row) + ")");
     return words.join(" ");
