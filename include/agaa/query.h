@@ -97,6 +97,22 @@ AGAA_API AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const Ag
                                               const AgaaLog* log, AgaaMemoryReport* outReport,
                                               uint32_t* surfaceCount, AgaaSurface* surfaces);
 
+/* What geometry is rasterised into: n samples a pixel are scaleX x scaleY texels of `samples` each. */
+typedef struct AgaaTarget {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t width, height; /* texels */
+    uint32_t samples;       /* of a texel */
+    uint32_t scaleX, scaleY;
+    uint32_t geometryPasses; /* 0: the host draws its own G-buffer (AgaaGBufferFunction), of this size and samples */
+} AgaaTarget;
+#define AGAA_TARGET_INIT {AGAA_STRUCTURE_TYPE_TARGET, (uint32_t)sizeof(AgaaTarget), NULL, 0, 0, 0, 0, 0, 0}
+
+/* The target of a view. caps null: an ideal device with every feature. log may be null. */
+AGAA_API AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
+                                              AgaaTarget* outTarget);
+
 /* The plan as JSON. Two-call: with text null, writes the size including the final zero. */
 AGAA_API AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
                                              const AgaaLog* log, size_t* size, char* text);

@@ -131,6 +131,22 @@ AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceC
     });
 }
 
+AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
+                                     AgaaTarget* outTarget) {
+    return guarded(checkedLog(log), "agaaQueryTarget", [&]() -> AgaaResult {
+        checkViewDesc(view);
+        checkStruct(outTarget, AGAA_STRUCTURE_TYPE_TARGET, "AgaaTarget");
+        const Plan plan = makePlan(*view, capsOrIdeal(caps), 2);
+        outTarget->width = plan.width * plan.scaleX;
+        outTarget->height = plan.height * plan.scaleY;
+        outTarget->samples = plan.hwSamples;
+        outTarget->scaleX = plan.scaleX;
+        outTarget->scaleY = plan.scaleY;
+        outTarget->geometryPasses = plan.geometryPasses();
+        return AGAA_OK;
+    });
+}
+
 AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
                                     const AgaaLog* log, size_t* size, char* text) {
     return guarded(checkedLog(log), "agaaPlanToJson", [&]() -> AgaaResult {

@@ -75,6 +75,32 @@ TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
     EXPECT_TRUE(has(dark.notes, "does not declare"));
 }
 
+TEST(GroupedPlan, TheTargetIsKnownBeforeItIsDrawn) {
+    AgaaConfig config = AGAA_CONFIG_INIT;
+    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
+    AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
+    view.width = 100;
+    view.height = 30;
+    view.config = &config;
+    view.facts = &facts;
+    const AgaaDeviceCaps caps = fourSampleDevice();
+    AgaaTarget target = AGAA_TARGET_INIT;
+    ASSERT_EQ(agaaQueryTarget(&view, &caps, nullptr, &target), AGAA_OK);
+    EXPECT_EQ(target.width, 100 * target.scaleX);
+    EXPECT_EQ(target.height, 30 * target.scaleY);
+    EXPECT_EQ(target.samples, 4u);
+    EXPECT_EQ(target.scaleX * target.scaleY * target.samples, config.samples);
+    EXPECT_EQ(target.geometryPasses, 2u);
+    AgaaGBufferFunction own = AGAA_GBUFFER_FUNCTION_INIT;
+    own.glsl = "bool agaaHostSample";
+    view.pNext = &own;
+    ASSERT_EQ(agaaQueryTarget(&view, &caps, nullptr, &target), AGAA_OK);
+    EXPECT_EQ(target.geometryPasses, 0u);
+    EXPECT_EQ(agaaQueryTarget(&view, &caps, nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    target.structSize = 0;
+    EXPECT_EQ(agaaQueryTarget(&view, &caps, nullptr, &target), AGAA_ERROR_STRUCT);
+}
+
 TEST(GroupedPlan, TheListFitsSharedMemory) {
     const AgaaFetchFunction function = fetchFunction();
     ViewSpec spec;

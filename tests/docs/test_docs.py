@@ -63,7 +63,7 @@ class Guide(unittest.TestCase):
 
     def test_names_exist(self):
         """Every name of the SDK's in the guide is declared in a header or in what hosts include."""
-        declaring = [*(ROOT / "include").glob("*.h"), *(ROOT / "src/shaders/host").glob("*.glsl"),
+        declaring = [*(ROOT / "include").rglob("*.h"), *(ROOT / "src/shaders/host").glob("*.glsl"),
                      ROOT / "src/shaders/passes/host_code.glsl", ROOT / "src/core/host_glsl.cpp"]
         declared = set(re.findall(r"\w+", "".join(path.read_text() for path in declaring)))
         names = set(re.findall(r"\b(?:agaa|Agaa|AGAA_)\w+\b(?!\.h)", GUIDE.read_text()))

@@ -8,7 +8,9 @@
 #define AGAA_SHOW_LIT 5u
 #define AGAA_SHOW_WIDENED 6u
 
-uint agaa_shownPrimitives = 0u; // of the pixel at hand; set by passes that know
+// Of the pixel at hand; set by passes that know.
+uint agaa_shownPrimitives = 0u;
+bool agaa_shownUnfetched = false; // it has samples of a G-buffer beside ids
 
 // Apart for people who do not see red and green apart (Okabe and Ito 2008).
 vec3 agaa_clusterColor(uint aggregate) {
@@ -52,7 +54,7 @@ vec3 agaa_shownOfPixel(uint events, vec3 mean) {
     case AGAA_SHOW_WIDENED:
         return mean;
     default:
-        return agaa_tierColor(AGAA_GENERATION_TIER) * (events == 0u ? 0.0 : events == 1u ? 0.5 : 1.0);
+        return agaa_tierColor(agaa_shownUnfetched ? 19u : AGAA_GENERATION_TIER) * (events == 0u ? 0.0 : events == 1u ? 0.5 : 1.0);
     }
 }
 #endif

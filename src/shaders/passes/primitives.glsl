@@ -34,6 +34,7 @@ uint agaa_loadIds(uvec2 pixel) {
     for (uint i = 0u; i < agaa_sampleCount(); ++i) {
         agaa_sampleIds[i] = agaa_idOf(pixel, i);
         covered |= agaa_sampleIds[i] != 0u ? 1u << i : 0u;
+        agaa_shownUnfetched = agaa_shownUnfetched || !agaa_isFetched(agaa_sampleIds[i]);
     }
     return covered;
 }
