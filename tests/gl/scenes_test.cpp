@@ -90,6 +90,12 @@ TEST_P(GlScenes, TiersAgree) {
     expectTiersAgree(sharedGlRenderer(), settings(), GetParam().name.c_str());
 }
 
+TEST_P(GlScenes, WaysAgree) {
+    if (GetParam().name != "bamboo" && GetParam().name != "metal")
+        GTEST_SKIP() << "bamboo and metal cover it";
+    expectWaysAgree(sharedGlRenderer(), settings(), GetParam().name.c_str());
+}
+
 TEST_P(GlScenes, ImagesRepeatBitByBit) {
     if (GetParam().hasCamera)
         GTEST_SKIP() << "the built-in scenes cover it";

@@ -112,12 +112,46 @@ void expectWholeFrame(const RenderResult& result, uint32_t aggregates) {
 }
 
 void expectImagesRepeat(Renderer& renderer, RenderSettings settings) {
-    for (const char* technique : {"ssaa", "agaa"}) {
-        settings.config.technique = technique;
+    const auto expectRepeats = [&](const char* what) {
         const Image first = renderer.render(settings).image;
         for (int i = 0; i < 2; ++i)
-            EXPECT_EQ(differenceOf(first, renderer.render(settings).image).pixels, 0u) << technique;
+            EXPECT_EQ(differenceOf(first, renderer.render(settings).image).pixels, 0u) << what;
+    };
+    for (const char* technique : {"ssaa", "agaa"}) {
+        settings.config.technique = technique;
+        expectRepeats(technique);
     }
+    ASSERT_EQ(agaaApplyPreset("accurate", &settings.config), AGAA_OK);
+    for (AgaaTier tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
+        settings.config.generationTier = tier;
+        expectRepeats(agaaTierName(tier));
+    }
+}
+
+void expectWaysAgree(Renderer& renderer, RenderSettings settings, const char* name) {
+    const auto expectLike = [&](const char* what, const Image& image, const RenderSettings& other, double most) {
+        const RenderResult result = renderer.render(other);
+        expectEverySampleOnce(result.statistics.back().counters);
+        const double mean = meanDifference(image, result.image);
+        std::printf("%-24s %-32s mean difference %.3f/255\n", name, what, 255 * mean);
+        EXPECT_LT(mean, most / 255) << what;
+    };
+    for (AgaaTier tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
+        settings.config.generationTier = tier;
+        const Image fused = renderer.render(settings).image;
+        RenderSettings buffered = settings;
+        buffered.config.flags |= AGAA_CONFIG_BUFFERED;
+        expectLike(agaaTierName(tier), fused, buffered, 0.05); // sums are quantised
+        if (tier == AGAA_TIER_IDS) {
+            RenderSettings mixed = settings;
+            mixed.unfetchedEvery = 3;
+            expectLike("by id, some from a G-buffer", fused, mixed, 0.3);
+        }
+    }
+    ASSERT_EQ(agaaApplyPreset("accurate", &settings.config), AGAA_OK);
+    const Image byId = renderer.render(settings).image;
+    settings.config.generationTier = AGAA_TIER_GBUFFER;
+    expectLike("accurate, by id and G-buffer", byId, settings, 0.3);
 }
 
 void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* name) {

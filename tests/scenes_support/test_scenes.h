@@ -43,6 +43,9 @@ void expectWholeFrame(const RenderResult& result, uint32_t aggregates);
 void expectImagesRepeat(Renderer& renderer, RenderSettings settings);
 // The generation tiers' images, within a stated mean difference; prints it under the scene's name.
 void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* name);
+// Aggregates in memory or not, draws fetched or not, the preset accurate by id or from a G-buffer: within stated mean
+// differences; prints them under the scene's name.
+void expectWaysAgree(Renderer& renderer, RenderSettings settings, const char* name);
 // The techniques that agaa is compared with: errors against ssaa that their kind allows, events that their
 // kind makes; prints them under the scene's name.
 void expectRivals(Renderer& renderer, RenderSettings settings, const char* name);

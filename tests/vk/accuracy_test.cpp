@@ -57,6 +57,40 @@ TEST_P(Accuracy, MoreAggregatesErrLessAndTwoErrATenthOfSingle) {
     EXPECT_TRUE(sharedRenderer().takeMessages().empty());
 }
 
+// The presets from a G-buffer, where materials are those of ssaa: each errs less than the one before, and
+// `paper` more than the last two.
+TEST_P(Accuracy, PresetsErrLessEach) {
+    const Scene scene = loadScene(GetParam().source);
+    sharedRenderer().load(scene);
+    RenderSettings s = settingsFor(GetParam(), scene, 320, 180);
+    s.config.technique = "ssaa";
+    const Image reference = sharedRenderer().render(s).image;
+    s.config.technique = "single";
+    const double single = compareImages(reference, sharedRenderer().render(s).image).mseTm;
+    struct Figures {
+        double share, events;
+    };
+    const auto measured = [&](const char* preset, AgaaTier tier) {
+        agaaApplyPreset(preset, &s.config);
+        s.config.generationTier = tier;
+        const RenderResult result = sharedRenderer().render(s);
+        const AgaaCounters& c = result.statistics.back().counters;
+        const Figures f{compareImages(reference, result.image).mseTm / single,
+                        double(c.shadingEvents) / double(c.shadedPixels)};
+        std::printf("%-24s %-9s mseTm of single's %.4f, events a covered pixel %.2f\n", GetParam().name.c_str(), preset,
+                    f.share, f.events);
+        return f;
+    };
+    const Figures paper = measured("paper", AGAA_TIER_AUTO), fast = measured("fast", AGAA_TIER_GBUFFER),
+                  balanced = measured("balanced", AGAA_TIER_GBUFFER), accurate = measured("accurate", AGAA_TIER_GBUFFER);
+    EXPECT_LT(balanced.share, fast.share);
+    EXPECT_LT(accurate.share, balanced.share);
+    EXPECT_LT(balanced.share, 0.9 * paper.share);
+    EXPECT_LT(accurate.share, 0.4 * paper.share);
+    EXPECT_LT(accurate.events, 1.35 * paper.events);
+    EXPECT_TRUE(sharedRenderer().takeMessages().empty());
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Accuracy, testing::ValuesIn(allTestScenes()),
                          [](const auto& info) { return info.param.name; });
 

@@ -42,6 +42,12 @@ TEST_P(Scenes, TiersAgree) {
     expectTiersAgree(sharedRenderer(), settings(), GetParam().name.c_str());
 }
 
+TEST_P(Scenes, WaysAgree) {
+    if (GetParam().name != "bamboo" && GetParam().name != "metal")
+        GTEST_SKIP() << "bamboo and metal cover it";
+    expectWaysAgree(sharedRenderer(), settings(), GetParam().name.c_str());
+}
+
 TEST_P(Scenes, RivalsAreWhatTheirKindAllows) {
     if (GetParam().hasCamera)
         GTEST_SKIP() << "the built-in scenes cover it";
