@@ -117,6 +117,14 @@ AGAA_API AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const Ag
 AGAA_API AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
                                              const AgaaLog* log, size_t* size, char* text);
 
+/* GLSL 430 by which a pass of the host's own reads the aggregates that a view leaves in memory, in the surface
+ * "aggregates", when AGAA_SEGMENT_GENERATION has been recorded: struct AgaaAggregate and
+ * `AgaaAggregate agaaAggregate(uvec2 pixel, uint a)`, a below AGAA_AGGREGATES (src/shaders/host/stored_aggregate.glsl).
+ * The host defines AGAA_AGGREGATE_WORD(i) before it, word i of the surface as a uint. Of "agaa" by two passes, and by
+ * the tiers IDS and GBUFFER with AGAA_CONFIG_BUFFERED. caps: the device's. Two-call as agaaPlanToJson. */
+AGAA_API AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
+                                                   const AgaaLog* log, size_t* size, char* text);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,4 +1,5 @@
 // The part of the C ABI that needs no graphics API.
+#include "core/aggregate_glsl.h"
 #include "core/checked.h"
 #include "core/handles.h"
 #include "core/layout.h"
@@ -33,6 +34,17 @@ AgaaSurface surfaceOf(const Resource& resource) {
     surface.firstPass = resource.firstPass;
     surface.lastPass = resource.lastPass;
     return surface;
+}
+
+// Two-call convention for text.
+AgaaResult writeText(const std::string& source, size_t* size, char* text) {
+    require(size, AGAA_ERROR_INVALID_ARGUMENT, "the size pointer is null.");
+    if (text) {
+        require(*size > source.size(), AGAA_ERROR_BUFFER_TOO_SMALL, "the text buffer is too small.");
+        std::memcpy(text, source.c_str(), source.size() + 1);
+    }
+    *size = source.size() + 1;
+    return AGAA_OK;
 }
 
 } // namespace
@@ -151,14 +163,15 @@ AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCa
                                     const AgaaLog* log, size_t* size, char* text) {
     return guarded(checkedLog(log), "agaaPlanToJson", [&]() -> AgaaResult {
         checkViewDesc(view);
-        require(size, AGAA_ERROR_INVALID_ARGUMENT, "the size pointer is null.");
-        const std::string json = planToJson(makePlan(*view, capsOrIdeal(caps), 2));
-        if (text) {
-            require(*size > json.size(), AGAA_ERROR_BUFFER_TOO_SMALL, "the text buffer is too small.");
-            std::memcpy(text, json.c_str(), json.size() + 1);
-        }
-        *size = json.size() + 1;
-        return AGAA_OK;
+        return writeText(planToJson(makePlan(*view, capsOrIdeal(caps), 2)), size, text);
+    });
+}
+
+AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
+                                          size_t* size, char* text) {
+    return guarded(checkedLog(log), "agaaGetAggregateGlsl", [&]() -> AgaaResult {
+        checkViewDesc(view);
+        return writeText(aggregateGlsl(makePlan(*view, capsOrIdeal(caps), 2)), size, text);
     });
 }
 

@@ -4,6 +4,7 @@
 #include "core/error.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace agaa {
 
@@ -46,6 +47,13 @@ static std::string assemble(const Pass& pass, std::set<std::string> seen, const 
     if (at == std::string::npos)
         fail(AGAA_ERROR_INTERNAL, "the pass " + pass.name + " has no version.");
     return text.replace(at, line.size(), version + head);
+}
+
+std::string glslNumber(float value) {
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+    std::string text(digits, end);
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
 std::string passGlsl(const Pass& pass) {

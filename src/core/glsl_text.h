@@ -13,6 +13,9 @@ namespace agaa {
 void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
                 const std::string& hostCode = {});
 
+// As a float literal, whatever the process's locale writes for a decimal point.
+std::string glslNumber(float value);
+
 // The whole text of a compute pass, for Vulkan. Its specialisation constants stay.
 std::string passGlsl(const Pass& pass);
 // For OpenGL: the pass's constants are written into it.

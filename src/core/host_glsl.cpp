@@ -6,7 +6,6 @@
 #include "core/plan_builder.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 namespace agaa {
@@ -20,14 +19,6 @@ void define(std::string& out, const char* name, uint32_t value) {
 // Preprocessor conditions cannot hold a `u` suffix in every compiler's eyes, so switches are plain.
 void defineSwitch(std::string& out, const char* name, uint32_t value) {
     out += format("#define %s %u\n", name, value);
-}
-
-// As a float literal, whatever the process's locale writes for a decimal point.
-std::string glslNumber(float value) {
-    char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-    std::string text(digits, end);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
 constexpr const char* channelValues[ChannelCount] = {

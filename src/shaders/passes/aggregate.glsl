@@ -3,19 +3,11 @@
 #ifndef AGAA_AGGREGATE_GLSL
 #define AGAA_AGGREGATE_GLSL
 #include "passes/choice.glsl"
+#include "passes/means.glsl"
 #include "passes/debug_view.glsl"
 #include "passes/sample_depth.glsl"
 #include "math/encoding.glsl"
 #include "math/statistics.glsl"
-
-struct agaa_Means {
-    vec3 diffuse;
-    vec3 specular;
-    vec3 emissive;     // radiance
-    vec3 normal;       // as long as the normals agree
-    float alpha2;
-    float lengthBound; // what rounding may have made the normal shorter by
-};
 
 agaa_Means agaa_noMeans() { return agaa_Means(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 1e-6); }
 

@@ -1,0 +1,30 @@
+#include "core/aggregate_glsl.h"
+
+#include "core/error.h"
+#include "core/glsl_text.h"
+
+#include <set>
+
+namespace agaa {
+
+std::string aggregateGlsl(const Plan& plan) {
+    const Pass* shade = nullptr;
+    for (const Pass& pass : plan.passes)
+        if (pass.kind == PassKind::Compute && pass.file == "passes/shade_aggregates.comp")
+            shade = &pass;
+    // Surfaces of "sbaa" keep records beside their words.
+    require(shade && shade->constants[AGAA_STRIDE] == shade->constants[AGAA_WORDS], AGAA_ERROR_UNSUPPORTED,
+            "the view leaves no aggregates in memory: it is not of \"agaa\" by two passes, and not of the tiers ids "
+            "or gbuffer with AGAA_CONFIG_BUFFERED.");
+    std::string out;
+#define AGAA_CONSTANT(id, name, value) out += format("#define %s %uu\n", #name, shade->constants[name]);
+#include "shaders/passes/constants.inc"
+#undef AGAA_CONSTANT
+    out += format("#define AGAA_REPRESENTED 0\n#define AGAA_IMAGE_WIDTH %uu\n#define AGAA_EMISSIVE_RANGE %s\n",
+                  plan.width, glslNumber(plan.layout.emissiveRange()).c_str());
+    std::set<std::string> seen;
+    appendGlsl(out, "host/stored_aggregate.glsl", seen);
+    return out;
+}
+
+} // namespace agaa

@@ -1,0 +1,132 @@
+// A host that shades the aggregates itself, by the text that reads them, against the SDK's own shading.
+#include "stage_host.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace agaa::test {
+namespace {
+
+constexpr float ambient[3] = {0.5f, 0.4f, 0.3f};
+
+std::string aggregateText(StageContext& context, const ViewSettings& settings) {
+    const AgaaViewDesc desc = viewDesc(settings);
+    size_t size = 0;
+    EXPECT_EQ(agaaGetAggregateGlsl(&desc, &context.caps(), nullptr, &size, nullptr), AGAA_OK);
+    std::string text(size, '\0');
+    EXPECT_EQ(agaaGetAggregateGlsl(&desc, &context.caps(), nullptr, &size, text.data()), AGAA_OK);
+    text.pop_back(); // the final zero
+    return text;
+}
+
+// Ambient light and emission, over a black background.
+std::string shadingText(const std::string& aggregates) {
+    return R"(#version 430
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(std430, binding = 0) readonly buffer Aggregates { uint words[]; } aggregates;
+layout(rgba32f, binding = 0) writeonly uniform image2D image;
+#define AGAA_AGGREGATE_WORD(i) aggregates.words[i]
+)" + aggregates +
+           R"(
+void main() {
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (any(greaterThanEqual(ivec2(pixel), imageSize(image))))
+        return;
+    vec3 color = vec3(0.0);
+    for (uint a = 0u; a < AGAA_AGGREGATES; ++a) {
+        AgaaAggregate g = agaaAggregate(pixel, a);
+        vec3 light = g.emissive + vec3(0.5, 0.4, 0.3) * (g.diffuse + g.specular);
+        color += light * float(bitCount(g.samples)) / float(AGAA_SAMPLES);
+    }
+    imageStore(image, ivec2(pixel), vec4(color, 1.0));
+}
+)";
+}
+
+GLuint computeProgram(const GladGLContext& gl, const std::string& text) {
+    const char* source = text.c_str();
+    const GLuint program = gl.CreateShaderProgramv(GL_COMPUTE_SHADER, 1, &source);
+    char log[2048] = "";
+    gl.GetProgramInfoLog(program, sizeof log, nullptr, log);
+    GLint linked = 0;
+    gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
+    EXPECT_TRUE(linked) << log;
+    return program;
+}
+
+std::vector<float> shadedByHost(StageContext& context, const ViewSettings& settings, StageView& view) {
+    const GladGLContext& gl = context.egl().gl();
+    AgaaGlSurface surface = AGAA_GL_SURFACE_INIT;
+    EXPECT_EQ(agaaGlGetSurface(view.get(), "aggregates", &surface), AGAA_OK);
+    const GLuint program = computeProgram(gl, shadingText(aggregateText(context, settings)));
+    const harness::gl::Texture image = harness::gl::createTexture(gl, GL_TEXTURE_2D);
+    gl.TextureStorage2D(image.get(), 1, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height));
+    gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    gl.UseProgram(program);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, surface.buffer);
+    gl.BindImageTexture(0, image.get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    gl.DispatchCompute((settings.width + 7) / 8, (settings.height + 7) / 8, 1);
+    gl.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    std::vector<float> rgba(size_t(settings.width) * settings.height * 4);
+    gl.GetTextureImage(image.get(), 0, GL_RGBA, GL_FLOAT, GLsizei(rgba.size() * sizeof(float)), rgba.data());
+    gl.UseProgram(0);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, 0);
+    gl.BindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R8);
+    gl.DeleteProgram(program);
+    return rgba;
+}
+
+TEST(GlHostShading, ReadsWhatTheSdkShades) {
+    StageContext context;
+    for (const char* layoutName : {"precise", "paper16"})
+        for (const auto& [tier, flags] : {std::pair{AGAA_TIER_PER_SAMPLE, uint64_t(0)},
+                                          {AGAA_TIER_GBUFFER, uint64_t(AGAA_CONFIG_BUFFERED)}})
+            for (const auto& [n, c] : {std::pair{1u, 1u}, {8u, 2u}, {32u, 4u}}) {
+                SCOPED_TRACE(std::string(layoutName) + " " + agaaTierName(tier) + " n=" + std::to_string(n));
+                AgaaLayout layout;
+                agaaGetBuiltinLayout(layoutName, &layout);
+                ViewSettings settings;
+                settings.config.layout = &layout;
+                settings.config.samples = n;
+                settings.config.aggregates = c;
+                settings.config.generationTier = tier;
+                settings.config.flags = flags | AGAA_CONFIG_READBACK;
+                settings.facts.shadowMapCount = 0;
+                StageView view(context, settings);
+                view.setTriangles(randomTriangles({.triangles = 150, .masked = 0.2f}, 61));
+                AgaaFrame frame = view.frame();
+                std::copy_n(ambient, 3, frame.ambient);
+                std::fill_n(frame.background, 3, 0.0f);
+                view.render(frame);
+                const std::vector<float> sdk = view.image(), host = shadedByHost(context, settings, view);
+                ASSERT_EQ(sdk.size(), host.size());
+                double sum = 0;
+                for (size_t i = 0; i < sdk.size(); ++i) {
+                    ASSERT_NEAR(sdk[i], host[i], 2e-3f * std::max(1.0f, sdk[i])) << i; // the output is of half floats
+                    sum += double(host[i]);
+                }
+                EXPECT_GT(sum, 100);
+            }
+}
+
+TEST(GlHostShading, IsRefusedWhereNothingIsKept) {
+    StageContext context;
+    for (const char* technique : {"ssaa", "sbaa", "agaa"}) {
+        ViewSettings settings;
+        settings.config.technique = technique;
+        settings.config.generationTier = technique == std::string("agaa") ? AGAA_TIER_GBUFFER : AGAA_TIER_AUTO;
+        const AgaaViewDesc desc = viewDesc(settings);
+        std::vector<LogLine> lines;
+        AgaaLog log = AGAA_LOG_INIT;
+        log.callback = collectLines;
+        log.user = &lines;
+        size_t size = 0;
+        EXPECT_EQ(agaaGetAggregateGlsl(&desc, &context.caps(), &log, &size, nullptr), AGAA_ERROR_UNSUPPORTED);
+        ASSERT_EQ(lines.size(), 1u);
+        EXPECT_NE(lines[0].text.find("no aggregates in memory"), std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace agaa::test
