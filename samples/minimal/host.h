@@ -30,17 +30,19 @@ static void AGAA_CALL onLog(void* user, uint32_t severity, AgaaResult code, cons
         fprintf(stderr, "%s\n", message);
 }
 
-/* Five blades, which cross. Before the text stand the version, VERTEX (the index) and the uniform clipFromShading.
- * All passes share this shader: the material pass tests for the very depth that the prepass left. */
-static const char vertexCode[] =
-    "layout(location = 0) out vec3 position; // shading space: the world's axes, origin at the eye\n"
+/* Five blades, which cross, in shading space: the world's axes, origin at the eye. An engine: on the CPU, in double. */
+#define SCENE_CODE                                                                                                \
+    "vec2 corner(float i, int k) { return k < 2 ? vec2(i - 2.0 + 0.1 * float(k), 0.0) : vec2(1.6 - 0.8 * i, 2.4); }\n" \
+    "vec3 bladeCorner(float i, int k) { return vec3(corner(i, k), 0.1 * i) - vec3(0.0, 1.2, 3.0); }\n"            \
+    "vec3 bladeColor(float i) { return vec3(0.2 + 0.1 * i, 0.7 - 0.1 * i, 0.1); }\n"
+
+/* After VERTEX, the index, and the uniform clipFromShading. All passes share it: depths must be the very same. */
+static const char vertexCode[] = SCENE_CODE
+    "layout(location = 0) out vec3 position;\n"
     "layout(location = 1) flat out vec3 color;\n"
     "invariant gl_Position;\n"
     "void main() {\n"
-    "    float i = float(VERTEX / 3);\n"
-    "    vec2 corners[3] = vec2[](vec2(i - 2.0, 0.0), vec2(i - 1.9, 0.0), vec2(1.6 - 0.8 * i, 2.4));\n"
-    "    position = vec3(corners[VERTEX % 3], 0.1 * i) - vec3(0.0, 1.2, 3.0); // an engine: on the CPU, in double\n"
-    "    color = vec3(0.2 + 0.1 * i, 0.7 - 0.1 * i, 0.1);\n"
+    "    position = bladeCorner(float(VERTEX / 3), VERTEX % 3), color = bladeColor(float(VERTEX / 3));\n"
     "    gl_Position = clipFromShading * vec4(position, 1.0);\n"
     "}\n";
 
@@ -67,10 +69,8 @@ static AgaaViewDesc describeView(void) {
     facts.flags = 0; /* AGAA_FACT_...: no specular light, no ambient light, no emission */
     facts.maxLights = 1;
     facts.shadowMapCount = 0;
-    desc.width = width;
-    desc.height = height;
-    desc.config = &config;
-    desc.facts = &facts;
+    desc.width = width, desc.height = height;
+    desc.config = &config, desc.facts = &facts;
     return desc;
 }
 

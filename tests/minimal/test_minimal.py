@@ -138,6 +138,19 @@ class OwnGBuffer(Minimal):
         self.check_refusals("gbuffer_gl")
 
 
+class ById(Minimal):
+    def test_shows_what_two_passes_show(self):
+        by_id, messages = self.render("ids_gl")
+        self.assertEqual(messages, "")
+        self.check_image(by_id)
+        twice, _ = self.render("minimal_gl")
+        most = max(abs(a - b) for left, right in zip(by_id, twice) for a, b in zip(left, right))
+        self.assertLessEqual(most, 2, "materials by id are those that the second pass draws")
+
+    def test_refusals(self):
+        self.check_refusals("ids_gl")
+
+
 class Both(Minimal):
     def test_images_agree(self):
         """By the project's measure of two backends."""
