@@ -37,6 +37,9 @@ WRONG = [
     ["render", "--seeds", "random"],
     ["render", "--k", "-1"],
     ["render", "--jitter", "1"],
+    ["render", "--view", "heat"],
+    ["render", "--preset", "best"],
+    ["render", "--preset", "fast", "--aggregates", "3"],
     ["compare", "only-one.exr"],
     ["reference", "--spp", "1"],
 ]
@@ -48,6 +51,8 @@ FAILS = [
     ["memory", "--size", "20000x20000", "--samples", "32"],
     ["memory", "--samples", "8", "--tier", "visibility=native"],
     ["plan", "--k-per-distance", "0"],
+    ["plan", "--technique", "ssaa", "--view", "clusters"],
+    ["plan", "--lit", "--buffered"],
 ]
 
 

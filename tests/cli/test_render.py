@@ -68,6 +68,25 @@ class Render(unittest.TestCase):
         self.assertEqual(data["flip"], 0)
         self.assertTrue(os.path.exists(self.path("d.png")))
 
+    def test_presets(self):
+        tiers = {"paper": None, "fast": "ids", "balanced": "ids", "accurate": "ids"}
+        for preset, tier in tiers.items():
+            data = self.render("--preset", preset, size="48x27")
+            self.assertEqual(data["technique"], "agaa")
+            if tier:
+                self.assertEqual(data["tiers"]["generation"], tier)
+            self.assertEqual(data["geometryPasses"], 1 if tier else 2)
+            self.assertEqual(data["apiMessages"], [])
+
+    def test_views(self):
+        images = set()
+        for view in ("none", "events", "clusters", "primitives", "lit", "widened", "tier"):
+            self.render("--tier", "generation=ids", "--view", view, "--png", self.path("v.png"), "--no-counters",
+                        "--no-timestamps", size="48x27")
+            with open(self.path("v.png"), "rb") as file:
+                images.add(file.read())
+        self.assertEqual(len(images), 7, "each shows something else")
+
     def test_odd_sizes(self):
         for size in ("1x1", "3x5", "33x17"):
             data = self.render("--samples", "32", size=size)
