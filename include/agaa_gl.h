@@ -181,7 +181,8 @@ typedef struct AgaaGlSurface {
 #define AGAA_GL_SURFACE_INIT                                                                        \
     {AGAA_STRUCTURE_TYPE_GL_SURFACE, (uint32_t)sizeof(AgaaGlSurface), NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
 
-/* name: as in agaaQueryMemory; "depth" is of every view that draws. Others may change with the version. */
+/* name: as in agaaQueryMemory; "depth" is of every view that draws, "aggregates" of those that
+ * agaaGetAggregateGlsl is for. Others may change with the version. */
 AGAA_API AgaaResult AGAA_CALL agaaGlGetSurface(AgaaView view, const char* name,
                                                AgaaGlSurface* outSurface);
 

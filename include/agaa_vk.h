@@ -158,7 +158,8 @@ typedef struct AgaaVkSurface {
     {AGAA_STRUCTURE_TYPE_VK_SURFACE, (uint32_t)sizeof(AgaaVkSurface), NULL, 0, 0, 0, 0, 0, 0, 0, 0,  \
      0, 0, {0, 0, 0}, 0}
 
-/* name: as in agaaQueryMemory; "depth" is of every view that draws. Others may change with the version. */
+/* name: as in agaaQueryMemory; "depth" is of every view that draws, "aggregates" of those that
+ * agaaGetAggregateGlsl is for. Others may change with the version. */
 AGAA_API AgaaResult AGAA_CALL agaaVkGetSurface(AgaaView view, const char* name,
                                                AgaaVkSurface* outSurface);
 

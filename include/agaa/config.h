@@ -102,13 +102,14 @@ typedef enum AgaaTier {
                                                          aggregate's depth variance, not at samples */
 #define AGAA_CONFIG_NO_STENCIL UINT64_C(0x20) /* first come, first kept; not repeatable on ties */
 #define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2 (c), for comparison */
-#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x100) /* of "agaa": samples of one surface are clustered like all
+#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x200) /* of "agaa": samples of one surface are clustered like all
                                                       others (AGAA 3.3), so that distance may part them */
-#define AGAA_CONFIG_BUFFERED UINT64_C(0x200) /* of "agaa", tiers IDS and GBUFFER: aggregates go to memory, the surface
-                                                "aggregates", and a pass of its own shades them */
+#define AGAA_CONFIG_BUFFERED UINT64_C(0x400) /* of "agaa": aggregates go to memory, the surface "aggregates", and a
+                                                pass of its own shades them, by the tiers IDS and GBUFFER too; not
+                                                with litShadows */
 
 /* What the output shows of each pixel in place of its image: numbers and shares in all channels, or a colour. Not of
- * "msaa", whose shading is the host's. */
+ * "msaa", whose shading is the host's. Beyond what is covered: 0. */
 typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_NONE = 0,
     AGAA_DEBUG_VIEW_EVENTS = 1,     /* shading events */
@@ -116,9 +117,10 @@ typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_CLUSTERS = 3,   /* of these a colour each, in the share of its samples */
     AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tier IDS: primitives that samples show */
     AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that gets to what is covered */
-    AGAA_DEBUG_VIEW_WIDENED = 6,    /* by how much the NDF widened lobes: alpha of GGX, mean over what is covered */
-    AGAA_DEBUG_VIEW_TIER = 7,       /* grey: not aggregated; orange: by two passes; blue: from a G-buffer; green: by ids;
-                                       half as bright where one shading event did */
+    AGAA_DEBUG_VIEW_WIDENED = 6,    /* by how much the NDF widened lobes: alpha of GGX, mean over what is covered; of
+                                       layouts that keep roughness beside the normal */
+    AGAA_DEBUG_VIEW_TIER = 7,       /* grey: not aggregated; orange: by two passes; blue: from a G-buffer; green: by
+                                       ids; half as bright where one shading event did */
     AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
 } AgaaDebugView;
 
@@ -146,8 +148,8 @@ typedef struct AgaaConfig {
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t generationTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
-    /* Of the tiers IDS and GBUFFER. Bit i: lights of AgaaFrame::shadows[i] are shaded by means over what they reach of an
-     * aggregate, times the share that they reach, so that lit and unlit samples may differ in normal and colour.
+    /* Of the tiers IDS and GBUFFER. Bit i: lights of AgaaFrame::shadows[i] are shaded by means over what they reach of
+     * an aggregate, times the share that they reach, so that lit and unlit samples may differ in normal and colour.
      * A tap a sample, in place of shadowTaps. Shadows that AgaaSceneFacts does not declare are left out. */
     uint32_t litShadows;
     uint64_t flags;           /* AGAA_CONFIG_… */
@@ -162,8 +164,8 @@ typedef struct AgaaConfig {
      AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.03f, 0.02f, 0.0f, 0.0f, 0.0f, AGAA_SEEDS_MAXIMIN, 0,   \
      AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0, 0.0f, 0}
 
-/* Named settings of "agaa", from measurements (docs/choosing.md): "paper", as its sections say; "fast", "balanced" and
- * "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf, litShadows (the first
+/* Named settings of "agaa", from measurements (README.md, "Presets"): "paper", as its sections say; "fast", "balanced"
+ * and "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf, litShadows (the first
  * shadow), glossWeight and what flags say of clustering and filters; leaves the rest. The last two want
  * materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER. */
 AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config);

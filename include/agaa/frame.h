@@ -54,7 +54,8 @@ typedef struct AgaaDrawTarget {
     uint32_t reserved;
 } AgaaDrawTarget;
 
-/* Draw the scene's opaque and alpha-masked geometry. The target is cleared. Vulkan: called with rendering
+/* Draw the scene's opaque and alpha-masked geometry (AGAA_FETCH_NOT_ALL_DRAWS: see there). The target is cleared, or
+ * has the depth of an earlier pass to be equal to. Vulkan: called with rendering
  * begun by the SDK, which also ends it; nothing is bound, viewport and scissor are unset. Commands are
  * recorded inline: the callback executes no command buffers of its own. OpenGL: as at agaaGlRecordFrame.
  * Return AGAA_OK, or any other value to give up the frame. Must not throw, must not call the SDK. */

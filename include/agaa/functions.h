@@ -38,9 +38,9 @@ typedef struct AgaaGBufferFunction {
     {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, (uint32_t)sizeof(AgaaGBufferFunction), NULL, NULL, NULL, 0, 0, 0}
 
 /* Chained to AgaaViewDesc: materials by id, for the tier IDS, which AUTO then is. The visibility pass leaves, beside
- * depth, which draw and primitive each sample shows (AgaaSurfaceInput::draw, ::primitive); the only other pass finds
- * the primitives of a pixel, evaluates the material of each once, in the middle of its samples, groups these and
- * shades. It is compiled with functions of the host's; the text is GLSL 450 and defines
+ * depth, which draw and primitive each sample shows (AgaaSurfaceInput::draw, ::primitive); a compute pass finds the
+ * primitives of a pixel, evaluates the material of each once, in the middle of its samples, groups these and shades.
+ * It is compiled with functions of the host's; the text is GLSL 450 and defines
  *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)
  * which give the clip coordinates of a triangle, as the vertex shader computed them, and the material at a point of
@@ -49,8 +49,9 @@ typedef struct AgaaGBufferFunction {
  * the layout; what is not finite becomes 0. The alpha test is the visibility pass's alone. Names and errors as at
  * AgaaGBufferFunction. Of "agaa". */
 /* Some draws cannot be fetched: displaced, or by shaders that compute cannot call. The visibility pass gives them
- * AgaaSurfaceInput::draw = AGAA_UNFETCHED, and a second geometry pass, AGAA_DRAW_PASS_GBUFFER at equal depth, draws
- * these draws alone into a multisampled G-buffer, from which their samples are taken. */
+ * AgaaSurfaceInput::draw = AGAA_UNFETCHED, and a second geometry pass, AGAA_DRAW_PASS_GBUFFER whose depthCompare is
+ * EQUAL, draws these draws alone into a multisampled G-buffer, from which their samples are taken; it takes one id. Not
+ * with AGAA_FACT_CUSTOM_DEPTH. */
 #define AGAA_FETCH_NOT_ALL_DRAWS UINT64_C(0x01)
 typedef struct AgaaFetchFunction {
     uint32_t sType;

@@ -105,7 +105,8 @@ typedef struct AgaaTarget {
     uint32_t width, height; /* texels */
     uint32_t samples;       /* of a texel */
     uint32_t scaleX, scaleY;
-    uint32_t geometryPasses; /* 0: the host draws its own G-buffer (AgaaGBufferFunction), of this size and samples */
+    uint32_t geometryPasses; /* 0: the host draws its own G-buffer (AgaaGBufferFunction), of this size and samples
+                                unless it says where samples lie */
 } AgaaTarget;
 #define AGAA_TARGET_INIT {AGAA_STRUCTURE_TYPE_TARGET, (uint32_t)sizeof(AgaaTarget), NULL, 0, 0, 0, 0, 0, 0}
 

@@ -26,7 +26,7 @@ typedef struct AgaaCounters {
     uint64_t shadedPixels;  /* pixels with at least one event */
     uint64_t maxEventsPerPixel;
     uint64_t aggregates; /* or surfaces of "sbaa", of all pixels */
-    uint64_t primitives; /* tier IDS: that samples show, of all pixels */
+    uint64_t primitives; /* tier IDS: that samples show, of all pixels; of draws that can be fetched */
     uint64_t materials;  /* tier IDS: fetched, each for the samples of a primitive in a pixel */
     uint64_t misplaced; /* fragments of the first geometry pass that do not lie where the camera puts them;
                            few of slivers, whose positions extrapolate */

@@ -9,6 +9,7 @@
 #include "core/tiers.h"
 #include "core/validate.h"
 
+#include <algorithm>
 #include <cstring>
 
 using namespace agaa;
@@ -149,8 +150,13 @@ AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceC
         checkViewDesc(view);
         checkStruct(outTarget, AGAA_STRUCTURE_TYPE_TARGET, "AgaaTarget");
         const Plan plan = makePlan(*view, capsOrIdeal(caps), 2);
-        outTarget->width = plan.width * plan.scaleX;
-        outTarget->height = plan.height * plan.scaleY;
+        const uint64_t width = uint64_t(plan.width) * plan.scaleX, height = uint64_t(plan.height) * plan.scaleY;
+        if (std::max(width, height) > capsOrIdeal(caps).maxImageSize)
+            fail(AGAA_ERROR_TOO_LARGE, format("the target would be %llux%llu texels; the device allows %u.",
+                                              static_cast<unsigned long long>(width),
+                                              static_cast<unsigned long long>(height), capsOrIdeal(caps).maxImageSize));
+        outTarget->width = uint32_t(width);
+        outTarget->height = uint32_t(height);
         outTarget->samples = plan.hwSamples;
         outTarget->scaleX = plan.scaleX;
         outTarget->scaleY = plan.scaleY;

@@ -125,6 +125,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
         defineSwitch(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
     }
+    defineSwitch(out, "AGAA_FIRST_PASS", pass.clearsDepth);
     if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
         define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
     const bool writesIds = pass.drawPass == AGAA_DRAW_PASS_VISIBILITY && plan.generationTier == AGAA_TIER_IDS;

@@ -37,7 +37,7 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
                                              technique.maxAggregates));
     plan.aggregates =
         technique.maxAggregates ? std::min(plan.config.aggregates, plan.samples) : 0;
-    dropUndeclared();
+    dropUncalledFor(technique);
     chooseVisibilityTier();
     if (technique.maxAggregates)
         chooseGenerationTier(technique);
@@ -112,6 +112,9 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
     }
     const uint32_t forced = plan.config.generationTier;
     const bool takesIds = technique.groupsSamples && plan.maxDraws > 0;
+    require(!takesIds || !plan.someUnfetched || !hasFact(AGAA_FACT_CUSTOM_DEPTH), AGAA_ERROR_UNSUPPORTED,
+            "materials that write depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) cannot be drawn a second time "
+            "at equal depth, which AGAA_FETCH_NOT_ALL_DRAWS asks for.");
     if (forced == AGAA_TIER_IDS && !takesIds)
         fail(AGAA_ERROR_UNSUPPORTED, format("generation cannot run: %s.",
                                             technique.groupsSamples ? "the tier ids needs an AgaaFetchFunction"
@@ -140,34 +143,38 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
     note("generation: " + choice.reason);
 }
 
-// Effects that the scene does not call for.
-void PlanBuilder::dropUndeclared() {
-    const uint32_t lit = plan.config.litShadows & ((1u << plan.facts.shadowMapCount) - 1);
-    if (lit != plan.config.litShadows)
+// What neither the scene nor the technique calls for.
+void PlanBuilder::dropUncalledFor(const Technique& technique) {
+    AgaaConfig& config = plan.config;
+    if (!technique.groupsSamples) { // settings of "agaa" may stay where another is measured
+        config.litShadows = 0;
+        config.glossWeight = 0;
+        config.flags &= ~AGAA_CONFIG_BUFFERED;
+    }
+    const uint32_t lit = config.litShadows & ((1u << plan.facts.shadowMapCount) - 1);
+    if (lit != config.litShadows)
         note("lit aggregates: AgaaConfig::litShadows names shadows that AgaaSceneFacts does not declare; they are "
              "left out.");
-    plan.config.litShadows = lit;
+    config.litShadows = lit;
 }
 
 // After the tier is known.
 void PlanBuilder::checkTierOptions(const Technique& technique) const {
     const AgaaConfig& config = plan.config;
-    const bool knowsMaterials = technique.groupsSamples && (plan.generationTier == AGAA_TIER_IDS ||
-                                                            plan.generationTier == AGAA_TIER_GBUFFER);
+    const bool knowsMaterials = plan.generationTier == AGAA_TIER_IDS || plan.generationTier == AGAA_TIER_GBUFFER;
     const bool buffered = config.flags & AGAA_CONFIG_BUFFERED;
     require(config.glossWeight == 0 || knowsMaterials, AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::glossWeight needs \"agaa\" and the tier ids or gbuffer, which know materials when they "
-            "group samples.");
+            "AgaaConfig::glossWeight needs the tier ids or gbuffer, which know materials when they group samples.");
     require(config.litShadows == 0 || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::litShadows needs \"agaa\" and the tier ids or gbuffer without AGAA_CONFIG_BUFFERED, which "
-            "know materials and shadows in one pass.");
-    require(!buffered || knowsMaterials, AGAA_ERROR_UNSUPPORTED,
-            "AGAA_CONFIG_BUFFERED is a choice of \"agaa\" by the tier ids or gbuffer; others have no other way.");
+            "AgaaConfig::litShadows needs the tier ids or gbuffer without AGAA_CONFIG_BUFFERED, which know materials "
+            "and shadows in one pass.");
     const uint32_t view = config.debugView;
     const bool ofAggregates = view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_CLUSTERS ||
                               view == AGAA_DEBUG_VIEW_WIDENED;
     require(!ofAggregates || technique.maxAggregates, AGAA_ERROR_UNSUPPORTED,
             "AgaaConfig::debugView shows aggregates, of which this technique makes none.");
+    require(view != AGAA_DEBUG_VIEW_WIDENED || !plan.layout.foldsRoughness(), AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::debugView shows widened lobes, which a layout with folded roughness cannot tell.");
     require(view != AGAA_DEBUG_VIEW_PRIMITIVES || (plan.generationTier == AGAA_TIER_IDS && !buffered),
             AGAA_ERROR_UNSUPPORTED,
             "AgaaConfig::debugView shows primitives, which only the tier ids without AGAA_CONFIG_BUFFERED counts.");

@@ -81,7 +81,7 @@ private:
     void readFunctions(const AgaaViewDesc& view);
     void takeSetLayout(uint64_t setLayout);
     void chooseGenerationTier(const Technique& technique);
-    void dropUndeclared();
+    void dropUncalledFor(const Technique& technique);
     void checkTierOptions(const Technique& technique) const;
     static void addHostCode(Pass& pass, const std::string& text, const char* origin);
     void bindShadows(Pass& pass);

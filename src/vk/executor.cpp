@@ -13,6 +13,9 @@ namespace agaa::vk {
 void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const {
     require(vkFrame.commandBuffer, AGAA_ERROR_INVALID_ARGUMENT,
             "AgaaVkFrame::commandBuffer is null.");
+    for (const Pass& pass : plan.passes)
+        require(!(frame.segments & pass.segment) || !usesHostSet(pass) || vkFrame.functionSet,
+                AGAA_ERROR_INVALID_ARGUMENT, "AgaaVkFrame::functionSet is null.");
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
         return;
     require(vkFrame.outputImage && vkFrame.outputView, AGAA_ERROR_INVALID_ARGUMENT,
@@ -35,8 +38,6 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const
                  format("AgaaVkFrame::shadowViews[%u] is null.", resource.hostSlot));
         first = false;
     }
-    require(!plan.functionSetLayout || vkFrame.functionSet, AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaVkFrame::functionSet is null.");
 }
 
 void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {

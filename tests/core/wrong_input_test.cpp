@@ -84,12 +84,6 @@ const Row rows[] = {
          r.config.glossWeight = 0.5f;
          r.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
      }},
-    {"gloss weight of another technique", AGAA_ERROR_UNSUPPORTED,
-     [](Request& r) {
-         r.config.glossWeight = 0.5f;
-         r.config.technique = "sbaa";
-         r.config.generationTier = AGAA_TIER_GBUFFER;
-     }},
     {"lit shadows", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.litShadows = 16; }},
     {"lit shadows of another tier", AGAA_ERROR_UNSUPPORTED,
      [](Request& r) {
@@ -100,11 +94,6 @@ const Row rows[] = {
      [](Request& r) {
          r.config.litShadows = 1;
          r.config.flags = AGAA_CONFIG_BUFFERED;
-     }},
-    {"buffered where there is no other way", AGAA_ERROR_UNSUPPORTED,
-     [](Request& r) {
-         r.config.flags = AGAA_CONFIG_BUFFERED;
-         r.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
      }},
     {"debug view", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.debugView = 8; }},
     {"debug view of forward shading", AGAA_ERROR_UNSUPPORTED,

@@ -29,18 +29,6 @@ protected:
     Scene scene_;
 };
 
-double shareAbove(const Image& a, const Image& b, double bound) {
-    size_t pixels = 0;
-    for (size_t i = 0; i < a.pixelCount(); ++i) {
-        double largest = 0;
-        for (size_t c = 3 * i; c < 3 * i + 3; ++c)
-            largest = std::max(largest,
-                               std::fabs(toneMap(double(a.rgb[c])) - toneMap(double(b.rgb[c]))));
-        pixels += largest > bound;
-    }
-    return double(pixels) / double(a.pixelCount());
-}
-
 struct Row {
     const char* technique;
     uint32_t samples, aggregates;

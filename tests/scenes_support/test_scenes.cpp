@@ -1,5 +1,6 @@
 #include "test_scenes.h"
 
+#include "image/metrics.h"
 #include "image/tonemap.h"
 #include "scene/builtin.h"
 
@@ -94,6 +95,18 @@ double meanDifference(const Image& a, const Image& b) {
     return sum / double(a.rgb.size());
 }
 
+double shareAbove(const Image& a, const Image& b, double bound) {
+    size_t pixels = 0;
+    for (size_t i = 0; i < a.pixelCount(); ++i) {
+        double largest = 0;
+        for (size_t c = 3 * i; c < 3 * i + 3; ++c)
+            largest = std::max(largest,
+                               std::fabs(toneMap(double(a.rgb[c])) - toneMap(double(b.rgb[c]))));
+        pixels += largest > bound;
+    }
+    return double(pixels) / double(a.pixelCount());
+}
+
 void expectEverySampleOnce(const AgaaCounters& c) {
     EXPECT_GT(c.visible, 0u);
     EXPECT_EQ(c.once, c.visible);
@@ -133,8 +146,12 @@ void expectWaysAgree(Renderer& renderer, RenderSettings settings, const char* na
         const RenderResult result = renderer.render(other);
         expectEverySampleOnce(result.statistics.back().counters);
         const double mean = meanDifference(image, result.image);
-        std::printf("%-24s %-32s mean difference %.3f/255\n", name, what, 255 * mean);
+        const double psnr = -10 * std::log10(compareImages(image, result.image).mseTm);
+        const double far = shareAbove(image, result.image, 24.0 / 255);
+        std::printf("%-10s %-32s mean difference %.3f/255, PSNR %.1f dB, above 24/255 %.3f %%\n", name, what, 255 * mean,
+                    psnr, 100 * far);
         EXPECT_LT(mean, most / 255) << what;
+        EXPECT_LE(far, most / 255) << what;
     };
     for (AgaaTier tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
         settings.config.generationTier = tier;

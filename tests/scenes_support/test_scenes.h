@@ -35,6 +35,8 @@ struct Difference {
 Difference differenceOf(const Image& a, const Image& b);
 // After tone mapping, so that no highlight speaks for the image.
 double meanDifference(const Image& a, const Image& b);
+// Pixels a channel of which differs by more, after tone mapping, as a share of all.
+double shareAbove(const Image& a, const Image& b, double bound);
 
 void expectEverySampleOnce(const AgaaCounters& counters);
 // The above; no pixel with more events than aggregates; as many bytes as predicted; nothing infinite.

@@ -121,7 +121,7 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
     uint32_t material = UINT32_MAX;
     for (uint32_t index = 0; index < input.draws.size(); ++index) {
         const Draw& draw = input.draws[index];
-        if (!isDrawnIn(target.pass, draw, input.fetches))
+        if (!isDrawnIn(target, draw))
             continue;
         const Mesh& mesh = scene().meshes[draw.mesh];
         const Variant variant = variantOf(scene(), draw);

@@ -44,8 +44,10 @@ bool isMasked(const Scene& scene, const Mesh& mesh) {
            scene.materials[mesh.material].alphaMode != AlphaMode::Opaque;
 }
 
-bool isDrawnIn(uint32_t pass, const Draw& draw, bool fetches) {
-    return pass != AGAA_DRAW_PASS_GBUFFER || !fetches || !draw.isFetched;
+bool isDrawnIn(const AgaaDrawTarget& target, const Draw& draw) {
+    const bool isOfUnfetched =
+        target.pass == AGAA_DRAW_PASS_GBUFFER && target.state.depthCompare == AGAA_COMPARE_EQUAL;
+    return !isOfUnfetched || !draw.isFetched;
 }
 
 uint32_t drawSeed(uint32_t instance) {

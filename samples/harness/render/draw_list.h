@@ -31,8 +31,8 @@ std::vector<Draw> makeDrawList(const Scene& scene, const glm::dvec3& worldOffset
 // The material mode by which a mesh is drawn; meshes without a valid material are opaque.
 bool isMasked(const Scene& scene, const Mesh& mesh);
 
-// Whether a pass draws it, an AgaaDrawPassId: where others are fetched by id, a G-buffer is for what is not.
-bool isDrawnIn(uint32_t pass, const Draw& draw, bool fetches);
+// Whether a pass draws it: a G-buffer at equal depth is for what cannot be fetched.
+bool isDrawnIn(const AgaaDrawTarget& target, const Draw& draw);
 
 // A number of the instance's own that does not depend on the order of drawing.
 uint32_t drawSeed(uint32_t instance);

@@ -41,9 +41,8 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     desc.facts = &facts;
     desc.flags = viewFlags() | (settings.reversedZ ? AGAA_VIEW_REVERSED_Z : 0) |
                  (settings.background.a == 0 ? AGAA_VIEW_COMPOSITE : 0);
-    const bool fetches = settings.config.generationTier == AGAA_TIER_IDS;
     AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
-    if (fetches) {
+    if (settings.config.generationTier == AGAA_TIER_IDS) {
         fetch = *fetchFunction();
         fetch.flags = settings.unfetchedEvery ? AGAA_FETCH_NOT_ALL_DRAWS : 0;
         desc.pNext = &fetch;
@@ -53,7 +52,7 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     result.memory = predictMemory(desc, caps(), log());
     result.tiers = plannedTiers(desc, caps(), log());
 
-    FrameInput input{settings, cameraMatrices(scene_, settings, clipY()), {}, {}, true, fetches};
+    FrameInput input{settings, cameraMatrices(scene_, settings, clipY()), {}, {}, true};
     input.lights = toAgaaLights(settings.lights, settings.worldOffset, input.camera.eye);
     DrawListOptions options;
     options.useMasked = input.useMasked = (facts.flags & AGAA_FACT_ALPHA_MASKED) != 0;

@@ -26,7 +26,6 @@ protected:
         std::vector<AgaaLight> lights;
         std::vector<Draw> draws;
         bool useMasked = true;
-        bool fetches = false; // by id
     };
 
     virtual SdkLog& log() = 0;

@@ -144,7 +144,7 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
     VkDescriptorSet boundMaterial = VK_NULL_HANDLE;
     for (uint32_t index = 0; index < input.draws.size(); ++index) {
         const Draw& draw = input.draws[index];
-        if (!isDrawnIn(target.pass, draw, input.fetches))
+        if (!isDrawnIn(target, draw))
             continue;
         const Mesh& mesh = scene().meshes[draw.mesh];
         const VkPipeline pipeline =

@@ -16,12 +16,18 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_OWN_TILE
 #include "passes/tile.glsl"
 
-agaa_PixelWork agaa_countedWork(uint count, uint samples) {
-    agaa_count(AGAA_COUNT_VISIBLE, samples);
+agaa_PixelWork agaa_countedWork(uvec2 pixel, uint count, uint covered, uint missed) {
+    uint samples = uint(bitCount(covered));
+    agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(covered | missed)));
     agaa_count(AGAA_COUNT_ONCE, samples);
+#if AGAA_COUNTING
+    agaa_count(AGAA_COUNT_MISSED, uint(bitCount(missed)));
+    if (missed != 0u)
+        agaa_reportPixel(pixel, covered | missed, missed, 0u);
+#endif
     agaa_count(AGAA_COUNT_EVENTS, count);
     agaa_count(AGAA_COUNT_AGGREGATES, count);
-    agaa_count(AGAA_COUNT_PIXELS, 1u);
+    agaa_count(AGAA_COUNT_PIXELS, min(count, 1u));
     return agaa_PixelWork((1u << count) - 1u, 0u, samples);
 }
 
@@ -63,10 +69,10 @@ vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
     return agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, mask), a, mask, agaa_meansOf(lane, mask), false);
 }
 
-void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered) {
+void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered, uint missed) {
     agaa_PixelWork work = agaa_PixelWork(0u, 0u, 0u);
     if (isHeld)
-        work = agaa_countedWork(agaa_aggregateCount[gl_LocalInvocationIndex], uint(bitCount(covered)));
+        work = agaa_countedWork(pixel, agaa_aggregateCount[gl_LocalInvocationIndex], covered, missed);
     vec3 color = agaa_shadeWork(work, corner);
     if (isHeld)
         agaa_writePixel(pixel, work, color);

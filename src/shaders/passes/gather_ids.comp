@@ -28,7 +28,8 @@ void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
     agaa_storeSums(mask, ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE);
 }
 
-void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered) {
+// What is missed is found by the pass that shades.
+void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered, uint missed) {
     if (isHeld)
         for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
             agaa_storeAggregate(pixel, a, agaa_masks[gl_LocalInvocationIndex * AGAA_AGGREGATES + a]);

@@ -22,6 +22,9 @@ shared uint agaa_many[64];
 shared uint agaa_aggregateCount[64];
 shared uint agaa_masks[64u * AGAA_AGGREGATES];     // samples of each aggregate
 shared uint agaa_waiting;                          // pixels that did not find room
+#ifdef AGAA_SOME_UNFETCHED
+shared uint agaa_missedSamples[64]; // of each pixel, that the G-buffer of unfetched draws has not
+#endif
 
 // Of the pixel at hand.
 uint agaa_sampleIds[AGAA_MAX_SAMPLES];
@@ -39,7 +42,7 @@ uint agaa_loadIds(uvec2 pixel) {
     return covered;
 }
 
-// Returns how many primitives these samples show.
+// Returns how many entries these samples take: primitives, and samples of unfetched draws one by one.
 uint agaa_findPrimitives(uint covered) {
     uint count = 0u;
     for (uint left = covered; left != 0u; ++count) {
@@ -53,6 +56,13 @@ uint agaa_findPrimitives(uint covered) {
         left &= ~alike;
     }
     return count;
+}
+
+uint agaa_fetchedPrimitives(uint count) {
+    uint fetched = 0u;
+    for (uint i = 0u; i < count; ++i)
+        fetched += agaa_isFetched(agaa_sampleIds[findLSB(agaa_primitiveSamples[i])]) ? 1u : 0u;
+    return fetched;
 }
 
 void agaa_listPrimitives(uint first, uint count) {
@@ -75,7 +85,11 @@ void agaa_fetchListed(uint at, uvec2 corner) {
     uvec2 pixel = corner + uvec2(lane & 7u, lane >> 3u);
 #ifdef AGAA_SOME_UNFETCHED
     if (!agaa_isFetched(agaa_listId[at])) {
-        agaa_fetchSample(pixel, uint(findLSB(samples)));
+        if (!agaa_fetchSample(pixel, uint(findLSB(samples)))) {
+            agaa_listSamples[at] = 0u;
+            atomicOr(agaa_missedSamples[lane], samples);
+            return;
+        }
         agaa_Surface s = agaa_sampleSurface();
         agaa_listPlane[at] = mat3(agaa_frame.view) * s.normal;
         agaa_listMaterial[at] = AgaaMaterial(s.diffuse, s.specular, s.emissive, s.normal, s.alpha2);
@@ -137,15 +151,16 @@ agaa_Surface agaa_listedSurface(uint at) {
 }
 
 // Of the shader that includes this; called by all lanes.
-// A pixel's aggregates are known, by agaa_masks; isHeld: the lane has one, all of whose samples are `covered`.
-void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered);
+// A pixel's aggregates are known, by agaa_masks; isHeld: the lane has one, all of whose samples are `covered` but for
+// those that no geometry pass gave a material, `missed`.
+void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered, uint missed);
 
 // Each pixel with geometry is taken once.
 void agaa_takeTile(uvec2 corner, uvec2 pixel, uint covered) {
     const uint lane = gl_LocalInvocationIndex;
     uint primitives = agaa_findPrimitives(covered);
-    agaa_shownPrimitives = primitives;
-    agaa_count(AGAA_COUNT_PRIMITIVES, primitives);
+    agaa_shownPrimitives = agaa_fetchedPrimitives(primitives);
+    agaa_count(AGAA_COUNT_PRIMITIVES, agaa_shownPrimitives);
     bool waits = covered != 0u;
     for (;;) {
         if (lane == 0u)
@@ -155,6 +170,9 @@ void agaa_takeTile(uvec2 corner, uvec2 pixel, uint covered) {
         barrier();
         uint first = waits ? atomicAdd(agaa_listed, primitives) : 0u;
         bool turn = waits && first + primitives <= agaa_listLength;
+#ifdef AGAA_SOME_UNFETCHED
+        agaa_missedSamples[lane] = 0u;
+#endif
         if (turn) {
             agaa_listPrimitives(first, primitives);
             agaa_aggregateCount[lane] = 1u;
@@ -162,7 +180,8 @@ void agaa_takeTile(uvec2 corner, uvec2 pixel, uint covered) {
                 agaa_masks[lane * AGAA_AGGREGATES + a] = a == 0u ? covered : 0u;
         }
         // A primitive is plane: with one there is nothing to group.
-        if (turn && primitives > 1u && AGAA_AGGREGATES > 1u)
+        bool groups = turn && primitives > 1u && AGAA_AGGREGATES > 1u;
+        if (groups)
             agaa_many[atomicAdd(agaa_manyCount, 1u)] = lane;
         waits = waits && !turn;
         if (waits)
@@ -174,12 +193,21 @@ void agaa_takeTile(uvec2 corner, uvec2 pixel, uint covered) {
             if (agaa_listSamples[at] != 0u)
                 agaa_fetchListed(at, corner);
         barrier();
+#ifdef AGAA_SOME_UNFETCHED
+        uint missed = turn ? agaa_missedSamples[lane] : 0u;
+        if (turn && !groups) { // grouping leaves them out by itself
+            agaa_masks[lane * AGAA_AGGREGATES] &= ~missed;
+            agaa_aggregateCount[lane] = covered == missed ? 0u : 1u;
+        }
+#else
+        const uint missed = 0u;
+#endif
         if (lane < agaa_manyCount) {
             uint other = agaa_many[lane];
             agaa_groupListed(corner + uvec2(other & 7u, other >> 3u), other);
         }
         barrier();
-        agaa_takePixel(turn, corner, pixel, covered);
+        agaa_takePixel(turn, corner, pixel, covered & ~missed, missed);
         if (waiting == 0u)
             break;
         barrier();

@@ -48,6 +48,40 @@ TEST(DebugView, NumbersAreThoseOfTheCounters) {
         }
 }
 
+// Half the space is lit, by a function that says so.
+TEST(DebugView, LitIsTheShareOfLight) {
+    StageContext context;
+    AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
+    function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return position.x > 0.0 ? 1.0 : 0.25; }";
+    function.shadows = 1;
+    for (const char* technique : {"ssaa", "agaa"}) {
+        ViewSettings settings;
+        settings.config.technique = technique;
+        settings.config.debugView = AGAA_DEBUG_VIEW_LIT;
+        settings.facts.shadowMapCount = 1;
+        settings.chained = &function;
+        StageView host(context, settings);
+        host.setTriangles(randomTriangles({.triangles = 150}, 61));
+        const AgaaShadow shadow{};
+        AgaaFrame frame = host.frame();
+        frame.shadows = &shadow;
+        frame.shadowCount = 1;
+        host.render(frame);
+        const harness::Image image = host.image();
+        size_t lit = 0, dim = 0;
+        for (size_t i = 0; i < image.rgb.size(); i += 3) {
+            const size_t x = i / 3 % image.width;
+            const float value = image.rgb[i];
+            if (value == 0 || x == image.width / 2 || x + 1 == image.width / 2)
+                continue; // no geometry; or the plane between
+            ASSERT_NEAR(value, x > image.width / 2 ? 1.0f : 0.25f, 1e-3f) << technique << ' ' << x;
+            ++(x > image.width / 2 ? lit : dim);
+        }
+        EXPECT_GT(lit, 100u);
+        EXPECT_GT(dim, 100u);
+    }
+}
+
 TEST(DebugView, SharesLieInTheirRange) {
     StageContext context;
     for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_GBUFFER}) {
@@ -83,8 +117,21 @@ TEST(DebugView, ColoursTellClustersAndTiersApart) {
     EXPECT_GT(mixed, 0u);
     const Shown two = show(context, "agaa", AGAA_TIER_AUTO, AGAA_DEBUG_VIEW_TIER);
     const Shown gbuffer = show(context, "agaa", AGAA_TIER_GBUFFER, AGAA_DEBUG_VIEW_TIER);
-    EXPECT_GT(two.sum, 0);
-    EXPECT_EQ(gbuffer.sum, 0) << "blue";
+    const auto expectColour = [&](const Shown& shown, glm::vec3 colour) {
+        for (size_t i = 0; i < number.image.rgb.size(); i += 3)
+            for (size_t c = 0; c < 3; ++c) {
+                const float events = number.image.rgb[i];
+                const float bright = events == 0 ? 0.0f : events == 1 ? 0.5f : 1.0f;
+                ASSERT_NEAR(shown.image.rgb[i + c], bright * colour[int(c)], 2e-3f);
+            }
+    };
+    expectColour(two, {0.9f, 0.4f, 0.0f});
+    size_t blue = 0; // shading normals part other pixels than geometric ones do
+    for (size_t i = 0; i < gbuffer.image.rgb.size(); i += 3) {
+        ASSERT_EQ(gbuffer.image.rgb[i], 0);
+        blue += gbuffer.image.rgb[i + 2] > 0.4f;
+    }
+    EXPECT_EQ(blue, gbuffer.counters.shadedPixels);
 }
 
 } // namespace

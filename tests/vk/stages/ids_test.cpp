@@ -188,6 +188,45 @@ TEST(Ids, BufferedAndUnfetchedShowTheSame) {
     }
 }
 
+// Functions run before the segment that shades, too.
+TEST(Ids, EverySegmentThatFetchesWantsItsSet) {
+    StageContext context;
+    const std::vector<Triangle> triangles = scene(20);
+    ViewSettings settings = settingsFor(8, 2, AGAA_TIER_IDS);
+    settings.config.flags |= AGAA_CONFIG_BUFFERED;
+    IdsView ids(context, settings, triangles);
+    AgaaFrame frame = ids.view().frame();
+    frame.segments = AGAA_SEGMENT_PREPASS | AGAA_SEGMENT_GENERATION;
+    EXPECT_THROW(ids.view().render(frame, [](AgaaVkFrame&) {}), std::exception);
+    ASSERT_FALSE(context.lines.empty());
+    EXPECT_NE(context.lines.back().text.find("functionSet is null"), std::string::npos);
+}
+
+// What neither functions nor the G-buffer give a material: counted, left out of the image, told by validation.
+TEST(Ids, UnfetchedSamplesThatAreNotDrawnAreMissed) {
+    StageContext context;
+    const std::vector<Triangle> triangles = randomTriangles({.triangles = 150}, 61);
+    for (uint64_t flag : {uint64_t(0), AGAA_CONFIG_BUFFERED})
+        for (uint32_t c : {1u, 2u}) {
+            ViewSettings settings = settingsFor(8, c, AGAA_TIER_IDS);
+            settings.config.flags |= flag;
+            settings.shader = ViewSettings::Shader::ThirdUnfetched;
+            settings.mistake.materialDepth = 1.01f; // no depth of the second pass is equal
+            IdsView ids(context, settings, triangles, "", nullptr, 0, AGAA_FETCH_NOT_ALL_DRAWS);
+            const harness::Image image = ids.render();
+            const AgaaCounters counters = ids.view().statistics().counters;
+            EXPECT_GT(counters.missed, counters.visible / 10);
+            EXPECT_EQ(counters.once + counters.missed, counters.visible);
+            EXPECT_EQ(counters.multi, 0u);
+            AgaaFrameValidation validation = AGAA_FRAME_VALIDATION_INIT;
+            ASSERT_EQ(agaaValidateFrame(ids.view().get(), ids.view().frameIndex(), &validation), AGAA_OK);
+            EXPECT_FALSE(validation.isValid);
+            EXPECT_GT(validation.invalidPixels, 0u);
+            for (float value : image.rgb)
+                ASSERT_TRUE(std::isfinite(value));
+        }
+}
+
 // A primitive is fetched once in a pixel, however many of its samples it has.
 TEST(Ids, CountersTellPrimitivesAndMaterials) {
     StageContext context;
@@ -195,6 +234,12 @@ TEST(Ids, CountersTellPrimitivesAndMaterials) {
     IdsView ids(context, settingsFor(8, 2, AGAA_TIER_IDS), triangles);
     ids.render();
     const AgaaCounters c = ids.view().statistics().counters;
+    ViewSettings shown = settingsFor(8, 2, AGAA_TIER_IDS);
+    shown.config.debugView = AGAA_DEBUG_VIEW_PRIMITIVES;
+    double sum = 0;
+    for (float value : IdsView(context, shown, triangles).render().rgb)
+        sum += double(value) / 3;
+    EXPECT_NEAR(sum, double(c.primitives), 0.5);
     EXPECT_EQ(c.materials, c.primitives);
     EXPECT_EQ(c.aggregates, c.shadingEvents);
     EXPECT_GT(c.primitives, c.shadedPixels);

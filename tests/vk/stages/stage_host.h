@@ -87,6 +87,7 @@ public:
     const agaa::vk::View& executor() const { return static_cast<const agaa::vk::View&>(*view_); }
     const agaa::SamplePositions& positions() const { return executor().positions; }
     AgaaView get() const { return view_; }
+    uint64_t frameIndex() const { return frameIndex_; }
     const ViewSettings& settings() const { return settings_; }
     const harness::vk::OutputImage& output() const { return output_; }
     // Two vectors a vertex, position and texture coordinates; a Material a triangle.

@@ -28,7 +28,7 @@ function label(row) {
     else if (row.c > 0)
         words.push((row.technique === "sbaa" ? "S=" : "c=") + row.c);
     if (row.alike)
-        words.push("("(" + tiersOf(row) + ")");
+        words.push("(" + tiersOf(row) + ")");
     return words.join(" ");
 }
 
