@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+"""Runs `agaa-harness sweep` over the built-in scenes and the shared ones, on both backends, and prints the time.
+
+A run that is broken off goes on where it stopped when it is started again with the same --out. Nothing else should
+run meanwhile: times are measured.
+"""
+import argparse
+import pathlib
+import subprocess
+import sys
+import time
+
+from figures import BUILTIN, shared_scenes
+
+# What is hard comes first, so that a run that is broken off has it.
+FIRST = ["bamboo", "foliage", "furball", "metal", "sh3d_foliage"]
+
+
+def scenes():
+    every = [(name, name) for name in BUILTIN]
+    every += [(name, f"{file}@{camera}") for name, file, camera in shared_scenes()]
+    return [source for _, source in sorted(every, key=lambda scene: (scene[0] not in FIRST, scene[0]))]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--harness", default="build/bin/agaa-harness", type=pathlib.Path)
+    parser.add_argument("--out", default="sweep", type=pathlib.Path)
+    parser.add_argument("--size", default="640x360")
+    parser.add_argument("--backend", action="append", choices=["vk", "gl"], help="repeatable; none: both")
+    arguments = parser.parse_args()
+    if not arguments.harness.exists():
+        sys.exit(f"full_sweep: {arguments.harness} is not there; run scripts/build first.")
+    command = [arguments.harness, "sweep", "--size", arguments.size, "--out", arguments.out]
+    for backend in arguments.backend or ["vk", "gl"]:
+        command += ["--backend", backend]
+    for scene in scenes():
+        command += ["--scene", scene]
+    begin = time.monotonic()
+    result = subprocess.run(command)
+    print(f"full_sweep: {(time.monotonic() - begin) / 60:.0f} minutes")
+    sys.exit(result.returncode)
+
+
+if __name__ == "__main__":
+    main()
