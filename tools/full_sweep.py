@@ -28,12 +28,15 @@ def main():
     parser.add_argument("--out", default="sweep", type=pathlib.Path)
     parser.add_argument("--size", default="640x360")
     parser.add_argument("--backend", action="append", choices=["vk", "gl"], help="repeatable; none: both")
+    parser.add_argument("--row", action="append", help="only these, as of agaa-harness sweep; repeatable")
     arguments = parser.parse_args()
     if not arguments.harness.exists():
         sys.exit(f"full_sweep: {arguments.harness} is not there; run scripts/build first.")
     command = [arguments.harness, "sweep", "--size", arguments.size, "--out", arguments.out]
     for backend in arguments.backend or ["vk", "gl"]:
         command += ["--backend", backend]
+    for row in arguments.row or []:
+        command += ["--row", row]
     for scene in scenes():
         command += ["--scene", scene]
     begin = time.monotonic()
