@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 namespace agaa {
 
@@ -66,173 +65,11 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     }
 }
 
-// Functions of one view find their resources in the same set.
-void PlanBuilder::takeSetLayout(uint64_t setLayout) {
-    require(!setLayout || !plan.functionSetLayout || setLayout == plan.functionSetLayout,
-            AGAA_ERROR_INVALID_ARGUMENT,
-            "functions of the view have different set layouts; all find their resources in set 1.");
-    if (setLayout)
-        plan.functionSetLayout = setLayout;
-}
-
-void PlanBuilder::readFunctions(const AgaaViewDesc& view) {
-    if (const AgaaShadowFunction* function = checkShadowFunction(view)) {
-        plan.functionShadows = function->shadows;
-        takeSetLayout(function->descriptorSetLayout);
-        shadowFunction_ = function->glsl;
-    }
-    if (const AgaaGBufferFunction* function = checkGBufferFunction(view)) {
-        takeSetLayout(function->descriptorSetLayout);
-        plan.hostGBuffer = true;
-        plan.depthBits = function->depthBits;
-        if (const float* positions = function->samplePositions)
-            plan.samplePositions.assign(positions, positions + 2 * plan.config.samples);
-        gbufferFunction_ = function->glsl;
-    }
-    if (const AgaaFetchFunction* function = checkFetchFunction(view)) {
-        require(!plan.hostGBuffer, AGAA_ERROR_INVALID_ARGUMENT,
-                "the view has an AgaaGBufferFunction and an AgaaFetchFunction; materials come by one of them.");
-        takeSetLayout(function->descriptorSetLayout);
-        plan.maxDraws = function->maxDraws;
-        plan.maxPrimitives = function->maxPrimitives;
-        plan.someUnfetched = function->flags & AGAA_FETCH_NOT_ALL_DRAWS;
-        plan.primitiveBits = uint32_t(std::bit_width(function->maxPrimitives - 1));
-        fetchFunction_ = function->glsl;
-    }
-}
-
-void PlanBuilder::chooseGenerationTier(const Technique& technique) {
-    if (plan.hostGBuffer) {
-        require(plan.config.generationTier == AGAA_TIER_AUTO || plan.config.generationTier == AGAA_TIER_GBUFFER,
-                AGAA_ERROR_UNSUPPORTED,
-                "generation cannot run: a G-buffer that the host draws leaves only the tier gbuffer.");
-        plan.generationTier = AGAA_TIER_GBUFFER;
-        note("generation: the host's multisampled G-buffer is aggregated by a compute pass.");
-        return;
-    }
-    const uint32_t forced = plan.config.generationTier;
-    const bool takesIds = technique.groupsSamples && plan.maxDraws > 0;
-    require(!takesIds || !plan.someUnfetched || !hasFact(AGAA_FACT_CUSTOM_DEPTH), AGAA_ERROR_UNSUPPORTED,
-            "materials that write depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) cannot be drawn a second time "
-            "at equal depth, which AGAA_FETCH_NOT_ALL_DRAWS asks for.");
-    if (forced == AGAA_TIER_IDS && !takesIds)
-        fail(AGAA_ERROR_UNSUPPORTED, format("generation cannot run: %s.",
-                                            technique.groupsSamples ? "the tier ids needs an AgaaFetchFunction"
-                                                                    : "the tier ids is for \"agaa\""));
-    if (takesIds && (forced == AGAA_TIER_IDS || forced == AGAA_TIER_AUTO)) {
-        plan.generationTier = AGAA_TIER_IDS;
-        note(plan.someUnfetched
-                 ? "generation: materials are fetched by the ids that the first geometry pass leaves; draws that "
-                   "cannot be fetched are drawn again, into a multisampled G-buffer."
-                 : "generation: materials are fetched by the ids that the only geometry pass leaves.");
-        return;
-    }
-    if (technique.groupsSamples && forced == AGAA_TIER_AUTO &&
-        (plan.config.litShadows || plan.config.glossWeight > 0)) {
-        plan.generationTier = AGAA_TIER_GBUFFER;
-        note("generation: lit shadows and the weight of gloss want materials where samples are grouped, so that a "
-             "multisampled G-buffer is aggregated by a compute pass.");
-        return;
-    }
-    const GenerationChoice choice =
-        chooseGeneration(caps_, plan.hwSamples, forced, hasFact(AGAA_FACT_CUSTOM_DEPTH));
-    if (choice.tier == AGAA_TIER_AUTO)
-        fail(AGAA_ERROR_UNSUPPORTED, "generation cannot run: " + choice.reason);
-    plan.generationTier = choice.tier;
-    plan.runnable = plan.runnable && choice.runnable;
-    note("generation: " + choice.reason);
-}
-
-// What neither the scene nor the technique calls for.
-void PlanBuilder::dropUncalledFor(const Technique& technique) {
-    AgaaConfig& config = plan.config;
-    if (!technique.groupsSamples) { // settings of "agaa" may stay where another is measured
-        config.litShadows = 0;
-        config.glossWeight = 0;
-        config.flags &= ~AGAA_CONFIG_BUFFERED;
-    }
-    const uint32_t lit = config.litShadows & ((1u << plan.facts.shadowMapCount) - 1);
-    if (lit != config.litShadows)
-        note("lit aggregates: AgaaConfig::litShadows names shadows that AgaaSceneFacts does not declare; they are "
-             "left out.");
-    config.litShadows = lit;
-}
-
-// After the tier is known.
-void PlanBuilder::checkTierOptions(const Technique& technique) const {
-    const AgaaConfig& config = plan.config;
-    const bool knowsMaterials = plan.generationTier == AGAA_TIER_IDS || plan.generationTier == AGAA_TIER_GBUFFER;
-    const bool buffered = config.flags & AGAA_CONFIG_BUFFERED;
-    require(config.glossWeight == 0 || knowsMaterials, AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::glossWeight needs the tier ids or gbuffer, which know materials when they group samples.");
-    require(config.litShadows == 0 || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::litShadows needs the tier ids or gbuffer without AGAA_CONFIG_BUFFERED, which know materials "
-            "and shadows in one pass.");
-    const uint32_t view = config.debugView;
-    const bool ofAggregates = view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_CLUSTERS ||
-                              view == AGAA_DEBUG_VIEW_WIDENED;
-    require(!ofAggregates || technique.maxAggregates, AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::debugView shows aggregates, of which this technique makes none.");
-    require(view != AGAA_DEBUG_VIEW_WIDENED || !plan.layout.foldsRoughness(), AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::debugView shows widened lobes, which a layout with folded roughness cannot tell.");
-    require(view != AGAA_DEBUG_VIEW_PRIMITIVES || (plan.generationTier == AGAA_TIER_IDS && !buffered),
-            AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::debugView shows primitives, which only the tier ids without AGAA_CONFIG_BUFFERED counts.");
-}
-
-void PlanBuilder::chooseVisibilityTier() {
-    if (!plan.samplePositions.empty()) {
-        plan.visibilityTier = AGAA_TIER_NATIVE;
-        plan.hwSamples = plan.samples;
-        note("visibility: the host says where the samples of its G-buffer lie.");
-        return;
-    }
-    const VisibilityChoice choice =
-        chooseVisibility(caps_, plan.samples, plan.config.visibilityTier);
-    if (choice.tier == AGAA_TIER_AUTO)
-        fail(AGAA_ERROR_UNSUPPORTED, "visibility cannot run: " + choice.reason);
-    plan.visibilityTier = choice.tier;
-    plan.hwSamples = choice.hwSamples;
-    plan.scaleX = choice.scaleX;
-    plan.scaleY = choice.scaleY;
-    note("visibility: " + choice.reason);
-}
-
 void setFields(Constants& constants, Constant first, const Fields& fields) {
     static_assert(AGAA_FIELD_EMISSIVE_B - AGAA_FIELD_DIFFUSE_R + 1 == ChannelCount);
     static_assert(AGAA_SOURCE_EMISSIVE_B - AGAA_SOURCE_DIFFUSE_R + 1 == ChannelCount);
     for (uint32_t i = 0; i < ChannelCount; ++i)
         constants[first + i] = fields[i].constant();
-}
-
-void PlanBuilder::setConstants() {
-    const AgaaConfig& config = plan.config;
-    Constants& c = constants_;
-    c[AGAA_SAMPLES] = plan.samples;
-    c[AGAA_HW_SAMPLES] = plan.hwSamples;
-    c[AGAA_SCALE_X] = plan.scaleX;
-    c[AGAA_SCALE_Y] = plan.scaleY;
-    c[AGAA_AGGREGATES] = std::max(plan.aggregates, 1u);
-    c[AGAA_BRDF] = config.brdf;
-    c[AGAA_NDF] = config.ndf;
-    c[AGAA_FILTER_DIFFUSE] = !(config.flags & AGAA_CONFIG_NO_DIFFUSE_FILTER);
-    c[AGAA_SHADOW_MAPS] = plan.facts.shadowMapCount;
-    // Eight taps at n = 8 are every sample of the pixel, so that visibility is exact; at higher n
-    // eight of an aggregate's samples still span it.
-    c[AGAA_SHADOW_TAPS] = config.shadowTaps ? config.shadowTaps : 8;
-    c[AGAA_SHADOW_FILTER] = config.flags & AGAA_CONFIG_NO_SHADOW_FILTER      ? 0
-                            : config.flags & AGAA_CONFIG_SHADOW_ALONG_DEPTH ? 2
-                                                                            : 1;
-    c[AGAA_COUNTERS] = counts();
-    c[AGAA_SEEDS] = config.seeds;
-    c[AGAA_EMISSIVE_CHANNELS] = plan.layout[AGAA_SEMANTIC_EMISSIVE].channels;
-    c[AGAA_HAS_SPECULAR] = plan.layout.has(AGAA_SEMANTIC_SPECULAR);
-    c[AGAA_HAS_AMBIENT] = hasFact(AGAA_FACT_AMBIENT);
-    c[AGAA_SHADING_COST] = config.shadingCost;
-    c[AGAA_GLOSS_WEIGHT] = config.glossWeight > 0 ? std::bit_cast<uint32_t>(config.glossWeight) : 0; // not -0
-    c[AGAA_LIT_SHADOWS] = config.litShadows;
-    c[AGAA_DEBUG_VIEW] = config.debugView;
-    c[AGAA_GENERATION_TIER] = plan.generationTier;
 }
 
 ResourceId PlanBuilder::add(Resource resource) {
