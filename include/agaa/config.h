@@ -164,7 +164,7 @@ typedef struct AgaaConfig {
      AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.03f, 0.02f, 0.0f, 0.0f, 0.0f, AGAA_SEEDS_MAXIMIN, 0,   \
      AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0, 0.0f, 0}
 
-/* Named settings of "agaa", from measurements (README.md, "Presets"): "paper", as its sections say; "fast", "balanced"
+/* Named settings of "agaa", from measurements (docs/choosing.md): "paper", as its sections say; "fast", "balanced"
  * and "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf, litShadows (the first
  * shadow), glossWeight and what flags say of clustering and filters; leaves the rest. The last two want
  * materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER. */

@@ -52,7 +52,7 @@ class Contents(unittest.TestCase):
 
     def test_documents_are_there(self):
         documents = PREFIX / "share" / "doc" / "agaa"
-        for name in ("LICENSE", "NOTICES.md", "README.md", "integration.md", "state.md",
+        for name in ("LICENSE", "NOTICES.md", "README.md", "integration.md", "choosing.md", "state.md",
                      "troubleshooting.md", "examples/minimal/CMakeLists.txt"):
             self.assertTrue((documents / name).is_file(), name)
 

@@ -265,6 +265,8 @@ def document(results):
              f"({results['size']}); docs/sweep.md says how they are measured. Errors are mean squares after tone "
              "mapping, against the reference. In brackets: frame time and error by those of `single`, bytes a pixel. "
              "A gap of less than ten times the reference's own error counts as none; then the faster row is named.", ""]
+    if results.get("rows"):
+        lines += ["Of a full sweep's rows only these were measured: " + ", ".join(results["rows"]) + ".", ""]
     for backend in results["backends"]:
         scenes = [s for s in backend["scenes"] if find(s, "single", 1)]
         if not scenes:
