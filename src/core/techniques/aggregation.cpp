@@ -118,18 +118,19 @@ void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {
     shadeAggregates(b, a, aggregates, [&](Pass& pass) { gbuffer.bindDepth(b, pass); });
 }
 
-void shadeFromGBuffer(PlanBuilder& b) {
-    const GBuffer gbuffer = makeGBuffer(b);
-    Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_gbuffer", "mscbl",
-                            AGAA_SEGMENT_SHADING);
+namespace {
+
+// samples: what binds them.
+template <typename Samples>
+void shadeAtOnce(PlanBuilder& b, const char* shader, const Samples& samples) {
+    Pass& shade =
+        b.compute("aggregate and shade", AGAA_STAGE_SHADING, shader, "mscbl", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
-    gbuffer.bind(b, shade);
+    samples.bind(b, shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
     b.copyCounters();
 }
-
-namespace {
 
 // Depth, ids and, where some draws cannot be fetched, their G-buffer.
 struct Ids {
@@ -155,16 +156,9 @@ Ids drawIds(PlanBuilder& b) {
 
 } // namespace
 
-void shadeFromIds(PlanBuilder& b) {
-    const Ids ids = drawIds(b);
-    Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_ids", "mscbl",
-                            AGAA_SEGMENT_SHADING);
-    b.bindCommon(shade);
-    ids.bind(b, shade);
-    b.bindLighting(shade);
-    b.bindOutput(shade);
-    b.copyCounters();
-}
+void shadeFromGBuffer(PlanBuilder& b) { shadeAtOnce(b, "aggregate_gbuffer", makeGBuffer(b)); }
+
+void shadeFromIds(PlanBuilder& b) { shadeAtOnce(b, "aggregate_ids", drawIds(b)); }
 
 void buildFromIds(PlanBuilder& b, const Aggregation& a) {
     const Ids ids = drawIds(b);
