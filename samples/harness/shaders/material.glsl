@@ -60,6 +60,14 @@ vec3 shadingNormal(SurfacePoint p, float normalScale) {
     return facing < 0.0 ? normalize(n - toViewer * (facing - 1e-3)) : n;
 }
 
+// Filtering of a normal map shortens the mean of normals that point apart (Toksvig 2005).
+float widenedAlpha2(float alpha2, float meanLength) {
+    const float rounding = 0.0068; // of three components of 8 bits
+    float deficit = clamp(1.0 - meanLength - rounding, 0.0, 1.0);
+    float widening = 2.0 * (1.0 - alpha2) * deficit;
+    return (alpha2 * (1.0 - deficit) + widening) / (1.0 - deficit + widening);
+}
+
 SurfaceModel surfaceModel(MaterialValues material, SurfacePoint p) {
     SurfaceModel s;
     vec3 base = material.baseColor.rgb * max(p.color, vec3(0.0)) * p.baseTexel.rgb;
@@ -73,5 +81,7 @@ SurfaceModel surfaceModel(MaterialValues material, SurfacePoint p) {
     float alpha = max(roughness, 0.089);
     alpha *= alpha;
     s.alpha2 = alpha * alpha;
+    if (p.isBent)
+        s.alpha2 = widenedAlpha2(s.alpha2, length(p.normalTexel.xyz * 2.0 - 1.0));
     return s;
 }
