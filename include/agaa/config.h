@@ -62,10 +62,14 @@ typedef enum AgaaBrdf {
     AGAA_BRDF_MAX_ENUM = 0x7FFFFFFF
 } AgaaBrdf;
 
-/* How the spread of normals inside an aggregate widens the specular lobe (AGAA section 3.5.2). */
+/* How the spread of normals inside an aggregate widens the specular lobe (AGAA section 3.5.2). The last two widen it
+ * in each direction by the spread there, so that lobes are elliptic: for thin things that shine narrowly. They are of the
+ * tiers IDS and GBUFFER without AGAA_CONFIG_BUFFERED; with tier AUTO they choose these. */
 typedef enum AgaaNdf {
-    AGAA_NDF_NONE = 0, /* no widening: for ablation */
-    AGAA_NDF_TOKSVIG = 1,
+    AGAA_NDF_NONE = 0,    /* no widening: for ablation */
+    AGAA_NDF_TOKSVIG = 1, /* all around alike, by the length of the mean normal (Toksvig 2005) */
+    AGAA_NDF_LEAN = 2,    /* twice the variance of slopes on top of alpha squared (Olano and Baker 2010) */
+    AGAA_NDF_SGGX = 3,    /* projected areas added up (Heitz et al. 2015): narrower than LEAN */
     AGAA_NDF_MAX_ENUM = 0x7FFFFFFF
 } AgaaNdf;
 

@@ -70,10 +70,10 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
         return;
     }
     if (technique.groupsSamples && forced == AGAA_TIER_AUTO &&
-        (plan.config.litShadows || plan.config.glossWeight > 0)) {
+        (plan.config.litShadows || plan.config.glossWeight > 0 || plan.config.ndf > AGAA_NDF_TOKSVIG)) {
         plan.generationTier = AGAA_TIER_GBUFFER;
-        note("generation: lit shadows and the weight of gloss want materials where samples are grouped, so that a "
-             "multisampled G-buffer is aggregated by a compute pass.");
+        note("generation: lit shadows, the weight of gloss and elliptic lobes want materials where samples are grouped, "
+             "so that a multisampled G-buffer is aggregated by a compute pass.");
         return;
     }
     const GenerationChoice choice =
@@ -91,6 +91,7 @@ void PlanBuilder::dropUncalledFor(const Technique& technique) {
     if (!technique.groupsSamples) { // settings of "agaa" may stay where another is measured
         config.litShadows = 0;
         config.glossWeight = 0;
+        config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG);
         config.flags &= ~AGAA_CONFIG_BUFFERED;
     }
     const uint32_t lit = config.litShadows & ((1u << plan.facts.shadowMapCount) - 1);
@@ -110,6 +111,9 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
     require(config.litShadows == 0 || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
             "AgaaConfig::litShadows needs the tier ids or gbuffer without AGAA_CONFIG_BUFFERED, which know materials "
             "and shadows in one pass.");
+    require(config.ndf <= AGAA_NDF_TOKSVIG || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::ndf needs the tier ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic lobes, whose "
+            "spread is not kept in memory.");
     const uint32_t view = config.debugView;
     const bool ofAggregates = view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_CLUSTERS ||
                               view == AGAA_DEBUG_VIEW_WIDENED;

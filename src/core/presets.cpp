@@ -12,6 +12,7 @@ struct Preset {
     uint32_t seeds;
     uint32_t litShadows;
     float glossWeight;
+    uint32_t ndf;
     uint64_t flags; // of those that presets decide
 };
 
@@ -20,11 +21,11 @@ constexpr uint64_t decided = AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_SPLIT_
                              AGAA_CONFIG_NO_DIFFUSE_FILTER;
 
 constexpr Preset presets[] = {
-    {"paper", 2, 0.02f, AGAA_SEEDS_SUM_OF_SQUARES, 0, 0.0f,
+    {"paper", 2, 0.02f, AGAA_SEEDS_SUM_OF_SQUARES, 0, 0.0f, AGAA_NDF_TOKSVIG,
      AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_SPLIT_SURFACES},
-    {"fast", 1, 0.02f, AGAA_SEEDS_MAXIMIN, 0, 0.0f, 0},
-    {"balanced", 4, 0.4f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, 0},
-    {"accurate", 4, 0.1f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, 0},
+    {"fast", 1, 0.02f, AGAA_SEEDS_MAXIMIN, 0, 0.0f, AGAA_NDF_TOKSVIG, 0},
+    {"balanced", 4, 0.4f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, 0},
+    {"accurate", 4, 0.1f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, 0},
 };
 
 } // namespace
@@ -38,7 +39,7 @@ bool applyPreset(std::string_view name, AgaaConfig& config) {
             config.surfaceCosine = config.surfaceDistance = config.surfaceMaterial = 0;
             config.seeds = preset.seeds;
             config.shadowTaps = 0;
-            config.ndf = AGAA_NDF_TOKSVIG;
+            config.ndf = preset.ndf;
             config.litShadows = preset.litShadows;
             config.glossWeight = preset.glossWeight;
             config.flags = (config.flags & ~decided) | preset.flags;

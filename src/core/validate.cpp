@@ -73,7 +73,7 @@ AgaaConfig checkConfig(const AgaaConfig* pointer) {
              format("AgaaConfig::samples is %u, not one of 1, 2, 4, 8, 16, 32.", config.samples));
     checkRange(uint64_t(config.aggregates), 1, 6, "AgaaConfig::aggregates");
     checkRange(uint64_t(config.brdf), 0, AGAA_BRDF_GGX, "AgaaConfig::brdf");
-    checkRange(uint64_t(config.ndf), 0, AGAA_NDF_TOKSVIG, "AgaaConfig::ndf");
+    checkRange(uint64_t(config.ndf), 0, AGAA_NDF_SGGX, "AgaaConfig::ndf");
     checkRange(uint64_t(config.seeds), 0, AGAA_SEEDS_SUM_OF_SQUARES, "AgaaConfig::seeds");
     checkRange(uint64_t(config.shadowTaps), 0, 32, "AgaaConfig::shadowTaps");
     checkRange(uint64_t(config.shadingCost), 1, 64, "AgaaConfig::shadingCost");

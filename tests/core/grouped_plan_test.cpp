@@ -75,6 +75,22 @@ TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
     EXPECT_TRUE(has(dark.notes, "does not declare"));
 }
 
+TEST(GroupedPlan, EllipticLobesWantEachNormal) {
+    for (const uint32_t ndf : {AGAA_NDF_LEAN, AGAA_NDF_SGGX}) {
+        ViewSpec spec;
+        spec.change = [=](AgaaConfig& config) { config.ndf = ndf; };
+        const Plan plan = planFor(spec, fourSampleDevice());
+        EXPECT_EQ(plan.generationTier, AGAA_TIER_GBUFFER);
+        EXPECT_TRUE(has(plan.notes, "elliptic lobes"));
+        EXPECT_TRUE(has(plan.effects, "ndf-widening"));
+        spec.change = [=](AgaaConfig& config) { // where nothing is aggregated, nothing is widened
+            config.ndf = ndf;
+            config.technique = "simple_complex";
+        };
+        EXPECT_EQ(planFor(spec, fourSampleDevice()).config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
+    }
+}
+
 TEST(GroupedPlan, TheTargetIsKnownBeforeItIsDrawn) {
     AgaaConfig config = AGAA_CONFIG_INIT;
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;

@@ -95,6 +95,17 @@ const Row rows[] = {
          r.config.litShadows = 1;
          r.config.flags = AGAA_CONFIG_BUFFERED;
      }},
+    {"ndf", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.ndf = AGAA_NDF_SGGX + 1; }},
+    {"elliptic lobes of another tier", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) {
+         r.config.ndf = AGAA_NDF_LEAN;
+         r.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
+     }},
+    {"elliptic lobes in memory", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) {
+         r.config.ndf = AGAA_NDF_SGGX;
+         r.config.flags = AGAA_CONFIG_BUFFERED;
+     }},
     {"debug view", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.debugView = 8; }},
     {"debug view of forward shading", AGAA_ERROR_UNSUPPORTED,
      [](Request& r) {

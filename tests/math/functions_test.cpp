@@ -292,6 +292,8 @@ S makeSurface(const V& diffuse, const V& specular, const V& normal, double len, 
     s.normal = normal;
     s.meanLength = static_cast<decltype(s.meanLength)>(len);
     s.alpha2 = static_cast<decltype(s.alpha2)>(a2);
+    s.alpha2Along = 0;
+    s.axis = V(0);
     return s;
 }
 
@@ -318,8 +320,8 @@ TEST(MathLight, ShadeFloatAgainstDouble) {
         const auto sd = makeSurface<math_d::agaa_Surface>(glm::dvec3(kd), glm::dvec3(ks),
                                                           glm::dvec3(n), len, a2);
         for (unsigned brdf : {0u, 1u}) {
-            const glm::vec3 f = math_f::agaa_shade(sf, v, l, brdf, 1u);
-            const glm::dvec3 d = math_d::agaa_shade(sd, glm::dvec3(v), glm::dvec3(l), brdf, 1u);
+            const glm::vec3 f = math_f::agaa_shade(sf, v, l, brdf, 1u, 0u);
+            const glm::dvec3 d = math_d::agaa_shade(sd, glm::dvec3(v), glm::dvec3(l), brdf, 1u, 0u);
             (alpha >= 0.1 ? rough : glossy).relative(f.x, d.x, 1e-3);
         }
     }
@@ -330,7 +332,7 @@ TEST(MathLight, ShadeIsFiniteForAnyFiniteInput) {
     const std::vector<float> x = extremeFloats();
     auto pick = [&] { return x[random.below(unsigned(x.size()))]; };
     for (int i = 0; i < 300000; ++i) {
-        math_f::agaa_Surface s;
+        math_f::agaa_Surface s{};
         s.diffuse = {pick(), pick(), pick()};
         s.specular = {pick(), pick(), pick()};
         s.emissive = {pick(), pick(), pick()};
@@ -338,7 +340,7 @@ TEST(MathLight, ShadeIsFiniteForAnyFiniteInput) {
         s.meanLength = pick();
         s.alpha2 = pick();
         const glm::vec3 c = math_f::agaa_shade(s, {pick(), pick(), pick()},
-                                               {pick(), pick(), pick()}, i & 1, (i >> 1) & 1);
+                                               {pick(), pick(), pick()}, i & 1, (i >> 1) & 1, 0u);
         ASSERT_TRUE(allFinite(c));
         ASSERT_GE(std::min(c.x, std::min(c.y, c.z)), 0.0f);
     }
@@ -356,7 +358,7 @@ TEST(MathLight, ShadeConservesEnergy) {
                 double sum = 0.0;
                 const int count = 20000;
                 for (int i = 0; i < count; ++i) {
-                    sum += math_d::agaa_shade(s, v, random.hemisphere(), brdf, 0).x;
+                    sum += math_d::agaa_shade(s, v, random.hemisphere(), brdf, 0, 0).x;
                 }
                 EXPECT_LE(sum / count * 6.283185307179586, 1.05)
                     << brdf << " " << alpha << " " << cosV;

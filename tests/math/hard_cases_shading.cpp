@@ -129,13 +129,13 @@ TEST(HardCase04_OppositeNormalsCancel, FiniteAndEnergyAtMostOne) {
         ASSERT_GT(glm::dot(direction, n), 0.99999f);
         const float w = math_f::agaa_toksvigAlpha2(0.01f, len);
         ASSERT_EQ(w, 1.0f);
-        math_f::agaa_Surface s;
+        math_f::agaa_Surface s{};
         s.diffuse = s.specular = glm::vec3(1);
         s.emissive = glm::vec3(0);
         s.normal = direction;
         s.meanLength = len;
         s.alpha2 = w;
-        const glm::vec3 c = math_f::agaa_shade(s, n, glm::vec3(random.direction()), i & 1, 1);
+        const glm::vec3 c = math_f::agaa_shade(s, n, glm::vec3(random.direction()), i & 1, 1, 0);
         ASSERT_TRUE(allFinite(c));
         ASSERT_LE(c.x, 1.0f);
     }

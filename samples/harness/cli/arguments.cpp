@@ -155,7 +155,8 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.brdf = choice(arguments.brdf, "--brdf",
                          {{"blinn-phong", AGAA_BRDF_BLINN_PHONG}, {"ggx", AGAA_BRDF_GGX}});
     config.ndf =
-        choice(arguments.ndf, "--ndf", {{"none", AGAA_NDF_NONE}, {"toksvig", AGAA_NDF_TOKSVIG}});
+        choice(arguments.ndf, "--ndf",
+               {{"none", AGAA_NDF_NONE}, {"toksvig", AGAA_NDF_TOKSVIG}, {"lean", AGAA_NDF_LEAN}, {"sggx", AGAA_NDF_SGGX}});
     config.seeds = choice(
         arguments.seeds, "--seeds",
         {{"maximin", AGAA_SEEDS_MAXIMIN}, {"sum-of-squares", AGAA_SEEDS_SUM_OF_SQUARES}});

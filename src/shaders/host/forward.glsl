@@ -13,6 +13,8 @@ agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
     surface.normal = s.normal;
     surface.meanLength = 1.0;
     surface.alpha2 = AGAA_HAS_SPECULAR != 0u ? s.alpha2 : 1.0;
+    surface.alpha2Along = 0.0;
+    surface.axis = vec3(0.0);
     surface.emissive = AGAA_EMISSIVE_CHANNELS != 0u ? s.emissive : vec3(0.0);
     return surface;
 }

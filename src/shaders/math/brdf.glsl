@@ -1,7 +1,7 @@
 // Reflectance lobes in forms that keep their digits in single precision.
 // Sources: AGAA (Crassin et al., TVCG 2016) sections 3.5.1 and 3.5.2; Walter et al. 2007 (GGX);
 // Heitz 2014, "Understanding the Masking-Shadowing Function" (height-correlated Smith); Schlick
-// 1994; Blinn 1977; hard cases 8 and 58; the rectified diffuse is item 4 of section 3 of the SDK's
+// 1994; Blinn 1977; Ashikhmin and Shirley 2000; hard cases 8 and 58; the rectified diffuse is item 4 of section 3 of the SDK's
 // accuracy measurements (a closed form of the mean of max(n.l, 0) over Toksvig's distribution).
 #ifndef AGAA_MATH_BRDF_GLSL
 #define AGAA_MATH_BRDF_GLSL
@@ -51,6 +51,30 @@ real agaa_ggxV(real alpha2, real NoV, real NoL) {
     return real(0.5) / max(maskV + maskL, real(1e-7));
 }
 
+// GGX of an elliptic lobe, alpha2 `along` in the direction of an axis at right angles to the normal
+// and `across` at right angles to both; h has the half vector's components in that order, the
+// normal's last. Both sides of the fraction are times the product of the widths, so that no quotient
+// of small numbers is squared.
+real agaa_ggxEllipseD(real along, real across, rvec3 h) {
+    const real a = clamp(along, agaa_minAlpha2(), real(1.0));
+    const real b = clamp(across, agaa_minAlpha2(), real(1.0));
+    const real ab = a * b;
+    const real up = max(h.z, real(0.0));
+    const real d = max(b * h.x * h.x + a * h.y * h.y + ab * up * up, ab);
+    return ab / (d * d) * sqrt(ab) / agaa_pi();
+}
+
+// agaa_ggxV() with the widths that v and l see (Heitz 2014); components as above.
+real agaa_ggxEllipseV(real along, real across, rvec3 v, rvec3 l) {
+    const real a = clamp(along, agaa_minAlpha2(), real(1.0));
+    const real b = clamp(across, agaa_minAlpha2(), real(1.0));
+    const real NoV = agaa_saturate(v.z);
+    const real NoL = agaa_saturate(l.z);
+    const real maskV = NoL * sqrt(a * v.x * v.x + b * v.y * v.y + NoV * NoV);
+    const real maskL = NoV * sqrt(a * l.x * l.x + b * l.y * l.y + NoL * NoL);
+    return real(0.5) / max(maskV + maskL, real(1e-7));
+}
+
 rvec3 agaa_fresnelSchlick(rvec3 f0, real VoH) {
     const real m = real(1.0) - agaa_saturate(VoH);
     const real m2 = m * m;
@@ -76,6 +100,22 @@ real agaa_blinnPhong(real exponent, real NxH2, real NoH) {
         d = (s + real(2.0)) / (real(2.0) * agaa_pi()) * exp(max(s * logCosine, real(-80.0)));
     }
     return d;
+}
+
+// Blinn-Phong of an elliptic lobe (Ashikhmin and Shirley 2000): the exponent is the mean of those of
+// both axes by where n x h points.
+real agaa_blinnPhongEllipse(real along, real across, rvec3 h) {
+    const real a = agaa_exponentFromAlpha2(along);
+    const real b = agaa_exponentFromAlpha2(across);
+    const real x2 = h.x * h.x;
+    const real y2 = h.y * h.y;
+    const real off = x2 + y2;
+    real exponent = b;
+    if (off > real(1e-20)) {
+        exponent = (a * x2 + b * y2) / off;
+    }
+    const real isotropic = agaa_blinnPhong(exponent, min(off, real(1.0)), h.z);
+    return isotropic * sqrt((a + real(2.0)) * (b + real(2.0))) / (exponent + real(2.0));
 }
 
 // Mean of max(n.l, 0) over the normals of an aggregate, of which mean (NoL_mean = dot(Na, l), Na

@@ -36,15 +36,45 @@ struct agaa_Surface {
     rvec3 emissive;
     rvec3 normal;    // unit
     real meanLength; // of the mean normal: 1 for a single sample
-    real alpha2;     // already widened by agaa_toksvigAlpha2
+    real alpha2;     // already widened, by agaa_toksvigAlpha2 or agaa_spreadAlpha2
+    // Of an elliptic lobe: alpha2 along axis, a unit vector at right angles to the normal; alpha2 is
+    // across.
+    real alpha2Along;
+    rvec3 axis;
 };
+
+real agaa_roundLobe(agaa_Surface s, rvec3 n, rvec3 v, rvec3 l, rvec3 h, uint brdf) {
+    const real noL = agaa_saturate(dot(n, l));
+    const rvec3 c = cross(n, h);
+    const real NxH2 = min(dot(c, c), real(1.0));
+    const real NoH = agaa_saturate(dot(n, h));
+    if (brdf == 0u) {
+        return real(0.25) * agaa_blinnPhong(agaa_exponentFromAlpha2(s.alpha2), NxH2, NoH);
+    }
+    // Interpolated normals may face away from the eye; the floor keeps Smith's term bounded.
+    const real NoV = clamp(dot(n, v), real(1e-4), real(1.0));
+    return agaa_ggxD(s.alpha2, NoH, NxH2) * agaa_ggxV(s.alpha2, NoV, noL);
+}
+
+real agaa_ellipticLobe(agaa_Surface s, rvec3 n, rvec3 v, rvec3 l, rvec3 h, uint brdf) {
+    const rvec3 x = clamp(s.axis, real(-1.0), real(1.0));
+    const rvec3 y = cross(n, x);
+    const rvec3 hAt = rvec3(dot(x, h), dot(y, h), agaa_saturate(dot(n, h)));
+    if (brdf == 0u) {
+        return real(0.25) * agaa_blinnPhongEllipse(s.alpha2Along, s.alpha2, hAt);
+    }
+    const rvec3 vAt = rvec3(dot(x, v), dot(y, v), clamp(dot(n, v), real(1e-4), real(1.0)));
+    const rvec3 lAt = rvec3(dot(x, l), dot(y, l), dot(n, l));
+    return agaa_ggxEllipseD(s.alpha2Along, s.alpha2, hAt) *
+           agaa_ggxEllipseV(s.alpha2Along, s.alpha2, vAt, lAt);
+}
 
 // BRDF times cosine for unit radiance from l; v and l are unit vectors away from the surface.
 // brdf 0: Blinn-Phong with the exponent of the same width and the implicit visibility 1/4;
 // brdf 1: GGX with height-correlated Smith. Both take Schlick's Fresnel term, so that a change of
-// lobe changes the lobe only. Vectors and reflectances are clamped to their legal ranges first:
+// lobe changes the lobe only. elliptic 1: the lobe is alpha2Along wide along axis. Vectors and reflectances are clamped to their legal ranges first:
 // whatever finite values come in, a finite colour goes out.
-rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse) {
+rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse, uint elliptic) {
     const rvec3 n = clamp(s.normal, real(-1.0), real(1.0));
     const rvec3 toEye = clamp(v, real(-1.0), real(1.0));
     const rvec3 toLight = clamp(l, real(-1.0), real(1.0));
@@ -71,19 +101,12 @@ rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse
         } else {
             h = n;
         }
-        const rvec3 c = cross(n, h);
-        const real NxH2 = min(dot(c, c), real(1.0));
-        const real NoH = agaa_saturate(dot(n, h));
         fresnel = agaa_fresnelSchlick(f0, dot(toEye, h));
-        if (brdf == 0u) {
-            lobe = real(0.25) * agaa_blinnPhong(agaa_exponentFromAlpha2(s.alpha2), NxH2, NoH);
+        if (elliptic != 0u) {
+            lobe = agaa_ellipticLobe(s, n, toEye, toLight, h, brdf) * cosine;
         } else {
-            // Interpolated normals may face away from the eye; the floor keeps Smith's term
-            // bounded.
-            const real NoV = clamp(dot(n, toEye), real(1e-4), real(1.0));
-            lobe = agaa_ggxD(s.alpha2, NoH, NxH2) * agaa_ggxV(s.alpha2, NoV, cosine);
+            lobe = agaa_roundLobe(s, n, toEye, toLight, h, brdf) * cosine;
         }
-        lobe = lobe * cosine;
     }
     return rvec3(albedo.x * diffuse + fresnel.x * lobe, albedo.y * diffuse + fresnel.y * lobe,
                  albedo.z * diffuse + fresnel.z * lobe);

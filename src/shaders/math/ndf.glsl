@@ -1,6 +1,7 @@
 // Normal distributions: conversions between roughness conventions and Toksvig widening.
 // Sources: AGAA (Crassin et al., TVCG 2016) sections 3.4.1 and 3.5.2; Toksvig 2005, "Mipmapping
-// Normal Maps"; hard cases 1 to 5 and 9.
+// Normal Maps"; Olano and Baker 2010, "LEAN Mapping"; Heitz et al. 2015, "The SGGX Microflake
+// Distribution"; Duff et al. 2017, "Building an Orthonormal Basis, Revisited"; hard cases 1 to 5 and 9.
 //
 // alpha is the width of the GGX lobe (the paper's r), alpha2 its square, perceptual roughness the
 // square root of alpha. Everything downstream takes alpha2; the conversions live here and nowhere
@@ -90,6 +91,71 @@ void agaa_meanDirection(rvec3 sumDir, rvec3 fallback, OUT(rvec3) n, OUT(real) le
         n = normalize(agaa_directionOrZ(fallback));
         len = real(0.0);
     }
+}
+
+// Mean of the products of a unit normal's components, over the samples of an aggregate.
+struct agaa_NormalMoments {
+    rvec3 squares; // xx, yy, zz
+    rvec3 mixed;   // yz, zx, xy
+};
+
+void agaa_addNormalMoments(INOUT(agaa_NormalMoments) m, real weight, rvec3 n) {
+    m.squares = m.squares + weight * rvec3(n.x * n.x, n.y * n.y, n.z * n.z);
+    m.mixed = m.mixed + weight * rvec3(n.y * n.z, n.z * n.x, n.x * n.y);
+}
+
+// Two unit vectors at right angles to the unit vector n and to each other.
+void agaa_tangents(rvec3 n, OUT(rvec3) t, OUT(rvec3) b) {
+    const real s = n.z < real(0.0) ? real(-1.0) : real(1.0);
+    const real a = real(-1.0) / (s + n.z);
+    const real c = n.x * n.y * a;
+    t = rvec3(real(1.0) + s * n.x * n.x * a, s * c, -s * n.x);
+    b = rvec3(c, s + n.y * n.y * a, -n.y);
+}
+
+// What the moments are along a and b.
+real agaa_momentAlong(agaa_NormalMoments m, rvec3 a, rvec3 b) {
+    const rvec3 r = rvec3(m.squares.x * b.x + m.mixed.z * b.y + m.mixed.y * b.z,
+                          m.mixed.z * b.x + m.squares.y * b.y + m.mixed.x * b.z,
+                          m.mixed.y * b.x + m.mixed.x * b.y + m.squares.z * b.z);
+    return dot(a, r);
+}
+
+// A lobe that normals widen in each direction across their mean as they spread there: alpha2 of the
+// widest direction `axis` (unit, at right angles to the mean direction n) and of the one across it.
+// gain is what a variance of slopes adds to alpha2: 2 by LEAN mapping, which takes GGX's lobe for the
+// Gaussian of that variance; 1 by SGGX, which adds up projected areas. A spread up to `bound` is
+// taken for rounding.
+void agaa_spreadAlpha2(agaa_NormalMoments m, rvec3 n, real alpha2, real gain, real bound,
+                       OUT(rvec3) axis, OUT(real) along, OUT(real) across) {
+    const real a2 = clamp(alpha2, agaa_minAlpha2(), real(1.0));
+    rvec3 t;
+    rvec3 b;
+    agaa_tangents(n, t, b);
+    const real tt = agaa_momentAlong(m, t, t);
+    const real bb = agaa_momentAlong(m, b, b);
+    const real tb = agaa_momentAlong(m, t, b);
+    const real nn = agaa_momentAlong(m, n, n);
+    // Eigenvalues and the eigenvector of the larger. Of the two forms of the vector the one is taken
+    // whose terms have one sign.
+    const real skew = real(0.5) * (tt - bb);
+    const real root = sqrt(skew * skew + tb * tb);
+    const real mean = real(0.5) * (tt + bb);
+    real u = skew + root;
+    real v = tb;
+    if (skew < real(0.0)) {
+        u = tb;
+        v = root - skew;
+    }
+    const real norm2 = u * u + v * v;
+    axis = t;
+    if (norm2 > real(1e-20)) {
+        const real scale = real(1.0) / sqrt(norm2);
+        axis = (u * scale) * t + (v * scale) * b;
+    }
+    const real slopes = gain * (real(1.0) - a2) / max(nn, real(1e-3));
+    along = clamp(a2 + slopes * max(mean + root - bound, real(0.0)), a2, real(1.0));
+    across = clamp(a2 + slopes * max(mean - root - bound, real(0.0)), a2, along);
 }
 
 #endif

@@ -93,6 +93,8 @@ agaa_Surface agaa_sampleSurface() {
     s.diffuse = agaa_fetchedDiffuse();
     s.normal = agaa_fetchedNormal();
     s.meanLength = 1.0;
+    s.alpha2Along = 0.0;
+    s.axis = vec3(0.0);
     s.specular = vec3(0.0);
     s.alpha2 = 1.0;
     if (AGAA_HAS_SPECULAR != 0u) {

@@ -90,6 +90,10 @@ float agaa_shadowTap(uint map, vec3 p) {
     return agaa_mapTap(map, p);
 }
 
+// Values of AgaaNdf; from the first on, lobes are elliptic.
+const uint agaa_ndfLean = 2u;
+const uint agaa_ndfSggx = 3u;
+
 float agaa_visibility[4]; // per shadow map, for the surface at hand
 #if AGAA_LIT
 agaa_Surface agaa_litSurface[4]; // what the lights of these shadows reach of it
@@ -135,11 +139,13 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
     if (intensity <= 0.0)
         return vec3(0.0);
 #if AGAA_LIT
-    if (map < 4u && agaa_isLitShadow(map))
-        s = agaa_litSurface[map];
+    // By constants, so that surfaces stay in registers.
+    for (uint k = 0u; k < 4u; ++k)
+        if (agaa_isLitShadow(k) && map == k)
+            s = agaa_litSurface[k];
 #endif
-    return agaa_shade(s, toEye, toLight, AGAA_BRDF, AGAA_FILTER_DIFFUSE) * light.colorShadow.rgb *
-           intensity;
+    uint elliptic = AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
+    return agaa_shade(s, toEye, toLight, AGAA_BRDF, AGAA_FILTER_DIFFUSE, elliptic) * light.colorShadow.rgb * intensity;
 }
 
 vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {

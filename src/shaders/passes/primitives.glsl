@@ -145,9 +145,10 @@ void agaa_groupListed(uvec2 pixel, uint lane) {
         }
 }
 
+// But for the normal of a curved one.
 agaa_Surface agaa_listedSurface(uint at) {
     AgaaMaterial m = agaa_listMaterial[at];
-    return agaa_Surface(m.diffuse, m.specular, m.emissive, m.normal, 1.0, m.alpha2);
+    return agaa_Surface(m.diffuse, m.specular, m.emissive, m.normal, 1.0, m.alpha2, 0.0, vec3(0.0));
 }
 
 // Of the shader that includes this; called by all lanes.

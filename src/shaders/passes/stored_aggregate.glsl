@@ -42,6 +42,7 @@ vec3 agaa_mean3(uint r, uint g, uint b) { return vec3(agaa_mean(r), agaa_mean(g)
 
 agaa_Means agaa_aggregateMeans() {
     agaa_Means m;
+    m.moments = agaa_NormalMoments(vec3(0.0), vec3(0.0)); // memory has no place for them
     m.diffuse = agaa_mean3(AGAA_FIELD_DIFFUSE_R, AGAA_FIELD_DIFFUSE_G, AGAA_FIELD_DIFFUSE_B);
     m.normal = agaa_mean3(AGAA_FIELD_NORMAL_X, AGAA_FIELD_NORMAL_Y, AGAA_FIELD_NORMAL_Z) * 2.0 - 1.0;
     m.lengthBound = agaa_storedLengthBound(1u, AGAA_FIELD_NORMAL_X >> 16);

@@ -116,7 +116,8 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
                                 const std::vector<double>& visibility) const {
     const glm::dvec3 toEye = towardsEye(position, constants_);
     const AgaaConfig& config = view_.plan().config;
-    const agaa_Surface surface{s.diffuse, s.specular, s.emissive, s.normal, s.meanLength, s.alpha2};
+    const agaa_Surface surface{s.diffuse, s.specular, s.emissive, s.normal, s.meanLength, s.alpha2,
+                               0,         glm::dvec3(0)};
     glm::dvec3 sum = s.emissive;
     for (int i = 0; i < 3; ++i)
         sum[i] += double(frame_.ambient[i]) * (s.diffuse[i] + s.specular[i]);
@@ -141,7 +142,7 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
             continue;
         const glm::dvec3 brdf =
             math_d::agaa_shade(surface, toEye, toLight, config.brdf,
-                               !(config.flags & AGAA_CONFIG_NO_DIFFUSE_FILTER));
+                               !(config.flags & AGAA_CONFIG_NO_DIFFUSE_FILTER), 0u);
         sum += brdf * glm::dvec3(light.color[0], light.color[1], light.color[2]) * intensity;
     }
     return sum;
