@@ -128,8 +128,9 @@ TEST(GroupedPlan, TheListFitsSharedMemory) {
         const size_t at = defines.find("AGAA_LIST_LENGTH ");
         return std::stoul(defines.substr(at + 17));
     };
-    EXPECT_EQ(lengthOn(16384), 96u);
-    EXPECT_EQ(lengthOn(32768), 256u);
+    EXPECT_EQ(lengthOn(16384), 64u);
+    EXPECT_EQ(lengthOn(32768), 192u);
+    EXPECT_EQ(lengthOn(49152), 256u);
     EXPECT_EQ(lengthOn(0), 32u) << "a pixel's primitives at 32 samples";
 }
 

@@ -68,11 +68,21 @@ vec4 fetchTexel(sampler2DArray textures, int layer, uint wrap, vec2 uv, vec2 dx,
     return textureGrad(textures, vec3(uv, float(layer)), dx, dy);
 }
 
+// What a change of the vertices' normal is of the unit normal; a normal map turns with it.
+vec3 ofUnitNormal(SurfacePoint p, vec3 change) {
+    float squared = dot(p.normal, p.normal);
+    if (squared <= 0.0)
+        return vec3(0.0);
+    vec3 across = (change - p.normal * (dot(p.normal, change) / squared)) * inversesqrt(squared);
+    return p.isFront ? across : -across;
+}
+
 void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     FetchDraw draw = fetchDraw(primitive.draw);
     SurfacePoint p;
     vec3 position = vec3(0.0);
     p.normal = vec3(0.0);
+    vec3 normalDx = vec3(0.0), normalDy = vec3(0.0);
     p.tangent = vec4(0.0);
     p.color = vec3(0.0);
     vec2 uv = vec2(0.0), dx = vec2(0.0), dy = vec2(0.0);
@@ -86,6 +96,8 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
         position += weight * uintBitsToFloat(a.xyz);
         p.color += weight * color.rgb;
         p.normal += weight * b.xyz;
+        normalDx += primitive.dx[corner] * b.xyz;
+        normalDy += primitive.dy[corner] * b.xyz;
         p.tangent += weight * vec4(c.xyz, color.a * 2.0 - 1.0);
         vec2 own = vec2(b.w, c.w);
         uv += weight * own;
@@ -115,4 +127,6 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     result.emissive = model.emissive;
     result.normal = model.normal;
     result.alpha2 = model.alpha2;
+    result.normalDx = ofUnitNormal(p, fetchRotate(draw, 3, normalDx));
+    result.normalDy = ofUnitNormal(p, fetchRotate(draw, 3, normalDy));
 }

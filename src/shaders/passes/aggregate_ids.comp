@@ -31,42 +31,91 @@ agaa_PixelWork agaa_countedWork(uvec2 pixel, uint count, uint covered, uint miss
     return agaa_PixelWork((1u << count) - 1u, 0u, samples);
 }
 
-// The means over samples: of each primitive as often as it has samples. lane: of the pixel.
-agaa_Means agaa_meansOf(uint lane, uint mask) {
-    agaa_Means m = agaa_noMeans();
-    float share = 1.0 / float(bitCount(mask));
-    uint list = agaa_pixelList[lane];
-    uint end = (list & 0xFFFFu) + (list >> 16u);
-    for (uint at = list & 0xFFFFu; at < end; ++at) {
-        float weight = share * float(bitCount(agaa_listSamples[at] & mask));
-        if (weight > 0.0)
-            agaa_addToMeans(m, weight, agaa_listedSurface(at));
-    }
-    return m;
-}
-
 uint agaa_laneOf(uvec2 pixel) { return (pixel.y & 7u) * 8u + (pixel.x & 7u); }
 
+float agaa_weightOf(uint i, bool isLit) {
 #if AGAA_LIT
-agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) {
+    if (isLit)
+        return agaa_sampleLight[i];
+#endif
+    return 1.0;
+}
+
+// Sums over samples, each times scale * agaa_weightOf() it, of places in the pixel and their products.
+struct agaa_Places {
+    float weight;
+    vec2 sum;
+    vec3 products; // xx, yy, xy
+};
+
+agaa_Places agaa_placesOf(uint samples, float scale, bool isLit) {
+    agaa_Places p = agaa_Places(0.0, vec2(0.0), vec3(0.0));
+    for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
+        uint i = uint(findLSB(rest));
+        float weight = scale * agaa_weightOf(i, isLit);
+        vec2 place = agaa_frame.samplePosition[i].xy;
+        p.weight += weight;
+        p.sum += weight * place;
+        p.products += weight * vec3(place * place, place.x * place.y);
+    }
+    return p;
+}
+
+// Normals of a primitive that grow evenly across the pixel: as one in their middle, with the spread around it.
+void agaa_addCurved(inout agaa_Means m, AgaaMaterial material, agaa_Places places) {
+    vec2 middle = places.sum / places.weight;
+    vec3 n = material.normal + middle.x * material.normalDx + middle.y * material.normalDy;
+    float scale = inversesqrt(max(dot(n, n), 1e-6));
+    n *= scale;
+    vec3 u = scale * material.normalDx;
+    vec3 v = scale * material.normalDy;
+    vec3 spread = places.products / places.weight - vec3(middle * middle, middle.x * middle.y);
+    spread.xy = max(spread.xy, vec2(0.0));
+    vec3 squares = spread.x * u * u + spread.y * v * v + 2.0 * spread.z * u * v;
+    float total = 1.0 + max(squares.x + squares.y + squares.z, 0.0);
+    m.normal += places.weight * inversesqrt(total) * n;
+    if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF >= agaa_ndfLean) {
+        float share = places.weight / total;
+        agaa_addNormalMoments(m.moments, share, n);
+        m.moments.squares += share * squares;
+        m.moments.mixed += share * (spread.x * u.yzx * u.zxy + spread.y * v.yzx * v.zxy +
+                                    spread.z * (u.yzx * v.zxy + u.zxy * v.yzx));
+    }
+}
+
+// Of one primitive, samples `own`.
+void agaa_addListed(inout agaa_Means m, uint at, uint own, float scale, bool isLit) {
+    bool isCurved = agaa_isCurved(at);
+    agaa_Places places = agaa_placesOf(isCurved || isLit ? own : 0u, scale, isLit);
+    float weight = isCurved || isLit ? places.weight : scale * float(bitCount(own));
+    agaa_Surface s = agaa_listedSurface(at);
+    agaa_addMaterial(m, weight, s);
+    if (!isCurved)
+        agaa_addNormal(m, weight, s.normal);
+    else if (weight > 0.0)
+        agaa_addCurved(m, agaa_listMaterial[at], places);
+}
+
+agaa_Means agaa_meansOf(uvec2 pixel, uint mask, float scale, bool isLit) {
     agaa_Means m = agaa_noMeans();
     uint list = agaa_pixelList[agaa_laneOf(pixel)];
     uint end = (list & 0xFFFFu) + (list >> 16u);
     for (uint at = list & 0xFFFFu; at < end; ++at) {
-        float weight = 0.0;
-        for (uint rest = agaa_listSamples[at] & mask; rest != 0u; rest &= rest - 1u)
-            weight += agaa_sampleLight[findLSB(rest)];
-        if (weight > 0.0)
-            agaa_addToMeans(m, scale * weight, agaa_listedSurface(at));
+        uint own = agaa_listSamples[at] & mask;
+        if (own != 0u)
+            agaa_addListed(m, at, own, scale, isLit);
     }
     return m;
 }
+
+#if AGAA_LIT
+agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) { return agaa_meansOf(pixel, mask, scale, true); }
 #endif
 
 vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
-    uint lane = agaa_laneOf(pixel);
-    uint mask = agaa_masks[lane * AGAA_AGGREGATES + a];
-    return agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, mask), a, mask, agaa_meansOf(lane, mask), false);
+    uint mask = agaa_masks[agaa_laneOf(pixel) * AGAA_AGGREGATES + a];
+    agaa_Means means = agaa_meansOf(pixel, mask, 1.0 / float(bitCount(mask)), false);
+    return agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, mask), a, mask, means, false);
 }
 
 void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered, uint missed) {

@@ -21,9 +21,13 @@ void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
         vec3 emissive = s.emissive / agaa_frame.ambient.w;
         if (AGAA_EMISSIVE_CHANNELS == 1u)
             emissive = vec3(agaa_emissiveFactor(s.diffuse, emissive));
-        uint count = uint(bitCount(agaa_listSamples[at] & mask));
-        if (count != 0u)
-            agaa_addToSums(s, emissive, count);
+        uint own = agaa_listSamples[at] & mask;
+        if (own != 0u && !agaa_isCurved(at))
+            agaa_addToSums(s, emissive, uint(bitCount(own)));
+        for (uint rest = agaa_isCurved(at) ? own : 0u; rest != 0u; rest &= rest - 1u) {
+            s.normal = agaa_listedNormal(at, uint(findLSB(rest)));
+            agaa_addToSums(s, emissive, 1u);
+        }
     }
     agaa_storeSums(mask, ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE);
 }

@@ -16,6 +16,9 @@ struct AgaaMaterial { // the members are those of AgaaSurfaceInput
     vec3 emissive;
     vec3 normal; // shading space, unit
     float alpha2;
+    // Of what is fetched by id: by how much the normal grows from one pixel of the image to the next, as AgaaPrimitive's
+    // weights do. 0: one normal stands for all samples of the primitive.
+    vec3 normalDx, normalDy;
 };
 #endif
 #ifdef AGAA_HOST_FETCH

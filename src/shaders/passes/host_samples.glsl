@@ -5,7 +5,8 @@
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH)
 // What functions leave alone; as in agaa_surfaceInput().
 AgaaMaterial agaa_defaultMaterial() {
-    return AgaaMaterial(vec3(0.5), vec3(0.04), vec3(0.0), vec3(0.0, 0.0, 1.0), 1.0);
+    return AgaaMaterial(vec3(0.5), vec3(0.04), vec3(0.0), vec3(0.0, 0.0, 1.0), 1.0, vec3(0.0),
+                        vec3(0.0));
 }
 
 // What is not finite becomes 0 (hard case 37). Returns 1 where something was not.
@@ -18,6 +19,10 @@ uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
     float l2 = dot(m.normal, m.normal);
     m.normal = l2 > 1e-12 ? m.normal * inversesqrt(l2) : vec3(0.0, 0.0, 1.0);
     m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
+    // Steeper than this, a line says nothing of a normal.
+    uint steep = 0u;
+    m.normalDx = agaa_sanitise3(m.normalDx, -1.0, 1.0, steep);
+    m.normalDy = agaa_sanitise3(m.normalDy, -1.0, 1.0, steep);
     return bad;
 }
 #endif

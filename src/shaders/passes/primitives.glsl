@@ -15,7 +15,7 @@ shared uint agaa_listId[agaa_listLength];
 shared uint agaa_listSamples[agaa_listLength]; // 0: nobody's
 shared uint agaa_listLane[agaa_listLength];
 shared vec3 agaa_listPlane[agaa_listLength]; // normal in view space
-shared AgaaMaterial agaa_listMaterial[agaa_listLength];
+shared AgaaMaterial agaa_listMaterial[agaa_listLength]; // its normal where the pixel begins, of no length
 shared uint agaa_pixelList[64];                    // first place | number of them << 16
 shared uint agaa_manyCount;                        // pixels of several primitives
 shared uint agaa_many[64];
@@ -92,13 +92,27 @@ void agaa_fetchListed(uint at, uvec2 corner) {
         }
         agaa_Surface s = agaa_sampleSurface();
         agaa_listPlane[at] = mat3(agaa_frame.view) * s.normal;
-        agaa_listMaterial[at] = AgaaMaterial(s.diffuse, s.specular, s.emissive, s.normal, s.alpha2);
+        agaa_listMaterial[at] = AgaaMaterial(s.diffuse, s.specular, s.emissive, s.normal, s.alpha2, vec3(0.0), vec3(0.0));
         return;
     }
 #endif
     AgaaPrimitive p = agaa_primitive(agaa_listId[at]);
     agaa_listPlane[at] = agaa_planeNormal(p);
-    agaa_listMaterial[at] = agaa_fetchMaterial(p, pixel, middle);
+    AgaaMaterial m = agaa_fetchMaterial(p, pixel, middle);
+    m.normal -= middle.x * m.normalDx + middle.y * m.normalDy;
+    agaa_listMaterial[at] = m;
+}
+
+bool agaa_isCurved(uint at) {
+    return agaa_listMaterial[at].normalDx != vec3(0.0) || agaa_listMaterial[at].normalDy != vec3(0.0);
+}
+
+// At sample i.
+vec3 agaa_listedNormal(uint at, uint i) {
+    AgaaMaterial m = agaa_listMaterial[at];
+    vec2 place = agaa_frame.samplePosition[i].xy;
+    vec3 n = m.normal + place.x * m.normalDx + place.y * m.normalDy;
+    return n * inversesqrt(max(dot(n, n), 1e-6));
 }
 
 // lane: of the pixel, which may be another's.
@@ -125,8 +139,8 @@ agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
 void agaa_weighNormals(uvec2 pixel, uint covered) {
     for (uint i = 0u; i < agaa_sampleCount(); ++i)
         if ((covered >> i & 1u) != 0u) {
-            AgaaMaterial m = agaa_listMaterial[agaa_samplePrimitive[i]];
-            agaa_weighNormal(i, mat3(agaa_frame.view) * m.normal, m.alpha2);
+            uint at = agaa_samplePrimitive[i];
+            agaa_weighNormal(i, mat3(agaa_frame.view) * agaa_listedNormal(at, i), agaa_listMaterial[at].alpha2);
         }
 }
 

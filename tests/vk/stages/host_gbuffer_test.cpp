@@ -222,7 +222,7 @@ TEST(HostGBuffer, WhatIsNotFiniteIsContained) {
             const std::string text = std::string("bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) {\n"
                                                  "    float bad = ") +
                                      bad +
-                                     ";\n    depth = bad;\n    m = AgaaMaterial(vec3(bad), vec3(bad), vec3(bad), vec3(bad), bad);\n"
+                                     ";\n    depth = bad;\n    m = AgaaMaterial(vec3(bad), vec3(bad), vec3(bad), vec3(bad), bad, vec3(bad), vec3(bad));\n"
                                      "    return true;\n}\n";
             AgaaGBufferFunction function = AGAA_GBUFFER_FUNCTION_INIT;
             function.glsl = text.c_str();

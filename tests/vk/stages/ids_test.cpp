@@ -1,6 +1,7 @@
 // The tier ids: one geometry pass that leaves ids, materials fetched by them, against the tiers that draw materials.
 #include "stage_host.h"
 
+#include <array>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -418,6 +419,103 @@ TEST(Ids, GlossPartsWhatShinesNarrowly) {
     }
 }
 
+// Normals that spread in one direction, several to a pixel, shine in a streak; a lobe as wide in all directions blurs it.
+// In the mean along the streak, where samples do not tell, the elliptic one has the profile of shading every sample.
+TEST(Ids, EllipticLobesKeepAStreakNarrow) {
+    StageContext context;
+    std::vector<Triangle> triangles;
+    for (uint32_t strip = 0; strip < 600; ++strip) {
+        const float y0 = -6 + 0.02f * float(strip), y1 = y0 + 0.02f;
+        const float tilt = 0.9f * (float(strip * 2654435761u >> 8 & 0xFFFFu) / 65535.0f - 0.5f);
+        Triangle triangle;
+        triangle.material.normal = glm::vec4(0, std::sin(tilt), std::cos(tilt), 0.01f);
+        triangle.material.specular = glm::vec4(0.9f, 0.8f, 0.5f, 0);
+        const glm::vec3 corners[] = {{-8, y0, -5}, {8, y0, -5}, {8, y1, -5}, {-8, y1, -5}};
+        for (const auto& three : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+            for (int i = 0; i < 3; ++i)
+                triangle.position[i] = corners[three[size_t(i)]];
+            triangles.push_back(triangle);
+        }
+    }
+    const auto profile = [&](const char* technique, uint32_t tier, uint32_t ndf) {
+        ViewSettings settings = settingsFor(8, 1, tier);
+        settings.config.technique = technique;
+        settings.config.ndf = ndf;
+        harness::Image image;
+        if (tier == AGAA_TIER_IDS) {
+            image = IdsView(context, settings, triangles).render();
+        } else {
+            StageView view(context, settings);
+            image = drawn(view, triangles);
+        }
+        std::vector<double> columns(image.width, 0.0);
+        for (size_t p = 0; p < image.pixelCount(); ++p)
+            columns[p % image.width] += double(image.rgb[3 * p]) / double(image.height);
+        return columns;
+    };
+    const std::vector<double> truth = profile("ssaa", AGAA_TIER_AUTO, AGAA_NDF_TOKSVIG);
+    for (const uint32_t tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
+        const auto error = [&](uint32_t ndf) {
+            const std::vector<double> shown = profile("agaa", tier, ndf);
+            double sum = 0, all = 0;
+            for (size_t x = 0; x < truth.size(); ++x) {
+                sum += (shown[x] - truth[x]) * (shown[x] - truth[x]);
+                all += truth[x] * truth[x];
+            }
+            return std::sqrt(sum / all);
+        };
+        const double round = error(AGAA_NDF_TOKSVIG), lean = error(AGAA_NDF_LEAN), sggx = error(AGAA_NDF_SGGX);
+        std::printf("%s: relative error of the profile, round %.3f, LEAN %.3f, SGGX %.3f\n", agaaTierName(tier), round,
+                    lean, sggx);
+        EXPECT_GT(round, 0.1) << "there is something to gain";
+        EXPECT_LT(lean, 0.5 * round);
+        EXPECT_LT(sggx, 0.8 * round);
+    }
+}
+
+// A curved primitive's normals differ inside a pixel: that they do is told by their change from pixel to pixel.
+TEST(Ids, ANormalThatTurnsInsideAPixelWidensTheLobe) {
+    StageContext context;
+    std::vector<Triangle> triangles(1);
+    triangles[0].position[0] = {-8, -6, -4};
+    triangles[0].position[1] = {9, -5, -6};
+    triangles[0].position[2] = {0, 8, -9};
+    const std::string turned = R"(
+    m.specular = vec3(0.8);
+    m.alpha2 = 0.001;
+    vec3 n = vec3(12.0 * (p.at.x - 0.3), 4.0 * (p.at.y - 0.3), 1.0);
+    float scale = inversesqrt(dot(n, n));
+    m.normal = scale * n;
+)";
+    const std::string told = turned + R"(
+    vec3 nx = scale * vec3(12.0 * p.dx.x, 4.0 * p.dx.y, 0.0);
+    vec3 ny = scale * vec3(12.0 * p.dy.x, 4.0 * p.dy.y, 0.0);
+    m.normalDx = nx - m.normal * dot(m.normal, nx);
+    m.normalDy = ny - m.normal * dot(m.normal, ny);
+)";
+    struct Shown {
+        harness::Image image;
+        uint64_t widened;
+    };
+    const auto shown = [&](const std::string& text, uint32_t ndf, uint64_t flags) {
+        ViewSettings settings = settingsFor(8, 1, AGAA_TIER_IDS);
+        settings.config.ndf = ndf;
+        settings.config.flags |= flags;
+        IdsView ids(context, settings, triangles, text.c_str());
+        harness::Image image = ids.render();
+        return Shown{std::move(image), ids.view().statistics().counters.widenedLobes};
+    };
+    EXPECT_EQ(shown(turned, AGAA_NDF_TOKSVIG, 0).widened, 0u);
+    const Shown fused = shown(told, AGAA_NDF_TOKSVIG, 0), buffered = shown(told, AGAA_NDF_TOKSVIG, AGAA_CONFIG_BUFFERED);
+    EXPECT_GT(fused.widened, 1000u);
+    EXPECT_GT(buffered.widened, 500u); // less than the rounding of memory is none
+    const Difference d = compare(fused.image, buffered.image);
+    std::printf("fused against buffered: %.1f dB, %.4f %% of pixels far\n", d.psnr, 100 * d.farPixels);
+    EXPECT_GE(d.psnr, 50);
+    for (const uint32_t ndf : {AGAA_NDF_LEAN, AGAA_NDF_SGGX})
+        EXPECT_GT(shown(told, ndf, 0).widened, 1000u);
+}
+
 // A host that draws more than it announced: what is beyond shows the last announced, is counted, and fetches nothing
 // that is not there.
 TEST(Ids, WhatWasNotAnnouncedIsCounted) {
@@ -438,7 +536,7 @@ TEST(Ids, MaterialsThatAreNotFiniteAreContained) {
     const std::vector<Triangle> triangles = scene(60);
     for (const char* bad : {"0.0 / (m.alpha2 - m.alpha2)", "1.0 / (m.alpha2 - m.alpha2)", "1e30", "-1e30"}) {
         const std::string text = std::string("float bad = ") + bad +
-                                 "; m = AgaaMaterial(vec3(bad), vec3(bad), vec3(bad), vec3(bad), bad);";
+                                 "; m = AgaaMaterial(vec3(bad), vec3(bad), vec3(bad), vec3(bad), bad, vec3(bad), vec3(bad));";
         IdsView ids(context, settingsFor(8, 2, AGAA_TIER_IDS), triangles, text.c_str());
         for (float value : ids.render().rgb) {
             ASSERT_TRUE(std::isfinite(value)) << bad;
