@@ -76,6 +76,7 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
     std::string out;
     const Constants& c = pass.constants;
     define(out, "AGAA_BRDF", c[AGAA_BRDF]);
+    define(out, "AGAA_NDF", c[AGAA_NDF]);
     define(out, "AGAA_FILTER_DIFFUSE", c[AGAA_FILTER_DIFFUSE]);
     define(out, "AGAA_HAS_SPECULAR", c[AGAA_HAS_SPECULAR]);
     define(out, "AGAA_HAS_AMBIENT", c[AGAA_HAS_AMBIENT]);

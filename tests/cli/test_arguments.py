@@ -33,7 +33,7 @@ WRONG = [
     ["render", "--frames", "0"],
     ["render", "--brdf", "lambert"],
     ["render", "--backend", "gl", "--state-policy", "often"],
-    ["render", "--ndf", "sggx"],
+    ["render", "--ndf", "ggx"],
     ["render", "--seeds", "random"],
     ["render", "--k", "-1"],
     ["render", "--jitter", "1"],
