@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <set>
 
 namespace harness {
@@ -78,15 +79,27 @@ TEST(SweepEffects, AreCalledForByScenesThatHaveThem) {
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     facts.flags = 0;
     facts.shadowMapCount = 0;
+    const std::set<std::string> ofAnyScene = {"filtered-diffuse", "more-aggregates"};
     for (const SweepEffect& effect : sweepEffects())
-        EXPECT_EQ(isCalledFor(effect, scene, facts), std::string(effect.name) == "filtered-diffuse")
-            << effect.name;
+        EXPECT_EQ(isCalledFor(effect, scene, facts), ofAnyScene.contains(effect.name)) << effect.name;
     scene.materials.emplace_back();
     scene.materials[0].normalTexture = 0;
     facts.flags = AGAA_FACT_ALL_SHADED;
     facts.shadowMapCount = 1;
     for (const SweepEffect& effect : sweepEffects())
         EXPECT_TRUE(isCalledFor(effect, scene, facts)) << effect.name;
+}
+
+TEST(SweepEffects, AreSwitchedOffByWhatTheyName) {
+    for (const SweepEffect& effect : sweepEffects()) {
+        AgaaConfig on = AGAA_CONFIG_INIT;
+        effect.row.apply(on);
+        AgaaConfig off = on;
+        if (effect.off)
+            effect.off(off);
+        EXPECT_EQ(std::memcmp(&on, &off, sizeof on) == 0, effect.off == nullptr) << effect.name;
+        EXPECT_TRUE(effect.off || effect.fact || effect.ofNormalMaps) << effect.name;
+    }
 }
 
 } // namespace

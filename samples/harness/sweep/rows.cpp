@@ -94,23 +94,41 @@ std::vector<SweepRow> namedSweepRows(const std::vector<std::string>& names) {
 }
 
 const std::vector<SweepEffect>& sweepEffects() {
+    static const SweepRow accurate = {"agaa", 8, 4, 1, AGAA_TIER_GBUFFER, "accurate"};
     static const std::vector<SweepEffect> effects = {
-        {"shadow-filter", 0, AGAA_CONFIG_NO_SHADOW_FILTER},
-        {"filtered-diffuse", 0, AGAA_CONFIG_NO_DIFFUSE_FILTER},
-        {"ndf-widening", AGAA_FACT_SPECULAR, 0, true},
-        {"specular", AGAA_FACT_SPECULAR, 0},
-        {"emissive", AGAA_FACT_EMISSIVE, 0},
-        {"ambient", AGAA_FACT_AMBIENT, 0},
-        {"normal-maps", 0, 0, false, true},
+        {.name = "shadow-filter",
+         .off = [](AgaaConfig& config) { config.flags |= AGAA_CONFIG_NO_SHADOW_FILTER; },
+         .ofShadows = true},
+        {.name = "filtered-diffuse", .off = [](AgaaConfig& config) { config.flags |= AGAA_CONFIG_NO_DIFFUSE_FILTER; }},
+        {.name = "ndf-widening",
+         .fact = AGAA_FACT_SPECULAR,
+         .off = [](AgaaConfig& config) { config.ndf = AGAA_NDF_NONE; }},
+        {.name = "specular", .fact = AGAA_FACT_SPECULAR},
+        {.name = "emissive", .fact = AGAA_FACT_EMISSIVE},
+        {.name = "ambient", .fact = AGAA_FACT_AMBIENT},
+        {.name = "normal-maps", .ofNormalMaps = true},
+        {.name = "lit-aggregates",
+         .off = [](AgaaConfig& config) { config.litShadows = 0; },
+         .ofShadows = true,
+         .row = accurate},
+        {.name = "elliptic-lobes",
+         .fact = AGAA_FACT_SPECULAR,
+         .off = [](AgaaConfig& config) { config.ndf = AGAA_NDF_TOKSVIG; },
+         .row = accurate},
+        {.name = "gloss-weight",
+         .fact = AGAA_FACT_SPECULAR,
+         .off = [](AgaaConfig& config) { config.glossWeight = 0; },
+         .row = accurate},
+        {.name = "more-aggregates", .off = [](AgaaConfig& config) { config.aggregates = 2; }, .row = accurate},
     };
     return effects;
 }
 
 bool isCalledFor(const SweepEffect& effect, const Scene& scene, const AgaaSceneFacts& facts) {
-    if (effect.normalMaps)
+    if (effect.ofNormalMaps)
         return std::any_of(scene.materials.begin(), scene.materials.end(),
                            [](const Material& m) { return m.normalTexture >= 0; });
-    if (effect.configFlag == AGAA_CONFIG_NO_SHADOW_FILTER)
+    if (effect.ofShadows)
         return facts.shadowMapCount > 0;
     return !effect.fact || (facts.flags & effect.fact);
 }

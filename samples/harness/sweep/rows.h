@@ -26,10 +26,11 @@ std::vector<SweepRow> namedSweepRows(const std::vector<std::string>& names);
 
 struct SweepEffect {
     const char* name;
-    uint64_t fact;       // of the scene, that calls for it; 0: see isCalledFor
-    uint64_t configFlag; // that switches it off, or 0
-    bool ndf = false;    // switched off by AGAA_NDF_NONE
-    bool normalMaps = false; // by leaving out the scene's normal maps
+    uint64_t fact = 0; // of the scene, that calls for it
+    void (*off)(AgaaConfig&) = nullptr; // switches it off; null: leaving out the fact, or the normal maps
+    bool ofShadows = false;    // called for by shadow maps
+    bool ofNormalMaps = false; // called for by normal maps
+    SweepRow row = {"agaa", 8, 2}; // that it is an effect of
 };
 const std::vector<SweepEffect>& sweepEffects();
 bool isCalledFor(const SweepEffect& effect, const Scene& scene, const AgaaSceneFacts& facts);

@@ -216,8 +216,7 @@ const Reference& SceneSweep::temporalReference(const char* of, uint32_t frame) {
 
 // Each effect off and on in turns; errors against ssaa with all effects.
 json SceneSweep::ablation() {
-    const SweepRow row{"agaa", 8, 2};
-    const Image& reference = *sameSamples(row);
+    const Image& reference = *sameSamples(SweepRow{"agaa", 8, 2});
     const AgaaSceneFacts facts = sceneFacts(scene_, base_.lights);
     Scene bare = scene_;
     for (Material& material : bare.materials)
@@ -227,35 +226,31 @@ json SceneSweep::ablation() {
         const bool calledFor = isCalledFor(effect, scene_, facts);
         std::vector<double> ms[2];
         double error[2] = {};
-        for (uint32_t round = 0; round < (effect.normalMaps && !calledFor ? 0 : 2 * options_.timedRounds);
+        for (uint32_t round = 0; round < (effect.ofNormalMaps && !calledFor ? 0 : 2 * options_.timedRounds);
              ++round) {
             const bool off = (round % 4 == 1) || (round % 4 == 2); // A B B A
             RenderSettings settings = base_;
-            row.apply(settings.config);
-            if (off) {
+            effect.row.apply(settings.config);
+            if (off && effect.off)
+                effect.off(settings.config);
+            else if (off)
                 settings.facts.flags &= ~effect.fact;
-                settings.config.flags |= effect.configFlag;
-                if (effect.ndf) {
-                    settings.facts.flags |= effect.fact & facts.flags;
-                    settings.config.ndf = AGAA_NDF_NONE;
-                }
-            }
-            if (effect.normalMaps)
+            if (effect.ofNormalMaps)
                 renderer_.load(off ? bare : scene_);
             renderer_.render(settings);
             const RenderResult result = renderer_.render(settings);
             ms[off].push_back(result.frameMs.back());
             error[off] = compareImages(reference, result.image).mseTm;
         }
-        if (effect.normalMaps)
+        if (effect.ofNormalMaps)
             renderer_.load(scene_);
         const auto side = [&](int which) {
             return json{{"frameMs", {{"median", quantile(ms[which], 0.5)}, {"p95", quantile(ms[which], 0.95)}}},
                         {"mseTm", error[which]}};
         };
         if (!ms[0].empty())
-            list.push_back({{"effect", effect.name}, {"n", row.samples}, {"c", row.aggregates},
-                            {"calledFor", calledFor}, {"on", side(0)}, {"off", side(1)}});
+            list.push_back({{"effect", effect.name}, {"n", effect.row.samples}, {"c", effect.row.aggregates},
+                            {"preset", effect.row.preset}, {"calledFor", calledFor}, {"on", side(0)}, {"off", side(1)}});
     }
     return list;
 }

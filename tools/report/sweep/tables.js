@@ -96,7 +96,7 @@ function showAblation(backend) {
             const error = (side) => finite(field(entry, side, "mseTm"));
             const verdict = removedText(error("on"), error("off"), smallestGap(scene, METRICS.mseTm));
             return [String(entry.effect ?? "unnamed"), String(scene.name ?? MISSING), entry.calledFor ? "yes" : "no",
-                significant(entry.n), significant(entry.c), msText(ms("on")), msText(ms("off")),
+                significant(entry.n), significant(entry.c) + (entry.preset ? ` (${entry.preset})` : ""), msText(ms("on")), msText(ms("off")),
                 ratioText(ratio(ms("on"), ms("off"))), errorText(error("on"), METRICS.mseTm),
                 errorText(error("off"), METRICS.mseTm), {text: verdict, className: verdict.startsWith("removes") ? "best" : ""}];
         })));
