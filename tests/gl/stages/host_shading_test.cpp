@@ -1,4 +1,5 @@
 // A host that shades the aggregates itself, by the text that reads them, against the SDK's own shading.
+#include "host_shading.h"
 #include "stage_host.h"
 
 #include <gtest/gtest.h>
@@ -8,41 +9,12 @@
 namespace agaa::test {
 namespace {
 
-constexpr float ambient[3] = {0.5f, 0.4f, 0.3f};
-
-std::string aggregateText(StageContext& context, const ViewSettings& settings) {
-    const AgaaViewDesc desc = viewDesc(settings);
-    size_t size = 0;
-    EXPECT_EQ(agaaGetAggregateGlsl(&desc, &context.caps(), nullptr, &size, nullptr), AGAA_OK);
-    std::string text(size, '\0');
-    EXPECT_EQ(agaaGetAggregateGlsl(&desc, &context.caps(), nullptr, &size, text.data()), AGAA_OK);
-    text.pop_back(); // the final zero
-    return text;
-}
-
-// Ambient light and emission, over a black background.
-std::string shadingText(const std::string& aggregates) {
-    return R"(#version 430
-layout(local_size_x = 8, local_size_y = 8) in;
+constexpr const char* declarations = R"(#version 430
 layout(std430, binding = 0) readonly buffer Aggregates { uint words[]; } aggregates;
 layout(rgba32f, binding = 0) writeonly uniform image2D image;
 #define AGAA_AGGREGATE_WORD(i) aggregates.words[i]
-)" + aggregates +
-           R"(
-void main() {
-    uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(ivec2(pixel), imageSize(image))))
-        return;
-    vec3 color = vec3(0.0);
-    for (uint a = 0u; a < AGAA_AGGREGATES; ++a) {
-        AgaaAggregate g = agaaAggregate(pixel, a);
-        vec3 light = g.emissive + vec3(0.5, 0.4, 0.3) * (g.diffuse + g.specular);
-        color += light * float(bitCount(g.samples)) / float(AGAA_SAMPLES);
-    }
-    imageStore(image, ivec2(pixel), vec4(color, 1.0));
-}
+void show(uvec2 pixel, vec3 color) { imageStore(image, ivec2(pixel), vec4(color, 1.0)); }
 )";
-}
 
 GLuint computeProgram(const GladGLContext& gl, const std::string& text) {
     const char* source = text.c_str();
@@ -59,7 +31,7 @@ std::vector<float> shadedByHost(StageContext& context, const ViewSettings& setti
     const GladGLContext& gl = context.egl().gl();
     AgaaGlSurface surface = AGAA_GL_SURFACE_INIT;
     EXPECT_EQ(agaaGlGetSurface(view.get(), "aggregates", &surface), AGAA_OK);
-    const GLuint program = computeProgram(gl, shadingText(aggregateText(context, settings)));
+    const GLuint program = computeProgram(gl, hostShadingText(viewDesc(settings), context.caps(), declarations));
     const harness::gl::Texture image = harness::gl::createTexture(gl, GL_TEXTURE_2D);
     gl.TextureStorage2D(image.get(), 1, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height));
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -96,7 +68,7 @@ TEST(GlHostShading, ReadsWhatTheSdkShades) {
                 StageView view(context, settings);
                 view.setTriangles(randomTriangles({.triangles = 150, .masked = 0.2f}, 61));
                 AgaaFrame frame = view.frame();
-                std::copy_n(ambient, 3, frame.ambient);
+                std::copy_n(hostAmbient, 3, frame.ambient);
                 std::fill_n(frame.background, 3, 0.0f);
                 view.render(frame);
                 const std::vector<float> sdk = view.image(), host = shadedByHost(context, settings, view);
