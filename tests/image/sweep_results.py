@@ -93,11 +93,11 @@ def make_scene(name, speed, folder):
              "pixelsPerDegree": 67.0, "reference": {"spp": 512, "splitHalfMseTm": 1.8e-6},
              "rows": rows, "referenceImage": f"images/{name}-reference.png",
              "ablation": [
-                 {"effect": effect, "n": 8, "c": 2, "calledFor": called,
+                 {"effect": effect, "n": 8, "c": 2, "preset": preset, "calledFor": called,
                   "on": {"frameMs": {"median": 10.4, "p95": 11}, "mseTm": 4e-4},
                   "off": {"frameMs": {"median": 9.1, "p95": 10}, "mseTm": off}}
-                 for effect, called, off in [("shadow-filter", name == "bamboo", 9e-4),
-                                             ("ndf-widening", name != "bamboo", 4.05e-4)]]}
+                 for effect, preset, called, off in [("shadow-filter", "", name == "bamboo", 9e-4),
+                                                     ("ndf-widening", "accurate", name != "bamboo", 4.05e-4)]]}
 
     def stripes(width, tint):
         return lambda x, y: tuple(min(255, int(40 + tint * 40 + 150 * max(

@@ -255,6 +255,8 @@ class Shown(unittest.TestCase):
         effects = {tuple(line[:3]): line[-1] for line in self.rows("#ablation")}
         self.assertEqual(effects["shadow-filter", "bamboo", "yes"], "removes 56 %")
         self.assertEqual(effects["ndf-widening", "bamboo", "no"], "no difference")
+        self.assertEqual({line[0]: line[4] for line in self.rows("#ablation")[1:]},
+                         {"shadow-filter": "2", "ndf-widening": "2 (accurate)"})
 
     def test_whatever_is_missing(self):
         self.open()
