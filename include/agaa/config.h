@@ -63,8 +63,9 @@ typedef enum AgaaBrdf {
 } AgaaBrdf;
 
 /* How the spread of normals inside an aggregate widens the specular lobe (AGAA section 3.5.2). The last two widen it
- * in each direction by the spread there, so that lobes are elliptic: for thin things that shine narrowly. They are of the
- * tiers IDS and GBUFFER without AGAA_CONFIG_BUFFERED; with tier AUTO they choose these. */
+ * in each direction by the spread there, so that lobes are elliptic: for thin things that shine narrowly. They need
+ * each normal: tier AUTO then is IDS with an AgaaFetchFunction, else GBUFFER; other tiers and AGAA_CONFIG_BUFFERED are
+ * AGAA_ERROR_UNSUPPORTED. Without a specular lobe, and for techniques other than "agaa", they are TOKSVIG. */
 typedef enum AgaaNdf {
     AGAA_NDF_NONE = 0,    /* no widening: for ablation */
     AGAA_NDF_TOKSVIG = 1, /* all around alike, by the length of the mean normal (Toksvig 2005) */
@@ -110,7 +111,7 @@ typedef enum AgaaTier {
                                                       others (AGAA 3.3), so that distance may part them */
 #define AGAA_CONFIG_BUFFERED UINT64_C(0x400) /* of "agaa": aggregates go to memory, the surface "aggregates", and a
                                                 pass of its own shades them, by the tiers IDS and GBUFFER too; not
-                                                with litShadows */
+                                                with litShadows, nor with ndf from LEAN on */
 
 /* What the output shows of each pixel in place of its image: numbers and shares in all channels, or a colour. Not of
  * "msaa", whose shading is the host's. Beyond what is covered: 0. */
@@ -121,8 +122,9 @@ typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_CLUSTERS = 3,   /* of these a colour each, in the share of its samples */
     AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tier IDS: primitives that samples show */
     AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that gets to what is covered */
-    AGAA_DEBUG_VIEW_WIDENED = 6,    /* by how much the NDF widened lobes: alpha of GGX, mean over what is covered; of
-                                       layouts that keep roughness beside the normal */
+    AGAA_DEBUG_VIEW_WIDENED = 6,    /* by how much the NDF widened lobes: alpha of GGX, of elliptic ones where they are
+                                       the widest, mean over what is covered; of layouts that keep roughness beside the
+                                       normal */
     AGAA_DEBUG_VIEW_TIER = 7,       /* grey: not aggregated; orange: by two passes; blue: from a G-buffer; green: by
                                        ids; half as bright where one shading event did */
     AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF

@@ -91,9 +91,10 @@ void PlanBuilder::dropUncalledFor(const Technique& technique) {
     if (!technique.groupsSamples) { // settings of "agaa" may stay where another is measured
         config.litShadows = 0;
         config.glossWeight = 0;
-        config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG);
         config.flags &= ~AGAA_CONFIG_BUFFERED;
     }
+    if (!technique.groupsSamples || !plan.layout.has(AGAA_SEMANTIC_SPECULAR))
+        config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG); // no lobe that could be elliptic
     const uint32_t lit = config.litShadows & ((1u << plan.facts.shadowMapCount) - 1);
     if (lit != config.litShadows)
         note("lit aggregates: AgaaConfig::litShadows names shadows that AgaaSceneFacts does not declare; they are "

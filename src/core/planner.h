@@ -14,7 +14,7 @@ struct Technique {
     const char* name;
     uint32_t maxAggregates; // c or S, of techniques with a generation stage; 0: none
     bool multisampled;      // runs at more than one sample per pixel
-    bool groupsSamples;     // by where they lie and what they show: tier IDS, lit shadows, gloss
+    bool groupsSamples;     // by where they lie and what they show: tier IDS, lit shadows, gloss, elliptic lobes
     void (*build)(PlanBuilder& builder);
 };
 const std::vector<const Technique*>& techniques();

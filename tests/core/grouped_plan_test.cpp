@@ -83,6 +83,10 @@ TEST(GroupedPlan, EllipticLobesWantEachNormal) {
         EXPECT_EQ(plan.generationTier, AGAA_TIER_GBUFFER);
         EXPECT_TRUE(has(plan.notes, "elliptic lobes"));
         EXPECT_TRUE(has(plan.effects, "ndf-widening"));
+        spec.facts &= ~AGAA_FACT_SPECULAR; // no lobe, no wish
+        const Plan dull = planFor(spec, fourSampleDevice());
+        EXPECT_EQ(dull.config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
+        EXPECT_EQ(dull.generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
         spec.change = [=](AgaaConfig& config) { // where nothing is aggregated, nothing is widened
             config.ndf = ndf;
             config.technique = "simple_complex";
@@ -129,7 +133,7 @@ TEST(GroupedPlan, TheListFitsSharedMemory) {
         return std::stoul(defines.substr(at + 17));
     };
     EXPECT_EQ(lengthOn(16384), 64u);
-    EXPECT_EQ(lengthOn(32768), 192u);
+    EXPECT_EQ(lengthOn(32768), 224u);
     EXPECT_EQ(lengthOn(49152), 256u);
     EXPECT_EQ(lengthOn(0), 32u) << "a pixel's primitives at 32 samples";
 }
@@ -139,6 +143,7 @@ TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
         AgaaConfig config = AGAA_CONFIG_INIT;
         config.technique = "ssaa";
         config.samples = 16;
+        config.ndf = AGAA_NDF_SGGX;
         config.flags = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_NO_SHADOW_FILTER;
         ASSERT_EQ(agaaApplyPreset(name, &config), AGAA_OK) << name;
         EXPECT_STREQ(config.technique, "agaa");
@@ -149,7 +154,9 @@ TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
         spec.change = [&](AgaaConfig& c) { agaaApplyPreset(name, &c); };
         const Plan plan = planFor(spec, fourSampleDevice());
         EXPECT_EQ(plan.generationTier == AGAA_TIER_GBUFFER, config.litShadows != 0) << name;
-        EXPECT_EQ(config.litShadows != 0, std::string(name) == "balanced" || std::string(name) == "accurate");
+        const bool grouped = std::string(name) == "balanced" || std::string(name) == "accurate";
+        EXPECT_EQ(config.litShadows != 0, grouped);
+        EXPECT_EQ(config.ndf, uint32_t(grouped ? AGAA_NDF_LEAN : AGAA_NDF_TOKSVIG));
     }
     AgaaConfig config = AGAA_CONFIG_INIT;
     EXPECT_EQ(agaaApplyPreset("best", &config), AGAA_ERROR_INVALID_ARGUMENT);

@@ -62,7 +62,7 @@ void main() {
     s.alpha2 = x.w;
     agaa_NormalMoments spread = agaa_NormalMoments(v, t);
     agaa_addNormalMoments(spread, x.y, n);
-    agaa_spreadAlpha2(spread, n, x.z, 2.0, 1e-6, s.axis, s.alpha2Along, s.alpha2);
+    agaa_spreadAlpha2(spread, n, len, x.z, id & 1u, 1e-6, s.axis, s.alpha2Along, s.alpha2);
     acc += agaa_shade(s, t, agaa_lightDirection(b, 1e-4), bad, id & 1u, id & 2u) *
            agaa_pointAttenuation(x.x, x.y, 1e-4) * agaa_spotCone(x.x, x.y, x.z);
     for (uint i = 0u; i < 32u; ++i) {

@@ -24,30 +24,33 @@ struct Spread {
 struct Normals {
     std::vector<glm::vec3> each;
     glm::vec3 mean{0};
+    float length = 0; // of the mean
 
     explicit Normals(std::vector<glm::vec3> normals) : each(std::move(normals)) {
         glm::dvec3 sum(0);
         for (const glm::vec3& n : each)
             sum += glm::dvec3(n);
         mean = glm::vec3(glm::normalize(sum));
+        length = float(glm::length(sum) / double(each.size()));
     }
 
-    Spread inFloat(float alpha2, float gain, float bound) const {
+    Spread inFloat(float alpha2, unsigned sggx, float bound) const {
         math_f::agaa_NormalMoments m{glm::vec3(0), glm::vec3(0)};
         for (const glm::vec3& n : each)
             add(m, 1.0 / double(each.size()), n);
         glm::vec3 axis;
         float along = 0, across = 0;
-        math_f::agaa_spreadAlpha2(m, mean, alpha2, gain, bound, axis, along, across);
+        math_f::agaa_spreadAlpha2(m, mean, length, alpha2, sggx, bound, axis, along, across);
         return {glm::dvec3(axis), double(along), double(across)};
     }
 
-    Spread inDouble(double alpha2, double gain, double bound) const {
+    Spread inDouble(double alpha2, unsigned sggx, double bound) const {
         math_d::agaa_NormalMoments m{glm::dvec3(0), glm::dvec3(0)};
         for (const glm::vec3& n : each)
             add(m, 1.0 / double(each.size()), glm::dvec3(n));
         Spread s;
-        math_d::agaa_spreadAlpha2(m, glm::normalize(glm::dvec3(mean)), alpha2, gain, bound, s.axis, s.along, s.across);
+        math_d::agaa_spreadAlpha2(m, glm::normalize(glm::dvec3(mean)), double(length), alpha2, sggx, bound, s.axis, s.along,
+                                  s.across);
         return s;
     }
 };
@@ -90,9 +93,9 @@ TEST(EllipticLobe, SpreadFloatAgainstDouble) {
         const double wide = random.decades(1e-4, 3);
         const Normals normals = scattered(random, wide, wide * random.unit());
         const float alpha2 = float(random.decades(4.2e-6, 1));
-        const float gain = i % 2 ? 1.0f : 2.0f;
-        const Spread f = normals.inFloat(alpha2, gain, 1e-6f);
-        const Spread d = normals.inDouble(double(alpha2), double(gain), double(1e-6f));
+        const unsigned sggx = i % 2;
+        const Spread f = normals.inFloat(alpha2, sggx, 1e-6f);
+        const Spread d = normals.inDouble(double(alpha2), sggx, double(1e-6f));
         along.relative(f.along, d.along, 1e-3);
         across.relative(f.across, d.across, 1e-3);
         ASSERT_GE(f.across, double(alpha2));
@@ -110,7 +113,7 @@ TEST(EllipticLobe, WidensWhereNormalsSpreadAndNotAcross) {
     for (int i = 0; i < 20000; ++i) {
         glm::dvec3 acrossSpread;
         const Normals normals = scattered(random, random.range(0.05, 1), 0, &acrossSpread);
-        const Spread s = normals.inFloat(0.01f, 1.0f, 1e-6f);
+        const Spread s = normals.inFloat(0.01f, 0, 1e-6f);
         if (s.along < 0.0101)
             continue; // all fell on one place
         angle.absolute(degreesBetween(s.axis, acrossSpread), 90);
@@ -118,17 +121,43 @@ TEST(EllipticLobe, WidensWhereNormalsSpreadAndNotAcross) {
     }
 }
 
-TEST(EllipticLobe, AddsTheVarianceOfSlopes) {
-    // Two normals at +-slope have the variance slope^2 of n_t / n_n.
-    Worst sggx("SGGX: alpha2 + (1 - alpha2) * variance, relative", 1e-6);
-    Worst lean("LEAN: alpha2 + 2 (1 - alpha2) * variance, relative", 1e-6);
+TEST(EllipticLobe, IsThatOfItsSource) {
+    // Two normals at +-slope have the variance slope^2 of n_t / n_n. SGGX: the mean of the matrices
+    // n n^T + alpha2 (1 - n n^T), along the axis by along the normal.
+    Worst lean("LEAN: alpha2 + 2 * variance, relative", 1e-6);
+    Worst sggx("SGGX: of the mean matrix, relative", 1e-6);
     for (double slope : {0.01, 0.1, 0.3, 0.5})
         for (double alpha2 : {1e-4, 1e-2, 0.3}) {
-            const Normals normals(
-                {glm::vec3(glm::normalize(glm::dvec3(slope, 0, 1))), glm::vec3(glm::normalize(glm::dvec3(-slope, 0, 1)))});
-            const double variance = slope * slope * (1 - alpha2);
-            sggx.relative(normals.inDouble(alpha2, 1, 0).along, std::min(alpha2 + variance, 1.0));
-            lean.relative(normals.inDouble(alpha2, 2, 0).along, std::min(alpha2 + 2 * variance, 1.0));
+            const glm::dvec3 a = glm::normalize(glm::dvec3(slope, 0, 1)), b(-a.x, 0, a.z);
+            const Normals normals({glm::vec3(a), glm::vec3(b)});
+            const auto matrix = [&](const glm::dvec3& n) {
+                return glm::outerProduct(n, n) + alpha2 * (glm::dmat3(1) - glm::outerProduct(n, n));
+            };
+            const glm::dmat3 mean = 0.5 * (matrix(a) + matrix(b));
+            lean.relative(normals.inDouble(alpha2, 0, 0).along, std::min(alpha2 + 2 * slope * slope, 1.0));
+            sggx.relative(normals.inDouble(alpha2, 1, 0).along, mean[0][0] / mean[2][2]);
+            sggx.relative(normals.inDouble(alpha2, 1, 0).across, mean[1][1] / mean[2][2]);
+        }
+}
+
+// Second moments alone would take normals that face away for equal ones (hard case 4).
+TEST(EllipticLobe, OppositeNormalsMakeTheWidest) {
+    Random random(208);
+    for (unsigned sggx : {0u, 1u})
+        for (int i = 0; i < 1000; ++i) {
+            const glm::vec3 n(random.direction());
+            const Spread most = Normals({n, n, n, n, n, -n, -n, -n}).inFloat(0.001f, sggx, 1e-6f);
+            EXPECT_GT(most.across, 0.7);
+            const Spread few = Normals({n, n, n, n, n, n, n, -n}).inFloat(0.001f, sggx, 1e-6f);
+            EXPECT_LT(few.along, 0.01);
+            glm::vec3 axis;
+            float along = 0, across = 0;
+            math_f::agaa_NormalMoments m{glm::vec3(0), glm::vec3(0)};
+            add(m, 0.5, n);
+            add(m, 0.5, -n);
+            math_f::agaa_spreadAlpha2(m, n, 0.0f, 0.001f, sggx, 1e-6f, axis, along, across);
+            EXPECT_EQ(along, 1.0f);
+            EXPECT_EQ(across, 1.0f);
         }
 }
 
@@ -139,7 +168,7 @@ TEST(EllipticLobe, EqualNormalsKeepTheirLobe) {
         const glm::vec3 n(random.direction());
         const Normals normals(std::vector<glm::vec3>(1 + random.below(32), n));
         const float alpha2 = float(random.decades(4.2e-6, 1));
-        const Spread s = normals.inFloat(alpha2, 2.0f, 1e-6f);
+        const Spread s = normals.inFloat(alpha2, 0, 1e-6f);
         widened.relative(s.along, double(alpha2));
         widened.relative(s.across, double(alpha2));
     }
@@ -161,6 +190,18 @@ TEST(EllipticLobe, RoundOneIsGgxAndBlinnPhong) {
             same.relative(math_d::agaa_shade(ellipse, v, l, brdf, 0, 1).x, math_d::agaa_shade(round, v, l, brdf, 0, 0).x, 1e-6);
         }
     }
+}
+
+TEST(EllipticLobe, IsWideAlongItsAxis) {
+    const double along = 0.3, across = 0.01, tilt = 0.3;
+    const glm::dvec3 h(std::sin(tilt), 0, std::cos(tilt)), turned(0, h.x, h.z);
+    EXPECT_GT(math_d::agaa_ggxEllipseD(along, across, h), 20 * math_d::agaa_ggxEllipseD(along, across, turned));
+    EXPECT_GT(math_d::agaa_blinnPhongEllipse(along, across, h), 20 * math_d::agaa_blinnPhongEllipse(along, across, turned));
+    // Smith's terms by hand: 1 / (2 (z_l sqrt(a x_v^2 + b y_v^2 + z_v^2) + z_v sqrt(a x_l^2 + b y_l^2 + z_l^2))).
+    const glm::dvec3 v(0.6, 0, 0.8), l(0, 0.8, 0.6);
+    const double byHand =
+        0.5 / (0.6 * std::sqrt(0.3 * 0.36 + 0.64) + 0.8 * std::sqrt(0.01 * 0.64 + 0.36));
+    EXPECT_NEAR(math_d::agaa_ggxEllipseV(along, across, v, l), byHand, 1e-12);
 }
 
 TEST(EllipticLobe, IntegratesToOne) {
@@ -239,7 +280,7 @@ TEST(EllipticLobe, FiniteForAnyFiniteInput) {
         const glm::vec3 n(random.direction());
         math_f::agaa_NormalMoments m{glm::vec3(random.unit(), random.unit(), random.unit()),
                                      glm::vec3(random.unit(), random.unit(), random.unit())};
-        math_f::agaa_spreadAlpha2(m, n, pick(), 2.0f, 1e-6f, axis, along, across);
+        math_f::agaa_spreadAlpha2(m, n, pick(), pick(), i >> 1 & 1, 1e-6f, axis, along, across);
         ASSERT_TRUE(allFinite(axis) && across > 0 && across <= along && along <= 1) << i;
     }
 }

@@ -72,9 +72,11 @@ real agaa_ellipticLobe(agaa_Surface s, rvec3 n, rvec3 v, rvec3 l, rvec3 h, uint 
 // BRDF times cosine for unit radiance from l; v and l are unit vectors away from the surface.
 // brdf 0: Blinn-Phong with the exponent of the same width and the implicit visibility 1/4;
 // brdf 1: GGX with height-correlated Smith. Both take Schlick's Fresnel term, so that a change of
-// lobe changes the lobe only. elliptic 1: the lobe is alpha2Along wide along axis. Vectors and reflectances are clamped to their legal ranges first:
-// whatever finite values come in, a finite colour goes out.
-rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse, uint elliptic) {
+// lobe changes the lobe only. elliptic 1: the lobe is alpha2Along wide along axis. Vectors and
+// reflectances are clamped to their legal ranges first: whatever finite values come in, a finite
+// colour goes out.
+rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse,
+                 uint elliptic) {
     const rvec3 n = clamp(s.normal, real(-1.0), real(1.0));
     const rvec3 toEye = clamp(v, real(-1.0), real(1.0));
     const rvec3 toLight = clamp(l, real(-1.0), real(1.0));

@@ -123,11 +123,12 @@ real agaa_momentAlong(agaa_NormalMoments m, rvec3 a, rvec3 b) {
 
 // A lobe that normals widen in each direction across their mean as they spread there: alpha2 of the
 // widest direction `axis` (unit, at right angles to the mean direction n) and of the one across it.
-// gain is what a variance of slopes adds to alpha2: 2 by LEAN mapping, which takes GGX's lobe for the
-// Gaussian of that variance; 1 by SGGX, which adds up projected areas. A spread up to `bound` is
-// taken for rounding.
-void agaa_spreadAlpha2(agaa_NormalMoments m, rvec3 n, real alpha2, real gain, real bound,
-                       OUT(rvec3) axis, OUT(real) along, OUT(real) across) {
+// By LEAN mapping, sggx 0, twice the variance of slopes is added, as for a Gaussian in GGX's place; by
+// SGGX, sggx 1, projected areas are. A variance up to `bound` is taken for rounding. Second moments
+// do not know a normal from its opposite, the length of the mean does: below a half, normals point
+// all ways, and the lobe goes over into the widest.
+void agaa_spreadAlpha2(agaa_NormalMoments m, rvec3 n, real meanLength, real alpha2, uint sggx,
+                       real bound, OUT(rvec3) axis, OUT(real) along, OUT(real) across) {
     const real a2 = clamp(alpha2, agaa_minAlpha2(), real(1.0));
     rvec3 t;
     rvec3 b;
@@ -153,9 +154,22 @@ void agaa_spreadAlpha2(agaa_NormalMoments m, rvec3 n, real alpha2, real gain, re
         const real scale = real(1.0) / sqrt(norm2);
         axis = (u * scale) * t + (v * scale) * b;
     }
-    const real slopes = gain * (real(1.0) - a2) / max(nn, real(1e-3));
-    along = clamp(a2 + slopes * max(mean + root - bound, real(0.0)), a2, real(1.0));
-    across = clamp(a2 + slopes * max(mean - root - bound, real(0.0)), a2, along);
+    along = max(mean + root - bound, real(0.0));
+    across = max(mean - root - bound, real(0.0));
+    if (sggx != 0u) {
+        const real area = a2 + (real(1.0) - a2) * max(nn, real(0.0));
+        along = (a2 + (real(1.0) - a2) * along) / area;
+        across = (a2 + (real(1.0) - a2) * across) / area;
+    } else {
+        const real twice = real(2.0) / max(nn, real(1e-3));
+        along = a2 + twice * along;
+        across = a2 + twice * across;
+    }
+    const real facing = agaa_saturate(real(4.0) * agaa_sq(meanLength));
+    along = min(along, real(1.0));
+    across = min(across, real(1.0));
+    along = clamp(along + (real(1.0) - facing) * (real(1.0) - along), a2, real(1.0));
+    across = clamp(across + (real(1.0) - facing) * (real(1.0) - across), a2, along);
 }
 
 #endif

@@ -54,8 +54,8 @@ agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
         s.alpha2 = agaa_alpha2FromFoldedLength(meanLength);
         s.meanLength = 1.0;
     } else if (AGAA_NDF >= agaa_ndfLean) {
-        agaa_spreadAlpha2(m.moments, s.normal, m.alpha2, AGAA_NDF == agaa_ndfSggx ? 1.0 : 2.0, m.lengthBound, s.axis,
-                          s.alpha2Along, s.alpha2);
+        agaa_spreadAlpha2(m.moments, s.normal, meanLength, m.alpha2, AGAA_NDF == agaa_ndfSggx ? 1u : 0u, m.lengthBound,
+                          s.axis, s.alpha2Along, s.alpha2);
     } else {
         s.alpha2 = AGAA_NDF != 0u ? agaa_toksvigAlpha2(m.alpha2, s.meanLength) : m.alpha2;
     }

@@ -144,7 +144,7 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
         if (agaa_isLitShadow(k) && map == k)
             s = agaa_litSurface[k];
 #endif
-    uint elliptic = AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
+    uint elliptic = AGAA_HAS_SPECULAR != 0u && AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
     return agaa_shade(s, toEye, toLight, AGAA_BRDF, AGAA_FILTER_DIFFUSE, elliptic) * light.colorShadow.rgb * intensity;
 }
 
