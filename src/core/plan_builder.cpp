@@ -233,8 +233,8 @@ void PlanBuilder::bindHostGBuffer(Pass& pass) {
 
 void PlanBuilder::bindHostFetch(Pass& pass) {
     addHostCode(pass, fetchFunction_, "AgaaFetchFunction::glsl");
-    // What a listed primitive takes of shared memory, some of it padded, and what else does.
-    constexpr uint32_t listed = 112, others = 8192;
+    // What a listed primitive takes of shared memory by the rules of std430, and what else does.
+    constexpr uint32_t listed = 124, others = 4608;
     const uint32_t room = (std::max(caps_.maxSharedBytes, others) - others) / listed;
     pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
                            "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",

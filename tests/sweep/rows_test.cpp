@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <map>
 #include <set>
 
 namespace harness {
@@ -91,15 +91,26 @@ TEST(SweepEffects, AreCalledForByScenesThatHaveThem) {
 }
 
 TEST(SweepEffects, AreSwitchedOffByWhatTheyName) {
+    std::map<std::string, AgaaConfig> off;
     for (const SweepEffect& effect : sweepEffects()) {
-        AgaaConfig on = AGAA_CONFIG_INIT;
-        effect.row.apply(on);
-        AgaaConfig off = on;
+        AgaaConfig config = AGAA_CONFIG_INIT;
+        effect.row.apply(config);
         if (effect.off)
-            effect.off(off);
-        EXPECT_EQ(std::memcmp(&on, &off, sizeof on) == 0, effect.off == nullptr) << effect.name;
+            effect.off(config);
         EXPECT_TRUE(effect.off || effect.fact || effect.ofNormalMaps) << effect.name;
+        off[effect.name] = config;
     }
+    AgaaConfig accurate = AGAA_CONFIG_INIT;
+    agaaApplyPreset("accurate", &accurate);
+    EXPECT_TRUE(off["shadow-filter"].flags & AGAA_CONFIG_NO_SHADOW_FILTER);
+    EXPECT_TRUE(off["filtered-diffuse"].flags & AGAA_CONFIG_NO_DIFFUSE_FILTER);
+    EXPECT_EQ(off["ndf-widening"].ndf, uint32_t(AGAA_NDF_NONE));
+    EXPECT_EQ(off["lit-aggregates"].litShadows, 0u);
+    EXPECT_EQ(off["lit-aggregates"].ndf, accurate.ndf);
+    EXPECT_EQ(off["elliptic-lobes"].ndf, uint32_t(AGAA_NDF_TOKSVIG));
+    EXPECT_EQ(off["elliptic-lobes"].litShadows, accurate.litShadows);
+    EXPECT_EQ(off["gloss-weight"].glossWeight, 0.0f);
+    EXPECT_EQ(off["more-aggregates"].aggregates, 2u);
 }
 
 } // namespace

@@ -60,10 +60,10 @@ vec3 shadingNormal(SurfacePoint p, float normalScale) {
     return facing < 0.0 ? normalize(n - toViewer * (facing - 1e-3)) : n;
 }
 
-// Filtering of a normal map shortens the mean of normals that point apart (Toksvig 2005).
-float widenedAlpha2(float alpha2, float meanLength) {
+// Filtering of a normal map shortens the mean of normals that point apart (Toksvig 2005); scale: of their slopes.
+float widenedAlpha2(float alpha2, float meanLength, float scale) {
     const float rounding = 0.0068; // of three components of 8 bits
-    float deficit = clamp(1.0 - meanLength - rounding, 0.0, 1.0);
+    float deficit = clamp((1.0 - meanLength - rounding) * scale * scale, 0.0, 0.99);
     float widening = 2.0 * (1.0 - alpha2) * deficit;
     return (alpha2 * (1.0 - deficit) + widening) / (1.0 - deficit + widening);
 }
@@ -82,6 +82,6 @@ SurfaceModel surfaceModel(MaterialValues material, SurfacePoint p) {
     alpha *= alpha;
     s.alpha2 = alpha * alpha;
     if (p.isBent)
-        s.alpha2 = widenedAlpha2(s.alpha2, length(p.normalTexel.xyz * 2.0 - 1.0));
+        s.alpha2 = widenedAlpha2(s.alpha2, length(p.normalTexel.xyz * 2.0 - 1.0), material.normalScale);
     return s;
 }

@@ -41,7 +41,7 @@ float agaa_weightOf(uint i, bool isLit) {
     return 1.0;
 }
 
-// Sums over samples, each times scale * agaa_weightOf() it, of places in the pixel and their products.
+// Sums of places in the pixel and of their products, over samples of the weight scale * agaa_weightOf().
 struct agaa_Places {
     float weight;
     vec2 sum;
@@ -83,7 +83,7 @@ void agaa_addCurved(inout agaa_Means m, AgaaMaterial material, agaa_Places place
     }
 }
 
-// Of one primitive, samples `own`.
+// Adds the samples `own` of the primitive that is listed at `at`.
 void agaa_addListed(inout agaa_Means m, uint at, uint own, float scale, bool isLit) {
     bool isCurved = agaa_isCurved(at);
     agaa_Places places = agaa_placesOf(isCurved || isLit ? own : 0u, scale, isLit);

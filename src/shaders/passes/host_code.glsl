@@ -10,14 +10,15 @@ ivec2 agaaTexel(uvec2 pixel, uint i) {
 int agaaTexelSample(uint i) { return int(i % AGAA_HW_SAMPLES); }
 
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH)
-struct AgaaMaterial { // the members are those of AgaaSurfaceInput
+struct AgaaMaterial { // as in AgaaSurfaceInput, but for the last two
     vec3 diffuse;
     vec3 specular;
     vec3 emissive;
     vec3 normal; // shading space, unit
     float alpha2;
-    // Of what is fetched by id: by how much the normal grows from one pixel of the image to the next, as AgaaPrimitive's
-    // weights do. 0: one normal stands for all samples of the primitive.
+    // Of what is fetched by id: derivatives of `normal` by the image's x and y, a pixel each. Of a vertex normal N that
+    // grows by d from pixel to pixel, as AgaaPrimitive's weights tell, it is (d - n * dot(n, d)) / |N|, negated where
+    // the normal was. 0: one normal stands for all samples of the primitive.
     vec3 normalDx, normalDy;
 };
 #endif

@@ -19,10 +19,14 @@ uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
     float l2 = dot(m.normal, m.normal);
     m.normal = l2 > 1e-12 ? m.normal * inversesqrt(l2) : vec3(0.0, 0.0, 1.0);
     m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
-    // Steeper than this, a line says nothing of a normal.
-    uint steep = 0u;
-    m.normalDx = agaa_sanitise3(m.normalDx, -1.0, 1.0, steep);
-    m.normalDy = agaa_sanitise3(m.normalDy, -1.0, 1.0, steep);
+    bool isKnown = agaa_isFinite3(m.normalDx) && agaa_isFinite3(m.normalDy);
+    bad |= isKnown ? 0u : 1u;
+    float steepest = isKnown ? max(dot(m.normalDx, m.normalDx), dot(m.normalDy, m.normalDy)) : 0.0;
+    // A change that widens no lobe is none, so that flat primitives take the short way in spite of rounding; a line says
+    // no more of a normal than one unit a pixel.
+    float scale = steepest < 1e-8 || isinf(steepest) ? 0.0 : min(inversesqrt(steepest), 1.0);
+    m.normalDx = scale > 0.0 ? scale * m.normalDx : vec3(0.0);
+    m.normalDy = scale > 0.0 ? scale * m.normalDy : vec3(0.0);
     return bad;
 }
 #endif

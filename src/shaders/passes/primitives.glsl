@@ -15,7 +15,7 @@ shared uint agaa_listId[agaa_listLength];
 shared uint agaa_listSamples[agaa_listLength]; // 0: nobody's
 shared uint agaa_listLane[agaa_listLength];
 shared vec3 agaa_listPlane[agaa_listLength]; // normal in view space
-shared AgaaMaterial agaa_listMaterial[agaa_listLength]; // its normal where the pixel begins, of no length
+shared AgaaMaterial agaa_listMaterial[agaa_listLength]; // its normal at the pixel's corner, not unit
 shared uint agaa_pixelList[64];                    // first place | number of them << 16
 shared uint agaa_manyCount;                        // pixels of several primitives
 shared uint agaa_many[64];
@@ -159,7 +159,7 @@ void agaa_groupListed(uvec2 pixel, uint lane) {
         }
 }
 
-// But for the normal of a curved one.
+// Of a curved one its normal is not a surface's: agaa_listedNormal() is.
 agaa_Surface agaa_listedSurface(uint at) {
     AgaaMaterial m = agaa_listMaterial[at];
     return agaa_Surface(m.diffuse, m.specular, m.emissive, m.normal, 1.0, m.alpha2, 0.0, vec3(0.0));
@@ -194,7 +194,7 @@ void agaa_takeTile(uvec2 corner, uvec2 pixel, uint covered) {
             for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
                 agaa_masks[lane * AGAA_AGGREGATES + a] = a == 0u ? covered : 0u;
         }
-        // A primitive is plane: with one there is nothing to group.
+        // Of one primitive there is nothing to group: what its normal turns by widens the lobe.
         bool groups = turn && primitives > 1u && AGAA_AGGREGATES > 1u;
         if (groups)
             agaa_many[atomicAdd(agaa_manyCount, 1u)] = lane;

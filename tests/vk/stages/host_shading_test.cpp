@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 
 using namespace harness::vk;
 
@@ -68,6 +69,7 @@ public:
                 VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT);
     }
 
+    void clear() const { std::memset(shown_.mapped, 0xFF, size_t(settings_.width) * settings_.height * 4 * sizeof(float)); }
     const float* rgba() const { return reinterpret_cast<const float*>(shown_.mapped); }
 
 private:
@@ -121,6 +123,7 @@ TEST(HostShading, ReadsWhatTheSdkShades) {
                 const VkPipelineStageFlags writer = tier == AGAA_TIER_GBUFFER ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT
                                                                               : VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT;
                 for (int i = 0; i < 2; ++i) {
+                    pass.clear();
                     AgaaFrame frame = nextFrame(view);
                     frame.segments = AGAA_SEGMENT_PREPASS | AGAA_SEGMENT_GENERATION;
                     sharedDevice().runCommands([&](VkCommandBuffer commands) {
