@@ -17,7 +17,7 @@ struct SweepOptions {
     uint32_t rounds = 4;      // of frames without times of passes, each shifted by another part of a pixel; the
                               // rows take turns, forth and back
     uint32_t timedRounds = 2; // of frames with them
-    uint32_t heavierRounds = 3, heavierTimedRounds = 1; // as many of these are with the rows of heavier lighting too
+    uint32_t heavierRounds = 2, heavierTimedRounds = 1; // as many of these are with the rows of heavier lighting too
     uint32_t pathFrames = 3;  // of a camera path
     uint32_t pathSamples = 8; // rows of more samples do not walk it
     uint32_t referenceSamples = 512;
