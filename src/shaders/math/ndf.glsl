@@ -1,4 +1,4 @@
-// Normal distributions: conversions between roughness conventions and Toksvig widening.
+// Normal distributions: conversions between roughness conventions, round and elliptic widening.
 // Sources: AGAA (Crassin et al., TVCG 2016) sections 3.4.1 and 3.5.2; Toksvig 2005, "Mipmapping
 // Normal Maps"; Olano and Baker 2010, "LEAN Mapping"; Heitz et al. 2015, "The SGGX Microflake
 // Distribution"; Duff et al. 2017, "Building an Orthonormal Basis, Revisited"; hard cases 1 to 5 and 9.
