@@ -5,7 +5,8 @@ import re
 import unittest
 
 FOLDER = pathlib.Path(os.environ["AGAA_SOURCE"]) / "samples" / "minimal"
-LIMIT = 400  # every host stays below it, its scene, comments and empty lines included
+# Every host stays below these, its scene, comments and empty lines included.
+LIMITS = {"gbuffer_gl.c": 400, "ids_gl.c": 400, "ids_vk.c": 500, "minimal_gl.c": 400, "minimal_vk.c": 400}
 
 
 def files_of(path):
@@ -23,11 +24,11 @@ def files_of(path):
 class Lines(unittest.TestCase):
     def test_hosts_are_small(self):
         hosts = sorted(FOLDER.glob("*.c"))
-        self.assertEqual([host.name for host in hosts], ["gbuffer_gl.c", "ids_gl.c", "minimal_gl.c", "minimal_vk.c"])
+        self.assertEqual([host.name for host in hosts], sorted(LIMITS))
         for host in hosts:
             lines = {file.name: len(file.read_text().splitlines()) for file in files_of(host)}
             self.assertIn("host.h", lines)
-            self.assertLess(sum(lines.values()), LIMIT, lines)
+            self.assertLess(sum(lines.values()), LIMITS[host.name], lines)
             for file in files_of(host):
                 self.assertLessEqual(max(map(len, file.read_text().splitlines())), 120, file.name)
 

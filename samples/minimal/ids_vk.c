@@ -1,0 +1,107 @@
+/* The smallest Vulkan host that fetches materials by id: the SDK draws once, for depth and ids, and asks for the rest.
+ *   ids_vk image.ppm
+ * SPDX-License-Identifier: MIT
+ */
+#include "vk.h"
+
+#include <string.h>
+
+/* Of the visibility pass, in place of materialCode. */
+static const char idCode[] =
+    "layout(location = 0) in vec3 position;\n"
+    "void main() {\n"
+    "    AgaaSurfaceInput s = agaa_surfaceInput();\n"
+    "    s.position = AGAA_INSIDE(position);\n"
+    "    s.primitive = uint(gl_PrimitiveID); // of draw 0, the only one\n"
+    "    agaa_emit(s);\n"
+    "}\n";
+
+/* The triangles and their materials; an engine's are in buffers and textures, in the same set. */
+static const char fetchCode[] = SCENE_CODE
+    "layout(std140, set = 1, binding = 0) uniform Camera { mat4 clipFromShading; };\n"
+    "vec4 clipCorner(uint primitive, int corner) {\n"
+    "    return clipFromShading * vec4(bladeCorner(float(primitive), corner), 1.0);\n"
+    "}\n"
+    "void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {\n"
+    "    a = clipCorner(primitive, 0);\n"
+    "    b = clipCorner(primitive, 1);\n"
+    "    c = clipCorner(primitive, 2);\n"
+    "}\n"
+    "void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) { m.diffuse = bladeColor(float(p.primitive)); }\n";
+
+/* What fetchCode reads, and its set. */
+typedef struct Fetch {
+    VkBuffer camera;
+    VkDeviceMemory memory;
+    VkDescriptorSetLayout layout;
+    VkDescriptorPool pool;
+} Fetch;
+
+static void createCamera(const Host* host, Fetch* fetch) {
+    const AgaaFrame frame = describeFrame(1, 0.0f); /* the camera stands still: written once */
+    const VkBufferCreateInfo buffer = {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = sizeof frame.projection,
+                                       .usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT};
+    VkMemoryRequirements needed;
+    CHECK(vkCreateBuffer(host->device, &buffer, NULL, &fetch->camera));
+    vkGetBufferMemoryRequirements(host->device, fetch->camera, &needed);
+    memcpy(allocate(host, &needed, &fetch->memory), frame.projection, sizeof frame.projection);
+    CHECK(vkBindBufferMemory(host->device, fetch->camera, fetch->memory, 0));
+}
+
+static void createSet(Host* host, Fetch* fetch) {
+    const VkDescriptorSetLayoutBinding binding = {.binding = 0, .descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                                                  .descriptorCount = 1, .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT};
+    const VkDescriptorSetLayoutCreateInfo layout = {
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, .bindingCount = 1, .pBindings = &binding};
+    const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1};
+    const VkDescriptorPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1,
+                                             .poolSizeCount = 1, .pPoolSizes = &size};
+    VkDescriptorSetAllocateInfo allocation = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                              .descriptorSetCount = 1, .pSetLayouts = &fetch->layout};
+    const VkDescriptorBufferInfo camera = {fetch->camera, 0, VK_WHOLE_SIZE};
+    VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, .descriptorCount = 1,
+                                  .descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, .pBufferInfo = &camera};
+    CHECK(vkCreateDescriptorSetLayout(host->device, &layout, NULL, &fetch->layout));
+    CHECK(vkCreateDescriptorPool(host->device, &pool, NULL, &fetch->pool));
+    allocation.descriptorPool = fetch->pool;
+    CHECK(vkAllocateDescriptorSets(host->device, &allocation, &host->functionSet));
+    write.dstSet = host->functionSet;
+    vkUpdateDescriptorSets(host->device, 1, &write, 0, NULL);
+}
+
+static void createView(Host* host, const Fetch* fetch) {
+    AgaaViewDesc desc = describeView();
+    AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
+    function.glsl = fetchCode;
+    function.maxDraws = 1;
+    function.maxPrimitives = vertexCount / 3;
+    function.descriptorSetLayout = (uint64_t)fetch->layout;
+    desc.pNext = &function;
+    CHECK(agaaVkCreateView(host->context, &desc, &host->view));
+}
+
+static void destroyFetch(const Host* host, const Fetch* fetch) {
+    vkDestroyDescriptorPool(host->device, fetch->pool, NULL);
+    vkDestroyDescriptorSetLayout(host->device, fetch->layout, NULL);
+    vkDestroyBuffer(host->device, fetch->camera, NULL);
+    vkFreeMemory(host->device, fetch->memory, NULL);
+}
+
+int main(int argumentCount, char** arguments) {
+    Host host = {0};
+    Fetch fetch;
+    require(argumentCount == 2, "Usage: ids_vk IMAGE.ppm");
+    enabledFeatures.features.geometryShader = VK_TRUE; /* for gl_PrimitiveID */
+    createDevice(&host);
+    const float* pixels = createOutput(&host);
+    createContext(&host);
+    createCamera(&host, &fetch);
+    createSet(&host, &fetch);
+    createView(&host, &fetch);
+    createPasses(&host, idCode);
+    renderFrames(&host);
+    writeImage(arguments[1], pixels);
+    destroyFetch(&host, &fetch);
+    destroy(&host);
+    return EXIT_SUCCESS;
+}
