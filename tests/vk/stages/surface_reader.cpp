@@ -1,7 +1,8 @@
 #include "surface_reader.h"
 
+#include "compute_pass.h"
+
 #include "vk/arena.h"
-#include "vk/pipeline_state.h"
 
 #include <cstring>
 
@@ -106,31 +107,10 @@ std::vector<glm::uvec4> readTexels(const Device& device, const Resource& resourc
     }
     vkUpdateDescriptorSets(device.get(), 2, writes, 0, nullptr);
 
-    VkPipelineLayoutCreateInfo layoutInfo{};
-    layoutInfo.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    layoutInfo.setLayoutCount = 1;
-    layoutInfo.pSetLayouts = layouts;
-    const auto layout = make<PipelineLayout>(device.get(), vkCreatePipelineLayout, layoutInfo,
-                                             "create a pipeline layout");
-    const ShaderModule shader =
-        makeShader(device, ShaderStage::Compute, shaderText(resource), resource.name);
-    VkComputePipelineCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-    info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    info.stage.module = shader.get();
-    info.stage.pName = "main";
-    info.layout = layout.get();
-    VkPipeline handle = VK_NULL_HANDLE;
-    check(vkCreateComputePipelines(device.get(), VK_NULL_HANDLE, 1, &info, nullptr, &handle),
-          "create a compute pipeline");
-    const Pipeline pipeline(device.get(), handle);
+    const ComputePass pass(device, setLayout.get(), shaderText(resource), resource.name);
     device.runCommands([&](VkCommandBuffer commands) {
         everythingBefore(commands);
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
-        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout.get(), 0, 1, &set,
-                                0, nullptr);
-        vkCmdDispatch(commands, (resource.width + 7) / 8, (resource.height + 7) / 8, 1);
+        pass.record(commands, set, resource.width, resource.height);
         toHost(commands);
     });
     std::vector<glm::uvec4> texels(count);
