@@ -87,8 +87,8 @@ Surface surface(const Vector& normal, double alpha2, double along, const Vector&
 
 TEST(EllipticLobe, SpreadFloatAgainstDouble) {
     Random random(201);
-    Worst along("spreadAlpha2, along: absolute by max(.001, value)", 3e-3);
-    Worst across("spreadAlpha2, across: absolute by max(.001, value)", 3e-3);
+    Worst along("spreadAlpha2, along: absolute by max(.001, value)", 1e-3);
+    Worst across("spreadAlpha2, across: absolute by max(.001, value)", 1e-3);
     for (int i = 0; i < 100000; ++i) {
         const double wide = random.decades(1e-4, 3);
         const Normals normals = scattered(random, wide, wide * random.unit());

@@ -168,7 +168,7 @@ void expectWaysAgree(Renderer& renderer, RenderSettings settings, const char* na
     }
     ASSERT_EQ(agaaApplyPreset("accurate", &settings.config), AGAA_OK);
     // Narrow lobes show where a normal is taken: at each sample by id, once a fragment in a G-buffer.
-    for (const auto& [ndf, mostFar] : {std::pair{AGAA_NDF_TOKSVIG, 0.0015}, {AGAA_NDF_LEAN, 0.0025}}) {
+    for (const auto& [ndf, mostFar] : {std::pair{AGAA_NDF_TOKSVIG, 0.0015}, {AGAA_NDF_LEAN, 0.0021}}) {
         settings.config.ndf = ndf;
         settings.config.generationTier = AGAA_TIER_IDS;
         const Image byId = renderer.render(settings).image;
