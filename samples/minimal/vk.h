@@ -27,7 +27,7 @@ typedef struct Host {
     AgaaFrame frame;
 } Host;
 
-/* What agaaVkGetRequirements requires. Dynamic rendering, an option, stays off: the pipelines are for render passes. */
+/* What agaaVkGetRequirements requires; ids_vk adds a feature of its own. Dynamic rendering, an option, stays off. */
 static VkPhysicalDeviceFeatures2 enabledFeatures = {
     .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
     .features = {.fragmentStoresAndAtomics = VK_TRUE, .sampleRateShading = VK_TRUE,
@@ -91,14 +91,12 @@ static const float* createOutput(Host* host) {
 static void createContext(Host* host) {
     AgaaLog log = AGAA_LOG_INIT;
     AgaaVkContextDesc desc = AGAA_VK_CONTEXT_DESC_INIT;
-    log.callback = onLog;
+    log.callback = onLog, desc.log = &log;
     desc.instance = host->instance, desc.physicalDevice = host->physicalDevice, desc.device = host->device;
-    desc.queueFamily = 0, desc.descriptorSet = 0; /* the latter of the pipeline layouts */
-    desc.apiVersion = VK_API_VERSION_1_2;
+    desc.queueFamily = 0, desc.apiVersion = VK_API_VERSION_1_2;
     desc.getProcAddr = (AgaaVkGetInstanceProcAddr)vkGetInstanceProcAddr;
-    desc.enabledFeatures = &enabledFeatures;
+    desc.enabledFeatures = &enabledFeatures, desc.descriptorSet = 0;
     desc.framesInFlight = 1; /* these hosts wait for each frame */
-    desc.log = &log;
     CHECK(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &host->context));
 }
 
@@ -147,14 +145,10 @@ static void createPass(Host* host, uint32_t i, const AgaaVkDrawPass* sdk, VkShad
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     const VkPipelineInputAssemblyStateCreateInfo assembly = {
         VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO, .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
-    const VkViewport area = {0.0f, 0.0f, (float)sdk->width, (float)sdk->height, 0.0f, 1.0f};
-    const VkRect2D scissor = {{0, 0}, {sdk->width, sdk->height}};
     const VkPipelineViewportStateCreateInfo viewport = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .pViewports = &area,
-        .scissorCount = 1, .pScissors = &scissor};
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
     const VkPipelineRasterizationStateCreateInfo rasterization = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .lineWidth = 1.0f,
-        .cullMode = VK_CULL_MODE_NONE}; /* the host's choice, but the same in every pass */
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .lineWidth = 1.0f}; /* culls in no pass */
     const VkPipelineMultisampleStateCreateInfo multisample = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
         .rasterizationSamples = (VkSampleCountFlagBits)sdk->state.samples,
@@ -170,13 +164,17 @@ static void createPass(Host* host, uint32_t i, const AgaaVkDrawPass* sdk, VkShad
     const VkPipelineColorBlendStateCreateInfo blend = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
         .attachmentCount = sdk->state.colorAttachmentCount, .pAttachments = targets};
+    const VkPipelineDynamicStateCreateInfo dynamic = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO, .dynamicStateCount = 2,
+        .pDynamicStates = (VkDynamicState[]){VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR}};
     host->keys[i] = sdk->pipelineKey;
     CHECK(vkCreatePipelineLayout(host->device, &layout, NULL, &host->layouts[i]));
     const VkGraphicsPipelineCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, .stageCount = 2, .pStages = stages,
         .pVertexInputState = &input, .pInputAssemblyState = &assembly, .pViewportState = &viewport,
         .pRasterizationState = &rasterization, .pMultisampleState = &multisample, .pDepthStencilState = &depthStencil,
-        .pColorBlendState = &blend, .layout = host->layouts[i], .renderPass = (VkRenderPass)sdk->renderPass};
+        .pColorBlendState = &blend, .pDynamicState = &dynamic, .layout = host->layouts[i],
+        .renderPass = (VkRenderPass)sdk->renderPass};
     CHECK(vkCreateGraphicsPipelines(host->device, VK_NULL_HANDLE, 1, &info, NULL, &host->pipelines[i]));
     vkDestroyShaderModule(host->device, fragment, NULL);
 }
@@ -200,10 +198,14 @@ static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
     const Host* host = user;
     const VkCommandBuffer commands = target->commandBuffer;
     const VkDescriptorSet set = (VkDescriptorSet)target->descriptorSet;
+    const VkViewport viewport = {0.0f, 0.0f, (float)target->width, (float)target->height, 0.0f, 1.0f};
+    const VkRect2D scissor = {{0, 0}, {target->width, target->height}};
     uint32_t pass = 0;
     while (host->keys[pass] != target->pipelineKey)
         if (++pass == host->passCount)
             return AGAA_ERROR_CALLBACK;
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &scissor);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, host->pipelines[pass]);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, host->layouts[pass], 0, 1, &set, 0, NULL);
     vkCmdPushConstants(commands, host->layouts[pass], VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->frame.projection,
@@ -217,16 +219,14 @@ static void renderFrames(Host* host) {
     const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     const VkMemoryBarrier out = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER, .srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT,
                                  .dstAccessMask = VK_ACCESS_HOST_READ_BIT};
-    VkCommandBufferAllocateInfo allocation = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                              .commandBufferCount = 1};
+    VkCommandBufferAllocateInfo info = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, .commandBufferCount = 1};
     VkCommandBuffer commands;
-    const VkSubmitInfo submit = {.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1,
-                                 .pCommandBuffers = &commands};
+    const VkSubmitInfo submit = {VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &commands};
     AgaaVkFrame vkFrame = AGAA_VK_FRAME_INIT;
     VkQueue queue;
     vkGetDeviceQueue(host->device, 0, 0, &queue);
-    CHECK(vkCreateCommandPool(host->device, &poolInfo, NULL, &allocation.commandPool));
-    CHECK(vkAllocateCommandBuffers(host->device, &allocation, &commands));
+    CHECK(vkCreateCommandPool(host->device, &poolInfo, NULL, &info.commandPool));
+    CHECK(vkAllocateCommandBuffers(host->device, &info, &commands));
     vkFrame.commandBuffer = commands;
     vkFrame.outputImage = (uint64_t)host->output, vkFrame.outputView = (uint64_t)host->outputView;
     vkFrame.functionSet = (uint64_t)host->functionSet;
@@ -234,7 +234,7 @@ static void renderFrames(Host* host) {
     for (uint64_t i = 1; i <= frameCount; ++i) {
         host->frame = describeFrame(i, 0.0f);
         host->frame.draw = draw, host->frame.drawUser = host;
-        CHECK(vkResetCommandPool(host->device, allocation.commandPool, 0));
+        CHECK(vkResetCommandPool(host->device, info.commandPool, 0));
         CHECK(vkBeginCommandBuffer(commands, &begin));
         CHECK(agaaVkRecordFrame(host->view, &host->frame, &vkFrame));
         vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &out,
@@ -244,7 +244,7 @@ static void renderFrames(Host* host) {
         CHECK(vkQueueWaitIdle(queue));
         reportFrame(host->view, i);
     }
-    vkDestroyCommandPool(host->device, allocation.commandPool, NULL);
+    vkDestroyCommandPool(host->device, info.commandPool, NULL);
 }
 
 static void destroy(Host* host) {
