@@ -29,13 +29,19 @@ typedef struct AgaaGBufferFunction {
     /* Where the n samples lie in the pixel, [0;1), as pairs x, y of gl_FragCoord; null: in a target of the
      * visibility tier, whose texels agaaTexel(pixel, i) and agaaTexelSample(i) name. */
     const float* samplePositions;
-    uint64_t descriptorSetLayout; /* Vulkan: VkDescriptorSetLayout of set 1, or 0 without resources; that of an
-                                     AgaaShadowFunction too, where both have one. OpenGL: 0 */
+    uint64_t descriptorSetLayout; /* Vulkan: VkDescriptorSetLayout of set 1, for compute, or 0 without resources; that
+                                     of an AgaaShadowFunction too, where both have one; not used after
+                                     agaaVkCreateView. OpenGL: 0 */
     uint32_t depthBits;           /* of a fixed-point depth, 16 or 24; 0: a float */
     uint32_t reserved;            /* 0 */
+    /* Null, or what the text needs of extensions: lines "#extension NAME : BEHAVIOUR" and nothing else. They hold for
+     * the whole pass. Enabling their features, or making a context that has them, is the host's; for bindless
+     * textures on Vulkan GL_EXT_nonuniform_qualifier, shaderSampledImageArrayNonUniformIndexing and
+     * runtimeDescriptorArray. Other lines are AGAA_ERROR_INVALID_ARGUMENT. */
+    const char* glslExtensions;
 } AgaaGBufferFunction;
 #define AGAA_GBUFFER_FUNCTION_INIT                                                                  \
-    {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, (uint32_t)sizeof(AgaaGBufferFunction), NULL, NULL, NULL, 0, 0, 0}
+    {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, (uint32_t)sizeof(AgaaGBufferFunction), NULL, NULL, NULL, 0, 0, 0, NULL}
 
 /* Chained to AgaaViewDesc: materials by id, for the tier IDS, which AUTO then is. The visibility pass leaves, beside
  * depth, which draw and primitive each sample shows (AgaaSurfaceInput::draw, ::primitive); a compute pass finds the
@@ -46,9 +52,9 @@ typedef struct AgaaGBufferFunction {
  * which give the clip coordinates of a triangle, as the vertex shader computed them, and the material at a point of
  * it (src/shaders/passes/host_code.glsl, docs/integration.md). That point's material is taken for all samples of the
  * primitive in the pixel; its normal too, where the function does not say by what it changes. They run in compute: no
- * implicit derivatives. Their resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1], emission in [0;range] of
- * the layout; what is not finite becomes 0. The alpha test is the visibility pass's alone. Names and errors as at
- * AgaaGBufferFunction. Of "agaa". */
+ * implicit derivatives. Their resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1],
+ * emission in [0;range] of the layout; what is not finite becomes 0. The alpha test is the visibility pass's alone.
+ * Names and errors as at AgaaGBufferFunction. Of "agaa". */
 /* Some draws cannot be fetched: displaced, or by shaders that compute cannot call. The visibility pass gives them
  * AgaaSurfaceInput::draw = AGAA_UNFETCHED, and a second geometry pass, AGAA_DRAW_PASS_GBUFFER whose depthCompare is
  * EQUAL, draws these draws alone into a multisampled G-buffer, from which their samples are taken; it takes one id. Not
@@ -65,9 +71,10 @@ typedef struct AgaaFetchFunction {
                                up to a power of two */
     uint64_t descriptorSetLayout; /* as at AgaaGBufferFunction */
     uint64_t flags;               /* AGAA_FETCH_… */
+    const char* glslExtensions;   /* as at AgaaGBufferFunction */
 } AgaaFetchFunction;
 #define AGAA_FETCH_FUNCTION_INIT                                                                    \
-    {AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0, 0}
+    {AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0, 0, NULL}
 
 /* Chained to AgaaViewDesc: shadows by a function of the host's in place of some shadow maps. It is
  * compiled into the passes that shade; the text is GLSL 450 and defines
@@ -83,10 +90,11 @@ typedef struct AgaaShadowFunction {
     const char* glsl;
     uint32_t shadows;  /* bit i: the function answers for AgaaFrame::shadows[i], whose layerCount is 0 */
     uint32_t reserved; /* 0 */
-    uint64_t descriptorSetLayout; /* Vulkan: VkDescriptorSetLayout of set 1, or 0 without resources; OpenGL: 0 */
+    uint64_t descriptorSetLayout; /* as at AgaaGBufferFunction */
+    const char* glslExtensions;   /* as at AgaaGBufferFunction */
 } AgaaShadowFunction;
 #define AGAA_SHADOW_FUNCTION_INIT                                                                   \
-    {AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, (uint32_t)sizeof(AgaaShadowFunction), NULL, NULL, 0, 0, 0}
+    {AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, (uint32_t)sizeof(AgaaShadowFunction), NULL, NULL, 0, 0, 0, NULL}
 
 #ifdef __cplusplus
 }

@@ -46,7 +46,7 @@ static std::string assemble(const Pass& pass, std::set<std::string> seen, const 
     const size_t at = text.find(line);
     if (at == std::string::npos)
         fail(AGAA_ERROR_INTERNAL, "the pass " + pass.name + " has no version.");
-    return text.replace(at, line.size(), version + head);
+    return text.replace(at, line.size(), version + pass.hostCodeExtensions + head);
 }
 
 std::string glslNumber(float value) {

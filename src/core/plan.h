@@ -86,6 +86,7 @@ struct Pass {
     std::string shader; // permutation in the library
     std::string hostCode; // GLSL of the host's: the pass is compiled with it, from these:
     std::string hostCodeOrigin; // the members that the text came in
+    std::string hostCodeExtensions; // what goes before all else for it
     std::string file;     // below src/shaders
     std::string defines;  // of the permutation
     Constants constants{};

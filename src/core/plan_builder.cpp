@@ -221,18 +221,22 @@ void PlanBuilder::bindCommon(Pass& pass) {
 }
 
 // Compilers count the lines of each text by themselves.
-void PlanBuilder::addHostCode(Pass& pass, const std::string& text, const char* origin) {
-    pass.hostCode += "#line 1\n" + text + "\n";
-    pass.hostCodeOrigin += (pass.hostCodeOrigin.empty() ? "" : " with ") + std::string(origin);
+void PlanBuilder::addHostCode(Pass& pass, const HostText& text, const char* origin) {
+    pass.hostCode += "#line 1\n" + text.glsl + "\n";
+    pass.hostCodeOrigin += (pass.hostCodeOrigin.empty() ? "" : " with ") + std::string(origin) + "::glsl";
+    if (text.extensions.empty())
+        return;
+    pass.hostCodeExtensions += "#line 1\n" + text.extensions + "\n#line 100000\n";
+    pass.hostCodeOrigin += " and ::glslExtensions";
 }
 
 void PlanBuilder::bindHostGBuffer(Pass& pass) {
-    addHostCode(pass, gbufferFunction_, "AgaaGBufferFunction::glsl");
+    addHostCode(pass, gbufferFunction_, "AgaaGBufferFunction");
     pass.defines += "#define AGAA_HOST_GBUFFER 1\n";
 }
 
 void PlanBuilder::bindHostFetch(Pass& pass) {
-    addHostCode(pass, fetchFunction_, "AgaaFetchFunction::glsl");
+    addHostCode(pass, fetchFunction_, "AgaaFetchFunction");
     // What a listed primitive takes of shared memory by the rules of std430, and what else does.
     constexpr uint32_t listed = 124, others = 4608;
     const uint32_t room = (std::max(caps_.maxSharedBytes, others) - others) / listed;
@@ -284,7 +288,7 @@ void PlanBuilder::bindShadows(Pass& pass) {
     require(!host, AGAA_ERROR_UNSUPPORTED,
             "AgaaShadowFunction is for techniques that shade in the SDK's passes; this one shades in the "
             "host's.");
-    addHostCode(pass, shadowFunction_, "AgaaShadowFunction::glsl");
+    addHostCode(pass, shadowFunction_, "AgaaShadowFunction");
     pass.defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
                            plan.functionShadows, any != noResource);
 }

@@ -83,7 +83,14 @@ private:
     void chooseGenerationTier(const Technique& technique);
     void dropUncalledFor(const Technique& technique);
     void checkTierOptions(const Technique& technique) const;
-    static void addHostCode(Pass& pass, const std::string& text, const char* origin);
+    // Of a host's function.
+    struct HostText {
+        std::string glsl, extensions;
+    };
+    template <typename Function> static HostText textOf(const Function& function) {
+        return {function.glsl, function.glslExtensions ? function.glslExtensions : ""};
+    }
+    static void addHostCode(Pass& pass, const HostText& text, const char* origin);
     void bindShadows(Pass& pass);
     void listEffects();
     void findLifetimes();
@@ -95,7 +102,7 @@ private:
     ResourceId lights_ = noResource;
     ResourceId counters_ = noResource;
     ResourceId output_ = noResource;
-    std::string shadowFunction_, gbufferFunction_, fetchFunction_; // the host's texts
+    HostText shadowFunction_, gbufferFunction_, fetchFunction_;
     uint32_t framesInFlight_;
 };
 

@@ -21,7 +21,7 @@ void PlanBuilder::readFunctions(const AgaaViewDesc& view) {
     if (const AgaaShadowFunction* function = checkShadowFunction(view)) {
         plan.functionShadows = function->shadows;
         takeSetLayout(function->descriptorSetLayout);
-        shadowFunction_ = function->glsl;
+        shadowFunction_ = textOf(*function);
     }
     if (const AgaaGBufferFunction* function = checkGBufferFunction(view)) {
         takeSetLayout(function->descriptorSetLayout);
@@ -29,7 +29,7 @@ void PlanBuilder::readFunctions(const AgaaViewDesc& view) {
         plan.depthBits = function->depthBits;
         if (const float* positions = function->samplePositions)
             plan.samplePositions.assign(positions, positions + 2 * plan.config.samples);
-        gbufferFunction_ = function->glsl;
+        gbufferFunction_ = textOf(*function);
     }
     if (const AgaaFetchFunction* function = checkFetchFunction(view)) {
         require(!plan.hostGBuffer, AGAA_ERROR_INVALID_ARGUMENT,
@@ -39,7 +39,7 @@ void PlanBuilder::readFunctions(const AgaaViewDesc& view) {
         plan.maxPrimitives = function->maxPrimitives;
         plan.someUnfetched = function->flags & AGAA_FETCH_NOT_ALL_DRAWS;
         plan.primitiveBits = uint32_t(std::bit_width(function->maxPrimitives - 1));
-        fetchFunction_ = function->glsl;
+        fetchFunction_ = textOf(*function);
     }
 }
 

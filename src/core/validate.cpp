@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <regex>
+#include <sstream>
+#include <string>
 
 namespace agaa {
 
@@ -127,6 +130,18 @@ void checkViewDesc(const AgaaViewDesc* pointer) {
             "AgaaViewDesc::flags has bits that are not known here.");
 }
 
+// Text of the host's, and the lines that go before all else.
+static void checkGlsl(const char* glsl, const char* extensions, const char* structure) {
+    if (!glsl)
+        fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s::glsl is null.", structure));
+    static const std::regex directive(R"([ \t]*\r?|#extension +\w+ *: *\w+[ \t]*\r?)");
+    std::istringstream lines(extensions ? extensions : "");
+    for (std::string line; std::getline(lines, line);)
+        if (line.size() > 200 || !std::regex_match(line, directive))
+            fail(AGAA_ERROR_INVALID_ARGUMENT,
+                 format("%s::glslExtensions has more than lines \"#extension NAME : BEHAVIOUR\".", structure));
+}
+
 const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc) {
     const void* chained = findChained(&desc, AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION);
     if (!chained)
@@ -134,7 +149,7 @@ const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc) {
     const auto* function = static_cast<const AgaaShadowFunction*>(chained);
     require(function->structSize == sizeof *function, AGAA_ERROR_STRUCT,
             "AgaaShadowFunction has another structSize than this library's.");
-    require(function->glsl, AGAA_ERROR_INVALID_ARGUMENT, "AgaaShadowFunction::glsl is null.");
+    checkGlsl(function->glsl, function->glslExtensions, "AgaaShadowFunction");
     require(function->reserved == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaShadowFunction::reserved is not 0.");
     const uint32_t declared = (1u << desc.facts->shadowMapCount) - 1;
@@ -150,7 +165,7 @@ const AgaaGBufferFunction* checkGBufferFunction(const AgaaViewDesc& desc) {
     const auto* function = static_cast<const AgaaGBufferFunction*>(chained);
     require(function->structSize == sizeof *function, AGAA_ERROR_STRUCT,
             "AgaaGBufferFunction has another structSize than this library's.");
-    require(function->glsl, AGAA_ERROR_INVALID_ARGUMENT, "AgaaGBufferFunction::glsl is null.");
+    checkGlsl(function->glsl, function->glslExtensions, "AgaaGBufferFunction");
     require(function->reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGBufferFunction::reserved is not 0.");
     require(function->depthBits == 0 || function->depthBits == 16 || function->depthBits == 24,
             AGAA_ERROR_OUT_OF_RANGE, "AgaaGBufferFunction::depthBits is not one of 0, 16, 24.");
@@ -167,7 +182,7 @@ const AgaaFetchFunction* checkFetchFunction(const AgaaViewDesc& desc) {
     const auto* function = static_cast<const AgaaFetchFunction*>(chained);
     require(function->structSize == sizeof *function, AGAA_ERROR_STRUCT,
             "AgaaFetchFunction has another structSize than this library's.");
-    require(function->glsl, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFetchFunction::glsl is null.");
+    checkGlsl(function->glsl, function->glslExtensions, "AgaaFetchFunction");
     require(function->maxDraws >= 1 && function->maxPrimitives >= 1, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFetchFunction::maxDraws or ::maxPrimitives is 0.");
     require((function->flags & ~AGAA_FETCH_NOT_ALL_DRAWS) == 0, AGAA_ERROR_OUT_OF_RANGE,

@@ -64,9 +64,9 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaCounters, 120);
     EXPECT_SIZE(AgaaPassTime, 64);
     EXPECT_SIZE(AgaaFrameStatistics, 1208);
-    EXPECT_SIZE(AgaaGBufferFunction, 48);
-    EXPECT_SIZE(AgaaFetchFunction, 48);
-    EXPECT_SIZE(AgaaShadowFunction, 40);
+    EXPECT_SIZE(AgaaGBufferFunction, 56);
+    EXPECT_SIZE(AgaaFetchFunction, 56);
+    EXPECT_SIZE(AgaaShadowFunction, 48);
     EXPECT_SIZE(AgaaVkRequirements, 72);
     EXPECT_SIZE(AgaaVkSurface, 88);
     EXPECT_SIZE(AgaaVkContextDesc, 144);

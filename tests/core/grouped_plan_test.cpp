@@ -1,6 +1,10 @@
 // Plans that know materials when they group samples: by id, from a G-buffer; presets.
 #include "plan_support.h"
 
+#include "core/compile_glsl.h"
+#include "core/error.h"
+#include "core/glsl_text.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -119,6 +123,45 @@ TEST(GroupedPlan, TheTargetIsKnownBeforeItIsDrawn) {
     EXPECT_EQ(agaaQueryTarget(&view, &caps, nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
     target.structSize = 0;
     EXPECT_EQ(agaaQueryTarget(&view, &caps, nullptr, &target), AGAA_ERROR_STRUCT);
+}
+
+TEST(GroupedPlan, ExtensionsOfTheHostsCodeFollowTheVersion) {
+    AgaaFetchFunction fetch = fetchFunction();
+    fetch.glslExtensions = "#extension GL_EXT_nonuniform_qualifier : require\n";
+    AgaaShadowFunction shadow = AGAA_SHADOW_FUNCTION_INIT;
+    shadow.glsl = "float agaaHostShadow";
+    shadow.glslExtensions = "#extension GL_EXT_control_flow_attributes : require";
+    shadow.shadows = 1;
+    fetch.pNext = &shadow;
+    ViewSpec spec;
+    spec.shadowMaps = 1;
+    spec.chained = &fetch;
+    const std::string both = std::string("#line 1\n") + fetch.glslExtensions + "\n#line 100000\n#line 1\n" +
+                             shadow.glslExtensions + "\n#line 100000\n#define ";
+    const Pass pass = planFor(spec, fourSampleDevice()).passes.back();
+    EXPECT_NE(passGlsl(pass).find("#version 450\n" + both), std::string::npos) << passGlsl(pass).substr(0, 500);
+    EXPECT_NE(passGlslForOpenGl(pass, 430).find("#version 430\n" + both), std::string::npos);
+    EXPECT_EQ(pass.hostCodeOrigin, "AgaaFetchFunction::glsl and ::glslExtensions with "
+                                   "AgaaShadowFunction::glsl and ::glslExtensions");
+}
+
+// Compiled only: no software rasteriser here has the feature.
+TEST(GroupedPlan, BindlessTexturesCompile) {
+    AgaaFetchFunction fetch = fetchFunction();
+    fetch.glsl = "layout(set = 1, binding = 0) uniform sampler2D textures[];\n"
+                 "void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {}\n"
+                 "void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {\n"
+                 "    m.diffuse = textureLod(textures[nonuniformEXT(p.draw)], vec2(0.5), 0.0).rgb;\n"
+                 "}\n";
+    ViewSpec spec;
+    spec.chained = &fetch;
+    const auto words = [&] {
+        const Pass pass = planFor(spec, fourSampleDevice()).passes.back();
+        return compileCompute(passGlsl(pass), pass.hostCodeOrigin.c_str()).size();
+    };
+    EXPECT_THROW(words(), Error) << "without the extension";
+    fetch.glslExtensions = "#extension GL_EXT_nonuniform_qualifier : require";
+    EXPECT_GT(words(), 0u);
 }
 
 TEST(GroupedPlan, TheListFitsSharedMemory) {

@@ -38,6 +38,7 @@ void addLayout(Key& key, const AgaaLayout& layout) {
 
 void addFetchFunction(Key& key, const AgaaFetchFunction& function) {
     key.add(function.glsl);
+    key.add(function.glslExtensions);
     key.add(function.maxDraws);
     key.add(function.maxPrimitives);
     key.add(function.descriptorSetLayout);

@@ -5,6 +5,7 @@
 
 #include "core/handles.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <set>
 
@@ -110,6 +111,15 @@ TEST(GlMisuse, NeedsACurrentContext) {
               AGAA_ERROR_INVALID_ARGUMENT);
 }
 
+bool hasExtension(const GladGLContext& gl, const std::string& name) {
+    GLint count = 0;
+    gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i)
+        if (reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, GLuint(i))) == name)
+            return true;
+    return false;
+}
+
 TEST(GlMisuse, ViewsAreRefusedInASentence) {
     StageContext context;
     AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
@@ -137,6 +147,15 @@ TEST(GlMisuse, ViewsAreRefusedInASentence) {
         other = function;
         other.glsl = text;
         expect(&desc, AGAA_ERROR_INVALID_ARGUMENT, text);
+    }
+    if (hasExtension(sharedEgl().gl(), "GL_ARB_shader_group_vote")) {
+        other = function;
+        other.glsl = "float agaaHostShadow(uint shadow, vec3 p) { return anyInvocationARB(true) ? 1.0 : 0.0; }";
+        expect(&desc, AGAA_ERROR_INVALID_ARGUMENT, "without the extension");
+        other.glslExtensions = "#extension GL_ARB_shader_group_vote : require";
+        expect(&desc, AGAA_OK, "with the extension");
+    } else {
+        std::printf("Extensions of the host's code are not tried: no GL_ARB_shader_group_vote.\n");
     }
     EXPECT_NE(sharedEgl().takeMessages(), "") << "the driver tells of them too";
     desc.pNext = &function;

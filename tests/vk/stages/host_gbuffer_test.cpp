@@ -269,6 +269,7 @@ TEST(HostGBuffer, BadOnesAreRefusedInASentence) {
              positions[5] = std::numeric_limits<float>::quiet_NaN();
              f.samplePositions = positions;
          }},
+        {"extensions", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glslExtensions = "float x;"; }},
         {"another tier", AGAA_ERROR_UNSUPPORTED,
          [](auto&, auto& s) { s.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS; }},
         {"a technique that draws", AGAA_ERROR_UNSUPPORTED,

@@ -348,6 +348,7 @@ TEST(Ids, BadFunctionsAreRefusedInASentence) {
         {"no text", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glsl = nullptr; }},
         {"does not compile", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glsl = "float x = ;"; }},
         {"no function", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glsl = "float other;"; }},
+        {"extensions", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glslExtensions = "float x;"; }},
         {"size", AGAA_ERROR_STRUCT, [](auto& f, auto&) { f.structSize = 8; }},
         {"no draws", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&) { f.maxDraws = 0; }},
         {"no primitives", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&) { f.maxPrimitives = 0; }},

@@ -137,6 +137,32 @@ TEST(ShadowFunction, IsRefusedWhereTheHostShades) {
     }
 }
 
+TEST(ShadowFunction, MayNeedExtensions) {
+    StageContext context;
+    AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
+    function.glsl = "float agaaHostShadow(uint shadow, vec3 position) {\n"
+                    "    [[flatten]] if (position.x > 0.0) return 1.0;\n"
+                    "    return 0.0;\n"
+                    "}";
+    function.shadows = 1;
+    const ViewSettings settings = settingsFor("agaa", function, 1);
+    expectRefused(context, settings, AGAA_ERROR_INVALID_ARGUMENT, "without the extension");
+    for (const char* lines : {"#extension GL_EXT_control_flow_attributes : require",
+                              "\r\n#extension  GL_EXT_control_flow_attributes:enable \r\n\n"}) {
+        function.glslExtensions = lines;
+        EXPECT_NO_THROW(StageView(context, settings)) << lines;
+    }
+    function.glslExtensions = "#extension GL_EXT_no_such_extension : require";
+    const std::string unknown = expectRefused(context, settings, AGAA_ERROR_INVALID_ARGUMENT, "an unknown extension");
+    EXPECT_NE(unknown.find("::glslExtensions does not compile: 0:1:"), std::string::npos) << unknown;
+    for (const char* lines : {"float before;", "#extension GL_EXT_a : require \\", "#extension GL_EXT_a : require /*",
+                              "#extension GL_EXT_a : require\rfloat x;", "#define agaa_x 1"}) {
+        function.glslExtensions = lines;
+        EXPECT_NE(expectRefused(context, settings, AGAA_ERROR_INVALID_ARGUMENT, lines)
+                      .find("AgaaShadowFunction::glslExtensions has more than lines"), std::string::npos) << lines;
+    }
+}
+
 // What it returns is held in [0;1], and what is not a number counts as dark.
 TEST(ShadowFunction, ResultsAreContained) {
     StageContext context;
