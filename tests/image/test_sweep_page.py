@@ -292,6 +292,11 @@ class Shown(unittest.TestCase):
         wide = self.browser.run("[...document.querySelectorAll('.scroll')]"
                                 ".filter((one) => one.scrollWidth > one.clientWidth).length")
         self.assertGreater(wide, 3)
+        # Heads of rows stay while the rest is scrolled: they leave room for it.
+        widest = self.browser.run("[...document.querySelectorAll('tbody th')].map((one) => {"
+                                  " one.textContent = 'agaa n=8 c=2 (post-depth-atomics, scaled-target)';"
+                                  " return one.offsetWidth; }).sort((a, b) => b - a)[0]")
+        self.assertTrue(90 < widest <= 195, widest)
         # A page turned on its side, and back.
         for width in (844, 390):
             self.browser.resize(width, 844)
