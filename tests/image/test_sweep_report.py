@@ -69,20 +69,23 @@ class Written(unittest.TestCase):
         self.assertIsNone(few["backends"][0]["scenes"][0]["rows"][-1]["image"])
 
     def test_what_is_compared_first_is_whole_before_the_next_scene(self):
-        def row(technique, n, c, tier="post-depth-atomics"):
-            return {"technique": technique, "n": n, "c": c, "tiers": {"generation": tier},
-                    "image": f"{technique}-{n}-{c}-{tier}", "heat": f"{technique}-{n}-{c}-{tier}-events"}
+        def row(technique, n, c, tier="post-depth-atomics", preset=""):
+            name = f"{technique}-{n}-{c}-{tier}{preset}"
+            return {"technique": technique, "n": n, "c": c, "preset": preset, "tiers": {"generation": tier},
+                    "image": name, "heat": name + "-events"}
         rows = [row("single", 1, 0), row("ssaa", 8, 0), row("simple_complex", 8, 0), row("agaa", 8, 1),
-                row("agaa", 8, 2), row("agaa", 8, 2, "gbuffer")]
-        results = {"backends": [{"scenes": [{"referenceImage": "reference", "rows": copy.deepcopy(rows)}
-                                            for _ in range(2)]}]}
+                row("agaa", 8, 2), row("agaa", 8, 2, "gbuffer"), row("agaa", 8, 0, "ids", "accurate"),
+                row("agaa", 8, 0, preset="paper")]
+        results = {"backends": [{"scenes": [{"referenceImage": f"reference-{name}-{scene}", "rows": copy.deepcopy(rows)}
+                                            for scene in range(2)]} for name in ("vk", "gl")]}
         names = [holder[key] for _, holder, key in sweep_images.wanted(results)]
-        first = ["reference", "simple_complex-8-0-post-depth-atomics",
-                 "simple_complex-8-0-post-depth-atomics-events", "agaa-8-2-post-depth-atomics",
-                 "agaa-8-2-post-depth-atomics-events"]
-        self.assertEqual(names[:10], first + first)
-        self.assertEqual(names[10:12], 2 * ["ssaa-8-0-post-depth-atomics"])
-        self.assertEqual(len(names), 2 * (1 + 2 * len(rows)))
+        first = ["simple_complex-8-0-post-depth-atomics", "simple_complex-8-0-post-depth-atomics-events",
+                 "agaa-8-2-post-depth-atomics", "agaa-8-2-post-depth-atomics-events", "agaa-8-0-idsaccurate",
+                 "agaa-8-0-idsaccurate-events"]
+        for place, reference in enumerate(("vk-0", "vk-1", "gl-0", "gl-1")):
+            self.assertEqual(names[7 * place:7 * place + 7], ["reference-" + reference] + first)
+        self.assertEqual(names[28:32], 4 * ["ssaa-8-0-post-depth-atomics"])
+        self.assertEqual(len(names), 4 * (1 + 2 * len(rows)))
 
     def test_images_outside_the_folder_are_not_shown(self):
         (self.folder / "in").mkdir()

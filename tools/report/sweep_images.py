@@ -59,13 +59,16 @@ def read_image(folder, name):
 
 
 def rank(row):
-    """Place of a row's image in the queue for the page's room: agaa is 0, its first rival 1."""
+    """Place of a row's image in the queue for the page's room: agaa, and its best preset, are 0, its first rival 1."""
     n, c, technique = row.get("n"), row.get("c"), row.get("technique")
     place = FIRST_TECHNIQUES.index(technique) if technique in FIRST_TECHNIQUES else 7
     place += 10 * (FIRST_N.index(n) if n in FIRST_N else 0 if n in (0, 1, None) else 4)
     tiers = row.get("tiers")
-    if isinstance(tiers, dict) and tiers.get("generation") in ("gbuffer", "ids"):
-        place += 50  # looks as with two passes
+    tier = tiers.get("generation") if isinstance(tiers, dict) else None
+    if row.get("preset") == "accurate" and tier == "ids":
+        return place  # the best beside the paper's
+    if tier in ("gbuffer", "ids") or row.get("preset"):
+        place += 50  # looks as with two passes, or between the two
     return place + (0 if c in (0, 2, None) else 100)
 
 
@@ -75,21 +78,23 @@ def dicts(value):
 
 def wanted(results):
     """(place, holder, key) of every image that the page may show, the most wanted first: what a reader
-    compares first, scene by scene, then the rest over all scenes."""
+    compares first, scene by scene, of the backend that comes first, whose like the others draw; then of these; then
+    the rest over all scenes."""
     found = []
-    for backend in dicts(results.get("backends")):
+    for which, backend in enumerate(dicts(results.get("backends"))):
         for index, scene in enumerate(dicts(backend.get("scenes"))):
-            found.append(((-1, index), scene, "referenceImage"))
+            pair = (-1, which, index)
+            found.append((pair, scene, "referenceImage"))
             for row in dicts(scene.get("rows")):
-                first = rank(row) <= PAIR
-                found.append(((-1, index) if first else (rank(row), index), row, "image"))
-                found.append(((-1, index) if first else (rank(row) + 5, index), row, "heat"))
+                in_pair = rank(row) <= PAIR
+                found.append((pair if in_pair else (rank(row), which, index), row, "image"))
+                found.append((pair if in_pair else (rank(row) + 5, which, index), row, "heat"))
                 # The page subtracts any two images itself; it needs the written difference only
                 # where it has no reference to subtract.
                 if scene.get("referenceImage"):
                     row.pop("difference", None)
                 else:
-                    found.append(((rank(row) + 5, index), row, "difference"))
+                    found.append(((rank(row) + 5, which, index), row, "difference"))
     return sorted(found, key=lambda entry: entry[0])
 
 
