@@ -28,6 +28,7 @@ def main():
     parser.add_argument("--out", default="sweep", type=pathlib.Path)
     parser.add_argument("--size", default="640x360")
     parser.add_argument("--backend", action="append", choices=["vk", "gl"], help="repeatable; none: both")
+    parser.add_argument("--rounds", help="frames of each row; none: the usual number, 101 suits a GPU")
     parser.add_argument("--row", action="append", help="only these, as of agaa-harness sweep; repeatable")
     arguments = parser.parse_args()
     if not arguments.harness.exists():
@@ -35,6 +36,8 @@ def main():
     command = [arguments.harness, "sweep", "--size", arguments.size, "--out", arguments.out]
     for backend in arguments.backend or ["vk", "gl"]:
         command += ["--backend", backend]
+    if arguments.rounds:
+        command += ["--rounds", arguments.rounds]
     for row in arguments.row or []:
         command += ["--row", row]
     for scene in scenes():

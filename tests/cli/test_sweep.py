@@ -8,8 +8,8 @@ import harness
 
 ROW = ["technique", "n", "c", "shadingCost", "preset", "tiers", "frameMs", "passes", "stageMs", "geometryPasses",
        "bytesPerPixel", "peakBytesPerPixel", "eventsPerPixel", "eventsPerCoveredPixel",
-       "shadowTapsPerPixel", "errorSameSamples", "errorReference", "temporal", "path", "image",
-       "difference", "heat"]
+       "shadowTapsPerPixel", "aggregatesPerPixel", "primitivesPerPixel", "materialsPerPixel", "widenedLobesPerPixel",
+       "errorSameSamples", "errorReference", "temporal", "path", "image", "difference", "heat"]
 
 
 class Sweep(unittest.TestCase):
@@ -24,7 +24,8 @@ class Sweep(unittest.TestCase):
             cls.results = json.load(file)
 
     def test_fields(self):
-        self.assertEqual(self.results["schema"], 2)
+        self.assertEqual(self.results["schema"], 3)
+        self.assertEqual(self.results["rounds"], 7)
         self.assertTrue(self.results["quick"])
         backend = self.results["backends"][0]
         self.assertTrue(backend["device"] and backend["driver"])
@@ -38,7 +39,10 @@ class Sweep(unittest.TestCase):
                 for field in ROW:
                     self.assertIn(field, row)
                 self.assertGreater(row["frameMs"]["median"], 0)
-                self.assertGreaterEqual(row["frameMs"]["p95"], row["frameMs"]["median"])
+                times = row["frameMs"]
+                self.assertEqual(times["frames"], 7)
+                self.assertTrue(times["low"] <= times["median"] <= times["p95"] <= times["high"], times)
+                self.assertAlmostEqual(times["confidence"], 1 - 2 / 2**7)
                 self.assertGreater(row["errorReference"]["mseTm"], 0)
                 self.assertEqual(row["errorSameSamples"] is None,
                                  row["technique"] == "ssaa" or row["n"] == 1)

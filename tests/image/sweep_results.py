@@ -64,13 +64,14 @@ def make_row(scene, technique, n, c, cost, speed):
         "technique": technique, "n": n, "c": c, "shadingCost": cost, "preset": "",
         "tiers": {"visibility": "scaled-target", "generation": "post-depth-atomics"}
         if technique == "agaa" else {"visibility": "scaled-target"},
-        "frameMs": {"median": frame, "p95": 1.1 * frame},
+        "frameMs": {"median": frame, "p95": 1.1 * frame, "low": 0.9 * frame, "high": 1.2 * frame,
+                    "confidence": 0.984375, "frames": 7},
         "passes": [{"name": stage, "stage": stage, "ms": {"median": ms, "p95": ms}}
                    for stage, ms in stages.items()],
         "stageMs": stages, "geometryPasses": 2 if technique in ("agaa", "sbaa") else 1,
         "bytesPerPixel": size, "peakBytesPerPixel": 0.9 * size,
         "eventsPerPixel": share * 0.66, "eventsPerCoveredPixel": share,
-        "shadowTapsPerPixel": 4 * share,
+        "shadowTapsPerPixel": 4 * share, "aggregatesPerPixel": 1.5 * share,
         "errorSameSamples": error(merged) if n > 1 and technique != "ssaa" else None,
         "errorReference": error(aliasing + merged + 2e-5),
         "temporal": {"frames": 6, "biasSquared": 0.4 * aliasing + merged,
@@ -131,7 +132,7 @@ def make_results(folder):
              "errorReference": {"mseTm": 1e-3}, "image": "images/none.png"},
             {"technique": "newcomer", "n": 4, "frameMs": None, "errorReference": None},
             {}, None]})
-    return {"schema": 2, "quick": False, "size": "640x360", "backends": backends}
+    return {"schema": 3, "quick": False, "size": "640x360", "backends": backends}
 
 
 def write_results(folder, results):

@@ -97,7 +97,7 @@ class Shown(unittest.TestCase):
             self.browser.wait(f"charts.get('{box}').tooltip.opacity > 0")
             words = self.browser.run(f"""(() => {{ const tip = charts.get("{box}").tooltip;
                 return [...tip.title, ...tip.body.flatMap((part) => part.lines)].join("\\n"); }})()""")
-            for part in ["agaa n=8 c=2", "technique agaa, n 8, c 2", "post-depth-atomics"]:
+            for part in ["agaa n=8 c=2", "technique agaa, n 8, c 2", "post-depth-atomics", "(98 % of 7 frames)"]:
                 self.assertIn(part, words)
 
     def expected_equal_time(self, rows):

@@ -79,7 +79,7 @@ TEST(SweepEffects, AreCalledForByScenesThatHaveThem) {
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     facts.flags = 0;
     facts.shadowMapCount = 0;
-    const std::set<std::string> ofAnyScene = {"filtered-diffuse", "more-aggregates"};
+    const std::set<std::string> ofAnyScene = {"filtered-diffuse", "more-aggregates", "maximin-seeds", "fused"};
     for (const SweepEffect& effect : sweepEffects())
         EXPECT_EQ(isCalledFor(effect, scene, facts), ofAnyScene.contains(effect.name)) << effect.name;
     scene.materials.emplace_back();
@@ -111,6 +111,9 @@ TEST(SweepEffects, AreSwitchedOffByWhatTheyName) {
     EXPECT_EQ(off["elliptic-lobes"].litShadows, accurate.litShadows);
     EXPECT_EQ(off["gloss-weight"].glossWeight, 0.0f);
     EXPECT_EQ(off["more-aggregates"].aggregates, 2u);
+    EXPECT_EQ(off["maximin-seeds"].seeds, uint32_t(AGAA_SEEDS_SUM_OF_SQUARES));
+    EXPECT_TRUE(off["fused"].flags & AGAA_CONFIG_BUFFERED);
+    EXPECT_EQ(off["fused"].generationTier, uint32_t(AGAA_TIER_IDS));
 }
 
 } // namespace

@@ -54,6 +54,7 @@ struct SweepArguments {
     std::string size = "640x360";
     std::vector<std::string> rows; // none: all
     bool quick = false;
+    uint32_t rounds = 0; // 0: the usual number
 };
 
 void runCaps(const DeviceArguments& arguments, bool json);

@@ -40,7 +40,7 @@ json readResults(const fs::path& path, const json& fresh) {
     if (old.value("schema", json()) != fresh["schema"])
         throw std::runtime_error("The file " + path.string() +
                                  " is of another version of the sample engine; take another folder.");
-    for (const char* key : {"quick", "size", "rows"})
+    for (const char* key : {"quick", "rounds", "size", "rows"})
         if (old.value(key, json()) != fresh[key])
             throw std::runtime_error("The file " + path.string() +
                                      " is of a sweep with other arguments; take another folder.");
@@ -87,8 +87,9 @@ public:
     Sweep(const SweepArguments& arguments) : arguments_(arguments), out_(arguments.out) {
         fs::create_directories(out_ / "images");
         rows_ = arguments.rows.empty() ? sweepRows(arguments.quick) : namedSweepRows(arguments.rows);
-        results_ = readResults(out_ / "results.json", {{"schema", 2},
+        results_ = readResults(out_ / "results.json", {{"schema", 3},
                                                        {"quick", arguments.quick},
+                                                       {"rounds", options().rounds},
                                                        {"size", arguments.size},
                                                        {"rows", arguments.rows},
                                                        {"backends", json::array()}});
@@ -113,6 +114,8 @@ public:
     }
 
 private:
+    SweepOptions options() const { return sweepOptions(arguments_.quick, arguments_.rounds); }
+
     void measure(const Task& task, size_t index) {
         RenderArguments a;
         a.device.backend = task.backend;
@@ -127,7 +130,7 @@ private:
         const auto renderer = makeRenderer(a.device);
         renderer->load(scene);
         const std::string name = sceneName(task.scene);
-        SceneSweep sweep(*renderer, scene, settings, sweepOptions(arguments_.quick), rows_, references_,
+        SceneSweep sweep(*renderer, scene, settings, options(), rows_, references_,
                          out_ / "images", task.backend + "-" + name,
                          [&](const std::string& step, uint32_t done, uint32_t of) {
                              tell(task, name, step, double(index) + double(done) / of);

@@ -41,11 +41,12 @@ std::vector<SweepRow> sweepRows(bool quick) {
     }
     for (uint32_t s : {1u, 2u, 4u, 6u})
         rows.push_back({"sbaa", 8, s});
+    rows.push_back({"sbaa", 16, 2});
     for (uint32_t s : {2u, 4u})
         rows.push_back({"sbaa", 32, s});
     for (uint32_t n : {4u, 8u, 16u, 32u})
         for (uint32_t c : {1u, 2u, 4u})
-            if (c == 2 || n == 8 || (n == 32 && c == 4))
+            if (c == 2 || n == 8)
                 rows.push_back({"agaa", n, c});
     for (uint32_t n : {8u, 32u})
         for (AgaaTier tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
@@ -67,8 +68,9 @@ std::vector<SweepRow> sweepRows(bool quick) {
     };
     for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_IDS}})
         addHeavier(row, {4, 16});
-    for (const SweepRow& row : {SweepRow{"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}, {"simple_complex", 32}, {"agaa", 32, 2},
-                                {"agaa", 32, 2, 1, AGAA_TIER_IDS}})
+    for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"sbaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
+                                {"agaa", 8, 4, 1, AGAA_TIER_GBUFFER, "accurate"}, {"simple_complex", 32},
+                                {"agaa", 32, 2}, {"agaa", 32, 2, 1, AGAA_TIER_GBUFFER}, {"agaa", 32, 2, 1, AGAA_TIER_IDS}})
         addHeavier(row, {4});
     return rows;
 }
@@ -119,6 +121,12 @@ const std::vector<SweepEffect>& sweepEffects() {
          .off = [](AgaaConfig& config) { config.glossWeight = 0; },
          .row = accurate},
         {.name = "more-aggregates", .off = [](AgaaConfig& config) { config.aggregates = 2; }, .row = accurate},
+        {.name = "maximin-seeds",
+         .off = [](AgaaConfig& config) { config.seeds = AGAA_SEEDS_SUM_OF_SQUARES; },
+         .row = accurate},
+        {.name = "fused",
+         .off = [](AgaaConfig& config) { config.flags |= AGAA_CONFIG_BUFFERED; },
+         .row = {"agaa", 8, 2, 1, AGAA_TIER_IDS}},
     };
     return effects;
 }

@@ -9,10 +9,13 @@ namespace harness {
 
 using nlohmann::json;
 
-SweepOptions sweepOptions(bool quick) {
+SweepOptions sweepOptions(bool quick, uint32_t rounds) {
+    SweepOptions options;
     if (quick)
-        return {.rounds = 5, .timedRounds = 2, .pathFrames = 0, .referenceSamples = 64, .temporalSamples = 0};
-    return {};
+        options = {.timedRounds = 2, .effectRounds = 2, .pathFrames = 0, .referenceSamples = 64, .temporalSamples = 0};
+    if (rounds)
+        options.rounds = options.timedRounds = options.effectRounds = rounds;
+    return options;
 }
 
 namespace {
@@ -20,9 +23,18 @@ namespace {
 // Heavier lighting does not change the image.
 bool isHeavier(const SweepRow& row) { return row.shadingCost > 1; }
 
-json temporalJson(const TemporalAccumulator& accumulator) {
+json timesJson(const std::vector<double>& milliseconds) {
+    const MedianBounds bounds = medianBounds(milliseconds);
+    return {{"median", quantile(milliseconds, 0.5)}, {"p95", quantile(milliseconds, 0.95)},
+            {"low", bounds.low},                     {"high", bounds.high},
+            {"confidence", bounds.confidence},       {"frames", milliseconds.size()}};
+}
+
+// noise: the sum of the references' own errors.
+json temporalJson(const TemporalAccumulator& accumulator, double noise) {
     const TemporalError error = accumulator.result();
     return {{"frames", accumulator.count()},
+            {"referenceMseTm", noise / accumulator.count()},
             {"biasSquared", error.biasSquared},
             {"variance", error.variance},
             {"flicker", error.flicker}};
@@ -173,15 +185,17 @@ void SceneSweep::measureFrames() {
         step("times of frames");
         base_.jitter = pixelOffset(round);
         const Reference* reference = options_.temporalSamples ? &temporalReference("shift", round) : nullptr;
-        takeTurn(round, 0, round < options_.heavierRounds, [&](Measured& m, RenderResult& result) {
+        takeTurn(round, 0, true, [&](Measured& m, RenderResult& result) {
             m.frameMs.insert(m.frameMs.end(), result.frameMs.begin(), result.frameMs.end());
-            if (reference && !isHeavier(m.row))
-                shifts[&m].add(result.image, reference->image);
+            if (!reference || isHeavier(m.row))
+                return;
+            shifts[&m].add(result.image, reference->image);
+            m.shiftNoise += reference->splitHalfMseTm;
         });
     }
     for (Measured& m : rows_)
         if (shifts.count(&m))
-            m.temporal = temporalJson(shifts[&m]);
+            m.temporal = temporalJson(shifts[&m], m.shiftNoise);
     base_ = still;
 }
 
@@ -207,9 +221,10 @@ void SceneSweep::measurePath() {
             base_.camera = pathCamera(still.camera, frame, base_.height);
             const Reference& reference = temporalReference("path", frame);
             path.add(render(m.row).image, reference.image);
+            m.pathNoise += reference.splitHalfMseTm;
         }
         if (path.count())
-            m.path = temporalJson(path);
+            m.path = temporalJson(path, m.pathNoise);
     }
     base_ = still;
 }
@@ -230,8 +245,7 @@ json SceneSweep::ablation() {
         const bool calledFor = isCalledFor(effect, scene_, facts);
         std::vector<double> ms[2];
         double error[2] = {};
-        for (uint32_t round = 0; round < (effect.ofNormalMaps && !calledFor ? 0 : 2 * options_.timedRounds);
-             ++round) {
+        for (uint32_t round = 0; round < 2 * options_.effectRounds; ++round) {
             const bool off = (round % 4 == 1) || (round % 4 == 2); // A B B A
             RenderSettings settings = base_;
             effect.row.apply(settings.config);
@@ -239,22 +253,19 @@ json SceneSweep::ablation() {
                 effect.off(settings.config);
             else if (off)
                 settings.facts.flags &= ~effect.fact;
-            if (effect.ofNormalMaps)
+            if (effect.ofNormalMaps && calledFor)
                 renderer_.load(off ? bare : scene_);
             renderer_.render(settings);
             const RenderResult result = renderer_.render(settings);
             ms[off].push_back(result.frameMs.back());
             error[off] = compareImages(reference, result.image).mseTm;
         }
-        if (effect.ofNormalMaps)
+        if (effect.ofNormalMaps && calledFor)
             renderer_.load(scene_);
-        const auto side = [&](int which) {
-            return json{{"frameMs", {{"median", quantile(ms[which], 0.5)}, {"p95", quantile(ms[which], 0.95)}}},
-                        {"mseTm", error[which]}};
-        };
-        if (!ms[0].empty())
-            list.push_back({{"effect", effect.name}, {"n", effect.row.samples}, {"c", effect.row.aggregates},
-                            {"preset", effect.row.preset}, {"calledFor", calledFor}, {"on", side(0)}, {"off", side(1)}});
+        const auto side = [&](int which) { return json{{"frameMs", timesJson(ms[which])}, {"mseTm", error[which]}}; };
+        list.push_back({{"effect", effect.name}, {"n", effect.row.samples}, {"c", effect.row.aggregates},
+                        {"preset", effect.row.preset}, {"tier", agaaTierName(effect.row.generationTier)},
+                        {"calledFor", calledFor}, {"on", side(0)}, {"off", side(1)}});
     }
     return list;
 }
@@ -268,9 +279,6 @@ std::string SceneSweep::writeImage(const std::string& name, const Image& image) 
 }
 
 json SceneSweep::rowJson(const Measured& m) const {
-    const auto quantiles = [](const std::vector<double>& values) {
-        return json{{"median", quantile(values, 0.5)}, {"p95", quantile(values, 0.95)}};
-    };
     json passes = json::array();
     std::map<std::string, double> stages;
     const AgaaFrameStatistics& first = m.timed.front();
@@ -280,7 +288,7 @@ json SceneSweep::rowJson(const Measured& m) const {
             values.push_back(frame.passes[i].milliseconds);
         const char* stage = agaaStageName(first.passes[i].stage);
         passes.push_back({{"name", first.passes[i].name}, {"stage", stage},
-                          {"ms", first.passes[i].isTimed ? quantiles(values) : json()}});
+                          {"ms", first.passes[i].isTimed ? timesJson(values) : json()}});
         stages[stage] += quantile(values, 0.5);
     }
     json tiers = json::object();
@@ -294,7 +302,7 @@ json SceneSweep::rowJson(const Measured& m) const {
             {"shadingCost", m.row.shadingCost},
             {"preset", m.row.preset},
             {"tiers", tiers},
-            {"frameMs", quantiles(m.frameMs)},
+            {"frameMs", timesJson(m.frameMs)},
             {"passes", passes},
             {"stageMs", stages},
             {"geometryPasses", m.still.statistics.back().geometryPasses},
@@ -304,6 +312,10 @@ json SceneSweep::rowJson(const Measured& m) const {
             {"eventsPerCoveredPixel",
              c.shadedPixels ? double(c.shadingEvents) / double(c.shadedPixels) : 0.0},
             {"shadowTapsPerPixel", double(c.shadowTaps) / pixels},
+            {"aggregatesPerPixel", double(c.aggregates) / pixels},
+            {"primitivesPerPixel", double(c.primitives) / pixels},
+            {"materialsPerPixel", double(c.materials) / pixels},
+            {"widenedLobesPerPixel", double(c.widenedLobes) / pixels},
             {"errorSameSamples", m.errorSameSamples},
             {"errorReference", m.errorReference},
             {"temporal", m.temporal},

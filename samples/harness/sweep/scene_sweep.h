@@ -14,16 +14,18 @@
 namespace harness {
 
 struct SweepOptions {
-    uint32_t rounds = 4;      // of frames without times of passes, each shifted by another part of a pixel; the
+    uint32_t rounds = 7;      // of frames without times of passes, each shifted by another part of a pixel; the
                               // rows take turns, forth and back
-    uint32_t timedRounds = 2; // of frames with them
-    uint32_t heavierRounds = 2, heavierTimedRounds = 1; // as many of these are with the rows of heavier lighting too
+    uint32_t timedRounds = 7; // of frames with them
+    uint32_t heavierTimedRounds = 2; // as many of these are with the rows of heavier lighting too
+    uint32_t effectRounds = 7; // of frames with an effect, and of frames without it
     uint32_t pathFrames = 3;  // of a camera path
     uint32_t pathSamples = 8; // rows of more samples do not walk it
     uint32_t referenceSamples = 512;
     uint32_t temporalSamples = 32; // of the references of shifts and of the path; 0: no errors over time
 };
-SweepOptions sweepOptions(bool quick);
+// rounds: 0: the usual number, which is for software rasterisers; a GPU has time for 101.
+SweepOptions sweepOptions(bool quick, uint32_t rounds = 0);
 
 class SceneSweep {
 public:
@@ -46,6 +48,7 @@ private:
         std::vector<AgaaFrameStatistics> timed;
         RenderResult still; // one frame as it is
         AgaaCounters counters{};
+        double shiftNoise = 0, pathNoise = 0; // sums of the references' own errors
         nlohmann::json errorSameSamples, errorReference, temporal, path;
         nlohmann::json imageFile, differenceFile, heatFile;
     };

@@ -15,6 +15,12 @@ const rowsOf = (scene) => dicts(field(scene, "rows"));
 const costOf = (row) => finite(row.shadingCost) ?? 1;
 const rowsAt = (scene, cost) => rowsOf(scene).filter((row) => costOf(row) === cost);
 const frameMs = (row) => finite(field(row, "frameMs", "median"));
+// Between what the median of such frames lies; nothing where it was not asked.
+function boundsText(times) {
+    const [low, high, confidence] = ["low", "high", "confidence"].map((key) => finite(times?.[key]));
+    return low === null || high === null || confidence === null ? null
+        : `${msText(low)} to ${msText(high)} ms (${Math.floor(confidence * 100)} % of ${times.frames} frames)`;
+}
 const samplesOf = (row) => finite(row.n) ?? 0;
 const techniqueOf = (row) => String(row.technique ?? "unnamed");
 const unique = (values) => [...new Set(values)];

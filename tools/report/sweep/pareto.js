@@ -12,6 +12,7 @@ function pointTooltip() {
                     `technique ${techniqueOf(row)}, n ${row.n ?? MISSING}, ${row.technique === "sbaa" ? "S" : "c"} ${row.c || MISSING}`,
                     tiersOf(row) && `tiers: ${tiersOf(row)}`,
                     `frame ${msText(frameMs(row))} ms (p95 ${msText(field(row, "frameMs", "p95"))})`,
+                    boundsText(row.frameMs),
                     `mseTm ${error(METRICS.mseTm)}, FLIP ${error(METRICS.flip)}`,
                     row.errorSameSamples && `against ssaa: mseTm ${error(METRICS["mseTm-ssaa"])}`,
                     `${significant(row.bytesPerPixel)} bytes, ${significant(row.eventsPerPixel)} events a pixel`,

@@ -58,15 +58,16 @@ function showMemory(rows) {
     fill("memory", tableOf("Memory of a technique's buffers and the work of a frame. ÷ sbaa sets agaa at c beside sbaa at "
         + "S = c; MiB are of 1920×1080 pixels.",
     ["<row", "bytes/px", "peak", "MiB", "÷ ssaa", "÷ sbaa", "events/px", "of covered", "shadow taps/px", "geometry passes",
-        "frame ms", "p95", "<tiers"],
+        "aggregates/px", "primitives/px", "materials/px", "widened/px", "frame ms", "p95", "<median within", "<tiers"],
     sortedRows(rows).map((row) => [
         label(row), significant(bytes(row)), significant(finite(row.peakBytesPerPixel)),
         bytes(row) === null ? MISSING : (bytes(row) * 1920 * 1080 / (1 << 20)).toFixed(0),
         ratioText(ratio(bytes(row), bytes(find(rows, "ssaa", row.n)))),
         row.technique === "agaa" ? ratioText(ratio(bytes(row), bytes(find(rows, "sbaa", row.n, row.c)))) : MISSING,
         significant(row.eventsPerPixel), significant(row.eventsPerCoveredPixel), significant(row.shadowTapsPerPixel),
-        significant(row.geometryPasses), msText(frameMs(row)), msText(field(row, "frameMs", "p95")),
-        tiersOf(row) || MISSING])));
+        significant(row.geometryPasses), significant(row.aggregatesPerPixel), significant(row.primitivesPerPixel),
+        significant(row.materialsPerPixel), significant(row.widenedLobesPerPixel), msText(frameMs(row)),
+        msText(field(row, "frameMs", "p95")), boundsText(row.frameMs) ?? MISSING, tiersOf(row) || MISSING])));
 }
 
 function removedText(on, off, gap) {
@@ -94,9 +95,10 @@ function showAblation(backend) {
         entries.map(({scene, entry}) => {
             const ms = (side) => finite(field(entry, side, "frameMs", "median"));
             const error = (side) => finite(field(entry, side, "mseTm"));
+            const of = [entry.preset, entry.tier === "auto" ? "" : entry.tier].filter(Boolean);
             const verdict = removedText(error("on"), error("off"), smallestGap(scene, METRICS.mseTm));
             return [String(entry.effect ?? "unnamed"), String(scene.name ?? MISSING), entry.calledFor ? "yes" : "no",
-                significant(entry.n), significant(entry.c) + (entry.preset ? ` (${entry.preset})` : ""), msText(ms("on")), msText(ms("off")),
+                significant(entry.n), significant(entry.c) + (of.length ? ` (${of.join(", ")})` : ""), msText(ms("on")), msText(ms("off")),
                 ratioText(ratio(ms("on"), ms("off"))), errorText(error("on"), METRICS.mseTm),
                 errorText(error("off"), METRICS.mseTm), {text: verdict, className: verdict.startsWith("removes") ? "best" : ""}];
         })));
