@@ -74,7 +74,7 @@ def make_row(scene, technique, n, c, cost, speed):
         "shadowTapsPerPixel": 4 * share, "aggregatesPerPixel": 1.5 * share,
         "errorSameSamples": error(merged) if n > 1 and technique != "ssaa" else None,
         "errorReference": error(aliasing + merged + 2e-5),
-        "temporal": {"frames": 6, "biasSquared": 0.4 * aliasing + merged,
+        "temporal": {"frames": 6, "referenceMseTm": 2.5e-6, "biasSquared": 0.4 * aliasing + merged,
                      "variance": 0.6 * aliasing, "flicker": 1 + 150 * aliasing}
         if first and n in (1, 8) else None,
         "path": {"frames": 6, "biasSquared": 0.1 * aliasing + merged,

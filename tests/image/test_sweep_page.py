@@ -97,8 +97,17 @@ class Shown(unittest.TestCase):
             self.browser.wait(f"charts.get('{box}').tooltip.opacity > 0")
             words = self.browser.run(f"""(() => {{ const tip = charts.get("{box}").tooltip;
                 return [...tip.title, ...tip.body.flatMap((part) => part.lines)].join("\\n"); }})()""")
-            for part in ["agaa n=8 c=2", "technique agaa, n 8, c 2", "post-depth-atomics", "(98 % of 7 frames)"]:
+            for part in ["agaa n=8 c=2", "technique agaa, n 8, c 2", "post-depth-atomics", "(98 % of 7 frames)", "in 95 % of pixels below", " dB at a peak of 1"]:
                 self.assertIn(part, words)
+
+    def test_stages_tell_their_passes_and_time_its_references(self):
+        self.open()
+        words = self.browser.run("passesText({passes: [{name: 'clear', stage: 'generation', ms: {median: 0.5, p95: 0.6}},"
+                                 " {name: 'generate', stage: 'generation', ms: {median: 40, p95: 50}},"
+                                 " {name: 'shade', stage: 'shading', ms: {median: 9, p95: 9}},"
+                                 " {name: 'untimed', stage: 'generation', ms: null}]}, 'generation')")
+        self.assertEqual(words, ["clear 0.50 ms (p95 0.60)", "generate 40.0 ms (p95 50.0)"])
+        self.assertIn("2.5e-6", self.browser.run("document.getElementById('temporal-note').textContent"))
 
     def expected_equal_time(self, rows):
         """The rows of the table, worked out anew: {budget: {technique: (error, n, c)}}."""

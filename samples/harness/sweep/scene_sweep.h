@@ -18,7 +18,7 @@ struct SweepOptions {
                               // rows take turns, forth and back
     uint32_t timedRounds = 7; // of frames with them
     uint32_t heavierTimedRounds = 2; // as many of these are with the rows of heavier lighting too
-    uint32_t effectRounds = 7; // of frames with an effect, and of frames without it
+    uint32_t effectRounds = 4; // of frames with an effect, and of frames without it
     uint32_t pathFrames = 3;  // of a camera path
     uint32_t pathSamples = 8; // rows of more samples do not walk it
     uint32_t referenceSamples = 512;

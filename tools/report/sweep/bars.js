@@ -2,7 +2,8 @@
 
 const BAR_HEIGHT = 24;
 
-function drawBars(id, words, rows, datasets, title, plugins = []) {
+// tip: words for a bar of the dataset named; else its number.
+function drawBars(id, words, rows, datasets, title, {plugins = [], tip = null} = {}) {
     drawChart(id, words, {
         type: "bar",
         data: {labels: rows.map(label), datasets},
@@ -18,12 +19,19 @@ function drawBars(id, words, rows, datasets, title, plugins = []) {
                 legend: {display: datasets.length > 1, position: "top", labels: {boxWidth: 12, boxHeight: 12}},
                 tooltip: {
                     filter: (item) => item.raw > 0,
-                    callbacks: {label: (item) => `${item.dataset.label} ${significant(item.raw)}`},
+                    callbacks: {label: (item) => tip?.(rows[item.dataIndex], item.dataset.label)
+                        ?? `${item.dataset.label} ${significant(item.raw)}`},
                 },
             },
             datasets: {bar: {categoryPercentage: 0.9, barPercentage: 0.85}},
         },
     }, 90 + BAR_HEIGHT * rows.length);
+}
+
+// A stage's passes, one by one.
+function passesText(row, stage) {
+    const passes = dicts(row.passes).filter((pass) => pass.stage === stage && finite(field(pass, "ms", "median")) !== null);
+    return passes.length ? passes.map(({name, ms}) => `${name} ${msText(ms.median)} ms (p95 ${msText(ms.p95)})`) : null;
 }
 
 function showStages(backend, rows) {
@@ -47,7 +55,7 @@ function showStages(backend, rows) {
     drawBars("stages", "Time of each stage by row", shown, used.map((stage) => ({
         label: stage, data: shown.map((row) => stagesOf(row)[stage] ?? 0),
         backgroundColor: tone(STAGE_COLOURS[stage]),
-    })), "ms, medians of passes");
+    })), "ms, medians of passes", {tip: passesText});
 }
 
 // A line at 1: what flickers as the reference does ends there.
@@ -87,13 +95,18 @@ function showOverTime(rows, kind, errorId, flickerId, words) {
         drawBars(flickerId, `Flicker ${words} by row`, flickering, [{label: "flicker",
             data: flickering.map((row) => row[kind].flicker),
             backgroundColor: flickering.map((row) => styleOf(techniqueOf(row)).color)}],
-        "standard deviation over time by the reference's", [steadyLine]);
+        "standard deviation over time by the reference's", {plugins: [steadyLine]});
     } else {
         noChart(flickerId, `This sweep has not measured flicker ${words}.`);
     }
 }
 
 function showTemporal(rows) {
+    const noise = ["temporal", "path"].flatMap((kind) => rows.map((row) => finite(field(row, kind, "referenceMseTm"))))
+        .filter((value) => value !== null);
+    byId("temporal-note").textContent = noise.length
+        ? `References over time have fewer samples than the still one: they add up to ${Math.max(...noise).toExponential(1)} `
+            + "to bias² or variance, and gaps below ten times that are none." : "";
     showOverTime(rows, "temporal", "temporal", "flicker", "over sub-pixel shifts");
     showOverTime(rows, "path", "path", "path-flicker", "along a camera path");
 }

@@ -62,6 +62,8 @@ const METRICS = {
     "mseTm-ssaa": {name: "mseTm against ssaa at the same n", against: "errorSameSamples", key: "mseTm"},
     "flip": {name: "FLIP against the reference", against: "errorReference", key: "flip"},
     "flip-ssaa": {name: "FLIP against ssaa at the same n", against: "errorSameSamples", key: "flip"},
+    "flipP95": {name: "FLIP, 95th percentile, against the reference", against: "errorReference", key: "flipP95"},
+    "relMse": {name: "relMSE against the reference, linear", against: "errorReference", key: "relMse"},
 };
 const errorOf = (row, metric) => finite(field(row, metric.against, metric.key));
 // Techniques of different n can be set beside each other only by the one reference.
@@ -83,7 +85,11 @@ function significant(value, digits = 3) {
 }
 // Errors of a table share one notation, so that their orders of magnitude line up.
 const errorText = (value, metric) => finite(value) === null ? MISSING
-    : metric.key === "flip" ? value.toFixed(4) : value.toExponential(2);
+    : metric.key.startsWith("flip") ? value.toFixed(4) : value.toExponential(2);
+function psnrText(error) {
+    const [psnr, peak] = ["psnr", "psnrPeak"].map((key) => finite(error?.[key]));
+    return psnr === null || peak === null ? null : `PSNR ${psnr.toFixed(1)} dB at a peak of ${significant(peak)}`;
+}
 const msText = (value) => finite(value) === null ? MISSING : value.toFixed(value < 10 ? 2 : 1);
 const ratioText = (value) => finite(value) === null ? MISSING : value.toFixed(2) + "×";
 const ratio = (a, b) => finite(a) === null || finite(b) === null || b === 0 ? null : a / b;

@@ -13,7 +13,9 @@ function pointTooltip() {
                     tiersOf(row) && `tiers: ${tiersOf(row)}`,
                     `frame ${msText(frameMs(row))} ms (p95 ${msText(field(row, "frameMs", "p95"))})`,
                     boundsText(row.frameMs),
-                    `mseTm ${error(METRICS.mseTm)}, FLIP ${error(METRICS.flip)}`,
+                    `mseTm ${error(METRICS.mseTm)}, FLIP ${error(METRICS.flip)}, in 95 % of pixels below `
+                        + error(METRICS.flipP95),
+                    psnrText(row.errorReference),
                     row.errorSameSamples && `against ssaa: mseTm ${error(METRICS["mseTm-ssaa"])}`,
                     `${significant(row.bytesPerPixel)} bytes, ${significant(row.eventsPerPixel)} events a pixel`,
                 ].filter((line) => line);
