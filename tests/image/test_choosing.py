@@ -49,6 +49,13 @@ class Choosing(unittest.TestCase):
         self.scene["rows"] = self.scene["rows"][:1]
         self.assertIn("none (1)", choosing.how_often([self.scene, scene(name="city")])[2])
 
+    def test_losses_are_those_of_simple_complex(self):
+        rows = [{"technique": technique, "n": 8, "c": 0, "shadingCost": 1, "tiers": {}, "preset": "",
+                 "errorSameSamples": {"flip": flip, "flipP95": 4 * flip}}
+                for technique, flip in (("sbaa", 0.5), ("simple_complex", 0.01234))]
+        self.assertEqual(choosing.loss_rows([{"name": "city", "rows": rows}, {"name": "metal", "rows": rows[:1]}]),
+                         [["city", "not measured", "0.0123, 0.0494", "not measured", "not measured"]])
+
     def test_presets_are_beside_the_papers(self):
         rows = []
         for i, (preset, by) in enumerate(choosing.PRESETS):
