@@ -261,6 +261,10 @@ class Shown(unittest.TestCase):
         self.assertEqual(line[:2], [f"{shading:.2f}×", "3.50×"])
         self.assertRegex(line[2], "^no: .*software rasteriser")
         self.assertEqual(ratios["memory, agaa c=2 / sbaa S=2, n = 8"][:2], ["0.81×", "0.81×"])
+        merged = rows["sbaa", 8, 4]["errorReference"]["mse"] / rows["msaa", 8, 0]["errorReference"]["mse"]
+        self.assertEqual(ratios["MSE against the reference, sbaa S=4 / msaa, n = 8"][:2], [f"{merged:.2f}×", "1.71×"])
+        filtered = rows["fxaa", 1, 0]["frameMs"]["median"] / rows["single", 1, 0]["frameMs"]["median"]
+        self.assertEqual(ratios["frame time, fxaa / single"][:2], [f"{filtered:.2f}×", "1.03×"])
         effects = {tuple(line[:3]): line[-1] for line in self.rows("#ablation")}
         self.assertEqual(effects["shadow-filter", "bamboo", "yes"], "removes 56 %")
         self.assertEqual(effects["ndf-widening", "bamboo", "no"], "no difference")

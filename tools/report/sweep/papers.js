@@ -77,7 +77,21 @@ function ratioRows(backend, scene, rows, cost) {
         for (const s of [2, 4])
             errorRatios(scene, rows, n, s, add);
     }
+    relativesRatios(scene, rows, add);
     return out;
+}
+
+// Of Wang et al. 2016 (DCAA), table 1, and Holländer et al. 2013, table 1.
+function relativesRatios(scene, rows, add) {
+    const mse = (row) => finite(field(row, "errorReference", "mse"));
+    const {mse: theirs} = paperFigures.dcaa, byMsaa = ({sbaa4, msaa8}) => sbaa4 / msaa8;
+    const all = Object.values(theirs).map(byMsaa);
+    add("MSE against the reference, sbaa S=4 / msaa, n = 8", ratio(mse(find(rows, "sbaa", 8, 4)), mse(find(rows, "msaa", 8))),
+        theirs[scene.name] ? byMsaa(theirs[scene.name]) : `${Math.min(...all).toFixed(2)} to ${Math.max(...all).toFixed(2)}×`,
+        "partly: Wang et al., 512 samples a pixel too, other scenes, 1920x1080; their colours end at 1, ours are linear light");
+    const frame = (technique) => frameMs(find(rows, technique, 1) ?? {});
+    add("frame time, fxaa / single", ratio(frame("fxaa"), frame("single")),
+        paperFigures.adaptive.fxaaMs / paperFigures.adaptive.singleMs, "no: Holländer et al., GTX 480, 1024x768, another scene");
 }
 
 function errorRatios(scene, rows, n, s, add) {
