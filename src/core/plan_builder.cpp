@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace agaa {
 
@@ -309,12 +310,20 @@ void PlanBuilder::listEffects() {
     if (plan.aggregates) {
         if (plan.facts.shadowMapCount && constants_[AGAA_SHADOW_FILTER])
             effect("shadow-filter");
-        if (plan.config.litShadows)
+        if (plan.config.litShadows) {
             effect("lit-aggregates");
+            note(format("lit aggregates: shadows looked up at each sample: %d, up to %u taps a pixel and light; the "
+                        "second means are in registers, no bytes in memory.",
+                        std::popcount(plan.config.litShadows), plan.config.samples));
+        }
         if (constants_[AGAA_FILTER_DIFFUSE])
             effect("filtered-diffuse");
         if (constants_[AGAA_NDF] && plan.layout.has(AGAA_SEMANTIC_SPECULAR))
             effect("ndf-widening");
+        if (plan.config.ndf > AGAA_NDF_TOKSVIG)
+            effect("elliptic-lobes");
+        if (constants_[AGAA_GLOSS_WEIGHT] && plan.layout.has(AGAA_SEMANTIC_SPECULAR))
+            effect("gloss-weight");
     }
 }
 

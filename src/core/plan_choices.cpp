@@ -65,7 +65,7 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
         plan.generationTier = AGAA_TIER_IDS;
         note(plan.someUnfetched
                  ? "generation: materials are fetched by the ids that the first geometry pass leaves; draws that "
-                   "cannot be fetched are drawn again, into a multisampled G-buffer."
+                   "cannot be fetched (AGAA_FETCH_NOT_ALL_DRAWS) are drawn again, into a whole multisampled G-buffer."
                  : "generation: materials are fetched by the ids that the only geometry pass leaves.");
         return;
     }

@@ -72,6 +72,7 @@ TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
     EXPECT_EQ(lit.generationTier, AGAA_TIER_GBUFFER);
     EXPECT_TRUE(has(lit.notes, "lit shadows"));
     EXPECT_TRUE(has(lit.effects, "lit-aggregates"));
+    EXPECT_TRUE(has(lit.notes, "shadows looked up at each sample: 1, up to 8 taps")) << "its price";
     spec.shadowMaps = 0; // an effect that the scene does not call for
     const Plan dark = planFor(spec, fourSampleDevice());
     EXPECT_EQ(dark.config.litShadows, 0u);
@@ -87,9 +88,12 @@ TEST(GroupedPlan, EllipticLobesWantEachNormal) {
         EXPECT_EQ(plan.generationTier, AGAA_TIER_GBUFFER);
         EXPECT_TRUE(has(plan.notes, "elliptic lobes"));
         EXPECT_TRUE(has(plan.effects, "ndf-widening"));
+        EXPECT_TRUE(has(plan.effects, "elliptic-lobes"));
+        EXPECT_FALSE(has(plan.effects, "gloss-weight"));
         spec.facts &= ~AGAA_FACT_SPECULAR; // no lobe, no wish
         const Plan dull = planFor(spec, fourSampleDevice());
         EXPECT_EQ(dull.config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
+        EXPECT_FALSE(has(dull.effects, "elliptic-lobes"));
         EXPECT_EQ(dull.generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
         spec.change = [=](AgaaConfig& config) { // where nothing is aggregated, nothing is widened
             config.ndf = ndf;
