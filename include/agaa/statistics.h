@@ -19,8 +19,8 @@ typedef struct AgaaCounters {
     uint64_t multi;         /* accumulated by a further aggregate, or where nothing is visible */
     uint64_t ties;          /* sample writes refused because an equal depth came first; counted by
                                NO_STENCIL and by masked materials, hidden by the stencil test */
-    uint64_t sanitised;     /* fragments with a non-finite attribute; by id, also materials of a draw or primitive
-                               that AgaaFetchFunction did not announce */
+    uint64_t sanitised;     /* fragments, and materials fetched, with a non-finite attribute; by id, also fragments
+                               of a draw or primitive that AgaaFetchFunction did not announce */
     uint64_t shadingEvents; /* full lighting evaluations of a sample or an aggregate */
     uint64_t shadowTaps;
     uint64_t widenedLobes;  /* events whose specular lobe the NDF widened */

@@ -32,7 +32,7 @@ inline MedianBounds medianBounds(std::vector<double> values, double wanted = 0.9
     const size_t n = values.size();
     double term = std::pow(0.5, double(n)), tail = term; // that at most k lie below
     size_t k = 0;
-    while (k + 1 < n - 1 - (k + 1)) {
+    while (2 * (k + 1) + 1 < n) {
         term *= double(n - k) / double(k + 1);
         if (1 - 2 * (tail + term) < wanted)
             break;
