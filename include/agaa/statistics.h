@@ -19,8 +19,7 @@ typedef struct AgaaCounters {
     uint64_t multi;         /* accumulated by a further aggregate, or where nothing is visible */
     uint64_t ties;          /* sample writes refused because an equal depth came first; counted by
                                NO_STENCIL and by masked materials, hidden by the stencil test */
-    uint64_t sanitised;     /* fragments, and materials fetched, with a non-finite attribute; by id, also fragments
-                               of a draw or primitive that AgaaFetchFunction did not announce */
+    uint64_t sanitised;     /* fragments, and materials fetched, with a non-finite attribute */
     uint64_t shadingEvents; /* full lighting evaluations of a sample or an aggregate */
     uint64_t shadowTaps;
     uint64_t widenedLobes;  /* events whose specular lobe the NDF widened */
@@ -31,6 +30,8 @@ typedef struct AgaaCounters {
     uint64_t materials;  /* tier IDS: fetched, each for the samples of a primitive in a pixel */
     uint64_t misplaced; /* fragments of the first geometry pass that do not lie where the camera puts them;
                            few of slivers, whose positions extrapolate */
+    uint64_t unannounced; /* tier IDS: fragments of a draw or primitive beyond what AgaaFetchFunction announced; they
+                             show the last announced */
 } AgaaCounters;
 
 #define AGAA_MAX_PASSES 16
@@ -67,7 +68,7 @@ typedef struct AgaaFrameStatistics {
 } AgaaFrameStatistics;
 #define AGAA_FRAME_STATISTICS_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0,           \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, {{{0}, 0, 0, 0.0}}, 0, 0, 0, 0, 0}
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, {{{0}, 0, 0, 0.0}}, 0, 0, 0, 0, 0}
 
 /* Figures of the newest frame, recorded whole, that is not after completedFrame: the newest whose GPU work
  * is known to have finished. AGAA_NOT_READY where there is none. */
@@ -85,8 +86,8 @@ typedef struct AgaaInvalidPixel {
 
 #define AGAA_MAX_INVALID_PIXELS 8
 /* Whether the geometry passes of a frame agree with each other and with the camera: each sample that the
- * prepass shows must be accumulated exactly once by the material pass, and fragments must lie where
- * AgaaFrame puts AgaaSurfaceInput::position. */
+ * prepass shows must be accumulated exactly once by the material pass, fragments must lie where AgaaFrame puts
+ * AgaaSurfaceInput::position, and their draws and primitives must be announced. */
 typedef struct AgaaFrameValidation {
     uint32_t sType;
     uint32_t structSize;
@@ -95,14 +96,16 @@ typedef struct AgaaFrameValidation {
     uint64_t visible, once, missed, multi, ties; /* samples; as in AgaaCounters */
     uint64_t misplaced;                          /* fragments; as in AgaaCounters */
     uint64_t invalidPixels;                      /* with missed or multi samples */
-    uint32_t isValid; /* 1: something visible, nothing missed or multi, misplaced at most a hundredth of visible */
+    uint32_t isValid; /* 1: something visible, nothing missed, multi or unannounced, misplaced at most a hundredth of
+                         visible */
     uint32_t pixelCount;
     AgaaInvalidPixel pixels[AGAA_MAX_INVALID_PIXELS]; /* the first that were found */
     char explanation[512]; /* what was found and what usually causes it */
+    uint64_t unannounced;  /* fragments; as in AgaaCounters */
 } AgaaFrameValidation;
 #define AGAA_FRAME_VALIDATION_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_VALIDATION, (uint32_t)sizeof(AgaaFrameValidation), NULL, 0, 0, 0, 0, 0, \
-     0, 0, 0, 0, 0, {{0, 0, 0, 0, 0}}, {0}}
+     0, 0, 0, 0, 0, {{0, 0, 0, 0, 0}}, {0}, 0}
 
 /* Of the frame that agaaGetFrameStatistics would tell of. The view needs AGAA_CONFIG_COUNTERS. */
 AGAA_API AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,

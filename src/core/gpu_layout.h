@@ -60,12 +60,13 @@ struct CounterBuffer {
     uint32_t aggregates[2];
     uint32_t primitives[2];
     uint32_t materials[2];
+    uint32_t unannounced[2];
     uint32_t maxEvents;
     uint32_t padding0;
     uint32_t invalidPixels; // found; the first of them follow
     uint32_t padding1;
     uint32_t pixels[AGAA_MAX_INVALID_PIXELS][8]; // AgaaInvalidPixel, padded
 };
-static_assert(sizeof(CounterBuffer) == 4 * (32 + 8 * AGAA_MAX_INVALID_PIXELS));
+static_assert(sizeof(CounterBuffer) == 4 * (34 + 8 * AGAA_MAX_INVALID_PIXELS));
 
 } // namespace agaa

@@ -72,6 +72,7 @@ static AgaaCounters countersOf(const CounterBuffer& source) {
     out.materials = wide(source.materials);
     out.shadedPixels = wide(source.shadedPixels);
     out.misplaced = wide(source.misplaced);
+    out.unannounced = wide(source.unannounced);
     out.maxEventsPerPixel = source.maxEvents;
     return out;
 }
@@ -123,6 +124,11 @@ static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses
                "AgaaFrame::projection is not the rasteriser's (direction of y, clip correction, "
                "AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE), positions are not relative to the eye, or another viewport "
                "or view matrix was drawn with.";
+    if (v.unannounced)
+        return "Fragments have a draw or primitive that AgaaFetchFunction did not announce, and show the last that it "
+               "did. Usual causes: more draws or instances than maxDraws, an object of more primitives than "
+               "maxPrimitives, AgaaSurfaceInput::draw that does not start at 0, or AGAA_UNFETCHED without "
+               "AGAA_FETCH_NOT_ALL_DRAWS.";
     if (v.missed && v.multi)
         return "Samples were missed and others written where they are not visible. Usual causes: the passes "
                "do not compute the same position (one expression and `invariant gl_Position` in both), or "
@@ -160,9 +166,9 @@ AgaaResult AgaaView_T::validation(uint64_t completedFrame, AgaaFrameValidation& 
     out.multi = counters.multi;
     out.ties = counters.ties;
     out.misplaced = counters.misplaced;
+    out.unannounced = counters.unannounced;
     out.invalidPixels = buffer.invalidPixels;
-    out.isValid =
-        out.visible != 0 && out.missed == 0 && out.multi == 0 && !isMisplaced(out);
+    out.isValid = out.visible != 0 && out.missed == 0 && out.multi == 0 && out.unannounced == 0 && !isMisplaced(out);
     out.pixelCount = std::min<uint32_t>(buffer.invalidPixels, AGAA_MAX_INVALID_PIXELS);
     for (uint32_t i = 0; i < AGAA_MAX_INVALID_PIXELS; ++i) {
         const uint32_t* words = buffer.pixels[i];

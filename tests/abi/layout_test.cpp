@@ -61,9 +61,9 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaLight, 64);
     EXPECT_SIZE(AgaaShadow, 392);
     EXPECT_SIZE(AgaaFrame, 240);
-    EXPECT_SIZE(AgaaCounters, 120);
+    EXPECT_SIZE(AgaaCounters, 128);
     EXPECT_SIZE(AgaaPassTime, 64);
-    EXPECT_SIZE(AgaaFrameStatistics, 1208);
+    EXPECT_SIZE(AgaaFrameStatistics, 1216);
     EXPECT_SIZE(AgaaGBufferFunction, 56);
     EXPECT_SIZE(AgaaFetchFunction, 56);
     EXPECT_SIZE(AgaaShadowFunction, 48);
@@ -72,7 +72,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaVkContextDesc, 144);
     EXPECT_SIZE(AgaaVkDrawPass, 144);
     EXPECT_SIZE(AgaaVkFrame, 88);
-    EXPECT_SIZE(AgaaFrameValidation, 760);
+    EXPECT_SIZE(AgaaFrameValidation, 768);
     EXPECT_SIZE(AgaaGlRequirements, 64);
     EXPECT_SIZE(AgaaGlContextDesc, 136);
     EXPECT_SIZE(AgaaGlDrawPass, 128);

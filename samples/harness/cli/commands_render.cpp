@@ -93,7 +93,8 @@ json countersJson(const AgaaCounters& c) {
             {"aggregates", c.aggregates},
             {"primitives", c.primitives},
             {"materials", c.materials},
-            {"misplaced", c.misplaced}};
+            {"misplaced", c.misplaced},
+            {"unannounced", c.unannounced}};
 }
 
 json messagesJson(Renderer& renderer) {

@@ -20,7 +20,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     // What the host did not announce is shown as the last that it did: ids must name what can be fetched.
     bool isFetched = AGAA_SOME_UNFETCHED == 0 || s.draw != AGAA_UNFETCHED;
     if (isFetched && (s.draw >= AGAA_MAX_DRAWS || s.primitive >= AGAA_MAX_PRIMITIVES) && !AGAA_HELPER)
-        agaa_countFragment(AGAA_FRAGMENT_SANITISED, 1u);
+        agaa_countFragment(AGAA_FRAGMENT_UNANNOUNCED, 1u);
     uint id = (min(s.draw, AGAA_MAX_DRAWS - 1u) << AGAA_PRIMITIVE_BITS | min(s.primitive, AGAA_MAX_PRIMITIVES - 1u)) + 1u;
     id = isFetched ? id : 0xFFFFFFFFu;
     agaa_out0 = vec4(uvec4(id, id >> 8u, id >> 16u, id >> 24u) & 255u) / 255.0;

@@ -15,12 +15,13 @@
 #define AGAA_COUNT_AGGREGATES 11u
 #define AGAA_COUNT_PRIMITIVES 12u
 #define AGAA_COUNT_MATERIALS 13u
-#define AGAA_COUNT_MAX_EVENTS 14u // one word, a maximum
-#define AGAA_COUNTS 15u
+#define AGAA_COUNT_UNANNOUNCED 14u // by fragments only
+#define AGAA_COUNT_MAX_EVENTS 15u // one word, a maximum
+#define AGAA_COUNTS 16u
 
 #if AGAA_COUNTING
 layout(std430, AGAA_AT_COUNTERS) coherent buffer agaa_CounterBlock {
-    uint words[30]; // of the counts
+    uint words[32]; // of the counts
     uint invalidPixelCount; // with missed or multi samples
     uint padding;
     uint invalidPixels[8][8]; // x, y, visible, missed, multi of the first
