@@ -50,7 +50,8 @@ typedef struct AgaaCapability {
     uint32_t stage; /* AgaaStage */
     uint32_t tier;  /* AgaaTier; AUTO where the stage cannot run */
     uint32_t isNative;
-    float relativePrice; /* measured time, relative to native visibility or post-depth atomics */
+    float relativePrice; /* roughly, as measured on lavapipe: the stage by native visibility or post-depth atomics; of
+                            GBUFFER and IDS whole frames of "agaa", n = 8 */
     char reason[244];    /* one sentence */
 } AgaaCapability;
 
@@ -63,8 +64,8 @@ AGAA_API AgaaResult AGAA_CALL agaaTierFromName(const char* name, uint32_t* outTi
  * count; otherwise fills up to *count. */
 AGAA_API AgaaResult AGAA_CALL agaaEnumerateTechniques(uint32_t* count, const char** names);
 
-/* How each technique, n and stage would run on a device by itself; other tiers can be forced by AgaaConfig.
- * caps null: an ideal device. Two-call. */
+/* How each technique, n and stage runs on a device: in a stage's first row by itself, in further rows where AgaaConfig
+ * asks for that tier or the host gives the functions that it needs. caps null: an ideal device. Two-call. */
 AGAA_API AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count,
                                                     AgaaCapability* capabilities);
 

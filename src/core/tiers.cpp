@@ -8,9 +8,9 @@
 
 namespace agaa {
 
-// G-buffer and gather pass (154 ms) against prepass and generation (251 ms): bamboo, n = 8,
-// lavapipe.
-constexpr float gbufferPrice = 0.6f;
+// Whole frames against those by post-depth atomics: medians of the ten scenes of docs/results/lavapipe/sweep, n = 8,
+// c = 2.
+constexpr float gbufferPrice = 0.7f, idsPrice = 0.7f;
 
 static bool hasSamples(const AgaaDeviceCaps& caps, uint32_t samples) {
     return (caps.sampleCounts >> std::countr_zero(samples)) & 1;
@@ -136,6 +136,22 @@ static AgaaCapability capability(const Technique& technique, uint32_t samples, A
     return row;
 }
 
+// What is taken where the host neither asks nor offers anything, then all else that it can have.
+static std::vector<GenerationChoice> generationChoices(const AgaaDeviceCaps& caps, uint32_t hwSamples,
+                                                       const Technique& technique) {
+    std::vector<GenerationChoice> choices = {chooseGeneration(caps, hwSamples, AGAA_TIER_AUTO, false)};
+    for (uint32_t tier : {AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER}) {
+        const GenerationChoice choice = chooseGeneration(caps, hwSamples, tier, false);
+        if (choice.tier != AGAA_TIER_AUTO && choice.tier != choices.front().tier)
+            choices.push_back(choice);
+    }
+    if (technique.groupsSamples)
+        choices.push_back({AGAA_TIER_IDS, true, idsPrice,
+                           "with an AgaaFetchFunction, materials are fetched by the ids that the only geometry pass "
+                           "leaves."});
+    return choices;
+}
+
 std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
     std::vector<AgaaCapability> rows;
     for (const Technique* technique : techniques())
@@ -143,19 +159,22 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
             if (!technique->multisampled && samples > 1)
                 continue;
             const VisibilityChoice visibility = chooseVisibility(caps, samples, AGAA_TIER_AUTO);
-            rows.push_back(capability(*technique, samples, AGAA_STAGE_PREPASS, visibility.tier,
-                                      visibility.tier == AGAA_TIER_NATIVE,
-                                      visibility.relativePrice, visibility.reason));
+            const auto addVisibility = [&](const VisibilityChoice& choice) {
+                rows.push_back(capability(*technique, samples, AGAA_STAGE_PREPASS, choice.tier,
+                                          choice.tier == AGAA_TIER_NATIVE, choice.relativePrice, choice.reason));
+            };
+            addVisibility(visibility);
             if (visibility.tier == AGAA_TIER_AUTO)
                 continue; // no later stage can run either
+            const VisibilityChoice scaled = chooseVisibility(caps, samples, AGAA_TIER_SCALED_TARGET);
+            if (scaled.tier != AGAA_TIER_AUTO && scaled.tier != visibility.tier)
+                addVisibility(scaled);
             if (technique->maxAggregates) {
                 rows.push_back(capability(*technique, samples, AGAA_STAGE_DEFINITION,
                                           AGAA_TIER_NATIVE, true, 1, "a compute pass."));
-                const GenerationChoice generation =
-                    chooseGeneration(caps, visibility.hwSamples, AGAA_TIER_AUTO, false);
-                rows.push_back(capability(*technique, samples, AGAA_STAGE_GENERATION,
-                                          generation.tier, false, generation.relativePrice,
-                                          generation.reason));
+                for (const GenerationChoice& choice : generationChoices(caps, visibility.hwSamples, *technique))
+                    rows.push_back(capability(*technique, samples, AGAA_STAGE_GENERATION, choice.tier, false,
+                                              choice.relativePrice, choice.reason));
             }
             rows.push_back(capability(*technique, samples, AGAA_STAGE_SHADING, AGAA_TIER_NATIVE, true,
                                       1, "a compute pass."));

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <tuple>
 
 using namespace agaa;
 using namespace agaa::test;
@@ -57,6 +58,51 @@ TEST(Planner, GenerationFallsBackToOneInvocationPerSample) {
     EXPECT_EQ(planFor(spec, caps).generationTier, AGAA_TIER_GBUFFER);
     spec.generationTier = AGAA_TIER_PER_SAMPLE;
     EXPECT_THROW(planFor(spec, caps), Error);
+}
+
+// What is said to run, runs; the first row of a stage says what is taken by itself.
+TEST(Planner, EveryCapabilityCanBePlanned) {
+    AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
+    fetch.glsl = "";
+    fetch.maxDraws = fetch.maxPrimitives = 1;
+    AgaaDeviceCaps poor = fourSampleDevice();
+    poor.flags &= ~(AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS);
+    for (const AgaaDeviceCaps& caps : {idealDevice(), fourSampleDevice(), poor}) {
+        uint32_t count = 0;
+        ASSERT_EQ(agaaQueryCapabilities(&caps, &count, nullptr), AGAA_OK);
+        std::vector<AgaaCapability> rows(count);
+        ASSERT_EQ(agaaQueryCapabilities(&caps, &count, rows.data()), AGAA_OK);
+        std::set<std::tuple<std::string, uint32_t, uint32_t>> stages;
+        std::set<uint32_t> generation;
+        for (const AgaaCapability& row : rows) {
+            SCOPED_TRACE(std::string(row.technique) + " " + std::to_string(row.samples) + " " +
+                         agaaStageName(row.stage) + " " + agaaTierName(row.tier));
+            EXPECT_EQ(std::string(row.reason).back(), '.');
+            const bool isFirst = stages.emplace(row.technique, row.samples, row.stage).second;
+            ViewSpec spec;
+            spec.technique = row.technique;
+            spec.samples = row.samples;
+            const bool isVisibility = row.stage == AGAA_STAGE_PREPASS;
+            const bool isGeneration = row.stage == AGAA_STAGE_GENERATION;
+            if (!isVisibility && !isGeneration)
+                continue;
+            if (row.tier == AGAA_TIER_AUTO) {
+                EXPECT_THROW(planFor(spec, caps), Error);
+                continue;
+            }
+            if (!isFirst)
+                (isVisibility ? spec.visibilityTier : spec.generationTier) = row.tier;
+            if (row.tier == AGAA_TIER_IDS)
+                spec.chained = &fetch;
+            const Plan plan = planFor(spec, caps);
+            EXPECT_EQ(uint32_t(isVisibility ? plan.visibilityTier : plan.generationTier), row.tier);
+            if (isGeneration && std::string(row.technique) == "agaa")
+                generation.insert(row.tier);
+        }
+        EXPECT_TRUE(generation.contains(AGAA_TIER_IDS));
+        EXPECT_TRUE(generation.contains(AGAA_TIER_GBUFFER));
+        EXPECT_EQ(generation.contains(AGAA_TIER_PER_SAMPLE), bool(caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS));
+    }
 }
 
 // Such materials are drawn once: no pass can test against a depth that they have yet to write.
