@@ -100,7 +100,7 @@ inline void expectValid(const AgaaFrameValidation& v, uint64_t visible) {
     EXPECT_EQ(v.isValid, 1u);
     EXPECT_EQ(v.visible, visible);
     EXPECT_EQ(v.once, visible);
-    EXPECT_EQ(v.missed + v.multi + v.misplaced + v.invalidPixels + v.pixelCount, 0u);
+    EXPECT_EQ(v.missed + v.multi + v.misplaced + v.unannounced + v.invalidPixels + v.pixelCount, 0u);
     for (const AgaaInvalidPixel& pixel : v.pixels)
         EXPECT_EQ(pixel.x + pixel.y + pixel.visible + pixel.missed + pixel.multi, 0u);
     expectExplanation(v, "exactly once");

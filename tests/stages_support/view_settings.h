@@ -48,7 +48,10 @@ struct ViewSettings {
         ThirdUnfetched, // says of each third triangle that it cannot be fetched
     } shader = Shader::Material;
     Mistake mistake;
+    uint32_t instances = 1; // each shifted by instanceStep against the one before, and a draw of its own
 };
+constexpr uint32_t drawNumber = 5; // of the first instance of all triangles
+constexpr const char* instanceStep = "vec3(0.75, 0.5, -1.0)"; // GLSL
 
 // Points to the settings.
 AgaaViewDesc viewDesc(const ViewSettings& settings);

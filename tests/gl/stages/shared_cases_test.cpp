@@ -1,16 +1,18 @@
-// Frame validation on OpenGL.
-#include "stage_host.h"
+// What tests of all graphics APIs share, by OpenGL.
+#include "show.h"
 
+#include "debug_view_cases.h"
+#include "hard_cases.h"
+#include "ids_cases.h"
 #include "validation_cases.h"
 
 namespace agaa::test {
 namespace {
 
-struct OpenGLHost {
-    using Context = StageContext;
-    using View = StageView;
-};
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ValidationTest, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, IdsCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DebugViewCases, OpenGLHost);
 
 } // namespace
 } // namespace agaa::test

@@ -16,22 +16,26 @@ namespace agaa::test {
 namespace {
 
 // The materials' vectors are attributes of each corner.
-constexpr const char* vertexText = R"(layout(location = 0) in vec3 corner;
+constexpr const char* vertexText = R"(
+layout(location = 0) in vec3 corner;
 layout(location = 1) in vec4 material[5];
 uniform mat4 clip;
 layout(location = 0) out vec3 position;
 layout(location = 1) flat out vec4 constants[5];
+layout(location = 6) flat out uvec2 drawn;
 invariant gl_Position;
 void main() {
-    position = corner;
+    position = corner + float(gl_InstanceID) * STAGE_INSTANCE_STEP;
     constants = material;
-    gl_Position = clip * vec4(corner, 1.0);
+    drawn = uvec2(gl_InstanceID, gl_VertexID / 3);
+    gl_Position = clip * vec4(position, 1.0);
 }
 )";
 
 constexpr const char* fragmentText = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) flat in vec4 constants[5];
+layout(location = 6) flat in uvec2 drawn;
 void main() {
     AgaaSurfaceInput s = agaa_surfaceInput();
     s.position = position;
@@ -43,6 +47,11 @@ void main() {
     s.alpha2 = constants[3].w;
     s.geometricNormal = constants[4].xyz;
     s.primitiveSeed = uint(constants[4].w);
+    s.draw = STAGE_DRAW + drawn.x;
+    s.primitive = drawn.y;
+#if STAGE_SHADER == 5
+    s.draw = drawn.y % 3u == 0u ? AGAA_UNFETCHED : s.draw;
+#endif
     agaa_emit(s);
 }
 )";
@@ -141,12 +150,9 @@ StageView::~StageView() {
 }
 
 Program StageView::program(const AgaaGlDrawPass& pass, bool isMasked) const {
-    const std::string version = versionLine(glslVersion(gl_));
-    return Program(gl_, version + vertexText,
-                   version + pass.glslExtensions +
-                       shaderDefines(settings_, pass.pass, isMasked) + pass.glslDeclarations +
-                       fragmentText,
-                   pass.name);
+    const std::string version = versionLine(glslVersion(gl_)), defines = shaderDefines(settings_, pass.pass, isMasked);
+    return Program(gl_, version + defines + vertexText,
+                   version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText, pass.name);
 }
 
 void StageView::setTriangles(const std::vector<Triangle>& triangles) {
@@ -224,7 +230,8 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
         gl_.UseProgram(program.get());
         setStencilTest(gl_, run.isMasked ? state.stencilTestMasked : state.stencilTest);
         gl_.UniformMatrix4fv(program.uniform("clip"), 1, GL_FALSE, glm::value_ptr(clip));
-        gl_.DrawArrays(GL_TRIANGLES, GLint(3 * run.first), GLsizei(3 * run.count));
+        gl_.DrawArraysInstanced(GL_TRIANGLES, GLint(3 * run.first), GLsizei(3 * run.count),
+                                GLsizei(settings_.instances));
     }
     return AGAA_OK;
 }

@@ -67,6 +67,8 @@ public:
     AgaaView get() const { return view_; }
     uint64_t frameIndex() const { return frameIndex_; }
     const harness::gl::Texture& output() const { return output_; }
+    // 23 floats a vertex: its position, the vectors of its Material.
+    GLuint vertices() const { return vertices_.get(); }
 
     std::map<uint32_t, AgaaResult> drawResults; // of the callback, by pass; each call counts
     uint32_t drawCalls = 0;

@@ -34,7 +34,7 @@ TEST(IdsLobes, EllipticOnesKeepAStreakNarrow) {
         settings.config.ndf = ndf;
         harness::Image image;
         if (tier == AGAA_TIER_IDS) {
-            image = IdsView(context, settings, triangles).render();
+            image = IdsView(context, settings, {.triangles = triangles}).render();
         } else {
             StageView view(context, settings);
             image = drawn(view, triangles);
@@ -120,7 +120,7 @@ TEST(IdsLobes, CurvedPrimitivesShowWhatSmallFlatOnesShow) {
         settings.config.ndf = ndf;
         settings.config.flags |= flags;
         settings.config.glossWeight = c > 1 ? 0.5f : 0;
-        return IdsView(context, settings, cut(whole, steps), text.c_str()).render();
+        return IdsView(context, settings, {.triangles = cut(whole, steps), .material = text.c_str()}).render();
     };
     const auto error = [](const harness::Image& a, const harness::Image& b) {
         return std::pow(10, -compare(a, b).psnr / 10);

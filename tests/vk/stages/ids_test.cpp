@@ -16,70 +16,13 @@ std::vector<Triangle> scene(uint32_t count) {
     return randomTriangles({.triangles = count, .duplicates = 0.1f, .masked = 0.2f}, 61);
 }
 
-TEST(Ids, ShowWhatTheOtherTiersShow) {
-    StageContext context;
-    for (const auto& [n, c] : {std::pair{1u, 1u}, {4u, 2u}, {8u, 1u}, {8u, 2u}, {8u, 4u}, {32u, 2u}}) {
-        SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c));
-        const std::vector<Triangle> triangles = scene(150);
-        IdsView ids(context, settingsFor(n, c, AGAA_TIER_AUTO), triangles);
-        EXPECT_EQ(ids.view().plan().generationTier, AGAA_TIER_IDS);
-        EXPECT_EQ(ids.view().plan().geometryPasses(), 1u);
-        StageView twice(context, settingsFor(n, c, AGAA_TIER_POST_DEPTH_ATOMICS));
-        const Difference d = compare(ids.render(), drawn(twice, triangles));
-        std::printf("n=%u c=%u: PSNR %.1f dB, %.3f %% of pixels beyond 24/255\n", n, c, d.psnr, 100 * d.farPixels);
-        EXPECT_GE(d.psnr, 95) << "the tiers are of one technique";
-        EXPECT_EQ(d.farPixels, 0);
-        const AgaaCounters a = ids.view().statistics().counters, b = twice.statistics().counters;
-        EXPECT_EQ(a.visible, b.visible);
-        EXPECT_EQ(a.once, a.visible);
-        EXPECT_EQ(a.missed + a.multi + a.misplaced, 0u);
-        EXPECT_NEAR(double(a.shadingEvents), double(b.shadingEvents), 0.002 * double(b.shadingEvents));
-    }
-}
-
-// What is kept in memory between the passes, and where some triangles come from, does not change the image.
-TEST(Ids, BufferedAndUnfetchedShowTheSame) {
-    StageContext context;
-    const std::vector<Triangle> triangles = randomTriangles({.triangles = 150, .masked = 0.2f}, 61);
-    for (const auto& [n, c] : {std::pair{1u, 1u}, {8u, 1u}, {8u, 2u}, {32u, 4u}}) {
-        SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c));
-        IdsView fused(context, settingsFor(n, c, AGAA_TIER_IDS), triangles);
-        const harness::Image image = fused.render();
-        const AgaaCounters a = fused.view().statistics().counters;
-        const auto expectLike = [&](ViewSettings settings, uint64_t flags, double psnr) {
-            IdsView other(context, settings, triangles, "", nullptr, 0, flags);
-            const Difference d = compare(image, other.render());
-            std::printf("n=%u c=%u: PSNR %.1f dB\n", n, c, d.psnr);
-            EXPECT_GE(d.psnr, psnr);
-            EXPECT_EQ(d.farPixels, 0);
-            const AgaaCounters b = other.view().statistics().counters;
-            EXPECT_EQ(b.visible, a.visible);
-            EXPECT_EQ(b.once, b.visible);
-            EXPECT_EQ(b.missed + b.multi, 0u);
-            return b;
-        };
-        ViewSettings settings = settingsFor(n, c, AGAA_TIER_IDS);
-        settings.config.flags |= AGAA_CONFIG_BUFFERED;
-        const AgaaCounters buffered = expectLike(settings, 0, 95);
-        EXPECT_EQ(buffered.shadingEvents, a.shadingEvents);
-        EXPECT_EQ(buffered.materials, a.materials);
-        settings = settingsFor(n, c, AGAA_TIER_IDS);
-        settings.shader = ViewSettings::Shader::ThirdUnfetched;
-        const AgaaCounters mixed = expectLike(settings, AGAA_FETCH_NOT_ALL_DRAWS, 85);
-        EXPECT_LT(mixed.materials, a.materials);
-        EXPECT_GT(mixed.materials, a.materials / 2);
-        settings.config.flags |= AGAA_CONFIG_BUFFERED;
-        expectLike(settings, AGAA_FETCH_NOT_ALL_DRAWS, 85);
-    }
-}
-
 // Functions run before the segment that shades, too.
 TEST(Ids, EverySegmentThatFetchesWantsItsSet) {
     StageContext context;
     const std::vector<Triangle> triangles = scene(20);
     ViewSettings settings = settingsFor(8, 2, AGAA_TIER_IDS);
     settings.config.flags |= AGAA_CONFIG_BUFFERED;
-    IdsView ids(context, settings, triangles);
+    IdsView ids(context, settings, {.triangles = triangles});
     AgaaFrame frame = ids.view().frame();
     frame.segments = AGAA_SEGMENT_PREPASS | AGAA_SEGMENT_GENERATION;
     EXPECT_THROW(ids.view().render(frame, [](AgaaVkFrame&) {}), std::exception);
@@ -87,55 +30,11 @@ TEST(Ids, EverySegmentThatFetchesWantsItsSet) {
     EXPECT_NE(context.lines.back().text.find("functionSet is null"), std::string::npos);
 }
 
-// What neither functions nor the G-buffer give a material: counted, left out of the image, told by validation.
-TEST(Ids, UnfetchedSamplesThatAreNotDrawnAreMissed) {
-    StageContext context;
-    const std::vector<Triangle> triangles = randomTriangles({.triangles = 150}, 61);
-    for (uint64_t flag : {uint64_t(0), AGAA_CONFIG_BUFFERED})
-        for (uint32_t c : {1u, 2u}) {
-            ViewSettings settings = settingsFor(8, c, AGAA_TIER_IDS);
-            settings.config.flags |= flag;
-            settings.shader = ViewSettings::Shader::ThirdUnfetched;
-            settings.mistake.materialDepth = 1.01f; // no depth of the second pass is equal
-            IdsView ids(context, settings, triangles, "", nullptr, 0, AGAA_FETCH_NOT_ALL_DRAWS);
-            const harness::Image image = ids.render();
-            const AgaaCounters counters = ids.view().statistics().counters;
-            EXPECT_GT(counters.missed, counters.visible / 10);
-            EXPECT_EQ(counters.once + counters.missed, counters.visible);
-            EXPECT_EQ(counters.multi, 0u);
-            AgaaFrameValidation validation = AGAA_FRAME_VALIDATION_INIT;
-            ASSERT_EQ(agaaValidateFrame(ids.view().get(), ids.view().frameIndex(), &validation), AGAA_OK);
-            EXPECT_FALSE(validation.isValid);
-            EXPECT_GT(validation.invalidPixels, 0u);
-            for (float value : image.rgb)
-                ASSERT_TRUE(std::isfinite(value));
-        }
-}
-
-// A primitive is fetched once in a pixel, however many of its samples it has.
-TEST(Ids, CountersTellPrimitivesAndMaterials) {
-    StageContext context;
-    const std::vector<Triangle> triangles = scene(150);
-    IdsView ids(context, settingsFor(8, 2, AGAA_TIER_IDS), triangles);
-    ids.render();
-    const AgaaCounters c = ids.view().statistics().counters;
-    ViewSettings shown = settingsFor(8, 2, AGAA_TIER_IDS);
-    shown.config.debugView = AGAA_DEBUG_VIEW_PRIMITIVES;
-    double sum = 0;
-    for (float value : IdsView(context, shown, triangles).render().rgb)
-        sum += double(value) / 3;
-    EXPECT_NEAR(sum, double(c.primitives), 0.5);
-    EXPECT_EQ(c.materials, c.primitives);
-    EXPECT_EQ(c.aggregates, c.shadingEvents);
-    EXPECT_GT(c.primitives, c.shadedPixels);
-    EXPECT_LT(c.primitives, c.visible);
-}
-
 // Each sample's id is that of the triangle which another view's G-buffer finds there.
 TEST(Ids, AreThoseOfTheTrianglesSeen) {
     StageContext context;
     const std::vector<Triangle> triangles = scene(150);
-    IdsView ids(context, settingsFor(8, 2, AGAA_TIER_IDS), triangles);
+    IdsView ids(context, settingsFor(8, 2, AGAA_TIER_IDS), {.triangles = triangles});
     ids.render();
     ViewSettings settings = settingsFor(8, 2, AGAA_TIER_GBUFFER);
     settings.shader = ViewSettings::Shader::PrimitiveIds;
@@ -172,7 +71,7 @@ TEST(Ids, AttributesAreThoseOfTheRasteriser) {
     m.diffuse = vec3(uv, 0.0);
 )";
     for (uint32_t n : {1u, 8u}) {
-        IdsView ids(context, settingsFor(n, 1, AGAA_TIER_IDS), triangles, byWeights);
+        IdsView ids(context, settingsFor(n, 1, AGAA_TIER_IDS), {.triangles = triangles, .material = byWeights});
         ViewSettings settings = settingsFor(n, 1, AGAA_TIER_GBUFFER);
         settings.shader = ViewSettings::Shader::UvInside;
         StageView raster(context, settings);
@@ -193,7 +92,7 @@ TEST(Ids, DerivativesArePerPixel) {
     triangles[0].material = grey;
     ViewSettings settings = settingsFor(1, 1, AGAA_TIER_IDS);
     const auto shown = [&](const char* what) {
-        return IdsView(context, settings, triangles, what).render();
+        return IdsView(context, settings, {.triangles = triangles, .material = what}).render();
     };
     // Emission alone, since shading would filter it.
     const harness::Image at = shown("m.diffuse = m.specular = vec3(0.0); m.emissive = p.at;");
@@ -255,7 +154,8 @@ TEST(Ids, LitMeansAreCloserToTheTruth) {
             view.render(frame);
             return view.image();
         }
-        IdsView ids(context, own, triangles, "", &shadows);
+        own.chained = &shadows;
+        IdsView ids(context, own, {.triangles = triangles});
         const harness::Image image = ids.render(light, &shadow);
         // Eight samples are eight taps, by either way.
         EXPECT_EQ(ids.view().statistics().counters.shadowTaps, ids.view().statistics().counters.visible);
@@ -285,7 +185,7 @@ TEST(Ids, GlossPartsWhatShinesNarrowly) {
         settings.config.characteristicLengthPerDistance = 0;
         settings.config.glossWeight = weight;
         if (tier == AGAA_TIER_IDS) {
-            IdsView ids(context, settings, triangles);
+            IdsView ids(context, settings, {.triangles = triangles});
             ids.render();
             return ids.view().statistics().counters.shadingEvents;
         }
@@ -299,35 +199,6 @@ TEST(Ids, GlossPartsWhatShinesNarrowly) {
         EXPECT_GT(events(tier, 1e-4f, 0.5f), rough + rough / 50);
         if (tier == AGAA_TIER_GBUFFER) { // by id, planes decide where there is no weight
             EXPECT_EQ(events(tier, 1e-4f, 0.0f), rough);
-        }
-    }
-}
-
-// A host that draws more than it announced: what is beyond shows the last announced, is counted, and fetches nothing
-// that is not there.
-TEST(Ids, WhatWasNotAnnouncedIsCounted) {
-    StageContext context;
-    const std::vector<Triangle> triangles = scene(150);
-    IdsView ids(context, settingsFor(4, 2, AGAA_TIER_IDS), triangles,
-                "if (p.primitive >= 10u) m.emissive = vec3(60000.0);", nullptr, 10);
-    for (float value : ids.render().rgb)
-        ASSERT_LT(value, 1000.0f);
-    EXPECT_GT(ids.view().statistics().counters.sanitised, 0u);
-    IdsView whole(context, settingsFor(4, 2, AGAA_TIER_IDS), triangles);
-    whole.render();
-    EXPECT_EQ(whole.view().statistics().counters.sanitised, 0u);
-}
-
-TEST(Ids, MaterialsThatAreNotFiniteAreContained) {
-    StageContext context;
-    const std::vector<Triangle> triangles = scene(60);
-    for (const char* bad : {"0.0 / (m.alpha2 - m.alpha2)", "1.0 / (m.alpha2 - m.alpha2)", "1e30", "-1e30"}) {
-        const std::string text = std::string("float bad = ") + bad +
-                                 "; m = AgaaMaterial(vec3(bad), vec3(bad), vec3(bad), vec3(bad), bad, vec3(bad), vec3(bad));";
-        IdsView ids(context, settingsFor(8, 2, AGAA_TIER_IDS), triangles, text.c_str());
-        for (float value : ids.render().rgb) {
-            ASSERT_TRUE(std::isfinite(value)) << bad;
-            ASSERT_GE(value, 0.0f);
         }
     }
 }

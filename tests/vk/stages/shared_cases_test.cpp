@@ -1,16 +1,18 @@
-// Frame validation on Vulkan.
-#include "stage_host.h"
+// What tests of all graphics APIs share, by Vulkan.
+#include "show.h"
 
+#include "debug_view_cases.h"
+#include "hard_cases.h"
+#include "ids_cases.h"
 #include "validation_cases.h"
 
 namespace agaa::test {
 namespace {
 
-struct VulkanHost {
-    using Context = StageContext;
-    using View = StageView;
-};
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ValidationTest, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, IdsCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DebugViewCases, VulkanHost);
 
 } // namespace
 } // namespace agaa::test

@@ -16,15 +16,17 @@ namespace agaa::test {
 
 namespace {
 
-constexpr const char* vertexText = R"(#version 450
+constexpr const char* vertexText = R"(
 layout(std430, set = 1, binding = 0) readonly buffer Vertices { vec4 data[]; } vertices;
 layout(push_constant) uniform Push { mat4 clip; };
 layout(location = 0) out vec3 position;
 layout(location = 1) flat out uint triangle;
 layout(location = 2) out vec2 uv;
+layout(location = 3) flat out uint instance;
 invariant gl_Position;
 void main() {
-    position = vertices.data[2 * gl_VertexIndex].xyz;
+    position = vertices.data[2 * gl_VertexIndex].xyz + float(gl_InstanceIndex) * STAGE_INSTANCE_STEP;
+    instance = uint(gl_InstanceIndex);
     uv = vertices.data[2 * gl_VertexIndex + 1].xy;
     triangle = uint(gl_VertexIndex) / 3u;
     gl_Position = clip * vec4(position, 1.0);
@@ -37,6 +39,7 @@ layout(std430, set = 1, binding = 1) readonly buffer Materials { Material data[]
 layout(location = 0) in vec3 position;
 layout(location = 1) flat in uint triangle;
 layout(location = 2) in vec2 uv;
+layout(location = 3) flat in uint instance;
 void main() {
     Material m = materials.data[triangle];
     AgaaSurfaceInput s = agaa_surfaceInput();
@@ -44,7 +47,7 @@ void main() {
     s.geometricNormal = m.geometricNormal.xyz;
     s.alpha = m.diffuse.w * STAGE_ALPHA_FACTOR;
     s.primitiveSeed = floatBitsToUint(m.geometricNormal.w);
-    s.draw = 5u;
+    s.draw = STAGE_DRAW + instance;
     s.primitive = triangle;
     s.diffuse = m.diffuse.xyz;
     s.specular = m.specular.xyz;
@@ -178,7 +181,8 @@ StageView::~StageView() { agaaDestroyView(view_); }
 
 void StageView::makePipelines() {
     Device& device = sharedDevice();
-    vertex_ = makeShader(device, ShaderStage::Vertex, vertexText, "triangles.vert");
+    const std::string vertex = "#version 450\n" + shaderDefines(settings_, AGAA_DRAW_PASS_VISIBILITY, false) + vertexText;
+    vertex_ = makeShader(device, ShaderStage::Vertex, vertex, "triangles.vert");
     uint32_t count = 0;
     agaaVkGetDrawPasses(view_, &count, nullptr);
     std::vector<AgaaVkDrawPass> passes(count, AgaaVkDrawPass AGAA_VK_DRAW_PASS_INIT);
@@ -293,7 +297,7 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     for (const Run& run : runs_.at(target.pass)) {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                           pass.pipelines[run.isMasked].get());
-        vkCmdDraw(commands, 3 * run.count, 1, 3 * run.first, 0);
+        vkCmdDraw(commands, 3 * run.count, settings_.instances, 3 * run.first, 0);
     }
     return AGAA_OK;
 }

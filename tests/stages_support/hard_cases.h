@@ -1,0 +1,289 @@
+// Numerically hard input through the whole pipeline, by every generation tier. Each graphics API
+// instantiates these.
+#pragma once
+
+#include "shown.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace agaa::test {
+
+template <class Host>
+class HardCases : public testing::Test {
+protected:
+    // Over a background of colours that tests know.
+    static Shown render(ViewSettings settings, const std::vector<Triangle>& triangles,
+                        const std::vector<AgaaLight>& lights) {
+        typename Host::Context context;
+        settings.facts.shadowMapCount = 0;
+        return show(context, settings,
+                    {.triangles = triangles, .lights = lights, .change = [](AgaaFrame& frame) {
+                         const float background[4] = {0.25f, 0.5f, 0.75f, 1};
+                         std::memcpy(frame.background, background, sizeof background);
+                     }});
+    }
+};
+TYPED_TEST_SUITE_P(HardCases);
+
+inline Material facing(const glm::vec3& diffuse) {
+    Material m;
+    m.diffuse = glm::vec4(diffuse, 1);
+    m.specular = glm::vec4(0);
+    m.normal = glm::vec4(0, 0, 1, 1);
+    return m;
+}
+
+struct Setting {
+    const char* technique;
+    uint32_t n;
+    uint32_t tier = AGAA_TIER_AUTO;
+};
+constexpr Setting hardSettings[] = {{"single", 1},
+                                    {"ssaa", 8},
+                                    {"agaa", 1},
+                                    {"agaa", 4},
+                                    {"agaa", 8},
+                                    {"agaa", 16},
+                                    {"agaa", 32},
+                                    {"agaa", 8, AGAA_TIER_GBUFFER},
+                                    {"agaa", 8, AGAA_TIER_IDS},
+                                    {"agaa", 32, AGAA_TIER_IDS}};
+// Of agaa alone.
+constexpr Setting aggregateSettings[] = {{"agaa", 4},
+                                         {"agaa", 8},
+                                         {"agaa", 16},
+                                         {"agaa", 32},
+                                         {"agaa", 8, AGAA_TIER_GBUFFER},
+                                         {"agaa", 8, AGAA_TIER_IDS},
+                                         {"agaa", 32, AGAA_TIER_IDS}};
+inline ViewSettings pixelView(const Setting& s, uint32_t c = 2) {
+    ViewSettings settings;
+    settings.width = 32;
+    settings.height = 16;
+    settings.projection = pixelOrthographic(32, 16, 10);
+    settings.config.technique = s.technique;
+    settings.config.samples = s.n;
+    settings.config.aggregates = c;
+    settings.config.generationTier = s.tier;
+    return settings;
+}
+inline std::ostream& operator<<(std::ostream& out, const Setting& s) {
+    return out << s.technique << " n=" << s.n << ' ' << agaaTierName(s.tier);
+}
+
+TYPED_TEST_P(HardCases, HardCase18AnEmptyFrameIsTheBackground) {
+    for (const Setting& s : hardSettings) {
+        const Shown r = this->render(pixelView(s), {}, {sun()});
+        for (size_t i = 0; i < r.rgb.size() / 3; ++i) {
+            EXPECT_EQ(r.rgb[3 * i], 0.25f);
+            EXPECT_EQ(r.rgb[3 * i + 1], 0.5f);
+            EXPECT_EQ(r.rgb[3 * i + 2], 0.75f);
+        }
+        EXPECT_EQ(r.counters.shadingEvents, 0u);
+    }
+}
+
+// At the far plane, and with a depth of exactly 1 or 0: geometry all the same.
+TYPED_TEST_P(HardCases, HardCase17GeometryAtTheFarPlaneIsSeen) {
+    for (const Setting& s : hardSettings)
+        for (bool reversed : {false, true}) {
+            ViewSettings view = pixelView(s);
+            if (reversed) {
+                view.flags = AGAA_VIEW_REVERSED_Z;
+                view.projection[2][2] = 1.0f / 10;
+                view.projection[3][2] = 1;
+            }
+            // A step before the clear value, which no comparison takes for geometry.
+            const float depth = std::nextafter(10.0f, 0.0f);
+            const Shown r =
+                this->render(view, rectangle(0, 0, 32, 16, depth, facing({1, 1, 1})), {sun()});
+            EXPECT_EQ(nonFinite(r.rgb), 0u);
+            EXPECT_EQ(r.counters.visible, uint64_t(32 * 16) * s.n) << s << reversed;
+            EXPECT_EQ(r.counters.once, r.counters.visible);
+        }
+}
+
+// One sample of a pixel: no variance, no widening, the colour's nth part.
+TYPED_TEST_P(HardCases, HardCase19OneCoveredSampleIsThatSample) {
+    // A dot around one sample of the 4x pattern, in pixel (8, 4).
+    Material m = facing({0.5f, 0.25f, 0.125f});
+    m.specular = glm::vec4(0.3f);
+    m.normal.w = 0.01f;
+    const auto dot = rectangle(8.37f, 4.12f, 8.38f, 4.13f, 1, m);
+    const Shown samples = this->render(pixelView({"ssaa", 4}), dot, {sun()});
+    EXPECT_EQ(samples.counters.visible, 1u);
+    for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
+        const Shown aggregates = this->render(pixelView({"agaa", 4, tier}), dot, {sun()});
+        EXPECT_EQ(aggregates.counters.visible, 1u);
+        EXPECT_EQ(aggregates.counters.widenedLobes, 0u);
+        for (size_t i = 0; i < samples.rgb.size(); ++i)
+            EXPECT_NEAR(samples.rgb[i], aggregates.rgb[i], 2e-3f) << agaaTierName(tier);
+    }
+}
+
+// Dark colours do not vanish in the sums.
+TYPED_TEST_P(HardCases, HardCase32ADarkRampSurvives) {
+    for (const Setting& s : aggregateSettings) {
+        std::vector<Triangle> ramp;
+        for (uint32_t x = 0; x < 32; ++x) {
+            const float albedo = 0.04f * float(x) / 31;
+            const auto column =
+                rectangle(float(x), 0, float(x + 1), 16, 1, facing(glm::vec3(albedo)));
+            ramp.insert(ramp.end(), column.begin(), column.end());
+        }
+        const Shown r = this->render(pixelView(s), ramp, {sun()});
+        for (uint32_t x = 0; x < 32; ++x) {
+            const float expected = 0.04f * float(x) / 31 * 3 / 3.14159265f;
+            EXPECT_NEAR(r.rgb[3 * x], expected, 0.5f / 2047 * 3 / 3.14f) << x << ' ' << s;
+        }
+    }
+}
+
+// White made of n fragments of one sample each is white, exactly.
+TYPED_TEST_P(HardCases, HardCase33WhiteStaysWhite) {
+    for (const Setting& s : aggregateSettings) {
+        std::vector<Triangle> slivers; // 32 to a pixel
+        for (uint32_t i = 0; i < 32 * 32; ++i) {
+            const float x = float(i) / 32;
+            const auto strip = rectangle(x, 0, x + 1.0f / 32, 16, 1, facing({1, 1, 1}));
+            slivers.insert(slivers.end(), strip.begin(), strip.end());
+        }
+        const auto whole = rectangle(0, 0, 32, 16, 1, facing({1, 1, 1}));
+        const Shown parts = this->render(pixelView(s), slivers, {sun()});
+        const Shown one = this->render(pixelView(s), whole, {sun()});
+        EXPECT_EQ(parts.rgb, one.rgb) << s;
+        EXPECT_EQ(parts.counters.visible, uint64_t(32 * 16) * s.n);
+    }
+}
+
+// NaN, infinity and values out of range in a material: counted, replaced, and felt by no other
+// pixel.
+TYPED_TEST_P(HardCases, HardCase37BadMaterialsAreContained) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity();
+    const auto ground = rectangle(0, 0, 32, 16, 5, facing({0.5f, 0.5f, 0.5f}));
+    for (const Setting& s : hardSettings) {
+        const Shown clean = this->render(pixelView(s), ground, {sun()});
+        EXPECT_EQ(clean.counters.sanitised, 0u);
+        for (float bad : {nan, infinity, -infinity}) {
+            std::vector<Triangle> scene = ground;
+            for (int attribute = 0; attribute < 5; ++attribute) {
+                Material m = facing({0.5f, 0.5f, 0.5f});
+                glm::vec4* vectors[] = {&m.diffuse, &m.specular, &m.emissive, &m.normal};
+                if (attribute < 4)
+                    vectors[attribute]->y = bad;
+                else
+                    m.normal.w = bad;
+                const float x = 2 + 6 * float(attribute);
+                const auto patch = rectangle(x + 0.3f, 4, x + 2.6f, 8, 1, m);
+                scene.insert(scene.end(), patch.begin(), patch.end());
+            }
+            const Shown r = this->render(pixelView(s), scene, {sun()});
+            EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
+            EXPECT_GT(r.counters.sanitised, 0u);
+            for (uint32_t y = 0; y < 16; ++y)
+                for (uint32_t x = 0; x < 32; ++x) {
+                    const bool patch = y >= 4 && y < 8 && x >= 2 && (x - 2) % 6 < 3;
+                    if (!patch) {
+                        EXPECT_EQ(r.rgb[3 * (y * 32 + x)], clean.rgb[3 * (y * 32 + x)]) << s;
+                    }
+                }
+        }
+    }
+}
+
+// Opposite normals in one aggregate: no direction, and yet a finite colour.
+TYPED_TEST_P(HardCases, HardCase4OpposedNormalsCancel) {
+    for (const Setting& s : aggregateSettings) {
+        std::vector<Triangle> scene;
+        for (uint32_t i = 0; i < 256; ++i) {
+            Material m = facing({1, 1, 1});
+            m.specular = glm::vec4(1);
+            m.normal = glm::vec4(i % 2 ? 1.0f : -1.0f, 0, 0, 0.0001f);
+            const float x = float(i) / 8;
+            const auto strip = rectangle(x, 0, x + 0.125f, 16, 1, m);
+            scene.insert(scene.end(), strip.begin(), strip.end());
+        }
+        const Shown r = this->render(pixelView(s, 1), scene, {sun()});
+        EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
+        for (float value : r.rgb)
+            EXPECT_LE(value, 10.0f) << s << ": no more light than falls on it";
+    }
+}
+
+// Lamps in the surface, with cones of no width, and behind shadow maps that see nothing.
+TYPED_TEST_P(HardCases, HardCase39And40LightsInSurfaces) {
+    std::vector<AgaaLight> lights;
+    for (uint32_t type : {AGAA_LIGHT_POINT, AGAA_LIGHT_SPOT}) {
+        AgaaLight light{};
+        light.type = type;
+        light.shadowMap = AGAA_NO_SHADOW;
+        light.position[0] = 8.5f;
+        light.position[1] = 8.5f;
+        light.position[2] = -1;
+        light.direction[2] = -1;
+        light.color[0] = light.color[1] = light.color[2] = 1;
+        light.cosInner = light.cosOuter = 0.5f;
+        lights.push_back(light);
+        light.radius = 0.1f;
+        lights.push_back(light);
+    }
+    for (const Setting& s : hardSettings) {
+        const Shown r =
+            this->render(pixelView(s), rectangle(0, 0, 32, 16, 1, facing({1, 1, 1})), lights);
+        EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
+    }
+}
+
+// Triangles through the eye's plane, of no area, and of no width.
+TYPED_TEST_P(HardCases, HardCase48And50DegenerateTriangles) {
+    std::vector<Triangle> scene = randomTriangles({.triangles = 50}, 51);
+    for (size_t i = 0; i < scene.size(); ++i) {
+        Triangle& t = scene[i];
+        if (i % 3 == 0)
+            t.position[2] = t.position[1];
+        if (i % 3 == 1)
+            t.position[0].z = 3;
+        if (i % 7 == 0)
+            t.material.geometricNormal = glm::vec4(0);
+    }
+    for (const Setting& s : hardSettings) {
+        ViewSettings view;
+        view.config.technique = s.technique;
+        view.config.samples = s.n;
+        view.config.generationTier = s.tier;
+        const Shown r = this->render(view, scene, {sun()});
+        EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
+        EXPECT_EQ(r.counters.once, r.counters.visible);
+        EXPECT_EQ(r.counters.missed + r.counters.multi, 0u);
+    }
+}
+
+// The same image at any size, by one pixel and by many.
+TYPED_TEST_P(HardCases, HardCase55OddSizesAreWhole) {
+    for (const Setting& s : hardSettings)
+        for (const auto& [width, height] : {std::pair{1u, 1u}, {3u, 5u}, {129u, 1u}, {1u, 77u}}) {
+            ViewSettings view = pixelView(s);
+            view.width = width;
+            view.height = height;
+            view.projection = pixelOrthographic(float(width), float(height), 10);
+            const Shown r = this->render(
+                view, rectangle(0, 0, float(width), float(height), 1, facing({1, 1, 1})), {sun()});
+            EXPECT_EQ(r.counters.visible, uint64_t(width) * height * s.n) << s;
+            for (float value : r.rgb)
+                EXPECT_EQ(value, r.rgb[0]);
+        }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
+                            HardCase17GeometryAtTheFarPlaneIsSeen,
+                            HardCase19OneCoveredSampleIsThatSample, HardCase32ADarkRampSurvives,
+                            HardCase33WhiteStaysWhite, HardCase37BadMaterialsAreContained,
+                            HardCase4OpposedNormalsCancel, HardCase39And40LightsInSurfaces,
+                            HardCase48And50DegenerateTriangles, HardCase55OddSizesAreWhole);
+
+} // namespace agaa::test

@@ -1,0 +1,243 @@
+// The tier ids, by what can be seen from outside: images, counters, validation. Each graphics API
+// instantiates these.
+#pragma once
+
+#include "shown.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace agaa::test {
+
+// n samples, c aggregates.
+inline ViewSettings idsSettings(uint32_t n, uint32_t c, uint32_t tier = AGAA_TIER_IDS,
+                                uint64_t flags = 0) {
+    ViewSettings settings;
+    settings.config.samples = n;
+    settings.config.aggregates = c;
+    settings.config.generationTier = tier;
+    settings.config.flags = flags;
+    settings.facts.shadowMapCount = 0;
+    return settings;
+}
+
+// Each triangle of one material: what tiers still differ by is where they take positions and how
+// they round.
+inline Shot idsShot(uint32_t triangles = 150, float duplicates = 0.1f) {
+    return {.triangles = randomTriangles(
+                {.triangles = triangles, .duplicates = duplicates, .masked = 0.2f}, 61),
+            .change = addAmbient};
+}
+
+template <class Host>
+class IdsCases : public testing::Test {
+protected:
+    Shown render(const ViewSettings& settings, const Shot& shot) {
+        return show(context, settings, shot);
+    }
+
+    typename Host::Context context;
+};
+TYPED_TEST_SUITE_P(IdsCases);
+
+TYPED_TEST_P(IdsCases, ShowWhatTwoPassesShow) {
+    for (const auto& [n, c] :
+         {std::pair{1u, 1u}, {4u, 2u}, {8u, 1u}, {8u, 2u}, {8u, 4u}, {32u, 2u}}) {
+        SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c));
+        const Shown ids = this->render(idsSettings(n, c), idsShot());
+        const Shown twice = this->render(idsSettings(n, c, AGAA_TIER_AUTO), idsShot());
+        EXPECT_EQ(ids.geometryPasses, 1u);
+        EXPECT_EQ(twice.geometryPasses, 2u);
+        const Difference d = compare(ids.rgb, twice.rgb);
+        std::printf("n=%u c=%u: PSNR %.1f dB, %.3f %% of pixels beyond 24/255\n", n, c, d.psnr,
+                    100 * d.farPixels);
+        EXPECT_GE(d.psnr, 95) << "the tiers are of one technique";
+        EXPECT_EQ(d.farPixels, 0);
+        EXPECT_EQ(ids.counters.visible, twice.counters.visible);
+        EXPECT_EQ(ids.counters.once, ids.counters.visible);
+        EXPECT_EQ(ids.counters.missed + ids.counters.multi + ids.counters.misplaced, 0u);
+        EXPECT_TRUE(ids.validation.isValid) << ids.validation.explanation;
+        EXPECT_NEAR(double(ids.counters.shadingEvents), double(twice.counters.shadingEvents),
+                    0.002 * double(twice.counters.shadingEvents));
+    }
+}
+
+// What is kept in memory between the passes, and where some triangles come from, does not change
+// the image.
+TYPED_TEST_P(IdsCases, BufferedAndUnfetchedShowTheSame) {
+    Shot shot = idsShot(150, 0);
+    for (const auto& [n, c] : {std::pair{1u, 1u}, {8u, 1u}, {8u, 2u}, {32u, 4u}}) {
+        SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c));
+        shot.fetchFlags = 0;
+        const Shown fused = this->render(idsSettings(n, c), shot);
+        const auto expectLike = [&](const ViewSettings& settings, double psnr) {
+            const Shown other = this->render(settings, shot);
+            const Difference d = compare(fused.rgb, other.rgb);
+            std::printf("n=%u c=%u: PSNR %.1f dB\n", n, c, d.psnr);
+            EXPECT_GE(d.psnr, psnr);
+            EXPECT_EQ(d.farPixels, 0);
+            EXPECT_EQ(other.counters.visible, fused.counters.visible);
+            EXPECT_EQ(other.counters.once, other.counters.visible);
+            EXPECT_EQ(other.counters.missed + other.counters.multi, 0u);
+            return other.counters;
+        };
+        const AgaaCounters buffered =
+            expectLike(idsSettings(n, c, AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED), 95);
+        EXPECT_EQ(buffered.shadingEvents, fused.counters.shadingEvents);
+        EXPECT_EQ(buffered.materials, fused.counters.materials);
+        shot.fetchFlags = AGAA_FETCH_NOT_ALL_DRAWS;
+        for (uint64_t flag : {uint64_t(0), AGAA_CONFIG_BUFFERED}) {
+            ViewSettings settings = idsSettings(n, c, AGAA_TIER_IDS, flag);
+            settings.shader = ViewSettings::Shader::ThirdUnfetched;
+            const AgaaCounters mixed = expectLike(settings, 85);
+            EXPECT_LT(mixed.materials, fused.counters.materials);
+            EXPECT_GT(mixed.materials, fused.counters.materials / 2);
+        }
+    }
+}
+
+// What neither functions nor the G-buffer give a material: counted, left out of the image, told by
+// validation.
+TYPED_TEST_P(IdsCases, UnfetchedSamplesThatAreNotDrawnAreMissed) {
+    Shot shot = idsShot(150, 0);
+    shot.fetchFlags = AGAA_FETCH_NOT_ALL_DRAWS;
+    for (uint64_t flag : {uint64_t(0), AGAA_CONFIG_BUFFERED})
+        for (uint32_t c : {1u, 2u}) {
+            ViewSettings settings = idsSettings(8, c, AGAA_TIER_IDS, flag);
+            settings.shader = ViewSettings::Shader::ThirdUnfetched;
+            settings.mistake.materialDepth = 1.01f; // no depth of the second pass is equal
+            const Shown shown = this->render(settings, shot);
+            EXPECT_GT(shown.counters.missed, shown.counters.visible / 10);
+            EXPECT_EQ(shown.counters.once + shown.counters.missed, shown.counters.visible);
+            EXPECT_EQ(shown.counters.multi, 0u);
+            EXPECT_FALSE(shown.validation.isValid);
+            EXPECT_GT(shown.validation.invalidPixels, 0u);
+            EXPECT_EQ(nonFinite(shown.rgb), 0u);
+        }
+}
+
+// A primitive is fetched once in a pixel, however many of its samples it has.
+TYPED_TEST_P(IdsCases, CountersTellPrimitivesAndMaterials) {
+    const AgaaCounters c = this->render(idsSettings(8, 2), idsShot()).counters;
+    ViewSettings view = idsSettings(8, 2);
+    view.config.debugView = AGAA_DEBUG_VIEW_PRIMITIVES;
+    EXPECT_NEAR(sumOf(this->render(view, idsShot()).rgb) / 3, double(c.primitives), 0.5);
+    EXPECT_EQ(c.materials, c.primitives);
+    EXPECT_EQ(c.aggregates, c.shadingEvents);
+    EXPECT_GT(c.primitives, c.shadedPixels);
+    EXPECT_LT(c.primitives, c.visible);
+}
+
+// Nearly a triangle a sample: a tile has several times what its list holds, so that pixels take
+// their turns, and none of it is lost.
+TYPED_TEST_P(IdsCases, MorePrimitivesThanATileListsAreAllShown) {
+    constexpr uint32_t perPixel = 64, width = 24, height = 8, listLength = 256;
+    std::mt19937 random(83);
+    Shot shot{.change = addAmbient};
+    for (uint32_t i = 0; i < perPixel * (width + 1); ++i) {
+        const float x = float(i) / perPixel - 1;
+        for (Triangle& t : rectangle(x, 0, x + 1.0f / perPixel, height, 1 + float(i % 7),
+                                     randomMaterial(random))) {
+            for (glm::vec3& corner :
+                 t.position) // leans, so that samples one above the other are of different strips
+                corner.x += corner.y / height;
+            shot.triangles.push_back(t);
+        }
+    }
+    for (uint32_t n : {8u, 32u})
+        for (uint64_t flag : {uint64_t(0), AGAA_CONFIG_BUFFERED}) {
+            ViewSettings settings = idsSettings(n, 4, AGAA_TIER_IDS, flag);
+            settings.width = width;
+            settings.height = height;
+            settings.projection = pixelOrthographic(width, height, 10);
+            const Shown ids = this->render(settings, shot);
+            settings.config.flags = 0;
+            settings.config.generationTier = AGAA_TIER_AUTO;
+            const Difference d = compare(ids.rgb, this->render(settings, shot).rgb);
+            const double perTile =
+                double(ids.counters.primitives) / double(width / 8 * (height / 8));
+            std::printf("n=%u: %.1f primitives a tile, PSNR %.1f dB\n", n, perTile, d.psnr);
+            EXPECT_GT(perTile, n * 64 / 2) << "most samples have a triangle of their own";
+            EXPECT_GE(perTile, n / 8 * listLength);
+            EXPECT_EQ(ids.counters.materials, ids.counters.primitives);
+            EXPECT_EQ(ids.counters.visible, uint64_t(n) * width * height);
+            EXPECT_EQ(ids.counters.once, ids.counters.visible);
+            EXPECT_GE(d.psnr, 90);
+            EXPECT_EQ(d.farPixels, 0);
+        }
+}
+
+// Instances are numbered as draws, and placed by the expression that the raster pass places them
+// with.
+TYPED_TEST_P(IdsCases, InstancesAreDrawsOfTheirOwn) {
+    const Shot shot = idsShot(60, 0);
+    ViewSettings settings = idsSettings(8, 2);
+    settings.instances = 3;
+    const Shown ids = this->render(settings, shot);
+    EXPECT_TRUE(ids.validation.isValid) << ids.validation.explanation;
+    settings.config.generationTier = AGAA_TIER_AUTO;
+    const Shown twice = this->render(settings, shot);
+    const Difference d = compare(ids.rgb, twice.rgb);
+    std::printf("PSNR %.1f dB\n", d.psnr);
+    EXPECT_GE(d.psnr, 95);
+    EXPECT_EQ(ids.counters.visible, twice.counters.visible);
+    settings.instances = 1;
+    EXPECT_GT(ids.counters.visible, this->render(settings, shot).counters.visible)
+        << "there is more to see";
+}
+
+// A host that draws more than it announced: what is beyond shows the last announced, is counted,
+// and fetches nothing that is not there.
+TYPED_TEST_P(IdsCases, WhatWasNotAnnouncedIsCounted) {
+    Shot shot = idsShot();
+    shot.announced = 10;
+    shot.material = "if (p.primitive >= 10u) m.emissive = vec3(60000.0);";
+    const Shown beyond = this->render(idsSettings(4, 2), shot);
+    for (float value : beyond.rgb)
+        ASSERT_LT(value, 1000.0f);
+    EXPECT_GT(beyond.counters.unannounced, 0u);
+    EXPECT_EQ(beyond.counters.sanitised, 0u);
+    EXPECT_EQ(beyond.validation.unannounced, beyond.counters.unannounced);
+    EXPECT_FALSE(beyond.validation.isValid);
+    EXPECT_NE(std::string(beyond.validation.explanation).find("did not announce"),
+              std::string::npos)
+        << beyond.validation.explanation;
+    ViewSettings instanced = idsSettings(4, 2);
+    instanced.instances = 3;
+    Shot draws = idsShot();
+    draws.announcedDraws = drawNumber + 2;
+    draws.material = "if (p.draw >= 7u) m.emissive = vec3(60000.0);";
+    const Shown third = this->render(instanced, draws);
+    for (float value : third.rgb)
+        ASSERT_LT(value, 1000.0f);
+    EXPECT_GT(third.validation.unannounced, 0u);
+    EXPECT_FALSE(third.validation.isValid);
+    const Shown within = this->render(idsSettings(4, 2), idsShot());
+    EXPECT_EQ(within.counters.unannounced + within.validation.unannounced, 0u);
+    EXPECT_TRUE(within.validation.isValid) << within.validation.explanation;
+}
+
+TYPED_TEST_P(IdsCases, MaterialsThatAreNotFiniteAreContained) {
+    Shot shot = idsShot(60);
+    for (const char* bad :
+         {"0.0 / (m.alpha2 - m.alpha2)", "1.0 / (m.alpha2 - m.alpha2)", "1e30", "-1e30"}) {
+        const std::string text = std::string("float bad = ") + bad +
+                                 "; m = AgaaMaterial(vec3(bad), vec3(bad), vec3(bad), vec3(bad), "
+                                 "bad, vec3(bad), vec3(bad));";
+        shot.material = text.c_str();
+        for (float value : this->render(idsSettings(8, 2), shot).rgb) {
+            ASSERT_TRUE(std::isfinite(value)) << bad;
+            ASSERT_GE(value, 0.0f);
+        }
+    }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(IdsCases, ShowWhatTwoPassesShow, BufferedAndUnfetchedShowTheSame,
+                            UnfetchedSamplesThatAreNotDrawnAreMissed,
+                            CountersTellPrimitivesAndMaterials,
+                            MorePrimitivesThanATileListsAreAllShown, InstancesAreDrawsOfTheirOwn,
+                            WhatWasNotAnnouncedIsCounted, MaterialsThatAreNotFiniteAreContained);
+
+} // namespace agaa::test

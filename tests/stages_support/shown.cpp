@@ -1,0 +1,41 @@
+#include "shown.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace agaa::test {
+
+void addAmbient(AgaaFrame& frame) {
+    frame.ambient[0] = frame.ambient[1] = frame.ambient[2] = 0.25f;
+}
+
+size_t nonFinite(std::span<const float> rgb) {
+    return size_t(std::ranges::count_if(rgb, [](float value) { return !std::isfinite(value); }));
+}
+
+double sumOf(std::span<const float> rgb) {
+    return std::accumulate(rgb.begin(), rgb.end(), 0.0);
+}
+
+static double toneMapped(float x) {
+    return std::pow(double(x) / (1 + double(x)), 1 / 2.2);
+}
+
+Difference compare(std::span<const float> a, std::span<const float> b) {
+    double sum = 0;
+    size_t far = 0;
+    for (size_t p = 0; p < a.size(); p += 3) {
+        double most = 0;
+        for (size_t i = p; i < p + 3; ++i) {
+            const double d = std::fabs(toneMapped(a[i]) - toneMapped(b[i]));
+            sum += d * d;
+            most = std::max(most, d);
+        }
+        far += most > 24.0 / 255;
+    }
+    return {-10 * std::log10(std::max(sum / double(a.size()), 1e-20)),
+            3 * double(far) / double(a.size())};
+}
+
+} // namespace agaa::test
