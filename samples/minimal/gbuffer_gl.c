@@ -2,46 +2,26 @@
  *   gbuffer_gl image.ppm
  * SPDX-License-Identifier: MIT
  */
+#include "gbuffer.h"
 #include "gl.h"
 
-enum { samples = 4, firstUnit = 20, textureCount = 3 }; /* texture units from 17 are the host's */
+enum { firstUnit = 20 }; /* of sampleCode; texture units from 17 are the host's */
 
 typedef struct Host {
     AgaaContext context;
     AgaaView view;
-    GLuint textures[textureCount]; /* diffuse, normal, depth */
+    GLuint textures[imageCount];
     GLuint framebuffer, program, vertexArray, output;
 } Host;
 
-/* The G-buffer pass is the host's alone: no declarations of the SDK's, any layout, any state. */
-static const char gbufferCode[] =
-    "layout(location = 1) flat in vec3 color;\n"
-    "layout(location = 0) out vec4 diffuse;\n"
-    "layout(location = 1) out vec4 normal; // w: there is geometry\n"
-    "void main() {\n"
-    "    diffuse = vec4(color, 0.0);\n"
-    "    normal = vec4(0.0, 0.0, 1.0, 1.0); // the blades face the camera\n"
-    "}\n";
-
-/* How the SDK's passes read a sample of it. */
-static const char sampleCode[] =
-    "layout(binding = 20) uniform sampler2DMS diffuse;\n"
-    "layout(binding = 21) uniform sampler2DMS normal;\n"
-    "layout(binding = 22) uniform sampler2DMS depth;\n"
-    "bool agaaHostSample(uvec2 pixel, uint i, inout float z, inout AgaaMaterial m) {\n"
-    "    vec4 n = texelFetch(normal, ivec2(pixel), int(i));\n"
-    "    z = texelFetch(depth, ivec2(pixel), int(i)).x;\n"
-    "    m.diffuse = texelFetch(diffuse, ivec2(pixel), int(i)).rgb;\n"
-    "    m.normal = n.xyz;\n"
-    "    return n.w > 0.0;\n"
-    "}\n";
+static const char sampleCode[] = SAMPLE_CODE("binding = 20", "binding = 21", "binding = 22");
 
 static void createGBuffer(Host* host) {
-    static const GLenum formats[textureCount] = {GL_RGBA8, GL_RGBA16F, GL_DEPTH_COMPONENT32F};
-    static const GLenum attachments[textureCount] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_DEPTH_ATTACHMENT};
-    glCreateTextures(GL_TEXTURE_2D_MULTISAMPLE, textureCount, host->textures);
+    static const GLenum formats[imageCount] = {GL_RGBA8, GL_RGBA16F, GL_DEPTH_COMPONENT32F};
+    static const GLenum attachments[imageCount] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_DEPTH_ATTACHMENT};
+    glCreateTextures(GL_TEXTURE_2D_MULTISAMPLE, imageCount, host->textures);
     glCreateFramebuffers(1, &host->framebuffer);
-    for (int i = 0; i < textureCount; ++i) {
+    for (int i = 0; i < imageCount; ++i) {
         glTextureStorage2DMultisample(host->textures[i], samples, formats[i], width, height, GL_TRUE);
         glNamedFramebufferTexture(host->framebuffer, attachments[i], host->textures[i], 0);
         glBindTextureUnit((GLuint)(firstUnit + i), host->textures[i]);
@@ -94,7 +74,7 @@ static void destroy(Host* host) {
     glDeleteProgram(host->program);
     glDeleteVertexArrays(1, &host->vertexArray);
     glDeleteFramebuffers(1, &host->framebuffer);
-    glDeleteTextures(textureCount, host->textures);
+    glDeleteTextures(imageCount, host->textures);
     glDeleteTextures(1, &host->output);
 }
 

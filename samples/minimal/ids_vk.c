@@ -24,7 +24,7 @@ static void createCamera(const Host* host, Fetch* fetch) {
     VkMemoryRequirements needed;
     CHECK(vkCreateBuffer(host->device, &buffer, NULL, &fetch->camera));
     vkGetBufferMemoryRequirements(host->device, fetch->camera, &needed);
-    memcpy(allocate(host, &needed, &fetch->memory), frame.projection, sizeof frame.projection);
+    memcpy(allocate(host, &needed, mappedMemory, &fetch->memory), frame.projection, sizeof frame.projection);
     CHECK(vkBindBufferMemory(host->device, fetch->camera, fetch->memory, 0));
 }
 
@@ -78,7 +78,7 @@ int main(int argumentCount, char** arguments) {
     createCamera(&host, &fetch);
     createSet(&host, &fetch);
     createView(&host, &fetch);
-    createPasses(&host, idCode);
+    createPasses(&host, NULL, idCode);
     renderFrames(&host);
     writeImage(arguments[1], pixels);
     destroyFetch(&host, &fetch);

@@ -24,6 +24,7 @@ typedef struct Host {
     VkPipelineLayout layouts[maxPasses];
     VkPipeline pipelines[maxPasses];
     VkDescriptorSet functionSet; /* of a host's own functions; minimal_vk has none */
+    void (*drawOwn)(const struct Host*, VkCommandBuffer); /* what a host draws before the SDK's passes, or NULL */
     AgaaFrame frame;
 } Host;
 
@@ -48,18 +49,19 @@ static void createDevice(Host* host) {
     CHECK(vkCreateDevice(host->physicalDevice, &device, NULL, &host->device));
 }
 
-/* Mapped, and written through. */
-static void* allocate(const Host* host, const VkMemoryRequirements* needed, VkDeviceMemory* memory) {
-    const VkMemoryPropertyFlags wanted = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+enum { mappedMemory = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT };
+/* Returns where it is mapped, if it can be. */
+static void* allocate(const Host* host, const VkMemoryRequirements* needed, VkFlags wanted, VkDeviceMemory* memory) {
     VkMemoryAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needed->size};
     VkPhysicalDeviceMemoryProperties types;
-    void* mapped;
+    void* mapped = NULL;
     vkGetPhysicalDeviceMemoryProperties(host->physicalDevice, &types);
     while (!(needed->memoryTypeBits >> info.memoryTypeIndex & 1) ||
            (types.memoryTypes[info.memoryTypeIndex].propertyFlags & wanted) != wanted)
-        require(++info.memoryTypeIndex < types.memoryTypeCount, "No memory serves device and CPU.");
+        require(++info.memoryTypeIndex < types.memoryTypeCount, "No memory serves what is asked of it.");
     CHECK(vkAllocateMemory(host->device, &info, NULL, memory));
-    CHECK(vkMapMemory(host->device, *memory, 0, VK_WHOLE_SIZE, 0, &mapped));
+    if (wanted & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT)
+        CHECK(vkMapMemory(host->device, *memory, 0, VK_WHOLE_SIZE, 0, &mapped));
     return mapped;
 }
 
@@ -79,7 +81,7 @@ static const float* createOutput(Host* host) {
     vkGetImageMemoryRequirements(host->device, host->output, &needed);
     vkGetImageSubresourceLayout(host->device, host->output, &color, &rows);
     require(rows.offset == 0 && rows.rowPitch == width * 4 * sizeof(float), "The rows of the image have gaps.");
-    const void* pixels = allocate(host, &needed, &host->outputMemory);
+    const void* pixels = allocate(host, &needed, mappedMemory, &host->outputMemory);
     CHECK(vkBindImageMemory(host->device, host->output, host->outputMemory, 0));
     const VkImageViewCreateInfo view = {
         .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO, .image = host->output, .viewType = VK_IMAGE_VIEW_TYPE_2D,
@@ -179,12 +181,15 @@ static void createPass(Host* host, uint32_t i, const AgaaVkDrawPass* sdk, VkShad
     vkDestroyShaderModule(host->device, fragment, NULL);
 }
 
-/* code: the material of the fragment shaders. */
-static void createPasses(Host* host, const char* code) {
+/* The SDK's, and one of the host's own or NULL. code: the material of the fragment shaders. */
+static void createPasses(Host* host, const AgaaVkDrawPass* own, const char* code) {
     AgaaVkDrawPass passes[maxPasses] = {AGAA_VK_DRAW_PASS_INIT, AGAA_VK_DRAW_PASS_INIT, AGAA_VK_DRAW_PASS_INIT,
                                         AGAA_VK_DRAW_PASS_INIT};
     host->passCount = maxPasses;
     CHECK(agaaVkGetDrawPasses(host->view, &host->passCount, passes));
+    require(!own || host->passCount < maxPasses, "The SDK has more passes than this host expects.");
+    if (own)
+        passes[host->passCount++] = *own;
     glslang_initialize_process();
     const VkShaderModule vertex = compile(host, GLSLANG_STAGE_VERTEX, "#define VERTEX gl_VertexIndex\n",
                                           "layout(push_constant) uniform Push { mat4 clipFromShading; };", vertexCode);
@@ -236,6 +241,8 @@ static void renderFrames(Host* host) {
         host->frame.draw = draw, host->frame.drawUser = host;
         CHECK(vkResetCommandPool(host->device, info.commandPool, 0));
         CHECK(vkBeginCommandBuffer(commands, &begin));
+        if (host->drawOwn)
+            host->drawOwn(host, commands);
         CHECK(agaaVkRecordFrame(host->view, &host->frame, &vkFrame));
         vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &out,
                              0, NULL, 0, NULL);

@@ -126,7 +126,22 @@ class OpenGl(Minimal):
         self.check_refusals("minimal_gl")
 
 
-class OwnGBuffer(Minimal):
+class OwnGBufferOnVulkan(Minimal):
+    samples = 4
+
+    def test_frames_are_clean_under_validation(self):
+        pixels, messages = self.render("gbuffer_vk", VALIDATION)
+        self.assertIn('Insert instance layer "VK_LAYER_KHRONOS_validation"', messages)
+        self.check_image(pixels)
+        opengl, _ = self.render("gbuffer_gl")
+        differences = [max(abs(a - b) for a, b in zip(p, q)) for p, q in zip(pixels, opengl)]
+        self.assertLessEqual(sum(d > 2 for d in differences), len(differences) / 1000)
+
+    def test_refusals(self):
+        self.check_refusals("gbuffer_vk")
+
+
+class OwnGBufferOnOpenGl(Minimal):
     samples = 4
 
     def test_frames_are_clean(self):
