@@ -14,6 +14,8 @@ from figures import BUILTIN, shared_scenes
 
 # What is hard comes first, so that a run that is broken off has it.
 FIRST = ["bamboo", "foliage", "furball", "metal", "sh3d_foliage"]
+# Has emission and normal maps, too: effects where they are called for and where they are not.
+PLAIN = "city"
 
 
 def scenes():
@@ -42,6 +44,7 @@ def main():
         command += ["--row", row]
     for scene in scenes():
         command += ["--scene", scene]
+    command += ["--plain", PLAIN]
     begin = time.monotonic()
     result = subprocess.run(command)
     print(f"full_sweep: {(time.monotonic() - begin) / 60:.0f} minutes")

@@ -93,6 +93,20 @@ class Sweep(unittest.TestCase):
             rows = results["backends"][0]["scenes"][0]["rows"]
             self.assertEqual([(r["technique"], r["n"], r["c"]) for r in rows], [("agaa", 8, 2), ("ssaa", 8, 0)])
 
+    def test_effects_where_nothing_calls_for_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            written = harness.data("sweep", "--quick", "--scene", "metal", "--plain", "city", "--size", "32x18",
+                                   "--row", "agaa-8-2", "--out", folder)
+            with open(written["results"]) as file:
+                scene, plain = json.load(file)["backends"][0]["scenes"]
+        self.assertEqual([(s["name"], s["plain"]) for s in (scene, plain)], [("metal", False), ("city-plain", True)])
+        effects = {e["effect"]: e for e in plain["ablation"]}
+        for effect in ("shadow-filter", "ndf-widening", "specular", "emissive", "ambient", "normal-maps",
+                       "lit-aggregates", "elliptic-lobes", "gloss-weight"):
+            self.assertFalse(effects[effect]["calledFor"], effect)
+            self.assertEqual(effects[effect]["on"]["mseTm"], effects[effect]["off"]["mseTm"], effect)
+        self.assertEqual(harness.run("sweep", "--plain", "nowhere").returncode, 2)
+
     def test_backends_share_a_reference(self):
         with tempfile.TemporaryDirectory() as folder:
             written = harness.data("sweep", "--scene", "metal", "--size", "32x18", "--row", "agaa-8-2",

@@ -52,6 +52,7 @@ struct SweepArguments {
     std::vector<std::string> backends = {"vk"};
     std::string out = "sweep";
     std::string size = "640x360";
+    std::vector<std::string> plain; // scenes whose effects are also measured where nothing calls for them
     std::vector<std::string> rows; // none: all
     bool quick = false;
     uint32_t rounds = 0; // 0: the usual number

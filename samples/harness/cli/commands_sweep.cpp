@@ -47,12 +47,13 @@ json readResults(const fs::path& path, const json& fresh) {
     return old;
 }
 
-std::string sceneName(const std::string& argument) { return fs::path(argument).stem().string(); }
-
 struct Task {
     std::string backend;
     std::string scene;
     std::string camera;
+    bool isPlain = false; // without what effects are for
+
+    std::string name() const { return fs::path(scene).stem().string() + (isPlain ? "-plain" : ""); }
 };
 
 json& backendOf(json& results, const std::string& name) {
@@ -65,17 +66,17 @@ json& backendOf(json& results, const std::string& name) {
 
 bool isDone(json& results, const Task& task) {
     for (const json& scene : backendOf(results, task.backend)["scenes"])
-        if (scene["name"] == sceneName(task.scene))
+        if (scene["name"] == task.name())
             return true;
     return false;
 }
 
 // "scene" or "scene@ex,ey,ez,tx,ty,tz,fov".
-Task parseTask(const std::string& backend, const std::string& text) {
+Task parseTask(const std::string& backend, const std::string& text, bool isPlain = false) {
     const size_t at = text.rfind('@');
     if (at == std::string::npos)
-        return {backend, text, ""};
-    return {backend, text.substr(0, at), text.substr(at + 1)};
+        return {backend, text, "", isPlain};
+    return {backend, text.substr(0, at), text.substr(at + 1), isPlain};
 }
 
 const char* passTimes(uint32_t source) {
@@ -89,13 +90,16 @@ public:
         rows_ = arguments.rows.empty() ? sweepRows(arguments.quick) : namedSweepRows(arguments.rows);
         results_ = readResults(out_ / "results.json", {{"schema", 3},
                                                        {"quick", arguments.quick},
-                                                       {"rounds", options().rounds},
+                                                       {"rounds", options({}).rounds},
                                                        {"size", arguments.size},
                                                        {"rows", arguments.rows},
                                                        {"backends", json::array()}});
         for (const std::string& scene : arguments.scenes)
             for (const std::string& backend : arguments.backends)
                 tasks_.push_back(parseTask(backend, scene));
+        for (const std::string& scene : arguments.plain)
+            for (const std::string& backend : arguments.backends)
+                tasks_.push_back(parseTask(backend, scene, true));
     }
 
     json run() {
@@ -105,7 +109,7 @@ public:
                 ++skipped_;
                 continue;
             }
-            if (i == 0 || tasks_[i].scene != tasks_[i - 1].scene)
+            if (i == 0 || tasks_[i].scene != tasks_[i - 1].scene || tasks_[i].isPlain != tasks_[i - 1].isPlain)
                 references_ = {};
             measure(tasks_[i], i);
             writeJson(out_ / "results.json", results_);
@@ -114,7 +118,12 @@ public:
     }
 
 private:
-    SweepOptions options() const { return sweepOptions(arguments_.quick, arguments_.rounds); }
+    SweepOptions options(const Task& task) const {
+        const SweepKind kind = task.isPlain ? arguments_.quick ? SweepKind::QuickEffects : SweepKind::Effects
+                               : arguments_.quick ? SweepKind::Quick
+                                                  : SweepKind::Full;
+        return sweepOptions(kind, arguments_.rounds);
+    }
 
     void measure(const Task& task, size_t index) {
         RenderArguments a;
@@ -125,18 +134,25 @@ private:
         a.camera = task.camera;
         a.plan.size = arguments_.size;
         const Configuration configuration(a.plan);
-        const Scene scene = loadSceneArgument(a.scene);
+        Scene scene = loadSceneArgument(a.scene);
+        if (task.isPlain) {
+            a.without = {"specular", "emissive", "ambient", "shadows"};
+            for (Material& material : scene.materials)
+                material.normalTexture = -1;
+        }
         const RenderSettings settings = renderSettings(a, configuration, scene);
         const auto renderer = makeRenderer(a.device);
         renderer->load(scene);
-        const std::string name = sceneName(task.scene);
-        SceneSweep sweep(*renderer, scene, settings, options(), rows_, references_,
+        const std::string name = task.name();
+        const std::vector<SweepRow> rows = task.isPlain ? namedSweepRows({"agaa-8-2"}) : rows_;
+        SceneSweep sweep(*renderer, scene, settings, options(task), rows, references_,
                          out_ / "images", task.backend + "-" + name,
                          [&](const std::string& step, uint32_t done, uint32_t of) {
                              tell(task, name, step, double(index) + double(done) / of);
                          });
         json result = sweep.run();
         result["name"] = name;
+        result["plain"] = task.isPlain;
         json& backend = backendOf(results_, task.backend);
         backend["device"] = renderer->caps().deviceName;
         backend["driver"] = renderer->caps().driverName;
@@ -171,6 +187,16 @@ void writeReport(const fs::path& out) {
         throw std::runtime_error("The page was not written; results.json is whole. The command was: " + command);
 }
 
+void checkScenes(const std::string& option, const std::vector<std::string>& scenes) {
+    for (const std::string& text : scenes) {
+        const Task task = parseTask("", text);
+        if (!task.camera.empty())
+            parseCamera(task.camera);
+        if (!makeBuiltinScene(task.scene) && !fs::exists(task.scene))
+            throw BadArgument(option + " names \"" + task.scene + "\", which is neither built in nor a file.");
+    }
+}
+
 } // namespace
 
 void runSweep(const SweepArguments& arguments, bool asJson) {
@@ -184,13 +210,8 @@ void runSweep(const SweepArguments& arguments, bool asJson) {
     }
     if (arguments.out.find('\'') != std::string::npos)
         throw BadArgument("--out must not hold a quotation mark.");
-    for (const std::string& text : arguments.scenes) {
-        const Task task = parseTask("", text);
-        if (!task.camera.empty())
-            parseCamera(task.camera);
-        if (!makeBuiltinScene(task.scene) && !fs::exists(task.scene))
-            throw BadArgument("--scene names \"" + task.scene + "\", which is neither built in nor a file.");
-    }
+    checkScenes("--scene", arguments.scenes);
+    checkScenes("--plain", arguments.plain);
     const json results = Sweep(arguments).run();
     writeReport(arguments.out);
     if (asJson)

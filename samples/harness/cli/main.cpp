@@ -129,6 +129,9 @@ int run(int argc, char** argv) {
     CLI::App* sweep = command("sweep", "techniques beside each other: results.json and report.html");
     sweep->add_option("--scene", sweepArguments.scenes,
                       "built-in scenes, .gltf or .glb; @ex,ey,ez,tx,ty,tz,fovDegrees after it sets the camera");
+    sweep->add_option("--plain", sweepArguments.plain,
+                      "also what effects cost where nothing calls for them: such a scene without highlights, emission, "
+                      "ambient light, shadows and normal maps; repeatable");
     sweep->add_option("--backend", sweepArguments.backends, "vk, gl");
     sweep->add_option("--out", sweepArguments.out, "folder; a sweep that it holds is gone on with");
     sweep->add_option("--size", sweepArguments.size, "WxH");

@@ -9,12 +9,20 @@ namespace harness {
 
 using nlohmann::json;
 
-SweepOptions sweepOptions(bool quick, uint32_t rounds) {
+SweepOptions sweepOptions(SweepKind kind, uint32_t rounds) {
     SweepOptions options;
-    if (quick)
-        options = {.timedRounds = 2, .effectRounds = 2, .pathFrames = 0, .referenceSamples = 64, .temporalSamples = 0};
+    const bool isQuick = kind == SweepKind::Quick || kind == SweepKind::QuickEffects;
+    const bool isOfEffects = kind == SweepKind::Effects || kind == SweepKind::QuickEffects;
+    if (isQuick)
+        options = {.timedRounds = 2, .effectRounds = 2};
     if (rounds)
         options.rounds = options.timedRounds = options.effectRounds = rounds;
+    if (isOfEffects)
+        options.rounds = options.timedRounds = 1;
+    if (isQuick || isOfEffects) {
+        options.referenceSamples = 64;
+        options.pathFrames = options.temporalSamples = 0;
+    }
     return options;
 }
 
@@ -236,13 +244,12 @@ const Reference& SceneSweep::temporalReference(const char* of, uint32_t frame) {
 // Each effect off and on in turns; errors against ssaa with all effects.
 json SceneSweep::ablation() {
     const Image& reference = *sameSamples(SweepRow{"agaa", 8, 2});
-    const AgaaSceneFacts facts = sceneFacts(scene_, base_.lights);
     Scene bare = scene_;
     for (Material& material : bare.materials)
         material.normalTexture = -1;
     json list = json::array();
     for (const SweepEffect& effect : sweepEffects()) {
-        const bool calledFor = isCalledFor(effect, scene_, facts);
+        const bool calledFor = isCalledFor(effect, scene_, base_.facts);
         std::vector<double> ms[2];
         double error[2] = {};
         for (uint32_t round = 0; round < 2 * options_.effectRounds; ++round) {
