@@ -86,9 +86,23 @@ def make_row(scene, technique, n, c, cost, speed):
     }
 
 
+def one_pass_row(name, tier, preset, cost, speed):
+    """agaa n=8 without a second geometry pass; of a preset, with up to four aggregates."""
+    row = make_row(name, "agaa", 8, 4 if preset else 2, cost, speed)
+    row.update(preset=preset, tiers={"visibility": "scaled-target", "generation": tier}, geometryPasses=1,
+               bytesPerPixel=64 if tier == "ids" else 160, primitivesPerPixel=2.5 if tier == "ids" else 0,
+               materialsPerPixel=2.5 if tier == "ids" else 0)
+    row["frameMs"] = {**row["frameMs"], "median": 0.7 * row["frameMs"]["median"], "p95": 0.8 * row["frameMs"]["median"]}
+    for key in ("image", "difference", "heat"):
+        row[key] = row[key] and row[key].replace("agaa-8-", f"agaa-8-{tier}{preset}-")
+    return row
+
+
 def make_scene(name, speed, folder):
     rows = [make_row(name, technique, n, c, cost, speed) for cost in (1, 4, 16)
             for technique, n, c in configurations()]
+    rows += [one_pass_row(name, tier, preset, cost, speed) for cost in (1, 4)
+             for tier, preset in (("gbuffer", ""), ("ids", ""), ("ids", "accurate"))]
     scene = {"name": name, "triangles": 31000, "lights": 17,
              "stresses": "Stalks and leaves thinner than a pixel, with specular highlights.",
              "pixelsPerDegree": 67.0, "reference": {"spp": 512, "splitHalfMseTm": 1.8e-6},
@@ -126,6 +140,10 @@ def make_results(folder):
     # A backend without times of passes, a sweep that was quick: most of it is not there.
     for row in backends[1]["scenes"][0]["rows"]:
         row.update(stageMs=None, passes=None, temporal=None, path=None, heat=None)
+    plain = {**backends[0]["scenes"][1], "name": "metal-plain", "plain": True}
+    plain["rows"] = [row for row in plain["rows"] if (row["technique"], row["n"], row["c"]) == ("agaa", 8, 2)][:1]
+    plain["ablation"] = [{**entry, "calledFor": False, "off": entry["on"]} for entry in plain["ablation"]]
+    backends[0]["scenes"].append(plain)
     backends[1]["scenes"].append({
         "name": "quick <b>", "rows": [
             {"technique": "agaa", "n": 8, "c": 2, "shadingCost": 1, "frameMs": {"median": 3.5},

@@ -236,12 +236,14 @@ def speed_sentences(scenes):
     return lines
 
 
-PRESETS = [("paper", None)] + [(preset, by) for preset in ("fast", "balanced", "accurate") for by in ("gbuffer", "ids")]
+PRESETS = [("paper", 8, None)]
+PRESETS += [(preset, 8, by) for preset in ("fast", "balanced", "accurate") for by in ("gbuffer", "ids")]
+PRESETS += [("accurate", 32, by) for by in ("gbuffer", "ids")]
 
 
-def preset_row(scene, preset, by):
+def preset_row(scene, preset, n, by):
     for row in rows_of(scene):
-        if (row["preset"], row["n"], way(row)) == (preset, 8, by):
+        if (row["preset"], row["n"], way(row)) == (preset, n, by):
             return row
     return None
 
@@ -256,18 +258,23 @@ def mean(values):
 
 
 def preset_rows(scenes):
-    """Means over the scenes that have them all, times by the preset paper's."""
-    whole = [s for s in scenes if all(preset_row(s, *each) for each in PRESETS)]
+    """Means over the scenes that have all of the same n, and agaa c=2 by two passes to set them beside."""
     out = []
-    for preset, by in PRESETS if whole else []:
-        rows = [preset_row(s, preset, by) for s in whole]
+    for preset, n, by in PRESETS:
+        whole = [s for s in scenes if find(s, "agaa", n, 2) and find(s, "ssaa", n)
+                 and all(preset_row(s, *each) for each in PRESETS if each[1] == n)]
+        if not whole:
+            continue
+        rows, twos = [preset_row(s, preset, n, by) for s in whole], [find(s, "agaa", n, 2) for s in whole]
         shares = [merge_share(s, row) for s, row in zip(whole, rows)]
-        times = [ratio(frame(row), frame(preset_row(s, "paper", None))) for s, row in zip(whole, rows)]
         worst = max(zip(shares, (s["name"] for s in whole)))
-        out.append([preset, {None: "two passes", "gbuffer": "from a G-buffer", "ids": "by id"}[by],
+        events, times, sizes = ([of(row) for row in rows] for of in (
+            lambda row: row["eventsPerCoveredPixel"], frame, lambda row: row["bytesPerPixel"]))
+        out.append([preset, n, {None: "two passes", "gbuffer": "from a G-buffer", "ids": "by id"}[by],
                     f"{mean(shares):.4f}", f"{sorted(shares)[len(shares) // 2]:.4f}", f"{worst[0]:.3f} ({worst[1]})",
-                    f"{mean([row['eventsPerCoveredPixel'] for row in rows]):.2f}", shown(mean(times)),
-                    f"{mean([row['bytesPerPixel'] for row in rows]):.0f}"])
+                    f"{mean(events):.2f}",
+                    shown(mean([ratio(own, two["eventsPerCoveredPixel"]) for own, two in zip(events, twos)])),
+                    shown(mean([ratio(own, frame(two)) for own, two in zip(times, twos)])), f"{mean(sizes):.0f}"])
     return out
 
 
@@ -280,7 +287,7 @@ def document(results):
     if results.get("rows"):
         lines += ["Of a full sweep's rows only these were measured: " + ", ".join(results["rows"]) + ".", ""]
     for backend in results["backends"]:
-        scenes = [s for s in backend["scenes"] if find(s, "single", 1)]
+        scenes = [s for s in backend["scenes"] if find(s, "single", 1) and not s.get("plain")]
         if not scenes:
             continue
         speeds, merges = speed_rows(scenes), merge_rows(scenes)
@@ -295,11 +302,12 @@ def document(results):
         for title, asked, limits, pick in QUESTIONS:
             lines += [f"### {title}", ""] + by_scene(scenes, asked, limits, pick)
         if presets := preset_rows(scenes):
-            lines += ["### Presets at n=8", "",
-                      "Means over the scenes. Error: what aggregation adds, against `ssaa` n=8, by the error of `single`; "
-                      "frame: by that of `paper`, the settings of the paper's sections.", ""]
-            lines += table(["preset", "materials", "error", "its median", "its largest", "events a covered pixel",
-                            "frame", "bytes a pixel"], presets)
+            lines += ["### Presets", "",
+                      "Means over the scenes. Error: what aggregation adds, against `ssaa` of the same n, by the error of "
+                      "`single`; `paper` has the settings of the paper's sections. “By c=2”: events and whole frames by "
+                      "those of `agaa` c=2 of the same n with two geometry passes.", ""]
+            lines += table(["preset", "n", "materials", "error", "its median", "its largest", "events a covered pixel",
+                            "events by c=2", "frame by c=2", "bytes a pixel"], presets)
         lines += ["### simple\\_complex by agaa c=2", "",
                   "Ratios above 1 are for `agaa`. The last three columns: how many times heavier than with the "
                   "scene's own lights shading must be for `agaa` to have the shorter frame.", ""]

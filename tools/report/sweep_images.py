@@ -83,6 +83,8 @@ def wanted(results):
     found = []
     for which, backend in enumerate(dicts(results.get("backends"))):
         for index, scene in enumerate(dicts(backend.get("scenes"))):
+            if scene.get("plain"):  # which shows no image
+                continue
             pair = (-1, which, index)
             found.append((pair, scene, "referenceImage"))
             for row in dicts(scene.get("rows")):

@@ -1,8 +1,5 @@
 // The AGAA paper's claims against this run, over all scenes of the backend.
 
-const spanText = (values, text = ratioText) => !values.length ? MISSING
-    : values.length === 1 ? text(values[0]) : `${text(Math.min(...values))} to ${text(Math.max(...values))}`;
-
 // A claim that values of one scene each must meet; null where no scene has the value.
 function judged(claim, scenes, value, holds, cause, text = ratioText) {
     const measured = scenes.map((scene) => ({scene, value: value(scene)})).filter((one) => one.value !== null);
@@ -17,7 +14,6 @@ function judged(claim, scenes, value, holds, cause, text = ratioText) {
 }
 
 const pairsAt = (scene, n, cost = 1) => pairAt(rowsAt(scene, cost), n);
-const percent = (value) => Math.round(100 * value) + " %";
 
 // How the ratio grows when lighting is most of the work: then the rest is what keeps it down.
 function heavierLighting(scenes, n, key) {
@@ -29,20 +25,15 @@ function heavierLighting(scenes, n, key) {
     return "heavier lighting was not measured";
 }
 
-function shareOfStage(scenes, n, stages) {
-    const shares = scenes.map((scene) => {
-        const row = find(rowsAt(scene, 1), "agaa", n, 2);
-        const times = row ? stagesOf(row) : {};
-        const all = Object.values(times).reduce((sum, ms) => sum + ms, 0);
-        return all > 0 ? stages.reduce((sum, stage) => sum + (times[stage] ?? 0), 0) / all : null;
-    }).filter((share) => share !== null);
+function geometrySpan(scenes, n) {
+    const shares = scenes.map((scene) => geometryShare(find(rowsAt(scene, 1), "agaa", n, 2))).filter((share) => share !== null);
     return shares.length ? spanText(shares, percent) : null;
 }
 
 const shadingCause = (n, key) => (scenes) => "work that both do once a pixel, such as shadows of all samples, weighs as much as "
     + `the lighting: ${heavierLighting(scenes, n, key)} on these`;
 const frameCause = (n) => (scenes) => {
-    const share = shareOfStage(scenes, n, ["prepass", "generation"]);
+    const share = geometrySpan(scenes, n);
     const passes = scenes.map((scene) => finite(pairsAt(scene, n).ours?.geometryPasses) ?? 0);
     return (Math.max(...passes) > 1 ? "the second geometry pass" : "geometry")
         + (share ? `: prepass and generation are ${share} of agaa's frame` : "") + `; ${heavierLighting(scenes, n, "frame")}`;
@@ -55,11 +46,20 @@ function errorShare(s) {
         return ratio(ours && errorOf(ours, metric), theirs && errorOf(theirs, metric));
     };
 }
+// Of agaa c=2 against a technique at c or S.
+const saved = (n, technique, c) => (scene) => {
+    const bytes = (row) => finite(row?.bytesPerPixel), rows = rowsAt(scene, 1);
+    const left = ratio(bytes(find(rows, "agaa", n, 2)), bytes(find(rows, technique, n, c)));
+    return left === null ? null : 1 - left;
+};
+const memoryCause = (n) => () => "bytes as allocated: without the paper's formats and mixed samples, records of surfaces and "
+    + `aggregates are words of a buffer; by the paper's layouts ${percent(1 - paperBytes.agaa(n, 2) / paperBytes.sbaa(n, 2))}`;
 const errorCause = () => "as is known of it: one lobe, round and wide, stands for all normals of an aggregate, where sbaa keeps exact ones: "
     + "glossy and thin surfaces show it; compare specular in the table of effects";
 
 function showClaims(backend) {
     const scenes = scenesOf(backend), atLeast = (least) => (value) => value >= least, atMost = (most) => (value) => value <= most;
+    const atLeastPercent = (least) => (value) => Math.round(100 * value) >= least;
     const lines = [
         judged("shading at least 2× faster than simple/complex, n = 8", scenes, (s) => pairsAt(s, 8).shading, atLeast(2),
             shadingCause(8, "shading")),
@@ -71,6 +71,12 @@ function showClaims(backend) {
             frameCause(8)),
         judged("frames faster than simple/complex on every scene, n = 32", scenes, (s) => pairsAt(s, 32).frame, atLeast(1),
             frameCause(32)),
+        judged("30 % less memory than deferred supersampling, n = 8 (abstract)", scenes, saved(8, "ssaa"), atLeastPercent(30),
+            () => "", percent),
+        judged("54 % less memory than deferred supersampling, n = 32 (abstract)", scenes, saved(32, "ssaa"), atLeastPercent(54),
+            () => "", percent),
+        judged("19 % less memory than SBAA, two aggregates by two surfaces, n = 8", scenes, saved(8, "sbaa", 2),
+            atLeastPercent(19), memoryCause(8), percent),
         judged("two aggregates are as good as four surfaces of SBAA, n = 8", scenes, errorShare(4), atMost(1), errorCause),
     ].filter((line) => line);
     if (!lines.length) {

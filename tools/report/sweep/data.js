@@ -10,7 +10,9 @@ const dicts = (value) => Array.isArray(value) ? value.filter((item) => item && t
 const finite = (value) => typeof value === "number" && Number.isFinite(value) ? value : null;
 const field = (value, ...keys) => keys.reduce((at, key) => at && typeof at === "object" ? at[key] : undefined, value);
 const backendsOf = () => dicts(results.backends);
-const scenesOf = (backend) => dicts(field(backend, "scenes"));
+const allScenesOf = (backend) => dicts(field(backend, "scenes"));
+// A plain scene is there for the table of effects alone.
+const scenesOf = (backend) => allScenesOf(backend).filter((scene) => !scene.plain);
 const rowsOf = (scene) => dicts(field(scene, "rows"));
 const costOf = (row) => finite(row.shadingCost) ?? 1;
 const rowsAt = (scene, cost) => rowsOf(scene).filter((row) => costOf(row) === cost);
@@ -92,4 +94,9 @@ function psnrText(error) {
 }
 const msText = (value) => finite(value) === null ? MISSING : value.toFixed(value < 10 ? 2 : 1);
 const ratioText = (value) => finite(value) === null ? MISSING : value.toFixed(2) + "×";
+const percent = (value) => Math.round(100 * value) + " %";
+function spanText(values, text = ratioText) {
+    const ends = unique([text(Math.min(...values)), text(Math.max(...values))]);
+    return values.length ? ends.join(" to ") : MISSING;
+}
 const ratio = (a, b) => finite(a) === null || finite(b) === null || b === 0 ? null : a / b;

@@ -7,6 +7,12 @@ const paperBytes = {
     sbaa: (n, s) => 9 * n + 14 * s,
 };
 const shadingMs = (row) => row ? stagesOf(row).shading ?? null : null;
+const stageShare = (row, stages) => {
+    const times = row ? stagesOf(row) : {};
+    const all = Object.values(times).reduce((sum, ms) => sum + ms, 0);
+    return all > 0 ? stages.reduce((sum, stage) => sum + (times[stage] ?? 0), 0) / all : null;
+};
+const geometryShare = (row) => stageShare(row, ["prepass", "generation"]);
 const eventsOf = (row) => finite(row?.eventsPerCoveredPixel) ?? finite(row?.eventsPerPixel);
 
 function pairAt(rows, n) {
@@ -45,15 +51,15 @@ function ratioRows(backend, scene, rows, cost) {
     };
     for (const n of [8, 32]) {
         const pair = pairAt(rows, n), figures = paper.scenes[scene.name]?.[n];
-        const range = (key) => {
-            const all = Object.values(paper.scenes).map((entry) => entry[n][key]);
-            return `${Math.min(...all).toFixed(2)} to ${Math.max(...all).toFixed(2)}×`;
-        };
+        const range = (key, text = ratioText) => spanText(Object.values(paper.scenes).map((entry) => entry[n][key]), text);
         const at = `, n = ${n}`;
         add("shading time, simple_complex / agaa c=2" + at, pair.shading, figures?.shading ?? range("shading"),
             timeReasons(backend, scene, n, cost, true));
         add("frame time, simple_complex / agaa c=2" + at, pair.frame, figures?.frame ?? range("frame"),
             timeReasons(backend, scene, n, cost, false));
+        const geometry = geometryShare(pair.ours);
+        add("prepass and generation of agaa's passes, c=2" + at, geometry === null ? null : percent(geometry),
+            figures ? percent(figures.geometry) : range("geometry", percent), timeReasons(backend, scene, n, cost, true));
         const known = n === 8;
         add("shading events, simple_complex / agaa c=2" + at, pair.events,
             known ? paper.events.simpleComplex / paper.events.agaa2 : null,

@@ -82,7 +82,7 @@ function removedText(on, off, gap) {
 }
 
 function showAblation(backend) {
-    const entries = scenesOf(backend).flatMap((scene) => dicts(scene.ablation).map((entry) => ({scene, entry})));
+    const entries = allScenesOf(backend).flatMap((scene) => dicts(scene.ablation).map((entry) => ({scene, entry})));
     if (!entries.length) {
         fill("ablation", absent("This sweep has not switched effects off."));
         return;
