@@ -1,4 +1,4 @@
-// Named settings; docs/choosing.md has the measurements that they are chosen from.
+// Named settings, chosen among those that tools/presets.py measures; docs/choosing.md has what they cost.
 #include "core/presets.h"
 
 namespace agaa {
