@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 
 namespace agaa::test {
 
@@ -52,14 +53,8 @@ constexpr Setting hardSettings[] = {{"single", 1},
                                     {"agaa", 8, AGAA_TIER_GBUFFER},
                                     {"agaa", 8, AGAA_TIER_IDS},
                                     {"agaa", 32, AGAA_TIER_IDS}};
-// Of agaa alone.
-constexpr Setting aggregateSettings[] = {{"agaa", 4},
-                                         {"agaa", 8},
-                                         {"agaa", 16},
-                                         {"agaa", 32},
-                                         {"agaa", 8, AGAA_TIER_GBUFFER},
-                                         {"agaa", 8, AGAA_TIER_IDS},
-                                         {"agaa", 32, AGAA_TIER_IDS}};
+// Of agaa with several samples.
+constexpr std::span<const Setting> aggregateSettings = std::span(hardSettings).subspan(3);
 inline ViewSettings pixelView(const Setting& s, uint32_t c = 2) {
     ViewSettings settings;
     settings.width = 32;

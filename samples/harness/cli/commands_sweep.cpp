@@ -119,10 +119,7 @@ public:
 
 private:
     SweepOptions options(const Task& task) const {
-        const SweepKind kind = task.isPlain ? arguments_.quick ? SweepKind::QuickEffects : SweepKind::Effects
-                               : arguments_.quick ? SweepKind::Quick
-                                                  : SweepKind::Full;
-        return sweepOptions(kind, arguments_.rounds);
+        return sweepOptions(arguments_.quick, task.isPlain, arguments_.rounds);
     }
 
     void measure(const Task& task, size_t index) {

@@ -9,17 +9,15 @@ namespace harness {
 
 using nlohmann::json;
 
-SweepOptions sweepOptions(SweepKind kind, uint32_t rounds) {
+SweepOptions sweepOptions(bool quick, bool ofEffects, uint32_t rounds) {
     SweepOptions options;
-    const bool isQuick = kind == SweepKind::Quick || kind == SweepKind::QuickEffects;
-    const bool isOfEffects = kind == SweepKind::Effects || kind == SweepKind::QuickEffects;
-    if (isQuick)
+    if (quick)
         options = {.timedRounds = 2, .effectRounds = 2};
     if (rounds)
         options.rounds = options.timedRounds = options.effectRounds = rounds;
-    if (isOfEffects)
+    if (ofEffects)
         options.rounds = options.timedRounds = 1;
-    if (isQuick || isOfEffects) {
+    if (quick || ofEffects) {
         options.referenceSamples = 64;
         options.pathFrames = options.temporalSamples = 0;
     }

@@ -24,9 +24,9 @@ struct SweepOptions {
     uint32_t referenceSamples = 512;
     uint32_t temporalSamples = 32; // of the references of shifts and of the path; 0: no errors over time
 };
-enum class SweepKind { Full, Quick, Effects, QuickEffects }; // effects: with as little else as can be
 // rounds: 0: the usual number, which is for software rasterisers; a GPU has time for 101.
-SweepOptions sweepOptions(SweepKind kind, uint32_t rounds = 0);
+// ofEffects: they are what is asked for, with as little else as can be.
+SweepOptions sweepOptions(bool quick, bool ofEffects, uint32_t rounds = 0);
 
 class SceneSweep {
 public:
