@@ -57,16 +57,16 @@ class Choosing(unittest.TestCase):
                          [["city", "not measured", "0.0123, 0.0494", "not measured", "not measured"]])
 
     def test_presets_are_beside_the_papers_and_two_passes(self):
-        rows = [row(technique, n, c, 500, 1e-3, 90, events=2.0) for n in (8, 32)
-                for technique, c in (("agaa", 2), ("ssaa", 0))]
+        rows = [row(technique, n, c, 500, far, 90, events=2.0) for n in (8, 32)
+                for technique, c, far in (("agaa", 2, 3e-3), ("ssaa", 0, 2e-3))]
         for i, (preset, n, by) in enumerate(choosing.PRESETS):
             rows.append(row("agaa", n, 2, 400 - 20 * i, 1e-3, 90, events=1.5, merging=1e-3 / (i + 1)))
             rows[-1].update(preset=preset, tiers={"generation": by} if by else {})
         whole = scene(name="city", rows=[row("single", 1, 0, 100, 1e-2, 20)] + rows)
         table = choosing.preset_rows([self.scene, whole])  # the other scene has none
-        self.assertEqual(table[0], ["paper", 8, "two passes", "0.1000", "0.1000", "0.100 (city)", "1.50", "0.75",
-                                    "0.80", "90"])
-        self.assertEqual(table[1][:4] + table[1][8:9], ["fast", 8, "from a G-buffer", "0.0500", "0.76"])
+        self.assertEqual(table[0], ["paper", 8, "two passes", "0.1000", "0.1000", "0.100 (city)", "0.50 to 0.50", "1.50",
+                                    "0.75", "0.80", "90"])
+        self.assertEqual(table[1][:4] + table[1][9:10], ["fast", 8, "from a G-buffer", "0.0500", "0.76"])
         self.assertEqual([line[1] for line in table], [8] * 7 + [32] * 2)
         self.assertEqual(choosing.preset_rows([self.scene]), [])
 
