@@ -3,6 +3,8 @@
 
 #include "scene/gltf.h"
 
+#include <gtest/gtest.h>
+
 namespace harness::test {
 namespace {
 

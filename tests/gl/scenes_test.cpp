@@ -1,8 +1,11 @@
 // Every scene through the SDK on OpenGL: what holds on Vulkan holds here, and the images are the same.
 #include "support.h"
+#include "texture_sizes.h"
 
 #include "image/tonemap.h"
 #include "scene/gltf.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +97,11 @@ INSTANTIATE_TEST_SUITE_P(All, GlScenes, testing::ValuesIn(allTestScenes()),
                          [](const auto& info) { return info.param.name; });
 
 TEST(SharedScenes, ArePresent) { expectSharedScenes(); }
+
+TEST(TextureSizes, ById) {
+    expectTextureSizesAgree(sharedGlRenderer());
+    expectNoMessages(sharedGlRenderer());
+}
 
 } // namespace
 } // namespace harness::test

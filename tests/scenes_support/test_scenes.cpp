@@ -107,6 +107,11 @@ double shareAbove(const Image& a, const Image& b, double bound) {
     return double(pixels) / double(a.pixelCount());
 }
 
+void expectNoMessages(Renderer& renderer) {
+    for (const ApiMessage& message : renderer.takeMessages())
+        ADD_FAILURE() << message.severity << " " << message.id << ": " << message.text;
+}
+
 void expectEverySampleOnce(const AgaaCounters& c) {
     EXPECT_GT(c.visible, 0u);
     EXPECT_EQ(c.once, c.visible);

@@ -38,6 +38,9 @@ double meanDifference(const Image& a, const Image& b);
 // Pixels a channel of which differs by more, after tone mapping, as a share of all.
 double shareAbove(const Image& a, const Image& b, double bound);
 
+// Of the API, its validation or its driver.
+void expectNoMessages(Renderer& renderer);
+
 void expectEverySampleOnce(const AgaaCounters& counters);
 // The above; no pixel with more events than aggregates; as many bytes as predicted; nothing infinite.
 void expectWholeFrame(const RenderResult& result, uint32_t aggregates);

@@ -1,9 +1,10 @@
 // Every scene through the SDK: each visible sample is accounted for exactly once, images repeat bit by
 // bit, and the API's validation stays silent.
 #include "support.h"
+#include "texture_sizes.h"
 
-#include "scene/gltf.h"
 #include "render/messages.h"
+#include "scene/gltf.h"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +19,7 @@ protected:
         scene_ = loadScene(GetParam().source);
         sharedRenderer().load(scene_);
     }
-    void TearDown() override {
-        for (const ApiMessage& message : sharedRenderer().takeMessages())
-            ADD_FAILURE() << message.severity << " " << message.id << ": " << message.text;
-    }
+    void TearDown() override { expectNoMessages(sharedRenderer()); }
     RenderSettings settings() const { return settingsFor(GetParam(), scene_, width, height); }
 
     Scene scene_;
@@ -79,6 +77,11 @@ INSTANTIATE_TEST_SUITE_P(All, Scenes, testing::ValuesIn(allTestScenes()),
                          [](const auto& info) { return info.param.name; });
 
 TEST(SharedScenes, ArePresent) { expectSharedScenes(); }
+
+TEST(TextureSizes, ById) {
+    expectTextureSizesAgree(sharedRenderer());
+    expectNoMessages(sharedRenderer());
+}
 
 // At the end of the process: an entry that excuses nothing has outlived its reason.
 class AllowList : public testing::Environment {

@@ -11,8 +11,9 @@ namespace harness::gl {
 constexpr GLuint cameraPlace = 6, firstUnit = 20;
 
 GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& gpuScene)
-    : gl_(&gl), glsl_(fetchGlsl(true)) {
+    : gl_(&gl) {
     const FetchScene fetch = makeFetchScene(scene);
+    glsl_ = fetchGlsl(fetch, true);
     sampler_ = makeSampler(gl, Wrap::Repeat, Wrap::Repeat);
     camera_ = createBuffer(gl);
     draws_ = createBuffer(gl);
@@ -24,12 +25,14 @@ GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& 
                        fetch.materials.data(), GL_STATIC_DRAW);
     gl.NamedBufferData(vertices_.get(), GLsizeiptr(fetch.vertices.size() * sizeof(FetchVertex)),
                        fetch.vertices.data(), GL_STATIC_DRAW);
-    textures_[0] = makeArray(fetch.colors, true);
-    textures_[1] = makeArray(fetch.values, false);
+    textures_[0] = makeArray(fetch.colors.large, true);
+    textures_[1] = makeArray(fetch.values.large, false);
     textures_[2] = texels(draws_.get(), GL_RGBA32UI);
     textures_[3] = texels(materials_.get(), GL_RGBA32UI);
     textures_[4] = texels(vertices_.get(), GL_RGBA32UI);
     textures_[5] = texels(gpuScene.indices(), GL_R32UI);
+    textures_[6] = makeArray(fetch.colors.small, true);
+    textures_[7] = makeArray(fetch.values.small, false);
     GLint most = 0;
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
     if (sizeof(FetchVertex) / 16 * fetch.vertices.size() > size_t(most) || scene.indices.size() > size_t(most))
@@ -70,7 +73,7 @@ void GpuFetch::bind() const {
     gl_->BindBufferBase(GL_UNIFORM_BUFFER, cameraPlace, camera_.get());
     for (GLuint i = 0; i < std::size(textures_); ++i) {
         gl_->BindTextureUnit(firstUnit + i, textures_[i].get());
-        gl_->BindSampler(firstUnit + i, i < 2 ? sampler_.get() : 0);
+        gl_->BindSampler(firstUnit + i, i < 2 || i > 5 ? sampler_.get() : 0);
     }
 }
 

@@ -26,7 +26,7 @@ private:
     std::string glsl_;
     AgaaFetchFunction function_ = AGAA_FETCH_FUNCTION_INIT;
     Buffer camera_, draws_, materials_, vertices_;
-    Texture textures_[6]; // colours, values; draws, materials, vertices, indices
+    Texture textures_[8]; // colours, values; draws, materials, vertices, indices; small colours, small values
     Sampler sampler_;
 };
 

@@ -1,9 +1,9 @@
 // A scene as the SDK's pass that fetches by id reads it (shaders/fetch.glsl): draws and materials for buffers, textures
-// resized to the layers of two arrays.
+// resized to the layers of arrays.
 #pragma once
 
 #include "render/host_material.h"
-#include "render/mip_chain.h"
+#include "render/texture_arrays.h"
 
 #include <string>
 
@@ -19,7 +19,7 @@ struct FetchDraw {
 };
 static_assert(sizeof(FetchDraw) == 112);
 
-// wraps: of the textures, of u, and of v times 4: 0 repeat, 1 mirror, 2 clamp. layers: -1 where there is none.
+// wraps: of the textures, of u, and of v times 4: 0 repeat, 1 mirror, 2 clamp. layers: TextureArrays::layerOf().
 struct FetchMaterial {
     MaterialConstants values;
     glm::ivec4 layers;
@@ -37,14 +37,11 @@ struct FetchVertex {
 };
 static_assert(sizeof(FetchVertex) == 48);
 
-// Of one size; never none, since a sampler must have something to read.
-using TextureLayers = std::vector<std::vector<MipLevel>>;
-
 struct FetchScene {
     std::vector<FetchVertex> vertices;    // as Scene::vertices, one at least
     std::vector<FetchMaterial> materials; // as Scene::materials, then the default one
-    TextureLayers colors;                 // sRGB
-    TextureLayers values;
+    TextureArrays colors;                 // sRGB
+    TextureArrays values;
     uint32_t maxDraws = 1;
     uint32_t maxPrimitives = 1;
 };
@@ -54,6 +51,6 @@ FetchScene makeFetchScene(const Scene& scene);
 std::vector<FetchDraw> fetchDraws(const Scene& scene, const std::vector<Draw>& draws);
 
 // For AgaaFetchFunction::glsl.
-std::string fetchGlsl(bool openGl);
+std::string fetchGlsl(const FetchScene& scene, bool openGl);
 
 } // namespace harness

@@ -1,5 +1,5 @@
 // What the SDK's pass that fetches by id asks of the sample engine: triangles and materials from buffers, textures
-// from two arrays. interface.glsl and material.glsl come before this text. Buffers are read as texels of four words:
+// from arrays. interface.glsl and material.glsl come before this text. Buffers are read as texels of four words:
 // drivers load those at once, and software rasterisers without a bounds check a word and lane.
 
 layout(std140, FETCH_UNIFORM_AT) uniform FetchCamera { mat4 viewProjection; } fetchCamera;
@@ -9,8 +9,15 @@ layout(FETCH_TEXTURE_AT(2)) uniform usamplerBuffer fetchDraws;     // as the eng
 layout(FETCH_TEXTURE_AT(3)) uniform usamplerBuffer fetchMaterials; // FetchMaterial
 layout(FETCH_TEXTURE_AT(4)) uniform usamplerBuffer fetchVertices;  // FetchVertex
 layout(FETCH_TEXTURE_AT(5)) uniform usamplerBuffer fetchIndices;   // one word each
+#ifdef FETCH_SMALL_COLORS
+layout(FETCH_TEXTURE_AT(6)) uniform sampler2DArray fetchSmallColors;
+#endif
+#ifdef FETCH_SMALL_VALUES
+layout(FETCH_TEXTURE_AT(7)) uniform sampler2DArray fetchSmallValues;
+#endif
 
 const int drawTexels = 7, materialTexels = 5, vertexTexels = 3;
+const int firstSmallLayer = 4096; // of texture_arrays.h
 
 struct FetchDraw {
     int at; // first texel
@@ -68,6 +75,22 @@ vec4 fetchTexel(sampler2DArray textures, int layer, uint wrap, vec2 uv, vec2 dx,
     return textureGrad(textures, vec3(uv, float(layer)), dx, dy);
 }
 
+vec4 fetchColor(int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
+#ifdef FETCH_SMALL_COLORS
+    if (layer >= firstSmallLayer)
+        return fetchTexel(fetchSmallColors, layer - firstSmallLayer, wrap, uv, dx, dy);
+#endif
+    return fetchTexel(fetchColors, layer, wrap, uv, dx, dy);
+}
+
+vec4 fetchValue(int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
+#ifdef FETCH_SMALL_VALUES
+    if (layer >= firstSmallLayer)
+        return fetchTexel(fetchSmallValues, layer - firstSmallLayer, wrap, uv, dx, dy);
+#endif
+    return fetchTexel(fetchValues, layer, wrap, uv, dx, dy);
+}
+
 // What a change of the vertices' normal is of the unit normal; a normal map turns with it.
 vec3 ofUnitNormal(SurfacePoint p, vec3 change) {
     float squared = dot(p.normal, p.normal);
@@ -117,10 +140,10 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     MaterialValues values = MaterialValues(uintBitsToFloat(texelFetch(fetchMaterials, m)), emissive.xyz, emissive.w,
                                            numbers.x, numbers.y, numbers.z);
     p.isBent = layers.y >= 0;
-    p.baseTexel = fetchTexel(fetchColors, layers.x, wraps.x, uv, dx, dy);
-    p.normalTexel = fetchTexel(fetchValues, layers.y, wraps.y, uv, dx, dy);
-    p.metalRoughTexel = fetchTexel(fetchValues, layers.z, wraps.z, uv, dx, dy);
-    p.emissiveTexel = fetchTexel(fetchColors, layers.w, wraps.w, uv, dx, dy);
+    p.baseTexel = fetchColor(layers.x, wraps.x, uv, dx, dy);
+    p.normalTexel = fetchValue(layers.y, wraps.y, uv, dx, dy);
+    p.metalRoughTexel = fetchValue(layers.z, wraps.z, uv, dx, dy);
+    p.emissiveTexel = fetchColor(layers.w, wraps.w, uv, dx, dy);
     SurfaceModel model = surfaceModel(values, p);
     result.diffuse = model.diffuse;
     result.specular = model.specular;

@@ -9,14 +9,19 @@ namespace harness::vk {
 
 // Bindings of shaders/fetch.glsl.
 enum : uint32_t { CameraBinding, ColorBinding, ValueBinding, DrawBinding, MaterialBinding, VertexBinding, IndexBinding,
-                  BindingCount };
+                  SmallColorBinding, SmallValueBinding, BindingCount };
+
+static bool isTexels(uint32_t binding) { return binding >= DrawBinding && binding <= IndexBinding; }
 
 GpuFetch::GpuFetch(const Device& device, const Scene& scene, const GpuScene& gpuScene)
-    : device_(&device), arena_(device), glsl_(fetchGlsl(false)) {
+    : device_(&device), arena_(device) {
     const FetchScene fetch = makeFetchScene(scene);
+    glsl_ = fetchGlsl(fetch, false);
     Uploader uploader(device);
-    colors_ = uploader.textureArray(arena_, fetch.colors, true);
-    values_ = uploader.textureArray(arena_, fetch.values, false);
+    textures_[0] = uploader.textureArray(arena_, fetch.colors.large, true);
+    textures_[1] = uploader.textureArray(arena_, fetch.values.large, false);
+    textures_[2] = uploader.textureArray(arena_, fetch.colors.small, true);
+    textures_[3] = uploader.textureArray(arena_, fetch.values.small, false);
     camera_ = arena_.hostBuffer(sizeof(glm::mat4), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     constexpr VkBufferUsageFlags texelBuffer = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
     const auto materials = std::as_bytes(std::span(fetch.materials));
@@ -60,9 +65,9 @@ BufferView GpuFetch::texels(VkBuffer buffer, VkDeviceSize size, VkFormat format)
 
 void GpuFetch::createSet() {
     const auto type = [](uint32_t binding) {
-        return binding == CameraBinding ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
-               : binding < DrawBinding  ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-                                        : VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+        if (binding == CameraBinding)
+            return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+        return isTexels(binding) ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     };
     std::array<VkDescriptorSetLayoutBinding, BindingCount> bindings{};
     for (uint32_t i = 0; i < BindingCount; ++i)
@@ -75,7 +80,7 @@ void GpuFetch::createSet() {
                                         "create a descriptor set layout");
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
                                           {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 4},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2}};
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4}};
     VkDescriptorPoolCreateInfo pool{};
     pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
     pool.maxSets = 1;
@@ -91,9 +96,9 @@ void GpuFetch::createSet() {
     check(vkAllocateDescriptorSets(device_->get(), &allocation, &set_), "allocate a descriptor set");
 
     const VkDescriptorBufferInfo camera{camera_.buffer.get(), 0, VK_WHOLE_SIZE};
-    const VkDescriptorImageInfo images[] = {
-        {sampler_.get(), colors_.view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
-        {sampler_.get(), values_.view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}};
+    VkDescriptorImageInfo images[4];
+    for (size_t i = 0; i < std::size(images); ++i)
+        images[i] = {sampler_.get(), textures_[i].view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     const VkBufferView views[] = {drawTexels_.get(), materialTexels_.get(), vertexTexels_.get(), indexTexels_.get()};
     std::array<VkWriteDescriptorSet, BindingCount> writes{};
     for (uint32_t i = 0; i < BindingCount; ++i) {
@@ -103,10 +108,10 @@ void GpuFetch::createSet() {
         writes[i].descriptorCount = 1;
         writes[i].descriptorType = type(i);
         writes[i].pBufferInfo = &camera; // what the type does not name is not read
-        if (i >= DrawBinding)
+        if (isTexels(i))
             writes[i].pTexelBufferView = &views[i - DrawBinding];
-        else if (i >= ColorBinding)
-            writes[i].pImageInfo = &images[i - ColorBinding];
+        else if (i != CameraBinding)
+            writes[i].pImageInfo = &images[i < DrawBinding ? i - ColorBinding : 2 + i - SmallColorBinding];
     }
     vkUpdateDescriptorSets(device_->get(), BindingCount, writes.data(), 0, nullptr);
 }

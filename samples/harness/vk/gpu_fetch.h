@@ -27,7 +27,7 @@ private:
     AgaaFetchFunction function_ = AGAA_FETCH_FUNCTION_INIT;
     BufferResource camera_, draws_, materials_, vertices_;
     BufferView drawTexels_, materialTexels_, vertexTexels_, indexTexels_;
-    ImageResource colors_, values_;
+    ImageResource textures_[4]; // colours, values, small colours, small values
     Sampler sampler_;
     DescriptorSetLayout layout_;
     DescriptorPool pool_;

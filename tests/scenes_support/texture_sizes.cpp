@@ -1,0 +1,80 @@
+#include "texture_sizes.h"
+
+#include "render/fetch_scene.h"
+#include "scene/builtin/mesh_builder.h"
+#include "test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace harness::test {
+
+namespace {
+
+// Checks of two colours.
+int addTexture(Scene& scene, uint32_t width, uint32_t height, bool srgb, const glm::u8vec3& a, const glm::u8vec3& b) {
+    Texture texture{.width = width, .height = height, .srgb = srgb};
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x) {
+            const glm::u8vec3 c = (2 * x / width + 2 * y / height) % 2 ? a : b;
+            texture.rgba.insert(texture.rgba.end(), {c.r, c.g, c.b, 255});
+        }
+    scene.textures.push_back(texture);
+    return int(scene.textures.size()) - 1;
+}
+
+struct Square {
+    uint32_t width, height;
+    glm::u8vec3 color;
+    uint8_t roughness;
+};
+constexpr Square squares[] = {{128, 64, {230, 40, 40}, 60},  {8, 8, {40, 230, 40}, 120}, {16, 16, {40, 40, 230}, 180},
+                              {4, 16, {230, 230, 40}, 240},  {16, 4, {40, 230, 230}, 90}, {1, 1, {230, 40, 230}, 150},
+                              {16, 16, {240, 140, 20}, 210}, {2, 2, {20, 140, 240}, 30}};
+
+} // namespace
+
+Scene sceneOfTextureSizes() {
+    Scene scene;
+    scene.name = "texture sizes";
+    for (size_t i = 0; i < std::size(squares); ++i) {
+        const Square& square = squares[i];
+        builtin::MeshBuilder mesh;
+        mesh.quad({float(i) - 4, -0.5f, 0}, {0.9f, 0, 0}, {0, 0.9f, 0});
+        Material& material = builtin::addMaterial(scene, "square", 0xFFFFFF, 1, 1);
+        material.baseColorTexture =
+            addTexture(scene, square.width, square.height, true, square.color, square.color / uint8_t(2));
+        material.metalRoughTexture =
+            addTexture(scene, square.width, square.height, false, {0, square.roughness, 0}, {0, square.roughness, 255});
+        builtin::place(scene, builtin::addMesh(scene, mesh, builtin::lastMaterial(scene)));
+    }
+    updateBounds(scene);
+    return scene;
+}
+
+void expectTextureSizesAgree(Renderer& renderer) {
+    const Scene scene = sceneOfTextureSizes();
+    const FetchScene fetch = makeFetchScene(scene);
+    ASSERT_TRUE(fetch.colors.isSplit && fetch.values.isSplit);
+    renderer.load(scene);
+    TestScene test{scene.name, "", {}, true};
+    test.camera.eye = {0.3, 0.4, 3.5};
+    test.camera.target = {0, 0, 0};
+    RenderSettings settings = settingsFor(test, scene, 192, 108);
+    settings.config.technique = "agaa";
+    settings.config.samples = 8;
+    settings.config.aggregates = 2;
+    settings.config.generationTier = AGAA_TIER_GBUFFER;
+    const Image bound = renderer.render(settings).image;
+    settings.config.generationTier = AGAA_TIER_IDS;
+    const RenderResult byId = renderer.render(settings);
+    expectEverySampleOnce(byId.statistics.back().counters);
+    const double mean = meanDifference(bound, byId.image);
+    const double far = shareAbove(bound, byId.image, 24.0 / 255);
+    std::printf("texture sizes: mean difference %.3f/255, above 24/255 %.3f %%\n", 255 * mean, 100 * far);
+    EXPECT_LT(mean, 0.3 / 255);
+    EXPECT_LT(far, 0.002);
+}
+
+} // namespace harness::test
