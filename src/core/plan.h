@@ -82,7 +82,8 @@ struct Pass {
     std::vector<Binding> bindings;
     std::vector<std::string> extensions; // that the pass relies on
 
-    // Compute: one invocation per pixel, 8 x 8 a group.
+    // Compute: 8 x 8 invocations a group.
+    uint32_t groupSide = 8; // pixels across and down that a group takes
     std::string shader; // permutation in the library
     std::string hostCode; // GLSL of the host's: the pass is compiled with it, from these:
     std::string hostCodeOrigin; // the members that the text came in

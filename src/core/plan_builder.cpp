@@ -13,6 +13,7 @@ namespace agaa {
 PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
                          uint32_t framesInFlight)
     : caps_(caps), framesInFlight_(framesInFlight) {
+    shadowMaps_.fill(noResource);
     plan.width = view.width;
     plan.height = view.height;
     plan.reversedZ = view.flags & AGAA_VIEW_REVERSED_Z;
@@ -200,6 +201,25 @@ Pass& PlanBuilder::fill(std::string name, AgaaStage stage, ResourceId destinatio
     return plan.passes.back();
 }
 
+ResourceId PlanBuilder::leftPixels() {
+    const uint64_t tiles = checkedMultiply((uint64_t(plan.width) + 7) / 8, (uint64_t(plan.height) + 7) / 8);
+    return add({.name = "left-pixels",
+                .kind = ResourceKind::Buffer,
+                .format = Format::Buffer,
+                .width = plan.width,
+                .height = plan.height,
+                .bytes = checkedMultiply(tiles, 8)});
+}
+
+void PlanBuilder::leavePixels(Pass& pass, ResourceId left) {
+    bind(pass, slot::Left, BindingType::StorageBuffer, left, true);
+}
+
+void PlanBuilder::takeLeft(Pass& pass, ResourceId left) {
+    bind(pass, slot::Left, BindingType::StorageBuffer, left);
+    pass.groupSide = 32;
+}
+
 void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
                        bool writes) {
     pass.bindings.push_back({slot, type, resource, writes});
@@ -239,7 +259,7 @@ void PlanBuilder::bindHostGBuffer(Pass& pass) {
 void PlanBuilder::bindHostFetch(Pass& pass) {
     addHostCode(pass, fetchFunction_, "AgaaFetchFunction");
     // What a listed primitive takes of shared memory by the rules of std430, and what else does.
-    constexpr uint32_t listed = 124, others = 4608;
+    constexpr uint32_t listed = 124, others = 8704;
     const uint32_t room = (std::max(caps_.maxSharedBytes, others) - others) / listed;
     pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
                            "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",
@@ -268,22 +288,25 @@ void PlanBuilder::bindLighting(Pass& pass) {
     bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer,
          lights_);
     bindShadows(pass);
-    listEffects();
+    if (plan.effects.empty())
+        listEffects();
 }
 
 // The shader names all four maps; slots without one of their own repeat another and are not read.
 void PlanBuilder::bindShadows(Pass& pass) {
-    std::array<ResourceId, AGAA_MAX_SHADOW_MAPS> maps;
     ResourceId any = noResource;
-    maps.fill(noResource);
-    for (uint32_t i = 0; i < plan.facts.shadowMapCount; ++i)
-        if (!(plan.functionShadows >> i & 1))
-            any = maps[i] =
+    for (uint32_t i = 0; i < plan.facts.shadowMapCount; ++i) {
+        if (plan.functionShadows >> i & 1)
+            continue;
+        if (shadowMaps_[i] == noResource)
+            shadowMaps_[i] =
                 add({.name = format("shadow-map-%u", i), .kind = ResourceKind::ShadowMap, .hostSlot = i});
+        any = shadowMaps_[i];
+    }
     const bool host = pass.kind == PassKind::HostDraw;
     const uint32_t first = host ? uint32_t(host_slot::Shadow0) : uint32_t(slot::Shadow0);
     for (uint32_t i = 0; any != noResource && i < AGAA_MAX_SHADOW_MAPS; ++i)
-        bind(pass, first + i, BindingType::ShadowTexture, maps[i] != noResource ? maps[i] : any);
+        bind(pass, first + i, BindingType::ShadowTexture, shadowMaps_[i] != noResource ? shadowMaps_[i] : any);
     if (!plan.functionShadows)
         return;
     require(!host, AGAA_ERROR_UNSUPPORTED,

@@ -20,6 +20,7 @@ enum : uint32_t {
     Output = 11,
     Shadow0 = 12,
     Below = 16, // the output as it was, for compositing
+    Left = 17,  // pixels that one pass leaves to another
 };
 }
 // Binding slots of the set that hosts bind (src/shaders/host/).
@@ -51,6 +52,11 @@ public:
     // what the plan as a whole does not.
     Pass& compute(std::string name, AgaaStage stage, const std::string& shader,
                   const char* permutation, uint64_t segment);
+    // A bit for every pixel that one pass leaves to another (src/shaders/passes/left_pixels.glsl).
+    ResourceId leftPixels();
+    void leavePixels(Pass& pass, ResourceId left);
+    void takeLeft(Pass& pass, ResourceId left);
+
     Pass& fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment);
 
     void bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
@@ -102,6 +108,7 @@ private:
     ResourceId lights_ = noResource;
     ResourceId counters_ = noResource;
     ResourceId output_ = noResource;
+    std::array<ResourceId, AGAA_MAX_SHADOW_MAPS> shadowMaps_;
     HostText shadowFunction_, gbufferFunction_, fetchFunction_;
     uint32_t framesInFlight_;
 };

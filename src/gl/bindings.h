@@ -7,13 +7,22 @@
 namespace agaa::gl {
 
 constexpr uint32_t uniformBinding = 0; // frame constants
-constexpr uint32_t storageBindingCount = 3;
+constexpr uint32_t storageBindingCount = 4;
 constexpr uint32_t imageUnitCount = 2;
 constexpr uint32_t firstTextureUnit = slot::Depth; // textures keep the plan's numbers
 constexpr uint32_t lastTextureUnit = slot::Below;
 
 constexpr uint32_t storageBinding(uint32_t planSlot) {
-    return planSlot == slot::Lights ? 0u : planSlot == slot::Counters ? 1u : 2u;
+    switch (planSlot) {
+    case slot::Lights:
+        return 0;
+    case slot::Counters:
+        return 1;
+    case slot::Left:
+        return 3;
+    default:
+        return 2;
+    }
 }
 constexpr uint32_t imageUnit(uint32_t planSlot) { return planSlot == slot::MetadataOut ? 0u : 1u; }
 

@@ -190,7 +190,8 @@ void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t in
     case PassKind::Compute:
         gl.UseProgram(passes[index].program);
         bindForCompute(pass, frame, glFrame, slot);
-        gl.DispatchCompute((plan.width + 7) / 8, (plan.height + 7) / 8, 1);
+        gl.DispatchCompute((plan.width + pass.groupSide - 1) / pass.groupSide,
+                           (plan.height + pass.groupSide - 1) / pass.groupSide, 1);
         break;
     case PassKind::Fill:
     case PassKind::Copy:

@@ -160,7 +160,8 @@ void View::recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
     context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
                                      objects.pipelineLayout, 0, usesHostSet(plan.passes[pass]) ? 2 : 1, sets, 0,
                                      nullptr);
-    context.vk.CmdDispatch(commands, (plan.width + 7) / 8, (plan.height + 7) / 8, 1);
+    const uint32_t side = plan.passes[pass].groupSide;
+    context.vk.CmdDispatch(commands, (plan.width + side - 1) / side, (plan.height + side - 1) / side, 1);
 }
 
 void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {

@@ -58,12 +58,16 @@ class Choosing(unittest.TestCase):
 
     def test_presets_are_beside_the_papers_and_two_passes(self):
         rows = [row(technique, n, c, 500, far, 90, events=2.0) for n in (8, 32)
-                for technique, c, far in (("agaa", 2, 3e-3), ("ssaa", 0, 2e-3))]
+                for technique, c, far in (("agaa", 2, 3e-3), ("ssaa", 0, 16e-3 / n))]
         for i, (preset, n, by) in enumerate(choosing.PRESETS):
             rows.append(row("agaa", n, 2, 400 - 20 * i, 1e-3, 90, events=1.5, merging=1e-3 / (i + 1)))
             rows[-1].update(preset=preset, tiers={"generation": by} if by else {})
         whole = scene(name="city", rows=[row("single", 1, 0, 100, 1e-2, 20)] + rows)
         table = choosing.preset_rows([self.scene, whole])  # the other scene has none
+        self.assertEqual((table[0][6], table[-1][6]), ("0.50 to 0.50", "2.00 to 2.00"))
+        other = json.loads(json.dumps(whole))
+        other["reference"]["splitHalfMseTm"] = 2e-4  # too coarse to tell 1e-3 from 2e-3
+        self.assertEqual(choosing.preset_rows([whole, other])[0][6], "0.50 to 1.00")
         self.assertEqual(table[0], ["paper", 8, "two passes", "0.1000", "0.1000", "0.100 (city)", "0.50 to 0.50", "1.50",
                                     "0.75", "0.80", "90"])
         self.assertEqual(table[1][:4] + table[1][9:10], ["fast", 8, "from a G-buffer", "0.0500", "0.76"])

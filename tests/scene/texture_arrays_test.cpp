@@ -10,7 +10,9 @@ namespace {
 Scene sceneOf(const std::vector<glm::uvec2>& sizes) {
     Scene scene;
     for (const glm::uvec2& size : sizes) {
-        Texture texture{.width = size.x, .height = size.y};
+        Texture texture;
+        texture.width = size.x;
+        texture.height = size.y;
         texture.rgba.assign(size_t(4) * size.x * size.y, uint8_t(10 * (scene.textures.size() + 1)));
         scene.textures.push_back(texture);
     }
@@ -55,6 +57,13 @@ TEST(TextureArrays, ManySmallOnesHaveTheirOwn) {
     EXPECT_EQ(arrays.small[0][0].width, 16u);
     EXPECT_EQ(arrays.small[0][0].height, 16u);
     expectEachIsItsLayer(arrays, used);
+}
+
+TEST(TextureArrays, TheSplitThatSavesMostIsTaken) {
+    const Scene scene = sceneOf({{256, 256}, {64, 64}, {64, 64}, {64, 64}, {8, 8}, {8, 8}, {8, 8}});
+    const TextureArrays arrays = arraysOf(scene, {0, 1, 2, 3, 4, 5, 6});
+    EXPECT_EQ(arrays.large.size(), 1u);
+    EXPECT_EQ(arrays.small[0][0].width, 64u);
 }
 
 TEST(TextureArrays, ALittleSavingMakesOne) {

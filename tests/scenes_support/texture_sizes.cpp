@@ -12,9 +12,14 @@ namespace harness::test {
 
 namespace {
 
-// Checks of two colours.
+// A checkerboard of two by two.
 int addTexture(Scene& scene, uint32_t width, uint32_t height, bool srgb, const glm::u8vec3& a, const glm::u8vec3& b) {
-    Texture texture{.width = width, .height = height, .srgb = srgb};
+    Texture texture;
+    texture.width = width;
+    texture.height = height;
+    texture.srgb = srgb;
+    texture.wrapU = Wrap::Clamp;
+    texture.wrapV = Wrap::Mirror;
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
             const glm::u8vec3 c = (2 * x / width + 2 * y / height) % 2 ? a : b;
@@ -47,6 +52,10 @@ Scene sceneOfTextureSizes() {
             addTexture(scene, square.width, square.height, true, square.color, square.color / uint8_t(2));
         material.metalRoughTexture =
             addTexture(scene, square.width, square.height, false, {0, square.roughness, 0}, {0, square.roughness, 255});
+        if (i == 2) {
+            material.emissiveTexture = material.baseColorTexture;
+            material.emissive = {0.3f, 0.3f, 0.3f};
+        }
         builtin::place(scene, builtin::addMesh(scene, mesh, builtin::lastMaterial(scene)));
     }
     updateBounds(scene);
@@ -59,7 +68,7 @@ void expectTextureSizesAgree(Renderer& renderer) {
     ASSERT_TRUE(fetch.colors.isSplit && fetch.values.isSplit);
     renderer.load(scene);
     TestScene test{scene.name, "", {}, true};
-    test.camera.eye = {0.3, 0.4, 3.5};
+    test.camera.eye = {0.3, 0.4, 4.5};
     test.camera.target = {0, 0, 0};
     RenderSettings settings = settingsFor(test, scene, 192, 108);
     settings.config.technique = "agaa";

@@ -254,8 +254,9 @@ def merge_share(scene, row):
 
 
 def beside_ssaa(scene, row):
-    """How far from the reference, by how far ssaa of the same n is: what is left to gain by more shading alone."""
-    return ratio(error(row), error(find(scene, "ssaa", row["n"])))
+    """How far from the reference, by how far ssaa of the same n is; 1 where the reference cannot tell them apart."""
+    other = error(find(scene, "ssaa", row["n"]))
+    return 1.0 if abs(error(row) - other) < 10 * scene["reference"]["splitHalfMseTm"] else ratio(error(row), other)
 
 
 def mean(values):
@@ -309,13 +310,14 @@ def document(results):
             lines += [f"### {title}", ""] + by_scene(scenes, asked, limits, pick)
         if presets := preset_rows(scenes):
             lines += ["### Presets", "",
-                      "Means over the scenes. Error: what aggregation adds, against `ssaa` of the same n, by the error of "
-                      "`single`. “By ssaa's”: the error against the reference by that of `ssaa` of the same n, which misses "
-                      "what n samples miss, on its best and its worst scene; at 1, shading every sample gains nothing, and "
-                      "below 1 merged samples are nearer to the truth than shaded ones, as where narrow highlights fall "
-                      "between samples. `paper` has the settings of the paper's sections. “By c=2”: events and whole frames "
-                      "by those of `agaa` c=2 of the same n with two geometry passes.", ""]
-            lines += table(["preset", "n", "materials", "error", "its median", "its largest", "by ssaa's",
+                      "Means over the scenes. Error: what aggregation adds, against `ssaa` of the same n, by the "
+                      "error of `single`. “Error by ssaa's”, the least and the most over the scenes: the error "
+                      "against the reference by that of `ssaa` of the same n. At 1, and where the gap counts as "
+                      "none, shading every sample gains nothing; below 1 merged samples are nearer to the truth "
+                      "than shaded ones, as where narrow highlights fall between samples. `paper` has the settings "
+                      "of the paper's sections. “By c=2”: events and whole frames by those of `agaa` c=2 of the "
+                      "same n with two geometry passes.", ""]
+            lines += table(["preset", "n", "materials", "error", "its median", "its largest", "error by ssaa's",
                             "events a covered pixel",
                             "events by c=2", "frame by c=2", "bytes a pixel"], presets)
         lines += ["### simple\\_complex by agaa c=2", "",

@@ -10,6 +10,8 @@ namespace harness::gl {
 // Of shaders/interface.glsl.
 constexpr GLuint cameraPlace = 6, firstUnit = 20;
 
+static bool isTexels(GLuint i) { return i >= 2 && i <= 5; }
+
 GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& gpuScene)
     : gl_(&gl) {
     const FetchScene fetch = makeFetchScene(scene);
@@ -73,7 +75,7 @@ void GpuFetch::bind() const {
     gl_->BindBufferBase(GL_UNIFORM_BUFFER, cameraPlace, camera_.get());
     for (GLuint i = 0; i < std::size(textures_); ++i) {
         gl_->BindTextureUnit(firstUnit + i, textures_[i].get());
-        gl_->BindSampler(firstUnit + i, i < 2 || i > 5 ? sampler_.get() : 0);
+        gl_->BindSampler(firstUnit + i, isTexels(i) ? 0 : sampler_.get());
     }
 }
 

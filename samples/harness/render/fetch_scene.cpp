@@ -63,10 +63,11 @@ std::vector<FetchDraw> fetchDraws(const Scene& scene, const std::vector<Draw>& d
     return out;
 }
 
-std::string fetchGlsl(const FetchScene& scene, bool openGl) {
+std::string fetchGlsl(const FetchScene& fetch, bool openGl) {
     std::string defines = openGl ? "#define HARNESS_GL\n" : "";
-    defines += scene.colors.isSplit ? "#define FETCH_SMALL_COLORS\n" : "";
-    defines += scene.values.isSplit ? "#define FETCH_SMALL_VALUES\n" : "";
+    defines += "#define FETCH_FIRST_SMALL " + std::to_string(firstSmallLayer) + "\n";
+    defines += fetch.colors.isSplit ? "#define FETCH_SMALL_COLORS\n" : "";
+    defines += fetch.values.isSplit ? "#define FETCH_SMALL_VALUES\n" : "";
     return defines + embedded::interface_glsl + embedded::material_glsl + embedded::fetch_glsl;
 }
 

@@ -50,7 +50,7 @@ FetchScene makeFetchScene(const Scene& scene);
 // draws: as they are drawn, which is how ids count them.
 std::vector<FetchDraw> fetchDraws(const Scene& scene, const std::vector<Draw>& draws);
 
-// For AgaaFetchFunction::glsl.
-std::string fetchGlsl(const FetchScene& scene, bool openGl);
+// For AgaaFetchFunction::glsl; by which of the scene's arrays are split.
+std::string fetchGlsl(const FetchScene& fetch, bool openGl);
 
 } // namespace harness

@@ -192,44 +192,44 @@ std::vector<MipLevel> makeMipChain(const Texture& texture, const MipOptions& opt
 
 namespace {
 
-// Between texel centres, wrapping around.
-glm::vec4 interpolated(const FloatLevel& level, double x, double y) {
-    const auto wrapped = [](double v, uint32_t size) {
-        const auto i = int64_t(std::floor(v)) % int64_t(size);
-        return size_t(i < 0 ? i + int64_t(size) : i);
+// Between texel centres; a texel beyond the edge is another one, or by mirroring as by clamping that at the edge.
+glm::vec4 interpolated(const FloatLevel& level, const Texture& source, double x, double y) {
+    const auto wrapped = [](double v, uint32_t size, Wrap wrap) {
+        const auto i = int64_t(std::floor(v)), count = int64_t(size);
+        return size_t(wrap == Wrap::Repeat ? (i % count + count) % count : std::clamp<int64_t>(i, 0, count - 1));
     };
-    const size_t x0 = wrapped(x, level.width), x1 = wrapped(x + 1, level.width);
-    const size_t y0 = wrapped(y, level.height), y1 = wrapped(y + 1, level.height);
+    const size_t x0 = wrapped(x, level.width, source.wrapU), x1 = wrapped(x + 1, level.width, source.wrapU);
+    const size_t y0 = wrapped(y, level.height, source.wrapV), y1 = wrapped(y + 1, level.height, source.wrapV);
     const auto fx = float(x - std::floor(x)), fy = float(y - std::floor(y));
     const auto at = [&](size_t i, size_t j) { return level.texels[j * level.width + i]; };
     return glm::mix(glm::mix(at(x0, y0), at(x1, y0), fx), glm::mix(at(x0, y1), at(x1, y1), fx), fy);
 }
 
-FloatLevel resized(const FloatLevel& level, uint32_t width, uint32_t height) {
+FloatLevel resized(const FloatLevel& level, const Texture& source, uint32_t width, uint32_t height) {
     FloatLevel out{width, height, {}};
     out.texels.reserve(size_t(width) * height);
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x)
-            out.texels.push_back(interpolated(level, (x + 0.5) * level.width / width - 0.5,
+            out.texels.push_back(interpolated(level, source, (x + 0.5) * level.width / width - 0.5,
                                               (y + 0.5) * level.height / height - 0.5));
     return out;
 }
 
 } // namespace
 
-std::vector<MipLevel> resizeMipChain(const std::vector<MipLevel>& levels, bool srgb, uint32_t width,
+std::vector<MipLevel> resizeMipChain(const std::vector<MipLevel>& levels, const Texture& source, uint32_t width,
                                      uint32_t height) {
     std::vector<MipLevel> out;
-    size_t source = 0; // the smallest level that is not smaller than wanted, or the largest
+    size_t nearest = 0; // the smallest level that is not smaller than wanted, or the largest
     for (;; width = std::max(width / 2, 1u), height = std::max(height / 2, 1u)) {
-        while (source + 1 < levels.size() && levels[source + 1].width >= width && levels[source + 1].height >= height)
-            ++source;
-        const MipLevel& level = levels[source];
+        while (nearest + 1 < levels.size() && levels[nearest + 1].width >= width && levels[nearest + 1].height >= height)
+            ++nearest;
+        const MipLevel& level = levels[nearest];
         if (level.width == width && level.height == height) {
             out.push_back(level);
         } else {
-            const Texture texture{"", level.width, level.height, srgb, Wrap::Repeat, Wrap::Repeat, level.rgba};
-            out.push_back(encode(resized(decode(texture), width, height), srgb, {}, 1));
+            const Texture texture{"", level.width, level.height, source.srgb, source.wrapU, source.wrapV, level.rgba};
+            out.push_back(encode(resized(decode(texture), source, width, height), source.srgb, {}, 1));
         }
         if (width == 1 && height == 1)
             return out;

@@ -27,7 +27,9 @@ std::vector<MipLevel> makeMipChain(const Texture& texture, const MipOptions& opt
 
 // The same texture at other sizes, which are powers of two: levels that it has at a size are taken over, so that those
 // of equal detail look alike; larger ones are interpolated.
-std::vector<MipLevel> resizeMipChain(const std::vector<MipLevel>& levels, bool srgb, uint32_t width, uint32_t height);
+// levels: of `source`.
+std::vector<MipLevel> resizeMipChain(const std::vector<MipLevel>& levels, const Texture& source, uint32_t width,
+                                     uint32_t height);
 
 // How the scene's materials use each of its textures.
 std::vector<MipOptions> mipOptions(const Scene& scene);

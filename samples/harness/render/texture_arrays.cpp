@@ -8,7 +8,7 @@ namespace harness {
 namespace {
 
 constexpr uint32_t largestLayer = 1024;
-constexpr double leastSaving = 0.25; // of the memory of one array, for two samplers in place of one
+constexpr double leastSaving = 0.25; // share of one array's memory that is worth a second sampler
 
 struct Size {
     uint32_t width = 1, height = 1;
@@ -48,8 +48,7 @@ Split bestSplit(const Scene& scene, const std::set<int>& used) {
     const Split one(scene, used, 0);
     Split best = one;
     for (uint32_t side = 1; side < largestLayer; side *= 2)
-        if (const Split split(scene, used, side);
-            !split.large.empty() && split.texels() < best.texels())
+        if (const Split split(scene, used, side); split.texels() < best.texels())
             best = split;
     return double(best.texels()) <= (1 - leastSaving) * double(one.texels()) ? best : one;
 }
@@ -59,8 +58,8 @@ TextureLayers makeLayers(const Scene& scene, const std::vector<int>& textures, S
     TextureLayers layers;
     for (const int texture : textures) {
         const Texture& source = scene.textures[size_t(texture)];
-        layers.push_back(resizeMipChain(makeMipChain(source, options[size_t(texture)]), source.srgb,
-                                        size.width, size.height));
+        layers.push_back(resizeMipChain(makeMipChain(source, options[size_t(texture)]), source, size.width,
+                                        size.height));
     }
     if (layers.empty())
         layers.push_back({{1, 1, {255, 255, 255, 255}}});

@@ -1,5 +1,5 @@
-// Textures of one colour space as layers of arrays: two, by size, where in one the small ones would
-// take much of its memory.
+// Textures of one colour space as layers of arrays: of one, or of two by size where that saves a
+// quarter of its memory.
 #pragma once
 
 #include "render/mip_chain.h"
@@ -20,10 +20,9 @@ struct TextureArrays {
 
     int layerOf(int texture) const { return texture < 0 ? -1 : layers.at(texture); }
 };
-inline constexpr int firstSmallLayer =
-    4096; // also in shaders/fetch.glsl; devices have 2048 layers, seldom more
+inline constexpr int firstSmallLayer = 1 << 20; // beyond the layers of any device
 
-// used: indices into Scene::textures; options: of all of them.
+// used: indices into Scene::textures; options: one of each texture there.
 TextureArrays makeTextureArrays(const Scene& scene, const std::set<int>& used,
                                 const std::vector<MipOptions>& options);
 

@@ -17,7 +17,6 @@ layout(FETCH_TEXTURE_AT(7)) uniform sampler2DArray fetchSmallValues;
 #endif
 
 const int drawTexels = 7, materialTexels = 5, vertexTexels = 3;
-const int firstSmallLayer = 4096; // of texture_arrays.h
 
 struct FetchDraw {
     int at; // first texel
@@ -77,16 +76,16 @@ vec4 fetchTexel(sampler2DArray textures, int layer, uint wrap, vec2 uv, vec2 dx,
 
 vec4 fetchColor(int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
 #ifdef FETCH_SMALL_COLORS
-    if (layer >= firstSmallLayer)
-        return fetchTexel(fetchSmallColors, layer - firstSmallLayer, wrap, uv, dx, dy);
+    if (layer >= FETCH_FIRST_SMALL)
+        return fetchTexel(fetchSmallColors, layer - FETCH_FIRST_SMALL, wrap, uv, dx, dy);
 #endif
     return fetchTexel(fetchColors, layer, wrap, uv, dx, dy);
 }
 
 vec4 fetchValue(int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
 #ifdef FETCH_SMALL_VALUES
-    if (layer >= firstSmallLayer)
-        return fetchTexel(fetchSmallValues, layer - firstSmallLayer, wrap, uv, dx, dy);
+    if (layer >= FETCH_FIRST_SMALL)
+        return fetchTexel(fetchSmallValues, layer - FETCH_FIRST_SMALL, wrap, uv, dx, dy);
 #endif
     return fetchTexel(fetchValues, layer, wrap, uv, dx, dy);
 }

@@ -122,14 +122,13 @@ namespace {
 
 // samples: what binds them.
 template <typename Samples>
-void shadeAtOnce(PlanBuilder& b, const char* shader, const Samples& samples) {
-    Pass& shade =
-        b.compute("aggregate and shade", AGAA_STAGE_SHADING, shader, "mscbl", AGAA_SEGMENT_SHADING);
+Pass& shadeAtOnce(PlanBuilder& b, const char* name, const char* shader, const Samples& samples) {
+    Pass& shade = b.compute(name, AGAA_STAGE_SHADING, shader, "mscbl", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     samples.bind(b, shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
-    b.copyCounters();
+    return shade;
 }
 
 // Depth, ids and, where some draws cannot be fetched, their G-buffer.
@@ -156,9 +155,18 @@ Ids drawIds(PlanBuilder& b) {
 
 } // namespace
 
-void shadeFromGBuffer(PlanBuilder& b) { shadeAtOnce(b, "aggregate_gbuffer", makeGBuffer(b)); }
+void shadeFromGBuffer(PlanBuilder& b) {
+    shadeAtOnce(b, "aggregate and shade", "aggregate_gbuffer", makeGBuffer(b));
+    b.copyCounters();
+}
 
-void shadeFromIds(PlanBuilder& b) { shadeAtOnce(b, "aggregate_ids", drawIds(b)); }
+void shadeFromIds(PlanBuilder& b) {
+    const Ids ids = drawIds(b);
+    const ResourceId several = b.leftPixels();
+    b.leavePixels(shadeAtOnce(b, "shade single primitives", "single_ids", ids), several);
+    b.takeLeft(shadeAtOnce(b, "aggregate and shade", "aggregate_ids", ids), several);
+    b.copyCounters();
+}
 
 void buildFromIds(PlanBuilder& b, const Aggregation& a) {
     const Ids ids = drawIds(b);

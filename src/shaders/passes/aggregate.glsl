@@ -89,7 +89,8 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
 #endif
     uint places = AGAA_SHADOW_FILTER == 2u ? count : min(count, AGAA_SHADOW_TAPS);
     agaa_Choice choice = agaa_chooseFrom(mask, places);
-    for (uint j = 0u; j < places; ++j) {
+    uint j = 0u;
+    do {
         vec3 position = agaa_viewPositionOf(pixel, agaa_nextSample(choice, j));
         if (j == 0u) { // sums are relative to the first sample (hard case 14)
             first = position;
@@ -100,7 +101,7 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
             agaa_momentsAdd(depthMoments, position.z);
         if (AGAA_SHADOW_FILTER == 1u)
             agaa_addTaps(agaa_toShadingSpace(position));
-    }
+    } while (++j < places);
     mean = first + mean / float(places);
     uint taps = places;
     if (AGAA_SHADOW_FILTER != 1u) {

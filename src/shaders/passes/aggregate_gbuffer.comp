@@ -62,8 +62,8 @@ agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) {
 }
 #endif
 
-vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
-    uint lane = (pixel.y & 7u) * 8u + (pixel.x & 7u);
+vec3 agaa_shadeEvent(uint lane, uint a) {
+    uvec2 pixel = agaa_pixelOf(lane);
     uint mask = agaa_masks[lane * AGAA_AGGREGATES + a];
     return agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, mask), a, mask, agaa_meansOf(pixel, mask), false);
 }

@@ -54,7 +54,7 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
 }
 
 // At a place in the pixel.
-AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, vec2 place) {
+AgaaMaterial agaa_fetchMaterialAt(AgaaPrimitive p, uvec2 pixel, vec2 place) {
     vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
     vec2 ndc = (vec2(pixel) + place) / pixelsPerNdc - 1.0;
     agaa_Barycentrics b = agaa_barycentrics(p.a.xyw, p.b.xyw, p.c.xyw, ndc, pixelsPerNdc);
@@ -67,5 +67,23 @@ AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, vec2 place) {
     agaa_count(AGAA_COUNT_MATERIALS, 1u);
     agaa_count(AGAA_COUNT_SANITISED, agaa_sanitiseMaterial(m));
     return m;
+}
+
+// In the middle of these samples; its normal is that at the pixel's corner, not unit.
+AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
+    vec2 middle = vec2(0.0);
+    for (uint rest = samples; rest != 0u; rest &= rest - 1u)
+        middle += agaa_frame.samplePosition[findLSB(rest)].xy;
+    middle /= float(bitCount(samples));
+    AgaaMaterial m = agaa_fetchMaterialAt(p, pixel, middle);
+    m.normal -= middle.x * m.normalDx + middle.y * m.normalDy;
+    return m;
+}
+
+bool agaa_isCurvedMaterial(AgaaMaterial m) { return m.normalDx != vec3(0.0) || m.normalDy != vec3(0.0); }
+
+// Of a curved one the normal is not a surface's.
+agaa_Surface agaa_surfaceOfMaterial(AgaaMaterial m) {
+    return agaa_Surface(m.diffuse, m.specular, m.emissive, m.normal, 1.0, m.alpha2, 0.0, vec3(0.0));
 }
 #endif

@@ -9,6 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/target.glsl"
 #include "passes/counters.glsl"
 #include "math/light.glsl"
+#include "passes/tile_pixels.glsl"
 #include "passes/primitives.glsl"
 #include "passes/sums.glsl"
 
@@ -17,14 +18,15 @@ void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
     uint list = agaa_pixelList[gl_LocalInvocationIndex];
     uint end = (list & 0xFFFFu) + (list >> 16u);
     for (uint at = list & 0xFFFFu; at < end && mask != 0u; ++at) {
-        agaa_Surface s = agaa_listedSurface(at);
+        agaa_Surface s = agaa_surfaceOfMaterial(agaa_listMaterial[at]);
         vec3 emissive = s.emissive / agaa_frame.ambient.w;
         if (AGAA_EMISSIVE_CHANNELS == 1u)
             emissive = vec3(agaa_emissiveFactor(s.diffuse, emissive));
         uint own = agaa_listSamples[at] & mask;
-        if (own != 0u && !agaa_isCurved(at))
+        bool isCurved = agaa_isCurvedMaterial(agaa_listMaterial[at]);
+        if (own != 0u && !isCurved)
             agaa_addToSums(s, emissive, uint(bitCount(own)));
-        for (uint rest = agaa_isCurved(at) ? own : 0u; rest != 0u; rest &= rest - 1u) {
+        for (uint rest = isCurved ? own : 0u; rest != 0u; rest &= rest - 1u) {
             s.normal = agaa_listedNormal(at, uint(findLSB(rest)));
             agaa_addToSums(s, emissive, 1u);
         }
@@ -33,7 +35,7 @@ void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
 }
 
 // What is missed is found by the pass that shades.
-void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered, uint missed) {
+void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint missed) {
     if (isHeld)
         for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
             agaa_storeAggregate(pixel, a, agaa_masks[gl_LocalInvocationIndex * AGAA_AGGREGATES + a]);
@@ -41,13 +43,12 @@ void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered, uint m
 
 void main() {
     agaa_countBegin();
-    uvec2 corner = gl_WorkGroupID.xy * 8u;
-    uvec2 pixel = corner + gl_LocalInvocationID.xy;
+    uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool inside = all(lessThan(pixel, agaa_frame.size.xy));
     uint covered = inside ? agaa_loadIds(pixel) : 0u;
     if (inside && covered == 0u)
         for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
             agaa_storeAggregate(pixel, a, 0u);
-    agaa_takeTile(corner, pixel, covered);
+    agaa_takeAll(pixel, covered);
     agaa_countEnd();
 }

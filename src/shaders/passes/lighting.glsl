@@ -41,7 +41,8 @@ layout(AGAA_AT_SHADOW3) uniform sampler2DArrayShadow agaa_shadowMap3;
 // The first layer whose clip volume holds the point; outside all of them it is lit. Points behind a
 // layer's eye (w <= 0) would read the mirrored map (hard case 41).
 bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
-    for (uint layer = 0u; layer < agaa_lightBuffer.shadows[map].layerCount; ++layer) {
+    uint layer = 0u; // there is one
+    do {
         vec4 clip = agaa_lightBuffer.shadows[map].matrices[layer] * vec4(p, 1.0);
         if (clip.w > 0.0 && abs(clip.x) <= clip.w && abs(clip.y) <= clip.w && clip.z >= 0.0 &&
             clip.z <= clip.w) {
@@ -50,7 +51,7 @@ bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
                               ndc.z - agaa_lightBuffer.shadows[map].bias);
             return true;
         }
-    }
+    } while (++layer < agaa_lightBuffer.shadows[map].layerCount);
     return false;
 }
 
@@ -152,8 +153,11 @@ vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
     vec3 sum = s.emissive;
     if (AGAA_HAS_AMBIENT != 0u)
         sum += agaa_frame.ambient.rgb * (s.diffuse + s.specular);
-    for (uint i = 0u; i < agaa_frame.size.z; ++i)
-        sum += agaa_oneLight(s, position, toEye, i);
+    uint i = 0u;
+    do {
+        if (i < agaa_frame.size.z)
+            sum += agaa_oneLight(s, position, toEye, i);
+    } while (++i < agaa_frame.size.z);
     return sum;
 }
 

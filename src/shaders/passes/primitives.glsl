@@ -34,6 +34,7 @@ uint agaa_primitiveSamples[AGAA_MAX_SAMPLES];
 // Returns the samples that show geometry.
 uint agaa_loadIds(uvec2 pixel) {
     uint covered = 0u;
+    agaa_shownUnfetched = false;
     for (uint i = 0u; i < agaa_sampleCount(); ++i) {
         agaa_sampleIds[i] = agaa_idOf(pixel, i);
         covered |= agaa_sampleIds[i] != 0u ? 1u << i : 0u;
@@ -75,14 +76,10 @@ void agaa_listPrimitives(uint first, uint count) {
     agaa_pixelList[lane] = first | count << 16u;
 }
 
-void agaa_fetchListed(uint at, uvec2 corner) {
+void agaa_fetchListed(uint at) {
     uint samples = agaa_listSamples[at];
-    vec2 middle = vec2(0.0);
-    for (uint rest = samples; rest != 0u; rest &= rest - 1u)
-        middle += agaa_frame.samplePosition[findLSB(rest)].xy;
-    middle /= float(bitCount(samples));
     uint lane = agaa_listLane[at];
-    uvec2 pixel = corner + uvec2(lane & 7u, lane >> 3u);
+    uvec2 pixel = agaa_pixelOf(lane);
 #ifdef AGAA_SOME_UNFETCHED
     if (!agaa_isFetched(agaa_listId[at])) {
         if (!agaa_fetchSample(pixel, uint(findLSB(samples)))) {
@@ -98,13 +95,7 @@ void agaa_fetchListed(uint at, uvec2 corner) {
 #endif
     AgaaPrimitive p = agaa_primitive(agaa_listId[at]);
     agaa_listPlane[at] = agaa_planeNormal(p);
-    AgaaMaterial m = agaa_fetchMaterial(p, pixel, middle);
-    m.normal -= middle.x * m.normalDx + middle.y * m.normalDy;
-    agaa_listMaterial[at] = m;
-}
-
-bool agaa_isCurved(uint at) {
-    return agaa_listMaterial[at].normalDx != vec3(0.0) || agaa_listMaterial[at].normalDy != vec3(0.0);
+    agaa_listMaterial[at] = agaa_fetchMaterial(p, pixel, samples);
 }
 
 // At sample i.
@@ -145,7 +136,8 @@ void agaa_weighNormals(uvec2 pixel, uint covered) {
 }
 
 // lane: of the pixel, which may be another's.
-void agaa_groupListed(uvec2 pixel, uint lane) {
+void agaa_groupListed(uint lane) {
+    uvec2 pixel = agaa_pixelOf(lane);
     agaa_PixelSamples samples = agaa_listedSamples(pixel, lane);
     uint count = agaa_groupSamples(pixel, samples);
     agaa_aggregateCount[lane] = count;
@@ -159,19 +151,13 @@ void agaa_groupListed(uvec2 pixel, uint lane) {
         }
 }
 
-// Of a curved one its normal is not a surface's: agaa_listedNormal() is.
-agaa_Surface agaa_listedSurface(uint at) {
-    AgaaMaterial m = agaa_listMaterial[at];
-    return agaa_Surface(m.diffuse, m.specular, m.emissive, m.normal, 1.0, m.alpha2, 0.0, vec3(0.0));
-}
-
 // Of the shader that includes this; called by all lanes.
 // A pixel's aggregates are known, by agaa_masks; isHeld: the lane has one, all of whose samples are `covered` but for
 // those that no geometry pass gave a material, `missed`.
-void agaa_takePixel(bool isHeld, uvec2 corner, uvec2 pixel, uint covered, uint missed);
+void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint missed);
 
-// Each pixel with geometry is taken once.
-void agaa_takeTile(uvec2 corner, uvec2 pixel, uint covered) {
+// Each pixel with geometry is taken once. Called by all lanes, `covered` being 0 of those that have no pixel.
+void agaa_takeAll(uvec2 pixel, uint covered) {
     const uint lane = gl_LocalInvocationIndex;
     uint primitives = agaa_findPrimitives(covered);
     agaa_shownPrimitives = agaa_fetchedPrimitives(primitives);
@@ -204,9 +190,12 @@ void agaa_takeTile(uvec2 corner, uvec2 pixel, uint covered) {
         barrier();
         uint listed = min(agaa_listed, agaa_listLength);
         uint waiting = agaa_waiting;
-        for (uint at = lane; at < listed; at += 64u)
-            if (agaa_listSamples[at] != 0u)
-                agaa_fetchListed(at, corner);
+        uint at = lane;
+        do {
+            if (at < listed && agaa_listSamples[min(at, agaa_listLength - 1u)] != 0u)
+                agaa_fetchListed(at);
+            at += 64u;
+        } while (at < listed);
         barrier();
 #ifdef AGAA_SOME_UNFETCHED
         uint missed = turn ? agaa_missedSamples[lane] : 0u;
@@ -218,11 +207,10 @@ void agaa_takeTile(uvec2 corner, uvec2 pixel, uint covered) {
         const uint missed = 0u;
 #endif
         if (lane < agaa_manyCount) {
-            uint other = agaa_many[lane];
-            agaa_groupListed(corner + uvec2(other & 7u, other >> 3u), other);
+            agaa_groupListed(agaa_many[lane]);
         }
         barrier();
-        agaa_takePixel(turn, corner, pixel, covered & ~missed, missed);
+        agaa_takePixel(turn, pixel, covered & ~missed, missed);
         if (waiting == 0u)
             break;
         barrier();

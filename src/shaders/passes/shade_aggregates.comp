@@ -71,7 +71,8 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     return work;
 }
 
-vec3 agaa_shadeEvent(uvec2 pixel, uint a) {
+vec3 agaa_shadeEvent(uint lane, uint a) {
+    uvec2 pixel = agaa_pixelOf(lane);
     agaa_selectAggregate(pixel, a);
     uint mask = agaa_coverage();
     agaa_count_ = uint(bitCount(mask));

@@ -57,14 +57,17 @@ void agaa_findVisibility(uvec2 pixel, uint mask) {
     uint count = uint(bitCount(mask));
     uint taps = AGAA_SHADOW_FILTER != 0u ? min(count, AGAA_SHADOW_TAPS) : 1u;
     agaa_Choice choice = agaa_chooseFrom(mask, taps);
-    for (uint j = 0u; j < taps; ++j)
+    uint j = 0u;
+    do
         agaa_addTaps(agaa_samplePosition(pixel, agaa_nextSample(choice, j)));
+    while (++j < taps);
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] /= float(taps);
 #endif
 }
 
-vec3 agaa_shadeEvent(uvec2 pixel, uint which) {
+vec3 agaa_shadeEvent(uint lane, uint which) {
+    uvec2 pixel = agaa_pixelOf(lane);
     uint i = which & 31u;
     uint mask = 1u << i;
 #if AGAA_CLASSIFIED

@@ -1,0 +1,75 @@
+// Pixels of one primitive, whose samples make one aggregate, shaded at once; those of several are left to the pass that
+// groups them.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define AGAA_MAX_SAMPLES 32
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/target.glsl"
+#include "passes/counters.glsl"
+#include "passes/lighting.glsl"
+#include "passes/output.glsl"
+#include "passes/samples.glsl"
+#include "passes/left_pixels.glsl"
+#include "passes/tile_pixels.glsl"
+#include "passes/primitive_means.glsl"
+
+// Pixels of one primitive, dealt out to the first lanes.
+shared uint agaa_singleCount;
+shared uint agaa_singleLane[64];
+shared uint agaa_singleId[64];
+shared uint agaa_singleSamples[64];
+
+AgaaMaterial agaa_material; // of the pixel at hand
+
+#if AGAA_LIT
+agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) {
+    agaa_Means m = agaa_noMeans();
+    agaa_addPrimitive(m, agaa_material, mask, scale, true);
+    return m;
+}
+#endif
+
+void agaa_shadeSingle(uvec2 pixel, uint id, uint samples) {
+    agaa_count(AGAA_COUNT_PRIMITIVES, 1u);
+    agaa_shownPrimitives = 1u;
+    agaa_material = agaa_fetchMaterial(agaa_primitive(id), pixel, samples);
+    agaa_PixelWork work = agaa_countedWork(pixel, 1u, samples, 0u);
+    agaa_Means means = agaa_noMeans();
+    agaa_addPrimitive(means, agaa_material, samples, 1.0 / float(bitCount(samples)), false);
+    vec3 color = agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, samples), 0u, samples, means, false);
+    agaa_writePixel(pixel, work, color);
+}
+
+void main() {
+    agaa_countBegin();
+    const uint lane = gl_LocalInvocationIndex;
+    if (lane == 0u)
+        agaa_singleCount = 0u;
+    barrier();
+    uvec2 pixel = agaa_pixelOf(lane);
+    uint id = 0u;
+    uint samples = 0u;
+    bool isOne = true;
+    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
+    for (uint i = 0u; i < agaa_sampleCount() && isInside; ++i) {
+        uint own = agaa_idOf(pixel, i);
+        isOne = isOne && (own == 0u || ((id == 0u || own == id) && agaa_isFetched(own)));
+        id = own != 0u ? own : id;
+        samples |= own != 0u ? 1u << i : 0u;
+    }
+    if (samples == 0u && isInside)
+        agaa_writePixel(pixel, agaa_PixelWork(0u, 0u, 0u), vec3(0.0));
+    if (samples != 0u && isOne) {
+        uint place = atomicAdd(agaa_singleCount, 1u);
+        agaa_singleLane[place] = lane;
+        agaa_singleId[place] = id;
+        agaa_singleSamples[place] = samples;
+    }
+    agaa_leavePixel(!isOne); // and all lanes have dealt theirs
+    if (lane < agaa_singleCount)
+        agaa_shadeSingle(agaa_pixelOf(agaa_singleLane[lane]), agaa_singleId[lane], agaa_singleSamples[lane]);
+    agaa_countEnd();
+}
