@@ -44,9 +44,9 @@ typedef struct AgaaGBufferFunction {
     {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, (uint32_t)sizeof(AgaaGBufferFunction), NULL, NULL, NULL, 0, 0, 0, NULL}
 
 /* Chained to AgaaViewDesc: materials by id, for the tier IDS, which AUTO then is. The visibility pass leaves, beside
- * depth, which draw and primitive each sample shows (AgaaSurfaceInput::draw, ::primitive); a compute pass finds the
- * primitives of a pixel, evaluates the material of each once, in the middle of its samples, groups these and shades.
- * It is compiled with functions of the host's; the text is GLSL 450 and defines
+ * depth, which draw and primitive each sample shows (AgaaSurfaceInput::draw, ::primitive); compute passes find the
+ * primitives of a pixel, evaluate the material of each once, in the middle of its samples, group these and shade.
+ * They are compiled with functions of the host's; the text is GLSL 450 and defines
  *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)
  * which give the clip coordinates of a triangle, as the vertex shader computed them, and the material at a point of
