@@ -213,6 +213,7 @@ ResourceId PlanBuilder::leftPixels() {
 
 void PlanBuilder::leavePixels(Pass& pass, ResourceId left) {
     bind(pass, slot::Left, BindingType::StorageBuffer, left, true);
+    pass.groupSide = 16;
 }
 
 void PlanBuilder::takeLeft(Pass& pass, ResourceId left) {

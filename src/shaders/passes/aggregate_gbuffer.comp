@@ -34,7 +34,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     uint covered = uint(bitCount(samples.covered));
     agaa_count(AGAA_COUNT_VISIBLE, covered);
     agaa_count(AGAA_COUNT_ONCE, covered);
-    agaa_count(AGAA_COUNT_EVENTS, count);
+    agaa_countEvents(count);
     agaa_count(AGAA_COUNT_AGGREGATES, count);
     agaa_count(AGAA_COUNT_PIXELS, min(count, 1u));
     return agaa_PixelWork((1u << count) - 1u, 0u, covered);

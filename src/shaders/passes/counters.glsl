@@ -28,7 +28,7 @@ layout(std430, AGAA_AT_COUNTERS) coherent buffer agaa_CounterBlock {
 } agaa_counterBuffer;
 
 shared uint agaa_groupCounts[AGAA_COUNTS];
-uint agaa_ownCounts[AGAA_COUNTS];
+uint agaa_ownCounts[AGAA_COUNTS]; // the last one: the most events of a pixel
 
 void agaa_countBegin() {
     if (gl_LocalInvocationIndex < AGAA_COUNTS)
@@ -38,6 +38,11 @@ void agaa_countBegin() {
     barrier();
 }
 void agaa_count(uint which, uint amount) { agaa_ownCounts[which] += amount; }
+// Of a pixel.
+void agaa_countEvents(uint count) {
+    agaa_ownCounts[AGAA_COUNT_EVENTS] += count;
+    agaa_ownCounts[AGAA_COUNT_MAX_EVENTS] = max(agaa_ownCounts[AGAA_COUNT_MAX_EVENTS], count);
+}
 // The geometry passes disagree about these samples of the pixel.
 void agaa_reportPixel(uvec2 pixel, uint visible, uint missed, uint multi) {
     uint place = atomicAdd(agaa_counterBuffer.invalidPixelCount, 1u);
@@ -53,7 +58,7 @@ void agaa_countEnd() {
     for (uint i = 0u; i < AGAA_COUNT_MAX_EVENTS; ++i)
         if (agaa_ownCounts[i] != 0u)
             atomicAdd(agaa_groupCounts[i], agaa_ownCounts[i]);
-    atomicMax(agaa_groupCounts[AGAA_COUNT_MAX_EVENTS], agaa_ownCounts[AGAA_COUNT_EVENTS]);
+    atomicMax(agaa_groupCounts[AGAA_COUNT_MAX_EVENTS], agaa_ownCounts[AGAA_COUNT_MAX_EVENTS]);
     barrier();
     uint i = gl_LocalInvocationIndex;
     // In range for all invocations: Mesa reads the right side of && whatever the left one says.
@@ -69,6 +74,7 @@ void agaa_countEnd() {
 #else
 void agaa_countBegin() {}
 void agaa_count(uint which, uint amount) {}
+void agaa_countEvents(uint count) {}
 void agaa_countEnd() {}
 #endif
 #endif

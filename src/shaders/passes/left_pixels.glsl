@@ -18,8 +18,8 @@ uint agaa_leftWord(uvec2 tile, uint lane) { return 2u * (tile.y * agaa_tileCount
 #ifndef AGAA_TAKES_LEFT
 shared uint agaa_leftHere[2];
 
-// Called by all lanes of a tile.
-void agaa_leavePixel(bool isLeft) {
+// Called by all lanes, which have a pixel of the tile each.
+void agaa_leavePixel(uvec2 tile, bool isLeft) {
     const uint lane = gl_LocalInvocationIndex;
     if (lane < 2u)
         agaa_leftHere[lane] = 0u;
@@ -27,8 +27,8 @@ void agaa_leavePixel(bool isLeft) {
     if (isLeft)
         atomicOr(agaa_leftHere[lane >> 5u], 1u << (lane & 31u));
     barrier();
-    if (lane < 2u)
-        agaa_left.words[agaa_leftWord(gl_WorkGroupID.xy, 32u * lane)] = agaa_leftHere[lane];
+    if (lane < 2u && all(lessThan(tile, agaa_tileCounts())))
+        agaa_left.words[agaa_leftWord(tile, 32u * lane)] = agaa_leftHere[lane];
 }
 #else
 const uint agaa_regionSide = 4u; // in tiles; PlanBuilder::takeLeft() dispatches for it

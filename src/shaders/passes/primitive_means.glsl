@@ -78,7 +78,7 @@ agaa_PixelWork agaa_countedWork(uvec2 pixel, uint count, uint covered, uint miss
     if (missed != 0u)
         agaa_reportPixel(pixel, covered | missed, missed, 0u);
 #endif
-    agaa_count(AGAA_COUNT_EVENTS, count);
+    agaa_countEvents(count);
     agaa_count(AGAA_COUNT_AGGREGATES, count);
     agaa_count(AGAA_COUNT_PIXELS, min(count, 1u));
     return agaa_PixelWork((1u << count) - 1u, 0u, samples);

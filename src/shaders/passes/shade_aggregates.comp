@@ -64,7 +64,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     uint multi = twice | (coveredMask & ~visible);
     if ((missed | multi) != 0u)
         agaa_reportPixel(pixel, visible, missed, multi);
-    agaa_count(AGAA_COUNT_EVENTS, uint(bitCount(work.events)));
+    agaa_countEvents(uint(bitCount(work.events)));
     agaa_count(AGAA_COUNT_AGGREGATES, uint(bitCount(work.events)));
     agaa_count(AGAA_COUNT_PIXELS, work.events != 0u ? 1u : 0u);
 #endif

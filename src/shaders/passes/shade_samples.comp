@@ -44,7 +44,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
 #endif
     agaa_count(AGAA_COUNT_VISIBLE, covered);
     agaa_count(AGAA_COUNT_ONCE, covered);
-    agaa_count(AGAA_COUNT_EVENTS, uint(bitCount(work.events)));
+    agaa_countEvents(uint(bitCount(work.events)));
     agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
     return work;
 }

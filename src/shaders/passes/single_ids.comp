@@ -13,14 +13,14 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/output.glsl"
 #include "passes/samples.glsl"
 #include "passes/left_pixels.glsl"
-#include "passes/tile_pixels.glsl"
 #include "passes/primitive_means.glsl"
 
-// Pixels of one primitive, dealt out to the first lanes.
+// A group has a region of tiles, whose pixels of one primitive are dealt out to full lanes.
+const uint agaa_singleSide = 2u; // in tiles; the plan dispatches for it
 shared uint agaa_singleCount;
-shared uint agaa_singleLane[64];
-shared uint agaa_singleId[64];
-shared uint agaa_singleSamples[64];
+shared uint agaa_singlePixel[64u * agaa_singleSide * agaa_singleSide]; // x | y << 16
+shared uint agaa_singleId[64u * agaa_singleSide * agaa_singleSide];
+shared uint agaa_singleSamples[64u * agaa_singleSide * agaa_singleSide];
 
 AgaaMaterial agaa_material; // of the pixel at hand
 
@@ -43,13 +43,10 @@ void agaa_shadeSingle(uvec2 pixel, uint id, uint samples) {
     agaa_writePixel(pixel, work, color);
 }
 
-void main() {
-    agaa_countBegin();
+// Of a tile, whose lanes have a pixel each: writes what is empty, deals out or leaves the rest.
+void agaa_sortTile(uvec2 tile) {
     const uint lane = gl_LocalInvocationIndex;
-    if (lane == 0u)
-        agaa_singleCount = 0u;
-    barrier();
-    uvec2 pixel = agaa_pixelOf(lane);
+    uvec2 pixel = tile * 8u + uvec2(lane & 7u, lane >> 3u);
     uint id = 0u;
     uint samples = 0u;
     bool isOne = true;
@@ -64,12 +61,29 @@ void main() {
         agaa_writePixel(pixel, agaa_PixelWork(0u, 0u, 0u), vec3(0.0));
     if (samples != 0u && isOne) {
         uint place = atomicAdd(agaa_singleCount, 1u);
-        agaa_singleLane[place] = lane;
+        agaa_singlePixel[place] = pixel.x | pixel.y << 16u;
         agaa_singleId[place] = id;
         agaa_singleSamples[place] = samples;
     }
-    agaa_leavePixel(!isOne); // and all lanes have dealt theirs
-    if (lane < agaa_singleCount)
-        agaa_shadeSingle(agaa_pixelOf(agaa_singleLane[lane]), agaa_singleId[lane], agaa_singleSamples[lane]);
+    agaa_leavePixel(tile, !isOne);
+}
+
+void main() {
+    agaa_countBegin();
+    const uint lane = gl_LocalInvocationIndex;
+    if (lane == 0u)
+        agaa_singleCount = 0u;
+    barrier();
+    for (uint t = 0u; t < agaa_singleSide * agaa_singleSide; ++t)
+        agaa_sortTile(gl_WorkGroupID.xy * agaa_singleSide + uvec2(t % agaa_singleSide, t / agaa_singleSide));
+    barrier();
+    uint at = lane;
+    do {
+        if (at < agaa_singleCount) {
+            uint pixel = agaa_singlePixel[at];
+            agaa_shadeSingle(uvec2(pixel & 0xFFFFu, pixel >> 16u), agaa_singleId[at], agaa_singleSamples[at]);
+        }
+        at += 64u;
+    } while (at < agaa_singleCount);
     agaa_countEnd();
 }
