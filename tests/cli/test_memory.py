@@ -59,12 +59,12 @@ class Memory(unittest.TestCase):
 
 
 class ById(unittest.TestCase):
-    def test_eight_bytes_a_sample_and_nothing_an_aggregate(self):
+    def test_eight_bytes_a_sample_a_bit_a_pixel_and_nothing_an_aggregate(self):
         for n in (1, 4, 8, 16, 32):
             for c in (1, 2, 4):
                 data = harness.data("memory", "--technique", "agaa", "--samples", str(n), "--aggregates", str(c),
                                     "--tier", "generation=ids")
-                self.assertEqual(data["bytesPerPixel"], 8 * n)
+                self.assertEqual(data["bytesPerPixel"], 8 * n + 1 / 8)
                 self.assertEqual(data["bytesPerAggregate"], 0)
 
 

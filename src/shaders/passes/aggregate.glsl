@@ -89,8 +89,7 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
 #endif
     uint places = AGAA_SHADOW_FILTER == 2u ? count : min(count, AGAA_SHADOW_TAPS);
     agaa_Choice choice = agaa_chooseFrom(mask, places);
-    uint j = 0u;
-    do {
+    for (uint j = 0u; j < places; ++j) {
         vec3 position = agaa_viewPositionOf(pixel, agaa_nextSample(choice, j));
         if (j == 0u) { // sums are relative to the first sample (hard case 14)
             first = position;
@@ -101,7 +100,7 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
             agaa_momentsAdd(depthMoments, position.z);
         if (AGAA_SHADOW_FILTER == 1u)
             agaa_addTaps(agaa_toShadingSpace(position));
-    } while (++j < places);
+    }
     mean = first + mean / float(places);
     uint taps = places;
     if (AGAA_SHADOW_FILTER != 1u) {

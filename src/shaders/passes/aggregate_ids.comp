@@ -32,7 +32,7 @@ agaa_Means agaa_meansOf(uint lane, uint mask, float scale, bool isLit) {
 }
 
 #if AGAA_LIT
-uint agaa_eventLane; // of the pixel at hand
+uint agaa_eventLane = 0u; // of the pixel at hand
 
 agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) { return agaa_meansOf(agaa_eventLane, mask, scale, true); }
 #endif

@@ -22,7 +22,7 @@ shared uint agaa_singlePixel[64u * agaa_singleSide * agaa_singleSide]; // x | y 
 shared uint agaa_singleId[64u * agaa_singleSide * agaa_singleSide];
 shared uint agaa_singleSamples[64u * agaa_singleSide * agaa_singleSide];
 
-AgaaMaterial agaa_material; // of the pixel at hand
+AgaaMaterial agaa_material = agaa_defaultMaterial(); // of the pixel at hand
 
 #if AGAA_LIT
 agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) {
