@@ -27,8 +27,8 @@ vec3 agaa_shadeWork(agaa_PixelWork work) {
     barrier();
     uint count = agaa_eventCount;
     vec3 color = vec3(0.0);
-    // Tested at its end, as all loops of heavy work: software rasterisers, whose lanes are masked, run what follows a
-    // test once more than lanes want it.
+    // Tested at its end, as are other loops of heavy work: software rasterisers, whose lanes are masked, run what
+    // follows a test once more than lanes want it.
     uint base = 0u;
     do {
         if (base + lane < count) {
