@@ -15,18 +15,9 @@ void BarrierTracker::beginFrame() {
 
 void BarrierTracker::use(ResourceId id, const Access& access) {
     const Resource& resource = plan_.resources[id];
-    State& state = states_[id];
-    if (resource.kind == ResourceKind::Output && access.writes) {
-        if (state.written) { // useOutput() comes before the first
-            constexpr VkAccessFlags next = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
-            source_ |= access.stages;
-            destination_ |= access.stages;
-            buffers_.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, access.writes, next});
-        }
-        state.written = true;
-    }
     if (resource.isHosts() || resource.kind == ResourceKind::UploadBuffer)
         return;
+    State& state = states_[id];
     const bool isImage = resource.kind == ResourceKind::Image;
     const bool relayout = isImage && state.last.layout != access.layout;
     // A write that some stage already sees is seen by that stage's later reads too.

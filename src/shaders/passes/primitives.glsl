@@ -1,11 +1,11 @@
-// Primitives that a tile's pixels name by ids: its lanes list them, and share out the fetching of materials, each in the
+// Primitives that the ids of 64 pixels name: lanes list them, and share out the fetching of materials, each in the
 // middle of the samples that its primitive has in a pixel, and the grouping of samples in pixels of several.
 #ifndef AGAA_PRIMITIVES_GLSL
 #define AGAA_PRIMITIVES_GLSL
 #include "passes/grouping.glsl"
 #include "passes/debug_view.glsl"
 
-// Primitives of pixels that are in hand; a tile with more takes them in turns, a pixel at a time at least.
+// Primitives of pixels that are in hand; a group with more takes them in turns, a pixel at a time at least.
 #ifndef AGAA_LIST_LENGTH
 #define AGAA_LIST_LENGTH 256u
 #endif
