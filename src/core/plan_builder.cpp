@@ -211,14 +211,20 @@ ResourceId PlanBuilder::leftPixels() {
                 .bytes = checkedMultiply(tiles, 8)});
 }
 
+// A group of the pass has so many tiles of 8 by 8 pixels across and down.
+static void takeTiles(Pass& pass, uint32_t side) {
+    pass.groupSide = 8 * side;
+    pass.defines += format("#define AGAA_REGION_SIDE %uu\n", side);
+}
+
 void PlanBuilder::leavePixels(Pass& pass, ResourceId left) {
     bind(pass, slot::Left, BindingType::StorageBuffer, left, true);
-    pass.groupSide = 16;
+    takeTiles(pass, 2);
 }
 
 void PlanBuilder::takeLeft(Pass& pass, ResourceId left) {
     bind(pass, slot::Left, BindingType::StorageBuffer, left);
-    pass.groupSide = 32;
+    takeTiles(pass, 4);
 }
 
 void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,

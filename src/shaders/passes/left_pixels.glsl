@@ -31,8 +31,7 @@ void agaa_leavePixel(uvec2 tile, bool isLeft) {
         agaa_left.words[agaa_leftWord(tile, 32u * lane)] = agaa_leftHere[lane];
 }
 #else
-const uint agaa_regionSide = 4u; // in tiles; PlanBuilder::takeLeft() dispatches for it
-const uint agaa_mostLeft = 64u * agaa_regionSide * agaa_regionSide;
+const uint agaa_mostLeft = 64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE;
 shared uint agaa_leftCount;
 shared uint agaa_leftPlace[agaa_mostLeft]; // lane in its tile | tile << 6
 uint agaa_turn = 0u; // place of the first pixel in hand; a lane has one each
@@ -43,8 +42,8 @@ uint agaa_findLeft() {
     if (lane == 0u)
         agaa_leftCount = 0u;
     barrier();
-    for (uint t = 0u; t < agaa_regionSide * agaa_regionSide; ++t) {
-        uvec2 tile = gl_WorkGroupID.xy * agaa_regionSide + uvec2(t % agaa_regionSide, t / agaa_regionSide);
+    for (uint t = 0u; t < AGAA_REGION_SIDE * AGAA_REGION_SIDE; ++t) {
+        uvec2 tile = gl_WorkGroupID.xy * AGAA_REGION_SIDE + uvec2(t % AGAA_REGION_SIDE, t / AGAA_REGION_SIDE);
         if (any(greaterThanEqual(tile, agaa_tileCounts())))
             continue;
         if ((agaa_left.words[agaa_leftWord(tile, lane)] >> (lane & 31u) & 1u) != 0u)
@@ -58,7 +57,7 @@ uint agaa_findLeft() {
 uvec2 agaa_pixelOf(uint lane) {
     uint place = agaa_leftPlace[min(agaa_turn + lane, agaa_mostLeft - 1u)];
     uint tile = place >> 6u;
-    uvec2 corner = gl_WorkGroupID.xy * agaa_regionSide + uvec2(tile % agaa_regionSide, tile / agaa_regionSide);
+    uvec2 corner = gl_WorkGroupID.xy * AGAA_REGION_SIDE + uvec2(tile % AGAA_REGION_SIDE, tile / AGAA_REGION_SIDE);
     return corner * 8u + uvec2(place & 7u, place >> 3u & 7u);
 }
 #endif

@@ -15,12 +15,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/left_pixels.glsl"
 #include "passes/primitive_means.glsl"
 
-// A group has a region of tiles, whose pixels of one primitive are dealt out to full lanes.
-const uint agaa_singleSide = 2u; // in tiles; the plan dispatches for it
+// A group has a region of AGAA_REGION_SIDE tiles each way, whose pixels of one primitive are dealt out to full lanes.
 shared uint agaa_singleCount;
-shared uint agaa_singlePixel[64u * agaa_singleSide * agaa_singleSide]; // x | y << 16
-shared uint agaa_singleId[64u * agaa_singleSide * agaa_singleSide];
-shared uint agaa_singleSamples[64u * agaa_singleSide * agaa_singleSide];
+shared uint agaa_singlePixel[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE]; // x | y << 16
+shared uint agaa_singleId[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
+shared uint agaa_singleSamples[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
 
 AgaaMaterial agaa_material = agaa_defaultMaterial(); // of the pixel at hand
 
@@ -74,8 +73,8 @@ void main() {
     if (lane == 0u)
         agaa_singleCount = 0u;
     barrier();
-    for (uint t = 0u; t < agaa_singleSide * agaa_singleSide; ++t)
-        agaa_sortTile(gl_WorkGroupID.xy * agaa_singleSide + uvec2(t % agaa_singleSide, t / agaa_singleSide));
+    for (uint t = 0u; t < AGAA_REGION_SIDE * AGAA_REGION_SIDE; ++t)
+        agaa_sortTile(gl_WorkGroupID.xy * AGAA_REGION_SIDE + uvec2(t % AGAA_REGION_SIDE, t / AGAA_REGION_SIDE));
     barrier();
     uint at = lane;
     do {
