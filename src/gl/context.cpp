@@ -66,6 +66,7 @@ static void checkBindings(const GladGLContext& gl, const HostDialect& dialect) {
     check(at[host_slot::Lights],
           dialect.storageImages ? GL_MAX_UNIFORM_BUFFER_BINDINGS : GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS,
           "lightsBinding");
+    check(at[host_slot::Shadow0], GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, "shadowUnit");
     check(at[host_slot::Shadow0 + AGAA_MAX_SHADOW_MAPS - 1], GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS,
           "shadowUnit + 3");
 }
@@ -125,11 +126,15 @@ Context::Context(const AgaaGlContextDesc& desc)
         gl.SamplerParameteri(texelSampler, filter, GL_NEAREST);
     for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         gl.SamplerParameteri(texelSampler, wrap, GL_CLAMP_TO_EDGE);
+    gl.CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &noShadow);
+    label(GL_TEXTURE, noShadow, "agaa no shadow");
+    gl.TextureStorage3D(noShadow, 1, GL_DEPTH_COMPONENT16, 1, 1, 1);
 }
 
 Context::~Context() {
     gl.DeleteSamplers(1, &shadowSampler);
     gl.DeleteSamplers(1, &texelSampler);
+    gl.DeleteTextures(1, &noShadow);
 }
 
 void Context::label(GLenum kind, GLuint name, const std::string& text) const {

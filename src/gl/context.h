@@ -39,6 +39,7 @@ public:
     AgaaTimeSource timeSource = AGAA_TIME_DEVICE;
     GLuint shadowSampler = 0;
     GLuint texelSampler = 0; // for textures of the host, whose own filter may need mip levels
+    GLuint noShadow = 0;     // where a frame has no map at all: binding 0 to a unit unbinds all its targets
 };
 
 } // namespace agaa::gl

@@ -52,7 +52,7 @@ GLuint View::shadowTexture(const Resource& map, const AgaaFrame& frame, const Ag
     for (const Resource& resource : plan.resources)
         if (resource.kind == ResourceKind::ShadowMap && own(resource))
             return own(resource);
-    return 0;
+    return context.noShadow;
 }
 
 // Binding to an index also binds to the target, where the host's own buffer is to stay.
@@ -247,8 +247,8 @@ AgaaResult View::record(const AgaaFrame& frame, const AgaaGlFrame& glFrame) {
     checkContextState();
     checkTarget(frame, glFrame);
     const uint32_t slot = sequence.slotOf(frame);
+    HostState state(context); // where it fails, nothing has run
     try {
-        HostState state(context);
         writeFrameData(frame, slot);
         runPasses(frame, glFrame, slot, state);
         state.finish();

@@ -57,6 +57,8 @@ TEST(GlMisuse, ContextsAreRefusedInASentence) {
         {"equal bindings", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.countersBinding = 0; }},
         {"frame binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.frameBinding = 100000; }},
         {"metadata unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.metadataUnit = 100000; }},
+        {"shadow unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.shadowUnit = 100000; }},
+        {"shadow units past the last number", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.shadowUnit = 0xFFFFFFFD; }},
         {"aggregates binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.aggregatesBinding = 100000; }},
         {"counters image unit", AGAA_ERROR_OUT_OF_RANGE,
          [](auto& d) {

@@ -189,6 +189,46 @@ TEST_P(FrameTest, restoresTheStateOfEachSegment) {
     EXPECT_EQ(host->picture(), expected);
 }
 
+// Targets that the list of states does not have: frames must not touch them, with shadows or without.
+TEST_P(FrameTest, leavesTexturesOfOtherTargetsBound) {
+    if (!start(AGAA_GL_STATE_NONE))
+        GTEST_SKIP() << "the device has not this tier";
+    const GladGLContext& gl = context.gl();
+    struct Target {
+        GLenum target, binding;
+        GLuint texture;
+    };
+    Target targets[] = {{GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP, 0},
+                        {GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D, 0}};
+    constexpr GLuint units = 32;
+    for (Target& each : targets) {
+        gl.CreateTextures(each.target, 1, &each.texture);
+        for (GLuint unit = 0; unit < units; ++unit)
+            gl.BindTextureUnit(unit, each.texture);
+    }
+    const auto expectBound = [&](const char* when) {
+        for (const Target& each : targets)
+            for (GLuint unit = 0; unit < units; ++unit) {
+                GLint bound = 0;
+                gl.GetIntegeri_v(each.binding, unit, &bound);
+                EXPECT_EQ(GLuint(bound), each.texture) << "unit " << unit << ", " << when;
+            }
+    };
+    host->beforeDraw = [&] { expectBound("in the callback"); };
+    host->afterDraw = nullptr;
+    ASSERT_EQ(host->record(), AGAA_OK);
+    expectBound("after a frame with a shadow map");
+    AgaaFrame frame = host->frame();
+    AgaaLight sun = *frame.lights;
+    sun.shadowMap = AGAA_NO_SHADOW;
+    frame.lights = &sun;
+    frame.shadowCount = 0;
+    ASSERT_EQ(host->record(frame, host->output), AGAA_OK) << joined(host->log);
+    expectBound("after a frame without");
+    for (const Target& each : targets)
+        gl.DeleteTextures(1, &each.texture);
+}
+
 // A host that saves on the first push of a frame and restores that at each pop.
 TEST_P(FrameTest, callsPushAndPopInTurns) {
     if (!start(AGAA_GL_STATE_CALLBACKS))
@@ -288,6 +328,18 @@ TEST_P(FrameTest, tellsOfPushesAndPopsThatFail) {
     }
     host->failingCall = ~size_t{0};
     EXPECT_EQ(host->record(), AGAA_OK);
+}
+
+TEST_P(FrameTest, aSegmentThatCouldNotBeginIsRecordedAgain) {
+    if (!start(AGAA_GL_STATE_CALLBACKS))
+        GTEST_SKIP() << "the device has not this tier";
+    ASSERT_EQ(host->record(host->frame(AGAA_SEGMENT_PREPASS), host->output), AGAA_OK);
+    const AgaaFrame rest = host->frame(AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING);
+    host->failingCall = host->calls.size();
+    EXPECT_EQ(host->record(rest, host->output), AGAA_ERROR_CALLBACK);
+    host->failingCall = ~size_t{0};
+    EXPECT_EQ(host->record(rest, host->output), AGAA_OK) << joined(host->log);
+    host->readStatistics();
 }
 
 TEST_P(FrameTest, drawsTheSameWithoutSaving) {
