@@ -207,12 +207,12 @@ void AGAA_CALL agaaDestroyView(AgaaView view) {
 void AGAA_CALL agaaDestroyContext(AgaaContext context) {
     if (!context)
         return;
-    if (context->viewCount) {
-        context->log.write(AGAA_SEVERITY_ERROR, AGAA_ERROR_WRONG_ORDER,
-                           "agaaDestroyContext: views of the context still exist; it was kept.");
-        return;
-    }
-    destroy(HostAllocator(context->allocator), context);
+    const Log log = context->log;
+    guarded(log, "agaaDestroyContext", [&]() -> AgaaResult {
+        require(context->viewCount == 0, AGAA_ERROR_WRONG_ORDER, "views of the context still exist; it was kept.");
+        destroy(HostAllocator(context->allocator), context);
+        return AGAA_OK;
+    });
 }
 
 } // extern "C"

@@ -54,7 +54,7 @@ AgaaResult guarded(const Log& log, const char* function, Body&& body) noexcept {
     }
 }
 
-// Two-call convention: without an array writes the count; with one copies at most *count elements.
+// Two-call convention: without an array writes the count; with one copies all, for which *count must suffice.
 template <typename Container, typename Element>
 AgaaResult writeArray(const Container& source, uint32_t* count, Element* destination) {
     require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");

@@ -23,15 +23,15 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     plan.config = checkConfig(view.config);
     plan.aliases = plan.aliases && !(plan.config.flags & AGAA_CONFIG_READBACK);
     plan.facts = checkFacts(view.facts);
-    readFunctions(view);
-    plan.layout = reduceLayout(checkLayout(plan.config.layout), plan.facts.flags);
-    plan.config.layout = nullptr; // the host's pointer does not outlive the call
     const Technique& technique = *findTechnique(plan.config.technique);
     plan.config.technique = technique.name; // static storage
     plan.technique = technique.name;
     if (!technique.multisampled)
         plan.config.samples = 1;
     plan.samples = plan.config.samples;
+    readFunctions(view);
+    plan.layout = reduceLayout(checkLayout(plan.config.layout), plan.facts.flags);
+    plan.config.layout = nullptr; // the host's pointer does not outlive the call
     if (technique.maxAggregates && plan.config.aggregates > technique.maxAggregates)
         fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaConfig::aggregates is %u; \"%s\" takes %u at most.",
                                              plan.config.aggregates, technique.name,
@@ -404,6 +404,13 @@ void PlanBuilder::findLifetimes() {
 }
 
 void PlanBuilder::checkLimits() const {
+    // The host's own targets and output, which are no resources with a size of ours.
+    const uint64_t width = uint64_t(plan.width) * plan.scaleX, height = uint64_t(plan.height) * plan.scaleY;
+    if (std::max(width, height) > caps_.maxImageSize)
+        fail(AGAA_ERROR_TOO_LARGE,
+             format("the target would be %llux%llu texels; the device allows %u. Ask for fewer samples or a smaller view.",
+                    static_cast<unsigned long long>(width), static_cast<unsigned long long>(height),
+                    caps_.maxImageSize));
     for (const Resource& r : plan.resources) {
         if (r.kind == ResourceKind::Image &&
             (r.width > caps_.maxImageSize || r.height > caps_.maxImageSize))

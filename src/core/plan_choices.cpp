@@ -23,12 +23,12 @@ void PlanBuilder::readFunctions(const AgaaViewDesc& view) {
         takeSetLayout(function->descriptorSetLayout);
         shadowFunction_ = textOf(*function);
     }
-    if (const AgaaGBufferFunction* function = checkGBufferFunction(view)) {
+    if (const AgaaGBufferFunction* function = checkGBufferFunction(view, plan.samples)) {
         takeSetLayout(function->descriptorSetLayout);
         plan.hostGBuffer = true;
         plan.depthBits = function->depthBits;
         if (const float* positions = function->samplePositions)
-            plan.samplePositions.assign(positions, positions + 2 * plan.config.samples);
+            plan.samplePositions.assign(positions, positions + 2 * plan.samples);
         gbufferFunction_ = textOf(*function);
     }
     if (const AgaaFetchFunction* function = checkFetchFunction(view)) {

@@ -158,7 +158,7 @@ const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc) {
     return function;
 }
 
-const AgaaGBufferFunction* checkGBufferFunction(const AgaaViewDesc& desc) {
+const AgaaGBufferFunction* checkGBufferFunction(const AgaaViewDesc& desc, uint32_t samples) {
     const void* chained = findChained(&desc, AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION);
     if (!chained)
         return nullptr;
@@ -169,7 +169,7 @@ const AgaaGBufferFunction* checkGBufferFunction(const AgaaViewDesc& desc) {
     require(function->reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGBufferFunction::reserved is not 0.");
     require(function->depthBits == 0 || function->depthBits == 16 || function->depthBits == 24,
             AGAA_ERROR_OUT_OF_RANGE, "AgaaGBufferFunction::depthBits is not one of 0, 16, 24.");
-    for (uint32_t i = 0; function->samplePositions && i < 2 * desc.config->samples; ++i)
+    for (uint32_t i = 0; function->samplePositions && i < 2 * samples; ++i)
         require(function->samplePositions[i] >= 0 && function->samplePositions[i] < 1, AGAA_ERROR_OUT_OF_RANGE,
                 "AgaaGBufferFunction::samplePositions holds a place outside the pixel, [0;1).");
     return function;

@@ -51,8 +51,29 @@ const AgaaStructHeader unknownStruct = {77, sizeof(AgaaStructHeader), nullptr};
 const AgaaStructHeader optionalStruct = {77 | AGAA_STRUCTURE_TYPE_OPTIONAL_BIT,
                                          sizeof(AgaaStructHeader), nullptr};
 
+// A G-buffer of the host's, with positions for one sample and what lies behind them in memory.
+const float onePosition[] = {0.5f, 0.5f, NAN, NAN};
+AgaaGBufferFunction gbufferFunction() {
+    AgaaGBufferFunction function = AGAA_GBUFFER_FUNCTION_INIT;
+    function.glsl = "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }";
+    function.samplePositions = onePosition;
+    return function;
+}
+const AgaaGBufferFunction ownGBuffer = gbufferFunction();
+
 const Row rows[] = {
     {"valid", AGAA_OK, [](Request&) {}},
+    {"one position of a technique with one sample", AGAA_OK,
+     [](Request& r) {
+         r.config.technique = "single";
+         r.view.pNext = &ownGBuffer;
+     }},
+    {"a G-buffer of the host's that is too large", AGAA_ERROR_TOO_LARGE,
+     [](Request& r) {
+         r.config.technique = "single";
+         r.view.pNext = &ownGBuffer;
+         r.view.width = 0xFFFFFFFF;
+     }},
     {"optional struct in chain", AGAA_OK, [](Request& r) { r.config.pNext = &optionalStruct; }},
     {"unknown struct in chain", AGAA_ERROR_UNKNOWN_STRUCT,
      [](Request& r) { r.config.pNext = &unknownStruct; }},
@@ -159,6 +180,11 @@ const Row rows[] = {
      [](Request& r) {
          r.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
          r.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
+     }},
+    {"custom depth in a technique that draws twice", AGAA_ERROR_UNSUPPORTED,
+     [](Request& r) {
+         r.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
+         r.config.technique = "msaa";
      }},
     {"layout that does not pack", AGAA_ERROR_LAYOUT,
      [](Request& r) { r.layout.attributes[0].sampleBits = 9; }},

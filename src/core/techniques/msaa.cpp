@@ -1,11 +1,15 @@
 // `msaa`: forward shading once per fragment into a multisampled target, which is resolved. A depth pass first,
 // so that what is hidden is not shaded.
+#include "core/error.h"
 #include "core/techniques/aggregation.h" // wantsStencil
 #include "core/techniques/techniques.h"
 
 namespace agaa {
 
 static void build(PlanBuilder& b) {
+    require(!b.hasFact(AGAA_FACT_CUSTOM_DEPTH), AGAA_ERROR_UNSUPPORTED,
+            "materials that write depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) cannot be drawn a second time "
+            "at equal depth, which \"msaa\" asks for.");
     const ResourceId depth = b.depth(wantsStencil(b));
     const ResourceId color = b.image("color", Format::RGBA16F, true);
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
