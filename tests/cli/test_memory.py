@@ -31,6 +31,14 @@ class Memory(unittest.TestCase):
             data = memory("--layout", "paper16", "--samples", str(n))
             self.assertLessEqual(data["bytesPerAggregate"], most)
 
+    def test_plans_of_scenes_less_effects(self):
+        def resources(*arguments):
+            return {r["name"] for r in harness.data("plan", "--scene", "metal", *arguments)["resources"]}
+        self.assertIn("shadow-map-0", resources())
+        self.assertNotIn("shadow-map-0", resources("--without", "shadows"))
+        by_id = ("--tier", "generation=ids")
+        self.assertGreater(len(resources(*by_id, "--unfetched-every", "3")), len(resources(*by_id)))
+
     def test_peak_and_surfaces(self):
         data = memory()
         self.assertLessEqual(data["peakBytes"], data["totalBytes"])

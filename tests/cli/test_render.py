@@ -69,14 +69,20 @@ class Render(unittest.TestCase):
         self.assertTrue(os.path.exists(self.path("d.png")))
 
     def test_presets(self):
-        tiers = {"paper": None, "fast": "ids", "balanced": "ids", "accurate": "ids"}
-        for preset, tier in tiers.items():
+        expected = {"paper": (None, 2), "fast": ("ids", 1), "balanced": ("ids", 4), "accurate": ("ids", 4)}
+        for preset, (tier, aggregates) in expected.items():
             data = self.render("--preset", preset, size="48x27")
             self.assertEqual(data["technique"], "agaa")
+            self.assertEqual((data["samples"], data["aggregates"]), (8, aggregates))
             if tier:
                 self.assertEqual(data["tiers"]["generation"], tier)
             self.assertEqual(data["geometryPasses"], 1 if tier else 2)
             self.assertEqual(data["apiMessages"], [])
+
+    def test_samples_are_those_that_were_rendered(self):
+        for technique, samples, aggregates in (("fxaa", 1, 0), ("ssaa", 8, 0), ("sbaa", 8, 2)):
+            data = self.render("--technique", technique, size="48x27")
+            self.assertEqual((data["samples"], data["aggregates"]), (samples, aggregates), technique)
 
     def test_views(self):
         images = set()

@@ -32,6 +32,7 @@ class Sweep(unittest.TestCase):
         self.assertIn(backend["passTimes"], ("device", "cpu-finish", "none"))
         scene = backend["scenes"][0]
         self.assertEqual(scene["name"], "metal")
+        self.assertEqual(scene["camera"], "")
         self.assertEqual(scene["lights"], 17)
         self.assertGreater(scene["reference"]["splitHalfMseTm"], 0)
         for row in scene["rows"]:
@@ -50,6 +51,14 @@ class Sweep(unittest.TestCase):
                 for name in (row["image"], row["difference"], row["heat"]):
                     if name:
                         self.assertTrue(os.path.exists(os.path.join(self.folder.name, name)), name)
+
+    def test_scenes_are_told_apart(self):
+        seen_otherwise = harness.run(*(text + "@0,1,4,0,0,0,50" if text == "metal" else text for text in self.arguments))
+        self.assertEqual(seen_otherwise.returncode, 1)
+        self.assertIn("another camera", seen_otherwise.stderr)
+        twice = harness.run(*self.arguments, "--scene", "metal@0,1,4,0,0,0,50")
+        self.assertEqual(twice.returncode, 2)
+        self.assertIn("two scenes called", twice.stderr)
 
     def test_effects_that_are_not_called_for_change_nothing(self):
         effects = {e["effect"]: e for e in self.results["backends"][0]["scenes"][0]["ablation"]}

@@ -68,6 +68,9 @@ void runReference(const RenderArguments& arguments, bool json);
 void runCompare(const CompareArguments& arguments, bool json);
 void runSweep(const SweepArguments& arguments, bool json);
 
+// Takes an effect out of what the scene calls for, so that the plan drops it. BadArgument for other names.
+void leaveOut(const std::string& effect, AgaaSceneFacts& facts);
+
 // Shared by commands that render.
 std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments);
 Scene loadSceneArgument(const std::string& nameOrPath); // BadArgument where there is none

@@ -51,7 +51,8 @@ std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration,
     return caps;
 }
 
-AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& facts,
+// Of a plan or of its memory. It points to what it is given.
+AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& facts, const AgaaFetchFunction& fetch,
                     bool reversedZ) {
     AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
     view.width = configuration.size.width;
@@ -59,16 +60,18 @@ AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& fa
     view.config = &configuration.config;
     view.facts = &facts;
     view.flags = reversedZ && !configuration.isModel ? AGAA_VIEW_REVERSED_Z : 0;
-    // Plans depend on there being functions, not on what they say.
-    static const AgaaFetchFunction fetch = [] {
-        AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
-        function.glsl = "";
-        function.maxDraws = function.maxPrimitives = 1u << 15;
-        return function;
-    }();
     if (configuration.config.generationTier == AGAA_TIER_IDS)
         view.pNext = &fetch;
     return view;
+}
+
+// Plans depend on there being functions, not on what they say.
+AgaaFetchFunction anyFetch(bool ofAllDraws) {
+    AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
+    function.glsl = "";
+    function.maxDraws = function.maxPrimitives = 1u << 15;
+    function.flags = ofAllDraws ? 0 : AGAA_FETCH_NOT_ALL_DRAWS;
+    return function;
 }
 
 json surfaceJson(const AgaaSurface& s) {
@@ -120,7 +123,8 @@ void runMemory(const PlanArguments& arguments, const DeviceArguments& device, bo
     const Configuration configuration(arguments);
     const auto caps = planningDevice(configuration, device);
     const AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
-    const AgaaViewDesc view = viewOf(configuration, facts, arguments.reversedZ);
+    const AgaaFetchFunction fetch = anyFetch(true);
+    const AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.reversedZ);
     Sdk sdk;
     AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
     uint32_t count = 0;
@@ -157,8 +161,13 @@ void runPlan(const RenderArguments& arguments, bool sceneGiven, bool asJson) {
         const Scene scene = loadSceneArgument(arguments.scene);
         facts = sceneFacts(scene, scene.lights.empty() ? defaultLights(scene) : scene.lights);
     }
+    for (const std::string& effect : arguments.without)
+        leaveOut(effect, facts);
     const auto caps = planningDevice(configuration, arguments.device);
-    const AgaaViewDesc view = viewOf(configuration, facts, arguments.plan.reversedZ);
+    const AgaaFetchFunction fetch = anyFetch(arguments.unfetchedEvery == 0);
+    AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.plan.reversedZ);
+    if (arguments.device.clipZFromMinusOne)
+        view.flags |= AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
     Sdk sdk;
     size_t size = 0;
     sdk.check(agaaPlanToJson(&view, caps ? &*caps : nullptr, sdk.log(), &size, nullptr));

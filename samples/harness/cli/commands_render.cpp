@@ -13,16 +13,15 @@ namespace harness {
 
 using nlohmann::json;
 
-// Effects that are left out: of the scene, so that the plan drops them.
-static void leaveOut(const std::string& effect, RenderSettings& settings) {
+void leaveOut(const std::string& effect, AgaaSceneFacts& facts) {
     if (effect == "specular")
-        settings.facts.flags &= ~AGAA_FACT_SPECULAR;
+        facts.flags &= ~AGAA_FACT_SPECULAR;
     else if (effect == "emissive")
-        settings.facts.flags &= ~AGAA_FACT_EMISSIVE;
+        facts.flags &= ~AGAA_FACT_EMISSIVE;
     else if (effect == "ambient")
-        settings.facts.flags &= ~AGAA_FACT_AMBIENT;
+        facts.flags &= ~AGAA_FACT_AMBIENT;
     else if (effect == "shadows")
-        settings.facts.shadowMapCount = 0;
+        facts.shadowMapCount = 0;
     else
         throw BadArgument("--without names \"" + effect +
                           "\"; it can be specular, emissive, ambient or shadows.");
@@ -43,7 +42,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
             light.castsShadow = light.castsShadow && effect != "shadows";
     settings.facts = sceneFacts(scene, settings.lights);
     for (const std::string& effect : arguments.without)
-        leaveOut(effect, settings);
+        leaveOut(effect, settings.facts);
     settings.reversedZ = arguments.plan.reversedZ;
     settings.drawOrderSeed = arguments.drawOrderSeed;
     settings.unfetchedEvery = arguments.unfetchedEvery;
@@ -134,15 +133,15 @@ json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer
                 const Size& size) {
     const AgaaFrameStatistics& last = m.plain.statistics.back();
     json tiers = json::object();
-    for (const auto& [stage, tier] : m.plain.tiers)
+    for (const auto& [stage, tier] : m.plain.plan.tiers)
         tiers[stage] = tier;
     json out = {{"device", renderer.caps().deviceName},
                 {"driver", renderer.caps().driverName},
                 {"backend", arguments.device.backend},
                 {"scene", arguments.scene},
                 {"technique", arguments.plan.technique},
-                {"samples", arguments.plan.technique == "single" ? 1 : arguments.plan.samples},
-                {"aggregates", m.plain.memory.bytesPerAggregate > 0 ? arguments.plan.aggregates : 0},
+                {"samples", m.plain.plan.samples},
+                {"aggregates", m.plain.plan.aggregates},
                 {"size", std::to_string(size.width) + "x" + std::to_string(size.height)},
                 {"frameMs", quantilesJson(m.plain.frameMs)},
                 {"geometryPasses", last.geometryPasses},

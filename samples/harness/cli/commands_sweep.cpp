@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <set>
 
 namespace harness {
 
@@ -66,8 +67,12 @@ json& backendOf(json& results, const std::string& name) {
 
 bool isDone(json& results, const Task& task) {
     for (const json& scene : backendOf(results, task.backend)["scenes"])
-        if (scene["name"] == task.name())
+        if (scene["name"] == task.name()) {
+            if (scene.value("camera", "") != task.camera)
+                throw std::runtime_error("The sweep holds " + task.name() +
+                                         " as another camera sees it; take another folder.");
             return true;
+        }
     return false;
 }
 
@@ -149,6 +154,7 @@ private:
                          });
         json result = sweep.run();
         result["name"] = name;
+        result["camera"] = task.camera;
         result["plain"] = task.isPlain;
         json& backend = backendOf(results_, task.backend);
         backend["device"] = renderer->caps().deviceName;
@@ -185,8 +191,11 @@ void writeReport(const fs::path& out) {
 }
 
 void checkScenes(const std::string& option, const std::vector<std::string>& scenes) {
+    std::set<std::string> names; // by which results and images are told apart
     for (const std::string& text : scenes) {
         const Task task = parseTask("", text);
+        if (!names.insert(task.name()).second)
+            throw BadArgument(option + " names two scenes called \"" + task.name() + "\"; sweep them into two folders.");
         if (!task.camera.empty())
             parseCamera(task.camera);
         if (!makeBuiltinScene(task.scene) && !fs::exists(task.scene))

@@ -1,5 +1,6 @@
 // agaa-harness: the sample engine's command line.
 #include "cli/commands.h"
+#include "render/messages.h"
 
 #include <CLI/CLI.hpp>
 
@@ -79,6 +80,14 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
     app.add_option("--exr", a.exr);
     app.add_flag("--no-counters", a.noCounters);
     app.add_flag("--no-timestamps", a.noTimestamps);
+}
+
+// What the API said when devices went, of objects that were left, say: the exit status.
+int tellLeftovers() {
+    const std::vector<ApiMessage> messages = takeLeftoverMessages();
+    for (const ApiMessage& message : messages)
+        std::fprintf(stderr, "agaa-harness: %s: %s\n", message.id.c_str(), message.text.c_str());
+    return messages.empty() ? 0 : 1;
 }
 
 int run(int argc, char** argv) {
@@ -169,7 +178,7 @@ int run(int argc, char** argv) {
         runSweep(sweepArguments, json);
     } else
         runCompare(compareArguments, json);
-    return 0;
+    return tellLeftovers();
 }
 
 } // namespace

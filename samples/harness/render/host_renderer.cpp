@@ -50,7 +50,7 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     const AgaaView view = useView(desc);
     RenderResult result;
     result.memory = predictMemory(desc, caps(), log());
-    result.tiers = plannedTiers(desc, caps(), log());
+    result.plan = summarisePlan(desc, caps(), log());
 
     FrameInput input{settings, cameraMatrices(scene_, settings, clipY()), {}, {}, true};
     input.lights = toAgaaLights(settings.lights, settings.worldOffset, input.camera.eye);

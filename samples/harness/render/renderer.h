@@ -46,12 +46,19 @@ struct RenderSettings {
     bool splitSegments = false; // record each segment by a call of its own
 };
 
+// What the SDK made of a configuration.
+struct PlanSummary {
+    uint32_t samples = 0;
+    uint32_t aggregates = 0; // or surfaces of "sbaa"; 0 where nothing is aggregated
+    std::vector<std::pair<std::string, std::string>> tiers; // stage, tier
+};
+
 struct RenderResult {
     Image image; // of the last frame, linear
     std::vector<double> frameMs; // submission to completion, per counted frame, without warm-up
     std::vector<AgaaFrameStatistics> statistics; // per counted frame
     AgaaMemoryReport memory = AGAA_MEMORY_REPORT_INIT; // predicted for this device
-    std::vector<std::pair<std::string, std::string>> tiers; // stage, tier
+    PlanSummary plan;
 };
 
 // One line per message of the API's validation that the allow-list does not excuse.

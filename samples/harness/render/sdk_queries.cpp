@@ -13,18 +13,19 @@ AgaaMemoryReport predictMemory(const AgaaViewDesc& desc, const AgaaDeviceCaps& c
     return report;
 }
 
-std::vector<std::pair<std::string, std::string>> plannedTiers(const AgaaViewDesc& desc,
-                                                              const AgaaDeviceCaps& caps, SdkLog& log) {
+PlanSummary summarisePlan(const AgaaViewDesc& desc, const AgaaDeviceCaps& caps, SdkLog& log) {
     const AgaaLog callback = log.log();
     size_t size = 0;
     log.check(agaaPlanToJson(&desc, &caps, &callback, &size, nullptr), "agaaPlanToJson");
     std::vector<char> text(size);
     log.check(agaaPlanToJson(&desc, &caps, &callback, &size, text.data()), "agaaPlanToJson");
-    std::vector<std::pair<std::string, std::string>> result;
+    PlanSummary summary;
     const auto plan = nlohmann::ordered_json::parse(text.data());
+    summary.samples = plan.at("samples").get<uint32_t>();
+    summary.aggregates = plan.at("aggregates").get<uint32_t>();
     for (const auto& [stage, tier] : plan.at("tiers").items())
-        result.emplace_back(stage, tier.get<std::string>());
-    return result;
+        summary.tiers.emplace_back(stage, tier.get<std::string>());
+    return summary;
 }
 
 } // namespace harness

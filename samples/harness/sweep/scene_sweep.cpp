@@ -297,7 +297,7 @@ json SceneSweep::rowJson(const Measured& m) const {
         stages[stage] += quantile(values, 0.5);
     }
     json tiers = json::object();
-    for (const auto& [stage, tier] : m.still.tiers)
+    for (const auto& [stage, tier] : m.still.plan.tiers)
         tiers[stage] = tier;
     const AgaaCounters& c = m.counters;
     const double pixels = double(base_.width) * base_.height;

@@ -117,15 +117,16 @@ void Device::createInstance(bool useValidation) {
     validation.pEnabledValidationFeatures = enabled;
 
     const bool isValidated = useValidation && hasLayer(validationLayer);
+    bool synchronises = false;
     if (isValidated) {
         layers.push_back(validationLayer);
-        if (hasInstanceExtension(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME, validationLayer)) {
+        synchronises = hasInstanceExtension(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME, validationLayer);
+        if (synchronises) {
             extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
             validation.pNext = info.pNext;
             info.pNext = &validation;
         }
     }
-    hasValidation_ = isValidated;
     const bool hasMessenger =
         useValidation &&
         (hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, nullptr) ||
@@ -135,6 +136,7 @@ void Device::createInstance(bool useValidation) {
         messenger.pNext = info.pNext; // also hears the instance's own creation and destruction
         info.pNext = &messenger;
     }
+    hasValidation_ = synchronises && hasMessenger;
     info.enabledLayerCount = uint32_t(layers.size());
     info.ppEnabledLayerNames = layers.data();
     info.enabledExtensionCount = uint32_t(extensions.size());

@@ -29,7 +29,7 @@ public:
     const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
     std::string name() const { return properties_.deviceName; }
     bool hasDynamicRendering() const { return hasDynamicRendering_; }
-    bool hasValidation() const { return hasValidation_; }
+    bool hasValidation() const { return hasValidation_; } // of synchronisation too, and its messages are heard
     bool hasAnisotropy() const { return hasAnisotropy_; }
     bool hasPrimitiveIds() const { return hasPrimitiveIds_; }
     std::vector<ApiMessage> takeMessages() { return messages_.take(); }

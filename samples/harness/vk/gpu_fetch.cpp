@@ -34,7 +34,8 @@ GpuFetch::GpuFetch(const Device& device, const Scene& scene, const GpuScene& gpu
     drawTexels_ = texels(draws_.buffer.get(), fetch.maxDraws * sizeof(FetchDraw), VK_FORMAT_R32G32B32A32_UINT);
     materialTexels_ = texels(materials_.buffer.get(), materials.size(), VK_FORMAT_R32G32B32A32_UINT);
     vertexTexels_ = texels(vertices_.buffer.get(), vertices.size(), VK_FORMAT_R32G32B32A32_UINT);
-    indexTexels_ = texels(gpuScene.indices().buffer.get(), VK_WHOLE_SIZE, VK_FORMAT_R32_UINT);
+    indexTexels_ = texels(gpuScene.indices().buffer.get(), std::max(scene.indices.size(), size_t(1)) * sizeof(uint32_t),
+                          VK_FORMAT_R32_UINT);
     VkSamplerCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
     info.magFilter = info.minFilter = VK_FILTER_LINEAR;
@@ -53,8 +54,8 @@ GpuFetch::GpuFetch(const Device& device, const Scene& scene, const GpuScene& gpu
 
 BufferView GpuFetch::texels(VkBuffer buffer, VkDeviceSize size, VkFormat format) const {
     const VkDeviceSize texel = format == VK_FORMAT_R32_UINT ? 4 : 16;
-    if (size != VK_WHOLE_SIZE && size / texel > device_->limits().maxTexelBufferElements)
-        throw std::runtime_error("The scene has more vertices or draws than the device's texel buffers hold.");
+    if (size / texel > device_->limits().maxTexelBufferElements)
+        throw std::runtime_error("The scene has more vertices, indices or draws than the device's texel buffers hold.");
     VkBufferViewCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
     info.buffer = buffer;

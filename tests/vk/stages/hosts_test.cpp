@@ -1,6 +1,7 @@
 // Every kind of host gets the same bits.
 #include "truth.h"
 
+#include "render/messages.h"
 #include "vk/barrier.h"
 
 #include <gtest/gtest.h>
@@ -205,8 +206,30 @@ TEST_P(HostsTest, ShufflingChangesOnlyPixelsOfTies) {
 }
 
 // Silence means something only where someone listens.
-TEST(Validation, LayerIsLoaded) {
-    EXPECT_TRUE(sharedDevice().hasValidation());
+TEST(Validation, HearsHazards) {
+    ASSERT_TRUE(sharedDevice().hasValidation());
+    harness::vk::Arena arena(sharedDevice());
+    const harness::vk::BufferResource twice = arena.deviceBuffer(64, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    const VkCommandBuffer commands = sharedDevice().beginCommands();
+    for (uint32_t value = 0; value < 2; ++value)
+        vkCmdFillBuffer(commands, twice.buffer.get(), 0, 64, value);
+    sharedDevice().submitAndWait(commands);
+    const auto messages = sharedDevice().takeMessages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_EQ(messages[0].id, "SYNC-HAZARD-WRITE-AFTER-WRITE");
+}
+
+TEST(Validation, TellsOfObjectsThatAreLeft) {
+    {
+        const harness::vk::Device device{harness::RendererOptions{}};
+        VkSamplerCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+        VkSampler left = VK_NULL_HANDLE;
+        ASSERT_EQ(vkCreateSampler(device.get(), &info, nullptr, &left), VK_SUCCESS);
+    }
+    const auto messages = harness::takeLeftoverMessages();
+    ASSERT_FALSE(messages.empty());
+    EXPECT_NE(messages[0].text.find("has not been destroyed"), std::string::npos) << messages[0].text;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HostsTest,

@@ -2,6 +2,7 @@
 
 #include "surface_reader.h"
 
+#include "render/messages.h"
 #include "vk/barrier.h"
 
 #include <gtest/gtest.h>
@@ -83,11 +84,24 @@ void require(AgaaResult result, const StageContext& context, const char* call) {
     throw std::runtime_error(context.lines.empty() ? call : context.lines.back().text);
 }
 
+std::unique_ptr<Device> device;
+
+// When the device goes, the layers tell of objects that were left.
+class DeviceEnd : public testing::Environment {
+    void TearDown() override {
+        device.reset();
+        for (const harness::ApiMessage& message : harness::takeLeftoverMessages())
+            ADD_FAILURE() << message.id << ": " << message.text;
+    }
+};
+const testing::Environment* const deviceEnd = testing::AddGlobalTestEnvironment(new DeviceEnd);
+
 } // namespace
 
 Device& sharedDevice() {
-    static Device device{harness::RendererOptions{}};
-    return device;
+    if (!device)
+        device = std::make_unique<Device>(harness::RendererOptions{});
+    return *device;
 }
 
 StageContext::StageContext(const HostOptions& options) {
