@@ -43,7 +43,7 @@ function equalQuality(rows, metric, gap) {
                 const loose = least(own.filter((row) => errorOf(row, metric) < error + gap), frameMs);
                 if (strict)
                     reached.set(technique, strict);
-                if (loose && loose !== strict)
+                if (loose && (!strict || frameMs(loose) < frameMs(strict)))
                     alike.set(technique, loose);
             }
             return {target, reached, alike, winner: least([...reached.values()], frameMs)};
@@ -64,5 +64,7 @@ function stagesOf(row) {
     return out;
 }
 
+// The papers' way of a technique: no preset, and not from a G-buffer or by id.
+const isPlain = (row) => !row.preset && !["gbuffer", "ids"].includes(field(row, "tiers", "generation"));
 const find = (rows, technique, n, c) => rows.find((row) => row.technique === technique && row.n === n
-    && (c === undefined || row.c === c)) ?? null;
+    && (c === undefined || row.c === c) && isPlain(row)) ?? null;

@@ -70,15 +70,23 @@ function showMemory(rows) {
         msText(field(row, "frameMs", "p95")), boundsText(row.frameMs) ?? MISSING, tiersOf(row) || MISSING])));
 }
 
-function removedText(on, off, gap) {
+// Errors against ssaa at the same n, which has none of its own.
+function removedText(on, off) {
     if (on === null || off === null)
         return MISSING;
-    if (Math.abs(off - on) < gap || off === on)
+    if (off === on)
         return noDifference;
     if (off === 0)
         return "adds all of it";
     const share = 100 * Math.abs(off - on) / off;
     return on < off ? `removes ${share.toFixed(0)} %` : `adds ${share.toFixed(0)} %`;
+}
+
+// Of frame times with an effect and without.
+function costCell(on, off) {
+    const text = ratioText(ratio(finite(on?.median), finite(off?.median)));
+    const alike = on?.low <= off?.high && off?.low <= on?.high;
+    return {text, note: alike ? noDifference : ""};
 }
 
 function showAblation(backend) {
@@ -90,16 +98,19 @@ function showAblation(backend) {
     const names = unique(entries.map(({entry}) => String(entry.effect ?? "unnamed")));
     const place = ({entry}) => names.indexOf(String(entry.effect ?? "unnamed")) * 2 + (entry.calledFor ? 0 : 1);
     entries.sort((a, b) => place(a) - place(b));
-    fill("ablation", tableOf("Cost is the frame time with the effect by that without it. Error is mseTm.",
+    const frames = unique(entries.map(({entry}) => finite(field(entry, "on", "frameMs", "frames"))).filter((n) => n !== null));
+    fill("ablation", tableOf("Cost is the frame time with the effect by that without it, medians of "
+        + `${frames.join(" or ") || "some"} frames in turns; “${noDifference}” where the one's least and greatest overlap the `
+        + "other's. Error is mseTm against ssaa at the same n with all effects.",
         ["<effect", "<scene", "<called for", "n", "c", "ms with", "without", "cost", "error with", "without", "<error"],
         entries.map(({scene, entry}) => {
             const ms = (side) => finite(field(entry, side, "frameMs", "median"));
             const error = (side) => finite(field(entry, side, "mseTm"));
             const of = [entry.preset, entry.tier === "auto" ? "" : entry.tier].filter(Boolean);
-            const verdict = removedText(error("on"), error("off"), smallestGap(scene, METRICS.mseTm));
+            const verdict = removedText(error("on"), error("off"));
             return [String(entry.effect ?? "unnamed"), String(scene.name ?? MISSING), entry.calledFor ? "yes" : "no",
                 significant(entry.n), significant(entry.c) + (of.length ? ` (${of.join(", ")})` : ""), msText(ms("on")), msText(ms("off")),
-                ratioText(ratio(ms("on"), ms("off"))), errorText(error("on"), METRICS.mseTm),
+                costCell(field(entry, "on", "frameMs"), field(entry, "off", "frameMs")), errorText(error("on"), METRICS.mseTm),
                 errorText(error("off"), METRICS.mseTm), {text: verdict, className: verdict.startsWith("removes") ? "best" : ""}];
         })));
 }
