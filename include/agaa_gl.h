@@ -97,12 +97,13 @@ typedef struct AgaaGlContextDesc {
     /* Where the SDK binds what the host's shaders read, during draw callbacks. The host's own bindings there
      * come back after the callback, but with AGAA_GL_STATE_NONE. */
     uint32_t frameBinding;      /* uniform buffer */
-    uint32_t metadataUnit;      /* texture unit */
+    uint32_t metadataUnit;      /* texture unit, outside [shadowUnit;shadowUnit+3] */
     uint32_t aggregatesBinding; /* shader storage buffer; with AGAA_GL_STORAGE_IMAGES an image unit */
     uint32_t countersBinding;   /* the same, not equal to aggregatesBinding */
-    uint32_t lightsBinding;     /* shader storage buffer, or with AGAA_GL_STORAGE_IMAGES uniform buffer */
+    uint32_t lightsBinding;     /* shader storage buffer that is not one of these two, or with AGAA_GL_STORAGE_IMAGES
+                                   uniform buffer, not frameBinding */
     uint32_t shadowUnit;        /* texture unit of the first of AGAA_MAX_SHADOW_MAPS */
-    uint32_t framesInFlight;    /* [1;8]: frames whose statistics are kept */
+    uint32_t framesInFlight;    /* [1;8]: as of AgaaVkContextDesc */
     uint32_t reserved;          /* 0 */
     const AgaaLog* log;         /* may be null; copied */
     AgaaAllocateCallback allocate; /* may be null */
@@ -182,7 +183,8 @@ typedef struct AgaaGlSurface {
     {AGAA_STRUCTURE_TYPE_GL_SURFACE, (uint32_t)sizeof(AgaaGlSurface), NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
 
 /* name: as in agaaQueryMemory; "depth" is of every view that draws, "aggregates" of those that
- * agaaGetAggregateGlsl is for. Others may change with the version. */
+ * agaaGetAggregateGlsl is for. Others may change with the version. AGAA_ERROR_INVALID_ARGUMENT for names that the view
+ * does not have. */
 AGAA_API AgaaResult AGAA_CALL agaaGlGetSurface(AgaaView view, const char* name,
                                                AgaaGlSurface* outSurface);
 
@@ -206,7 +208,8 @@ typedef struct AgaaGlFrame {
 /* Runs the frame's segments in the current context. Draw callbacks find the host's state as it was on
  * entry, but for the bindings named in AgaaGlContextDesc; they bind AgaaDrawTarget::framebuffer and set
  * viewport and AgaaDrawState themselves. A callback that fails is AGAA_ERROR_CALLBACK: the output is
- * untouched. Active transform feedback that is not paused is AGAA_ERROR_WRONG_ORDER. Not to be called with
+ * untouched, but passes before it have run. A frame is AGAA_ERROR_WRONG_ORDER too early (framesInFlight), or with
+ * segments missing or repeated. Active transform feedback that is not paused is AGAA_ERROR_WRONG_ORDER. Not to be called with
  * conditional rendering or a query of GL_TIME_ELAPSED active. Other errors of OpenGL's are not looked for: they
  * are left to the host's glGetError. Functions of the host's (AgaaGBufferFunction, AgaaFetchFunction,
  * AgaaShadowFunction) find their resources as bound on entry, or where the host draws, when the last draw callback

@@ -53,7 +53,7 @@ typedef enum AgaaVkRendering {
 
 typedef enum AgaaVkRecording {
     /* Draw callbacks get a secondary command buffer of the SDK's: a callback that fails leaves the
-     * host's command buffer untouched. */
+     * host's command buffer untouched. No query may be active in that. */
     AGAA_VK_RECORDING_SECONDARY = 0,
     /* Draw callbacks get the host's command buffer: a callback that fails is AGAA_ERROR_PARTIAL. */
     AGAA_VK_RECORDING_INLINE = 1,
@@ -68,7 +68,7 @@ typedef struct AgaaVkContextDesc {
     void* physicalDevice; /* VkPhysicalDevice */
     void* device;         /* VkDevice; features and extensions as in AgaaVkRequirements */
     uint32_t queueFamily; /* of the command buffers; graphics and compute */
-    uint32_t apiVersion;  /* that the instance and device were created for */
+    uint32_t apiVersion;  /* that the instance and device were created for, VK_API_VERSION_1_2 or later */
     AgaaVkGetInstanceProcAddr getProcAddr;
     const char* const* enabledExtensions; /* device extensions enabled by the host */
     uint32_t enabledExtensionCount;
@@ -80,7 +80,9 @@ typedef struct AgaaVkContextDesc {
     uint32_t recording;      /* AgaaVkRecording */
     uint32_t descriptorSet;  /* index of the SDK's set in the host's pipeline layouts, [0;7] */
     uint64_t pipelineCache;  /* VkPipelineCache or 0 */
-    uint32_t framesInFlight; /* [1;8] */
+    /* [1;8]: frames that may be unfinished at once, and whose statistics are kept. A frame needs the one this many
+     * before it to be no later than AgaaFrame::completedFrame, or it is AGAA_ERROR_WRONG_ORDER. */
+    uint32_t framesInFlight;
     uint32_t reserved;       /* 0 */
     const AgaaLog* log;      /* may be null; copied */
     AgaaAllocateCallback allocate; /* may be null */
@@ -100,7 +102,10 @@ AGAA_API AgaaResult AGAA_CALL agaaVkCreateContext(uint32_t headerVersion,
 /* What the device can do with the extensions and features that the host enabled. */
 AGAA_API AgaaResult AGAA_CALL agaaVkGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps);
 
-/* Allocates the view's surfaces. */
+/* Allocates the view's surfaces and compiles its passes. desc and what it points to are needed until the call
+ * returns. The view is the host's to destroy, before its context. AGAA_ERROR_UNSUPPORTED, _TOO_LARGE or _LAYOUT where
+ * the device or the library cannot (AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE is for OpenGL), _OUT_OF_MEMORY or _DEVICE where the
+ * driver refuses; what was made is given back, and *outView is not written. */
 AGAA_API AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* desc,
                                                AgaaView* outView);
 
@@ -115,15 +120,16 @@ typedef struct AgaaVkDrawPass {
     const void* pNext;
     uint32_t pass; /* AgaaDrawPassId */
     uint32_t stage; /* AgaaStage */
-    const char* name;
-    uint64_t pipelineKey;
-    uint32_t width, height, scaleX, scaleY;
+    const char* name;     /* owned by the view */
+    uint64_t pipelineKey; /* as AgaaDrawTarget::pipelineKey */
+    uint32_t width, height;  /* texels of the target: pixels times the scale */
+    uint32_t scaleX, scaleY; /* sub-pixels a pixel */
     AgaaDrawState state;
     uint32_t colorFormats[4];    /* VkFormat; state.colorAttachmentCount are used */
     uint32_t depthStencilFormat; /* VkFormat */
     uint32_t reserved;
-    uint64_t renderPass;          /* VkRenderPass, subpass 0; 0 with dynamic rendering */
-    uint64_t descriptorSetLayout; /* VkDescriptorSetLayout of the SDK's set */
+    uint64_t renderPass;          /* VkRenderPass, subpass 0, the view's; 0 with dynamic rendering */
+    uint64_t descriptorSetLayout; /* VkDescriptorSetLayout of the SDK's set, the view's */
     const char* glslExtensions;   /* owned by the view */
     const char* glslDeclarations; /* owned by the view */
 } AgaaVkDrawPass;
@@ -131,7 +137,9 @@ typedef struct AgaaVkDrawPass {
     {AGAA_STRUCTURE_TYPE_VK_DRAW_PASS, (uint32_t)sizeof(AgaaVkDrawPass), NULL, 0, 0, NULL, 0, 0, 0,  \
      0, 0, {0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0, 0, NULL, NULL}
 
-/* Two-call: with passes null, writes the count; otherwise every element must be initialised. */
+/* Two-call: with passes null, writes the count; otherwise every element must be initialised, or the call is
+ * AGAA_ERROR_STRUCT. AGAA_ERROR_BUFFER_TOO_SMALL where *count is less than there are; AGAA_ERROR_INVALID_ARGUMENT
+ * for null and for views of OpenGL. */
 AGAA_API AgaaResult AGAA_CALL agaaVkGetDrawPasses(AgaaView view, uint32_t* count,
                                                   AgaaVkDrawPass* passes);
 
@@ -159,7 +167,8 @@ typedef struct AgaaVkSurface {
      0, 0, {0, 0, 0}, 0}
 
 /* name: as in agaaQueryMemory; "depth" is of every view that draws, "aggregates" of those that
- * agaaGetAggregateGlsl is for. Others may change with the version. */
+ * agaaGetAggregateGlsl is for. Others may change with the version. AGAA_ERROR_INVALID_ARGUMENT for names that the view
+ * does not have. */
 AGAA_API AgaaResult AGAA_CALL agaaVkGetSurface(AgaaView view, const char* name,
                                                AgaaVkSurface* outSurface);
 
@@ -187,8 +196,9 @@ typedef struct AgaaVkFrame {
     {AGAA_STRUCTURE_TYPE_VK_FRAME, (uint32_t)sizeof(AgaaVkFrame), NULL, NULL, 0, 0, 0, 1, {0, 0, 0, 0}, 0}
 
 /* Records the frame's segments. Pipeline, descriptor, viewport and dynamic state of the command buffer
- * is undefined afterwards. Returns AGAA_ERROR_CALLBACK with nothing recorded where a draw callback
- * failed (SECONDARY recording). */
+ * is undefined afterwards. A draw callback that fails: with SECONDARY recording AGAA_ERROR_CALLBACK, nothing is
+ * recorded; with INLINE recording AGAA_ERROR_PARTIAL, the command buffer is to be discarded. A frame is
+ * AGAA_ERROR_WRONG_ORDER too early (framesInFlight), or with segments missing or repeated. */
 AGAA_API AgaaResult AGAA_CALL agaaVkRecordFrame(AgaaView view, const AgaaFrame* frame,
                                                 const AgaaVkFrame* vkFrame);
 

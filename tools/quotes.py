@@ -6,7 +6,7 @@
 
 A document quotes a definition by a line <!-- quote FILE NAME --> before a fenced block; FILE is seen from the
 project's root. What is quoted is the paragraph of the source, from empty line to empty line, that defines
-NAME: a function, a constant or a macro, with the comment above it.
+NAME: a function, a constant, a struct or a macro, with the comment above it.
 """
 import argparse
 import pathlib
@@ -14,7 +14,7 @@ import re
 import sys
 
 QUOTE = re.compile(r"^(<!-- quote (\S+) (\w+) -->\n```\w*\n)(.*?)(^```$)", re.MULTILINE | re.DOTALL)
-DEFINITION = r"^(?:\w[^;\n]*\b{0}(?:\(|\[| = )|#define {0}\b)[^;\n]*$"
+DEFINITION = r"^(?:\w[^;\n]*\b{0}(?:\(|\[| = )|#define {0}\b|struct {0} {{)[^;\n]*$"
 
 
 class Error(Exception):

@@ -35,7 +35,7 @@ typedef struct AgaaContext_T* AgaaContext; /* one per device */
 typedef struct AgaaView_T* AgaaView;       /* one per camera and size: the frame's surfaces */
 
 /* Destroying null is legal. On OpenGL the context must be current. Every frame recorded with the object must have
- * finished. */
+ * finished. A context that still has views is kept, and the log is told: destroy them first. */
 AGAA_API void AGAA_CALL agaaDestroyView(AgaaView view);
 AGAA_API void AGAA_CALL agaaDestroyContext(AgaaContext context);
 
@@ -54,7 +54,7 @@ AGAA_API void AGAA_CALL agaaDestroyContext(AgaaContext context);
     X(AGAA_ERROR_TOO_LARGE, -8, "a size exceeds a limit of the device or of 64-bit arithmetic")     \
     X(AGAA_ERROR_OUT_OF_MEMORY, -9, "memory could not be allocated")                                \
     X(AGAA_ERROR_DEVICE, -10, "the graphics API reported an error")                                 \
-    X(AGAA_ERROR_CALLBACK, -11, "a host callback reported failure; nothing was recorded")           \
+    X(AGAA_ERROR_CALLBACK, -11, "a host callback reported failure")           \
     X(AGAA_ERROR_PARTIAL, -12, "a frame was recorded in part; discard the command buffer")          \
     X(AGAA_ERROR_WRONG_ORDER, -13, "calls came in the wrong order")                                 \
     X(AGAA_ERROR_BUFFER_TOO_SMALL, -14, "the caller's array is too small")                          \
@@ -106,7 +106,8 @@ typedef enum AgaaStructType {
     AGAA_STRUCTURE_TYPE_MAX_ENUM = 0x7FFFFFFF
 } AgaaStructType;
 
-/* First members of every versioned struct; AGAA_…_INIT sets them and the defaults. */
+/* First members of every versioned struct; AGAA_…_INIT sets them and the defaults, of an AgaaLayout
+ * agaaGetBuiltinLayout. Structs without them are elements of arrays and parts of versioned ones. */
 typedef struct AgaaStructHeader {
     uint32_t sType;
     uint32_t structSize;

@@ -23,7 +23,7 @@ typedef enum AgaaSemantic {
 
 typedef enum AgaaEncoding {
     AGAA_ENCODING_UNORM = 0, /* value / range in [0,1] */
-    AGAA_ENCODING_YCBCR = 1, /* luma at `bits`, both chroma channels at `chromaBits` (aggregates) */
+    AGAA_ENCODING_YCBCR = 1, /* specular only: luma at `aggregateBits`, both chroma channels at `chromaBits` */
     AGAA_ENCODING_FOLDED = 2, /* roughness only: shortens the normal, takes no bits (aggregates) */
     AGAA_ENCODING_MAX_ENUM = 0x7FFFFFFF
 } AgaaEncoding;
@@ -31,7 +31,8 @@ typedef enum AgaaEncoding {
 typedef struct AgaaLayoutAttribute {
     uint32_t semantic;      /* AgaaSemantic, each at most once; DIFFUSE and NORMAL are mandatory */
     uint32_t channels;      /* as at AgaaSemantic */
-    uint32_t sampleBits;    /* per channel in the multisampled G-buffer: 8, 10 or 16 */
+    uint32_t sampleBits;    /* per channel in the multisampled G-buffer: 8, 10 (of three channels, not of normals) or
+                               16; all together must fit four attachments */
     uint32_t aggregateBits; /* per channel and fragment before summing: [6;16]; 0: as many as n leaves of
                                16, or a whole 16 */
     uint32_t chromaBits;    /* YCBCR: [6;16] */
@@ -51,7 +52,8 @@ typedef struct AgaaLayout {
 } AgaaLayout;
 
 /* Built-in layouts: "paper16" (AGAA figure 7) and "precise" (the default: 11 bits or more per
- * fragment and channel, roughness beside the normal). */
+ * fragment and channel, roughness beside the normal). Of both the range of emission is 16. Writes all of *outLayout,
+ * which need not be initialised. AGAA_ERROR_LAYOUT for other names. */
 AGAA_API AgaaResult AGAA_CALL agaaGetBuiltinLayout(const char* name, AgaaLayout* outLayout);
 
 /* ---- configuration -------------------------------------------------------------------------- */
@@ -84,11 +86,12 @@ typedef enum AgaaTier {
     AGAA_TIER_AUTO = 0,
     /* visibility */
     AGAA_TIER_NATIVE = 1,
-    AGAA_TIER_NV_MULTICAST = 2,
+    AGAA_TIER_NV_MULTICAST = 2,  /* reserved: AGAA_ERROR_UNSUPPORTED */
     AGAA_TIER_SCALED_TARGET = 3, /* a target of SX x SY sub-pixels at the device's sample count */
-    AGAA_TIER_LAYERS = 4,
+    AGAA_TIER_LAYERS = 4,        /* reserved: AGAA_ERROR_UNSUPPORTED */
     /* generation */
-    AGAA_TIER_NV_MIXED_SAMPLES = 16,  /* the paper's: additive blending with coverage override */
+    AGAA_TIER_NV_MIXED_SAMPLES = 16,  /* the paper's: additive blending with coverage override. A model: agaaQueryMemory
+                                         and agaaPlanToJson price it, views of it are AGAA_ERROR_UNSUPPORTED */
     AGAA_TIER_POST_DEPTH_ATOMICS = 17, /* fragment coverage after the depth test, integer atomics */
     AGAA_TIER_PER_SAMPLE = 18,         /* one invocation per sample, integer atomics */
     AGAA_TIER_GBUFFER = 19, /* one geometry pass into a full multisampled G-buffer, whose samples a compute pass
@@ -114,17 +117,18 @@ typedef enum AgaaTier {
                                                 with litShadows, nor with ndf from LEAN on */
 
 /* What the output shows of each pixel in place of its image: numbers and shares in all channels, or a colour. Not of
- * "msaa", whose shading is the host's. Beyond what is covered: 0. */
+ * "msaa", whose shading is the host's. Beyond what is covered: 0. A view that does not apply is
+ * AGAA_ERROR_UNSUPPORTED. */
 typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_NONE = 0,
     AGAA_DEBUG_VIEW_EVENTS = 1,     /* shading events */
-    AGAA_DEBUG_VIEW_AGGREGATES = 2, /* aggregates, or surfaces kept by "sbaa" */
+    AGAA_DEBUG_VIEW_AGGREGATES = 2, /* aggregates of "agaa", or surfaces kept by "sbaa" */
     AGAA_DEBUG_VIEW_CLUSTERS = 3,   /* of these a colour each, in the share of its samples */
-    AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tier IDS: primitives that samples show */
+    AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tier IDS, not BUFFERED: primitives that samples show */
     AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that gets to what is covered */
     AGAA_DEBUG_VIEW_WIDENED = 6,    /* by how much the NDF widened lobes: alpha of GGX, of elliptic ones where they are
-                                       the widest, mean over what is covered; of layouts that keep roughness beside the
-                                       normal */
+                                       the widest, mean over what is covered; of "agaa" and "sbaa", and of layouts that
+                                       keep roughness beside the normal */
     AGAA_DEBUG_VIEW_TIER = 7,       /* grey: not aggregated; orange: by two passes; blue: from a G-buffer; green: by
                                        ids; half as bright where one shading event did */
     AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
@@ -135,22 +139,22 @@ typedef struct AgaaConfig {
     uint32_t structSize;
     const void* pNext;
     const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa" */
-    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16, 32 */
-    uint32_t aggregates;      /* c of "agaa", [1;4]; S, surfaces kept, of "sbaa", [1;6] */
+    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16, 32; "single" and "fxaa" have 1 */
+    uint32_t aggregates;      /* c of "agaa", [1;4]; S, surfaces kept, of "sbaa", [1;6]; no more than n are made */
     const AgaaLayout* layout; /* null: "precise" */
     uint32_t brdf;            /* AgaaBrdf */
     uint32_t ndf;             /* AgaaNdf */
     float characteristicLength;            /* k of equation 1, in host units, [0;inf) */
     float characteristicLengthPerDistance; /* k is at least this times the distance, [0;1]; k > 0 */
-    float aggregateThreshold; /* t: a further aggregate must be farther than this, [0;inf) */
+    float aggregateThreshold; /* t: a further aggregate must be farther than this, [0;1e6] */
     /* What counts as one surface: shaded once by "simple_complex" and "sbaa", one aggregate of "agaa". 0: as the
      * technique has it. */
     float surfaceCosine;   /* least cosine between normals, [0;1] */
-    float surfaceDistance; /* from the surface's plane, in widths of a pixel at its depth, [0;inf) */
+    float surfaceDistance; /* from the surface's plane, in widths of a pixel at its depth, [0;1e6] */
     float surfaceMaterial; /* largest difference of a material's channel, [0;1]; read by "simple_complex" */
     uint32_t seeds;           /* AgaaSeeds */
-    uint32_t shadowTaps;      /* samples of an aggregate that are looked up in each shadow, and whose mean its place
-                                 is; at most, [0;32]; 0: 8 */
+    uint32_t shadowTaps;      /* most samples of an aggregate that are looked up in each shadow; their mean position is
+                                 the aggregate's. [0;32]; 0: 8 */
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t generationTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
@@ -181,8 +185,10 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
 #define AGAA_FACT_EMISSIVE UINT64_C(0x02)
 #define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04)
 #define AGAA_FACT_AMBIENT UINT64_C(0x08)
-#define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10) /* materials write depth or discard on their own:
-                                                 generation takes the tier gbuffer */
+#define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10) /* materials write depth or discard on their own, so that no pass can draw
+                                                 them again at equal depth: "agaa" and "sbaa" take the tier GBUFFER
+                                                 ("agaa" with an AgaaFetchFunction IDS); "msaa" is
+                                                 AGAA_ERROR_UNSUPPORTED */
 #define AGAA_FACT_ALL_SHADED (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED | AGAA_FACT_AMBIENT)
 
 #define AGAA_MAX_SHADOW_MAPS 4

@@ -79,7 +79,7 @@ typedef struct AgaaLight {
     float direction[3]; /* unit, the way the light travels, shading space */
     float color[3];     /* irradiance (directional) or intensity, >= 0 */
     float range;        /* > 0, or 0: infinite */
-    float cosInner;     /* spot: cosines of the half angles, inner >= outer */
+    float cosInner;     /* spot: cosines of the half angles, [-1;1], inner >= outer */
     float cosOuter;
     float radius;       /* of the lamp, >= 0: the inverse-square law stops there */
     float reserved;     /* 0 */
@@ -91,14 +91,15 @@ typedef struct AgaaLight {
  * AgaaShadowFunction answers, layerCount is 0 and the rest is not read. */
 typedef struct AgaaShadow {
     uint32_t layerCount; /* [1;AGAA_MAX_SHADOW_LAYERS], or 0: by the host's function */
-    float depthBias;     /* in the map's depth, >= 0 */
+    float depthBias;     /* in the map's depth, [0;1] */
     float matrices[AGAA_MAX_SHADOW_LAYERS][16]; /* shading space to the layer's clip space, z in [0,w] */
 } AgaaShadow;
 
-/* Segments of a frame, so that a host can use what one leaves before it records the next. */
-#define AGAA_SEGMENT_PREPASS UINT64_C(0x1)    /* visibility */
-#define AGAA_SEGMENT_GENERATION UINT64_C(0x2) /* definition and material passes */
-#define AGAA_SEGMENT_SHADING UINT64_C(0x4)    /* with the draw pass FORWARD of "msaa" */
+/* Segments of a frame, so that a host can use what one leaves before it records the next. One may be empty: by a
+ * technique, or a tier, that has nothing to do there. */
+#define AGAA_SEGMENT_PREPASS UINT64_C(0x1)    /* the first geometry pass, into depth or into a G-buffer */
+#define AGAA_SEGMENT_GENERATION UINT64_C(0x2) /* what leaves aggregates or surfaces in memory, its material pass too */
+#define AGAA_SEGMENT_SHADING UINT64_C(0x4)    /* all that writes the output, and the draw pass FORWARD of "msaa" */
 #define AGAA_SEGMENT_ALL UINT64_C(0x7)
 /* The camera of a frame is that of its first segment; lights are read with AGAA_SEGMENT_SHADING. A frame
  * whose command buffer is discarded counts as completed. */
@@ -108,7 +109,7 @@ typedef struct AgaaFrame {
     uint32_t structSize;
     const void* pNext;
     uint64_t frameIndex;     /* increases by at least one each frame, from 1 */
-    uint64_t completedFrame; /* newest frame whose GPU work is known to have finished; 0: none */
+    uint64_t completedFrame; /* newest frame whose GPU work is known to have finished, < frameIndex; 0: none */
     uint64_t segments;       /* AGAA_SEGMENT_…, in order, each once per frame */
     float view[16];       /* shading to view space: a rotation, its translation is zero */
     float projection[16]; /* as the rasteriser uses it, sub-pixel jitter and the y flip of a negative viewport
@@ -117,8 +118,11 @@ typedef struct AgaaFrame {
     uint32_t shadowCount;
     const AgaaLight* lights;
     const AgaaShadow* shadows;
-    float ambient[3];    /* radiance from all sides */
-    float background[4]; /* colour; and 0 (with AGAA_VIEW_COMPOSITE): what the output holds instead */
+    float ambient[3];    /* radiance from all sides, [0;65504] */
+    /* Colour, [0;65504], where nothing is visible. The fourth: 0: what the output holds instead, which needs
+     * AGAA_VIEW_COMPOSITE and, on Vulkan, an outputLayoutIn that keeps it; other values, >= 0: this colour. The output
+     * gets linear colours up to 65504, and 1 as alpha. */
+    float background[4];
     AgaaDrawCallback draw; /* null only where the host draws the G-buffer (AgaaGBufferFunction) */
     void* drawUser;
 } AgaaFrame;

@@ -15,12 +15,13 @@ extern "C" {
  * GBUFFER. Its passes are compiled with a function of the host's that reads a sample; the text is GLSL 450 and
  * defines
  *     bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m)
- * which gives depth as the host's depth buffer holds it, and the material (src/shaders/passes/host_code.glsl,
- * docs/integration.md), and says whether sample i, [0;n), shows geometry. It runs in compute: no implicit
+ * which gives depth as the host's depth buffer holds it, and the material (docs/shader-interface.md), and says whether
+ * sample i, [0;n), shows geometry. It runs in compute: no implicit
  * derivatives. Its resources, readable by compute when the frame's commands run, are in set 1 (Vulkan), or where
  * agaaGlRecordFrame says. Colours are in [0;1], emission in [0;range] of the layout; what is not finite becomes 0.
  * Names beginning with agaa_ and AGAA_ are the library's. Code that does not compile is
- * AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. Not for "msaa". */
+ * AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. Not for "msaa", and not together with an
+ * AgaaFetchFunction. */
 typedef struct AgaaGBufferFunction {
     uint32_t sType;
     uint32_t structSize;
@@ -50,7 +51,7 @@ typedef struct AgaaGBufferFunction {
  *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)
  * which give the clip coordinates of a triangle, as the vertex shader computed them, and the material at a point of
- * it (src/shaders/passes/host_code.glsl, docs/integration.md). That point's material is taken for all samples of the
+ * it (docs/shader-interface.md). That point's material is taken for all samples of the
  * primitive in the pixel; its normal too, where the function does not say by what it changes. They run in compute: no
  * implicit derivatives. Their resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1],
  * emission in [0;range] of the layout; what is not finite becomes 0. The alpha test is the visibility pass's alone.
@@ -82,7 +83,7 @@ typedef struct AgaaFetchFunction {
  * the share of light, [0;1], that a point in shading space gets past AgaaFrame::shadows[shadow]. It runs
  * in compute: no implicit derivatives. Its resources are in set 1 (Vulkan), or where agaaGlRecordFrame says;
  * names beginning with agaa_ and AGAA_ are the library's. Code that does not compile is
- * AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. */
+ * AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. Not for "msaa": AGAA_ERROR_UNSUPPORTED. */
 typedef struct AgaaShadowFunction {
     uint32_t sType;
     uint32_t structSize;

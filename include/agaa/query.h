@@ -60,8 +60,8 @@ AGAA_API const char* AGAA_CALL agaaTierName(uint32_t tier);
 AGAA_API const char* AGAA_CALL agaaStageName(uint32_t stage);
 AGAA_API AgaaResult AGAA_CALL agaaTierFromName(const char* name, uint32_t* outTier);
 
-/* Techniques of this library; names have static storage. Two-call: with names null, writes the
- * count; otherwise fills up to *count. */
+/* Techniques of this library; names have static storage. Two-call: with names null, writes the count; otherwise *count
+ * is the array's length, AGAA_ERROR_BUFFER_TOO_SMALL where that is less than there are, and becomes their number. */
 AGAA_API AgaaResult AGAA_CALL agaaEnumerateTechniques(uint32_t* count, const char** names);
 
 /* How each technique, n and stage runs on a device: in a stage's first row by itself, in further rows where AgaaConfig
@@ -121,7 +121,7 @@ AGAA_API AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const Aga
 
 /* GLSL 430 by which a pass of the host's own reads the aggregates that a view leaves in memory, in the surface
  * "aggregates", when AGAA_SEGMENT_GENERATION has been recorded: struct AgaaAggregate and
- * `AgaaAggregate agaaAggregate(uvec2 pixel, uint a)`, a below AGAA_AGGREGATES (src/shaders/host/stored_aggregate.glsl).
+ * `AgaaAggregate agaaAggregate(uvec2 pixel, uint a)`, a below AGAA_AGGREGATES (docs/shader-interface.md).
  * The host defines AGAA_AGGREGATE_WORD(i) before it, word i of the surface as a uint. Of "agaa" by two passes, and by
  * the tiers IDS and GBUFFER with AGAA_CONFIG_BUFFERED. caps: the device's. Two-call as agaaPlanToJson. */
 AGAA_API AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,

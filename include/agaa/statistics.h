@@ -17,8 +17,8 @@ typedef struct AgaaCounters {
     uint64_t once;          /* of these, accumulated, by one aggregate or more */
     uint64_t missed;        /* of these, never accumulated */
     uint64_t multi;         /* accumulated by a further aggregate, or where nothing is visible */
-    uint64_t ties;          /* sample writes refused because an equal depth came first; counted by
-                               NO_STENCIL and by masked materials, hidden by the stencil test */
+    uint64_t ties;          /* sample writes refused because an equal depth came first; the stencil test refuses them
+                               uncounted, so these are of masked materials and of AGAA_CONFIG_NO_STENCIL */
     uint64_t sanitised;     /* fragments, and materials fetched, with a non-finite attribute */
     uint64_t shadingEvents; /* full lighting evaluations of a sample or an aggregate */
     uint64_t shadowTaps;
@@ -71,7 +71,8 @@ typedef struct AgaaFrameStatistics {
      {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0, 0, {{{0}, 0, 0, 0.0}}, 0, 0, 0, 0, 0}
 
 /* Figures of the newest frame, recorded whole, that is not after completedFrame: the newest whose GPU work
- * is known to have finished. AGAA_NOT_READY where there is none. */
+ * is known to have finished. AGAA_NOT_READY where there is none: only bytes and geometryPasses are written then. On
+ * OpenGL the view's context must be current. */
 AGAA_API AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
                                                      AgaaFrameStatistics* outStatistics);
 
@@ -107,7 +108,8 @@ typedef struct AgaaFrameValidation {
     {AGAA_STRUCTURE_TYPE_FRAME_VALIDATION, (uint32_t)sizeof(AgaaFrameValidation), NULL, 0, 0, 0, 0, 0, \
      0, 0, 0, 0, 0, {{0, 0, 0, 0, 0}}, {0}, 0}
 
-/* Of the frame that agaaGetFrameStatistics would tell of. The view needs AGAA_CONFIG_COUNTERS. */
+/* Of the frame that agaaGetFrameStatistics would tell of; the same holds for its context. AGAA_NOT_READY where there is
+ * none, AGAA_ERROR_WRONG_ORDER for views without AGAA_CONFIG_COUNTERS. */
 AGAA_API AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,
                                                 AgaaFrameValidation* outValidation);
 

@@ -52,8 +52,8 @@ class Contents(unittest.TestCase):
 
     def test_documents_are_there(self):
         documents = PREFIX / "share" / "doc" / "agaa"
-        for name in ("LICENSE", "NOTICES.md", "README.md", "integration.md", "choosing.md", "state.md",
-                     "troubleshooting.md", "examples/minimal/CMakeLists.txt"):
+        for name in ("LICENSE", "NOTICES.md", "README.md", "integration.md", "shader-interface.md", "choosing.md",
+                     "sweep.md", "state.md", "troubleshooting.md", "examples/minimal/CMakeLists.txt"):
             self.assertTrue((documents / name).is_file(), name)
 
     def test_nothing_names_the_place_of_building(self):

@@ -9,11 +9,11 @@ struct AgaaSurfaceInput {
     uint primitiveSeed;   // differs between primitives that may overlap; the same in every pass
     uint draw;            // of the visibility pass where AGAA_WRITES_IDS is 1: what AgaaFetchFunction is asked for
     uint primitive;       // of the draw, as gl_PrimitiveID counts
-    vec3 diffuse;
-    vec3 specular;        // reflectance at normal incidence
-    vec3 emissive;
+    vec3 diffuse;         // [0,1]
+    vec3 specular;        // reflectance at normal incidence, [0,1]
+    vec3 emissive;        // radiance, [0,range of the layout]
     vec3 normal;          // shading normal, unit
-    float alpha2;
+    float alpha2;         // [4.1e-6,1]
 };
 
 const uint AGAA_UNFETCHED = 0xFFFFFFFFu; // AgaaSurfaceInput::draw of what AGAA_FETCH_NOT_ALL_DRAWS says

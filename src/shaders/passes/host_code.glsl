@@ -10,6 +10,7 @@ ivec2 agaaTexel(uvec2 pixel, uint i) {
 int agaaTexelSample(uint i) { return int(i % AGAA_HW_SAMPLES); }
 
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH)
+
 struct AgaaMaterial { // as in AgaaSurfaceInput, but for the last two
     vec3 diffuse;
     vec3 specular;
@@ -21,8 +22,10 @@ struct AgaaMaterial { // as in AgaaSurfaceInput, but for the last two
     // the normal was. 0: one normal stands for all samples of the primitive.
     vec3 normalDx, normalDy;
 };
+
 #endif
 #ifdef AGAA_HOST_FETCH
+
 // A primitive that the prepass left the id of, and a point of it that a pixel shows.
 struct AgaaPrimitive {
     uint draw;
@@ -32,6 +35,7 @@ struct AgaaPrimitive {
     vec3 dx, dy;  // what the weights grow by from one pixel of the image to the next
     float facing; // > 0 where a, b, c turn from x to y of the image, < 0 where the other way
 };
+
 #endif
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH) || defined(AGAA_HOST_SHADOWS)
 #include "host-code"
