@@ -13,7 +13,7 @@ extern "C" {
 
 typedef enum AgaaSemantic {
     AGAA_SEMANTIC_DIFFUSE = 0,   /* 3 channels: diffuse albedo */
-    AGAA_SEMANTIC_SPECULAR = 1,  /* 3 channels: specular reflectance at normal incidence */
+    AGAA_SEMANTIC_SPECULAR = 1,  /* 3 channels: specular reflectance at normal incidence; with ROUGHNESS only */
     AGAA_SEMANTIC_NORMAL = 2,    /* 3 channels per aggregate, stored as 2 per sample */
     AGAA_SEMANTIC_ROUGHNESS = 3, /* 1 channel: alpha squared */
     AGAA_SEMANTIC_EMISSIVE = 4,  /* 3 channels, or 1: a factor of the diffuse albedo */

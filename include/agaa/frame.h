@@ -75,10 +75,10 @@ typedef enum AgaaLightType {
 typedef struct AgaaLight {
     uint32_t type;      /* AgaaLightType */
     uint32_t shadowMap; /* index into AgaaFrame::shadows, or AGAA_NO_SHADOW */
-    float position[3];  /* shading space */
+    float position[3];  /* shading space, [-1e18;1e18] */
     float direction[3]; /* unit, the way the light travels, shading space */
     float color[3];     /* irradiance (directional) or intensity, >= 0 */
-    float range;        /* > 0, or 0: infinite */
+    float range;        /* (0;1e18], or 0: infinite */
     float cosInner;     /* spot: cosines of the half angles, [-1;1], inner >= outer */
     float cosOuter;
     float radius;       /* of the lamp, >= 0: the inverse-square law stops there */

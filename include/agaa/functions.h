@@ -50,7 +50,8 @@ typedef struct AgaaGBufferFunction {
  * They are compiled with functions of the host's; the text is GLSL 450 and defines
  *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)
- * which give the clip coordinates of a triangle, as the vertex shader computed them, and the material at a point of
+ * which give the clip coordinates of a triangle, as the vertex shader computed them, but with y as
+ * AgaaFrame::projection has it, where a negative viewport height turns it, and the material at a point of
  * it (docs/shader-interface.md). That point's material is taken for all samples of the
  * primitive in the pixel; its normal too, where the function does not say by what it changes. They run in compute: no
  * implicit derivatives. Their resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1],

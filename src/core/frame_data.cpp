@@ -1,5 +1,6 @@
 #include "core/frame_data.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -56,7 +57,7 @@ static void writeLights(const AgaaFrame& frame, void* destination) {
         if (i < frame.shadowCount) {
             std::memcpy(shadow.matrices, frame.shadows[i].matrices, sizeof shadow.matrices);
             shadow.bias = frame.shadows[i].depthBias;
-            shadow.layerCount = frame.shadows[i].layerCount;
+            shadow.layerCount = std::max(frame.shadows[i].layerCount, 1u); // a function of the host's has none
         }
         std::memcpy(&shadows[i], &shadow, sizeof shadow);
     }

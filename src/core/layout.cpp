@@ -105,12 +105,14 @@ Layout checkLayout(const AgaaLayout* pointer) {
     }
     if (!layout.has(AGAA_SEMANTIC_DIFFUSE) || !layout.has(AGAA_SEMANTIC_NORMAL))
         fail(AGAA_ERROR_LAYOUT, "AgaaLayout has no diffuse or no normal attribute.");
+    if (layout.has(AGAA_SEMANTIC_SPECULAR) && !layout.has(AGAA_SEMANTIC_ROUGHNESS))
+        fail(AGAA_ERROR_LAYOUT, "AgaaLayout has a specular but no roughness attribute, by which lobes are wide.");
     packGBuffer(layout); // throws where the samples do not fit the attachments
     return layout;
 }
 
 Layout reduceLayout(Layout layout, uint64_t factFlags) {
-    if (!(factFlags & AGAA_FACT_SPECULAR)) {
+    if (!(factFlags & AGAA_FACT_SPECULAR) || !layout.has(AGAA_SEMANTIC_SPECULAR)) {
         layout.attributes[AGAA_SEMANTIC_SPECULAR] = {};
         layout.attributes[AGAA_SEMANTIC_ROUGHNESS] = {};
     }

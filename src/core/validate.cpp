@@ -240,13 +240,15 @@ static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCo
     if (light.shadowMap != AGAA_NO_SHADOW && light.shadowMap >= shadowCount)
         bad("its shadow map is not among the frame's shadows");
     for (int i = 0; i < 3; ++i) {
-        if (!std::isfinite(light.position[i]) || !std::isfinite(light.direction[i]))
-            bad("its position or direction is not finite");
+        if (!(std::fabs(light.position[i]) <= 1e18f)) // its square is a float
+            bad("its position is not in [-1e18;1e18]");
+        if (!std::isfinite(light.direction[i]))
+            bad("its direction is not finite");
         if (!(light.color[i] >= 0 && light.color[i] <= 1e30f))
             bad("its colour is negative or not finite");
     }
-    if (!(light.range >= 0 && light.range <= 1e30f))
-        bad("its range is negative or not finite");
+    if (!(light.range >= 0 && light.range <= 1e18f))
+        bad("its range is not in [0;1e18]");
     if (light.reserved != 0)
         bad("its reserved member is not 0");
     if (!(light.radius >= 0 && light.radius <= 1e15f))

@@ -79,6 +79,10 @@ TEST(Layout, DropsWhatTheSceneDoesNotCallFor) {
     EXPECT_FALSE(plain.has(AGAA_SEMANTIC_SPECULAR));
     EXPECT_FALSE(plain.has(AGAA_SEMANTIC_EMISSIVE));
     EXPECT_LT(packAggregate(plain, 8).bytes(), packAggregate(builtin("precise"), 8).bytes());
+    // Roughness says how wide lobes are: without specular it is dropped, folded or not.
+    Layout rough = builtin("paper16");
+    rough.attributes[AGAA_SEMANTIC_SPECULAR] = {};
+    EXPECT_FALSE(reduceLayout(rough, AGAA_FACT_ALL_SHADED).foldsRoughness());
 }
 
 struct BadLayout {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -188,6 +189,14 @@ const Row rows[] = {
      }},
     {"layout that does not pack", AGAA_ERROR_LAYOUT,
      [](Request& r) { r.layout.attributes[0].sampleBits = 9; }},
+    {"layout of specular without roughness", AGAA_ERROR_LAYOUT,
+     [](Request& r) {
+         AgaaLayoutAttribute* const end = r.layout.attributes + r.layout.attributeCount;
+         r.layout.attributeCount = uint32_t(
+             std::remove_if(r.layout.attributes, end,
+                            [](const AgaaLayoutAttribute& a) { return a.semantic == AGAA_SEMANTIC_ROUGHNESS; }) -
+             r.layout.attributes);
+     }},
     {"layout of wrong type", AGAA_ERROR_STRUCT, [](Request& r) { r.layout.sType = 0; }},
 };
 

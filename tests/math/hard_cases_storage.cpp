@@ -241,6 +241,16 @@ TEST(HardCase37_BadMaterial, SanitisedAndCounted) {
         EXPECT_TRUE(s >= 0.0f && s <= 65504.0f) << x;
         EXPECT_EQ(flag, 0u) << x;
     }
+    for (float x : bad) {
+        unsigned flag = 0;
+        EXPECT_EQ(math_f::agaa_sanitiseNormal({0.5f, x, 0.5f}, flag), glm::vec3(0, 0, 1));
+        EXPECT_EQ(flag, 1u);
+    }
+    for (float x : extremeFloats()) {
+        unsigned flag = 0;
+        EXPECT_NEAR(glm::length(math_f::agaa_sanitiseNormal({x, 0.5f * x, -x}, flag)), 1, 1e-6) << x;
+        EXPECT_EQ(flag, 0u) << x;
+    }
     // A flag that is set stays set.
     unsigned flag = 1;
     math_f::agaa_sanitise(0.5f, 0.0f, 1.0f, flag);

@@ -274,11 +274,44 @@ TYPED_TEST_P(HardCases, HardCase55OddSizesAreWhole) {
         }
 }
 
+// What the scene does not call for is not evaluated: no Fresnel term of a reflectance of 0 along a grazing surface.
+TYPED_TEST_P(HardCases, WithoutSpecularLightIsDiffuse) {
+    const float far = std::sin(1.396263f), near = std::cos(1.396263f); // of 80 degrees, to the eye and to the light
+    Material m = facing({0.2f, 0.4f, 0.8f});
+    m.normal = glm::vec4(far, 0, near, 1);
+    AgaaLight light = sun();
+    const glm::vec3 toLight = 2.0f * near * glm::vec3(far, 0, near) - glm::vec3(0, 0, 1);
+    for (int i = 0; i < 3; ++i)
+        light.direction[i] = -toLight[i];
+    for (const Setting& s : hardSettings) {
+        ViewSettings view = pixelView(s);
+        view.facts.flags = 0;
+        const Shown r = this->render(view, rectangle(0, 0, 32, 16, 5, m), {light});
+        for (size_t i = 0; i < r.rgb.size(); ++i) {
+            const float expected = m.diffuse[int(i % 3)] * near * light.color[i % 3] / 3.14159265f;
+            ASSERT_NEAR(r.rgb[i] / expected, 1, 0.03f) << s;
+        }
+    }
+}
+
+// A normal that is no number is none, as one of length 0.
+TYPED_TEST_P(HardCases, NormalsWithoutADirectionFaceAlongZ) {
+    for (const Setting& s : hardSettings) {
+        Material m = facing({0.5f, 0.5f, 0.5f});
+        const Shown expected = this->render(pixelView(s), rectangle(0, 0, 32, 16, 5, m), {sun()});
+        for (float x : {0.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+            m.normal = glm::vec4(x, 0, x, 1);
+            EXPECT_EQ(this->render(pixelView(s), rectangle(0, 0, 32, 16, 5, m), {sun()}).rgb, expected.rgb) << s << x;
+        }
+    }
+}
+
 REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
                             HardCase17GeometryAtTheFarPlaneIsSeen,
                             HardCase19OneCoveredSampleIsThatSample, HardCase32ADarkRampSurvives,
                             HardCase33WhiteStaysWhite, HardCase37BadMaterialsAreContained,
                             HardCase4OpposedNormalsCancel, HardCase39And40LightsInSurfaces,
-                            HardCase48And50DegenerateTriangles, HardCase55OddSizesAreWhole);
+                            HardCase48And50DegenerateTriangles, HardCase55OddSizesAreWhole,
+                            WithoutSpecularLightIsDiffuse, NormalsWithoutADirectionFaceAlongZ);
 
 } // namespace agaa::test

@@ -9,8 +9,11 @@ bool agaa_isMisplaced(vec3 position) {
     vec2 away = abs((ndc * 0.5 + 0.5) * target - gl_FragCoord.xy);
     float z = agaa_viewZFromDepth(gl_FragCoord.z, agaa_frame.projection1.x, agaa_frame.projection1.y,
                                   orthographic);
-    // Positions inside a primitive are up to a pixel from the fragment's centre.
-    return max(away.x, away.y) > 2.0 || abs(z - p.z) > 0.05 * abs(p.z) + 2.0 * fwidth(p.z);
+    // Positions inside a primitive are up to a pixel from the fragment's centre, and depth has its steps.
+    float slope = fwidth(p.z);
+    float quantum = agaa_depthQuantum(z, gl_FragCoord.z, agaa_frame.projection1.x, agaa_frame.projection1.y,
+                                      orthographic, 5.96e-8);
+    return max(away.x, away.y) > 2.0 || abs(z - p.z) > 0.05 * abs(p.z) + 2.0 * slope + 4.0 * quantum;
 }
 
 void agaa_checkPlacement(vec3 position) {

@@ -116,9 +116,7 @@ uint agaa_sanitiseSurface(inout AgaaSurfaceInput s, float emissiveRange) {
     s.specular = agaa_sanitise3(s.specular, 0.0, 1.0, bad);
     s.emissive = agaa_sanitise3(s.emissive, 0.0, emissiveRange, bad);
     s.alpha2 = agaa_sanitise(s.alpha2, agaa_minAlpha2(), 1.0, bad);
-    s.normal = agaa_sanitise3(s.normal, -1.0, 1.0, bad);
-    float l2 = dot(s.normal, s.normal);
-    s.normal = l2 > 1e-12 ? s.normal * inversesqrt(l2) : vec3(0.0, 0.0, 1.0);
+    s.normal = agaa_sanitiseNormal(s.normal, bad);
     return bad;
 }
 

@@ -57,6 +57,14 @@ rvec3 agaa_directionOrZ(rvec3 n) {
     return result;
 }
 
+// A host's normal as a unit vector, +z if it has no direction; not finite sets bad to 1.
+rvec3 agaa_sanitiseNormal(rvec3 n, INOUT(uint) bad) {
+    if (!agaa_isFinite3(n)) {
+        bad = 1u;
+    }
+    return normalize(agaa_directionOrZ(n));
+}
+
 // ---- hemi-octahedral, two times 8 bits -------------------------------------------------------
 
 // n in the frame whose +z points to the viewer. Below the horizon z is set to 0, which keeps the

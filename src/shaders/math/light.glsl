@@ -69,7 +69,21 @@ real agaa_ellipticLobe(agaa_Surface s, rvec3 n, rvec3 v, rvec3 l, rvec3 h, uint 
            agaa_ggxEllipseV(s.alpha2Along, s.alpha2, vAt, lAt);
 }
 
-// BRDF times cosine for unit radiance from l; v and l are unit vectors away from the surface.
+// The diffuse term times cosine for unit radiance from l, a unit vector away from the surface.
+rvec3 agaa_shadeDiffuse(agaa_Surface s, rvec3 l, uint filterDiffuse) {
+    const rvec3 n = clamp(s.normal, real(-1.0), real(1.0));
+    const rvec3 toLight = clamp(l, real(-1.0), real(1.0));
+    const rvec3 albedo = clamp(s.diffuse, real(0.0), real(1.0));
+    const real noL = clamp(dot(n, toLight), real(-1.0), real(1.0));
+    real diffuse = max(noL, real(0.0));
+    if (filterDiffuse != 0u) {
+        diffuse = agaa_rectifiedDiffuse(noL * agaa_saturate(s.meanLength), noL, s.meanLength);
+    }
+    diffuse = diffuse / agaa_pi();
+    return rvec3(albedo.x * diffuse, albedo.y * diffuse, albedo.z * diffuse);
+}
+
+// The specular term too, whose Fresnel factor is not 0 where `specular` is; v: away from the surface.
 // brdf 0: Blinn-Phong with the exponent of the same width and the implicit visibility 1/4;
 // brdf 1: GGX with height-correlated Smith. Both take Schlick's Fresnel term, so that a change of
 // lobe changes the lobe only. elliptic 1: the lobe is alpha2Along wide along axis. Vectors and
@@ -80,16 +94,9 @@ rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse
     const rvec3 n = clamp(s.normal, real(-1.0), real(1.0));
     const rvec3 toEye = clamp(v, real(-1.0), real(1.0));
     const rvec3 toLight = clamp(l, real(-1.0), real(1.0));
-    const rvec3 albedo = clamp(s.diffuse, real(0.0), real(1.0));
     const rvec3 f0 = clamp(s.specular, real(0.0), real(1.0));
-
-    const real noL = clamp(dot(n, toLight), real(-1.0), real(1.0));
-    const real cosine = max(noL, real(0.0));
-    real diffuse = cosine;
-    if (filterDiffuse != 0u) {
-        diffuse = agaa_rectifiedDiffuse(noL * agaa_saturate(s.meanLength), noL, s.meanLength);
-    }
-    diffuse = diffuse / agaa_pi();
+    const real cosine = max(clamp(dot(n, toLight), real(-1.0), real(1.0)), real(0.0));
+    const rvec3 diffuse = agaa_shadeDiffuse(s, l, filterDiffuse);
 
     real lobe = real(0.0);
     rvec3 fresnel = f0;
@@ -110,8 +117,8 @@ rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse
             lobe = agaa_roundLobe(s, n, toEye, toLight, h, brdf) * cosine;
         }
     }
-    return rvec3(albedo.x * diffuse + fresnel.x * lobe, albedo.y * diffuse + fresnel.y * lobe,
-                 albedo.z * diffuse + fresnel.z * lobe);
+    return rvec3(diffuse.x + fresnel.x * lobe, diffuse.y + fresnel.y * lobe,
+                 diffuse.z + fresnel.z * lobe);
 }
 
 #endif

@@ -41,6 +41,10 @@ agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
     agaa_Surface s;
     float meanLength;
     agaa_meanDirection(m.normal, toEye, s.normal, meanLength);
+    if (!folded && meanLength <= m.lengthBound) { // a direction of rounding
+        s.normal = toEye;
+        meanLength = 0.0;
+    }
     s.diffuse = m.diffuse;
     s.specular = m.specular;
     s.emissive = m.emissive;
@@ -140,7 +144,7 @@ void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
         }
         agaa_visibility[map] = sum / float(bitCount(mask));
         agaa_litSurface[map] =
-            agaa_surfaceOfMeans(agaa_litMeans(pixel, mask, sum > 0.0 ? 1.0 / sum : 0.0), false, toEye);
+            agaa_surfaceOfMeans(agaa_litMeans(pixel, mask, sum > 1e-6 ? 1.0 / sum : 0.0), false, toEye);
     }
 }
 #endif

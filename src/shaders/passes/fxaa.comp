@@ -17,8 +17,9 @@ const float agaa_subpixelShare = 0.75;   // of what removes single bright pixels
 // How far the edge is followed, in pixels, each way; the longer ones skip.
 const int agaa_walk[10] = int[](1, 2, 3, 4, 5, 7, 9, 12, 16, 24);
 
+// A background that is composited over may be negative, which has no luma.
 vec3 agaa_color(ivec2 at) {
-    return texelFetch(agaa_shaded, clamp(at, ivec2(0), ivec2(agaa_frame.size.xy) - 1), 0).rgb;
+    return max(texelFetch(agaa_shaded, clamp(at, ivec2(0), ivec2(agaa_frame.size.xy) - 1), 0).rgb, vec3(0.0));
 }
 
 vec3 agaa_display(vec3 linear) { return pow(linear / (1.0 + linear), vec3(1.0 / 2.2)); }

@@ -30,7 +30,7 @@ struct AgaaMaterial { // as in AgaaSurfaceInput, but for the last two
 struct AgaaPrimitive {
     uint draw;
     uint primitive;
-    vec4 a, b, c; // clip coordinates of its vertices, as agaaHostTriangle() gave them
+    vec4 a, b, c; // clip coordinates of its vertices by AgaaFrame::projection, as agaaHostTriangle() gave them
     vec3 at;      // weights of the vertices at the point, perspective-correct, [0;1]
     vec3 dx, dy;  // what the weights grow by from one pixel of the image to the next
     float facing; // > 0 where a, b, c turn from x to y of the image, < 0 where the other way

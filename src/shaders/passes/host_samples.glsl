@@ -15,9 +15,7 @@ uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
     m.diffuse = agaa_sanitise3(m.diffuse, 0.0, 1.0, bad);
     m.specular = agaa_sanitise3(m.specular, 0.0, 1.0, bad);
     m.emissive = agaa_sanitise3(m.emissive, 0.0, agaa_frame.ambient.w, bad);
-    m.normal = agaa_sanitise3(m.normal, -1.0, 1.0, bad);
-    float l2 = dot(m.normal, m.normal);
-    m.normal = l2 > 1e-12 ? m.normal * inversesqrt(l2) : vec3(0.0, 0.0, 1.0);
+    m.normal = agaa_sanitiseNormal(m.normal, bad);
     m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
     bool isKnown = agaa_isFinite3(m.normalDx) && agaa_isFinite3(m.normalDy);
     bad |= isKnown ? 0u : 1u;

@@ -78,16 +78,14 @@ float agaa_mapTap(uint map, vec3 p) { return 1.0; }
 
 // The light that p gets past shadow `map`; one that the frame has not shades nothing and costs no tap.
 float agaa_shadowTap(uint map, vec3 p) {
-#ifdef AGAA_HOST_SHADOWS
-    uint bad = 0u;
-    if ((AGAA_HOST_SHADOWS >> map & 1u) != 0u) {
-        agaa_count(AGAA_COUNT_SHADOW_TAPS, 1u);
-        return agaa_sanitise(agaaHostShadow(map, p), 0.0, 1.0, bad);
-    }
-#endif
     if (agaa_lightBuffer.shadows[map].layerCount == 0u)
         return 1.0;
     agaa_count(AGAA_COUNT_SHADOW_TAPS, 1u);
+#ifdef AGAA_HOST_SHADOWS
+    uint bad = 0u;
+    if ((AGAA_HOST_SHADOWS >> map & 1u) != 0u)
+        return agaa_sanitise(agaaHostShadow(map, p), 0.0, 1.0, bad);
+#endif
     return agaa_mapTap(map, p);
 }
 
@@ -145,8 +143,11 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
         if (agaa_isLitShadow(k) && map == k)
             s = agaa_litSurface[k];
 #endif
-    uint elliptic = AGAA_HAS_SPECULAR != 0u && AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
-    return agaa_shade(s, toEye, toLight, AGAA_BRDF, AGAA_FILTER_DIFFUSE, elliptic) * light.colorShadow.rgb * intensity;
+    uint elliptic = AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
+    vec3 reflected = AGAA_HAS_SPECULAR != 0u
+                         ? agaa_shade(s, toEye, toLight, AGAA_BRDF, AGAA_FILTER_DIFFUSE, elliptic)
+                         : agaa_shadeDiffuse(s, toLight, AGAA_FILTER_DIFFUSE);
+    return reflected * light.colorShadow.rgb * intensity;
 }
 
 vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {

@@ -48,7 +48,7 @@ struct agaa_PixelSamples {
 
 // Normals, for the clustering alone, as long as their gloss makes differences count: w = weight / alpha, [1;20].
 void agaa_weighNormal(uint i, vec3 shadingNormal, float alpha2) {
-    float w = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) * inversesqrt(alpha2), 1.0, 20.0);
+    float w = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) * inversesqrt(max(alpha2, agaa_minAlpha2())), 1.0, 20.0);
     agaa_sampleNormal[i] = sqrt(w) * shadingNormal;
 }
 

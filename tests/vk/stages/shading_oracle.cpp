@@ -118,6 +118,7 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
     const AgaaConfig& config = view_.plan().config;
     const agaa_Surface surface{s.diffuse, s.specular, s.emissive, s.normal, s.meanLength, s.alpha2,
                                0,         glm::dvec3(0)};
+    const uint32_t filterDiffuse = !(config.flags & AGAA_CONFIG_NO_DIFFUSE_FILTER);
     glm::dvec3 sum = s.emissive;
     for (int i = 0; i < 3; ++i)
         sum[i] += double(frame_.ambient[i]) * (s.diffuse[i] + s.specular[i]);
@@ -141,8 +142,9 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
         if (intensity <= 0)
             continue;
         const glm::dvec3 brdf =
-            math_d::agaa_shade(surface, toEye, toLight, config.brdf,
-                               !(config.flags & AGAA_CONFIG_NO_DIFFUSE_FILTER), 0u);
+            view_.plan().layout.has(AGAA_SEMANTIC_SPECULAR)
+                ? math_d::agaa_shade(surface, toEye, toLight, config.brdf, filterDiffuse, 0u)
+                : math_d::agaa_shadeDiffuse(surface, toLight, filterDiffuse);
         sum += brdf * glm::dvec3(light.color[0], light.color[1], light.color[2]) * intensity;
     }
     return sum;

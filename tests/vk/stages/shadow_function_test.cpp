@@ -122,6 +122,28 @@ TEST(ShadowFunction, AgreesWithDouble) {
             expectOracle(technique, mapped);
 }
 
+// Declared are more shadows than a frame may have: those are not asked for.
+TEST(ShadowFunction, IsNotAskedForShadowsThatTheFrameHasNot) {
+    StageContext context;
+    AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
+    function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }";
+    function.shadows = 0b11;
+    StageView view(context, settingsFor("agaa", function, 2));
+    view.setTriangles(scene());
+    const AgaaShadow shadows[2] = {};
+    uint64_t taps[3];
+    for (uint32_t count = 0; count < 3; ++count) {
+        AgaaFrame frame = view.frame();
+        frame.shadows = shadows;
+        frame.shadowCount = count;
+        view.render(frame);
+        taps[count] = view.statistics().counters.shadowTaps;
+    }
+    EXPECT_EQ(taps[0], 0u);
+    EXPECT_GT(taps[1], 0u);
+    EXPECT_EQ(taps[2], 2 * taps[1]);
+}
+
 TEST(ShadowFunction, IsRefusedWhereTheHostShades) {
     StageContext context;
     AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
