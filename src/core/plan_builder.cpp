@@ -222,9 +222,11 @@ void PlanBuilder::leavePixels(Pass& pass, ResourceId left) {
     takeTiles(pass, 2);
 }
 
+// Software rasterisers of Mesa end all loops of an invocation once they have turned 65535 times together: at many samples
+// a group has fewer pixels, which fill its lanes all the same.
 void PlanBuilder::takeLeft(Pass& pass, ResourceId left) {
     bind(pass, slot::Left, BindingType::StorageBuffer, left);
-    takeTiles(pass, 4);
+    takeTiles(pass, plan.samples > 8 ? 1 : 2);
 }
 
 void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
