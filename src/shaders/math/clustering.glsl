@@ -6,7 +6,8 @@
 //
 // The including file defines AGAA_MAX_SAMPLES (at most 32) and fills the inputs by agaa_setSample. The
 // arrays are globals in GLSL and members of a struct in C++. Nothing here depends on the order of
-// the samples except the names of samples that are equal in content.
+// the samples except the names of samples that are equal in content. Loops over samples, of which there
+// are one or more, are tested at their end: software rasterisers run what follows a test once more.
 #ifndef AGAA_MATH_CLUSTERING_GLSL
 #define AGAA_MATH_CLUSTERING_GLSL
 #include "real.glsl"
@@ -72,21 +73,59 @@ bool agaa_sampleIsCovered(uint covered, uint i) {
     return ((covered >> i) & 1u) != 0u;
 }
 
-// Content decides before position in the array does. Equal content means equal keys; then it does
-// not matter which of the two is taken, and the index makes the choice definite.
-bool agaa_contentPrecedes(uint a, uint b) {
-    bool precedes = a < b;
-    if (agaa_sampleKeyA[a] != agaa_sampleKeyA[b]) {
-        precedes = agaa_sampleKeyA[a] < agaa_sampleKeyA[b];
-    } else if (agaa_sampleKeyB[a] != agaa_sampleKeyB[b]) {
-        precedes = agaa_sampleKeyB[a] < agaa_sampleKeyB[b];
+// What is compared before the place in the array is, and that.
+struct agaa_Content {
+    uint keyA;
+    uint keyB;
+    uint sample_;
+};
+
+agaa_Content agaa_contentOf(uint i) {
+    agaa_Content content;
+    content.keyA = agaa_sampleKeyA[i];
+    content.keyB = agaa_sampleKeyB[i];
+    content.sample_ = i;
+    return content;
+}
+
+// Equal content means equal keys; then it does not matter which of the two is taken, and the index
+// makes the choice definite.
+bool agaa_contentPrecedes(agaa_Content a, agaa_Content b) {
+    bool precedes = a.sample_ < b.sample_;
+    if (a.keyA != b.keyA) {
+        precedes = a.keyA < b.keyA;
+    } else if (a.keyB != b.keyB) {
+        precedes = a.keyB < b.keyB;
     }
     return precedes;
 }
 
-// True if sample i with value d beats the best so far.
-bool agaa_isFartherSample(uint i, uint d, uint best, uint bestDistance, bool haveBest) {
-    return !haveBest || d > bestDistance || (d == bestDistance && agaa_contentPrecedes(i, best));
+// The sample of the largest value so far, of equals the first by content. What is compared with each
+// sample is kept in registers: arrays of a lane's own are memory.
+struct agaa_Farthest {
+    bool any;
+    uint value;
+    agaa_Content content;
+};
+
+agaa_Farthest agaa_noneYet() {
+    agaa_Farthest best;
+    best.any = false;
+    best.value = 0u;
+    best.content.keyA = 0u;
+    best.content.keyB = 0u;
+    best.content.sample_ = 0u;
+    return best;
+}
+
+void agaa_compare(INOUT(agaa_Farthest) best, uint i, uint value) {
+    const agaa_Content content = agaa_contentOf(i);
+    if (!best.any || value > best.value ||
+        (value == best.value && agaa_contentPrecedes(content, best.content))) {
+        best.any = true;
+        best.value = value;
+        best.content = content;
+    }
 }
 
 uint agaa_quantisedSampleDistance(uint a, uint b, real inverseK2) {
@@ -99,38 +138,40 @@ uint agaa_quantisedSampleDistance(uint a, uint b, real inverseK2) {
 // so far and returns the sample that is then farthest from all seeds, the next candidate. A sample
 // as near to two seeds goes to the seed of lower content.
 uint agaa_addSeed(uint n, uint covered, uint id, uint seed, real inverseK2) {
-    agaa_seedSample[id] = seed;
-    uint best = seed;
-    uint bestDistance = 0u;
-    bool haveBest = false;
-    for (uint i = 0u; i < n; ++i) {
+    const rvec3 position = agaa_samplePosition[seed];
+    const rvec3 normal = agaa_sampleNormal[seed];
+    const agaa_Content content = agaa_contentOf(seed);
+    agaa_seedSample[id] = seed; // first: compilers warn of reads that they meet before writes
+    uint precedes = 0u; // bit s: seed s
+    for (uint s = 0u; s < id; ++s) {
+        if (agaa_contentPrecedes(content, agaa_contentOf(agaa_seedSample[s]))) {
+            precedes = precedes | (1u << s);
+        }
+    }
+    agaa_Farthest best = agaa_noneYet();
+    uint i = 0u;
+    do {
         if (agaa_sampleIsCovered(covered, i)) {
-            const uint d = agaa_quantisedSampleDistance(i, seed, inverseK2);
-            bool moves = id == 0u || d < agaa_sampleNearest[i];
-            if (!moves && d == agaa_sampleNearest[i]) {
-                moves = agaa_contentPrecedes(seed, agaa_seedSample[agaa_sampleAggregate[i]]);
-            }
-            if (moves) {
+            const uint d = agaa_quantiseDistance(agaa_sampleDistance(
+                agaa_samplePosition[i], position, agaa_sampleNormal[i], normal, inverseK2));
+            uint nearest = agaa_sampleNearest[i];
+            if (id == 0u || d < nearest ||
+                (d == nearest && ((precedes >> agaa_sampleAggregate[i]) & 1u) != 0u)) {
+                nearest = d;
                 agaa_sampleNearest[i] = d;
                 agaa_sampleAggregate[i] = id;
             }
-            if (agaa_isFartherSample(i, agaa_sampleNearest[i], best, bestDistance, haveBest)) {
-                best = i;
-                bestDistance = agaa_sampleNearest[i];
-                haveBest = true;
-            }
+            agaa_compare(best, i, nearest);
         }
-    }
-    return best;
+    } while (++i < n);
+    return best.any ? best.content.sample_ : seed;
 }
 
 // Rule (e) as printed: the sample with the largest sum of squared distances from all seeds.
 // Equation 1 is itself a squared distance (of position/k and half the normal), so its values are
 // summed.
 uint agaa_literalCandidate(uint n, uint covered, uint seeds, real inverseK2) {
-    uint best = 0u;
-    uint bestSum = 0u;
-    bool haveBest = false;
+    agaa_Farthest best = agaa_noneYet();
     for (uint i = 0u; i < n; ++i) {
         if (agaa_sampleIsCovered(covered, i)) {
             uint sum = 0u;
@@ -138,14 +179,10 @@ uint agaa_literalCandidate(uint n, uint covered, uint seeds, real inverseK2) {
                 const uint d = agaa_quantisedSampleDistance(i, agaa_seedSample[s], inverseK2);
                 sum = min(sum, 0xFFFFFFFFu - d) + d;
             }
-            if (agaa_isFartherSample(i, sum, best, bestSum, haveBest)) {
-                best = i;
-                bestSum = sum;
-                haveBest = true;
-            }
+            agaa_compare(best, i, sum);
         }
     }
-    return best;
+    return best.content.sample_;
 }
 
 // Seed 0, the sample farthest from the average. Sums of floats depend on their order; offsets from
@@ -158,7 +195,8 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
     uint count = 0u;
     uvec3 sumP = uvec3(0u, 0u, 0u);
     uvec3 sumN = uvec3(0u, 0u, 0u);
-    for (uint i = 0u; i < n; ++i) {
+    uint i = 0u;
+    do {
         if (agaa_sampleIsCovered(covered, i)) {
             const rvec3 p = agaa_samplePosition[i] - lowest;
             const rvec3 m = agaa_sampleNormal[i];
@@ -170,7 +208,7 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
             sumN.z += uint((clamp(m.z, -longest, longest) + longest) * steps + real(0.5));
             count += 1u;
         }
-    }
+    } while (++i < n);
     const real inverse = real(1.0) / (steps * real(max(count, 1u)));
     const rvec3 meanP = rvec3(real(sumP.x), real(sumP.y), real(sumP.z)) * (inverse * size);
     // The mean normal is left unnormalised: its distance is then the mean of the distances to all
@@ -178,21 +216,16 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
     const rvec3 meanN =
         rvec3(real(sumN.x) * inverse - longest, real(sumN.y) * inverse - longest,
               real(sumN.z) * inverse - longest);
-    uint best = 0u;
-    uint bestDistance = 0u;
-    bool haveBest = false;
-    for (uint i = 0u; i < n; ++i) {
+    agaa_Farthest best = agaa_noneYet();
+    i = 0u;
+    do {
         if (agaa_sampleIsCovered(covered, i)) {
-            const uint d = agaa_quantiseDistance(agaa_sampleDistance(
-                agaa_samplePosition[i] - lowest, meanP, agaa_sampleNormal[i], meanN, inverseK2));
-            if (agaa_isFartherSample(i, d, best, bestDistance, haveBest)) {
-                best = i;
-                bestDistance = d;
-                haveBest = true;
-            }
+            agaa_compare(best, i,
+                         agaa_quantiseDistance(agaa_sampleDistance(agaa_samplePosition[i] - lowest, meanP,
+                                                                   agaa_sampleNormal[i], meanN, inverseK2)));
         }
-    }
-    return best;
+    } while (++i < n);
+    return best.content.sample_;
 }
 
 // Partitions the covered samples into at most c (1 to 8) aggregates, whose number it returns; ids
@@ -209,7 +242,8 @@ uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint li
     rvec3 lowestNormal = lowest;
     rvec3 highestNormal = lowest;
     bool any = false;
-    for (uint i = 0u; i < samples; ++i) {
+    uint i = 0u;
+    do {
         agaa_sampleAggregate[i] = 0u;
         if (agaa_sampleIsCovered(present, i)) {
             const rvec3 p = agaa_samplePosition[i];
@@ -220,7 +254,7 @@ uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint li
             highestNormal = any ? max(highestNormal, m) : m;
             any = true;
         }
-    }
+    } while (++i < samples);
     uint aggregates = any ? 1u : 0u;
     if (any && limit > 1u) {
         const real inverseK2 = agaa_inverseK2(k);

@@ -20,29 +20,31 @@ void agaa_forgetSurfaces(uint limit) {
     }
 }
 
-bool agaa_areOneSurface(uint a, uint b, real cosine, real width) {
-    const rvec3 between = agaa_samplePosition[b] - agaa_samplePosition[a];
-    return dot(agaa_sampleNormal[a], agaa_sampleNormal[b]) >= cosine &&
-           abs(dot(agaa_sampleNormal[a], between)) <= width &&
-           abs(dot(agaa_sampleNormal[b], between)) <= width;
+bool agaa_isOnSurface(rvec3 position, rvec3 normal, uint i, real cosine, real width) {
+    const rvec3 between = agaa_samplePosition[i] - position;
+    const rvec3 own = agaa_sampleNormal[i];
+    return dot(normal, own) >= cosine && abs(dot(normal, between)) <= width &&
+           abs(dot(own, between)) <= width;
 }
 
 // Whether all samples show one surface, that of the first by content.
 bool agaa_areAllOneSurface(uint n, uint covered, real cosine, real width) {
-    uint first = 0u;
-    bool any = false;
-    for (uint i = 0u; i < n; ++i) {
-        if (agaa_sampleIsCovered(covered, i) && (!any || agaa_contentPrecedes(i, first))) {
-            first = i;
-            any = true;
-        }
-    }
-    bool one = true;
-    for (uint i = 0u; i < n && one; ++i) {
+    agaa_Farthest first = agaa_noneYet();
+    uint i = 0u;
+    do {
         if (agaa_sampleIsCovered(covered, i)) {
-            one = agaa_areOneSurface(first, i, cosine, width);
+            agaa_compare(first, i, 0u);
         }
-    }
+    } while (++i < n);
+    const rvec3 position = agaa_samplePosition[first.content.sample_];
+    const rvec3 normal = agaa_sampleNormal[first.content.sample_];
+    bool one = true;
+    i = 0u;
+    do {
+        if (agaa_sampleIsCovered(covered, i)) {
+            one = one && agaa_isOnSurface(position, normal, i, cosine, width);
+        }
+    } while (++i < n);
     return one;
 }
 
@@ -102,18 +104,17 @@ uint agaa_selectSurfaces(uint n, uint covered, uint limit, real cosine, real wid
     uint left = covered;
     agaa_forgetSurfaces(limit);
     for (uint found = 0u; found < n && left != 0u; ++found) {
-        uint seed = 0u;
-        bool haveSeed = false;
+        const uint seed = uint(findMSB(left & (~left + 1u)));
+        const rvec3 position = agaa_samplePosition[seed];
+        const rvec3 normal = agaa_sampleNormal[seed];
         uint mask = 0u;
-        for (uint i = 0u; i < n; ++i) {
-            if (agaa_sampleIsCovered(left, i)) {
-                seed = haveSeed ? seed : i;
-                haveSeed = true;
-                if (i == seed || agaa_areOneSurface(seed, i, cosine, width)) {
-                    mask = mask | (1u << i);
-                }
+        uint i = 0u;
+        do {
+            if (agaa_sampleIsCovered(left, i) &&
+                (i == seed || agaa_isOnSurface(position, normal, i, cosine, width))) {
+                mask = mask | (1u << i);
             }
-        }
+        } while (++i < n);
         left = left & ~mask;
         kept = agaa_keepSurface(kept, limit, mask);
     }

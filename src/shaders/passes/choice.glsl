@@ -17,6 +17,11 @@ agaa_Choice agaa_chooseFrom(uint mask, uint wanted) {
 
 // The one chosen as number j: sample floor((j + 1/2) count / wanted) of the mask. j ascends.
 uint agaa_nextSample(inout agaa_Choice choice, uint j) {
+    if (AGAA_SHADOW_FILTER != 0u && AGAA_SAMPLES <= AGAA_SHADOW_TAPS) { // as many are wanted as there are
+        uint next = uint(findLSB(choice.left));
+        choice.left &= choice.left - 1u;
+        return next;
+    }
     uint next = (2u * j + 1u) * choice.count / (2u * choice.wanted);
     for (; choice.seen < next; ++choice.seen)
         choice.left &= choice.left - 1u;

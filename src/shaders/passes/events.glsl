@@ -27,8 +27,9 @@ vec3 agaa_shadeWork(agaa_PixelWork work) {
     barrier();
     uint count = agaa_eventCount;
     vec3 color = vec3(0.0);
-    // Tested at its end, as are other loops of heavy work: software rasterisers, whose lanes are masked, run what
-    // follows a test once more than lanes want it.
+    // Tested at its end, as are other loops that lanes leave together: software rasterisers, whose lanes are masked,
+    // run what follows a test once more than lanes want it. Where lanes leave at different turns, sums of what was
+    // loaded come out wrong so on Mesa 22.3's Vulkan.
     uint base = 0u;
     do {
         if (base + lane < count) {

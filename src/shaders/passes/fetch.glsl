@@ -69,11 +69,14 @@ AgaaMaterial agaa_fetchMaterialAt(AgaaPrimitive p, uvec2 pixel, vec2 place) {
     return m;
 }
 
-// In the middle of these samples; its normal is that at the pixel's corner, not unit.
+// In the middle of these samples, one or more; its normal is that at the pixel's corner, not unit.
 AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
     vec2 middle = vec2(0.0);
-    for (uint rest = samples; rest != 0u; rest &= rest - 1u)
-        middle += agaa_frame.samplePosition[findLSB(rest)].xy;
+    uint i = 0u;
+    do {
+        if ((samples >> i & 1u) != 0u)
+            middle += agaa_frame.samplePosition[i].xy;
+    } while (++i < agaa_sampleCount());
     middle /= float(bitCount(samples));
     AgaaMaterial m = agaa_fetchMaterialAt(p, pixel, middle);
     m.normal -= middle.x * m.normalDx + middle.y * m.normalDy;

@@ -12,4 +12,7 @@ layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
     vec4 surface;     // one surface: least cosine, distance in pixels, difference of materials; n
     vec4 samplePosition[32]; // xy in the pixel
 } agaa_frame;
+
+// n, as a value that compilers do not know: with a constant they unroll loops within loops.
+uint agaa_sampleCount() { return uint(agaa_frame.surface.w); }
 #endif

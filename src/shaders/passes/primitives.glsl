@@ -35,11 +35,13 @@ uint agaa_primitiveSamples[AGAA_MAX_SAMPLES];
 uint agaa_loadIds(uvec2 pixel) {
     uint covered = 0u;
     agaa_shownUnfetched = false;
-    for (uint i = 0u; i < agaa_sampleCount(); ++i) {
-        agaa_sampleIds[i] = agaa_idOf(pixel, i);
-        covered |= agaa_sampleIds[i] != 0u ? 1u << i : 0u;
-        agaa_shownUnfetched = agaa_shownUnfetched || !agaa_isFetched(agaa_sampleIds[i]);
-    }
+    uint i = 0u;
+    do {
+        uint id = agaa_idOf(pixel, i);
+        agaa_sampleIds[i] = id;
+        covered |= id != 0u ? 1u << i : 0u;
+        agaa_shownUnfetched = agaa_shownUnfetched || !agaa_isFetched(id);
+    } while (++i < agaa_sampleCount());
     return covered;
 }
 
@@ -49,9 +51,11 @@ uint agaa_findPrimitives(uint covered) {
     for (uint left = covered; left != 0u; ++count) {
         uint id = agaa_sampleIds[findLSB(left)];
         uint alike = left & (~left + 1u);
-        for (uint rest = agaa_isFetched(id) ? left : 0u; rest != 0u; rest &= rest - 1u) {
-            uint i = uint(findLSB(rest));
-            alike |= agaa_sampleIds[i] == id ? 1u << i : 0u;
+        if (agaa_isFetched(id)) {
+            uint i = 0u;
+            do
+                alike |= agaa_sampleIds[i] == id ? 1u << i : 0u;
+            while (++i < agaa_sampleCount());
         }
         agaa_primitiveSamples[count] = alike;
         left &= ~alike;
@@ -66,13 +70,16 @@ uint agaa_fetchedPrimitives(uint count) {
     return fetched;
 }
 
+// count: one or more.
 void agaa_listPrimitives(uint first, uint count) {
     const uint lane = gl_LocalInvocationIndex;
-    for (uint i = 0u; i < count; ++i) {
-        agaa_listId[first + i] = agaa_sampleIds[findLSB(agaa_primitiveSamples[i])];
-        agaa_listSamples[first + i] = agaa_primitiveSamples[i];
+    uint i = 0u;
+    do {
+        uint samples = agaa_primitiveSamples[i];
+        agaa_listId[first + i] = agaa_sampleIds[findLSB(samples)];
+        agaa_listSamples[first + i] = samples;
         agaa_listLane[first + i] = lane;
-    }
+    } while (++i < count);
     agaa_pixelList[lane] = first | count << 16u;
 }
 
@@ -117,22 +124,25 @@ agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
         for (uint rest = agaa_listSamples[first + k]; rest != 0u; rest &= rest - 1u)
             agaa_samplePrimitive[findLSB(rest)] = first + k;
     }
-    for (uint i = 0u; i < agaa_sampleCount(); ++i) {
-        if ((covered >> i & 1u) == 0u)
-            continue;
-        vec3 normal = agaa_listPlane[agaa_samplePrimitive[i]];
-        uvec3 c = uvec3((normal * 0.5 + 0.5) * 2047.0 + 0.5);
-        agaa_addSample(samples, pixel, i, normal, ((c.x * 2048u + c.y) * 2048u + c.z) * 2654435761u >> 16);
-    }
+    uint i = 0u;
+    do {
+        if ((covered >> i & 1u) != 0u) {
+            vec3 normal = agaa_listPlane[agaa_samplePrimitive[i]];
+            uvec3 c = uvec3((normal * 0.5 + 0.5) * 2047.0 + 0.5);
+            agaa_addSample(samples, pixel, i, normal, ((c.x * 2048u + c.y) * 2048u + c.z) * 2654435761u >> 16);
+        }
+    } while (++i < agaa_sampleCount());
     return agaa_withDistance(samples);
 }
 
 void agaa_weighNormals(uvec2 pixel, uint covered) {
-    for (uint i = 0u; i < agaa_sampleCount(); ++i)
+    uint i = 0u;
+    do {
         if ((covered >> i & 1u) != 0u) {
             uint at = agaa_samplePrimitive[i];
             agaa_weighNormal(i, mat3(agaa_frame.view) * agaa_listedNormal(at, i), agaa_listMaterial[at].alpha2);
         }
+    } while (++i < agaa_sampleCount());
 }
 
 // lane: of the pixel, which may be another's.

@@ -36,9 +36,6 @@ bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 }
 #endif
 
-// n, as a value that compilers do not know: with a constant they unroll loops within loops.
-uint agaa_sampleCount() { return uint(agaa_frame.surface.w); }
-
 struct agaa_PixelSamples {
     uint covered;
     float nearest;  // distance
@@ -95,19 +92,22 @@ mat3 agaa_normalFrame(uvec2 pixel) {
 
 void agaa_addSamples(inout agaa_PixelSamples samples, uvec2 pixel) {
     mat3 frame = agaa_normalFrame(pixel);
-    for (uint i = 0u; i < agaa_sampleCount(); ++i) {
+    uint i = 0u;
+    do {
         vec3 normal;
         uint code;
         if (agaa_loadNormal(pixel, i, normal, code))
             agaa_addSample(samples, pixel, i, frame * normal, code);
-    }
+    } while (++i < agaa_sampleCount());
 }
 
 #if AGAA_FROM_GBUFFER
 void agaa_weighFetchedNormals(uvec2 pixel, uint covered) {
-    for (uint i = 0u; i < agaa_sampleCount(); ++i)
+    uint i = 0u;
+    do
         if ((covered >> i & 1u) != 0u && agaa_fetchSample(pixel, i))
             agaa_weighNormal(i, agaa_sampleNormal[i], agaa_fetchedAlpha2());
+    while (++i < agaa_sampleCount());
 }
 #endif
 

@@ -50,12 +50,13 @@ void agaa_sortTile(uvec2 tile) {
     uint samples = 0u;
     bool isOne = true;
     bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
-    for (uint i = 0u; i < agaa_sampleCount() && isInside; ++i) {
-        uint own = agaa_idOf(pixel, i);
+    uint i = 0u;
+    do {
+        uint own = isInside ? agaa_idOf(pixel, i) : 0u;
         isOne = isOne && (own == 0u || ((id == 0u || own == id) && agaa_isFetched(own)));
         id = own != 0u ? own : id;
         samples |= own != 0u ? 1u << i : 0u;
-    }
+    } while (++i < agaa_sampleCount());
     if (samples == 0u && isInside)
         agaa_writePixel(pixel, agaa_PixelWork(0u, 0u, 0u), vec3(0.0));
     if (samples != 0u && isOne) {
