@@ -64,10 +64,15 @@ std::vector<FetchDraw> fetchDraws(const Scene& scene, const std::vector<Draw>& d
 }
 
 std::string fetchGlsl(const FetchScene& fetch, bool openGl) {
+    int large = 0, small = 0; // bit i: textures of kind i are in these arrays
+    for (const FetchMaterial& material : fetch.materials)
+        for (int i = 0; i < 4; ++i)
+            if (material.layers[i] >= 0)
+                (material.layers[i] >= firstSmallLayer ? small : large) |= 1 << i;
     std::string defines = openGl ? "#define HARNESS_GL\n" : "";
     defines += "#define FETCH_FIRST_SMALL " + std::to_string(firstSmallLayer) + "\n";
-    defines += fetch.colors.isSplit ? "#define FETCH_SMALL_COLORS\n" : "";
-    defines += fetch.values.isSplit ? "#define FETCH_SMALL_VALUES\n" : "";
+    defines += "#define FETCH_LARGE " + std::to_string(large) + "\n";
+    defines += "#define FETCH_SMALL " + std::to_string(small) + "\n";
     return defines + embedded::interface_glsl + embedded::material_glsl + embedded::fetch_glsl;
 }
 

@@ -50,7 +50,7 @@ FetchScene makeFetchScene(const Scene& scene);
 // draws: as they are drawn, which is how ids count them.
 std::vector<FetchDraw> fetchDraws(const Scene& scene, const std::vector<Draw>& draws);
 
-// For AgaaFetchFunction::glsl; by which of the scene's arrays are split.
+// For AgaaFetchFunction::glsl; without the textures that no material of the scene has.
 std::string fetchGlsl(const FetchScene& fetch, bool openGl);
 
 } // namespace harness

@@ -1,6 +1,8 @@
 // What the SDK's pass that fetches by id asks of the sample engine: triangles and materials from buffers, textures
 // from arrays. interface.glsl and material.glsl come before this text. Buffers are read as texels of four words:
 // drivers load those at once, and software rasterisers without a bounds check a word and lane.
+// Textures are of kinds: 0 base colour, 1 normal, 2 metallic-roughness, 3 emissive. FETCH_LARGE and FETCH_SMALL have a
+// bit for each kind that the scene's materials have among the large or small ones.
 
 layout(std140, FETCH_UNIFORM_AT) uniform FetchCamera { mat4 viewProjection; } fetchCamera;
 layout(FETCH_TEXTURE_AT(0)) uniform sampler2DArray fetchColors; // sRGB
@@ -9,10 +11,10 @@ layout(FETCH_TEXTURE_AT(2)) uniform usamplerBuffer fetchDraws;     // as the eng
 layout(FETCH_TEXTURE_AT(3)) uniform usamplerBuffer fetchMaterials; // FetchMaterial
 layout(FETCH_TEXTURE_AT(4)) uniform usamplerBuffer fetchVertices;  // FetchVertex
 layout(FETCH_TEXTURE_AT(5)) uniform usamplerBuffer fetchIndices;   // one word each
-#ifdef FETCH_SMALL_COLORS
+#if (FETCH_SMALL & 9) != 0
 layout(FETCH_TEXTURE_AT(6)) uniform sampler2DArray fetchSmallColors;
 #endif
-#ifdef FETCH_SMALL_VALUES
+#if (FETCH_SMALL & 6) != 0
 layout(FETCH_TEXTURE_AT(7)) uniform sampler2DArray fetchSmallValues;
 #endif
 
@@ -74,20 +76,20 @@ vec4 fetchTexel(sampler2DArray textures, int layer, uint wrap, vec2 uv, vec2 dx,
     return textureGrad(textures, vec3(uv, float(layer)), dx, dy);
 }
 
-vec4 fetchColor(int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
-#ifdef FETCH_SMALL_COLORS
-    if (layer >= FETCH_FIRST_SMALL)
+vec4 fetchColor(int kind, int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
+#if (FETCH_SMALL & 9) != 0
+    if ((FETCH_SMALL >> kind & 1) != 0 && layer >= FETCH_FIRST_SMALL)
         return fetchTexel(fetchSmallColors, layer - FETCH_FIRST_SMALL, wrap, uv, dx, dy);
 #endif
-    return fetchTexel(fetchColors, layer, wrap, uv, dx, dy);
+    return (FETCH_LARGE >> kind & 1) != 0 ? fetchTexel(fetchColors, layer, wrap, uv, dx, dy) : vec4(1.0);
 }
 
-vec4 fetchValue(int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
-#ifdef FETCH_SMALL_VALUES
-    if (layer >= FETCH_FIRST_SMALL)
+vec4 fetchValue(int kind, int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
+#if (FETCH_SMALL & 6) != 0
+    if ((FETCH_SMALL >> kind & 1) != 0 && layer >= FETCH_FIRST_SMALL)
         return fetchTexel(fetchSmallValues, layer - FETCH_FIRST_SMALL, wrap, uv, dx, dy);
 #endif
-    return fetchTexel(fetchValues, layer, wrap, uv, dx, dy);
+    return (FETCH_LARGE >> kind & 1) != 0 ? fetchTexel(fetchValues, layer, wrap, uv, dx, dy) : vec4(1.0);
 }
 
 // What a change of the vertices' normal is of the unit normal; a normal map turns with it.
@@ -138,11 +140,11 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     uvec4 wraps = texelFetch(fetchMaterials, m + 4);
     MaterialValues values = MaterialValues(uintBitsToFloat(texelFetch(fetchMaterials, m)), emissive.xyz, emissive.w,
                                            numbers.x, numbers.y, numbers.z);
-    p.isBent = layers.y >= 0;
-    p.baseTexel = fetchColor(layers.x, wraps.x, uv, dx, dy);
-    p.normalTexel = fetchValue(layers.y, wraps.y, uv, dx, dy);
-    p.metalRoughTexel = fetchValue(layers.z, wraps.z, uv, dx, dy);
-    p.emissiveTexel = fetchColor(layers.w, wraps.w, uv, dx, dy);
+    p.isBent = ((FETCH_LARGE | FETCH_SMALL) & 2) != 0 && layers.y >= 0;
+    p.baseTexel = fetchColor(0, layers.x, wraps.x, uv, dx, dy);
+    p.normalTexel = fetchValue(1, layers.y, wraps.y, uv, dx, dy);
+    p.metalRoughTexel = fetchValue(2, layers.z, wraps.z, uv, dx, dy);
+    p.emissiveTexel = fetchColor(3, layers.w, wraps.w, uv, dx, dy);
     SurfaceModel model = surfaceModel(values, p);
     result.diffuse = model.diffuse;
     result.specular = model.specular;
