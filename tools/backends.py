@@ -7,11 +7,9 @@ import argparse
 import json
 import pathlib
 import statistics
-import subprocess
-import sys
 import time
 
-from figures import BUILTIN, SHARED, shared_scenes
+from runs import HARNESS, Runs, find_scenes, view_options
 
 CONFIGURATIONS = ([("single", 1, 1)] + [("ssaa", n, 1) for n in (4, 8, 16, 32)] +
                   [("agaa", n, c) for n in (4, 8, 16, 32) for c in (1, 2, 3, 4)])
@@ -20,54 +18,30 @@ TIMED = [("ssaa", 8, 1), ("agaa", 8, 2), ("agaa", 32, 2)]
 
 class Comparison:
     def __init__(self, arguments):
-        self.harness = arguments.harness
-        self.size = arguments.size
-        self.work = arguments.out / "work"
-        self.work.mkdir(parents=True, exist_ok=True)
-
-    def call(self, kept, arguments):
-        if kept and kept.exists():
-            return json.loads(kept.read_text())
-        result = subprocess.run([self.harness, *arguments, "--json"], stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE, text=True)
-        if result.returncode != 0:
-            last = result.stderr.strip().splitlines()[-1:] or ["no message"]
-            sys.exit(f"backends: {' '.join(arguments)}: exit status {result.returncode}: {last[0]}")
-        if kept:
-            kept.write_text(result.stdout)
-        return json.loads(result.stdout)
+        self.runs = Runs("backends", arguments.harness, arguments.out,
+                         {"size": arguments.size, "times": arguments.times})
 
     def render(self, backend, view, configuration, *more):
         technique, n, c = configuration
-        return self.call(None, ["render", "--backend", backend, *view, "--technique", technique,
-                                "--samples", str(n), "--aggregates", str(c), "--no-counters", *more])
+        return self.runs.call("render", "--backend", backend, *view, "--technique", technique, "--samples", n,
+                              "--aggregates", c, "--no-counters", *more)
 
-    def images(self, name, view, configuration):
+    def images(self, view, configuration):
         """Differences of the two images, and what the APIs said."""
-        stem = "-".join(map(str, (name, *configuration)))
-        kept = self.work / f"{stem}.json"
-        if kept.exists():
-            return json.loads(kept.read_text())
-        messages = 0
-        for backend in ("vk", "gl"):
-            row = self.render(backend, view, configuration, "--no-timestamps", "--exr",
-                              str(self.work / f"{backend}.exr"))
+        messages, files = 0, {backend: self.runs.work / f"{backend}.exr" for backend in ("vk", "gl")}
+        for backend, file in files.items():
+            row = self.render(backend, view, configuration, "--no-timestamps", "--exr", file)
             messages += len(row["apiMessages"])
-        row = self.call(None, ["compare", str(self.work / "vk.exr"), str(self.work / "gl.exr")])
+        row = self.runs.call("compare", *files.values())
         row["apiMessages"] = messages
-        kept.write_text(json.dumps(row))
         return row
 
-    def times(self, name, view, configuration, frames):
+    def times(self, view, configuration, frames):
         """A B B A runs: medians of frames and passes, and the ratio of the frames."""
-        stem = "-".join(map(str, (name, *configuration)))
-        kept = self.work / f"{stem}-times.json"
-        if kept.exists():
-            return json.loads(kept.read_text())
         runs = {"vk": [], "gl": []}
         for backend in ("vk", "gl", "gl", "vk"):
             runs[backend].append(self.render(backend, view, configuration, "--no-validation",
-                                             "--warmup", "2", "--frames", str(frames)))
+                                             "--warmup", 2, "--frames", frames))
         out = {}
         for backend, rows in runs.items():
             out[backend] = {
@@ -77,7 +51,6 @@ class Comparison:
                     row["passes"][i]["ms"]["median"] for row in rows)
                     for i, p in enumerate(rows[0]["passes"])}}
         out["ratio"] = out["gl"]["frameMs"] / out["vk"]["frameMs"]
-        kept.write_text(json.dumps(out))
         return out
 
 
@@ -128,29 +101,30 @@ def write(out, devices, size, images, times):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--harness", default="build/bin/agaa-harness")
+    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--size", default="640x360")
     parser.add_argument("--times", type=int, default=0, metavar="FRAMES",
                         help="also time this many frames a run; on an idle machine")
     arguments = parser.parse_args()
     comparison = Comparison(arguments)
-    scenes = [(name, name, None) for name in BUILTIN] + shared_scenes()
+    kept, scenes = comparison.runs.kept, find_scenes("backends")
     images, times, devices = [], [], {}
     for backend in ("vk", "gl"):
-        caps = comparison.call(None, ["caps", "--backend", backend])
+        caps = comparison.runs.call("caps", "--backend", backend)
         devices[backend] = f"{caps['device']}, {caps['driver']}"
     begin, done, total = time.monotonic(), 0, len(scenes) * len(CONFIGURATIONS)
     for name, source, camera in scenes:
-        view = ["--scene", source, "--size", arguments.size]
-        view += ["--camera=" + camera] if camera else []
+        view = view_options(source, camera, arguments.size)
         for configuration in CONFIGURATIONS:
             row = {"scene": name}
             row.update(zip(("technique", "samples", "aggregates"), configuration))
-            images.append(dict(row, **comparison.images(name, view, configuration)))
+            stem = "-".join(map(str, (name, *configuration)))
+            images.append(dict(row, **kept(stem, lambda: comparison.images(view, configuration))))
             done += 1
             if arguments.times and configuration in TIMED:
-                times.append(dict(row, **comparison.times(name, view, configuration, arguments.times)))
+                measured = kept(stem + "-times", lambda: comparison.times(view, configuration, arguments.times))
+                times.append(dict(row, **measured))
         left = (time.monotonic() - begin) / done * (total - done)
         print(f"{name}: {done} of {total}, {left:.0f} s left", flush=True)
         write(arguments.out, devices, arguments.size, images, times)

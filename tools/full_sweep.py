@@ -10,7 +10,7 @@ import subprocess
 import sys
 import time
 
-from figures import BUILTIN, shared_scenes
+from runs import HARNESS, find_scenes, require_harness
 
 # What is hard comes first, so that a run that is broken off has it.
 FIRST = ["bamboo", "foliage", "furball", "metal", "sh3d_foliage"]
@@ -19,22 +19,20 @@ PLAIN = "city"
 
 
 def scenes():
-    every = [(name, name) for name in BUILTIN]
-    every += [(name, f"{file}@{camera}") for name, file, camera in shared_scenes()]
-    return [source for _, source in sorted(every, key=lambda scene: (scene[0] not in FIRST, scene[0]))]
+    every = sorted(find_scenes("full_sweep"), key=lambda scene: (scene[0] not in FIRST, scene[0]))
+    return [f"{source}@{camera}" if camera else source for _, source, camera in every]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--harness", default="build/bin/agaa-harness", type=pathlib.Path)
+    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
     parser.add_argument("--out", default="sweep", type=pathlib.Path)
     parser.add_argument("--size", default="640x360")
     parser.add_argument("--backend", action="append", choices=["vk", "gl"], help="repeatable; none: both")
     parser.add_argument("--rounds", help="frames of each row; none: the usual number, 101 suits a GPU")
     parser.add_argument("--row", action="append", help="only these, as of agaa-harness sweep; repeatable")
     arguments = parser.parse_args()
-    if not arguments.harness.exists():
-        sys.exit(f"full_sweep: {arguments.harness} is not there; run scripts/build first.")
+    require_harness("full_sweep", arguments.harness)
     command = [arguments.harness, "sweep", "--size", arguments.size, "--out", arguments.out]
     for backend in arguments.backend or ["vk", "gl"]:
         command += ["--backend", backend]

@@ -7,11 +7,10 @@ import argparse
 import json
 import pathlib
 import statistics
-import subprocess
 import sys
 import time
 
-from figures import BUILTIN, shared_scenes
+from runs import HARNESS, Runs, find_scenes, view_options
 
 # Of `accurate`; every further row departs from it in one setting.
 ACCURATE = {"aggregates": "4", "threshold": "0.1", "gloss-weight": "0.5", "lit": True, "ndf": "lean",
@@ -42,41 +41,27 @@ def candidates():
 
 class Candidates:
     def __init__(self, arguments):
-        self.harness = arguments.harness
         self.size = arguments.size
-        self.samples = str(arguments.samples)
-        self.work = arguments.out / "work"
-        self.work.mkdir(parents=True, exist_ok=True)
-
-    def call(self, *arguments):
-        result = subprocess.run([self.harness, *arguments, "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                text=True)
-        if result.returncode != 0:
-            last = result.stderr.strip().splitlines()[-1:] or ["no message"]
-            sys.exit(f"presets: {' '.join(map(str, arguments))}: exit status {result.returncode}: {last[0]}")
-        return json.loads(result.stdout)
+        self.samples = arguments.samples
+        self.runs = Runs("presets", arguments.harness, arguments.out,
+                         {"size": self.size, "samples": self.samples, "options": dict(candidates())})
 
     def render(self, view, image, options):
-        return self.call("render", *view, "--samples", self.samples, "--no-validation", "--no-timestamps", "--exr",
-                         str(image), *options)
+        return self.runs.call("render", *view, "--samples", self.samples, "--no-validation", "--no-timestamps", "--exr",
+                              image, *options)
 
     def error(self, reference, image):
-        return self.call("compare", str(reference), str(image))["mseTm"]
+        return self.runs.call("compare", reference, image)["mseTm"]
 
     def scene(self, name, source, camera):
         """{candidate: {share, events}}: errors by that of single."""
-        kept = self.work / f"{name}.json"
-        of = {"size": self.size, "samples": self.samples, "options": dict(candidates())}
-        if kept.exists():
-            out = json.loads(kept.read_text())
-            if out["of"] != of:
-                sys.exit(f"presets: {kept} is of other settings; take another folder.")
-            return out
+        return self.runs.kept(name, lambda: self.measured(name, view_options(source, camera, self.size)))
+
+    def measured(self, name, view):
         begin = time.monotonic()
-        view = ["--scene", source, "--size", self.size] + ([f"--camera={camera}"] if camera else [])
-        reference, image = self.work / "reference.exr", self.work / "image.exr"
+        reference, image = self.runs.work / "reference.exr", self.runs.work / "image.exr"
         row = self.render(view, reference, ["--technique", "ssaa"])
-        out = {"scene": name, "of": of, "device": row["device"], "driver": row["driver"], "candidates": {}}
+        out = {"scene": name, "device": row["device"], "driver": row["driver"], "candidates": {}}
         self.render(view, image, ["--technique", "single"])
         single = self.error(reference, image)
         for candidate, options in candidates():
@@ -86,7 +71,6 @@ class Candidates:
         spelled_out, preset = out["candidates"].pop("spelled out"), out["candidates"]["accurate"]
         if spelled_out != preset:
             sys.exit(f"presets: the settings of ACCURATE are not those of the preset: {spelled_out}, {preset}.")
-        kept.write_text(json.dumps(out))
         print(f"{name}: {time.monotonic() - begin:.0f} s", flush=True)
         return out
 
@@ -114,18 +98,13 @@ def markdown(data):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--harness", default="build/bin/agaa-harness", type=pathlib.Path)
+    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
     parser.add_argument("--out", default="presets", type=pathlib.Path)
     parser.add_argument("--size", default="320x180")
     parser.add_argument("--samples", default=8, type=int)
     parser.add_argument("--scene", action="append", help="only these; repeatable")
     arguments = parser.parse_args()
-    if not arguments.harness.exists():
-        sys.exit(f"presets: {arguments.harness} is not there; run scripts/build first.")
-    every = [(name, name, "") for name in BUILTIN] + shared_scenes()
-    wanted = [scene for scene in every if not arguments.scene or scene[0] in arguments.scene]
-    if not wanted:
-        sys.exit("presets: no such scene; there are " + ", ".join(name for name, *_ in every) + ".")
+    wanted = find_scenes("presets", arguments.scene)
     runs = Candidates(arguments)
     data = {"size": arguments.size, "samples": arguments.samples, "scenes": [runs.scene(*scene) for scene in wanted]}
     (arguments.out / "presets.json").write_text(json.dumps(data, indent=1) + "\n")

@@ -1,0 +1,88 @@
+"""What the measuring tools share: the scenes, calls of the sample engine, and results that are kept on the way."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+HARNESS = ROOT / "build" / "bin" / "agaa-harness"
+BUILTIN = ["bamboo", "foliage", "furball", "metal", "city"]
+CAMERAS = { # of shared scenes
+    "stk_gran_paradiso": "132.1,8.5,-86.8,150,8.0,-70,60",
+    "stk_ravenbridge_mansion": "-4.7,1.8,75.8,-8,1.5,65,60",
+    "fg_carrier": "40,40,20,86,50,-25,35",
+    "sh3d_foliage": "1,1.8,12,0.5,4,0,50",
+    "khronos_flight_helmet": "0.5,0.5,0.8,0,0.35,0,35",
+}
+
+
+def find_scenes(tool, wanted=None):
+    """Name, argument of --scene and camera ("": the scene's own) of all scenes, or of those wanted.
+
+    Shared ones are below $AGAA_SCENES, or beside the source tree; that they are not there is told.
+    """
+    named = os.environ.get("AGAA_SCENES")
+    folder = pathlib.Path(named) if named else ROOT.parent / "shared" / "scenes"
+    files = {name: folder / name / f"{name}.glb" for name in CAMERAS}
+    missing = [name for name, file in files.items() if not file.exists()]
+    unknown = set(wanted or ()) - set(BUILTIN) - set(CAMERAS)
+    if unknown:
+        sys.exit(f"{tool}: no scene is called {', '.join(sorted(unknown))}; there are "
+                 + ", ".join([*BUILTIN, *CAMERAS]) + ".")
+    if missing and (named or set(missing) & set(wanted or ())):
+        sys.exit(f"{tool}: {folder} lacks {', '.join(missing)}.")
+    if missing:
+        print(f"Left out, for $AGAA_SCENES does not name their folder: {', '.join(missing)}.", flush=True)
+    scenes = [(name, name, "") for name in BUILTIN]
+    scenes += [(name, str(files[name]), camera) for name, camera in CAMERAS.items() if name not in missing]
+    return [scene for scene in scenes if not wanted or scene[0] in wanted]
+
+
+def require_harness(tool, harness):
+    if not harness.exists():
+        sys.exit(f"{tool}: {harness} is not there; run scripts/build first.")
+
+
+class Runs:
+    """Calls of the sample engine. What is kept below OUT/work is not made again, so that a run that is broken off
+    goes on; it belongs to the settings, and others are refused."""
+
+    def __init__(self, tool, harness, out, settings):
+        require_harness(tool, harness)
+        self.tool = tool
+        self.harness = harness
+        self.work = out / "work"
+        self.work.mkdir(parents=True, exist_ok=True)
+        if any(self.work.glob("*.json")) and self.load("settings") != settings:
+            sys.exit(f"{tool}: {self.work} is of other settings; take another folder.")
+        self.store("settings", settings)
+
+    def call(self, *arguments):
+        """The JSON that a command of the sample engine prints."""
+        done = subprocess.run([self.harness, *map(str, arguments), "--json"], capture_output=True, text=True)
+        if done.returncode != 0:
+            last = done.stderr.strip().splitlines()[-1:] or ["no message"]
+            sys.exit(f"{self.tool}: {' '.join(map(str, arguments))}: exit status {done.returncode}: {last[0]}")
+        return json.loads(done.stdout)
+
+    def load(self, name):
+        path = self.work / f"{name}.json"
+        return json.loads(path.read_text()) if path.exists() else None
+
+    def store(self, name, value):
+        part = self.work / f"{name}.part" # a whole file or none
+        part.write_text(json.dumps(value))
+        part.rename(self.work / f"{name}.json")
+
+    def kept(self, name, make):
+        """What make() gave when it was called first."""
+        value = self.load(name)
+        if value is None:
+            value = make()
+            self.store(name, value)
+        return value
+
+
+def view_options(source, camera, size):
+    return ["--scene", source, "--size", size] + ([f"--camera={camera}"] if camera else [])
