@@ -299,7 +299,11 @@ def document(results):
     if results.get("rows"):
         lines += ["Of a full sweep's rows only these were measured: " + ", ".join(results["rows"]) + ".", ""]
     for backend in results["backends"]:
-        scenes = [s for s in backend["scenes"] if find(s, "single", 1) and not s.get("plain")]
+        measured = [s for s in backend["scenes"] if not s.get("plain")]
+        scenes = [s for s in measured if find(s, "single", 1)]
+        if len(scenes) < len(measured):
+            lines += ["Left out, without `single`, which others are set beside: " + ", ".join(
+                      s["name"].replace("_", "\\_") for s in measured if s not in scenes) + ".", ""]
         if not scenes:
             continue
         speeds, merges = speed_rows(scenes), merge_rows(scenes)

@@ -79,7 +79,7 @@ bool isDone(json& results, const Task& task) {
 // "scene" or "scene@ex,ey,ez,tx,ty,tz,fov".
 Task parseTask(const std::string& backend, const std::string& text, bool isPlain = false) {
     const size_t at = text.rfind('@');
-    if (at == std::string::npos)
+    if (at == std::string::npos || fs::exists(text)) // paths may hold one
         return {backend, text, "", isPlain};
     return {backend, text.substr(0, at), text.substr(at + 1), isPlain};
 }

@@ -83,9 +83,9 @@ async function updateCompare(choices) {
     byId("slider").dataset.shape = first.naturalWidth / first.naturalHeight;
     byId("slider-left").src = first.src;
     byId("slider-right").src = url;
-    byId("slider-left").alt = left.name;
-    byId("slider-right").alt = right.name;
     const words = {image: "", between: "left − this: ", reference: "difference to the reference: ", heat: "shading events: "};
+    byId("slider-left").alt = left.name;
+    byId("slider-right").alt = words[mode] + right.name;
     byId("side-left").textContent = "◀ " + left.name;
     byId("side-right").textContent = words[mode] + right.name + " ▶";
     byId("slider").dataset.mode = mode;
