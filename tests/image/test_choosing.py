@@ -8,7 +8,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-TOOL = Path(__file__).resolve().parents[2] / "tools" / "report" / "choosing.py"
+ROOT = Path(__file__).resolve().parents[2]
+TOOL = ROOT / "tools" / "report" / "choosing.py"
 sys.path.insert(0, str(TOOL.parent))
 import choosing
 
@@ -143,6 +144,12 @@ class Choosing(unittest.TestCase):
         self.assertIn("at most 0.75 of the error of sbaa S=2 on 1 of 1 scenes", text)
         self.assertIn("| metal (dense) | 8 | 2.00 | 1.60 | 0.80 | 0.86 | not measured | not measured | 1.5 | not measured | "
                       "not measured |", text)
+
+    def test_the_kept_document_is_of_the_kept_results(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "choosing.md"
+            subprocess.run([sys.executable, TOOL, ROOT / "docs/results/lavapipe/sweep/results.json", out], check=True)
+            self.assertEqual(out.read_text(), (ROOT / "docs/choosing.md").read_text())
 
     def test_refuses_what_is_no_sweep(self):
         with tempfile.TemporaryDirectory() as folder:
