@@ -289,6 +289,42 @@ class Shown(unittest.TestCase):
         self.assertTrue(holds.startswith("on 0 of 2; not on bamboo"), holds)
         self.assertIn("lobe", why)
 
+    def test_one_geometry_pass_and_presets(self):
+        self.open()
+        scenes = self.results["backends"][0]["scenes"][:2]
+
+        def pick(scene, tier, preset="", cost=1):
+            return next(row for row in scene["rows"] if row["technique"] == "agaa" and row["n"] == 8 and row["preset"] == preset
+                        and (preset or row["c"] == 2) and row["shadingCost"] == cost and row["tiers"]["generation"] == tier)
+
+        def frames(row):
+            return row["frameMs"]["median"]
+
+        for cost in (1, 4):
+            self.choose("cost", f"{cost}×")
+            lines = {line[0]: line[1:] for line in self.rows("#one-pass")}
+            for scene in scenes:
+                theirs = next(row for row in scene["rows"] if (row["technique"], row["n"], row["shadingCost"])
+                              == ("simple_complex", 8, cost))
+                rows = [pick(scene, tier, cost=cost) for tier in ("post-depth-atomics", "gbuffer", "ids")]
+                for row, shown in zip(rows, lines[scene["name"]]):
+                    errors = row["errorReference"]["mseTm"] / theirs["errorReference"]["mseTm"]
+                    self.assertEqual(shown, f"{frames(theirs) / frames(row):.2f}×\nerror {errors:.2f}×")
+                self.assertEqual(lines[scene["name"]][3], f"{frames(rows[2]) / frames(rows[0]):.2f}×")
+        (name, *cells), = self.rows("#presets")[1:]
+        self.assertEqual(name, "accurate by id n=8")
+        ratios = {scene["name"]: frames(pick(scene, "ids", "accurate")) / frames(pick(scene, "post-depth-atomics")) for scene in scenes}
+        worst = max(ratios, key=ratios.get)
+        self.assertEqual(cells[0], f"{sum(ratios.values()) / 2:.2f}×\n{min(ratios.values()):.2f}× to {ratios[worst]:.2f}× ({worst})")
+        singles = [rows_of(scene)["single", 1, 0] for scene in scenes]
+        shares = [pick(scene, "ids", "accurate")["errorSameSamples"]["mseTm"] / single["errorReference"]["mseTm"]
+                  for scene, single in zip(scenes, singles)]
+        self.assertAlmostEqual(float(cells[2].split("\n")[0]) / (sum(shares) / 2), 1, delta=0.006)
+        self.assertEqual(cells[3], "–", "no row of the preset paper")
+        self.choose("backend", "OpenGL")
+        self.choose("scene", "quick <b>")
+        self.assertEqual([line[0] for line in self.rows("#one-pass")], ["scene", "metal"])
+
     def test_ratios_and_effects(self):
         self.open()
         ratios = {line[0]: line[1:] for line in self.rows("#papers")}

@@ -21,7 +21,7 @@ CHART_JS = ["/usr/share/javascript/chart.js/chart.min.js",
 SLIDER = HERE / "vendor" / "img-comparison-slider-8.0.7.min.js"
 # Later files use names of earlier ones.
 SCRIPTS = ["data.js", "maths.js", "dom.js", "charts.js", "pareto.js", "bars.js", "tables.js",
-           "papers.js", "claims.js", "compare.js", "main.js"]
+           "papers.js", "onepass.js", "claims.js", "compare.js", "main.js"]
 
 
 def find_chart_js(chosen):

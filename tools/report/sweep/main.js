@@ -47,6 +47,7 @@ function showCost() {
     showErrors();
     showStages(backend, rows);
     showMemory(rows);
+    showOnePass(backend, cost);
     showPapers(backend, scene, rows, cost);
 }
 
@@ -69,6 +70,7 @@ function showBackend() {
     const same = scenes.find(({text}) => text === name);
     byId("scene").value = same?.value ?? scenes[0]?.value ?? "";
     showClaims(backend);
+    showPresets(backend);
     showAblation(chosen().backend);
     showScene();
 }
