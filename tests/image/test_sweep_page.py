@@ -320,7 +320,10 @@ class Shown(unittest.TestCase):
         shares = [pick(scene, "ids", "accurate")["errorSameSamples"]["mseTm"] / single["errorReference"]["mseTm"]
                   for scene, single in zip(scenes, singles)]
         self.assertAlmostEqual(float(cells[2].split("\n")[0]) / (sum(shares) / 2), 1, delta=0.006)
-        self.assertEqual(cells[3], "–", "no row of the preset paper")
+        against = [pick(scene, "ids", "accurate")["errorReference"]["mseTm"] / rows_of(scene)["ssaa", 8, 0]["errorReference"]["mseTm"]
+                   for scene in scenes]
+        self.assertEqual(cells[3].split("\n")[0], f"{sum(against) / 2:.2f}×")
+        self.assertEqual(cells[4], "–", "no row of the preset paper")
         self.choose("backend", "OpenGL")
         self.choose("scene", "quick <b>")
         self.assertEqual([line[0] for line in self.rows("#one-pass")], ["scene", "metal"])

@@ -73,10 +73,13 @@ function showPresets(backend) {
     const over = (key) => (row) => finite(field(row, "temporal", key));
     fill("presets", tableOf("Presets over all scenes, lighting 1×: the median, below it the least to the greatest. Frames and "
         + "shading events by those of agaa c=2 by two passes at the same n; mseTm against ssaa at the same n by that of single "
-        + "against the reference; bias² and variance over shifts of parts of a pixel by those of the preset paper at the same n.",
-    ["<preset", "frame", "events", "mseTm ÷ single", "bias² ÷ paper", "variance ÷ paper"],
+        + "against the reference, and against the reference by that of ssaa at the same n; bias² and variance over shifts of parts "
+        + "of a pixel by those of the preset paper at the same n.",
+    ["<preset", "frame", "events", "mseTm ÷ single", "÷ ssaa, reference", "bias² ÷ paper", "variance ÷ paper"],
     [...kinds].map(([name, kind]) => [name,
         overScenes(scenes, by(kind, frameMs, twice), ratioText), overScenes(scenes, by(kind, eventsOf, twice), ratioText),
-        overScenes(scenes, share(kind), significant), overScenes(scenes, by(kind, over("biasSquared"), paper), ratioText),
+        overScenes(scenes, share(kind), significant),
+        overScenes(scenes, by(kind, (row) => errorOf(row, METRICS.mseTm), (rows, n) => find(rows, "ssaa", n)), ratioText),
+        overScenes(scenes, by(kind, over("biasSquared"), paper), ratioText),
         overScenes(scenes, by(kind, over("variance"), paper), ratioText)])));
 }
