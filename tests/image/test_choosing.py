@@ -116,6 +116,11 @@ class Choosing(unittest.TestCase):
         self.assertAlmostEqual(choosing.win_cost(self.scene, 8), 1.5)
         self.assertIsNone(choosing.win_cost(self.scene, 32))
         agaa = choosing.find(self.scene, "agaa", 8, 2, cost=4)
+        heaviest = [row("simple_complex", 8, 0, 3300, 0.9e-3, cost=16), row("agaa", 8, 2, 2600, 0.9e-3, cost=16)]
+        self.scene["rows"] += heaviest  # 100 + 200 s against 200 + 150 s
+        self.assertAlmostEqual(choosing.win_cost(self.scene, 8), 2)
+        self.scene["rows"].pop()
+        self.assertAlmostEqual(choosing.win_cost(self.scene, 8), 1.5, msg="of those that both were measured at")
         agaa["frameMs"]["median"] = 1200  # no lighting is heavy enough
         self.assertEqual(choosing.cost_text(self.scene, 8), "beyond 16")
         agaa["frameMs"]["median"] = 250

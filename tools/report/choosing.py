@@ -149,17 +149,18 @@ def ratios(scene, n, by=None, cost=1):
 
 
 def win_cost(scene, n, by=None):
-    """From which shading cost on agaa's frame is the shorter, by the lines through costs 1 and 4: 0 where it
-    is up to 16, infinite where it is not for long; None where it was not measured."""
-    def line(technique, c, way_taken):
-        one, four = (find(scene, technique, n, c, cost, way_taken) for cost in (1, 4))
-        if one is None or four is None:
-            return None
-        slope = (frame(four) - frame(one)) / 3
-        return frame(one) - slope, slope
-    a, b = line("simple_complex", 0, None), line("agaa", 2, by)
-    if a is None or b is None:
+    """From which shading cost on agaa's frame is the shorter, by the lines through the least and the largest cost
+    that both were measured at: 0 where it is up to 16, infinite where it is not for long; None where they were not."""
+    def rows(cost):
+        return find(scene, "simple_complex", n, 0, cost), find(scene, "agaa", n, 2, cost, by)
+    costs = [cost for cost in (1, 4, 16) if None not in rows(cost)]
+    if len(costs) < 2 or costs[0] != 1:
         return None
+
+    def line(one, heavy):
+        slope = (frame(heavy) - frame(one)) / (costs[-1] - 1)
+        return frame(one) - slope, slope
+    a, b = map(line, rows(1), rows(costs[-1]))
     behind, gain = b[0] - a[0], a[1] - b[1]
     if gain <= 0:
         return 0.0 if behind < 16 * gain else math.inf
@@ -331,8 +332,8 @@ def document(results):
                             "events by c=2", "frame by c=2", "bytes a pixel"], presets)
         lines += ["### simple\\_complex by agaa c=2", "",
                   "Ratios above 1 are for `agaa`. The last three columns: how many times heavier than with the "
-                  "scene's own lights shading must be for `agaa` to have the shorter frame; “any”: it has it with "
-                  "these.", ""]
+                  "scene's own lights shading must be for `agaa` to have the shorter frame, by the lines through "
+                  "the frames at 1 and at 16, or 4, times; “any”: it has it with these.", ""]
         lines += table(["scene", "n", "events", "shading", "shading by events", "frame, two passes",
                         "frame, from a G-buffer", "frame, by id", "wins from, two passes", "wins from, G-buffer",
                         "wins from, by id"], speeds)
