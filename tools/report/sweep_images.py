@@ -109,7 +109,7 @@ def take_images(results, folder, most_bytes):
         # Once the room is used up the rest, some gigabytes of a whole sweep, is not even read.
         png = read_image(folder, name) if room > 0 else None
         if png is None:
-            left_out += room <= 0 and isinstance(name, str)
+            left_out += isinstance(name, str)
             continue
         digest = hashlib.sha256(png).digest()
         if digest not in ids:

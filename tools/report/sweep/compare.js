@@ -130,7 +130,7 @@ function showCompare(scene) {
             element("div", {className: "frame"}, slider)),
         element("p", {className: "hint", textContent: "Drag the line, or use the arrow keys on it. Brighter pixels of the map "
             + "of shading events were lit more often." + (results.imagesLeftOut ? ` ${results.imagesLeftOut} images of this sweep `
-            + "are left out of this page to keep it small; they lie beside its results." : "")}));
+            + "are not on this page, which takes a part of those beside its results to stay small." : "")}));
     for (const select of selects)
         select.addEventListener("change", () => updateCompare(choices));
     updateCompare(choices);
