@@ -47,6 +47,7 @@ struct PlanArguments {
     bool splitSurfaces = false;
     bool lit = false;
     bool buffered = false;
+    uint32_t unfetchedEvery = 0; // of the tier ids: each so-manieth draw is one that cannot be fetched; 0: none
     std::string view = "none";
     std::string preset; // or empty
     double glossWeight = 0;

@@ -32,7 +32,6 @@ struct RenderArguments {
     uint32_t warmup = 0;
     std::vector<std::string> without; // effects that are left out
     uint32_t drawOrderSeed = 0;
-    uint32_t unfetchedEvery = 0;
     uint32_t spp = 512; // of reference
     bool noCounters = false;
     bool noTimestamps = false;

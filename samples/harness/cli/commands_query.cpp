@@ -123,7 +123,7 @@ void runMemory(const PlanArguments& arguments, const DeviceArguments& device, bo
     const Configuration configuration(arguments);
     const auto caps = planningDevice(configuration, device);
     const AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
-    const AgaaFetchFunction fetch = anyFetch(true);
+    const AgaaFetchFunction fetch = anyFetch(arguments.unfetchedEvery == 0);
     const AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.reversedZ);
     Sdk sdk;
     AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
@@ -164,7 +164,7 @@ void runPlan(const RenderArguments& arguments, bool sceneGiven, bool asJson) {
     for (const std::string& effect : arguments.without)
         leaveOut(effect, facts);
     const auto caps = planningDevice(configuration, arguments.device);
-    const AgaaFetchFunction fetch = anyFetch(arguments.unfetchedEvery == 0);
+    const AgaaFetchFunction fetch = anyFetch(arguments.plan.unfetchedEvery == 0);
     AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.plan.reversedZ);
     if (arguments.device.clipZFromMinusOne)
         view.flags |= AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;

@@ -45,7 +45,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
         leaveOut(effect, settings.facts);
     settings.reversedZ = arguments.plan.reversedZ;
     settings.drawOrderSeed = arguments.drawOrderSeed;
-    settings.unfetchedEvery = arguments.unfetchedEvery;
+    settings.unfetchedEvery = arguments.plan.unfetchedEvery;
     settings.frames = arguments.frames;
     settings.warmup = arguments.warmup;
     const auto jitter = parseNumbers(arguments.jitter, 2, "--jitter");

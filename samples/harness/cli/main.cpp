@@ -35,11 +35,12 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--gloss-weight", a.glossWeight, "agaa by id or from a G-buffer: of shading normals");
     app.add_flag("--lit", a.lit, "agaa by id or from a G-buffer: lit statistics for the lights with shadows");
     app.add_flag("--buffered", a.buffered, "agaa by id or from a G-buffer: aggregates in memory, shaded by a pass of their own");
+    app.add_option("--unfetched-every", a.unfetchedEvery, "agaa by id: so many-th draws that cannot be fetched");
     app.add_option("--view", a.view, "show events, aggregates, clusters, primitives, lit, widened or tier");
     app.add_option("--shadow-taps", a.shadowTaps, "per aggregate, at most; 0: 8");
     app.add_option("--shading-cost", a.shadingCost, "evaluate lighting this many times");
     app.add_flag("--split-surfaces", a.splitSurfaces, "agaa: one surface may make several aggregates");
-    app.add_flag("--first-sample-routing", a.firstSampleRouting, "the paper's algorithm 2 (c)");
+    app.add_flag("--first-sample-routing", a.firstSampleRouting, "the paper's algorithm 2, step 2 (c)");
     app.add_flag("--no-diffuse-filter", a.noDiffuseFilter);
     app.add_flag("--no-shadow-filter", a.noShadowFilter);
     app.add_flag("--shadow-along-depth", a.shadowAlongDepth, "the paper's shadow taps");
@@ -74,7 +75,6 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
     app.add_option("--frames", a.frames)->check(CLI::Range(1u, 100000u));
     app.add_option("--warmup", a.warmup);
     app.add_option("--without", a.without, "specular, emissive, ambient or shadows; repeatable");
-    app.add_option("--unfetched-every", a.unfetchedEvery, "agaa by id: so many-th draws that cannot be fetched");
     app.add_option("--draw-order-seed", a.drawOrderSeed, "shuffle draws");
     app.add_option("--png", a.png);
     app.add_option("--exr", a.exr);
@@ -108,6 +108,7 @@ int run(int argc, char** argv) {
     DeviceArguments memoryDevice;
     CLI::App* memory = command("memory", "bytes of a view; needs no GPU");
     addPlanOptions(*memory, memoryPlan);
+    addShadingOptions(*memory, memoryPlan);
     memory->add_option("--backend", memoryDevice.backend, "ask this device instead of a model");
 
     RenderArguments planArguments;
