@@ -109,7 +109,7 @@ typedef enum AgaaTier {
 #define AGAA_CONFIG_SHADOW_ALONG_DEPTH UINT64_C(0x80) /* AGAA 3.5.3: taps along the view ray by the
                                                          aggregate's depth variance, not at samples */
 #define AGAA_CONFIG_NO_STENCIL UINT64_C(0x20) /* first come, first kept; not repeatable on ties */
-#define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2 (c), for comparison */
+#define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2, step 2 (c), for comparison */
 #define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x200) /* of "agaa": samples of one surface are clustered like all
                                                       others (AGAA 3.3), so that distance may part them */
 #define AGAA_CONFIG_BUFFERED UINT64_C(0x400) /* of "agaa": aggregates go to memory, the surface "aggregates", and a
@@ -174,7 +174,8 @@ typedef struct AgaaConfig {
      AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.03f, 0.02f, 0.0f, 0.0f, 0.0f, AGAA_SEEDS_MAXIMIN, 0,   \
      AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0, 0.0f, 0}
 
-/* Named settings of "agaa", from measurements (docs/choosing.md): "paper", as its sections say; "fast", "balanced"
+/* Named settings of "agaa", from measurements (docs/choosing.md): "paper", as its sections say, but that each sample
+ * goes to its own aggregate (AGAA_CONFIG_FIRST_SAMPLE_ROUTING) and k stays as it is (the paper: 10 cm); "fast", "balanced"
  * and "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf, litShadows (the first
  * shadow), glossWeight and what flags say of clustering and filters; leaves the rest. The last two want
  * materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER. */
