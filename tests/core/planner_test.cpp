@@ -159,20 +159,47 @@ TEST(Planner, EffectsTheSceneDoesNotCallForLeaveNoTrace) {
         EXPECT_NE(std::find(rich.effects.begin(), rich.effects.end(), effect), rich.effects.end());
 }
 
+void expectShadersOf(const ViewSpec& spec) {
+    for (const Pass& pass : planFor(spec, fourSampleDevice()).passes)
+        EXPECT_TRUE(pass.kind != PassKind::Compute || !embeddedSpirv(pass.shader).empty()) << pass.shader;
+}
+
 TEST(Planner, EveryShaderOfEveryPlanIsInTheLibrary) {
     for (const Technique* technique : techniques())
         for (uint32_t samples : {1u, 4u, 8u, 32u})
             for (uint32_t maps : {0u, 1u, 4u})
-                for (uint64_t flags : {UINT64_C(0), AGAA_CONFIG_COUNTERS}) {
+                for (uint64_t flags : {UINT64_C(0), AGAA_CONFIG_COUNTERS})
+                    for (uint64_t view : {UINT64_C(0), AGAA_VIEW_COMPOSITE}) {
+                        ViewSpec spec;
+                        spec.technique = technique->name;
+                        spec.samples = samples;
+                        spec.shadowMaps = maps;
+                        spec.configFlags = flags;
+                        spec.viewFlags = view;
+                        expectShadersOf(spec);
+                    }
+}
+
+// Passes that call functions of the host's are compiled with them; these call none.
+TEST(Planner, EveryShaderOfEveryWayOfAgaaIsInTheLibrary) {
+    for (uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u})
+        for (uint32_t tier : {AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER})
+            for (uint64_t flags : {UINT64_C(0), AGAA_CONFIG_COUNTERS, AGAA_CONFIG_SPLIT_SURFACES, AGAA_CONFIG_BUFFERED,
+                                   AGAA_CONFIG_BUFFERED | AGAA_CONFIG_COUNTERS})
+                for (const char* preset : {"", "paper", "fast", "balanced", "accurate"}) {
+                    const bool isLit = std::string_view(preset) == "balanced" || std::string_view(preset) == "accurate";
+                    if (isLit && (tier != AGAA_TIER_GBUFFER || flags & AGAA_CONFIG_BUFFERED))
+                        continue; // is refused
                     ViewSpec spec;
-                    spec.technique = technique->name;
                     spec.samples = samples;
-                    spec.shadowMaps = maps;
-                    spec.configFlags = flags;
-                    for (const Pass& pass : planFor(spec, fourSampleDevice()).passes)
-                        EXPECT_TRUE(pass.kind != PassKind::Compute ||
-                                    !embeddedSpirv(pass.shader).empty())
-                            << pass.shader;
+                    spec.change = [&](AgaaConfig& config) {
+                        if (*preset) {
+                            ASSERT_EQ(agaaApplyPreset(preset, &config), AGAA_OK);
+                        }
+                        config.generationTier = tier;
+                        config.flags |= flags;
+                    };
+                    expectShadersOf(spec);
                 }
 }
 

@@ -13,8 +13,9 @@ namespace agaa::test {
 template <class Host>
 class DebugViewCases : public testing::Test {
 protected:
-    Shown render(const char* technique, uint32_t tier, uint32_t view) {
+    Shown render(const char* technique, uint32_t tier, uint32_t view, uint32_t ndf = AGAA_NDF_TOKSVIG) {
         ViewSettings settings;
+        settings.config.ndf = ndf;
         settings.config.technique = technique;
         settings.config.generationTier = tier;
         settings.config.debugView = view;
@@ -56,9 +57,18 @@ TYPED_TEST_P(DebugViewCases, LitIsTheShareOfLight) {
     function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return position.x > 0.0 ? "
                     "1.0 : 0.25; }";
     function.shadows = 1;
-    for (const char* technique : {"ssaa", "agaa"}) {
+    struct Way {
+        const char* technique;
+        uint32_t tier, litShadows;
+    };
+    for (const auto& [technique, tier, litShadows] :
+         {Way{"ssaa", AGAA_TIER_AUTO, 0}, {"agaa", AGAA_TIER_PER_SAMPLE, 0}, {"agaa", AGAA_TIER_GBUFFER, 0},
+          {"agaa", AGAA_TIER_GBUFFER, 1}, {"agaa", AGAA_TIER_IDS, 0}, {"agaa", AGAA_TIER_IDS, 1}}) {
+        SCOPED_TRACE(std::string(agaaTierName(tier)) + (litShadows ? ", lit" : ""));
         ViewSettings settings;
         settings.config.technique = technique;
+        settings.config.generationTier = tier;
+        settings.config.litShadows = litShadows;
         settings.config.debugView = AGAA_DEBUG_VIEW_LIT;
         settings.facts.shadowMapCount = 1;
         settings.chained = &function;
@@ -93,51 +103,65 @@ TYPED_TEST_P(DebugViewCases, SharesLieInTheirRange) {
         const Shown widened = this->render("agaa", tier, AGAA_DEBUG_VIEW_WIDENED);
         EXPECT_GT(widened.counters.widenedLobes, 0u);
         EXPECT_GT(this->sumOfRed(widened), 0);
+        EXPECT_LE(this->sumOfRed(widened), double(widened.counters.widenedLobes));
         for (float value : widened.rgb) {
             ASSERT_GE(value, 0);
             ASSERT_LE(value, 1);
         }
+        const Shown narrow = this->render("agaa", tier, AGAA_DEBUG_VIEW_WIDENED, AGAA_NDF_NONE);
+        EXPECT_EQ(narrow.counters.widenedLobes, 0u);
+        EXPECT_EQ(this->sumOfRed(narrow), 0);
     }
 }
 
-// A pixel of one aggregate has its colour, one of several a mixture.
+// A pixel of one aggregate has its colour, one of several a mixture; the tier's is brighter where there are several.
 TYPED_TEST_P(DebugViewCases, ColoursTellClustersAndTiersApart) {
-    const Shown clusters = this->render("agaa", AGAA_TIER_AUTO, AGAA_DEBUG_VIEW_CLUSTERS);
-    const Shown number = this->render("agaa", AGAA_TIER_AUTO, AGAA_DEBUG_VIEW_AGGREGATES);
-    size_t whole = 0, mixed = 0;
-    for (size_t i = 0; i < clusters.rgb.size(); i += 3) {
-        const bool isFirst =
-            std::fabs(clusters.rgb[i + 2] - 0.45f) < 2e-3f && clusters.rgb[i] < 1e-3f;
-        if (number.rgb[i] == 1) {
-            ASSERT_TRUE(isFirst);
-            ++whole;
-        } else if (number.rgb[i] > 1) {
-            ASSERT_FALSE(isFirst);
-            ++mixed;
-        }
-    }
-    EXPECT_GT(whole, 0u);
-    EXPECT_GT(mixed, 0u);
-    const Shown two = this->render("agaa", AGAA_TIER_AUTO, AGAA_DEBUG_VIEW_TIER);
-    const Shown gbuffer = this->render("agaa", AGAA_TIER_GBUFFER, AGAA_DEBUG_VIEW_TIER);
-    const auto expectColour = [&](const Shown& shown, glm::vec3 colour) {
-        for (size_t i = 0; i < number.rgb.size(); i += 3)
-            for (size_t c = 0; c < 3; ++c) {
-                const float events = number.rgb[i];
-                const float bright = events == 0 ? 0.0f : events == 1 ? 0.5f : 1.0f;
-                ASSERT_NEAR(shown.rgb[i + c], bright * colour[int(c)], 2e-3f);
+    for (const auto& [tier, colour] : {std::pair{AGAA_TIER_AUTO, glm::vec3(0.9f, 0.4f, 0.0f)},
+                                       {AGAA_TIER_GBUFFER, glm::vec3(0.0f, 0.17f, 0.9f)},
+                                       {AGAA_TIER_IDS, glm::vec3(0.0f, 0.6f, 0.2f)}}) {
+        SCOPED_TRACE(agaaTierName(tier));
+        const Shown clusters = this->render("agaa", tier, AGAA_DEBUG_VIEW_CLUSTERS);
+        const Shown number = this->render("agaa", tier, AGAA_DEBUG_VIEW_AGGREGATES);
+        const Shown tiers = this->render("agaa", tier, AGAA_DEBUG_VIEW_TIER);
+        size_t whole = 0, mixed = 0;
+        for (size_t i = 0; i < clusters.rgb.size(); i += 3) {
+            const float aggregates = number.rgb[i];
+            const bool isFirst = std::fabs(clusters.rgb[i + 2] - 0.45f) < 2e-3f && clusters.rgb[i] < 1e-3f;
+            if (aggregates > 0) {
+                ASSERT_EQ(isFirst, aggregates == 1);
             }
-    };
-    expectColour(two, {0.9f, 0.4f, 0.0f});
-    size_t blue = 0; // shading normals part other pixels than geometric ones do
-    for (size_t i = 0; i < gbuffer.rgb.size(); i += 3) {
-        ASSERT_EQ(gbuffer.rgb[i], 0);
-        blue += gbuffer.rgb[i + 2] > 0.4f;
+            whole += aggregates == 1;
+            mixed += aggregates > 1;
+            const float bright = aggregates == 0 ? 0.0f : aggregates == 1 ? 0.5f : 1.0f;
+            for (size_t c = 0; c < 3; ++c)
+                ASSERT_NEAR(tiers.rgb[i + c], bright * colour[int(c)], 2e-3f);
+        }
+        EXPECT_GT(whole, 0u);
+        EXPECT_GT(mixed, 0u);
     }
-    EXPECT_EQ(blue, gbuffer.counters.shadedPixels);
+}
+
+// By id, pixels with samples that came from a G-buffer have that tier's colour.
+TYPED_TEST_P(DebugViewCases, UnfetchedSamplesShowTheirTier) {
+    ViewSettings settings;
+    settings.config.generationTier = AGAA_TIER_IDS;
+    settings.config.debugView = AGAA_DEBUG_VIEW_TIER;
+    settings.facts.shadowMapCount = 0;
+    settings.shader = ViewSettings::Shader::ThirdUnfetched;
+    const Shown shown =
+        show(this->context, settings,
+             {.triangles = randomTriangles({.triangles = 150}, 61), .fetchFlags = AGAA_FETCH_NOT_ALL_DRAWS});
+    size_t fetched = 0, drawn = 0;
+    for (size_t i = 0; i < shown.rgb.size(); i += 3) {
+        fetched += shown.rgb[i + 1] > shown.rgb[i + 2];
+        drawn += shown.rgb[i + 2] > shown.rgb[i + 1];
+    }
+    EXPECT_EQ(fetched + drawn, shown.counters.shadedPixels);
+    EXPECT_GT(fetched, shown.counters.shadedPixels / 3);
+    EXPECT_GT(drawn, shown.counters.shadedPixels / 4);
 }
 
 REGISTER_TYPED_TEST_SUITE_P(DebugViewCases, NumbersAreThoseOfTheCounters, LitIsTheShareOfLight,
-                            SharesLieInTheirRange, ColoursTellClustersAndTiersApart);
+                            SharesLieInTheirRange, ColoursTellClustersAndTiersApart, UnfetchedSamplesShowTheirTier);
 
 } // namespace agaa::test

@@ -28,4 +28,33 @@ uint64_t takePixelBuffers(const Prediction& prediction, std::map<uint64_t, uint3
     return bytes;
 }
 
+const std::vector<PayloadRow>& payloadRows() {
+    static const std::vector<PayloadRow> rows = [] {
+        std::vector<PayloadRow> list = {{"fxaa", 1}};
+        for (const uint32_t n : {4u, 8u})
+            list.push_back({"msaa", n});
+        for (const uint32_t n : {8u, 16u, 32u}) {
+            list.push_back({"simple_complex", n});
+            list.push_back({"sbaa", n});
+            list.push_back({"sbaa", n, AGAA_TIER_GBUFFER});
+            for (const uint64_t flags : {uint64_t(0), AGAA_CONFIG_BUFFERED}) {
+                list.push_back({"agaa", n, AGAA_TIER_GBUFFER, flags});
+                list.push_back({"agaa", n, AGAA_TIER_IDS, flags});
+                list.push_back({"agaa", n, AGAA_TIER_IDS, flags, AGAA_FETCH_NOT_ALL_DRAWS});
+            }
+        }
+        return list;
+    }();
+    return rows;
+}
+
+AgaaFetchFunction emptyFetch(uint64_t flags) {
+    AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
+    function.glsl = "void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {}\n"
+                    "void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {}\n";
+    function.maxDraws = function.maxPrimitives = 1000;
+    function.flags = flags;
+    return function;
+}
+
 } // namespace agaa::test

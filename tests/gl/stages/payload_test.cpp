@@ -199,7 +199,8 @@ protected:
         const uint64_t bufferBytes = takePixelBuffers(predicted, created.bufferSizes);
         EXPECT_EQ(created.textureBytes + bufferBytes, predicted.report.totalBytes)
             << settings.config.technique << " n=" << settings.config.samples
-            << " c=" << settings.config.aggregates << " " << settings.width << "x" << settings.height;
+            << " c=" << settings.config.aggregates << " " << agaaTierName(settings.config.generationTier) << " "
+            << settings.config.flags << " " << settings.width << "x" << settings.height;
         EXPECT_EQ(predicted.report.peakBytes, predicted.report.totalBytes) << "surfaces cannot share memory";
         AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
         EXPECT_EQ(agaaGetFrameStatistics(view, 1, &statistics), AGAA_NOT_READY);
@@ -253,7 +254,15 @@ TEST_F(GlPayload, IsWhatTheQueryPredicts) {
             settings.config.flags = AGAA_CONFIG_NO_STENCIL;
             expectPayload(settings);
         }
-    EXPECT_EQ(checked_, 74u);
+    for (const PayloadRow& row : payloadRows()) {
+        ViewSettings settings = settingsOf(row.technique, row.samples, 2, 131, 67);
+        settings.config.generationTier = row.tier;
+        settings.config.flags = row.configFlags;
+        const AgaaFetchFunction fetch = emptyFetch(row.fetchFlags);
+        settings.chained = row.tier == AGAA_TIER_IDS ? &fetch : nullptr;
+        expectPayload(settings);
+    }
+    EXPECT_EQ(checked_, 74u + payloadRows().size());
 }
 
 // The memory that uploads are written in is of the size of a buffer of theirs.

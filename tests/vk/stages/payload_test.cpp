@@ -93,15 +93,17 @@ class PayloadTest : public testing::Test {
 protected:
     PayloadTest() : context_({.getProcAddr = interceptingProcAddr}) {}
 
-    void expectPayload(const char* technique, uint32_t n, uint32_t c, const char* layoutName,
-                       uint64_t viewFlags, Size size) {
+    void expectPayload(const PayloadRow& row, uint32_t c, const char* layoutName, uint64_t viewFlags, Size size) {
         AgaaLayout layout;
         agaaGetBuiltinLayout(layoutName, &layout);
         AgaaConfig config = AGAA_CONFIG_INIT;
-        config.technique = technique;
-        config.samples = n;
+        config.technique = row.technique;
+        config.samples = row.samples;
         config.aggregates = c;
+        config.generationTier = row.tier;
+        config.flags = row.configFlags;
         config.layout = &layout;
+        const AgaaFetchFunction fetch = emptyFetch(row.fetchFlags);
         AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
         AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
         desc.width = size.width;
@@ -109,6 +111,7 @@ protected:
         desc.config = &config;
         desc.facts = &facts;
         desc.flags = viewFlags;
+        desc.pNext = row.tier == AGAA_TIER_IDS ? &fetch : nullptr;
         const Prediction predicted = predict(desc, context_.caps());
         created = {};
         AgaaView view = nullptr;
@@ -116,8 +119,8 @@ protected:
             << context_.lines.back().text;
         const uint64_t bufferBytes = takePixelBuffers(predicted, created.bufferSizes);
         EXPECT_EQ(created.imageBytes + bufferBytes, predicted.report.totalBytes)
-            << technique << " n=" << n << " c=" << c << " " << layoutName << " " << size.width
-            << "x" << size.height;
+            << row.technique << " n=" << row.samples << " c=" << c << " " << agaaTierName(row.tier) << " "
+            << row.configFlags << " " << layoutName << " " << size.width << "x" << size.height;
         agaaDestroyView(view);
         ++checked_;
     }
@@ -132,14 +135,17 @@ TEST_F(PayloadTest, IsWhatTheQueryPredicts) {
             for (const Size& size : sizes) {
                 if (size.width > 1000 && n > 8)
                     continue; // wider than the driver's images
-                expectPayload("ssaa", n, 1, layout, 0, size);
+                expectPayload({"ssaa", n}, 1, layout, 0, size);
                 for (uint32_t c = 1; c <= 4; ++c)
-                    expectPayload("agaa", n, c, layout, 0, size);
+                    expectPayload({"agaa", n}, c, layout, 0, size);
             }
     for (uint32_t n : {1u, 8u, 32u})
-        expectPayload("agaa", n, 2, "precise", AGAA_VIEW_REVERSED_Z, {17, 5});
+        expectPayload({"agaa", n}, 2, "precise", AGAA_VIEW_REVERSED_Z, {17, 5});
     for (const Size& size : sizes)
-        expectPayload("single", 1, 1, "precise", 0, size);
+        expectPayload({"single", 1}, 1, "precise", 0, size);
+    size_t turn = 0; // layouts take turns: functions are compiled for each view
+    for (const PayloadRow& row : payloadRows())
+        expectPayload(row, 2, turn++ % 2 ? "paper16" : "precise", 0, {131, 67});
     EXPECT_GT(checked_, 200u);
 }
 
