@@ -29,7 +29,7 @@ static void createGBuffer(Host* host) {
     glNamedFramebufferDrawBuffers(host->framebuffer, 2, attachments);
     require(glCheckNamedFramebufferStatus(host->framebuffer, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
             "The G-buffer cannot be drawn to.");
-    host->program = createProgram("", "", gbufferCode);
+    host->program = createProgram("", "", vertexCode, gbufferCode);
 }
 
 static void createView(Host* host) {

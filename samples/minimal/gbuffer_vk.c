@@ -130,7 +130,7 @@ static void createOwnPass(Host* host) {
     pass.renderPass = (uint64_t)gbuffer.renderPass, pass.descriptorSetLayout = (uint64_t)gbuffer.layout;
     pass.state.samples = samples, pass.state.colorAttachmentCount = 2, pass.state.colorWriteMask = 0xF;
     pass.state.depthCompare = AGAA_COMPARE_LESS, pass.state.depthWrite = 1;
-    createPasses(host, &pass, gbufferCode);
+    createPasses(host, &pass, vertexCode, gbufferCode);
 }
 
 static void drawGBuffer(const Host* host, VkCommandBuffer commands) {

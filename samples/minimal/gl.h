@@ -77,13 +77,14 @@ static void attach(GLuint program, GLenum stage, const char* extensions, const c
     glDeleteShader(shader); /* goes with the program */
 }
 
-/* Of the vertex shader that all passes share, and a fragment shader. */
-static GLuint createProgram(const char* extensions, const char* declarations, const char* code) {
+/* vertices: of the vertex shader, which all passes share; materials: of the fragment shader. */
+static GLuint createProgram(const char* extensions, const char* declarations, const char* vertices,
+                            const char* materials) {
     const GLuint program = glCreateProgram();
     GLint isLinked;
     attach(program, GL_VERTEX_SHADER, "#define VERTEX gl_VertexID\n",
-           "layout(location = 0) uniform mat4 clipFromShading;\n", vertexCode);
-    attach(program, GL_FRAGMENT_SHADER, extensions, declarations, code);
+           "layout(location = 0) uniform mat4 clipFromShading;\n", vertices);
+    attach(program, GL_FRAGMENT_SHADER, extensions, declarations, materials);
     glLinkProgram(program);
     glGetProgramiv(program, GL_LINK_STATUS, &isLinked);
     require(isLinked, "A program does not link.");

@@ -10,7 +10,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { width = 320, height = 180, frameCount = 3, maxPasses = 4, vertexCount = 15 };
+enum { width = 320, height = 180, frameCount = 3, maxPasses = 4, vertexCount = 15, drawCount = 2 };
+
+/* The first three blades are one draw, the others another. */
+static const uint32_t drawBegin[drawCount + 1] = {0, 9, vertexCount};
 
 /* Every failure ends the program with a sentence. An engine would return it. */
 static void require(int isMet, const char* sentence) {

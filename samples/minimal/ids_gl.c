@@ -9,20 +9,28 @@ typedef struct Host {
     AgaaContext context;
     AgaaView view;
     GLuint program; /* of the only pass */
-    GLuint vertexArray, camera, output;
+    GLuint vertexArray, geometry, output;
     AgaaFrame frame;
 } Host;
 
-enum { cameraBinding = 6 }; /* beyond those that the SDK's passes use */
+enum { geometryBinding = 6 }; /* beyond those that the SDK's passes use */
+#define GEOMETRY_AT "binding = 6"
 
-static const char fetchCode[] = FETCH_CODE("binding = 6"); /* cameraBinding */
+static const char numberedVertexCode[] = "layout(location = 1) uniform uint DRAW;\n" ID_VERTEX_CODE(GEOMETRY_AT);
+static const char fetchCode[] = FETCH_CODE(GEOMETRY_AT);
+
+static void createGeometry(Host* host) {
+    const Geometry geometry = describeGeometry(-1.0f);
+    glCreateBuffers(1, &host->geometry);
+    glNamedBufferStorage(host->geometry, sizeof geometry, &geometry, 0);
+}
 
 static void createView(Host* host) {
     AgaaViewDesc desc = describeView();
     AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
     function.glsl = fetchCode;
-    function.maxDraws = 1;
-    function.maxPrimitives = vertexCount / 3;
+    function.maxDraws = drawCount;
+    function.maxPrimitives = vertexCount / 3; /* of a draw, at most */
     desc.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; /* glClipControl was not called */
     desc.pNext = &function;
     CHECK(agaaGlCreateView(host->context, &desc, &host->view));
@@ -32,7 +40,7 @@ static void createPass(Host* host) {
     AgaaGlDrawPass pass = AGAA_GL_DRAW_PASS_INIT;
     uint32_t count = 1;
     CHECK(agaaGlGetDrawPasses(host->view, &count, &pass));
-    host->program = createProgram(pass.glslExtensions, pass.glslDeclarations, idCode);
+    host->program = createProgram(pass.glslExtensions, pass.glslDeclarations, numberedVertexCode, idCode);
 }
 
 static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
@@ -41,9 +49,11 @@ static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
     glViewport(0, 0, (GLsizei)target->width, (GLsizei)target->height);
     setState(&target->state);
     glUseProgram(host->program);
-    glUniformMatrix4fv(0, 1, GL_FALSE, host->frame.projection);
     glBindVertexArray(host->vertexArray);
-    glDrawArrays(GL_TRIANGLES, 0, vertexCount);
+    for (uint32_t i = 0; i < drawCount; ++i) {
+        glUniform1ui(1, i);
+        glDrawArrays(GL_TRIANGLES, (GLint)drawBegin[i], (GLsizei)(drawBegin[i + 1] - drawBegin[i]));
+    }
     return AGAA_OK;
 }
 
@@ -54,8 +64,7 @@ static void renderFrames(Host* host) {
         host->frame = describeFrame(i, -1.0f);
         host->frame.draw = draw;
         host->frame.drawUser = host;
-        glNamedBufferData(host->camera, sizeof host->frame.projection, host->frame.projection, GL_STREAM_DRAW);
-        glBindBufferBase(GL_UNIFORM_BUFFER, cameraBinding, host->camera);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, geometryBinding, host->geometry);
         CHECK(agaaGlRecordFrame(host->view, &host->frame, &glFrame));
         glFinish();
         reportFrame(host->view, i);
@@ -68,7 +77,7 @@ static void destroy(Host* host) {
     agaaDestroyContext(host->context);
     glDeleteProgram(host->program);
     glDeleteVertexArrays(1, &host->vertexArray);
-    glDeleteBuffers(1, &host->camera);
+    glDeleteBuffers(1, &host->geometry);
     glDeleteTextures(1, &host->output);
 }
 
@@ -77,7 +86,7 @@ int main(int argumentCount, char** arguments) {
     require(argumentCount == 2, "Usage: ids_gl IMAGE.ppm");
     const EGLDisplay display = beginOpenGl();
     glGenVertexArrays(1, &host.vertexArray);
-    glCreateBuffers(1, &host.camera);
+    createGeometry(&host);
     host.output = createOutput();
     host.context = createContext();
     createView(&host);

@@ -27,7 +27,8 @@ static void createPasses(Host* host) {
     CHECK(agaaGlGetDrawPasses(host->view, &host->passCount, passes));
     for (uint32_t i = 0; i < host->passCount; ++i) {
         host->keys[i] = passes[i].pipelineKey;
-        host->programs[i] = createProgram(passes[i].glslExtensions, passes[i].glslDeclarations, materialCode);
+        host->programs[i] =
+            createProgram(passes[i].glslExtensions, passes[i].glslDeclarations, vertexCode, materialCode);
     }
 }
 

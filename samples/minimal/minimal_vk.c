@@ -12,7 +12,7 @@ int main(int argumentCount, char** arguments) {
     const float* pixels = createOutput(&host);
     createContext(&host);
     CHECK(agaaVkCreateView(host.context, &view, &host.view));
-    createPasses(&host, NULL, materialCode);
+    createPasses(&host, NULL, vertexCode, materialCode);
     renderFrames(&host);
     writeImage(arguments[1], pixels);
     destroy(&host);

@@ -24,6 +24,7 @@ typedef struct Host {
     VkPipelineLayout layouts[maxPasses];
     VkPipeline pipelines[maxPasses];
     VkDescriptorSet functionSet; /* of a host's own functions; minimal_vk has none */
+    VkDescriptorSetLayout vertexSet; /* the layout of functionSet, where vertex shaders read it too */
     void (*drawOwn)(const struct Host*, VkCommandBuffer); /* what a host draws before the SDK's passes, or NULL */
     AgaaFrame frame;
 } Host;
@@ -133,11 +134,11 @@ static void createPass(Host* host, uint32_t i, const AgaaVkDrawPass* sdk, VkShad
     const VkCompareOp ops[] = {VK_COMPARE_OP_LESS, VK_COMPARE_OP_GREATER, VK_COMPARE_OP_EQUAL, VK_COMPARE_OP_ALWAYS};
     const VkShaderModule fragment =
         compile(host, GLSLANG_STAGE_FRAGMENT, sdk->glslExtensions, sdk->glslDeclarations, code);
-    const VkDescriptorSetLayout set = (VkDescriptorSetLayout)sdk->descriptorSetLayout;
+    const VkDescriptorSetLayout sets[2] = {(VkDescriptorSetLayout)sdk->descriptorSetLayout, host->vertexSet};
     const VkPushConstantRange push = {VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->frame.projection};
     const VkPipelineLayoutCreateInfo layout = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = 1, .pSetLayouts = &set,
-        .pushConstantRangeCount = 1, .pPushConstantRanges = &push};
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = host->vertexSet ? 2 : 1,
+        .pSetLayouts = sets, .pushConstantRangeCount = 1, .pPushConstantRanges = &push};
     const VkPipelineShaderStageCreateInfo stages[2] = {
         {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, .stage = VK_SHADER_STAGE_VERTEX_BIT,
          .module = vertex, .pName = "main"},
@@ -181,8 +182,9 @@ static void createPass(Host* host, uint32_t i, const AgaaVkDrawPass* sdk, VkShad
     vkDestroyShaderModule(host->device, fragment, NULL);
 }
 
-/* The SDK's, and one of the host's own or NULL. code: the material of the fragment shaders. */
-static void createPasses(Host* host, const AgaaVkDrawPass* own, const char* code) {
+/* The SDK's, and one of the host's own or NULL. vertices: of the vertex shader, which all passes share; materials: of
+ * the fragment shaders. */
+static void createPasses(Host* host, const AgaaVkDrawPass* own, const char* vertices, const char* materials) {
     AgaaVkDrawPass passes[maxPasses] = {AGAA_VK_DRAW_PASS_INIT, AGAA_VK_DRAW_PASS_INIT, AGAA_VK_DRAW_PASS_INIT,
                                         AGAA_VK_DRAW_PASS_INIT};
     host->passCount = maxPasses;
@@ -192,9 +194,9 @@ static void createPasses(Host* host, const AgaaVkDrawPass* own, const char* code
         passes[host->passCount++] = *own;
     glslang_initialize_process();
     const VkShaderModule vertex = compile(host, GLSLANG_STAGE_VERTEX, "#define VERTEX gl_VertexIndex\n",
-                                          "layout(push_constant) uniform Push { mat4 clipFromShading; };", vertexCode);
+                                          "layout(push_constant) uniform Push { mat4 clipFromShading; };\n", vertices);
     for (uint32_t i = 0; i < host->passCount; ++i)
-        createPass(host, i, &passes[i], vertex, code);
+        createPass(host, i, &passes[i], vertex, materials);
     vkDestroyShaderModule(host->device, vertex, NULL);
     glslang_finalize_process();
 }
@@ -202,7 +204,7 @@ static void createPasses(Host* host, const AgaaVkDrawPass* own, const char* code
 static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
     const Host* host = user;
     const VkCommandBuffer commands = target->commandBuffer;
-    const VkDescriptorSet set = (VkDescriptorSet)target->descriptorSet;
+    const VkDescriptorSet sets[2] = {(VkDescriptorSet)target->descriptorSet, host->functionSet};
     const VkViewport viewport = {0.0f, 0.0f, (float)target->width, (float)target->height, 0.0f, 1.0f};
     const VkRect2D scissor = {{0, 0}, {target->width, target->height}};
     uint32_t pass = 0;
@@ -212,10 +214,12 @@ static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scissor);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, host->pipelines[pass]);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, host->layouts[pass], 0, 1, &set, 0, NULL);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, host->layouts[pass], 0,
+                            host->vertexSet ? 2 : 1, sets, 0, NULL);
     vkCmdPushConstants(commands, host->layouts[pass], VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->frame.projection,
                        host->frame.projection);
-    vkCmdDraw(commands, vertexCount, 1, 0, 0);
+    for (uint32_t i = 0; i < drawCount; ++i) /* whose first instance is its number */
+        vkCmdDraw(commands, drawBegin[i + 1] - drawBegin[i], 1, drawBegin[i], i);
     return AGAA_OK;
 }
 
