@@ -84,6 +84,36 @@ class Sweep(unittest.TestCase):
         with open(self.written["results"]) as file:
             self.assertEqual(json.load(file), self.results)
 
+    def test_measures_what_is_missing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "results.json")
+            arguments = ["sweep", "--quick", "--size", "32x18", "--row", "agaa-8-2", "--out", folder, "--scene", "metal",
+                         "--scene", "furball", "--backend", "vk"]
+            harness.data(*arguments)
+            with open(path) as file:
+                first = json.load(file)
+            both = harness.run(*arguments, "--backend", "gl")
+            self.assertEqual(both.returncode, 0, both.stderr)
+            self.assertNotIn("vk", both.stderr)
+            self.assertRegex(both.stderr, r"gl furball: times of frames, \d+ s left")
+            with open(path) as file:
+                vk, gl = json.load(file)["backends"]
+            self.assertEqual([vk], first["backends"])
+            for a, b in zip(vk["scenes"], gl["scenes"]):
+                self.assertEqual(a["name"], b["name"])
+                errors = [scene["rows"][0]["errorReference"]["mseTm"] for scene in (a, b)]
+                self.assertAlmostEqual(errors[0] / errors[1], 1, delta=0.02, msg="of another scene's reference?")
+            for key in ("device", "driver"):
+                of_another = json.loads(json.dumps(first))
+                of_another["backends"][0][key] = "another"
+                with open(path, "w") as file:
+                    json.dump(of_another, file)
+                refused = harness.run(*arguments, "--scene", "bamboo")
+                self.assertEqual(refused.returncode, 1)
+                self.assertIn(f'of the {key} "another"', refused.stderr)
+                with open(path) as file:
+                    self.assertEqual(json.load(file), of_another)
+
     def test_refuses_a_folder_of_other_arguments(self):
         result = harness.run("sweep", "--scene", "metal", "--size", "64x36", "--out", self.folder.name)
         self.assertEqual(result.returncode, 1)
@@ -103,8 +133,10 @@ class Sweep(unittest.TestCase):
             with open(written["results"]) as file:
                 results = json.load(file)
             self.assertEqual(results["rows"], ["agaa-8-2", "ssaa-8"])
-            rows = results["backends"][0]["scenes"][0]["rows"]
-            self.assertEqual([(r["technique"], r["n"], r["c"]) for r in rows], [("agaa", 8, 2), ("ssaa", 8, 0)])
+            scene = results["backends"][0]["scenes"][0]
+            self.assertEqual([(r["technique"], r["n"], r["c"]) for r in scene["rows"]],
+                             [("agaa", 8, 2), ("ssaa", 8, 0)])
+            self.assertEqual({effect["preset"] for effect in scene["ablation"]}, {""}, "effects of other rows")
 
     def test_effects_where_nothing_calls_for_them(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -122,7 +154,7 @@ class Sweep(unittest.TestCase):
 
     def test_backends_share_a_reference(self):
         with tempfile.TemporaryDirectory() as folder:
-            written = harness.data("sweep", "--scene", "metal", "--size", "32x18", "--row", "agaa-8-2",
+            written = harness.data("sweep", "--scene", "metal", "--size", "32x18", "--row", "agaa-8-2", "--rounds", "3",
                                    "--backend", "vk", "--backend", "gl", "--out", folder)
             with open(written["results"]) as file:
                 vk, gl = (backend["scenes"][0] for backend in json.load(file)["backends"])

@@ -114,8 +114,10 @@ public:
                 ++skipped_;
                 continue;
             }
-            if (i == 0 || tasks_[i].scene != tasks_[i - 1].scene || tasks_[i].isPlain != tasks_[i - 1].isPlain)
+            if (tasks_[i].name() != referencesOf_) {
                 references_ = {};
+                referencesOf_ = tasks_[i].name();
+            }
             measure(tasks_[i], i);
             writeJson(out_ / "results.json", results_);
         }
@@ -124,7 +126,9 @@ public:
 
 private:
     SweepOptions options(const Task& task) const {
-        return sweepOptions(arguments_.quick, task.isPlain, arguments_.rounds);
+        SweepOptions options = sweepOptions(arguments_.quick, task.isPlain, arguments_.rounds);
+        options.effectsOfRows = !arguments_.rows.empty() && !task.isPlain;
+        return options;
     }
 
     void measure(const Task& task, size_t index) {
@@ -144,6 +148,7 @@ private:
         }
         const RenderSettings settings = renderSettings(a, configuration, scene);
         const auto renderer = makeRenderer(a.device);
+        claimDevice(task.backend, renderer->caps());
         renderer->load(scene);
         const std::string name = task.name();
         const std::vector<SweepRow> rows = task.isPlain ? namedSweepRows({"agaa-8-2"}) : rows_;
@@ -157,10 +162,19 @@ private:
         result["camera"] = task.camera;
         result["plain"] = task.isPlain;
         json& backend = backendOf(results_, task.backend);
-        backend["device"] = renderer->caps().deviceName;
-        backend["driver"] = renderer->caps().driverName;
         backend["passTimes"] = passTimes(sweep.timeSource());
         backend["scenes"].push_back(std::move(result));
+    }
+
+    // Times of a backend are compared with each other: all are of one device and driver.
+    void claimDevice(const std::string& name, const AgaaDeviceCaps& caps) {
+        json& backend = backendOf(results_, name);
+        for (const auto& [key, here] : {std::pair{"device", caps.deviceName}, {"driver", caps.driverName}}) {
+            const std::string kept = backend.emplace(key, here).first.value();
+            if (kept != here)
+                throw std::runtime_error("The sweep holds " + name + " of the " + key + " \"" + kept +
+                                         "\", and this is \"" + here + "\"; take another folder.");
+        }
     }
 
     void tell(const Task& task, const std::string& name, const std::string& step, double done) const {
@@ -178,7 +192,8 @@ private:
     std::vector<SweepRow> rows_;
     json results_;
     std::vector<Task> tasks_;
-    SceneReferences references_; // of the scene that is being measured
+    SceneReferences references_; // of the scene that was measured last
+    std::string referencesOf_; // its name
     size_t skipped_ = 0;
     std::chrono::steady_clock::time_point begin_;
 };

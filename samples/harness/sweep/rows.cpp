@@ -33,7 +33,8 @@ void SweepRow::apply(AgaaConfig& config) const {
 std::vector<SweepRow> sweepRows(bool quick) {
     if (quick)
         return {{"single"}, {"fxaa"}, {"msaa", 8}, {"ssaa", 8}, {"simple_complex", 8}, {"sbaa", 8, 2},
-                {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}, {"agaa", 8, 2, 1, AGAA_TIER_IDS}};
+                {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}, {"agaa", 8, 2, 1, AGAA_TIER_IDS},
+                {"agaa", 8, 4, 1, AGAA_TIER_IDS, "accurate"}};
     std::vector<SweepRow> rows = {{"single"}, {"fxaa"}, {"msaa", 8}};
     for (uint32_t n : {4u, 8u, 16u, 32u}) {
         rows.push_back({"ssaa", n});

@@ -15,6 +15,8 @@ SweepOptions sweepOptions(bool quick, bool ofEffects, uint32_t rounds) {
         options = {.timedRounds = 2, .effectRounds = 2};
     if (rounds)
         options.rounds = options.timedRounds = options.effectRounds = rounds;
+    if (rounds >= 32) // of a GPU, whose clocks rise with work
+        options.warmUpTurns = 32;
     if (ofEffects)
         options.rounds = options.timedRounds = 1;
     if (quick || ofEffects) {
@@ -186,6 +188,8 @@ void SceneSweep::measureErrors(Measured& m) {
 
 void SceneSweep::measureFrames() {
     const RenderSettings still = base_;
+    for (uint32_t turn = 1; turn < options_.warmUpTurns; ++turn)
+        takeTurn(turn, 0, true, [](Measured&, RenderResult&) {});
     std::map<const Measured*, TemporalAccumulator> shifts;
     for (uint32_t round = 0; round < options_.rounds; ++round) {
         step("times of frames");
@@ -247,6 +251,10 @@ json SceneSweep::ablation() {
         material.normalTexture = -1;
     json list = json::array();
     for (const SweepEffect& effect : sweepEffects()) {
+        if (options_.effectsOfRows && std::none_of(rows_.begin(), rows_.end(), [&](const Measured& m) {
+                return m.row.name() == effect.row.name();
+            }))
+            continue;
         const bool calledFor = isCalledFor(effect, scene_, base_.facts);
         std::vector<double> ms[2];
         double error[2] = {};
