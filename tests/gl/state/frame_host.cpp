@@ -3,6 +3,7 @@
 #include "gl/bindings.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 namespace agaa::test {
@@ -27,7 +28,27 @@ void main() {
     s.position = position;
     s.geometricNormal = s.normal = vec3(0.0, 0.0, 1.0);
     s.diffuse = vec3(0.8, 0.4, 0.2);
+    s.primitive = uint(gl_PrimitiveID);
+#if AGAA_SOME_UNFETCHED
+    s.draw = position.x < 0.0 ? 0u : AGAA_UNFETCHED;
+#endif
     agaa_emit(s);
+}
+)";
+
+constexpr GLuint kFetchBinding = 4, kFetchUnit = 17; // that the SDK leaves alone
+
+constexpr const char* kFetchFunctions = R"(
+layout(std430, binding = 4) readonly buffer Corners { vec4 clipCorner[3]; };
+layout(binding = 17) uniform sampler2D colour;
+void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {
+    a = clipCorner[0];
+    b = clipCorner[1];
+    c = clipCorner[2];
+}
+void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {
+    m.diffuse = textureLod(colour, vec2(0.5), 0.0).rgb;
+    m.normal = vec3(0.0, 0.0, 1.0);
 }
 )";
 
@@ -107,6 +128,19 @@ FrameHost::FrameHost(const EglContext& egl, const FrameSettings& settings, AgaaG
     const GLfloat far = 1.0f;
     gl_.ClearTexImage(shadowMap_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &far);
 
+    std::array<std::array<GLfloat, 4>, 3> corners;
+    for (size_t i = 0; i < 3; ++i) { // as kVertexShader has them
+        constexpr GLfloat x[] = {-1.5f, 1.7f, 0.1f}, y[] = {-1.2f, -0.9f, 1.4f};
+        const GLfloat z = -2.0f - 0.5f * GLfloat(i);
+        corners[i] = {x[i], y[i], -10.5f / 9.5f * z - 10.0f / 9.5f, -z};
+    }
+    gl_.CreateBuffers(1, &fetchCorners_);
+    gl_.NamedBufferStorage(fetchCorners_, sizeof corners, corners.data(), 0);
+    gl_.CreateTextures(GL_TEXTURE_2D, 1, &fetchColour_);
+    gl_.TextureStorage2D(fetchColour_, 1, GL_RGBA8, 1, 1);
+    constexpr GLubyte colour[] = {204, 102, 51, 255};
+    gl_.ClearTexImage(fetchColour_, 0, GL_RGBA, GL_UNSIGNED_BYTE, colour); // whatever unpacks pixels by now
+
     AgaaLog messages = AGAA_LOG_INIT;
     messages.callback = collect;
     messages.user = &log;
@@ -136,6 +170,16 @@ FrameHost::~FrameHost() {
     gl_.DeleteVertexArrays(1, &vertexArray_);
     gl_.DeleteTextures(1, &output);
     gl_.DeleteTextures(1, &shadowMap_);
+    gl_.DeleteTextures(1, &fetchColour_);
+    gl_.DeleteBuffers(1, &fetchCorners_);
+}
+
+void FrameHost::bindFetched() {
+    if (!settings_.fetches)
+        return;
+    gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kFetchBinding, fetchCorners_);
+    gl_.BindTextureUnit(kFetchUnit, fetchColour_);
+    gl_.BindSampler(kFetchUnit, 0);
 }
 
 AgaaResult FrameHost::createView() {
@@ -143,7 +187,7 @@ AgaaResult FrameHost::createView() {
     config.technique = settings_.technique.c_str();
     config.samples = settings_.samples;
     config.generationTier = settings_.generationTier;
-    config.flags = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS;
+    config.flags = settings_.flags | AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS;
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
     desc.width = kWidth;
@@ -151,6 +195,11 @@ AgaaResult FrameHost::createView() {
     desc.config = &config;
     desc.facts = &facts;
     desc.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE | (settings_.composite ? AGAA_VIEW_COMPOSITE : 0);
+    AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
+    fetch.glsl = kFetchFunctions;
+    fetch.maxDraws = fetch.maxPrimitives = 1;
+    fetch.flags = settings_.fetchFlags;
+    desc.pNext = settings_.fetches ? &fetch : nullptr;
     const AgaaResult result = agaaGlCreateView(context_, &desc, &view_);
     if (result != AGAA_OK)
         return result;
@@ -211,6 +260,7 @@ AgaaFrame FrameHost::frame(uint64_t segments) {
 AgaaResult FrameHost::record(const AgaaFrame& frame, uint32_t outputTexture) {
     if (frame.segments & AGAA_SEGMENT_PREPASS)
         calls.clear();
+    bindFetched();
     AgaaGlFrame glFrame = AGAA_GL_FRAME_INIT;
     glFrame.outputTexture = outputTexture;
     glFrame.shadowTextures[0] = shadowMap_;

@@ -19,6 +19,9 @@ struct FrameSettings {
     uint32_t generationTier = AGAA_TIER_AUTO;
     bool composite = false;
     bool storageImages = false;
+    uint64_t flags = 0;
+    bool fetches = false; // of the tier ids, from a buffer and a texture that are bound on entry
+    uint64_t fetchFlags = 0;
 };
 
 // Where the SDK binds what host shaders read: apart from its own passes' places.
@@ -48,6 +51,8 @@ public:
     std::vector<StateText> read() const;
     // Leaves the context as it was when the host was made, but for the bindings by number.
     void useDefaults() { defaults_.restore(); }
+    // Binds what fetching reads, if it does; recording does so, too.
+    void bindFetched();
     void clearOutput();
     std::vector<float> picture();
 
@@ -73,7 +78,7 @@ private:
     AgaaView view_ = nullptr;
     std::vector<AgaaGlDrawPass> passes_;
     std::vector<uint32_t> programs_;
-    uint32_t vertexArray_ = 0, shadowMap_ = 0;
+    uint32_t vertexArray_ = 0, shadowMap_ = 0, fetchCorners_ = 0, fetchColour_ = 0;
     AgaaLight light_{};
     AgaaShadow shadow_{};
 };

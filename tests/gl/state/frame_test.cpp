@@ -35,6 +35,10 @@ const FrameCase kCases[] = {
     {"AgaaPostDepth", {.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS}},
     {"AgaaPerSample", {.generationTier = AGAA_TIER_PER_SAMPLE}},
     {"AgaaGbuffer", {.generationTier = AGAA_TIER_GBUFFER}},
+    {"AgaaIds", {.samples = 8, .generationTier = AGAA_TIER_IDS, .fetches = true}},
+    {"AgaaIdsBuffered", {.generationTier = AGAA_TIER_IDS, .flags = AGAA_CONFIG_BUFFERED, .fetches = true}},
+    {"AgaaIdsUnfetched",
+     {.generationTier = AGAA_TIER_IDS, .fetches = true, .fetchFlags = AGAA_FETCH_NOT_ALL_DRAWS}},
 };
 
 class FrameTest : public testing::TestWithParam<std::tuple<bool, FrameCase>> {
@@ -64,6 +68,7 @@ protected:
     std::vector<StateText> scrambled(uint32_t seed) {
         host->clearOutput();
         scrambleState(watched, objects, seed);
+        host->bindFetched();
         return host->read();
     }
     // Expects draw callbacks to find this state, but for the declared bindings.
