@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace harness::test {
 namespace {
@@ -37,15 +38,17 @@ struct Row {
     uint32_t samples, aggregates;
     double share = 0.001; // of pixels that may differ by more than 4/255
     uint32_t tier = AGAA_TIER_AUTO;
+    const char* preset = ""; // that decides in the row's place
 };
 
 // The shared scenes are large: what the small ones cover in full is sampled on them, to save time.
 std::vector<Row> rowsOf(const TestScene& scene) {
     if (scene.hasCamera)
-        return {{"ssaa", 8, 1}, {"agaa", 8, 2}, {"agaa", 32, 4}, {"agaa", 8, 2, 0.001, AGAA_TIER_IDS}};
+        return {{"ssaa", 8, 1}, {"agaa", 8, 2}, {"agaa", 32, 4}, {"agaa", 8, 4, 0.001, AGAA_TIER_IDS, "accurate"}};
     return {{"single", 1, 1}, {"ssaa", 8, 1},  {"agaa", 2, 2}, {"agaa", 4, 1},
             {"agaa", 8, 2},   {"agaa", 16, 3}, {"agaa", 32, 4}, {"msaa", 8, 1},
-            {"agaa", 8, 2, 0.001, AGAA_TIER_IDS},
+            {"agaa", 8, 2, 0.001, AGAA_TIER_IDS}, {"agaa", 8, 2, 0.001, AGAA_TIER_GBUFFER},
+            {"agaa", 8, 4, 0.001, AGAA_TIER_IDS, "accurate"}, {"agaa", 8, 4, 0.001, AGAA_TIER_GBUFFER, "accurate"},
             {"sbaa", 8, 2},   {"sbaa", 32, 6}, {"simple_complex", 16, 1},
             {"fxaa", 1, 1, 0.005}}; // it decides at thresholds, where last bits tell
 }
@@ -55,20 +58,23 @@ TEST_P(GlScenes, EverySampleCountsOnceAndVulkanAgrees) {
     sharedVulkanRenderer().load(scene_);
     for (const Row& row : rowsOf(GetParam())) {
         SCOPED_TRACE(testing::Message() << row.technique << " n=" << row.samples
-                                        << " c=" << row.aggregates);
+                                        << " c=" << row.aggregates << ' ' << row.preset);
         RenderSettings s = settings();
         s.config.technique = row.technique;
         s.config.samples = row.samples;
         s.config.aggregates = row.aggregates;
         s.config.generationTier = row.tier;
+        if (*row.preset) {
+            ASSERT_EQ(agaaApplyPreset(row.preset, &s.config), AGAA_OK);
+        }
         const RenderResult gl = sharedGlRenderer().render(s);
-        const bool aggregates = gl.memory.bytesPerAggregate > 0;
+        const bool aggregates = std::string_view(row.technique) == "agaa" || std::string_view(row.technique) == "sbaa";
         expectWholeFrame(gl, aggregates ? row.aggregates : row.samples);
         const RenderResult vk = sharedVulkanRenderer().render(s);
         const double mean = meanDifference(gl.image, vk.image);
         const double share = shareAbove(gl.image, vk.image, 4.0 / 255);
-        std::printf("%-24s %-6s n=%-2u c=%u %s: OpenGL against Vulkan, mean %.4f/255, above 4/255 %.4f %%\n",
-                    GetParam().name.c_str(), row.technique, row.samples, row.aggregates, agaaTierName(row.tier),
+        std::printf("%-24s %-6s n=%-2u c=%u %s %s: OpenGL against Vulkan, mean %.4f/255, above 4/255 %.4f %%\n",
+                    GetParam().name.c_str(), row.technique, row.samples, row.aggregates, agaaTierName(row.tier), row.preset,
                     255 * mean, 100 * share);
         EXPECT_LE(mean, 0.5 / 255);
         EXPECT_LE(share, row.share);

@@ -193,8 +193,13 @@ void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* n
         const RenderResult result = renderer.render(settings);
         expectEverySampleOnce(result.statistics.back().counters);
         const double mean = meanDifference(postDepth, result.image);
-        std::printf("%-24s %-12s mean difference %.2f/255\n", name, agaaTierName(tier), 255 * mean);
+        const double psnr = -10 * std::log10(compareImages(postDepth, result.image).mseTm);
+        const double far = shareAbove(postDepth, result.image, 24.0 / 255);
+        std::printf("%-24s %-12s mean difference %.2f/255, PSNR %.1f dB, above 24/255 %.3f %%\n", name,
+                    agaaTierName(tier), 255 * mean, psnr, 100 * far);
         EXPECT_LT(mean, 0.3 / 255);
+        EXPECT_GE(psnr, 50);
+        EXPECT_LE(far, 0.0005);
     }
 }
 
