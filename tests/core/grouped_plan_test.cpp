@@ -74,6 +74,7 @@ TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
     EXPECT_TRUE(has(lit.notes, "lit shadows"));
     EXPECT_TRUE(has(lit.effects, "lit-aggregates"));
     EXPECT_TRUE(has(lit.notes, "shadows looked up at each sample: 1, up to 8 taps")) << "its price";
+    EXPECT_TRUE(has(lit.notes, "whole frames took 1.0"));
     spec.shadowMaps = 0; // an effect that the scene does not call for
     const Plan dark = planFor(spec, fourSampleDevice());
     EXPECT_EQ(dark.config.litShadows, 0u);
