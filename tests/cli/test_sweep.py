@@ -87,7 +87,7 @@ class Sweep(unittest.TestCase):
     def test_measures_what_is_missing(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "results.json")
-            arguments = ["sweep", "--quick", "--size", "32x18", "--row", "agaa-8-2", "--out", folder, "--scene", "metal",
+            arguments = ["sweep", "--quick", "--size", "32x18", "--row", "single-1", "--out", folder, "--scene", "metal",
                          "--scene", "furball", "--backend", "vk"]
             harness.data(*arguments)
             with open(path) as file:
@@ -154,7 +154,7 @@ class Sweep(unittest.TestCase):
 
     def test_backends_share_a_reference(self):
         with tempfile.TemporaryDirectory() as folder:
-            written = harness.data("sweep", "--scene", "metal", "--size", "32x18", "--row", "agaa-8-2", "--rounds", "3",
+            written = harness.data("sweep", "--scene", "metal", "--size", "32x18", "--row", "ssaa-8", "--rounds", "3",
                                    "--backend", "vk", "--backend", "gl", "--out", folder)
             with open(written["results"]) as file:
                 vk, gl = (backend["scenes"][0] for backend in json.load(file)["backends"])
