@@ -6,7 +6,7 @@ import unittest
 
 FOLDER = pathlib.Path(os.environ["AGAA_SOURCE"]) / "samples" / "minimal"
 # Every host stays below these, its scene, comments and empty lines included.
-LIMITS = {"gbuffer_gl.c": 400, "gbuffer_vk.c": 620, "ids_gl.c": 400, "ids_vk.c": 520, "minimal_gl.c": 400,
+LIMITS = {"gbuffer_gl.c": 400, "gbuffer_vk.c": 620, "ids_gl.c": 450, "ids_vk.c": 570, "minimal_gl.c": 400,
           "minimal_vk.c": 420}
 
 
