@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 
 namespace harness::test {
 
@@ -197,7 +198,9 @@ void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* n
         std::printf("%-24s %-12s mean difference %.2f/255, PSNR %.1f dB, above 24/255 %.3f %%\n", name,
                     agaaTierName(tier), 255 * mean, psnr, 100 * far);
         EXPECT_LT(mean, 0.3 / 255);
-        EXPECT_GE(psnr, 49); // 50 but on khronos_flight_helmet from a G-buffer, small as it is here: 49.5
+        // Small as it is here, the helmet's normals from a G-buffer part other aggregates: 49.5.
+        const bool isSmallHelmet = std::string_view(name) == "khronos_flight_helmet" && tier == AGAA_TIER_GBUFFER;
+        EXPECT_GE(psnr, isSmallHelmet ? 49.4 : 50);
         EXPECT_LE(far, 0.0005);
     }
 }
