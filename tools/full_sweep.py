@@ -31,6 +31,7 @@ def main():
     parser.add_argument("--backend", action="append", choices=["vk", "gl"], help="repeatable; none: both")
     parser.add_argument("--rounds", help="frames of each row; none: the usual number, 101 suits a GPU")
     parser.add_argument("--row", action="append", help="only these, as of agaa-harness sweep; repeatable")
+    parser.add_argument("--no-ablation", action="store_true", help="not what each effect costs and removes")
     arguments = parser.parse_args()
     require_harness("full_sweep", arguments.harness)
     command = [arguments.harness, "sweep", "--size", arguments.size, "--out", arguments.out]
@@ -42,7 +43,7 @@ def main():
         command += ["--row", row]
     for scene in scenes():
         command += ["--scene", scene]
-    command += ["--plain", PLAIN]
+    command += ["--no-ablation"] if arguments.no_ablation else ["--plain", PLAIN]
     begin = time.monotonic()
     result = subprocess.run(command)
     print(f"full_sweep: {(time.monotonic() - begin) / 60:.0f} minutes")

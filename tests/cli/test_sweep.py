@@ -129,6 +129,9 @@ class Sweep(unittest.TestCase):
             self.assertEqual(result.returncode, 2)
             self.assertIn("agaa-9-2", result.stderr)
             self.assertIn("agaa-8-2", result.stderr, "names those that there are")
+            result = harness.run(*arguments, "--no-ablation", "--plain", "metal")
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("--no-ablation", result.stderr)
             written = harness.data(*arguments, "--row", "agaa-8-2", "--row", "ssaa-8")
             with open(written["results"]) as file:
                 results = json.load(file)
@@ -154,11 +157,12 @@ class Sweep(unittest.TestCase):
 
     def test_backends_share_a_reference(self):
         with tempfile.TemporaryDirectory() as folder:
-            written = harness.data("sweep", "--scene", "metal", "--size", "32x18", "--row", "ssaa-8", "--rounds", "3",
-                                   "--backend", "vk", "--backend", "gl", "--out", folder)
+            written = harness.data("sweep", "--scene", "metal", "--size", "32x18", "--row", "agaa-8-2", "--rounds", "3",
+                                   "--no-ablation", "--backend", "vk", "--backend", "gl", "--out", folder)
             with open(written["results"]) as file:
                 vk, gl = (backend["scenes"][0] for backend in json.load(file)["backends"])
         self.assertEqual(vk["reference"], gl["reference"])
+        self.assertEqual((vk["ablation"], gl["ablation"]), ([], []))
         a, b = vk["rows"][0], gl["rows"][0]
         self.assertNotEqual(a["image"], b["image"])
         for over_time in ("temporal", "path"):

@@ -54,6 +54,7 @@ struct SweepArguments {
     std::vector<std::string> plain; // scenes whose effects are also measured where nothing calls for them
     std::vector<std::string> rows; // none: all
     bool quick = false;
+    bool noAblation = false;
     uint32_t rounds = 0; // 0: the usual number
 };
 

@@ -128,6 +128,7 @@ private:
     SweepOptions options(const Task& task) const {
         SweepOptions options = sweepOptions(arguments_.quick, task.isPlain, arguments_.rounds);
         options.effectsOfRows = !arguments_.rows.empty() && !task.isPlain;
+        options.ablation = !arguments_.noAblation;
         return options;
     }
 
@@ -231,6 +232,8 @@ void runSweep(const SweepArguments& arguments, bool asJson) {
     }
     if (arguments.out.find('\'') != std::string::npos)
         throw BadArgument("--out must not hold a quotation mark.");
+    if (arguments.noAblation && !arguments.plain.empty())
+        throw BadArgument("--plain is for the ablation, which --no-ablation leaves out.");
     checkScenes("--scene", arguments.scenes);
     checkScenes("--plain", arguments.plain);
     const json results = Sweep(arguments).run();

@@ -62,7 +62,7 @@ SceneSweep::SceneSweep(Renderer& renderer, const Scene& scene, const RenderSetti
         rows_.emplace_back();
         rows_.back().row = row;
     }
-    steps_ = 5 + options_.rounds + options_.timedRounds;
+    steps_ = 4 + options_.ablation + options_.rounds + options_.timedRounds;
 }
 
 void SceneSweep::step(const std::string& what) {
@@ -90,8 +90,11 @@ json SceneSweep::run() {
     measureFrames();
     measurePasses();
     measurePath();
-    step("ablation");
-    const json effects = ablation();
+    json effects = json::array();
+    if (options_.ablation) {
+        step("ablation");
+        effects = ablation();
+    }
     json rows = json::array();
     for (const Measured& m : rows_)
         rows.push_back(rowJson(m));

@@ -21,6 +21,7 @@ struct SweepOptions {
     uint32_t heavierTimedRounds = 2; // as many of these are with the rows of heavier lighting too
     uint32_t effectRounds = 4; // of frames with an effect, and of frames without it
     bool effectsOfRows = false; // only of those that are measured
+    bool ablation = true;       // whether effects are measured at all
     uint32_t pathFrames = 3;  // of a camera path
     uint32_t pathSamples = 8; // rows of more samples do not walk it
     uint32_t referenceSamples = 512;
