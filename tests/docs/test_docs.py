@@ -71,6 +71,13 @@ class Guides(unittest.TestCase):
             self.assertGreater(len(names), 30)
             self.assertEqual(sorted(names - declared), [])
 
+    def test_scripts_run_by_their_name(self):
+        scripts = [path for folder in ("tools", "scripts") for path in (ROOT / folder).rglob("*")
+                   if path.is_file() and path.read_bytes().startswith(b"#!")]
+        self.assertTrue(scripts)
+        for path in scripts:
+            self.assertTrue(os.access(path, os.X_OK), path)
+
     def test_files_exist(self):
         for document in DOCUMENTS:
             for path in re.findall(r"`((?:samples|docs|src|tools|tests)/[\w./-]+)`", document.read_text()):
