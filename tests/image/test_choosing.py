@@ -126,6 +126,9 @@ class Choosing(unittest.TestCase):
         self.assertAlmostEqual(choosing.win_cost(self.scene, 8), 1.5, msg="of those that both were measured at")
         agaa["frameMs"]["median"] = 1200  # no lighting is heavy enough
         self.assertEqual(choosing.cost_text(self.scene, 8), "beyond 16")
+        choosing.find(self.scene, "agaa", 8, 2)["frameMs"]["median"] = 200  # shorter up to what was measured
+        agaa["frameMs"]["median"] = 850
+        self.assertEqual(choosing.cost_text(self.scene, 8), "any")
         agaa["frameMs"]["median"] = 250
         choosing.find(self.scene, "agaa", 8, 2)["frameMs"]["median"] = 100
         self.assertEqual(choosing.cost_text(self.scene, 8), "any")
@@ -151,7 +154,8 @@ class Choosing(unittest.TestCase):
         few = {"size": "640x360", "rows": ["single-1"], "backends": [{"backend": "gl", "device": "f", "driver": "g",
                                                                       "scenes": [self.scene]}]}
         text = choosing.document([results, few])
-        self.assertLess(text.index("## Vulkan: d, e"), text.index("## OpenGL: f, g\n\nOf a full sweep's rows only these were"))
+        self.assertLess(text.index("## Vulkan: d, e"),
+                        text.index("## OpenGL: f, g\n\nOf a full sweep's rows only these were"))
         self.assertEqual(text.count("only these"), 1)
         self.assertIn("at most 0.75 of the error of sbaa S=2 on 1 of 1 scenes", text)
         self.assertIn("| metal (dense) | 8 | 2.00 | 1.60 | 0.80 | 0.86 | not measured | not measured | 1.5 | not measured | "
