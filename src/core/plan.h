@@ -18,7 +18,10 @@ enum Constant : uint32_t {
 #define AGAA_CONSTANT(id, name, value) name = id,
 #include "shaders/passes/constants.inc"
 #undef AGAA_CONSTANT
-    ConstantCount = 53
+#define AGAA_CONSTANT(id, name, value) +1
+    ConstantCount = 0
+#include "shaders/passes/constants.inc"
+#undef AGAA_CONSTANT
 };
 using Constants = std::array<uint32_t, ConstantCount>;
 

@@ -7,21 +7,20 @@ namespace agaa {
 
 namespace {
 
-// classes: which pixels are shaded once; or noResource. image: to be shaded; noResource: the output.
-void shadeSamples(PlanBuilder& b, const GBuffer& gbuffer, ResourceId classes,
-                  ResourceId image = noResource) {
-    Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples",
-                            classes == noResource ? "mscbx0" : "mscbx1", AGAA_SEGMENT_SHADING);
+// variant: x1, where pixels that show one surface are shaded once. image: to be shaded; noResource: the output.
+Pass& shadeSamples(PlanBuilder& b, const GBuffer& gbuffer, const char* variant,
+                   ResourceId image = noResource) {
+    Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples", variant,
+                            AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade, image);
     gbuffer.bind(b, shade);
-    if (classes != noResource)
-        b.bind(shade, slot::Metadata, BindingType::Texture, classes);
+    return shade;
 }
 
 void buildPerSample(PlanBuilder& b) {
-    shadeSamples(b, makeGBuffer(b), noResource);
+    shadeSamples(b, makeGBuffer(b), "mscbx0");
     b.copyCounters();
 }
 
@@ -31,7 +30,7 @@ void buildFxaa(PlanBuilder& b) {
         return buildPerSample(b); // numbers, that are not to be filtered
     const GBuffer gbuffer = makeGBuffer(b);
     const ResourceId shaded = b.image("shaded", Format::RGBA16F, false);
-    shadeSamples(b, gbuffer, noResource, shaded);
+    shadeSamples(b, gbuffer, "mscbx0", shaded).constants[AGAA_LUMA_IN_ALPHA] = 1;
     Pass& filter = b.compute("fxaa", AGAA_STAGE_OTHER, "fxaa", "", AGAA_SEGMENT_SHADING);
     b.bindCommon(filter);
     b.bind(filter, slot::Surface0, BindingType::Texture, shaded);
@@ -42,14 +41,7 @@ void buildFxaa(PlanBuilder& b) {
 // Lauritzen 2010: pixels that show one surface are shaded once.
 void buildSimpleComplex(PlanBuilder& b) {
     b.defaultSurface(0.98f, 1.0f, 0.05f);
-    const GBuffer gbuffer = makeGBuffer(b);
-    const ResourceId classes = b.image("classes", Format::R8U, false);
-    Pass& classify = b.compute("classify pixels", AGAA_STAGE_DEFINITION, "classify", "m",
-                               AGAA_SEGMENT_SHADING);
-    b.bindCommon(classify);
-    gbuffer.bind(b, classify);
-    b.bind(classify, slot::MetadataOut, BindingType::StorageImage, classes, true);
-    shadeSamples(b, gbuffer, classes);
+    shadeSamples(b, makeGBuffer(b), "mscbx1");
     b.copyCounters();
 }
 

@@ -7,8 +7,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/bindings.glsl"
 #include "passes/constants.glsl"
 #include "passes/frame.glsl"
+#include "passes/display.glsl"
 
-layout(AGAA_AT_SURFACE0) uniform sampler2D agaa_shaded;
+layout(AGAA_AT_SURFACE0) uniform sampler2D agaa_shaded; // a: luma
 layout(AGAA_AT_OUTPUT) writeonly uniform image2D agaa_output;
 
 const float agaa_contrast = 0.125;       // of the brightest neighbour
@@ -17,22 +18,11 @@ const float agaa_subpixelShare = 0.75;   // of what removes single bright pixels
 // How far the edge is followed, in pixels, each way; the longer ones skip.
 const int agaa_walk[10] = int[](1, 2, 3, 4, 5, 7, 9, 12, 16, 24);
 
-// A background that is composited over may be negative, which has no luma.
-vec3 agaa_color(ivec2 at) {
-    return max(texelFetch(agaa_shaded, clamp(at, ivec2(0), ivec2(agaa_frame.size.xy) - 1), 0).rgb, vec3(0.0));
-}
+vec4 agaa_texel(ivec2 at) { return texelFetch(agaa_shaded, clamp(at, ivec2(0), ivec2(agaa_frame.size.xy) - 1), 0); }
 
-vec3 agaa_display(vec3 linear) { return pow(linear / (1.0 + linear), vec3(1.0 / 2.2)); }
+vec3 agaa_color(ivec2 at) { return max(agaa_texel(at).rgb, vec3(0.0)); }
 
-vec3 agaa_linear(vec3 display) {
-    vec3 x = pow(display, vec3(2.2));
-    return x / max(1.0 - x, vec3(1.0 / 65504.0));
-}
-
-float agaa_luma(ivec2 at) {
-    float y = dot(agaa_color(at), vec3(0.2126, 0.7152, 0.0722));
-    return pow(y / (1.0 + y), 1.0 / 2.2);
-}
+float agaa_luma(ivec2 at) { return agaa_texel(at).a; }
 
 struct agaa_Edge {
     ivec2 across; // to the neighbour on the other side

@@ -1,6 +1,8 @@
 // The host's image. Shaded colour is composited over the background with the uncovered share.
 #ifndef AGAA_OUTPUT_GLSL
 #define AGAA_OUTPUT_GLSL
+#include "passes/display.glsl"
+
 layout(AGAA_AT_OUTPUT) writeonly uniform image2D agaa_output;
 #if AGAA_COMPOSITE
 // The same image through a sampler: reading a storage image without a format is not to be had everywhere.
@@ -18,7 +20,8 @@ void agaa_writeOutput(uvec2 pixel, vec3 color, uint covered) {
         // An empty pixel is exactly the background (hard case 18).
         color = covered == 0u ? below.rgb : color + below.rgb * rest;
     }
-    // Brighter than this is infinite in half floats.
-    imageStore(agaa_output, ivec2(pixel), vec4(min(color, vec3(65504.0)), 1.0));
+    color = min(color, vec3(65504.0)); // brighter is infinite in half floats
+    float alpha = AGAA_LUMA_IN_ALPHA != 0u ? agaa_displayLuma(color) : 1.0;
+    imageStore(agaa_output, ivec2(pixel), vec4(color, alpha));
 }
 #endif

@@ -17,7 +17,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/tile.glsl"
 
 #if AGAA_CLASSIFIED
-layout(AGAA_AT_METADATA) uniform usampler2D agaa_classes;
+#include "passes/classify.glsl"
 #endif
 
 const uint agaa_wholePixel = 32u; // kind of event: one for all of the pixel's samples
@@ -39,7 +39,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     uint covered = uint(bitCount(mask));
     agaa_PixelWork work = agaa_PixelWork(mask, 0u, covered);
 #if AGAA_CLASSIFIED
-    if (covered > 1u && texelFetch(agaa_classes, ivec2(pixel), 0).x == 0u)
+    if (covered > 1u && !agaa_isComplex(pixel, mask))
         work = agaa_PixelWork(mask & (~mask + 1u), agaa_wholePixel, covered);
 #endif
     agaa_count(AGAA_COUNT_VISIBLE, covered);
