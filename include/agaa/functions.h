@@ -67,8 +67,8 @@ typedef struct AgaaFetchFunction {
     uint32_t structSize;
     const void* pNext;
     const char* glsl;
-    uint32_t maxDraws;      /* >= 1; the numbers of draws are below it. What is not, is shown as the last draw or
-                               primitive, and counted as AgaaCounters::unannounced */
+    uint32_t maxDraws;      /* >= 1; the numbers of draws are below it. What is not, is shown as the last draw's first
+                               primitive, or as the draw's last announced one, and counted as AgaaCounters::unannounced */
     uint32_t maxPrimitives; /* >= 1, of a draw; together at most 2^32 - 1 ids: maxDraws times maxPrimitives, rounded
                                up to a power of two */
     uint64_t descriptorSetLayout; /* as at AgaaGBufferFunction */

@@ -17,11 +17,13 @@ void agaa_emit(AgaaSurfaceInput s) {
     agaa_out0 = vec4(vec2(agaa_encodeHemiOct8(n)) / 255.0, 0.0, 0.0);
 #endif
 #if AGAA_WRITES_IDS
-    // What the host did not announce is shown as the last that it did: ids must name what can be fetched.
+    // What the host did not announce is shown as what it did, since ids must name what can be fetched: a primitive as
+    // the last announced, which its draw has; a draw as the first primitive of the last, which may have no other.
     bool isFetched = AGAA_SOME_UNFETCHED == 0 || s.draw != AGAA_UNFETCHED;
     if (isFetched && (s.draw >= AGAA_MAX_DRAWS || s.primitive >= AGAA_MAX_PRIMITIVES) && !AGAA_HELPER)
         agaa_countFragment(AGAA_FRAGMENT_UNANNOUNCED, 1u);
-    uint id = (min(s.draw, AGAA_MAX_DRAWS - 1u) << AGAA_PRIMITIVE_BITS | min(s.primitive, AGAA_MAX_PRIMITIVES - 1u)) + 1u;
+    uint primitive = s.draw < AGAA_MAX_DRAWS ? min(s.primitive, AGAA_MAX_PRIMITIVES - 1u) : 0u;
+    uint id = (min(s.draw, AGAA_MAX_DRAWS - 1u) << AGAA_PRIMITIVE_BITS | primitive) + 1u;
     id = isFetched ? id : 0xFFFFFFFFu;
     agaa_out0 = vec4(uvec4(id, id >> 8u, id >> 16u, id >> 24u) & 255u) / 255.0;
 #endif
