@@ -158,12 +158,14 @@ typedef struct AgaaConfig {
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t generationTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
-    /* Of the tiers IDS and GBUFFER. Bit i: lights of AgaaFrame::shadows[i] are shaded by means over what they reach of
+    /* Of the tiers IDS and GBUFFER without AGAA_CONFIG_BUFFERED, one of which AUTO then takes; with others
+     * AGAA_ERROR_UNSUPPORTED. Bit i: lights of AgaaFrame::shadows[i] are shaded by means over what they reach of
      * an aggregate, times the share that they reach, so that lit and unlit samples may differ in normal and colour.
      * A tap a sample, in place of shadowTaps. Shadows that AgaaSceneFacts does not declare are left out. */
     uint32_t litShadows;
     uint64_t flags;           /* AGAA_CONFIG_… */
-    /* Of the tiers GBUFFER and IDS, which know materials when they group samples. Shading normals differ by
+    /* Of the tiers GBUFFER and IDS, which know materials when they group samples: one of them AUTO then takes; others
+     * are AGAA_ERROR_UNSUPPORTED. Without specular light it is as 0. Shading normals differ by
      * glossWeight / alpha as much in equation 1, [1;20], alpha of GGX, up to the term's largest value of 1; equal
      * normals of different gloss differ too. What shines narrowly is parted sooner. [0;16]; 0: by normals alone. */
     float glossWeight;
@@ -178,7 +180,9 @@ typedef struct AgaaConfig {
  * goes to its own aggregate (AGAA_CONFIG_FIRST_SAMPLE_ROUTING) and k stays as it is (the paper: 10 cm); "fast", "balanced"
  * and "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf, litShadows (the first
  * shadow), glossWeight and what flags say of clustering and filters; leaves the rest. The last two want
- * materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER. */
+ * materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER.
+ * AGAA_ERROR_INVALID_ARGUMENT: config is null, name is null or none of these; AGAA_ERROR_STRUCT: config was not
+ * initialised. On an error config is as it was. */
 AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config);
 
 /* What the scene calls for. The planner drops what is not named here. */

@@ -12,7 +12,7 @@ extern "C" {
 /* ---- host draw passes ----------------------------------------------------------------------- */
 
 typedef enum AgaaDrawPassId {
-    AGAA_DRAW_PASS_VISIBILITY = 1, /* depth and geometric normals */
+    AGAA_DRAW_PASS_VISIBILITY = 1, /* depth, and geometric normals or, with the tier IDS, ids */
     AGAA_DRAW_PASS_AGGREGATE = 2,  /* materials, accumulated into aggregates or kept as surfaces; no
                                       colour output */
     AGAA_DRAW_PASS_GBUFFER = 3,    /* materials into a multisampled G-buffer */
@@ -30,7 +30,7 @@ typedef enum AgaaCompare {
 
 /* Fixed-function state that the host's pipelines must have in this pass. Cull mode is the host's
  * choice and must be the same in all passes of a frame. Nothing that mixes, moves or takes away fragments:
- * no blending, logic operation, alpha-to-coverage, sample mask, depth bias, scissor or sRGB conversion. */
+ * no blending, dithering, logic operation, alpha-to-coverage, sample mask, depth bias, scissor or sRGB conversion. */
 typedef struct AgaaDrawState {
     uint32_t depthCompare; /* AgaaCompare */
     uint32_t depthWrite;

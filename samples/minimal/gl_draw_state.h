@@ -29,6 +29,7 @@ static void setState(const AgaaDrawState* state) {
     glMinSampleShading(1.0f);
     enable(GL_MULTISAMPLE, 1);
     enable(GL_BLEND, 0);
+    enable(GL_DITHER, 0);
     enable(GL_SCISSOR_TEST, 0);
     enable(GL_CULL_FACE, 0); /* the host's choice, but the same in every pass */
 }

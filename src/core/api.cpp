@@ -19,7 +19,9 @@ namespace {
 AgaaDeviceCaps capsOrIdeal(const AgaaDeviceCaps* caps) {
     if (!caps)
         return idealDevice();
-    return checkStruct(caps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
+    const AgaaDeviceCaps known = checkStruct(caps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
+    require(known.reserved == 0, AGAA_ERROR_INVALID_ARGUMENT, "AgaaDeviceCaps::reserved must be 0.");
+    return known;
 }
 
 AgaaSurface surfaceOf(const Resource& resource) {

@@ -54,14 +54,14 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
     }
     const uint32_t forced = plan.config.generationTier;
     const bool takesIds = technique.groupsSamples && plan.maxDraws > 0;
-    require(!takesIds || !plan.someUnfetched || !hasFact(AGAA_FACT_CUSTOM_DEPTH), AGAA_ERROR_UNSUPPORTED,
-            "materials that write depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) cannot be drawn a second time "
-            "at equal depth, which AGAA_FETCH_NOT_ALL_DRAWS asks for.");
     if (forced == AGAA_TIER_IDS && !takesIds)
         fail(AGAA_ERROR_UNSUPPORTED, format("generation cannot run: %s.",
                                             technique.groupsSamples ? "the tier ids needs an AgaaFetchFunction"
                                                                     : "the tier ids is for \"agaa\""));
     if (takesIds && (forced == AGAA_TIER_IDS || forced == AGAA_TIER_AUTO)) {
+        require(!plan.someUnfetched || !hasFact(AGAA_FACT_CUSTOM_DEPTH), AGAA_ERROR_UNSUPPORTED,
+                "materials that write depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) cannot be drawn a second "
+                "time at equal depth, which AGAA_FETCH_NOT_ALL_DRAWS asks for.");
         plan.generationTier = AGAA_TIER_IDS;
         note(plan.someUnfetched
                  ? "generation: materials are fetched by the ids that the first geometry pass leaves; draws that "
@@ -90,11 +90,12 @@ void PlanBuilder::dropUncalledFor(const Technique& technique) {
     AgaaConfig& config = plan.config;
     if (!technique.groupsSamples) { // settings of "agaa" may stay where another is measured
         config.litShadows = 0;
-        config.glossWeight = 0;
         config.flags &= ~AGAA_CONFIG_BUFFERED;
     }
-    if (!technique.groupsSamples || !plan.layout.has(AGAA_SEMANTIC_SPECULAR))
-        config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG); // no lobe that could be elliptic
+    if (!technique.groupsSamples || !plan.layout.has(AGAA_SEMANTIC_SPECULAR)) { // no lobe: elliptic, or narrow
+        config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG);
+        config.glossWeight = 0;
+    }
     const uint32_t lit = config.litShadows & ((1u << plan.facts.shadowMapCount) - 1);
     if (lit != config.litShadows)
         note("lit aggregates: AgaaConfig::litShadows names shadows that AgaaSceneFacts does not declare; they are "

@@ -12,7 +12,7 @@ View::View(Context& owner, const AgaaViewDesc& desc)
     : AgaaView_T(owner, makePlan(desc, owner.caps, owner.framesInFlight)), context(owner),
       barriers(plan.resources.size()) {
     require(plan.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
-            "set layouts of AgaaGBufferFunction and AgaaShadowFunction are of Vulkan.");
+            "set layouts of AgaaGBufferFunction, AgaaFetchFunction and AgaaShadowFunction are of Vulkan.");
     uint64_t largest = 0;
     for (const Resource& resource : plan.resources)
         if (resource.kind == ResourceKind::UploadBuffer)

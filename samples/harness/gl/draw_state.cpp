@@ -20,7 +20,7 @@ static GLenum compareFunction(uint32_t compare) {
 
 void setTarget(const GladGLContext& gl, uint32_t width, uint32_t height) {
     gl.Viewport(0, 0, GLsizei(width), GLsizei(height));
-    for (GLenum capability : {GL_SCISSOR_TEST, GL_BLEND, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_MASK,
+    for (GLenum capability : {GL_SCISSOR_TEST, GL_BLEND, GL_DITHER, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_MASK,
                               GL_COLOR_LOGIC_OP, GL_RASTERIZER_DISCARD, GL_DEPTH_CLAMP})
         gl.Disable(capability);
     gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);

@@ -2,6 +2,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <iterator>
 #include <stdexcept>
 
@@ -15,6 +16,14 @@ static bool isTexels(GLuint i) { return i >= 2 && i <= 5; }
 GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& gpuScene)
     : gl_(&gl) {
     const FetchScene fetch = makeFetchScene(scene);
+    GLint most = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    const size_t counts[] = {sizeof(FetchVertex) / 16 * fetch.vertices.size(), scene.indices.size(),
+                             sizeof(FetchDraw) / 16 * fetch.maxDraws,
+                             sizeof(FetchMaterial) / 16 * fetch.materials.size()};
+    if (*std::max_element(std::begin(counts), std::end(counts)) > size_t(most))
+        throw std::runtime_error("The scene has more vertices, indices, draws or materials than the device's texture "
+                                 "buffers hold.");
     glsl_ = fetchGlsl(fetch, true);
     sampler_ = makeSampler(gl, Wrap::Repeat, Wrap::Repeat);
     camera_ = createBuffer(gl);
@@ -35,10 +44,6 @@ GpuFetch::GpuFetch(const GladGLContext& gl, const Scene& scene, const GpuScene& 
     textures_[5] = texels(gpuScene.indices(), GL_R32UI);
     textures_[6] = makeArray(fetch.colors.small, true);
     textures_[7] = makeArray(fetch.values.small, false);
-    GLint most = 0;
-    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-    if (sizeof(FetchVertex) / 16 * fetch.vertices.size() > size_t(most) || scene.indices.size() > size_t(most))
-        throw std::runtime_error("The scene has more vertices or indices than the device's texture buffers hold.");
     function_.glsl = glsl_.c_str();
     function_.maxDraws = fetch.maxDraws;
     function_.maxPrimitives = fetch.maxPrimitives;
