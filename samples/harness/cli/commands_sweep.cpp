@@ -41,7 +41,7 @@ json readResults(const fs::path& path, const json& fresh) {
     if (old.value("schema", json()) != fresh["schema"])
         throw std::runtime_error("The file " + path.string() +
                                  " is of another version of the sample engine; take another folder.");
-    for (const char* key : {"quick", "rounds", "size", "rows"})
+    for (const char* key : {"quick", "rounds", "size", "rows", "ablation"})
         if (old.value(key, json()) != fresh[key])
             throw std::runtime_error("The file " + path.string() +
                                      " is of a sweep with other arguments; take another folder.");
@@ -67,7 +67,7 @@ json& backendOf(json& results, const std::string& name) {
 
 bool isDone(json& results, const Task& task) {
     for (const json& scene : backendOf(results, task.backend)["scenes"])
-        if (scene["name"] == task.name()) {
+        if (scene.value("name", "") == task.name()) {
             if (scene.value("camera", "") != task.camera)
                 throw std::runtime_error("The sweep holds " + task.name() +
                                          " as another camera sees it; take another folder.");
@@ -98,6 +98,7 @@ public:
                                                        {"rounds", options({}).rounds},
                                                        {"size", arguments.size},
                                                        {"rows", arguments.rows},
+                                                       {"ablation", !arguments.noAblation},
                                                        {"backends", json::array()}});
         for (const std::string& scene : arguments.scenes)
             for (const std::string& backend : arguments.backends)
@@ -129,6 +130,9 @@ private:
         SweepOptions options = sweepOptions(arguments_.quick, task.isPlain, arguments_.rounds);
         options.effectsOfRows = !arguments_.rows.empty() && !task.isPlain;
         options.ablation = !arguments_.noAblation;
+        // Mesa leaves what another program had for a sampler in the places of texel buffers, and compiles a pass that
+        // reads materials from such anew for it.
+        options.untimedFrames = task.backend == "gl" ? 1 : 0;
         return options;
     }
 
@@ -206,12 +210,14 @@ void writeReport(const fs::path& out) {
         throw std::runtime_error("The page was not written; results.json is whole. The command was: " + command);
 }
 
-void checkScenes(const std::string& option, const std::vector<std::string>& scenes) {
-    std::set<std::string> names; // by which results and images are told apart
+// names: by which results and images are told apart; those of earlier options stay.
+void checkScenes(const std::string& option, const std::vector<std::string>& scenes, bool arePlain,
+                 std::set<std::string>& names) {
     for (const std::string& text : scenes) {
-        const Task task = parseTask("", text);
+        const Task task = parseTask("", text, arePlain);
         if (!names.insert(task.name()).second)
-            throw BadArgument(option + " names two scenes called \"" + task.name() + "\"; sweep them into two folders.");
+            throw BadArgument(option + " names a second scene called \"" + task.name() +
+                              "\"; sweep them into two folders.");
         if (!task.camera.empty())
             parseCamera(task.camera);
         if (!makeBuiltinScene(task.scene) && !fs::exists(task.scene))
@@ -234,8 +240,9 @@ void runSweep(const SweepArguments& arguments, bool asJson) {
         throw BadArgument("--out must not hold a quotation mark.");
     if (arguments.noAblation && !arguments.plain.empty())
         throw BadArgument("--plain is for the ablation, which --no-ablation leaves out.");
-    checkScenes("--scene", arguments.scenes);
-    checkScenes("--plain", arguments.plain);
+    std::set<std::string> names;
+    checkScenes("--scene", arguments.scenes, false, names);
+    checkScenes("--plain", arguments.plain, true, names);
     const json results = Sweep(arguments).run();
     writeReport(arguments.out);
     if (asJson)

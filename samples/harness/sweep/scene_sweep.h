@@ -17,6 +17,7 @@ struct SweepOptions {
     uint32_t rounds = 7;      // of frames without times of passes, each shifted by another part of a pixel; the
                               // rows take turns, forth and back
     uint32_t warmUpTurns = 1; // of all rows, before those; the one makes images
+    uint32_t untimedFrames = 0; // before each frame of a turn
     uint32_t timedRounds = 7; // of frames with them
     uint32_t heavierTimedRounds = 2; // as many of these are with the rows of heavier lighting too
     uint32_t effectRounds = 4; // of frames with an effect, and of frames without it
