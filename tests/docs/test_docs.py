@@ -1,7 +1,9 @@
 """Documents against the sources they speak of."""
+import json
 import os
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -123,6 +125,36 @@ class Tool(unittest.TestCase):
     def test_quotes_without_a_block_fail(self):
         self.document.write_text(DOCUMENT + "<!-- quote host.c used -->\nno block\n")
         self.assert_refused("without a fenced block")
+
+
+class Prices(unittest.TestCase):
+    """Of the planner: constants that docs/results/lavapipe/sweep has the figures of."""
+
+    @classmethod
+    def setUpClass(cls):
+        results = json.loads((ROOT / "docs/results/lavapipe/sweep/results.json").read_text())
+        cls.scenes = [scene for scene in results["backends"][0]["scenes"] if not scene["plain"]]
+
+    def price(self, file, name):
+        return float(re.search(rf"\b{name} = ([0-9.]+)f", (ROOT / "src/core" / file).read_text())[1])
+
+    def frame(self, scene, tier):
+        def is_wanted(row):
+            way = row["tiers"].get("generation")
+            key = (row["technique"], row["n"], row["c"], row["shadingCost"], row["preset"])
+            return key == ("agaa", 8, 2, 1, "") and (way if way in ("gbuffer", "ids") else None) == tier
+
+        return next(row["frameMs"]["median"] for row in scene["rows"] if is_wanted(row))
+
+    def test_of_tiers(self):
+        for name, tier in (("gbufferPrice", "gbuffer"), ("idsPrice", "ids")):
+            measured = [self.frame(scene, tier) / self.frame(scene, None) for scene in self.scenes]
+            self.assertAlmostEqual(statistics.median(measured), self.price("tiers.cpp", name), delta=0.05)
+
+    def test_of_lit_aggregates(self):
+        effects = [effect for scene in self.scenes for effect in scene["ablation"] if effect["effect"] == "lit-aggregates"]
+        measured = [effect["on"]["frameMs"]["median"] / effect["off"]["frameMs"]["median"] for effect in effects]
+        self.assertAlmostEqual(statistics.median(measured), self.price("plan_builder.cpp", "litPrice"), delta=0.02)
 
 
 if __name__ == "__main__":
