@@ -14,9 +14,9 @@ sys.path.insert(0, str(TOOL.parent))
 import choosing
 
 
-def row(technique, n, c, ms, error, size=100, cost=1, events=1.0, shading=1.0, merging=None):
+def row(technique, n, c, ms, error, size=100, cost=1, events=1.0, shading=1.0, deciding=0.0, merging=None):
     return {"technique": technique, "n": n, "c": c, "shadingCost": cost, "preset": "", "tiers": {},
-            "frameMs": {"median": ms, "p95": ms}, "bytesPerPixel": size, "stageMs": {"shading": shading},
+            "frameMs": {"median": ms, "p95": ms}, "bytesPerPixel": size, "stageMs": {"shading": shading, "definition": deciding},
             "eventsPerCoveredPixel": events, "errorReference": {"mseTm": error},
             "errorSameSamples": None if merging is None else {"mseTm": merging}}
 
@@ -24,9 +24,9 @@ def row(technique, n, c, ms, error, size=100, cost=1, events=1.0, shading=1.0, m
 def scene(**more):
     return {"name": "metal", "reference": {"splitHalfMseTm": 1e-6}, "rows": [
         row("single", 1, 0, 100, 1e-2, 20),
-        row("simple_complex", 8, 0, 300, 0.9e-3, 160, events=4, shading=200),
+        row("simple_complex", 8, 0, 300, 0.9e-3, 160, events=4, shading=180, deciding=20),
         row("simple_complex", 8, 0, 900, 0.9e-3, 160, cost=4, events=4, shading=800),
-        row("agaa", 8, 2, 350, 0.905e-3, 90, events=2, shading=125, merging=3e-5),
+        row("agaa", 8, 2, 350, 0.905e-3, 90, events=2, shading=125, deciding=35, merging=3e-5),
         row("agaa", 8, 2, 650, 0.905e-3, 90, cost=4, events=2, shading=425, merging=3e-5),
         row("sbaa", 8, 2, 340, 1.2e-3, 100, merging=5e-5),
         row("sbaa", 8, 4, 390, 0.95e-3, 130, merging=2e-5),
@@ -78,6 +78,21 @@ class Choosing(unittest.TestCase):
         few["rows"] = [r for r in few["rows"] if r["preset"] in ("", "paper") and r["n"] != 32]
         self.assertEqual([line[:2] for line in choosing.preset_rows([self.scene, few])], [["paper", 8]])
 
+    def test_the_most_accurate_preset_by_its_aims(self):
+        rows = [row("single", 1, 0, 100, 1e-2, 20), row("ssaa", 8, 0, 900, 2e-3), row("agaa", 8, 2, 500, 3e-3, events=2.0)]
+        for preset, by, bias, merging in (("paper", None, 2e-5, 1e-3), ("accurate", "ids", 3e-5, 4e-5)):
+            rows.append(row("agaa", 8, 4, 400, 1e-3, events=2.5, merging=merging))
+            rows[-1].update(preset=preset, tiers={"generation": by} if by else {},
+                            temporal={"biasSquared": bias, "variance": 1e-6, "referenceMseTm": 2e-6})
+        whole = scene(name="city", rows=rows)
+        text = choosing.aim_sentences([whole], choosing.preset_rows([whole]))
+        self.assertEqual(text[0], "* `accurate` n=8 by id was to have: error at most 0.005, no longer frame (0.80): it has; "
+                                  "no more events than c=2 (1.25): it has not.")
+        self.assertIn("1 of 2 above 1 (city 1.500); 2 gaps are below", text[1])
+        rows[-1]["temporal"]["biasSquared"] = 5e-5
+        self.assertIn("1 of 2 above 1 (city 2.500); 1 gaps are below", choosing.steady_sentence([whole]))
+        self.assertIsNone(choosing.steady_sentence([self.scene]))
+
     def test_the_fastest_for_an_error(self):
         cells = self.cells(self.answers(0))
         self.assertEqual(cells[1], "simple\\_complex n=8 (3.00x, 0.09, 160 B)")
@@ -114,18 +129,18 @@ class Choosing(unittest.TestCase):
 
     def test_ratios_and_the_cost_from_which_agaa_wins(self):
         ratios = choosing.ratios(self.scene, 8)
-        self.assertEqual(ratios, {"events": 2, "shading": 1.6, "efficiency": 0.8, "frame": 300 / 350})
+        self.assertEqual(ratios, {"events": 2, "shading": 1.6, "efficiency": 0.8, "frame": 300 / 350, "grouping": 1.25})
         # 100 + 200 s against 250 + 100 s
-        self.assertAlmostEqual(choosing.win_cost(self.scene, 8), 1.5)
+        self.assertAlmostEqual(choosing.win_cost(self.scene, 8)[1], 1.5)
         self.assertIsNone(choosing.win_cost(self.scene, 32))
         agaa = choosing.find(self.scene, "agaa", 8, 2, cost=4)
         heaviest = [row("simple_complex", 8, 0, 3300, 0.9e-3, cost=16), row("agaa", 8, 2, 2600, 0.9e-3, cost=16)]
         self.scene["rows"] += heaviest  # 100 + 200 s against 200 + 150 s
-        self.assertAlmostEqual(choosing.win_cost(self.scene, 8), 2)
+        self.assertAlmostEqual(choosing.win_cost(self.scene, 8)[1], 2)
         self.scene["rows"].pop()
-        self.assertAlmostEqual(choosing.win_cost(self.scene, 8), 1.5, msg="of those that both were measured at")
+        self.assertAlmostEqual(choosing.win_cost(self.scene, 8)[1], 1.5, msg="of those that both were measured at")
         agaa["frameMs"]["median"] = 1200  # no lighting is heavy enough
-        self.assertEqual(choosing.cost_text(self.scene, 8), "beyond 16")
+        self.assertEqual(choosing.cost_text(self.scene, 8), "beyond 4")
         choosing.find(self.scene, "agaa", 8, 2)["frameMs"]["median"] = 200  # shorter up to what was measured
         agaa["frameMs"]["median"] = 850
         self.assertEqual(choosing.cost_text(self.scene, 8), "any")
@@ -158,7 +173,7 @@ class Choosing(unittest.TestCase):
                         text.index("## OpenGL: f, g\n\nOf a full sweep's rows only these were"))
         self.assertEqual(text.count("only these"), 1)
         self.assertIn("at most 0.75 of the error of sbaa S=2 on 1 of 1 scenes", text)
-        self.assertIn("| metal (dense) | 8 | 2.00 | 1.60 | 0.80 | 0.86 | not measured | not measured | 1.5 | not measured | "
+        self.assertIn("| metal (dense) | 8 | 2.00 | 1.60 | 0.80 | 1.25 | 0.86 | not measured | not measured | 1.5 | not measured | "
                       "not measured |", text)
 
     def test_the_kept_document_is_of_the_kept_results(self):

@@ -283,6 +283,13 @@ class Shown(unittest.TestCase):
         self.assertEqual(claims["frames faster than simple/complex on every scene, n = 32 (table 1, with 1.00 on Fur Ball)"][1:], ["on all 2", ""])
         self.assertEqual(claims["54 % less memory than deferred supersampling, n = 32 (abstract)"], ["55 %", "on all 2", ""])
         self.assertEqual(claims["19 % less memory than SBAA, two aggregates by two surfaces, n = 8"][:2], ["19 %", "on all 2"])
+        events = claims["shading events below 25 % of simple/complex's, n = 8 (§5.2)"]
+        self.assertEqual(events[:2], ["25 % to 32 %", "on 1 of 2; not on bamboo 32 %"])
+        self.assertIn("6.68 events of 8", events[2])
+        self.assertRegex(claims["shading up to 3.5× faster on the best scene, n = 8 (§5.3)"][1], "^not on (bamboo|metal)$")
+        for n, share in ((16, 24), (32, 27)):
+            claim = f"{share} % less memory than SBAA, two aggregates by two surfaces, n = {n}"
+            self.assertEqual(claims.get(claim, ["", "on all 2"])[1], "on all 2")
         ours, holds, why = claims["two aggregates are as good as four surfaces of SBAA, n = 8"]
         share = (9e-4 / 2 ** 2) / (2.6e-3 / 4 ** 2.2)
         self.assertEqual(ours, f"{share:.2f}×")

@@ -132,9 +132,13 @@ def how_often(scenes):
     return table(["budget", "what to take (on how many scenes)"], lines)
 
 
-def shading(row):
-    """None where passes have no times."""
-    return (row["stageMs"] or {}).get("shading") or None
+def shading(row, grouping=False):
+    """None where passes have no times. grouping: with the clustering of aggregates. The classification of pixels always
+    counts: it may be in the same pass."""
+    times = row["stageMs"] or {}
+    if not times.get("shading"):
+        return None
+    return times["shading"] + (times.get("definition", 0) if grouping or row["technique"] == "simple_complex" else 0)
 
 
 def ratios(scene, n, by=None, cost=1):
@@ -145,12 +149,14 @@ def ratios(scene, n, by=None, cost=1):
         return None
     events = ratio(a["eventsPerCoveredPixel"], b["eventsPerCoveredPixel"])
     times = ratio(shading(a), shading(b))
-    return {"events": events, "shading": times, "efficiency": ratio(times, events), "frame": ratio(frame(a), frame(b))}
+    return {"events": events, "shading": times, "efficiency": ratio(times, events), "frame": ratio(frame(a), frame(b)),
+            "grouping": ratio(shading(a, True), shading(b, True))}
 
 
 def win_cost(scene, n, by=None):
-    """From which shading cost on agaa's frame is the shorter, by the lines through the least and the largest cost
-    that both were measured at: 0 where it is up to the largest, infinite where it never is; None where they were not."""
+    """The largest shading cost that both were measured at, and that from which agaa's frame is the shorter, by the
+    lines through the least and the largest: 0 where it is up to the largest, infinite where it never is; None where
+    they were not measured."""
     def rows(cost):
         return find(scene, "simple_complex", n, 0, cost), find(scene, "agaa", n, 2, cost, by)
     costs = [cost for cost in (1, 4, 16) if None not in rows(cost)]
@@ -163,15 +169,16 @@ def win_cost(scene, n, by=None):
     a, b = map(line, rows(1), rows(costs[-1]))
     behind, gain = b[0] - a[0], a[1] - b[1]
     if gain <= 0:
-        return 0.0 if behind < costs[-1] * gain else math.inf
-    return max(behind / gain, 0.0)
+        return costs[-1], 0.0 if behind < costs[-1] * gain else math.inf
+    return costs[-1], max(behind / gain, 0.0)
 
 
 def cost_text(scene, n, by=None):
-    value = win_cost(scene, n, by)
-    if value is None:
+    found = win_cost(scene, n, by)
+    if found is None:
         return "not measured"
-    return "any" if value <= 1 else f"{value:.1f}" if value <= 16 else "beyond 16"
+    largest, value = found
+    return "any" if value <= 1 else f"{value:.1f}" if value <= largest else f"beyond {largest}"
 
 
 def speed_rows(scenes):
@@ -182,7 +189,8 @@ def speed_rows(scenes):
             if two is None:
                 continue
             out.append([scene["name"] + (" (dense)" if scene["name"] in DENSE else ""), n,
-                        shown(two["events"]), shown(two["shading"]), shown(two["efficiency"]), shown(two["frame"]),
+                        shown(two["events"]), shown(two["shading"]), shown(two["efficiency"]), shown(two["grouping"]),
+                        shown(two["frame"]),
                         shown(one and one["frame"]), shown(ids and ids["frame"]), cost_text(scene, n),
                         cost_text(scene, n, "gbuffer"), cost_text(scene, n, "ids")])
     return out
@@ -290,6 +298,47 @@ def preset_rows(scenes):
     return out
 
 
+AIM = 0.005  # of single's error, that the most accurate preset may add in the mean
+
+
+def aim_sentences(scenes, presets):
+    """Whether the most accurate preset is what it was meant to be."""
+    lines = []
+    for preset, n, materials, error_mean, median, largest, *_, events, time, _ in presets:
+        if preset != "accurate":
+            continue
+        met = [f"error at most {AIM}"] if float(error_mean) <= AIM else []
+        missed = [] if met else [f"error at most {AIM} (median {median}, largest {largest})"]
+        for text, value in (("no more events than c=2", events), ("no longer frame", time)):
+            (met if float(value) <= 1 else missed).append(f"{text} ({value})")
+        lines.append(f"* `accurate` n={n} {materials} was to have: " + "; ".join(
+            f"{', '.join(of)}: {verdict}" for of, verdict in ((met, "it has"), (missed, "it has not")) if of) + ".")
+    steady = steady_sentence(scenes)
+    return lines + ([steady] if steady else [])
+
+
+def steady_sentence(scenes):
+    """What of bias and variance under parts of a pixel the most accurate preset has more of than the paper's settings."""
+    more, within, known = [], 0, 0
+    for scene in scenes:
+        paper = preset_row(scene, "paper", 8, None)
+        for by in ("gbuffer", "ids"):
+            row = preset_row(scene, "accurate", 8, by)
+            if None in (paper, row) or None in (paper["temporal"], row["temporal"]):
+                continue
+            for term in ("biasSquared", "variance"):
+                a, b = row["temporal"][term], paper["temporal"][term]
+                known += 1
+                within += abs(a - b) < 10 * row["temporal"]["referenceMseTm"]
+                if a > b:
+                    more.append(f"{scene['name']} {a / b:.3f}")
+    if not known:
+        return None
+    return (f"* Under shifts by parts of a pixel, bias² and variance of `accurate` n=8 by those of `paper`: "
+            f"{'none' if not more else str(len(more))} of {known} above 1{' (' + ', '.join(more) + ')' if more else ''}; "
+            f"{within} gaps are below ten times the references' own error, which counts as none.")
+
+
 def document(sweeps):
     lines = ["# Which technique, which n and c", "",
              "Generated by `tools/report/choosing.py` from the results of `agaa-harness sweep` "
@@ -332,11 +381,13 @@ def document(sweeps):
             lines += table(["preset", "n", "materials", "error", "its median", "its largest", "error by ssaa's",
                             "events a covered pixel",
                             "events by c=2", "frame by c=2", "bytes a pixel"], presets)
+            lines += aim_sentences(scenes, presets) + [""]
         lines += ["### simple\\_complex by agaa c=2", "",
-                  "Ratios above 1 are for `agaa`. The last three columns: how many times heavier than with the "
+                  "Ratios above 1 are for `agaa`. Shading is with the classification of pixels, and without `agaa`'s "
+                  "clustering but where that is said. The last three columns: how many times heavier than with the "
                   "scene's own lights shading must be for `agaa` to have the shorter frame, by the lines through "
                   "the frames at 1 and at 16, or 4, times; “any”: it has it with these.", ""]
-        lines += table(["scene", "n", "events", "shading", "shading by events", "frame, two passes",
+        lines += table(["scene", "n", "events", "shading", "shading by events", "shading with clustering", "frame, two passes",
                         "frame, from a G-buffer", "frame, by id", "wins from, two passes", "wins from, G-buffer",
                         "wins from, by id"], speeds)
         lines += ["### What merging costs at n=8", "", "Mean squares after tone mapping against `ssaa` n=8.", ""]

@@ -77,6 +77,18 @@ function smallestGap(scene, metric) {
     return metric.key === "mseTm" && metric.against === "errorReference" && own !== null ? 10 * own : 0;
 }
 
+// a by b, errors of two rows; 1 where the reference cannot tell them apart.
+function errorRatio(scene, metric, a, b) {
+    return a !== null && b !== null && Math.abs(a - b) < smallestGap(scene, metric) ? 1 : ratio(a, b);
+}
+
+// The same of "biasSquared" or "variance" over shifts.
+function temporalRatio(row, other, key) {
+    const [a, b, own] = [field(row, "temporal", key), field(other, "temporal", key), field(row, "temporal", "referenceMseTm")]
+        .map(finite);
+    return a !== null && b !== null && own !== null && Math.abs(a - b) < 10 * own ? 1 : ratio(a, b);
+}
+
 function significant(value, digits = 3) {
     if (finite(value) === null)
         return MISSING;
