@@ -267,9 +267,10 @@ json SceneSweep::ablation() {
                 effect.off(settings.config);
             else if (off)
                 settings.facts.flags &= ~effect.fact;
-            if (effect.ofNormalMaps && calledFor)
+            const bool loads = effect.ofNormalMaps && calledFor;
+            if (loads)
                 renderer_.load(off ? bare : scene_);
-            renderer_.render(settings);
+            settings.warmup = loads || round < 2 ? 1 : options_.untimedFrames;
             const RenderResult result = renderer_.render(settings);
             ms[off].push_back(result.frameMs.back());
             if (round < 2) // one of each: nothing moves
