@@ -130,7 +130,8 @@ typedef enum AgaaDebugView {
                                        the widest, mean over what is covered; of "agaa" and "sbaa", and of layouts that
                                        keep roughness beside the normal */
     AGAA_DEBUG_VIEW_TIER = 7,       /* grey: not aggregated; orange: by two passes; blue: from a G-buffer; green: by
-                                       ids; half as bright where one shading event did */
+                                       ids; half as bright where one shading event did. Draws that were not fetched are
+                                       blue, but with AGAA_CONFIG_BUFFERED, where materials are aggregates already */
     AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
 } AgaaDebugView;
 

@@ -6,6 +6,7 @@
 #include "core/format.h"
 #include "core/layout.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -23,6 +24,15 @@ enum Constant : uint32_t {
 #include "shaders/passes/constants.inc"
 #undef AGAA_CONSTANT
 };
+static_assert(
+    [] {
+        std::array<bool, ConstantCount> used{};
+#define AGAA_CONSTANT(id, name, value) used[id] = true;
+#include "shaders/passes/constants.inc"
+#undef AGAA_CONSTANT
+        return std::ranges::all_of(used, [](bool is) { return is; });
+    }(),
+    "ids count from 0, each once");
 using Constants = std::array<uint32_t, ConstantCount>;
 
 using ResourceId = uint32_t;
