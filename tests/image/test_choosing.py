@@ -12,6 +12,9 @@ ROOT = Path(__file__).resolve().parents[2]
 TOOL = ROOT / "tools" / "report" / "choosing.py"
 sys.path.insert(0, str(TOOL.parent))
 import choosing
+import choosing_presets
+import choosing_speed
+import sweep_rows
 
 
 def row(technique, n, c, ms, error, size=100, cost=1, events=1.0, shading=1.0, deciding=0.0, merging=None):
@@ -60,23 +63,23 @@ class Choosing(unittest.TestCase):
     def test_presets_are_beside_the_papers_and_two_passes(self):
         rows = [row(technique, n, c, 500, far, 90, events=2.0) for n in (8, 32)
                 for technique, c, far in (("agaa", 2, 3e-3), ("ssaa", 0, 16e-3 / n))]
-        for i, (preset, n, by) in enumerate(choosing.PRESETS):
+        for i, (preset, n, by) in enumerate(choosing_presets.PRESETS):
             rows.append(row("agaa", n, 2, 400 - 20 * i, 1e-3, 90, events=1.5, merging=1e-3 / (i + 1)))
             rows[-1].update(preset=preset, tiers={"generation": by} if by else {})
         whole = scene(name="city", rows=[row("single", 1, 0, 100, 1e-2, 20)] + rows)
-        table = choosing.preset_rows([self.scene, whole])  # the other scene has none
+        table = choosing_presets.preset_rows([self.scene, whole])  # the other scene has none
         self.assertEqual((table[0][6], table[-1][6]), ("0.50 to 0.50", "2.00 to 2.00"))
         other = json.loads(json.dumps(whole))
         other["reference"]["splitHalfMseTm"] = 2e-4  # too coarse to tell 1e-3 from 2e-3
-        self.assertEqual(choosing.preset_rows([whole, other])[0][6], "0.50 to 1.00")
+        self.assertEqual(choosing_presets.preset_rows([whole, other])[0][6], "0.50 to 1.00")
         self.assertEqual(table[0], ["paper", 8, "two passes", "0.1000", "0.1000", "0.100 (city)", "0.50 to 0.50", "1.50",
                                     "0.75", "0.80", "90"])
         self.assertEqual(table[1][:4] + table[1][9:10], ["fast", 8, "from a G-buffer", "0.0500", "0.76"])
         self.assertEqual([line[1] for line in table], [8] * 7 + [32] * 2)
-        self.assertEqual(choosing.preset_rows([self.scene]), [])
+        self.assertEqual(choosing_presets.preset_rows([self.scene]), [])
         few = json.loads(json.dumps(whole))
         few["rows"] = [r for r in few["rows"] if r["preset"] in ("", "paper") and r["n"] != 32]
-        self.assertEqual([line[:2] for line in choosing.preset_rows([self.scene, few])], [["paper", 8]])
+        self.assertEqual([line[:2] for line in choosing_presets.preset_rows([self.scene, few])], [["paper", 8]])
 
     def test_the_most_accurate_preset_by_its_aims(self):
         rows = [row("single", 1, 0, 100, 1e-2, 20), row("ssaa", 8, 0, 900, 2e-3), row("agaa", 8, 2, 500, 3e-3, events=2.0)]
@@ -85,13 +88,13 @@ class Choosing(unittest.TestCase):
             rows[-1].update(preset=preset, tiers={"generation": by} if by else {},
                             temporal={"biasSquared": bias, "variance": 1e-6, "referenceMseTm": 2e-6})
         whole = scene(name="city", rows=rows)
-        text = choosing.aim_sentences([whole], choosing.preset_rows([whole]))
+        text = choosing_presets.aim_sentences([whole], choosing_presets.preset_rows([whole]))
         self.assertEqual(text[0], "* `accurate` n=8 by id was to have: error at most 0.005, no longer frame (0.80): it has; "
                                   "no more events than c=2 (1.25): it has not.")
         self.assertIn("1 of 2 above 1 (city 1.500); 2 gaps are below", text[1])
         rows[-1]["temporal"]["biasSquared"] = 5e-5
-        self.assertIn("1 of 2 above 1 (city 2.500); 1 gaps are below", choosing.steady_sentence([whole]))
-        self.assertIsNone(choosing.steady_sentence([self.scene]))
+        self.assertIn("1 of 2 above 1 (city 2.500); 1 gaps are below", choosing_presets.steady_sentence([whole]))
+        self.assertIsNone(choosing_presets.steady_sentence([self.scene]))
 
     def test_the_fastest_for_an_error(self):
         cells = self.cells(self.answers(0))
@@ -122,31 +125,31 @@ class Choosing(unittest.TestCase):
             other = row("agaa", 8, 2, ms, 0.905e-3, 90, events=2, shading=125, merging=3e-5)
             other["tiers"] = {"generation": tier}
             self.scene["rows"].append(other)
-        self.assertAlmostEqual(choosing.ratios(self.scene, 8)["frame"], 300 / 350)
-        self.assertAlmostEqual(choosing.ratios(self.scene, 8, "gbuffer")["frame"], 300 / 250)
-        self.assertAlmostEqual(choosing.ratios(self.scene, 8, "ids")["frame"], 300 / 200)
+        self.assertAlmostEqual(choosing_speed.ratios(self.scene, 8)["frame"], 300 / 350)
+        self.assertAlmostEqual(choosing_speed.ratios(self.scene, 8, "gbuffer")["frame"], 300 / 250)
+        self.assertAlmostEqual(choosing_speed.ratios(self.scene, 8, "ids")["frame"], 300 / 200)
         self.assertTrue(self.cells(self.answers(0))[1].startswith("agaa n=8 c=2 by id"))
 
     def test_ratios_and_the_cost_from_which_agaa_wins(self):
-        ratios = choosing.ratios(self.scene, 8)
+        ratios = choosing_speed.ratios(self.scene, 8)
         self.assertEqual(ratios, {"events": 2, "shading": 1.6, "efficiency": 0.8, "frame": 300 / 350, "grouping": 1.25})
         # 100 + 200 s against 250 + 100 s
-        self.assertAlmostEqual(choosing.win_cost(self.scene, 8)[1], 1.5)
-        self.assertIsNone(choosing.win_cost(self.scene, 32))
-        agaa = choosing.find(self.scene, "agaa", 8, 2, cost=4)
+        self.assertAlmostEqual(choosing_speed.win_cost(self.scene, 8)[1], 1.5)
+        self.assertIsNone(choosing_speed.win_cost(self.scene, 32))
+        agaa = sweep_rows.find(self.scene, "agaa", 8, 2, cost=4)
         heaviest = [row("simple_complex", 8, 0, 3300, 0.9e-3, cost=16), row("agaa", 8, 2, 2600, 0.9e-3, cost=16)]
         self.scene["rows"] += heaviest  # 100 + 200 s against 200 + 150 s
-        self.assertAlmostEqual(choosing.win_cost(self.scene, 8)[1], 2)
+        self.assertAlmostEqual(choosing_speed.win_cost(self.scene, 8)[1], 2)
         self.scene["rows"].pop()
-        self.assertAlmostEqual(choosing.win_cost(self.scene, 8)[1], 1.5, msg="of those that both were measured at")
+        self.assertAlmostEqual(choosing_speed.win_cost(self.scene, 8)[1], 1.5, msg="of those that both were measured at")
         agaa["frameMs"]["median"] = 1200  # no lighting is heavy enough
-        self.assertEqual(choosing.cost_text(self.scene, 8), "beyond 4")
-        choosing.find(self.scene, "agaa", 8, 2)["frameMs"]["median"] = 200  # shorter up to what was measured
+        self.assertEqual(choosing_speed.cost_text(self.scene, 8), "beyond 4")
+        sweep_rows.find(self.scene, "agaa", 8, 2)["frameMs"]["median"] = 200  # shorter up to what was measured
         agaa["frameMs"]["median"] = 850
-        self.assertEqual(choosing.cost_text(self.scene, 8), "any")
+        self.assertEqual(choosing_speed.cost_text(self.scene, 8), "any")
         agaa["frameMs"]["median"] = 250
-        choosing.find(self.scene, "agaa", 8, 2)["frameMs"]["median"] = 100
-        self.assertEqual(choosing.cost_text(self.scene, 8), "any")
+        sweep_rows.find(self.scene, "agaa", 8, 2)["frameMs"]["median"] = 100
+        self.assertEqual(choosing_speed.cost_text(self.scene, 8), "any")
 
     def test_what_was_not_measured_is_not_a_number(self):
         for r in self.scene["rows"]:

@@ -1,0 +1,93 @@
+"""Presets in a sweep: what each costs and leaves, and whether the most accurate one is what it was meant to be."""
+
+import statistics
+
+from sweep_rows import error, find, frame, mean, ratio, rows_of, shown, span, way
+
+PRESETS = [("paper", 8, None)]
+PRESETS += [(preset, 8, by) for preset in ("fast", "balanced", "accurate") for by in ("gbuffer", "ids")]
+PRESETS += [("accurate", 32, by) for by in ("gbuffer", "ids")]
+
+
+def preset_row(scene, preset, n, by):
+    for row in rows_of(scene):
+        if (row["preset"], row["n"], way(row)) == (preset, n, by):
+            return row
+    return None
+
+
+def merge_share(scene, row):
+    """What aggregation costs, by the error of single."""
+    return ratio(row["errorSameSamples"]["mseTm"], error(find(scene, "single", 1)))
+
+
+def beside_ssaa(scene, row):
+    """How far from the reference, by how far ssaa of the same n is; 1 where the reference cannot tell them apart."""
+    other = error(find(scene, "ssaa", row["n"]))
+    return 1.0 if abs(error(row) - other) < 10 * scene["reference"]["splitHalfMseTm"] else ratio(error(row), other)
+
+
+def preset_rows(scenes):
+    """Means over the scenes that have all of the same n that any has, and agaa c=2 by two passes to set them beside."""
+    out = []
+    measured = [each for each in PRESETS if any(preset_row(s, *each) for s in scenes)]
+    for preset, n, by in measured:
+        whole = [s for s in scenes if find(s, "agaa", n, 2) and find(s, "ssaa", n)
+                 and all(preset_row(s, *each) for each in measured if each[1] == n)]
+        if not whole:
+            continue
+        rows, twos = [preset_row(s, preset, n, by) for s in whole], [find(s, "agaa", n, 2) for s in whole]
+        shares = [merge_share(s, row) for s, row in zip(whole, rows)]
+        beside = [beside_ssaa(s, row) for s, row in zip(whole, rows)]
+        worst = max(zip(shares, (s["name"] for s in whole)))
+        events, times, sizes = ([of(row) for row in rows] for of in (
+            lambda row: row["eventsPerCoveredPixel"], frame, lambda row: row["bytesPerPixel"]))
+        out.append([preset, n, {None: "two passes", "gbuffer": "from a G-buffer", "ids": "by id"}[by],
+                    f"{mean(shares):.4f}", f"{statistics.median(shares):.4f}", f"{worst[0]:.3f} ({worst[1]})",
+                    span(beside), f"{mean(events):.2f}",
+                    shown(statistics.geometric_mean(ratio(own, two["eventsPerCoveredPixel"])
+                                                    for own, two in zip(events, twos))),
+                    shown(statistics.geometric_mean(ratio(own, frame(two)) for own, two in zip(times, twos))),
+                    f"{mean(sizes):.0f}"])
+    return out
+
+
+AIM = 0.005  # of single's error, that the most accurate preset may add in the mean
+
+
+def aim_sentences(scenes, presets):
+    """Whether the most accurate preset is what it was meant to be."""
+    lines = []
+    for preset, n, materials, error_mean, median, largest, *_, events, time, _ in presets:
+        if preset != "accurate":
+            continue
+        met = [f"error at most {AIM}"] if float(error_mean) <= AIM else []
+        missed = [] if met else [f"error at most {AIM} (median {median}, largest {largest})"]
+        for text, value in (("no more events than c=2", events), ("no longer frame", time)):
+            (met if float(value) <= 1 else missed).append(f"{text} ({value})")
+        lines.append(f"* `accurate` n={n} {materials} was to have: " + "; ".join(
+            f"{', '.join(of)}: {verdict}" for of, verdict in ((met, "it has"), (missed, "it has not")) if of) + ".")
+    steady = steady_sentence(scenes)
+    return lines + ([steady] if steady else [])
+
+
+def steady_sentence(scenes):
+    """What of bias and variance under parts of a pixel the most accurate preset has more of than the paper's settings."""
+    more, within, known = [], 0, 0
+    for scene in scenes:
+        paper = preset_row(scene, "paper", 8, None)
+        for by in ("gbuffer", "ids"):
+            row = preset_row(scene, "accurate", 8, by)
+            if None in (paper, row) or None in (paper["temporal"], row["temporal"]):
+                continue
+            for term in ("biasSquared", "variance"):
+                a, b = row["temporal"][term], paper["temporal"][term]
+                known += 1
+                within += abs(a - b) < 10 * row["temporal"]["referenceMseTm"]
+                if a > b:
+                    more.append(f"{scene['name']} {a / b:.3f}")
+    if not known:
+        return None
+    return (f"* Under shifts by parts of a pixel, bias² and variance of `accurate` n=8 by those of `paper`: "
+            f"{'none' if not more else str(len(more))} of {known} above 1{' (' + ', '.join(more) + ')' if more else ''}; "
+            f"{within} gaps are below ten times the references' own error, which counts as none.")
