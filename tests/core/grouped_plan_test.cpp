@@ -105,6 +105,33 @@ TEST(GroupedPlan, EllipticLobesWantEachNormal) {
     }
 }
 
+TEST(GroupedPlan, GlossPartsOnlyWhatShines) {
+    ViewSpec spec;
+    spec.change = [](AgaaConfig& config) { config.glossWeight = 0.03f; };
+    const Plan shiny = planFor(spec, fourSampleDevice());
+    EXPECT_EQ(shiny.generationTier, AGAA_TIER_GBUFFER);
+    EXPECT_TRUE(has(shiny.effects, "gloss-weight"));
+    spec.facts &= ~AGAA_FACT_SPECULAR;
+    const Plan dull = planFor(spec, fourSampleDevice());
+    EXPECT_EQ(dull.generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
+    EXPECT_EQ(dull.config.glossWeight, 0.0f);
+    EXPECT_FALSE(has(dull.effects, "gloss-weight"));
+}
+
+// Only by ids some draws come a second time.
+TEST(GroupedPlan, CustomDepthIsDrawnOnceIntoAGBuffer) {
+    const AgaaFetchFunction some = fetchFunction(AGAA_FETCH_NOT_ALL_DRAWS);
+    ViewSpec spec;
+    spec.chained = &some;
+    spec.facts |= AGAA_FACT_CUSTOM_DEPTH;
+    spec.generationTier = AGAA_TIER_GBUFFER;
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).geometryPasses(), 1u);
+    for (AgaaTier tier : {AGAA_TIER_AUTO, AGAA_TIER_IDS}) {
+        spec.generationTier = tier;
+        EXPECT_ANY_THROW(planFor(spec, fourSampleDevice()));
+    }
+}
+
 TEST(GroupedPlan, TheTargetIsKnownBeforeItIsDrawn) {
     AgaaConfig config = AGAA_CONFIG_INIT;
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;

@@ -227,6 +227,18 @@ TEST(WrongInput, NullPointersAndShortArrays) {
     std::vector<const char*> names(count);
     count = 1;
     EXPECT_EQ(agaaEnumerateTechniques(&count, names.data()), AGAA_ERROR_BUFFER_TOO_SMALL);
+    Request request;
+    request.view.config = &request.config;
+    request.view.facts = &request.facts;
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    caps.sampleCounts = 0xF;
+    caps.maxImageSize = 16384;
+    caps.maxStorageRange = 1 << 20;
+    request.config.technique = "single";
+    AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
+    EXPECT_EQ(agaaQueryMemory(&request.view, &caps, nullptr, &report, nullptr, nullptr), AGAA_OK);
+    caps.reserved = 1; // of a later header
+    EXPECT_EQ(agaaQueryMemory(&request.view, &caps, nullptr, &report, nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
     AgaaContext context = nullptr;
     EXPECT_EQ(agaaVkCreateContext(AGAA_HEADER_VERSION, nullptr, &context),
               AGAA_ERROR_INVALID_ARGUMENT);
