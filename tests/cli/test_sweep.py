@@ -59,7 +59,13 @@ class Sweep(unittest.TestCase):
         self.assertIn("another camera", seen_otherwise.stderr)
         twice = harness.run(*self.arguments, "--scene", "metal@0,1,4,0,0,0,50")
         self.assertEqual(twice.returncode, 2)
-        self.assertIn("two scenes called", twice.stderr)
+        self.assertIn("a second scene called", twice.stderr)
+        with tempfile.TemporaryDirectory() as folder: # by the name of a plain scene's images
+            named = os.path.join(folder, "metal-plain.glb")
+            open(named, "w").close()
+            plain = harness.run("sweep", "--scene", named, "--plain", "metal", "--out", os.path.join(folder, "out"))
+        self.assertEqual(plain.returncode, 2)
+        self.assertIn('--plain names a second scene called "metal-plain"', plain.stderr)
 
     def test_effects_that_are_not_called_for_change_nothing(self):
         effects = {e["effect"]: e for e in self.results["backends"][0]["scenes"][0]["ablation"]}
