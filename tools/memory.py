@@ -39,10 +39,9 @@ def below(ours, theirs):
     return ", ".join(f"{100 * (1 - a / b):.0f}" for a, b in zip(ours, theirs))
 
 
-def models(harness):
-    """What the papers' models of agaa and SBAA differ by."""
-    agaa, sbaa = ([report(harness, ["--samples", n, "--technique", technique, *MODEL])["bytesPerPixel"] for n in SAMPLES]
-                  for technique in ("agaa", "sbaa"))
+def models(agaa, sbaa):
+    """What the papers' models of agaa and SBAA differ by: reports by n."""
+    agaa, sbaa = ([memory["bytesPerPixel"] for memory in each] for each in (agaa, sbaa))
     return (f"\nOf the papers' models `agaa` c=2 keeps {below(agaa, sbaa)} % less than `sbaa` S=2, and by the paper's own "
             f"count\n{below(PAPER, sbaa)} %.")
 
@@ -66,10 +65,10 @@ for `agaa`, 128, 256 and 512 for deferred shading. Beyond that, `agaa` keeps the
 paper counts eight bits.
 """)
     print("| way | " + " | ".join(f"n={n}" for n in SAMPLES) + " |\n|---|" + "---:|" * len(SAMPLES))
-    for name, options in WAYS:
-        cells = [cell(report(arguments.harness, ["--samples", n, *options])) for n in SAMPLES]
-        print(f"| {name} | " + " | ".join(cells) + " |")
-    print(models(arguments.harness))
+    reports = [[report(arguments.harness, ["--samples", n, *options]) for n in SAMPLES] for _, options in WAYS]
+    for (name, _), row in zip(WAYS, reports):
+        print(f"| {name} | " + " | ".join(map(cell, row)) + " |")
+    print(models(reports[2], reports[1]))
 
 
 if __name__ == "__main__":

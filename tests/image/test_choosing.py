@@ -67,19 +67,19 @@ class Choosing(unittest.TestCase):
             rows.append(row("agaa", n, 2, 400 - 20 * i, 1e-3, 90, events=1.5, merging=1e-3 / (i + 1)))
             rows[-1].update(preset=preset, tiers={"generation": by} if by else {})
         whole = scene(name="city", rows=[row("single", 1, 0, 100, 1e-2, 20)] + rows)
-        table = choosing_presets.preset_rows([self.scene, whole])  # the other scene has none
+        table = choosing_presets.preset_rows(choosing_presets.preset_figures([self.scene, whole]))  # the other scene has none
         self.assertEqual((table[0][6], table[-1][6]), ("0.50 to 0.50", "2.00 to 2.00"))
         other = json.loads(json.dumps(whole))
         other["reference"]["splitHalfMseTm"] = 2e-4  # too coarse to tell 1e-3 from 2e-3
-        self.assertEqual(choosing_presets.preset_rows([whole, other])[0][6], "0.50 to 1.00")
+        self.assertEqual(choosing_presets.preset_rows(choosing_presets.preset_figures([whole, other]))[0][6], "0.50 to 1.00")
         self.assertEqual(table[0], ["paper", 8, "two passes", "0.1000", "0.1000", "0.100 (city)", "0.50 to 0.50", "1.50",
                                     "0.75", "0.80", "90"])
         self.assertEqual(table[1][:4] + table[1][9:10], ["fast", 8, "from a G-buffer", "0.0500", "0.76"])
         self.assertEqual([line[1] for line in table], [8] * 7 + [32] * 2)
-        self.assertEqual(choosing_presets.preset_rows([self.scene]), [])
+        self.assertEqual(choosing_presets.preset_rows(choosing_presets.preset_figures([self.scene])), [])
         few = json.loads(json.dumps(whole))
         few["rows"] = [r for r in few["rows"] if r["preset"] in ("", "paper") and r["n"] != 32]
-        self.assertEqual([line[:2] for line in choosing_presets.preset_rows([self.scene, few])], [["paper", 8]])
+        self.assertEqual([line[:2] for line in choosing_presets.preset_rows(choosing_presets.preset_figures([self.scene, few]))], [["paper", 8]])
 
     def test_the_most_accurate_preset_by_its_aims(self):
         rows = [row("single", 1, 0, 100, 1e-2, 20), row("ssaa", 8, 0, 900, 2e-3), row("agaa", 8, 2, 500, 3e-3, events=2.0)]
@@ -88,10 +88,14 @@ class Choosing(unittest.TestCase):
             rows[-1].update(preset=preset, tiers={"generation": by} if by else {},
                             temporal={"biasSquared": bias, "variance": 1e-6, "referenceMseTm": 2e-6})
         whole = scene(name="city", rows=rows)
-        text = choosing_presets.aim_sentences([whole], choosing_presets.preset_rows([whole]))
-        self.assertEqual(text[0], "* `accurate` n=8 by id was to have: error at most 0.005, no longer frame (0.80): it has; "
+        text = choosing_presets.aim_sentences([whole], choosing_presets.preset_figures([whole]))
+        self.assertEqual(text[0], "* `accurate` n=8 by id was to have: error at most 0.005 (0.0040, median 0.0040), "
+                                  "no longer frame (0.80): it has; "
                                   "no more events than c=2 (1.25): it has not.")
         self.assertIn("1 of 2 above 1 (city 1.500); 2 gaps are below", text[1])
+        rows[-1]["errorSameSamples"]["mseTm"] = 5.002e-5  # rounded it would be as wanted
+        text = choosing_presets.aim_sentences([whole], choosing_presets.preset_figures([whole]))
+        self.assertIn("; error at most 0.005 (0.0050, median 0.0050), no more events", text[0])
         rows[-1]["temporal"]["biasSquared"] = 5e-5
         self.assertIn("1 of 2 above 1 (city 2.500); 1 gaps are below", choosing_presets.steady_sentence([whole]))
         self.assertIsNone(choosing_presets.steady_sentence([self.scene]))

@@ -13,7 +13,7 @@ import sys
 from collections import Counter
 from pathlib import Path
 
-from choosing_presets import aim_sentences, preset_rows
+from choosing_presets import aim_sentences, preset_figures, preset_rows
 from choosing_speed import DENSE, speed_rows, speed_sentences
 from sweep_rows import error, find, frame, name, ratio, rows_of, shown, table
 
@@ -137,7 +137,7 @@ def document(sweeps):
         lines += ["### In short", ""] + how_often(scenes)
         for title, asked, limits, pick in QUESTIONS:
             lines += [f"### {title}", ""] + by_scene(scenes, asked, limits, pick)
-        if presets := preset_rows(scenes):
+        if presets := preset_figures(scenes):
             lines += ["### Presets", "",
                       "Means over the scenes. Error: what aggregation adds, against `ssaa` of the same n, by the "
                       "error of `single`. “Error by ssaa's”, the least and the most over the scenes: the error "
@@ -148,7 +148,7 @@ def document(sweeps):
                       "same n with two geometry passes, geometric means.", ""]
             lines += table(["preset", "n", "materials", "error", "its median", "its largest", "error by ssaa's",
                             "events a covered pixel",
-                            "events by c=2", "frame by c=2", "bytes a pixel"], presets)
+                            "events by c=2", "frame by c=2", "bytes a pixel"], preset_rows(presets))
             lines += aim_sentences(scenes, presets) + [""]
         lines += ["### simple\\_complex by agaa c=2", "",
                   "Ratios above 1 are for `agaa`. Shading is with the classification of pixels, and without `agaa`'s "

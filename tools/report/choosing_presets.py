@@ -27,8 +27,9 @@ def beside_ssaa(scene, row):
     return 1.0 if abs(error(row) - other) < 10 * scene["reference"]["splitHalfMseTm"] else ratio(error(row), other)
 
 
-def preset_rows(scenes):
-    """Means over the scenes that have all of the same n that any has, and agaa c=2 by two passes to set them beside."""
+def preset_figures(scenes):
+    """Of each preset, over the scenes that have all of the same n that any has, and agaa c=2 by two passes to set them
+    beside."""
     out = []
     measured = [each for each in PRESETS if any(preset_row(s, *each) for s in scenes)]
     for preset, n, by in measured:
@@ -42,30 +43,37 @@ def preset_rows(scenes):
         worst = max(zip(shares, (s["name"] for s in whole)))
         events, times, sizes = ([of(row) for row in rows] for of in (
             lambda row: row["eventsPerCoveredPixel"], frame, lambda row: row["bytesPerPixel"]))
-        out.append([preset, n, {None: "two passes", "gbuffer": "from a G-buffer", "ids": "by id"}[by],
-                    f"{mean(shares):.4f}", f"{statistics.median(shares):.4f}", f"{worst[0]:.3f} ({worst[1]})",
-                    span(beside), f"{mean(events):.2f}",
-                    shown(statistics.geometric_mean(ratio(own, two["eventsPerCoveredPixel"])
-                                                    for own, two in zip(events, twos))),
-                    shown(statistics.geometric_mean(ratio(own, frame(two)) for own, two in zip(times, twos))),
-                    f"{mean(sizes):.0f}"])
+        out.append({"preset": preset, "n": n,
+                    "materials": {None: "two passes", "gbuffer": "from a G-buffer", "ids": "by id"}[by],
+                    "error": mean(shares), "median": statistics.median(shares),
+                    "largest": f"{worst[0]:.3f} ({worst[1]})", "beside": span(beside), "events": mean(events),
+                    "eventsByTwo": statistics.geometric_mean(ratio(own, two["eventsPerCoveredPixel"])
+                                                             for own, two in zip(events, twos)),
+                    "frameByTwo": statistics.geometric_mean(ratio(own, frame(two)) for own, two in zip(times, twos)),
+                    "bytes": mean(sizes)})
     return out
+
+
+def preset_rows(figures):
+    return [[f["preset"], f["n"], f["materials"], f"{f['error']:.4f}", f"{f['median']:.4f}", f["largest"], f["beside"],
+             f"{f['events']:.2f}", shown(f["eventsByTwo"]), shown(f["frameByTwo"]), f"{f['bytes']:.0f}"] for f in figures]
 
 
 AIM = 0.005  # of single's error, that the most accurate preset may add in the mean
 
 
-def aim_sentences(scenes, presets):
+def aim_sentences(scenes, figures):
     """Whether the most accurate preset is what it was meant to be."""
     lines = []
-    for preset, n, materials, error_mean, median, largest, *_, events, time, _ in presets:
-        if preset != "accurate":
+    for f in figures:
+        if f["preset"] != "accurate":
             continue
-        met = [f"error at most {AIM}"] if float(error_mean) <= AIM else []
-        missed = [] if met else [f"error at most {AIM} (median {median}, largest {largest})"]
-        for text, value in (("no more events than c=2", events), ("no longer frame", time)):
-            (met if float(value) <= 1 else missed).append(f"{text} ({value})")
-        lines.append(f"* `accurate` n={n} {materials} was to have: " + "; ".join(
+        met, missed = [], []
+        for holds, text in ((f["error"] <= AIM, f"error at most {AIM} ({f['error']:.4f}, median {f['median']:.4f})"),
+                            (f["eventsByTwo"] <= 1, f"no more events than c=2 ({f['eventsByTwo']:.2f})"),
+                            (f["frameByTwo"] <= 1, f"no longer frame ({f['frameByTwo']:.2f})")):
+            (met if holds else missed).append(text)
+        lines.append(f"* `accurate` n={f['n']} {f['materials']} was to have: " + "; ".join(
             f"{', '.join(of)}: {verdict}" for of, verdict in ((met, "it has"), (missed, "it has not")) if of) + ".")
     steady = steady_sentence(scenes)
     return lines + ([steady] if steady else [])
