@@ -33,6 +33,7 @@ class Sweep(unittest.TestCase):
         self.assertIn(backend["passTimes"], ("device", "cpu-finish", "none"))
         scene = backend["scenes"][0]
         self.assertEqual(scene["name"], "metal")
+        self.assertRegex(scene["build"], r"^\d+\.\d+\.\d+(-[0-9a-f]{10,}(-dirty)?)?$")
         self.assertEqual(scene["camera"], "")
         self.assertEqual(scene["lights"], 17)
         self.assertGreater(scene["reference"]["splitHalfMseTm"], 0)

@@ -103,7 +103,7 @@ def make_scene(name, speed, folder):
             for technique, n, c in configurations()]
     rows += [one_pass_row(name, tier, preset, cost, speed) for cost in (1, 4)
              for tier, preset in (("gbuffer", ""), ("ids", ""), ("ids", "accurate"))]
-    scene = {"name": name, "triangles": 31000, "lights": 17,
+    scene = {"name": name, "build": "0.1.0-1234abcdef", "triangles": 31000, "lights": 17,
              "stresses": "Stalks and leaves thinner than a pixel, with specular highlights.",
              "pixelsPerDegree": 67.0, "reference": {"spp": 512, "splitHalfMseTm": 1.8e-6},
              "rows": rows, "referenceImage": f"images/{name}-reference.png",

@@ -179,6 +179,8 @@ class Shown(unittest.TestCase):
         self.open()
         head = "document.getElementById('scene-name').textContent"
         self.assertEqual(self.browser.run(head), "bamboo")
+        self.assertIn("measured by build 0.1.0-1234abcdef",
+                      self.browser.run("document.getElementById('scene-facts').textContent"))
         self.choose("scene", "metal")
         self.assertEqual(self.browser.run(head), "metal")
         vulkan = self.rows("#equal-time-table")

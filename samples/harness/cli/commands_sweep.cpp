@@ -1,6 +1,8 @@
 // sweep: techniques beside each other over scenes and backends; see docs/sweep.md.
 #include "cli/commands.h"
 
+#include "build_name.h"
+
 #include "scene/builtin.h"
 #include "sweep/scene_sweep.h"
 
@@ -164,6 +166,7 @@ private:
                          });
         json result = sweep.run();
         result["name"] = name;
+        result["build"] = AGAA_BUILD_NAME;
         result["camera"] = task.camera;
         result["plain"] = task.isPlain;
         json& backend = backendOf(results_, task.backend);

@@ -24,6 +24,7 @@ function showHead(backend, scene) {
         finite(scene.lights) !== null && `${scene.lights} lights`,
         field(scene, "reference", "spp") && `reference of ${scene.reference.spp} samples a pixel, its own mseTm `
             + errorText(field(scene, "reference", "splitHalfMseTm"), METRICS.mseTm),
+        scene.build && `measured by build ${scene.build}`,
         finite(scene.pixelsPerDegree) !== null && `FLIP at ${significant(scene.pixelsPerDegree)} pixels a degree`];
     byId("scene-facts").textContent = facts.filter((fact) => fact).join(" · ");
 }
