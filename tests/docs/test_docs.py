@@ -128,7 +128,7 @@ class Tool(unittest.TestCase):
 
 
 class Prices(unittest.TestCase):
-    """Of the planner: constants that docs/results/lavapipe/sweep has the figures of."""
+    """Constants of the planner, and words of the page, that docs/results/lavapipe has the figures of."""
 
     @classmethod
     def setUpClass(cls):
@@ -150,6 +150,18 @@ class Prices(unittest.TestCase):
         for name, tier in (("gbufferPrice", "gbuffer"), ("idsPrice", "ids")):
             measured = [self.frame(scene, tier) / self.frame(scene, None) for scene in self.scenes]
             self.assertAlmostEqual(statistics.median(measured), self.price("tiers.cpp", name), delta=0.05)
+
+    def test_of_causes(self):
+        """What the page of a sweep says of aggregates that err more than surfaces of SBAA."""
+        scenes = json.loads((ROOT / "docs/results/lavapipe/causes.json").read_text())["scenes"].values()
+
+        def err_more(without):
+            merged = [next(row for row in rows if row["without"] == without)["toAllSamples"] for rows in scenes]
+            return sum(errors["agaa n=8 c=2"] > errors["sbaa n=8 S=4"] for errors in merged)
+
+        self.assertGreater(err_more("nothing"), 0)
+        self.assertLess(err_more("specular"), err_more("nothing") / 2, "on most it is the specular light")
+        self.assertGreater(err_more("shadows"), err_more("nothing") / 2, "and not the shadows")
 
     def test_of_lit_aggregates(self):
         effects = [effect for scene in self.scenes for effect in scene["ablation"] if effect["effect"] == "lit-aggregates"]
