@@ -39,9 +39,10 @@ const uint emissiveBit = 8u;
 const uint alphaTestBit = 16u;
 
 // Of the pixel's centre, unlike all else: the samples that survive the depth test, and so what counts as
-// inside, differ between the passes, and a sample that one pass covers must be covered in the next.
+// inside, differ between the passes, and a sample that one pass covers must be covered in the next. Precise, since
+// each pass is a program of its own.
 float coverage(vec2 uv, vec2 dx, vec2 dy) {
-    float alpha = material.baseColor.a * clamp(AGAA_AT_CENTRE(centreAlpha), 0.0, 1.0);
+    precise float alpha = material.baseColor.a * clamp(AGAA_AT_CENTRE(centreAlpha), 0.0, 1.0);
     if ((features & baseColorBit) != 0u)
         alpha *= textureGrad(baseColorMap, uv, dx, dy).a;
     if ((features & alphaTestBit) != 0u)

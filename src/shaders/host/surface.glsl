@@ -4,8 +4,8 @@ struct AgaaSurfaceInput {
     vec3 position;        // of the fragment
     vec3 geometricNormal; // of the primitive's plane; either side
     float alpha;          // coverage in [0,1]; used where AGAA_ALPHA_MASKED is 1. Must be equal in
-                          // every pass: take it at AGAA_AT_CENTRE, since AGAA_INSIDE depends on
-                          // which samples survive
+                          // every pass: precise, and taken at AGAA_AT_CENTRE, since AGAA_INSIDE
+                          // depends on which samples survive
     uint primitiveSeed;   // differs between primitives that may overlap; the same in every pass
     uint draw;            // of the visibility pass where AGAA_WRITES_IDS is 1: what AgaaFetchFunction is asked for
     uint primitive;       // of the draw, as gl_PrimitiveID counts
@@ -63,10 +63,12 @@ vec3 agaa_planeNormal(vec3 position) {
     return l2 > 0.0 ? n * inversesqrt(l2) : vec3(0.0);
 }
 
-// Alpha tested at a cutoff as coverage: a ramp one pixel wide around the contour.
+// Alpha tested at a cutoff as coverage: a ramp one pixel wide around the contour. Passes are programs of their own,
+// which compilers may evaluate differently but for what is precise.
 float agaa_sharpenAlpha(float alpha, float cutoff) {
-    float width = max(abs(agaa_dFdx(alpha)) + abs(agaa_dFdy(alpha)), 1e-4);
-    return clamp((alpha - cutoff) / width + 0.5, 0.0, 1.0);
+    precise float width = max(abs(agaa_dFdx(alpha)) + abs(agaa_dFdy(alpha)), 1e-4);
+    precise float coverage = (alpha - cutoff) / width + 0.5;
+    return clamp(coverage, 0.0, 1.0);
 }
 
 uint agaa_hash(uint x) { // PCG output permutation
@@ -94,7 +96,8 @@ uint agaa_alphaMask(float alpha, uint primitiveSeed) {
     const uint groups = AGAA_SCALE_X * AGAA_SCALE_Y;
     uint group = (agaa_hostGroup() + (h >> 8u)) % groups;
     float u = (float(group) + float(h & 0xFFu) / 256.0) / float(groups);
-    uint count = min(uint(alpha * float(AGAA_HW_SAMPLES) + u), AGAA_HW_SAMPLES);
+    precise float samples = alpha * float(AGAA_HW_SAMPLES) + u;
+    uint count = min(uint(samples), AGAA_HW_SAMPLES);
     uint start = (h >> 16u) + agaa_hostGroup() * 3u;
     uint mask = 0u;
     for (uint i = 0u; i < count; ++i)
