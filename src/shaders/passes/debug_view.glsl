@@ -1,6 +1,9 @@
 // What the output shows in place of radiance (AgaaDebugView).
 #ifndef AGAA_DEBUG_VIEW_GLSL
 #define AGAA_DEBUG_VIEW_GLSL
+#ifndef AGAA_SHADOWS
+#define AGAA_SHADOWS 0
+#endif
 #define AGAA_SHOW_EVENTS 1u
 #define AGAA_SHOW_AGGREGATES 2u
 #define AGAA_SHOW_CLUSTERS 3u

@@ -28,6 +28,9 @@ AGAA_LIGHT_BLOCK agaa_LightBlock {
     agaa_GpuLight lights[AGAA_LIGHT_COUNT];
 } agaa_lightBuffer;
 
+#ifndef AGAA_LIT
+#define AGAA_LIT 0
+#endif
 #ifndef AGAA_SHADOW_TEXTURES // 0 where a function of the host's answers for all shadows
 #define AGAA_SHADOW_TEXTURES 1
 #endif

@@ -5,6 +5,9 @@
 #include "math/clustering.glsl"
 #include "passes/sample_depth.glsl"
 
+#ifndef AGAA_FROM_GBUFFER
+#define AGAA_FROM_GBUFFER 0
+#endif
 #ifdef AGAA_HOST_FETCH
 #include "passes/fetch.glsl"
 #endif
