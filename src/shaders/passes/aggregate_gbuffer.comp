@@ -1,7 +1,7 @@
 // Aggregates of a multisampled G-buffer, shaded at once: nothing but the image goes to memory.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define AGAA_MAX_SAMPLES 32
+#define AGAA_MAX_SAMPLES AGAA_SAMPLES
 #define AGAA_FROM_GBUFFER 1
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/bindings.glsl"

@@ -2,7 +2,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_COUNTING 0
-#define AGAA_MAX_SAMPLES 32
+#define AGAA_MAX_SAMPLES AGAA_SAMPLES
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/bindings.glsl"
 #include "passes/constants.glsl"
