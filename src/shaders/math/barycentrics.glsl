@@ -6,6 +6,7 @@
 #ifndef AGAA_MATH_BARYCENTRICS_GLSL
 #define AGAA_MATH_BARYCENTRICS_GLSL
 #include "real.glsl"
+#include "sanitise.glsl"
 
 struct agaa_Barycentrics {
     rvec3 at; // perspective-correct weights of the vertices, [0;1], of sum 1
@@ -44,7 +45,7 @@ agaa_Barycentrics agaa_barycentrics(rvec3 a, rvec3 b, rvec3 c, rvec2 ndc, rvec2 
     w *= scale;
     const rvec3 edge = rvec3(agaa_cross2(rb, rc), agaa_cross2(rc, ra), agaa_cross2(ra, rb));
     const real sum = edge.x + edge.y + edge.z;
-    if (!(abs(sum) > real(1e-30)))
+    if (!agaa_isFinite(sum) || abs(sum) <= real(1e-30))
         return result;
     result.facing = dot(edge, w);
     const real inverse = real(1.0) / sum;

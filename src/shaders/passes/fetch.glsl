@@ -46,7 +46,7 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
     vec3 a = agaa_vertexViewPosition(p.a);
     vec3 n = cross(agaa_vertexViewPosition(p.b) - a, agaa_vertexViewPosition(p.c) - a);
     float size = max(abs(n.x), max(abs(n.y), abs(n.z)));
-    if (!(size > 0.0) || isinf(size))
+    if (!agaa_isFinite3(n) || size == 0.0)
         return vec3(0.0, 0.0, 1.0);
     n = normalize(n / size);
     float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, a / max(max(abs(a.x), max(abs(a.y), abs(a.z))), 1e-30));
