@@ -18,6 +18,7 @@ extern "C" {
 #define AGAA_DEVICE_D24S8 UINT64_C(0x40)
 #define AGAA_DEVICE_D32S8 UINT64_C(0x80)
 #define AGAA_DEVICE_NO_ALIASING UINT64_C(0x100) /* surfaces cannot share memory (OpenGL) */
+#define AGAA_DEVICE_SOFTWARE UINT64_C(0x200)    /* draws on the CPU: groups do not share a processor's memory */
 
 typedef struct AgaaDeviceCaps {
     uint32_t sType;

@@ -269,14 +269,20 @@ void PlanBuilder::bindHostGBuffer(Pass& pass) {
     pass.defines += "#define AGAA_HOST_GBUFFER 1\n";
 }
 
-void PlanBuilder::bindHostFetch(Pass& pass) {
-    addHostCode(pass, fetchFunction_, "AgaaFetchFunction");
+// Primitives that a group lists at a time. A graphics processor hides how long fetches take by groups that share its
+// memory, so that lists are short there: a primitive for each of 64 lanes.
+uint32_t PlanBuilder::listLength() const {
     // What a listed primitive takes of shared memory by the rules of std430, and what else does.
     constexpr uint32_t listed = 124, others = 8704;
     const uint32_t room = (std::max(caps_.maxSharedBytes, others) - others) / listed;
+    return std::clamp(room / 32 * 32, 32u, caps_.flags & AGAA_DEVICE_SOFTWARE ? 256u : 64u);
+}
+
+void PlanBuilder::bindHostFetch(Pass& pass) {
+    addHostCode(pass, fetchFunction_, "AgaaFetchFunction");
     pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
                            "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",
-                           plan.primitiveBits, plan.clipZFromMinusOne, std::clamp(room / 32 * 32, 32u, 256u));
+                           plan.primitiveBits, plan.clipZFromMinusOne, listLength());
     if (plan.someUnfetched)
         pass.defines += "#define AGAA_SOME_UNFETCHED 1\n";
 }

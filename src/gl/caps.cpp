@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdio>
+#include <cstring>
 #include <iterator>
 
 namespace agaa::gl {
@@ -57,8 +58,12 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
     gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &range);
     caps.maxStorageRange = uint64_t(std::max<GLint64>(range, 0));
     caps.maxSharedBytes = uint32_t(integer(gl, GL_MAX_COMPUTE_SHARED_MEMORY_SIZE));
-    caps.flags = AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 |
-                 AGAA_DEVICE_D32S8 | AGAA_DEVICE_NO_ALIASING;
+    // Mesa's, which name themselves.
+    for (const char* software : {"llvmpipe", "softpipe"})
+        if (std::strstr(caps.deviceName, software))
+            caps.flags |= AGAA_DEVICE_SOFTWARE;
+    caps.flags |= AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 |
+                  AGAA_DEVICE_D32S8 | AGAA_DEVICE_NO_ALIASING;
     if (integer(gl, GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) >= 2)
         caps.flags |= AGAA_DEVICE_FRAGMENT_ATOMICS;
     if (gl.ARB_post_depth_coverage)

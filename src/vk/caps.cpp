@@ -91,6 +91,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
     caps.maxStorageRange = limits.maxStorageBufferRange;
     caps.maxSharedBytes = limits.maxComputeSharedMemorySize;
     const auto set = [&](bool on, uint64_t flag) { caps.flags |= on ? flag : 0; };
+    set(properties.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU, AGAA_DEVICE_SOFTWARE);
     set(f.fragmentStoresAndAtomics, AGAA_DEVICE_FRAGMENT_ATOMICS);
     set(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
     set(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat,

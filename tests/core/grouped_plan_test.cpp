@@ -201,9 +201,10 @@ TEST(GroupedPlan, TheListFitsSharedMemory) {
     const AgaaFetchFunction function = fetchFunction();
     ViewSpec spec;
     spec.chained = &function;
-    const auto lengthOn = [&](uint32_t bytes) {
+    const auto lengthOn = [&](uint32_t bytes, uint64_t flags = AGAA_DEVICE_SOFTWARE) {
         AgaaDeviceCaps caps = fourSampleDevice();
         caps.maxSharedBytes = bytes;
+        caps.flags |= flags;
         const std::string& defines = planFor(spec, caps).passes.back().defines;
         const size_t at = defines.find("AGAA_LIST_LENGTH ");
         return std::stoul(defines.substr(at + 17));
@@ -212,6 +213,8 @@ TEST(GroupedPlan, TheListFitsSharedMemory) {
     EXPECT_EQ(lengthOn(32768), 192u);
     EXPECT_EQ(lengthOn(49152), 256u);
     EXPECT_EQ(lengthOn(0), 32u) << "a pixel's primitives at 32 samples";
+    EXPECT_EQ(lengthOn(16384, 0), 32u);
+    EXPECT_EQ(lengthOn(49152, 0), 64u) << "leaves room for other groups";
 }
 
 TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
