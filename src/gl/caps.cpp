@@ -26,6 +26,19 @@ GLint integer(const GladGLContext& gl, GLenum parameter) {
     return value;
 }
 
+// NVIDIA makes some counts of fewer samples in a larger image, where masks and positions are not those of samples.
+bool isRasterised(const GladGLContext& gl, Format format, GLint samples) {
+    if (!gl.NV_internalformat_sample_query)
+        return true;
+    const auto is = [&](GLenum parameter) {
+        GLint value = 1;
+        gl.GetInternalformatSampleivNV(GL_TEXTURE_2D_MULTISAMPLE, internalFormat(format), samples, parameter, 1,
+                                       &value);
+        return value == 1;
+    };
+    return is(GL_SUPERSAMPLE_SCALE_X_NV) && is(GL_SUPERSAMPLE_SCALE_Y_NV) && is(GL_CONFORMANT_NV);
+}
+
 // Bit i: 2^i samples that textures of this format can have.
 uint32_t sampleCounts(const GladGLContext& gl, Format format) {
     GLint count = 0;
@@ -36,7 +49,7 @@ uint32_t sampleCounts(const GladGLContext& gl, Format format) {
                            list.data());
     uint32_t bits = 1;
     for (GLint samples : list)
-        if (samples > 0 && std::has_single_bit(uint32_t(samples)))
+        if (samples > 0 && std::has_single_bit(uint32_t(samples)) && isRasterised(gl, format, samples))
             bits |= 1u << std::countr_zero(uint32_t(samples));
     return bits;
 }
@@ -71,8 +84,8 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
     if (gl.NV_framebuffer_mixed_samples && gl.NV_sample_mask_override_coverage)
         caps.flags |= AGAA_DEVICE_NV_MIXED_SAMPLES;
     caps.sampleCounts = 0x1F; // no standard has a pattern of 32 samples
-    for (Format format : {Format::RG8, Format::RGBA8, Format::R16, Format::RG16, Format::RGBA16,
-                          Format::RGB10A2, Format::D24S8, Format::D32S8, Format::D32})
+    for (Format format : {Format::R8, Format::RG8, Format::RGBA8, Format::R16, Format::RG16, Format::RGBA16,
+                          Format::RGBA16F, Format::RGB10A2, Format::D24S8, Format::D32S8, Format::D32})
         caps.sampleCounts &= sampleCounts(gl, format);
     return caps;
 }

@@ -33,7 +33,8 @@ std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk,
     return list;
 }
 
-// Sample counts that depth, normals and G-buffers of any layout can be rendered and fetched with.
+// Sample counts that depth, normals and G-buffers of any layout can be rendered and fetched with, but for what the
+// device has not at all.
 VkSampleCountFlags usableSamples(const InstanceTable& vk, VkPhysicalDevice device,
                                  const VkPhysicalDeviceLimits& limits, VkFormat depth) {
     VkSampleCountFlags counts = limits.framebufferColorSampleCounts &
@@ -43,15 +44,14 @@ VkSampleCountFlags usableSamples(const InstanceTable& vk, VkPhysicalDevice devic
                                 limits.sampledImageDepthSampleCounts;
     const auto restrict = [&](VkFormat format, VkImageUsageFlags usage) {
         VkImageFormatProperties properties{};
+        // Views with a surface of a format that the device has not are refused; others are not.
         if (vk.GetPhysicalDeviceImageFormatProperties(device, format, VK_IMAGE_TYPE_2D,
                                                       VK_IMAGE_TILING_OPTIMAL, usage, 0,
                                                       &properties) == VK_SUCCESS)
             counts &= properties.sampleCounts;
-        else
-            counts = 0;
     };
-    for (VkFormat format : {VK_FORMAT_R8G8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_R16_UNORM,
-                            VK_FORMAT_R16G16_UNORM, VK_FORMAT_R16G16B16A16_UNORM,
+    for (VkFormat format : {VK_FORMAT_R8_UNORM, VK_FORMAT_R8G8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_R16_UNORM,
+                            VK_FORMAT_R16G16_UNORM, VK_FORMAT_R16G16B16A16_UNORM, VK_FORMAT_R16G16B16A16_SFLOAT,
                             VK_FORMAT_A2B10G10R10_UNORM_PACK32})
         restrict(format, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
     restrict(depth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);

@@ -97,10 +97,12 @@ void ViewResources::createImage(const Plan& plan, ResourceId id, std::vector<Req
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
     info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
     VkImageFormatProperties limits{};
-    check(context_.instanceFunctions.GetPhysicalDeviceImageFormatProperties(
-              context_.physicalDevice, info.format, info.imageType, info.tiling, info.usage, 0,
-              &limits),
-          "vkGetPhysicalDeviceImageFormatProperties");
+    const VkResult has = context_.instanceFunctions.GetPhysicalDeviceImageFormatProperties(
+        context_.physicalDevice, info.format, info.imageType, info.tiling, info.usage, 0, &limits);
+    if (has == VK_ERROR_FORMAT_NOT_SUPPORTED || (has == VK_SUCCESS && !(limits.sampleCounts & info.samples)))
+        fail(AGAA_ERROR_UNSUPPORTED, format("the device has no images for %s (%s, %u samples).", resource.name.c_str(),
+                                            formatName(resource.format), resource.samples));
+    check(has, "vkGetPhysicalDeviceImageFormatProperties");
     if (resource.bytes > limits.maxResourceSize)
         fail(AGAA_ERROR_TOO_LARGE,
              format("%s takes %llu bytes; the device allows images of %llu.", resource.name.c_str(),

@@ -40,6 +40,67 @@ TEST(GlCalls, AFailureIsFollowedByBarriers) {
     }
 }
 
+uint32_t dispatches, fedBack; // the latter: with images bound to draw to
+void GLAD_API_PTR dispatch(GLuint x, GLuint y, GLuint z) {
+    GLint framebuffer = 0;
+    real().GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+    bool draws = framebuffer == 0;
+    for (const GLenum attachment : {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT}) {
+        GLint kind = GL_NONE;
+        real().GetNamedFramebufferAttachmentParameteriv(GLuint(framebuffer), framebuffer ? attachment : GL_BACK,
+                                                        GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &kind);
+        draws |= kind != GL_NONE;
+    }
+    ++dispatches;
+    fedBack += draws;
+    real().DispatchCompute(x, y, z);
+}
+
+// OpenGL 4.5, 9.3.1: fetching from what the bound framebuffer could write is undefined, for another kind of shader too.
+TEST(GlCalls, NothingIsFetchedFromTheBoundFramebuffer) {
+    Replaced replaced;
+    replace(replaced, "glDispatchCompute", dispatch);
+    for (const AgaaGlStatePolicy policy : {AGAA_GL_STATE_RESTORE, AGAA_GL_STATE_NONE}) {
+        AgaaGlContextDesc desc = contextDesc(replaced);
+        desc.statePolicy = policy;
+        Bench bench(desc);
+        dispatches = fedBack = 0;
+        bench.picture();
+        EXPECT_GT(dispatches, 1u);
+        EXPECT_EQ(fedBack, 0u) << policy;
+    }
+}
+
+const char queryOfSamples[] = "GL_NV_internalformat_sample_query";
+void GLAD_API_PTR integersAndOneExtension(GLenum parameter, GLint* out) {
+    real().GetIntegerv(parameter, out);
+    *out += parameter == GL_NUM_EXTENSIONS;
+}
+const GLubyte* GLAD_API_PTR stringOrExtension(GLenum name, GLuint index) {
+    GLint count = 0;
+    real().GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    return name == GL_EXTENSIONS && index == GLuint(count) ? reinterpret_cast<const GLubyte*>(queryOfSamples)
+                                                           : real().GetStringi(name, index);
+}
+GLint scaleOfFour;
+void GLAD_API_PTR sampleQuery(GLenum, GLenum, GLsizei samples, GLenum parameter, GLsizei, GLint* out) {
+    *out = parameter == GL_SUPERSAMPLE_SCALE_X_NV && samples == 4 ? scaleOfFour : 1;
+}
+
+// As NVIDIA's 16 samples, which are 4 in each of four texels.
+TEST(GlCalls, SupersamplingIsNotTakenForSamples) {
+    Replaced replaced;
+    replace(replaced, "glGetIntegerv", integersAndOneExtension);
+    replace(replaced, "glGetStringi", stringOrExtension);
+    replace(replaced, "glGetInternalformatSampleivNV", sampleQuery);
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    for (scaleOfFour = 1; scaleOfFour <= 2; ++scaleOfFour) {
+        ASSERT_EQ(agaaGlGetDeviceCaps(replacedProcAddr, &replaced, nullptr, &caps), AGAA_OK);
+        EXPECT_EQ(caps.sampleCounts >> 2 & 1u, scaleOfFour == 1 ? 1u : 0u);
+    }
+    EXPECT_EQ(caps.sampleCounts & 1u, 1u);
+}
+
 GLuint deletedTexture() {
     GLuint name = 0;
     real().CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
