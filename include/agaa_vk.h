@@ -79,7 +79,7 @@ typedef struct AgaaVkContextDesc {
     uint32_t rendering;      /* AgaaVkRendering */
     uint32_t recording;      /* AgaaVkRecording */
     uint32_t descriptorSet;  /* index of the SDK's set in the host's pipeline layouts, [0;7] */
-    uint64_t pipelineCache;  /* VkPipelineCache or 0 */
+    uint64_t pipelineCache;  /* VkPipelineCache, or 0: one of the context's own, empty at first */
     /* [1;8]: frames that may be unfinished at once, and whose statistics are kept. A frame needs the one this many
      * before it to be no later than AgaaFrame::completedFrame, or it is AGAA_ERROR_WRONG_ORDER. */
     uint32_t framesInFlight;
@@ -185,9 +185,9 @@ typedef struct AgaaVkFrame {
     uint64_t outputView;
     uint32_t outputLayoutIn;  /* VkImageLayout; UNDEFINED: contents are not kept */
     uint32_t outputLayoutOut; /* VkImageLayout the SDK leaves it in, visible to all later commands */
-    /* Depth array views, readable by compute in SHADER_READ_ONLY_OPTIMAL, one per AgaaFrame::shadows that
-     * no AgaaShadowFunction answers for. Where the view declares such maps and the frame has none, the first
-     * of them all the same: descriptors cannot be empty. Others are not looked at. */
+    /* Depth array views in SHADER_READ_ONLY_OPTIMAL, readable by compute and with "msaa" by fragment shaders, one per
+     * AgaaFrame::shadows that no AgaaShadowFunction answers for. Where the view declares such maps and the frame has
+     * none, the first of them all the same: descriptors cannot be empty. Others are not looked at. */
     uint64_t shadowViews[AGAA_MAX_SHADOW_MAPS];
     uint64_t functionSet; /* VkDescriptorSet of the set layout of an AgaaGBufferFunction, AgaaFetchFunction or
                              AgaaShadowFunction, or 0 */

@@ -112,20 +112,35 @@ Context::Context(const AgaaVkContextDesc& desc)
                   "samples are approximate.");
     vk = loadDeviceTable(instanceFunctions, desc.getProcAddr, instance, device,
                              dynamicRendering);
-    texelSampler = createSampler(*this, false);
-    name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)texelSampler, "agaa texel sampler");
     try {
-        shadowSampler = createSampler(*this, true);
+        createObjects();
     } catch (...) {
-        vk.DestroySampler(device, texelSampler, nullptr);
+        destroyObjects();
         throw;
     }
-    name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)shadowSampler, "agaa shadow sampler");
 }
 
-Context::~Context() {
+Context::~Context() { destroyObjects(); }
+
+void Context::createObjects() {
+    texelSampler = createSampler(*this, false);
+    name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)texelSampler, "agaa texel sampler");
+    shadowSampler = createSampler(*this, true);
+    name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)shadowSampler, "agaa shadow sampler");
+    if (pipelineCache)
+        return;
+    // Views are made anew when their size changes, of the same pipelines.
+    VkPipelineCacheCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
+    check(vk.CreatePipelineCache(device, &info, nullptr, &ownCache_), "vkCreatePipelineCache");
+    name(VK_OBJECT_TYPE_PIPELINE_CACHE, (uint64_t)ownCache_, "agaa pipeline cache");
+    pipelineCache = ownCache_;
+}
+
+void Context::destroyObjects() {
     vk.DestroySampler(device, texelSampler, nullptr);
     vk.DestroySampler(device, shadowSampler, nullptr);
+    vk.DestroyPipelineCache(device, ownCache_, nullptr);
 }
 
 void Context::name(VkObjectType type, uint64_t handle, const std::string& text) const {

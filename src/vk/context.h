@@ -24,7 +24,7 @@ public:
     bool dynamicRendering = false;
     bool secondary = true; // draw callbacks get a command buffer of ours
     uint32_t descriptorSet;
-    VkPipelineCache pipelineCache;
+    VkPipelineCache pipelineCache; // the host's or ownCache
     VkPhysicalDeviceMemoryProperties memory{};
     VkDeviceSize maxAllocation = 0;
     VkDeviceSize granularity = 1; // between buffers and images in one allocation
@@ -32,6 +32,11 @@ public:
     uint64_t timestampMask = 0;   // 0: the queue has no timestamps
     VkSampler texelSampler = VK_NULL_HANDLE;
     VkSampler shadowSampler = VK_NULL_HANDLE;
+
+private:
+    void createObjects();
+    void destroyObjects();
+    VkPipelineCache ownCache_ = VK_NULL_HANDLE;
 };
 
 } // namespace agaa::vk

@@ -42,6 +42,7 @@ namespace agaa::vk {
     X(CreateFramebuffer)                                                                           \
     X(CreateImage)                                                                                 \
     X(CreateImageView)                                                                             \
+    X(CreatePipelineCache)                                                                         \
     X(CreatePipelineLayout)                                                                        \
     X(CreateQueryPool)                                                                             \
     X(CreateRenderPass)                                                                            \
@@ -55,6 +56,7 @@ namespace agaa::vk {
     X(DestroyImage)                                                                                \
     X(DestroyImageView)                                                                            \
     X(DestroyPipeline)                                                                             \
+    X(DestroyPipelineCache)                                                                        \
     X(DestroyPipelineLayout)                                                                       \
     X(DestroyQueryPool)                                                                            \
     X(DestroyRenderPass)                                                                           \

@@ -159,14 +159,28 @@ void ViewResources::createBuffers(const Plan& plan, ResourceId id, std::vector<R
     }
 }
 
-uint32_t ViewResources::memoryType(uint32_t allowed, VkMemoryPropertyFlags wanted,
-                                   VkMemoryPropertyFlags preferred) const {
+// The best first; one at least.
+std::vector<uint32_t> ViewResources::memoryTypes(uint32_t allowed, VkMemoryPropertyFlags wanted,
+                                                 VkMemoryPropertyFlags preferred) const {
+    std::vector<uint32_t> types;
     for (VkMemoryPropertyFlags flags : {wanted | preferred, wanted})
         for (uint32_t type = 0; type < context_.memory.memoryTypeCount; ++type)
-            if ((allowed >> type & 1) &&
-                (context_.memory.memoryTypes[type].propertyFlags & flags) == flags)
-                return type;
-    fail(AGAA_ERROR_OUT_OF_MEMORY, "the device has no memory type for a surface.");
+            if ((allowed >> type & 1) && (context_.memory.memoryTypes[type].propertyFlags & flags) == flags &&
+                std::find(types.begin(), types.end(), type) == types.end())
+                types.push_back(type);
+    require(!types.empty(), AGAA_ERROR_OUT_OF_MEMORY, "the device has no memory type for a surface.");
+    return types;
+}
+
+VkDeviceMemory ViewResources::allocate(uint64_t size, std::span<const uint32_t> types) {
+    for (const uint32_t type : types)
+        try {
+            return allocate(size, type);
+        } catch (const Error&) {
+            if (type == types.back())
+                throw;
+        }
+    return VK_NULL_HANDLE;
 }
 
 VkDeviceMemory ViewResources::allocate(uint64_t size, uint32_t type) {
@@ -193,32 +207,37 @@ void ViewResources::allocateShared(std::vector<Request>& requests, bool alias) {
     std::map<uint32_t, std::vector<const Request*>> byType;
     for (const Request& request : requests)
         if (request.kind == ResourceKind::Image || request.kind == ResourceKind::Buffer) {
-            byType[memoryType(request.requirements.memoryTypeBits, 0,
-                              VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)]
+            byType[memoryTypes(request.requirements.memoryTypeBits, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT).front()]
                 .push_back(&request);
             driverBytes_ = checkedAdd(driverBytes_, request.requirements.size);
         }
-    for (const auto& [type, members] : byType) {
-        std::vector<ArenaBlock> blocks;
-        for (const Request* member : members) {
-            const uint64_t alignment =
-                std::max<uint64_t>(member->requirements.alignment, context_.granularity);
-            blocks.push_back({alignUp(member->requirements.size, alignment), alignment,
-                              alias ? member->firstPass : 0, alias ? member->lastPass : ~0u, 0});
-        }
-        const uint64_t size = placeBlocks(blocks);
-        const VkDeviceMemory arena = allocate(size, type);
-        peakBytes_ = checkedAdd(peakBytes_, size);
-        for (size_t i = 0; i < members.size(); ++i)
-            if (members[i]->image)
-                check(context_.vk.BindImageMemory(context_.device, members[i]->image, arena,
-                                                  blocks[i].offset),
-                      "vkBindImageMemory");
-            else
-                check(context_.vk.BindBufferMemory(context_.device, members[i]->buffer, arena,
-                                                   blocks[i].offset),
-                      "vkBindBufferMemory");
+    for (const auto& [type, members] : byType)
+        allocateArena(type, members, alias);
+}
+
+// Two of half the members each where the device does not allocate so much at once.
+void ViewResources::allocateArena(uint32_t type, std::span<const Request* const> members, bool alias) {
+    std::vector<ArenaBlock> blocks;
+    for (const Request* member : members) {
+        const uint64_t alignment = std::max<uint64_t>(member->requirements.alignment, context_.granularity);
+        blocks.push_back({alignUp(member->requirements.size, alignment), alignment, alias ? member->firstPass : 0,
+                          alias ? member->lastPass : ~0u, 0});
     }
+    const uint64_t size = placeBlocks(blocks);
+    if (size > context_.maxAllocation && members.size() > 1) {
+        allocateArena(type, members.first(members.size() / 2), alias);
+        allocateArena(type, members.subspan(members.size() / 2), alias);
+        return;
+    }
+    const VkDeviceMemory arena = allocate(size, type);
+    peakBytes_ = checkedAdd(peakBytes_, size);
+    for (size_t i = 0; i < members.size(); ++i)
+        if (members[i]->image)
+            check(context_.vk.BindImageMemory(context_.device, members[i]->image, arena, blocks[i].offset),
+                  "vkBindImageMemory");
+        else
+            check(context_.vk.BindBufferMemory(context_.device, members[i]->buffer, arena, blocks[i].offset),
+                  "vkBindBufferMemory");
 }
 
 void ViewResources::allocateOwn(const Request& request) {
@@ -228,9 +247,10 @@ void ViewResources::allocateOwn(const Request& request) {
     const VkMemoryPropertyFlags preferred = request.kind == ResourceKind::ReadbackBuffer
                                                 ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
                                                 : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+    // What the host sees of a device's own memory is a small window on some, which others may have filled.
     const VkDeviceMemory memory =
         allocate(request.requirements.size,
-                 memoryType(request.requirements.memoryTypeBits, small ? 0 : host, preferred));
+                 memoryTypes(request.requirements.memoryTypeBits, small ? 0 : host, preferred));
     check(context_.vk.BindBufferMemory(context_.device, request.buffer, memory, 0),
           "vkBindBufferMemory");
     if (small)

@@ -4,6 +4,7 @@
 #include "core/plan.h"
 #include "vk/context.h"
 
+#include <span>
 #include <vector>
 
 namespace agaa::vk {
@@ -37,8 +38,10 @@ private:
     void allocateShared(std::vector<Request>& requests, bool alias);
     void allocateOwn(const Request& request);
     void createViews(const Plan& plan);
-    uint32_t memoryType(uint32_t allowed, VkMemoryPropertyFlags wanted,
-                        VkMemoryPropertyFlags preferred) const;
+    void allocateArena(uint32_t type, std::span<const Request* const> members, bool alias);
+    std::vector<uint32_t> memoryTypes(uint32_t allowed, VkMemoryPropertyFlags wanted,
+                                      VkMemoryPropertyFlags preferred) const;
+    VkDeviceMemory allocate(uint64_t size, std::span<const uint32_t> types);
     VkDeviceMemory allocate(uint64_t size, uint32_t type);
     void destroy();
 
