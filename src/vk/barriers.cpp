@@ -43,10 +43,10 @@ void BarrierTracker::use(ResourceId id, const Access& access) {
         barrier.image = resources_[id].image;
         barrier.subresourceRange = {aspects(resource.format), 0, 1, 0, 1};
         images_.push_back(barrier);
-    } else {
-        buffers_.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, sourceAccess,
-                            access.reads | access.writes});
     }
+    // The image's barrier is of its own texels, not of another surface that had their memory.
+    if (!isImage || (!state.used && plan_.aliases))
+        memory_.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, sourceAccess, access.reads | access.writes});
     const bool readAfterRead = state.used && !state.written && !access.writes && !relayout;
     const VkPipelineStageFlags readers = readAfterRead ? state.last.stages : 0;
     state.used = true;
@@ -123,13 +123,13 @@ void BarrierTracker::useOutput(VkImage image, VkImageLayout from, VkImageLayout 
 }
 
 void BarrierTracker::record(VkCommandBuffer commands) {
-    if (images_.empty() && buffers_.empty())
+    if (images_.empty() && memory_.empty())
         return;
-    context_.vk.CmdPipelineBarrier(commands, source_, destination_, 0, uint32_t(buffers_.size()),
-                                   buffers_.data(), 0, nullptr, uint32_t(images_.size()),
+    context_.vk.CmdPipelineBarrier(commands, source_, destination_, 0, uint32_t(memory_.size()),
+                                   memory_.data(), 0, nullptr, uint32_t(images_.size()),
                                    images_.data());
     images_.clear();
-    buffers_.clear();
+    memory_.clear();
     source_ = destination_ = 0;
 }
 

@@ -51,7 +51,7 @@ private:
     const ViewResources& resources_;
     std::vector<State> states_;
     std::vector<VkImageMemoryBarrier> images_;
-    std::vector<VkMemoryBarrier> buffers_;
+    std::vector<VkMemoryBarrier> memory_;
     VkPipelineStageFlags source_ = 0;
     VkPipelineStageFlags destination_ = 0;
 };

@@ -32,7 +32,7 @@ RenderPass makeRenderPass(const Device& device) {
     VkSubpassDependency read{};
     read.srcSubpass = 0;
     read.dstSubpass = VK_SUBPASS_EXTERNAL;
-    read.srcStageMask = VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT;
+    read.srcStageMask = VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT;
     read.srcAccessMask = VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
     read.dstStageMask =
         VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
