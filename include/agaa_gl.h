@@ -209,12 +209,12 @@ typedef struct AgaaGlFrame {
  * entry, but for the bindings named in AgaaGlContextDesc; they bind AgaaDrawTarget::framebuffer and set
  * viewport and AgaaDrawState themselves. A callback that fails is AGAA_ERROR_CALLBACK: the output is
  * untouched, but passes before it have run. A frame is AGAA_ERROR_WRONG_ORDER too early (framesInFlight), or with
- * segments missing or repeated. Active transform feedback that is not paused is AGAA_ERROR_WRONG_ORDER. Not to be called with
- * conditional rendering or a query of GL_TIME_ELAPSED active. Other errors of OpenGL's are not looked for: they
- * are left to the host's glGetError. Functions of the host's (AgaaGBufferFunction, AgaaFetchFunction,
- * AgaaShadowFunction) find their resources as bound on entry, or where the host draws, when the last draw callback
- * returns: texture units from 17 and other binding points from 4 are left alone, but for the places named in
- * AgaaGlContextDesc. */
+ * segments missing or repeated. Active transform feedback that is not paused is AGAA_ERROR_WRONG_ORDER. Not to be
+ * called with conditional rendering, a query of GL_TIME_ELAPSED or rectangles of GL_EXT_window_rectangles active.
+ * Other errors of OpenGL's are not looked for: they are left to the host's glGetError. Functions of the host's
+ * (AgaaGBufferFunction, AgaaFetchFunction, AgaaShadowFunction) find their resources as bound on entry, or where the
+ * host draws, when the last draw callback returns: texture units from 17 and other binding points from 4 are left
+ * alone, but for the places named in AgaaGlContextDesc. */
 AGAA_API AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame,
                                                 const AgaaGlFrame* glFrame);
 

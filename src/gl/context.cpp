@@ -126,6 +126,11 @@ Context::Context(const AgaaGlContextDesc& desc)
         gl.SamplerParameteri(texelSampler, filter, GL_NEAREST);
     for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         gl.SamplerParameteri(texelSampler, wrap, GL_CLAMP_TO_EDGE);
+    gl.CreateFramebuffers(1, &noTarget);
+    label(GL_FRAMEBUFFER, noTarget, "agaa no target");
+    for (GLenum side : {GL_FRAMEBUFFER_DEFAULT_WIDTH, GL_FRAMEBUFFER_DEFAULT_HEIGHT})
+        gl.NamedFramebufferParameteri(noTarget, side, 1);
+    gl.GetIntegerv(GL_MAX_DEBUG_GROUP_STACK_DEPTH, &mostDebugGroups);
     gl.CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &noShadow);
     label(GL_TEXTURE, noShadow, "agaa no shadow");
     gl.TextureStorage3D(noShadow, 1, GL_DEPTH_COMPONENT16, 1, 1, 1);
@@ -134,6 +139,7 @@ Context::Context(const AgaaGlContextDesc& desc)
 Context::~Context() {
     gl.DeleteSamplers(1, &shadowSampler);
     gl.DeleteSamplers(1, &texelSampler);
+    gl.DeleteFramebuffers(1, &noTarget);
     gl.DeleteTextures(1, &noShadow);
 }
 

@@ -39,6 +39,8 @@ public:
     AgaaTimeSource timeSource = AGAA_TIME_DEVICE;
     GLuint shadowSampler = 0;
     GLuint texelSampler = 0; // for textures of the host, whose own filter may need mip levels
+    GLuint noTarget = 0;     // framebuffer without images: what is fetched from must not be drawn into (4.5, 9.3.1)
+    GLint mostDebugGroups = 0; // of the context's stack
     GLuint noShadow = 0;     // where a frame has no map at all: binding 0 to a unit unbinds all its targets
 };
 

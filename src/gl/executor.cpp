@@ -6,6 +6,7 @@
 #include "gl/host_state.h"
 
 #include <new>
+#include <optional>
 
 namespace agaa::gl {
 
@@ -60,8 +61,11 @@ void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFra
                        uint32_t slot) {
     const GladGLContext& gl = context.gl;
     GLint uniformBuffer = 0, storageBuffer = 0;
-    gl.GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &uniformBuffer);
-    gl.GetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &storageBuffer);
+    const bool targetsStay = context.statePolicy != AGAA_GL_STATE_NONE;
+    if (targetsStay) { // drivers with a thread of their own wait for it at each query
+        gl.GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &uniformBuffer);
+        gl.GetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &storageBuffer);
+    }
     for (const Binding& binding : pass.bindings) {
         const GLuint place = context.dialect.bindings[binding.slot];
         switch (binding.type) {
@@ -89,6 +93,8 @@ void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFra
             break;
         }
     }
+    if (!targetsStay)
+        return;
     gl.BindBuffer(GL_UNIFORM_BUFFER, GLuint(uniformBuffer));
     gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, GLuint(storageBuffer));
 }
@@ -143,11 +149,8 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
                               resources->buffer(binding.resource, slot));
             break;
         case BindingType::StorageImage: {
-            GLint texels = GLint(internalFormat(resource.format));
-            if (output)
-                gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_INTERNAL_FORMAT, &texels);
             gl.BindImageTexture(imageUnit(binding.slot), texture, 0, GL_FALSE, 0, GL_WRITE_ONLY,
-                                GLenum(texels));
+                                output ? outputFormat_ : internalFormat(resource.format));
             break;
         }
         case BindingType::Texture:
@@ -188,6 +191,7 @@ void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t in
         runHostDraw(frame, glFrame, index, slot, state);
         break;
     case PassKind::Compute:
+        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.noTarget);
         gl.UseProgram(passes[index].program);
         bindForCompute(pass, frame, glFrame, slot);
         gl.DispatchCompute((plan.width + pass.groupSide - 1) / pass.groupSide,
@@ -208,32 +212,27 @@ namespace {
 class DebugGroup {
 public:
     DebugGroup(const GladGLContext& gl, const std::string& text) : gl_(gl) {
-        GLint depth = 0, most = 0;
-        gl.GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &depth);
-        gl.GetIntegerv(GL_MAX_DEBUG_GROUP_STACK_DEPTH, &most);
-        pushed_ = depth < most;
-        if (pushed_)
-            gl.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, GLsizei(text.size()), text.c_str());
+        gl.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, GLsizei(text.size()), text.c_str());
     }
-    ~DebugGroup() {
-        if (pushed_)
-            gl_.PopDebugGroup();
-    }
+    ~DebugGroup() { gl_.PopDebugGroup(); }
     DebugGroup(const DebugGroup&) = delete;
     DebugGroup& operator=(const DebugGroup&) = delete;
 
 private:
     const GladGLContext& gl_;
-    bool pushed_ = false;
 };
 
 } // namespace
 
 void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot,
                      HostState& state) {
+    GLint groups = 0;
+    context.gl.GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &groups);
     for (size_t i = 0; i < plan.passes.size(); ++i)
         if (plan.passes[i].segment & frame.segments) {
-            const DebugGroup group(context.gl, "agaa " + plan.passes[i].name);
+            std::optional<DebugGroup> group;
+            if (groups < context.mostDebugGroups)
+                group.emplace(context.gl, "agaa " + plan.passes[i].name);
             runPass(frame, glFrame, i, slot, state);
         }
     // The host may use what the segment left in any way.
@@ -245,7 +244,7 @@ AgaaResult View::record(const AgaaFrame& frame, const AgaaGlFrame& glFrame) {
     checkStruct(&glFrame, AGAA_STRUCTURE_TYPE_GL_FRAME, "AgaaGlFrame");
     sequence.check(frame);
     checkContextState();
-    checkTarget(frame, glFrame);
+    outputFormat_ = checkTarget(frame, glFrame);
     const uint32_t slot = sequence.slotOf(frame);
     HostState state(context); // where it fails, nothing has run
     try {

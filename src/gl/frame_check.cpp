@@ -56,9 +56,9 @@ void View::checkContextState() const {
             "transform feedback is active; pause or end it before the frame.");
 }
 
-void View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const {
+GLenum View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const {
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
-        return;
+        return GL_NONE;
     const GladGLContext& gl = context.gl;
     require(glFrame.reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGlFrame::reserved is not 0.");
     require(plan.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
@@ -86,6 +86,7 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const
         if (levelParameter(gl, map, GL_TEXTURE_DEPTH_SIZE) == 0)
             fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s holds no depth.", name.c_str()));
     }
+    return texels;
 }
 
 } // namespace agaa::gl

@@ -51,7 +51,8 @@ private:
     void destroy();
 
     void checkContextState() const;
-    void checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
+    // Returns the output's format where the frame shades.
+    GLenum checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
     void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot,
                    HostState& state);
@@ -67,6 +68,7 @@ private:
     void runTransfer(const Pass& pass, uint32_t slot);
 
     std::vector<std::byte> upload_; // of the largest upload buffer
+    GLenum outputFormat_ = GL_NONE;
 };
 
 } // namespace agaa::gl
