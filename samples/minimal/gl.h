@@ -12,13 +12,25 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+/* Of the first device that EGL names (Mesa names software last), else surfaceless. */
+static EGLDisplay findDisplay(void) {
+    const PFNEGLQUERYDEVICESEXTPROC queryDevices = (PFNEGLQUERYDEVICESEXTPROC)eglGetProcAddress("eglQueryDevicesEXT");
+    EGLDeviceEXT device;
+    EGLint count = 0;
+    const EGLBoolean isNamed = queryDevices && queryDevices(1, &device, &count) && count > 0;
+    const EGLDisplay display = isNamed ? eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, NULL) : EGL_NO_DISPLAY;
+    return eglInitialize(display, NULL, NULL)
+               ? display
+               : eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+}
+
 /* A context that needs no window, of the version that has all the SDK asks for. */
 static EGLDisplay createDisplay(const AgaaGlRequirements* sdk) {
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, (EGLint)sdk->completeMajorVersion,
                                  EGL_CONTEXT_MINOR_VERSION, (EGLint)sdk->completeMinorVersion,
                                  EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                  EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE, EGL_NONE};
-    EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+    const EGLDisplay display = findDisplay();
     require(eglInitialize(display, NULL, NULL) && eglBindAPI(EGL_OPENGL_API), "EGL offers no OpenGL without a window.");
     const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     require(context != EGL_NO_CONTEXT, "EGL has no OpenGL of the version that the SDK asks for.");

@@ -1,7 +1,6 @@
 #include "egl_context.h"
 
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
+#include "gl/display.h"
 
 #include <stdexcept>
 
@@ -11,10 +10,9 @@ namespace {
 // One display a process: terminating it would take the other contexts along.
 EGLDisplay display() {
     static const EGLDisplay shared = [] {
-        const EGLDisplay made =
-            eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-        if (made == EGL_NO_DISPLAY || eglInitialize(made, nullptr, nullptr) == EGL_FALSE)
-            throw std::runtime_error("no surfaceless EGL display");
+        const EGLDisplay made = harness::gl::displayWithoutWindow();
+        if (made == EGL_NO_DISPLAY)
+            throw std::runtime_error("no EGL display without a window");
         return made;
     }();
     return shared;

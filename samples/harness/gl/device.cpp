@@ -1,7 +1,6 @@
 #include "gl/device.h"
 
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
+#include "gl/display.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -57,10 +56,10 @@ Device::Device(const RendererOptions& options) {
 Device::~Device() { destroy(); }
 
 void Device::createContext(const RendererOptions& options) {
-    const EGLDisplay display =
-        eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr))
-        throw std::runtime_error("EGL has no display without a surface (EGL_MESA_platform_surfaceless).");
+    const EGLDisplay display = displayWithoutWindow();
+    if (display == EGL_NO_DISPLAY)
+        throw std::runtime_error("EGL has no display without a window (EGL_EXT_platform_device, "
+                                 "EGL_MESA_platform_surfaceless).");
     display_ = display;
     if (!eglBindAPI(EGL_OPENGL_API))
         throw std::runtime_error("EGL does not know OpenGL.");
