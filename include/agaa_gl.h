@@ -117,7 +117,8 @@ typedef struct AgaaGlContextDesc {
 
 /* headerVersion: pass AGAA_HEADER_VERSION. Probes whether the driver's timer queries are right, which takes
  * some milliseconds. The host's state is left as it was; errors that were pending are told to the log. Not to be
- * called with transform feedback that is not paused, conditional rendering or a query of GL_TIME_ELAPSED active. */
+ * called with transform feedback that is not paused, conditional rendering, a query of GL_TIME_ELAPSED or rectangles of
+ * GL_EXT_window_rectangles active. */
 AGAA_API AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion,
                                                   const AgaaGlContextDesc* desc,
                                                   AgaaContext* outContext);

@@ -49,8 +49,8 @@ constexpr const char* kAfter = R"(
 - States that frames do not change and that the table therefore does not hold: matrices, lights, materials and
   other fixed functions, texture units and binding points beyond those above, texture targets beyond those
   above, evaluators, feedback and selection.
-- Conditional rendering and queries of `GL_TIME_ELAPSED`: they must not be active. Transform feedback must be
-  paused, or the frame is refused.
+- Conditional rendering, queries of `GL_TIME_ELAPSED` and rectangles of `GL_EXT_window_rectangles`: they must not be
+  active. Transform feedback must be paused, or the frame is refused.
 - What belongs to objects: the draw buffers of a framebuffer, the attributes of a vertex array, the uniforms of
   a program. The SDK does not touch the host's objects, but for the output texture's contents.
 - Objects that a callback deletes: their bindings are 0 afterwards. A program linked anew without success is not
