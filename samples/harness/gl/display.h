@@ -5,6 +5,7 @@
 #include <EGL/eglext.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <string_view>
 
 namespace harness::gl {
@@ -13,6 +14,14 @@ namespace detail {
 
 inline bool lists(const char* extensions, std::string_view name) {
     return extensions && std::string_view(extensions).find(name) != std::string_view::npos;
+}
+
+inline bool hasOpenGl(EGLDisplay display) {
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 3, EGL_NONE};
+    if (!eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API))
+        return false;
+    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    return context != EGL_NO_CONTEXT && eglDestroyContext(display, context);
 }
 
 // Of the first graphics card that EGL names and this process may use.
@@ -31,7 +40,7 @@ inline EGLDisplay displayOfCard() {
         if (lists(queryString(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software"))
             continue;
         const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr);
-        if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr))
+        if (display != EGL_NO_DISPLAY && hasOpenGl(display))
             return display;
     }
     return EGL_NO_DISPLAY;
@@ -39,9 +48,12 @@ inline EGLDisplay displayOfCard() {
 
 } // namespace detail
 
-// Initialised; Mesa's software rasteriser where there is no card or LIBGL_ALWAYS_SOFTWARE is set. EGL_NO_DISPLAY: none.
+// Initialised; Mesa's software rasteriser where there is no card or LIBGL_ALWAYS_SOFTWARE is true, in Mesa's words.
+// EGL_NO_DISPLAY: none.
 inline EGLDisplay displayWithoutWindow() {
-    const EGLDisplay card = std::getenv("LIBGL_ALWAYS_SOFTWARE") ? EGL_NO_DISPLAY : detail::displayOfCard();
+    const char* software = std::getenv("LIBGL_ALWAYS_SOFTWARE");
+    const bool isSoftware = software && software[0] && std::strchr("1tTyY", software[0]);
+    const EGLDisplay card = isSoftware ? EGL_NO_DISPLAY : detail::displayOfCard();
     if (card != EGL_NO_DISPLAY)
         return card;
     const EGLDisplay mesa = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
