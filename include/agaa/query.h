@@ -26,7 +26,8 @@ typedef struct AgaaDeviceCaps {
     const void* pNext;
     char deviceName[128];
     char driverName[128];
-    uint32_t sampleCounts; /* bit i: 2^i samples for colour and depth that can also be sampled */
+    uint32_t sampleCounts; /* bit i: 2^i samples for colour and depth that can also be sampled, of the formats that the
+                              device has; a view with a surface of another is AGAA_ERROR_UNSUPPORTED */
     uint32_t maxImageSize; /* texels */
     uint64_t maxStorageRange; /* bytes */
     uint32_t maxSharedBytes;  /* of a workgroup, in compute */

@@ -44,11 +44,12 @@ VkSampleCountFlags usableSamples(const InstanceTable& vk, VkPhysicalDevice devic
                                 limits.sampledImageDepthSampleCounts;
     const auto restrict = [&](VkFormat format, VkImageUsageFlags usage) {
         VkImageFormatProperties properties{};
-        // Views with a surface of a format that the device has not are refused; others are not.
-        if (vk.GetPhysicalDeviceImageFormatProperties(device, format, VK_IMAGE_TYPE_2D,
-                                                      VK_IMAGE_TILING_OPTIMAL, usage, 0,
-                                                      &properties) == VK_SUCCESS)
-            counts &= properties.sampleCounts;
+        const VkResult result = vk.GetPhysicalDeviceImageFormatProperties(
+            device, format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL, usage, 0, &properties);
+        if (result == VK_ERROR_FORMAT_NOT_SUPPORTED) // views with such a surface are refused, others are not
+            return;
+        check(result, "vkGetPhysicalDeviceImageFormatProperties");
+        counts &= properties.sampleCounts;
     };
     for (VkFormat format : {VK_FORMAT_R8_UNORM, VK_FORMAT_R8G8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_R16_UNORM,
                             VK_FORMAT_R16G16_UNORM, VK_FORMAT_R16G16B16A16_UNORM, VK_FORMAT_R16G16B16A16_SFLOAT,

@@ -24,7 +24,7 @@ public:
     bool dynamicRendering = false;
     bool secondary = true; // draw callbacks get a command buffer of ours
     uint32_t descriptorSet;
-    VkPipelineCache pipelineCache; // the host's or ownCache
+    VkPipelineCache pipelineCache; // the host's, or ownCache_
     VkPhysicalDeviceMemoryProperties memory{};
     VkDeviceSize maxAllocation = 0;
     VkDeviceSize granularity = 1; // between buffers and images in one allocation

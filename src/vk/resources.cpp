@@ -159,15 +159,19 @@ void ViewResources::createBuffers(const Plan& plan, ResourceId id, std::vector<R
     }
 }
 
-// The best first; one at least.
+// The best first; one at least. Types of other kinds are for those who enabled their features, or not for all uses.
 std::vector<uint32_t> ViewResources::memoryTypes(uint32_t allowed, VkMemoryPropertyFlags wanted,
                                                  VkMemoryPropertyFlags preferred) const {
+    constexpr VkMemoryPropertyFlags plain = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
+                                            VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
     std::vector<uint32_t> types;
     for (VkMemoryPropertyFlags flags : {wanted | preferred, wanted})
-        for (uint32_t type = 0; type < context_.memory.memoryTypeCount; ++type)
-            if ((allowed >> type & 1) && (context_.memory.memoryTypes[type].propertyFlags & flags) == flags &&
+        for (uint32_t type = 0; type < context_.memory.memoryTypeCount; ++type) {
+            const VkMemoryPropertyFlags has = context_.memory.memoryTypes[type].propertyFlags;
+            if ((allowed >> type & 1) && (has & flags) == flags && !(has & ~plain) &&
                 std::find(types.begin(), types.end(), type) == types.end())
                 types.push_back(type);
+        }
     require(!types.empty(), AGAA_ERROR_OUT_OF_MEMORY, "the device has no memory type for a surface.");
     return types;
 }
@@ -176,8 +180,9 @@ VkDeviceMemory ViewResources::allocate(uint64_t size, std::span<const uint32_t> 
     for (const uint32_t type : types)
         try {
             return allocate(size, type);
-        } catch (const Error&) {
-            if (type == types.back())
+        } catch (const Error& error) {
+            if (type == types.back() ||
+                (error.code != AGAA_ERROR_OUT_OF_MEMORY && error.code != AGAA_ERROR_TOO_LARGE))
                 throw;
         }
     return VK_NULL_HANDLE;
@@ -220,8 +225,9 @@ void ViewResources::allocateArena(uint32_t type, std::span<const Request* const>
     std::vector<ArenaBlock> blocks;
     for (const Request* member : members) {
         const uint64_t alignment = std::max<uint64_t>(member->requirements.alignment, context_.granularity);
-        blocks.push_back({alignUp(member->requirements.size, alignment), alignment, alias ? member->firstPass : 0,
-                          alias ? member->lastPass : ~0u, 0});
+        const uint64_t bytes = member->requirements.size;
+        blocks.push_back({members.size() > 1 ? alignUp(bytes, alignment) : bytes, alignment,
+                          alias ? member->firstPass : 0, alias ? member->lastPass : ~0u, 0});
     }
     const uint64_t size = placeBlocks(blocks);
     if (size > context_.maxAllocation && members.size() > 1) {

@@ -82,9 +82,10 @@ const GLubyte* GLAD_API_PTR stringOrExtension(GLenum name, GLuint index) {
     return name == GL_EXTENSIONS && index == GLuint(count) ? reinterpret_cast<const GLubyte*>(queryOfSamples)
                                                            : real().GetStringi(name, index);
 }
-GLint scaleOfFour;
+GLenum whatFourLack;
 void GLAD_API_PTR sampleQuery(GLenum, GLenum, GLsizei samples, GLenum parameter, GLsizei, GLint* out) {
-    *out = parameter == GL_SUPERSAMPLE_SCALE_X_NV && samples == 4 ? scaleOfFour : 1;
+    const bool lacks = samples == 4 && parameter == whatFourLack;
+    *out = !lacks ? 1 : parameter == GL_CONFORMANT_NV ? GL_FALSE : 2;
 }
 
 // As NVIDIA's 16 samples, which are 4 in each of four texels.
@@ -94,11 +95,12 @@ TEST(GlCalls, SupersamplingIsNotTakenForSamples) {
     replace(replaced, "glGetStringi", stringOrExtension);
     replace(replaced, "glGetInternalformatSampleivNV", sampleQuery);
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
-    for (scaleOfFour = 1; scaleOfFour <= 2; ++scaleOfFour) {
+    for (const GLenum lack : {GL_NONE, GL_SUPERSAMPLE_SCALE_X_NV, GL_SUPERSAMPLE_SCALE_Y_NV, GL_CONFORMANT_NV}) {
+        whatFourLack = lack;
         ASSERT_EQ(agaaGlGetDeviceCaps(replacedProcAddr, &replaced, nullptr, &caps), AGAA_OK);
-        EXPECT_EQ(caps.sampleCounts >> 2 & 1u, scaleOfFour == 1 ? 1u : 0u);
+        EXPECT_EQ(caps.sampleCounts >> 2 & 1u, lack == GL_NONE ? 1u : 0u) << lack;
+        EXPECT_EQ(caps.sampleCounts & 1u, 1u);
     }
-    EXPECT_EQ(caps.sampleCounts & 1u, 1u);
 }
 
 GLuint deletedTexture() {
