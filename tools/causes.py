@@ -83,7 +83,7 @@ def table(data, columns, errors_of):
 def nearer(data, without):
     """In how many scenes agaa merges better than sbaa with four surfaces, with this effect left out."""
     merged = [next(row for row in rows if row["without"] == without)["toAllSamples"] for rows in data["scenes"].values()]
-    return sum(errors["agaa n=8 c=2"] <= errors["sbaa n=8 S=4"] for errors in merged)
+    return sum(errors["agaa n=8 c=2"] < errors["sbaa n=8 S=4"] for errors in merged)
 
 
 def markdown(data):

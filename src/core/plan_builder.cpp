@@ -269,8 +269,8 @@ void PlanBuilder::bindHostGBuffer(Pass& pass) {
     pass.defines += "#define AGAA_HOST_GBUFFER 1\n";
 }
 
-// Primitives that a group lists at a time. A graphics processor hides how long fetches take by groups that share its
-// memory, so that lists are short there: a primitive for each of 64 lanes.
+// A graphics processor hides how long fetches take by groups that share its memory, so that lists are short there: a
+// primitive a lane at most. By arithmetic, not by measurement.
 uint32_t PlanBuilder::listLength() const {
     // What a listed primitive takes of shared memory by the rules of std430, and what else does.
     constexpr uint32_t listed = 124, others = 8704;

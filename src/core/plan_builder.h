@@ -71,7 +71,6 @@ public:
     void bindHostGBuffer(Pass& pass);
     // Compiles the pass with the host's functions that fetch materials.
     void bindHostFetch(Pass& pass);
-    uint32_t listLength() const;
     ResourceId output(); // the host's image
     // What agaa_writeOutput() writes, and composites over: an image of the plan's, or with none the output.
     void bindOutput(Pass& pass, ResourceId image = noResource);
@@ -82,6 +81,7 @@ public:
     Plan plan;
 
 private:
+    uint32_t listLength() const; // of primitives that a group of lanes takes at a time
     void chooseVisibilityTier();
     void setConstants();
     void checkLimits() const;

@@ -22,7 +22,7 @@ uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
     float steepest = isKnown ? max(dot(m.normalDx, m.normalDx), dot(m.normalDy, m.normalDy)) : 0.0;
     // A change that widens no lobe is none, so that flat primitives take the short way in spite of rounding; a line says
     // no more of a normal than one unit a pixel.
-    float scale = steepest < 1e-8 || isinf(steepest) ? 0.0 : min(inversesqrt(steepest), 1.0);
+    float scale = steepest < 1e-8 || !agaa_isFinite(steepest) ? 0.0 : min(inversesqrt(steepest), 1.0);
     m.normalDx = scale > 0.0 ? scale * m.normalDx : vec3(0.0);
     m.normalDy = scale > 0.0 ? scale * m.normalDy : vec3(0.0);
     return bad;
