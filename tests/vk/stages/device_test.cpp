@@ -1,6 +1,6 @@
 // What is asked of devices: of such that allocate little at once, lack a format, or whose window for the host is full;
 // pipelines by a cache, and barriers.
-#include "stage_host.h"
+#include "ids_view.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@ namespace {
 // What the device of a test is made to be, and what was asked of it.
 struct Card {
     VkDeviceSize mostAtOnce = 0; // 0: as it is
+    uint32_t sharedBytes = 0;    // of a graphics card; 0: as it is
     bool hasWindow = false;      // types: 0 system memory, 1 the card's own, 2 a part of it that the host sees, full
     uint32_t refused = 0;
     VkDeviceSize largestSurface = 0;
@@ -36,6 +37,10 @@ PFN_vkGetPhysicalDeviceImageFormatProperties realFormat = nullptr;
 
 VKAPI_ATTR void VKAPI_CALL properties(VkPhysicalDevice device, VkPhysicalDeviceProperties2* out) {
     realProperties(device, out);
+    if (card.sharedBytes) {
+        out->properties.deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+        out->properties.limits.maxComputeSharedMemorySize = card.sharedBytes;
+    }
     for (auto* next = static_cast<VkBaseOutStructure*>(out->pNext); next; next = next->pNext)
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES && card.mostAtOnce)
             reinterpret_cast<VkPhysicalDeviceMaintenance3Properties*>(next)->maxMemoryAllocationSize = card.mostAtOnce;
@@ -200,6 +205,28 @@ TEST(DeviceTest, AFormatThatIsNotThereRefusesWhatNeedsIt) {
     const std::string sentence = expectRefused(context, settings, AGAA_ERROR_UNSUPPORTED, "a G-buffer of 16 bits");
     EXPECT_NE(sentence.find("no images for gbuffer"), std::string::npos) << sentence;
     EXPECT_NE(sentence.find("RGBA16"), std::string::npos) << sentence;
+}
+
+// Pixels whose primitives find no room take another turn.
+TEST(DeviceTest, ListsOfAnyLengthGiveTheSameImage) {
+    const Shot shot{.triangles = randomTriangles({.triangles = 4000}, 91)};
+    std::vector<float> images[3];
+    const uint32_t sharedBytes[] = {0, 49152, 16384};
+    const char* const lengths[] = {"", "64u", "32u"};
+    for (int i = 0; i < 3; ++i) {
+        card = {};
+        card.sharedBytes = sharedBytes[i];
+        StageContext context({.getProcAddr = procAddr});
+        IdsView ids(context, settingsFor(8, 4, AGAA_TIER_IDS), shot);
+        const std::vector<Pass>& passes = ids.view().plan().passes;
+        EXPECT_TRUE(std::any_of(passes.begin(), passes.end(), [&](const Pass& pass) {
+            return pass.defines.find(std::string("AGAA_LIST_LENGTH ") + lengths[i]) != std::string::npos;
+        })) << lengths[i];
+        images[i] = ids.render().rgb;
+        EXPECT_GT(ids.view().statistics().counters.primitives, 2u * 48 * 32) << "several a pixel";
+    }
+    EXPECT_EQ(images[0], images[1]);
+    EXPECT_EQ(images[0], images[2]);
 }
 
 // An image's own barrier does not wait for what had its memory.
