@@ -148,11 +148,10 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
             gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, storageBinding(binding.slot),
                               resources->buffer(binding.resource, slot));
             break;
-        case BindingType::StorageImage: {
+        case BindingType::StorageImage:
             gl.BindImageTexture(imageUnit(binding.slot), texture, 0, GL_FALSE, 0, GL_WRITE_ONLY,
                                 output ? outputFormat_ : internalFormat(resource.format));
             break;
-        }
         case BindingType::Texture:
             gl.BindTextureUnit(binding.slot, texture);
             gl.BindSampler(binding.slot, output ? context.texelSampler : 0);

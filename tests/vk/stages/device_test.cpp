@@ -152,13 +152,7 @@ std::vector<float> picture() {
     settings.facts.shadowMapCount = 0;
     StageContext context({.getProcAddr = procAddr});
     StageView view(context, settings);
-    view.setTriangles(randomTriangles({.triangles = 200}, 11));
-    const AgaaLight light = sun();
-    AgaaFrame frame = view.frame();
-    frame.lights = &light;
-    frame.lightCount = 1;
-    view.render(frame);
-    return view.image().rgb;
+    return drawn(view, randomTriangles({.triangles = 200}, 11)).rgb;
 }
 
 TEST(DeviceTest, SurfacesAreSpreadOverWhatTheDeviceAllocatesAtOnce) {
