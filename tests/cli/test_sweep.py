@@ -46,6 +46,11 @@ class Sweep(unittest.TestCase):
                 self.assertEqual(times["frames"], 7)
                 self.assertTrue(times["low"] <= times["median"] <= times["p95"] <= times["high"], times)
                 self.assertAlmostEqual(times["confidence"], 1 - 2 / 2**7)
+                self.assertEqual(len(times["turns"]), 7)
+                self.assertAlmostEqual(sorted(times["turns"])[3], times["median"], delta=1e-3)
+                for each in row["passes"]:
+                    if each["ms"]:
+                        self.assertEqual(len(each["ms"]["turns"]), each["ms"]["frames"])
                 self.assertGreater(row["errorReference"]["mseTm"], 0)
                 self.assertEqual(row["errorSameSamples"] is None,
                                  row["technique"] == "ssaa" or row["n"] == 1)

@@ -3,6 +3,7 @@
 #include "sweep/quantiles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 
 namespace harness {
@@ -31,11 +32,16 @@ namespace {
 // Heavier lighting does not change the image.
 bool isHeavier(const SweepRow& row) { return row.shadingCost > 1; }
 
+// milliseconds: in the order of the turns.
 json timesJson(const std::vector<double>& milliseconds) {
     const MedianBounds bounds = medianBounds(milliseconds);
+    json turns = json::array();
+    for (const double each : milliseconds)
+        turns.push_back(std::round(each * 1e3) / 1e3);
     return {{"median", quantile(milliseconds, 0.5)}, {"p95", quantile(milliseconds, 0.95)},
             {"low", bounds.low},                     {"high", bounds.high},
-            {"confidence", bounds.confidence},       {"frames", milliseconds.size()}};
+            {"confidence", bounds.confidence},       {"frames", milliseconds.size()},
+            {"turns", turns}};
 }
 
 // noise: the sum of the references' own errors.
