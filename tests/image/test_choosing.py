@@ -172,12 +172,13 @@ class Choosing(unittest.TestCase):
 
     def test_document(self):
         results = {"size": "640x360", "backends": [{"backend": "vk", "device": "d", "driver": "e",
-                                                    "scenes": [self.scene, {"name": "bare", "rows": []}]}]}
+                                                    "scenes": [{**self.scene, "build": "1.2-abc"}, {"name": "bare", "rows": []}]}]}
         few = {"size": "640x360", "rows": ["single-1"], "backends": [{"backend": "gl", "device": "f", "driver": "g",
                                                                       "scenes": [self.scene]}]}
         text = choosing.document([results, few])
-        self.assertLess(text.index("## Vulkan: d, e"),
-                        text.index("## OpenGL: f, g\n\nOf a full sweep's rows only these were"))
+        self.assertLess(text.index("## Vulkan: d, e\n\nMeasured by build: 1.2-abc."),
+                        text.index("## OpenGL: f, g\n\nMeasured by build: one without a name.\n\n"
+                                   "Of a full sweep's rows only these were"))
         self.assertEqual(text.count("only these"), 1)
         self.assertIn("at most 0.75 of the error of sbaa S=2 on 1 of 1 scenes", text)
         self.assertIn("| metal (dense) | 8 | 2.00 | 1.60 | 0.80 | 1.25 | 0.86 | not measured | not measured | 1.5 | not measured | "
@@ -201,6 +202,14 @@ class Choosing(unittest.TestCase):
                 self.assertEqual(done.returncode, 1, text)
                 self.assertIn("choosing:", done.stderr)
                 self.assertNotIn("Traceback", done.stderr)
+
+    def test_writes_over_no_results(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "results.json"
+            path.write_text("{}")
+            done = subprocess.run([sys.executable, TOOL, path, path], capture_output=True, text=True)
+            self.assertEqual((done.returncode, path.read_text()), (1, "{}"))
+            self.assertIn("would be written over", done.stderr)
 
 
 if __name__ == "__main__":

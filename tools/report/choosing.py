@@ -7,15 +7,12 @@ docs/sweep.md describes RESULTS.json. Where the most accurate row is asked for, 
 ten times the reference's own count as equal, and the fastest of them is named.
 """
 
-import argparse
-import json
-import sys
 from collections import Counter
-from pathlib import Path
 
+import document_command
 from choosing_presets import aim_sentences, preset_figures, preset_rows
 from choosing_speed import DENSE, speed_rows, speed_sentences
-from sweep_rows import error, find, frame, name, ratio, rows_of, shown, table
+from sweep_rows import builds, error, find, frame, name, ratio, rows_of, shown, table
 
 QUALITIES = [4, 10, 30]  # times less error than single has
 BUDGETS = [2, 3, 4]      # times single's frame
@@ -126,7 +123,7 @@ def document(sweeps):
             continue
         speeds, merges = speed_rows(scenes), merge_rows(scenes)
         lines += [f"## {'Vulkan' if backend['backend'] == 'vk' else 'OpenGL'}: {backend['device']}, "
-                  f"{backend['driver']}", ""]
+                  f"{backend['driver']}", "", f"Measured by build: {builds(scenes)}.", ""]
         if results.get("rows"):
             lines += ["Of a full sweep's rows only these were measured: " + ", ".join(results["rows"]) + ".", ""]
         lines += speed_sentences(scenes)
@@ -170,20 +167,5 @@ def document(sweeps):
     return "\n".join(lines)
 
 
-def main():
-    parser = argparse.ArgumentParser(description="Writes docs/choosing.md from sweeps' results.")
-    parser.add_argument("results", type=Path, nargs="+")
-    parser.add_argument("out", type=Path)
-    arguments = parser.parse_args()
-    try:
-        sweeps = [json.loads(results.read_text(encoding="utf-8")) for results in arguments.results]
-        arguments.out.write_text(document(sweeps).rstrip() + "\n", encoding="utf-8")
-    except (OSError, json.JSONDecodeError) as problem:
-        sys.exit(f"choosing: {problem}")
-    except (KeyError, TypeError, AttributeError) as problem:
-        named = ", ".join(map(str, arguments.results))
-        sys.exit(f"choosing: {named}: not of a sweep, or of another schema: {problem!r}")
-
-
 if __name__ == "__main__":
-    main()
+    document_command.run("choosing", "Writes docs/choosing.md from sweeps' results.", document)

@@ -38,6 +38,10 @@ def find(scene, technique, n, c=0, cost=1, by=None):
     return None
 
 
+def builds(scenes):
+    return ", ".join(sorted({scene.get("build") or "one without a name" for scene in scenes}))
+
+
 def ratio(a, b):
     """None where there is none to speak of."""
     return a / b if a is not None and b else None
