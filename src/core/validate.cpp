@@ -245,14 +245,14 @@ static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCo
         if (!std::isfinite(light.direction[i]))
             bad("its direction is not finite");
         if (!(light.color[i] >= 0 && light.color[i] <= 1e30f))
-            bad("its colour is negative or not finite");
+            bad("its colour is not in [0;1e30]");
     }
     if (!(light.range >= 0 && light.range <= 1e18f))
         bad("its range is not in [0;1e18]");
     if (light.reserved != 0)
         bad("its reserved member is not 0");
     if (!(light.radius >= 0 && light.radius <= 1e15f))
-        bad("its radius is negative or not finite");
+        bad("its radius is not in [0;1e15]");
     if (light.type != AGAA_LIGHT_POINT) {
         const float* d = light.direction;
         if (std::fabs(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - 1.0f) > 1e-2f)

@@ -43,6 +43,14 @@ inline std::vector<Triangle> validatedScene() {
     return list;
 }
 
+// Two geometry passes, which can disagree.
+struct TwoPasses {
+    const char* technique;
+    uint32_t generationTier;
+};
+constexpr TwoPasses allTwoPasses[] = {
+    {"agaa", AGAA_TIER_AUTO}, {"agaa", AGAA_TIER_PER_SAMPLE}, {"msaa", AGAA_TIER_AUTO}};
+
 inline ViewSettings validatedSettings(const Mistake& mistake = {}) {
     ViewSettings settings;
     settings.config.samples = validatedSamples;
@@ -51,6 +59,19 @@ inline ViewSettings validatedSettings(const Mistake& mistake = {}) {
     settings.projection = pixelOrthographic(48, 32, 10);
     settings.mistake = mistake;
     return settings;
+}
+
+inline ViewSettings validatedSettings(const TwoPasses& passes, const Mistake& mistake = {}) {
+    ViewSettings settings = validatedSettings(mistake);
+    settings.config.technique = passes.technique;
+    settings.config.generationTier = passes.generationTier;
+    return settings;
+}
+
+inline void reverseZ(ViewSettings& settings) {
+    settings.flags |= AGAA_VIEW_REVERSED_Z;
+    for (int column = 0; column < 4; ++column) // z becomes w - z
+        settings.projection[column][2] = settings.projection[column][3] - settings.projection[column][2];
 }
 
 template <class Host>
@@ -111,26 +132,29 @@ class ValidationTest : public testing::Test {};
 TYPED_TEST_SUITE_P(ValidationTest);
 
 TYPED_TEST_P(ValidationTest, ARightFrameIsValid) {
-    ViewSettings settings = validatedSettings();
-    for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER}) {
-        settings.config.generationTier = tier;
-        const AgaaFrameValidation v = validationOf<TypeParam>(settings);
-        expectValid(v, visibleSamples);
-        // What a second pass could do wrong is not said of frames without one.
-        expectExplanation(v, tier == AGAA_TIER_GBUFFER ? "only geometry pass" : "in the material pass");
+    for (const TwoPasses& passes : allTwoPasses) {
+        for (const bool reversed : {false, true}) {
+            SCOPED_TRACE(passes.technique);
+            ViewSettings settings = validatedSettings(passes);
+            if (reversed)
+                reverseZ(settings);
+            const AgaaFrameValidation v = validationOf<TypeParam>(settings);
+            expectValid(v, visibleSamples);
+            expectExplanation(v, "in the material pass");
+        }
     }
-    settings.config.generationTier = AGAA_TIER_AUTO;
-    settings.config.technique = "ssaa";
-    const AgaaFrameValidation v = validationOf<TypeParam>(settings);
-    expectValid(v, visibleSamples);
-    expectExplanation(v, "only geometry pass");
+    // What a second pass could do wrong is not said of frames without one.
+    for (const TwoPasses& onePass : {TwoPasses{"agaa", AGAA_TIER_GBUFFER}, TwoPasses{"ssaa", AGAA_TIER_AUTO}}) {
+        const AgaaFrameValidation v = validationOf<TypeParam>(validatedSettings(onePass));
+        expectValid(v, visibleSamples);
+        expectExplanation(v, "only geometry pass");
+    }
 }
 
 TYPED_TEST_P(ValidationTest, AnObjectLeftOutIsMissed) {
-    ViewSettings settings = validatedSettings({.materialSkips = ofSecond});
-    for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_PER_SAMPLE}) {
-        settings.config.generationTier = tier;
-        const AgaaFrameValidation v = validationOf<TypeParam>(settings);
+    for (const TwoPasses& passes : allTwoPasses) {
+        SCOPED_TRACE(passes.technique);
+        const AgaaFrameValidation v = validationOf<TypeParam>(validatedSettings(passes, {.materialSkips = ofSecond}));
         expectInvalid(v, visibleSamples, second.pixels() * validatedSamples, 0);
         expectPixels(v, second, allSamples, allSamples, 0);
         expectExplanation(v, "left out of the material pass");
@@ -138,12 +162,15 @@ TYPED_TEST_P(ValidationTest, AnObjectLeftOutIsMissed) {
 }
 
 TYPED_TEST_P(ValidationTest, AnObjectTooManyIsMulti) {
-    const AgaaFrameValidation v = validationOf<TypeParam>(
-        validatedSettings({.prepassSkips = ofSecond, .noDepthTest = true}));
-    const uint64_t samples = second.pixels() * validatedSamples;
-    expectInvalid(v, visibleSamples - samples, 0, samples);
-    expectPixels(v, second, 0, 0, allSamples);
-    expectExplanation(v, "objects are drawn that the prepass left out");
+    for (const char* technique : {"agaa", "msaa"}) {
+        SCOPED_TRACE(technique);
+        const AgaaFrameValidation v = validationOf<TypeParam>(
+            validatedSettings({technique, AGAA_TIER_AUTO}, {.prepassSkips = ofSecond, .noDepthTest = true}));
+        const uint64_t samples = second.pixels() * validatedSamples;
+        expectInvalid(v, visibleSamples - samples, 0, samples);
+        expectPixels(v, second, 0, 0, allSamples);
+        expectExplanation(v, "objects are drawn that the prepass left out");
+    }
 }
 
 TYPED_TEST_P(ValidationTest, DifferentObjectsAreBoth) {

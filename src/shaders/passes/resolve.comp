@@ -11,18 +11,37 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_color; // alpha: covered
 
+#if AGAA_COUNTING
+#include "passes/sample_depth.glsl"
+
+void agaa_countSamples(uvec2 pixel, uint covered) {
+    uint visible = 0u;
+    for (uint i = 0u; i < AGAA_SAMPLES; ++i)
+        visible |= agaa_depthOf(pixel, i) != float(AGAA_FAR_DEPTH) ? 1u << i : 0u;
+    uint missed = visible & ~covered;
+    uint multi = covered & ~visible;
+    agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(visible)));
+    agaa_count(AGAA_COUNT_ONCE, uint(bitCount(visible & covered)));
+    agaa_count(AGAA_COUNT_MISSED, uint(bitCount(missed)));
+    agaa_count(AGAA_COUNT_MULTI, uint(bitCount(multi)));
+    agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
+    if ((missed | multi) != 0u)
+        agaa_reportPixel(pixel, visible, missed, multi);
+}
+#else
+void agaa_countSamples(uvec2 pixel, uint covered) {}
+#endif
+
 void agaa_resolvePixel(uvec2 pixel) {
     vec3 sum = vec3(0.0);
     uint covered = 0u;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
         vec4 texel = AGAA_FETCH(agaa_color, pixel, i);
         sum += texel.rgb;
-        covered += texel.a > 0.0 ? 1u : 0u;
+        covered |= texel.a > 0.0 ? 1u << i : 0u;
     }
-    agaa_count(AGAA_COUNT_VISIBLE, covered);
-    agaa_count(AGAA_COUNT_ONCE, covered);
-    agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
-    agaa_writeOutput(pixel, sum / float(AGAA_SAMPLES), covered);
+    agaa_countSamples(pixel, covered);
+    agaa_writeOutput(pixel, sum / float(AGAA_SAMPLES), uint(bitCount(covered)));
 }
 
 void main() {
