@@ -209,8 +209,9 @@ typedef struct AgaaGlFrame {
 /* Runs the frame's segments in the current context. Draw callbacks find the host's state as it was on
  * entry, but for the bindings named in AgaaGlContextDesc; they bind AgaaDrawTarget::framebuffer and set
  * viewport and AgaaDrawState themselves. A callback that fails is AGAA_ERROR_CALLBACK: the output is
- * untouched, but passes before it have run. A frame is AGAA_ERROR_WRONG_ORDER too early (framesInFlight), or with
- * segments missing or repeated. Active transform feedback that is not paused is AGAA_ERROR_WRONG_ORDER. Not to be
+ * untouched, but passes before it have run. A frame is AGAA_ERROR_WRONG_ORDER too early (framesInFlight), with a
+ * frameIndex that does not increase, or with segments missing or repeated; with another camera than its earlier
+ * segments AGAA_ERROR_OUT_OF_RANGE. Active transform feedback that is not paused is AGAA_ERROR_WRONG_ORDER. Not to be
  * called with conditional rendering, a query of GL_TIME_ELAPSED or rectangles of GL_EXT_window_rectangles active.
  * Other errors of OpenGL's are not looked for: they are left to the host's glGetError. Functions of the host's
  * (AgaaGBufferFunction, AgaaFetchFunction, AgaaShadowFunction) find their resources as bound on entry, or where the

@@ -6,7 +6,8 @@
  * Conventions
  *   Errors     Every function that can fail returns an AgaaResult: 0 ok, > 0 not an error, < 0 an error.
  *              Functions that are given a context, a view or a log also tell the error through the log
- *              callback, in one sentence; others, and calls with a null handle, return the code alone.
+ *              callback, in one sentence; others, and calls with a null handle or a log that was not initialised,
+ *              return the code alone.
  *              A call that fails validation has recorded and changed nothing.
  *   Lifetime   Pointers in parameters need to live until the call returns, unless stated otherwise.
  *   Threading  Functions without a handle may be called from any thread. Calls that share a context

@@ -79,7 +79,7 @@ typedef struct AgaaVkContextDesc {
     uint32_t rendering;      /* AgaaVkRendering */
     uint32_t recording;      /* AgaaVkRecording */
     uint32_t descriptorSet;  /* index of the SDK's set in the host's pipeline layouts, [0;7] */
-    uint64_t pipelineCache;  /* VkPipelineCache, or 0: one of the context's own, empty at first */
+    uint64_t pipelineCache;  /* VkPipelineCache that outlives the context, or 0: one of its own, empty at first */
     /* [1;8]: frames that may be unfinished at once, and whose statistics are kept. A frame needs the one this many
      * before it to be no later than AgaaFrame::completedFrame, or it is AGAA_ERROR_WRONG_ORDER. */
     uint32_t framesInFlight;
@@ -197,8 +197,9 @@ typedef struct AgaaVkFrame {
 
 /* Records the frame's segments. Pipeline, descriptor, viewport and dynamic state of the command buffer
  * is undefined afterwards. A draw callback that fails: with SECONDARY recording AGAA_ERROR_CALLBACK, nothing is
- * recorded; with INLINE recording AGAA_ERROR_PARTIAL, the command buffer is to be discarded. A frame is
- * AGAA_ERROR_WRONG_ORDER too early (framesInFlight), or with segments missing or repeated. */
+ * recorded; with INLINE recording AGAA_ERROR_PARTIAL, the command buffer is to be discarded, as where host memory ends
+ * meanwhile. A frame is AGAA_ERROR_WRONG_ORDER too early (framesInFlight), with a frameIndex that does not increase, or
+ * with segments missing or repeated; with another camera than its earlier segments AGAA_ERROR_OUT_OF_RANGE. */
 AGAA_API AgaaResult AGAA_CALL agaaVkRecordFrame(AgaaView view, const AgaaFrame* frame,
                                                 const AgaaVkFrame* vkFrame);
 

@@ -101,7 +101,8 @@ typedef enum AgaaTier {
 } AgaaTier;
 
 /* Bits of AgaaConfig::flags. */
-#define AGAA_CONFIG_COUNTERS UINT64_C(0x01)   /* count events; see AgaaCounters */
+#define AGAA_CONFIG_COUNTERS UINT64_C(0x01)   /* count events; see AgaaCounters. AGAA_ERROR_UNSUPPORTED without
+                                                 AGAA_DEVICE_FRAGMENT_ATOMICS */
 #define AGAA_CONFIG_TIMESTAMPS UINT64_C(0x02) /* time each pass */
 #define AGAA_CONFIG_READBACK UINT64_C(0x04)   /* surfaces may be copied from; no aliasing */
 #define AGAA_CONFIG_NO_DIFFUSE_FILTER UINT64_C(0x08)
@@ -125,7 +126,8 @@ typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_AGGREGATES = 2, /* aggregates of "agaa", or surfaces kept by "sbaa" */
     AGAA_DEBUG_VIEW_CLUSTERS = 3,   /* of these a colour each, in the share of its samples */
     AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tier IDS, not BUFFERED: primitives that samples show */
-    AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that gets to what is covered */
+    AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that gets to what is covered; 1
+                                       without shadows */
     AGAA_DEBUG_VIEW_WIDENED = 6,    /* by how much the NDF widened lobes: alpha of GGX, of elliptic ones where they are
                                        the widest, mean over what is covered; of "agaa" and "sbaa", and of layouts that
                                        keep roughness beside the normal */
@@ -178,10 +180,10 @@ typedef struct AgaaConfig {
      AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0, 0.0f, 0}
 
 /* Named settings of "agaa", from measurements (docs/choosing.md): "paper", as its sections say, but that each sample
- * goes to its own aggregate (AGAA_CONFIG_FIRST_SAMPLE_ROUTING) and k stays as it is (the paper: 10 cm); "fast", "balanced"
- * and "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf, litShadows (the first
- * shadow), glossWeight and what flags say of clustering and filters; leaves the rest. The last two want
- * materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER.
+ * goes to its own aggregate (AGAA_CONFIG_FIRST_SAMPLE_ROUTING) and k stays as it is (the paper: 10 cm); "fast",
+ * "balanced" and "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf,
+ * litShadows (the first shadow), glossWeight and what flags say of clustering and filters; leaves the rest. The last two
+ * want materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER.
  * AGAA_ERROR_INVALID_ARGUMENT: config is null, name is null or none of these; AGAA_ERROR_STRUCT: config was not
  * initialised. On an error config is as it was. */
 AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config);
@@ -204,7 +206,8 @@ typedef struct AgaaSceneFacts {
     uint32_t structSize;
     const void* pNext;
     uint64_t flags;          /* AGAA_FACT_… */
-    uint32_t maxLights;      /* [0;4096] */
+    uint32_t maxLights;      /* [0;4096]; of "msaa" with AGAA_GL_STORAGE_IMAGES at most 16 KiB of them, or
+                                AGAA_ERROR_UNSUPPORTED, which says how many */
     uint32_t shadowMapCount; /* [0;AGAA_MAX_SHADOW_MAPS] */
 } AgaaSceneFacts;
 #define AGAA_SCENE_FACTS_INIT                                                                       \

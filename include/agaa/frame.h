@@ -76,12 +76,12 @@ typedef struct AgaaLight {
     uint32_t type;      /* AgaaLightType */
     uint32_t shadowMap; /* index into AgaaFrame::shadows, or AGAA_NO_SHADOW */
     float position[3];  /* shading space, [-1e18;1e18] */
-    float direction[3]; /* unit, the way the light travels, shading space */
-    float color[3];     /* irradiance (directional) or intensity, >= 0 */
+    float direction[3]; /* unit, the way the light travels, shading space; of a point light finite */
+    float color[3];     /* irradiance (directional) or intensity, [0;1e30] */
     float range;        /* (0;1e18], or 0: infinite */
     float cosInner;     /* spot: cosines of the half angles, [-1;1], inner >= outer */
     float cosOuter;
-    float radius;       /* of the lamp, >= 0: the inverse-square law stops there */
+    float radius;       /* of the lamp, [0;1e15]: the inverse-square law stops there */
     float reserved;     /* 0 */
 } AgaaLight;
 
@@ -97,7 +97,8 @@ typedef struct AgaaShadow {
 
 /* Segments of a frame, so that a host can use what one leaves before it records the next. One may be empty: by a
  * technique, or a tier, that has nothing to do there. */
-#define AGAA_SEGMENT_PREPASS UINT64_C(0x1)    /* the first geometry pass, into depth or into a G-buffer */
+#define AGAA_SEGMENT_PREPASS UINT64_C(0x1)    /* the first geometry pass, into depth or into a G-buffer; with
+                                                 AGAA_FETCH_NOT_ALL_DRAWS the second too */
 #define AGAA_SEGMENT_GENERATION UINT64_C(0x2) /* what leaves aggregates or surfaces in memory, its material pass too */
 #define AGAA_SEGMENT_SHADING UINT64_C(0x4)    /* all that writes the output, and the draw pass FORWARD of "msaa" */
 #define AGAA_SEGMENT_ALL UINT64_C(0x7)
@@ -120,7 +121,7 @@ typedef struct AgaaFrame {
     const AgaaShadow* shadows;
     float ambient[3];    /* radiance from all sides, [0;65504] */
     /* Colour, [0;65504], where nothing is visible. The fourth: 0: what the output holds instead, which needs
-     * AGAA_VIEW_COMPOSITE and, on Vulkan, an outputLayoutIn that keeps it; other values, >= 0: this colour. The output
+     * AGAA_VIEW_COMPOSITE and, on Vulkan, an outputLayoutIn that keeps it; (0;65504]: this colour. The output
      * gets linear colours up to 65504, and 1 as alpha. */
     float background[4];
     AgaaDrawCallback draw; /* null only where the host draws the G-buffer (AgaaGBufferFunction) */

@@ -12,16 +12,16 @@ extern "C" {
 
 /* Chained to AgaaViewDesc: a multisampled G-buffer that the host draws itself, before it records the frame. The
  * library draws nothing: AgaaFrame::draw is not called and may be null, and techniques that aggregate take the tier
- * GBUFFER. Its passes are compiled with a function of the host's that reads a sample; the text is GLSL 450 and
- * defines
+ * GBUFFER. Its passes are compiled with a function of the host's that reads a sample; the text is GLSL 450, in an OpenGL
+ * context below 4.5 GLSL 430, and defines
  *     bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m)
  * which gives depth as the host's depth buffer holds it, and the material (docs/shader-interface.md), and says whether
- * sample i, [0;n), shows geometry. It runs in compute: no implicit
- * derivatives. Its resources, readable by compute when the frame's commands run, are in set 1 (Vulkan), or where
- * agaaGlRecordFrame says. Colours are in [0;1], emission in [0;range] of the layout; what is not finite becomes 0.
- * Names beginning with agaa_ and AGAA_ are the library's. Code that does not compile is
- * AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. Not for "msaa", and not together with an
- * AgaaFetchFunction. */
+ * sample i, [0;n), shows geometry. It runs in compute: no implicit derivatives. Its resources, readable by compute when
+ * the frame's commands run, are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1], emission in
+ * [0;range] of the layout; what is not finite becomes the least of its range, as in docs/shader-interface.md.
+ * Names beginning with agaa, Agaa and AGAA_ are the library's, but for the functions that the host defines. Code that
+ * does not compile is AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. Not for "msaa", and not together
+ * with an AgaaFetchFunction. */
 typedef struct AgaaGBufferFunction {
     uint32_t sType;
     uint32_t structSize;
@@ -47,7 +47,7 @@ typedef struct AgaaGBufferFunction {
 /* Chained to AgaaViewDesc: materials by id, for the tier IDS, which AUTO then is. The visibility pass leaves, beside
  * depth, which draw and primitive each sample shows (AgaaSurfaceInput::draw, ::primitive); compute passes find the
  * primitives of a pixel, evaluate the material of each once, in the middle of its samples, group these and shade.
- * They are compiled with functions of the host's; the text is GLSL 450 and defines
+ * They are compiled with functions of the host's; the text, GLSL as at AgaaGBufferFunction, defines
  *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)
  * which give the clip coordinates of a triangle, as the vertex shader computed them, but with y as
@@ -55,7 +55,7 @@ typedef struct AgaaGBufferFunction {
  * it (docs/shader-interface.md). That point's material is taken for all samples of the
  * primitive in the pixel; its normal too, where the function does not say by what it changes. They run in compute: no
  * implicit derivatives. Their resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1],
- * emission in [0;range] of the layout; what is not finite becomes 0. The alpha test is the visibility pass's alone.
+ * emission in [0;range] of the layout; what is not finite as there. The alpha test is the visibility pass's alone.
  * Names and errors as at AgaaGBufferFunction. Of "agaa". */
 /* Some draws cannot be fetched: displaced, or by shaders that compute cannot call. The visibility pass gives them
  * AgaaSurfaceInput::draw = AGAA_UNFETCHED, and a second geometry pass, AGAA_DRAW_PASS_GBUFFER whose depthCompare is
@@ -68,9 +68,10 @@ typedef struct AgaaFetchFunction {
     const void* pNext;
     const char* glsl;
     uint32_t maxDraws;      /* >= 1; the numbers of draws are below it. What is not, is shown as the last draw's first
-                               primitive, or as the draw's last announced one, and counted as AgaaCounters::unannounced */
-    uint32_t maxPrimitives; /* >= 1, of a draw; together at most 2^32 - 1 ids: maxDraws times maxPrimitives, rounded
-                               up to a power of two */
+                               primitive, or as the draw's last announced one, and counted as
+                               AgaaCounters::unannounced */
+    uint32_t maxPrimitives; /* >= 1, of a draw; maxDraws times maxPrimitives, rounded up to a power of two, is at most
+                               2^32 - 1, with AGAA_FETCH_NOT_ALL_DRAWS one less: else AGAA_ERROR_TOO_LARGE */
     uint64_t descriptorSetLayout; /* as at AgaaGBufferFunction */
     uint64_t flags;               /* AGAA_FETCH_… */
     const char* glslExtensions;   /* as at AgaaGBufferFunction */
@@ -79,11 +80,11 @@ typedef struct AgaaFetchFunction {
     {AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0, 0, NULL}
 
 /* Chained to AgaaViewDesc: shadows by a function of the host's in place of some shadow maps. It is
- * compiled into the passes that shade; the text is GLSL 450 and defines
+ * compiled into the passes that shade; the text, GLSL as at AgaaGBufferFunction, defines
  *     float agaaHostShadow(uint shadow, vec3 position)
  * the share of light, [0;1], that a point in shading space gets past AgaaFrame::shadows[shadow]. It runs
  * in compute: no implicit derivatives. Its resources are in set 1 (Vulkan), or where agaaGlRecordFrame says;
- * names beginning with agaa_ and AGAA_ are the library's. Code that does not compile is
+ * names as at AgaaGBufferFunction. Code that does not compile is
  * AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. Not for "msaa": AGAA_ERROR_UNSUPPORTED. */
 typedef struct AgaaShadowFunction {
     uint32_t sType;

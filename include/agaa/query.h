@@ -89,7 +89,7 @@ typedef struct AgaaMemoryReport {
     uint64_t constantBytes; /* payload of what does not grow with the target */
     uint64_t peakBytes;     /* per-pixel payload with surfaces of disjoint lifetimes aliased */
     double bytesPerPixel;   /* totalBytes / (width * height) */
-    double bytesPerAggregate; /* 0 where nothing is aggregated */
+    double bytesPerAggregate; /* 0 where none are kept in memory */
 } AgaaMemoryReport;
 #define AGAA_MEMORY_REPORT_INIT                                                                     \
     {AGAA_STRUCTURE_TYPE_MEMORY_REPORT, (uint32_t)sizeof(AgaaMemoryReport), NULL, 0, 0, 0, 0.0, 0.0}

@@ -18,7 +18,8 @@ typedef struct AgaaCounters {
     uint64_t missed;        /* of these, never accumulated */
     uint64_t multi;         /* accumulated by a further aggregate, or where nothing is visible */
     uint64_t ties;          /* sample writes refused because an equal depth came first; the stencil test refuses them
-                               uncounted, so these are of masked materials and of AGAA_CONFIG_NO_STENCIL */
+                               uncounted, so these are where it does not run: of masked materials, with
+                               AGAA_CONFIG_NO_STENCIL and in depth formats without stencil */
     uint64_t sanitised;     /* fragments, and materials fetched, with a non-finite attribute */
     uint64_t shadingEvents; /* full lighting evaluations of a sample or an aggregate */
     uint64_t shadowTaps;
