@@ -36,6 +36,7 @@ inline const FrameMisuse frameMisuses[] = {
     {"shadow with seven layers", AGAA_ERROR_OUT_OF_RANGE,
      [](auto&, auto&, auto& shadow) { shadow.layerCount = 7; }},
     {"shadow bias NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto&, auto& shadow) { shadow.depthBias = nan; }},
+    {"shadow bias beyond the map", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto&, auto& shadow) { shadow.depthBias = 1.5f; }},
     {"shadow matrix infinite", AGAA_ERROR_OUT_OF_RANGE,
      [](auto&, auto&, auto& shadow) { shadow.matrices[0][3] = infinity; }},
     {"lights null", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&, auto&) { f.lights = nullptr; }},
@@ -51,6 +52,25 @@ inline const FrameMisuse frameMisuses[] = {
      [](auto&, auto& light, auto&) { light.position[0] = -1e20f; }},
     {"light range too far for its square", AGAA_ERROR_OUT_OF_RANGE,
      [](auto&, auto& light, auto&) { light.range = 1e25f; }},
+    {"light colour too bright", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.color[2] = 2e30f; }},
+    {"light of a negative radius", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.radius = -0.1f; }},
+    {"light of a radius too large for its square", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.radius = 1e20f; }},
+    {"light with a reserved member", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.reserved = 1; }},
+    {"cone inside out", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) {
+         light.type = AGAA_LIGHT_SPOT;
+         light.cosInner = 0.25f;
+         light.cosOuter = 0.5f;
+     }},
+    {"cone of no angle's cosine", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) {
+         light.type = AGAA_LIGHT_SPOT;
+         light.cosInner = 1.5f;
+     }},
     {"light position NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto& light, auto&) { light.position[2] = nan; }},
     {"light without direction", AGAA_ERROR_OUT_OF_RANGE,
      [](auto&, auto& light, auto&) { light.direction[2] = 0; }},
@@ -60,6 +80,12 @@ inline const FrameMisuse frameMisuses[] = {
      [](auto& f, auto&, auto&) { f.projection[0] = nan; }},
     {"projection of zeros", AGAA_ERROR_OUT_OF_RANGE,
      [](auto& f, auto&, auto&) { std::fill_n(f.projection, 16, 0.0f); }},
+    {"projection of the other depth", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) {
+         for (int column = 0; column < 4; ++column) // z becomes w - z
+             f.projection[4 * column + 2] = f.projection[4 * column + 3] - f.projection[4 * column + 2];
+     }},
+    {"projection with shear", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.projection[4] = 0.5f; }},
     {"view infinite", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.view[5] = infinity; }},
     {"view with a translation", AGAA_ERROR_OUT_OF_RANGE,
      [](auto& f, auto&, auto&) { f.view[12] = 3; }},

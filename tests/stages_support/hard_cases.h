@@ -82,7 +82,7 @@ TYPED_TEST_P(HardCases, HardCase18AnEmptyFrameIsTheBackground) {
     }
 }
 
-// At the far plane, and with a depth of exactly 1 or 0: geometry all the same.
+// A step before the far plane, whose depth is the clear value: geometry all the same.
 TYPED_TEST_P(HardCases, HardCase17GeometryAtTheFarPlaneIsSeen) {
     for (const Setting& s : hardSettings)
         for (bool reversed : {false, true}) {
@@ -92,7 +92,6 @@ TYPED_TEST_P(HardCases, HardCase17GeometryAtTheFarPlaneIsSeen) {
                 view.projection[2][2] = 1.0f / 10;
                 view.projection[3][2] = 1;
             }
-            // A step before the clear value, which no comparison takes for geometry.
             const float depth = std::nextafter(10.0f, 0.0f);
             const Shown r =
                 this->render(view, rectangle(0, 0, 32, 16, depth, facing({1, 1, 1})), {sun()});
@@ -183,9 +182,8 @@ TYPED_TEST_P(HardCases, HardCase37BadMaterialsAreContained) {
             for (uint32_t y = 0; y < 16; ++y)
                 for (uint32_t x = 0; x < 32; ++x) {
                     const bool patch = y >= 4 && y < 8 && x >= 2 && (x - 2) % 6 < 3;
-                    if (!patch) {
-                        EXPECT_EQ(r.rgb[3 * (y * 32 + x)], clean.rgb[3 * (y * 32 + x)]) << s;
-                    }
+                    for (uint32_t i = 3 * (y * 32 + x); !patch && i < 3 * (y * 32 + x) + 3; ++i)
+                        EXPECT_EQ(r.rgb[i], clean.rgb[i]) << s;
                 }
         }
     }
@@ -206,11 +204,11 @@ TYPED_TEST_P(HardCases, HardCase4OpposedNormalsCancel) {
         const Shown r = this->render(pixelView(s, 1), scene, {sun()});
         EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
         for (float value : r.rgb)
-            EXPECT_LE(value, 10.0f) << s << ": no more light than falls on it";
+            EXPECT_TRUE(value >= 0 && value <= 3) << s << ": " << value << ", no more light than falls on it";
     }
 }
 
-// Lamps in the surface, with cones of no width, and behind shadow maps that see nothing.
+// Lamps in the surface, and with cones of no width.
 TYPED_TEST_P(HardCases, HardCase39And40LightsInSurfaces) {
     std::vector<AgaaLight> lights;
     for (uint32_t type : {AGAA_LIGHT_POINT, AGAA_LIGHT_SPOT}) {
@@ -270,7 +268,7 @@ TYPED_TEST_P(HardCases, HardCase55OddSizesAreWhole) {
                 view, rectangle(0, 0, float(width), float(height), 1, facing({1, 1, 1})), {sun()});
             EXPECT_EQ(r.counters.visible, uint64_t(width) * height * s.n) << s;
             for (float value : r.rgb)
-                EXPECT_EQ(value, r.rgb[0]);
+                EXPECT_NEAR(value, 3 / 3.14159265f, 0.01f) << s;
         }
 }
 

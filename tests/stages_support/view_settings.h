@@ -1,18 +1,13 @@
 // What the small hosts of all graphics APIs are asked to do, and the mistakes that they can be told to make.
 #pragma once
 
-#include "agaa_sdk.h"
+#include "log_lines.h"
 #include "triangles.h"
 
 #include <string>
 #include <vector>
 
 namespace agaa::test {
-
-struct LogLine {
-    AgaaResult code;
-    std::string text;
-};
 
 // A stretch of the list of triangles.
 struct Run {

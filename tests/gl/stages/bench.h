@@ -60,14 +60,4 @@ struct Bench {
     }
 };
 
-inline void expectOneSentence(const std::vector<LogLine>& lines, AgaaResult code, const char* what,
-                              const char* contained = "") {
-    ASSERT_EQ(lines.size(), 1u) << what;
-    EXPECT_NE(lines[0].text.find(contained), std::string::npos) << lines[0].text;
-    EXPECT_EQ(lines[0].code, code) << what;
-    EXPECT_EQ(lines[0].text.back(), '.') << lines[0].text;
-    EXPECT_EQ(lines[0].text.find('\n'), std::string::npos) << lines[0].text;
-    EXPECT_GT(lines[0].text.size(), 20u) << lines[0].text;
-}
-
 } // namespace agaa::test

@@ -1,23 +1,15 @@
 // Misuse of contexts and views on OpenGL, their memory and their order.
 #include "bench.h"
+#include "host_memory.h"
 
 #include "agaa_vk.h"
 
 #include "core/handles.h"
 
 #include <cstdio>
-#include <cstdlib>
-#include <set>
 
 namespace agaa::test {
 namespace {
-
-AgaaLog logInto(std::vector<LogLine>& lines) {
-    AgaaLog log = AGAA_LOG_INIT;
-    log.callback = collectLines;
-    log.user = &lines;
-    return log;
-}
 
 AgaaResult create(AgaaGlContextDesc desc, std::vector<LogLine>& lines) {
     const AgaaLog log = logInto(lines);
@@ -209,23 +201,6 @@ TEST(GlMisuse, HandlesOfVulkanAreRefused) {
     EXPECT_EQ(agaaGlCreateView(&vulkan, &desc, &view), AGAA_ERROR_INVALID_ARGUMENT);
     expectOneSentence(lines, AGAA_ERROR_INVALID_ARGUMENT, "view");
 }
-
-struct HostMemory {
-    std::set<void*> blocks;
-    size_t calls = 0;
-
-    static void* AGAA_CALL allocate(void* user, size_t size, size_t alignment) {
-        auto& memory = *static_cast<HostMemory*>(user);
-        ++memory.calls;
-        void* block = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-        memory.blocks.insert(block);
-        return block;
-    }
-    static void AGAA_CALL free(void* user, void* block) {
-        EXPECT_EQ(static_cast<HostMemory*>(user)->blocks.erase(block), 1u);
-        std::free(block);
-    }
-};
 
 TEST(GlLifetime, HandlesLiveInTheHostsMemory) {
     HostMemory memory;

@@ -218,8 +218,15 @@ TEST(GlRecording, FramesAndSegmentsHaveAnOrder) {
     expect(frame, AGAA_SEGMENT_PREPASS, AGAA_OK, "begins");
     expect(frame, AGAA_SEGMENT_PREPASS, AGAA_ERROR_WRONG_ORDER, "twice");
     expect(frame, AGAA_SEGMENT_SHADING, AGAA_ERROR_WRONG_ORDER, "one left out");
+    AgaaFrame elsewhere = frame;
+    elsewhere.projection[0] *= 2;
+    expect(elsewhere, AGAA_SEGMENT_GENERATION, AGAA_ERROR_OUT_OF_RANGE, "another camera");
     expect(frame, AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING, AGAA_OK, "the rest");
     expect(frame, AGAA_SEGMENT_ALL, AGAA_ERROR_WRONG_ORDER, "the same frame");
+    AgaaFrame earlier = frame;
+    --earlier.frameIndex;
+    --earlier.completedFrame;
+    expect(earlier, AGAA_SEGMENT_ALL, AGAA_ERROR_WRONG_ORDER, "an earlier frame");
     EXPECT_EQ(bench.view.image(), expected);
     AgaaFrame left = bench.frame();
     expect(left, AGAA_SEGMENT_PREPASS, AGAA_OK, "begun and given up");
@@ -240,13 +247,18 @@ TEST(GlRecording, FramesInFlightAreARing) {
         AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
         EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 9, &statistics), AGAA_NOT_READY);
         EXPECT_TRUE(bench.context.lines.empty());
-        for (uint32_t i = 0; i < slots; ++i)
+        std::vector<uint64_t> visible(slots + 1); // each frame shows more
+        for (uint32_t i = 1; i <= slots; ++i) {
+            const float width = 4 * float(i);
+            bench.view.setTriangles(rectangle(-width / 48, -0.5f, width / 48, 0.5f, 2, Material{}));
             EXPECT_EQ(record(0), AGAA_OK) << i;
+        }
         EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 0, &statistics), AGAA_NOT_READY);
         for (uint32_t i = 1; i <= slots; ++i) {
             EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), i, &statistics), AGAA_OK);
             EXPECT_EQ(statistics.frameIndex, i);
-            EXPECT_GT(statistics.counters.visible, 0u);
+            visible[i] = statistics.counters.visible;
+            EXPECT_GT(visible[i], visible[i - 1]);
         }
         EXPECT_EQ(record(0), AGAA_ERROR_WRONG_ORDER) << "one too many in flight";
         expectOneSentence(bench.context.lines, AGAA_ERROR_WRONG_ORDER, "in flight");

@@ -68,11 +68,6 @@ void require(AgaaResult result, const StageContext& context, const char* call) {
 
 } // namespace
 
-void AGAA_CALL collectLines(void* user, uint32_t severity, AgaaResult code, const char* message) {
-    if (severity >= AGAA_SEVERITY_WARNING)
-        static_cast<std::vector<LogLine>*>(user)->push_back({code, message});
-}
-
 EglContext& sharedEgl() {
     static EglContext egl(leastContext);
     return egl;

@@ -41,9 +41,6 @@ private:
     AgaaDeviceCaps caps_ = AGAA_DEVICE_CAPS_INIT;
 };
 
-// Writes into the lines that user points to.
-void AGAA_CALL collectLines(void* user, uint32_t severity, AgaaResult code, const char* message);
-
 // A depth map of one layer, everywhere as deep.
 harness::gl::Texture shadowMap(const GladGLContext& gl, float depth);
 

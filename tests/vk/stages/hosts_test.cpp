@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace agaa::test {
 namespace {
@@ -60,6 +61,66 @@ TEST_P(HostsTest, FramesInFlightAndRepetitionAgree) {
     const std::vector<float> expected = pixels({}, settings);
     for (uint32_t inFlight : {1u, 3u, 8u})
         EXPECT_EQ(pixels({.framesInFlight = inFlight}, settings, false, 10), expected);
+}
+
+// Two frames of which neither waits for the other: each has its own lights, shadows, output and counts.
+TEST_P(HostsTest, FramesInFlightKeepWhatIsTheirs) {
+    ViewSettings settings = settingsFor(GetParam());
+    settings.facts.shadowMapCount = 1;
+    StageContext context;
+    const ShadowLayers shadow({0.0f}, 4);
+    AgaaShadow map{};
+    map.layerCount = 1;
+    map.matrices[0][14] = 0.5f; // all points, behind what the map holds
+    map.matrices[0][15] = 1;
+    AgaaLight lights[2] = {sun(), sun()};
+    lights[0].color[0] = 0;
+    lights[1].shadowMap = 0;
+    const auto describe = [&](StageView& view, int which) {
+        AgaaFrame frame = view.frame();
+        frame.lights = lights;
+        frame.lightCount = 1 + which;
+        frame.shadows = &map;
+        frame.shadowCount = which;
+        frame.ambient[which] = 0.5f;
+        return frame;
+    };
+    const auto lend = [&](AgaaVkFrame& vk) { vk.shadowViews[0] = shadow.view(); };
+    std::vector<float> alone[2];
+    AgaaCounters counts[2];
+    for (int which : {0, 1}) {
+        StageView view(context, settings);
+        view.setTriangles(randomTriangles({.triangles = 200}, 11));
+        view.render(describe(view, which), lend);
+        alone[which] = view.image().rgb;
+        counts[which] = view.statistics().counters;
+    }
+    EXPECT_NE(alone[0], alone[1]);
+    EXPECT_NE(counts[0].shadowTaps, counts[1].shadowTaps);
+    StageView view(context, settings);
+    view.setTriangles(randomTriangles({.triangles = 200}, 11));
+    const harness::vk::OutputImage other(sharedDevice(), settings.width, settings.height);
+    sharedDevice().runCommands([&](VkCommandBuffer commands) {
+        for (int which : {0, 1}) {
+            AgaaFrame frame = describe(view, which);
+            frame.completedFrame = 0;
+            AgaaVkFrame vk = view.vkFrame(commands);
+            lend(vk);
+            if (which == 0) {
+                vk.outputImage = (uint64_t)other.image();
+                vk.outputView = (uint64_t)other.view();
+            }
+            EXPECT_EQ(agaaVkRecordFrame(view.get(), &frame, &vk), AGAA_OK);
+        }
+    });
+    EXPECT_EQ(other.read().rgb, alone[0]);
+    EXPECT_EQ(view.image().rgb, alone[1]);
+    for (uint64_t which : {0, 1}) {
+        AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
+        ASSERT_EQ(agaaGetFrameStatistics(view.get(), which + 1, &statistics), AGAA_OK);
+        EXPECT_EQ(statistics.frameIndex, which + 1);
+        EXPECT_EQ(std::memcmp(&statistics.counters, &counts[which], sizeof(AgaaCounters)), 0);
+    }
 }
 
 TEST_P(HostsTest, OutputLayoutsAreLeftAsAsked) {

@@ -48,13 +48,7 @@ struct Bench {
         view.render(frame(), [&](AgaaVkFrame& vk) { vk.shadowViews[0] = shadow.view(); });
         EXPECT_GT(view.statistics().counters.visible, 0u);
     }
-    void expectOneSentence(AgaaResult code, const char* what) {
-        ASSERT_EQ(context.lines.size(), 1u) << what;
-        const LogLine& line = context.lines[0];
-        EXPECT_EQ(line.code, code) << what;
-        EXPECT_EQ(line.text.back(), '.') << line.text;
-        EXPECT_GT(line.text.size(), 20u) << line.text;
-    }
+    void expectOneSentence(AgaaResult code, const char* what) { test::expectOneSentence(context.lines, code, what); }
 };
 
 // What lies in AgaaVkFrame beyond the frame's shadows is not used, but for the first declared map.
@@ -203,13 +197,22 @@ TEST(Recording, FramesAndSegmentsHaveAnOrder) {
         first.segments = AGAA_SEGMENT_SHADING;
         EXPECT_EQ(bench.record(first, vk), AGAA_ERROR_WRONG_ORDER) << "one left out";
         first.segments = AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING;
+        AgaaFrame elsewhere = first;
+        elsewhere.projection[0] *= 2;
+        EXPECT_EQ(bench.record(elsewhere, vk), AGAA_ERROR_OUT_OF_RANGE) << "another camera";
+        bench.expectOneSentence(AGAA_ERROR_OUT_OF_RANGE, "another camera");
         EXPECT_EQ(bench.record(first, vk), AGAA_OK);
         AgaaFrame again = first;
         again.segments = AGAA_SEGMENT_ALL;
         EXPECT_EQ(bench.record(again, vk), AGAA_ERROR_WRONG_ORDER) << "the same frame";
+        again.frameIndex = 0;
+        again.completedFrame = 0;
+        EXPECT_EQ(bench.record(again, vk), AGAA_ERROR_OUT_OF_RANGE) << "before the first frame";
         AgaaFrame second = bench.frame();
         second.completedFrame = 0;
         EXPECT_EQ(bench.record(second, vk), AGAA_OK) << "two in flight";
+        again.frameIndex = 1;
+        EXPECT_EQ(bench.record(again, vk), AGAA_ERROR_WRONG_ORDER) << "an earlier frame";
         AgaaFrame third = bench.frame();
         third.completedFrame = 0;
         EXPECT_EQ(bench.record(third, vk), AGAA_ERROR_WRONG_ORDER) << "three in flight";

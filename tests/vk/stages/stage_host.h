@@ -27,7 +27,11 @@ struct HostOptions {
     bool inlineRecording = false;
     uint32_t framesInFlight = 2;
     AgaaVkGetInstanceProcAddr getProcAddr = harness::vk::Device::getProcAddr;
+    std::function<void(AgaaVkContextDesc&)> change = nullptr;
 };
+
+// Without a log, and unchanged.
+AgaaVkContextDesc contextDesc(const HostOptions& options = {});
 
 // One Vulkan device with validation for the process; messages of any kind fail the test at hand.
 harness::vk::Device& sharedDevice();

@@ -1,0 +1,156 @@
+// Contexts and views of Vulkan: what is refused, in whose memory they live, and in which order they go.
+#include "host_memory.h"
+#include "ids_view.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace agaa::test {
+namespace {
+
+const AgaaStructHeader unknown = {77, sizeof(AgaaStructHeader), nullptr};
+void* AGAA_CALL noMemory(void*, size_t, size_t) { return nullptr; }
+void AGAA_CALL noFree(void*, void*) {}
+
+ViewSettings pictureSettings() {
+    ViewSettings settings;
+    settings.config.samples = 4;
+    settings.facts.shadowMapCount = 0;
+    return settings;
+}
+
+std::vector<float> picture(StageView& view) { return drawn(view, randomTriangles({.triangles = 20}, 41)).rgb; }
+
+TEST(VkMisuse, ContextsAreRefusedInASentence) {
+    struct Row {
+        const char* what;
+        AgaaResult expected;
+        std::function<void(AgaaVkContextDesc&)> spoil;
+    };
+    static VkPhysicalDeviceFeatures2 noFeatures{};
+    static const VkPhysicalDeviceFeatures2 without{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, nullptr, {}};
+    const Row rows[] = {
+        {"sType", AGAA_ERROR_STRUCT, [](auto& d) { d.sType = 1; }},
+        {"unknown struct", AGAA_ERROR_UNKNOWN_STRUCT, [](auto& d) { d.pNext = &unknown; }},
+        {"no instance", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.instance = nullptr; }},
+        {"no physical device", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.physicalDevice = nullptr; }},
+        {"no device", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.device = nullptr; }},
+        {"no getProcAddr", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.getProcAddr = nullptr; }},
+        {"no extensions", AGAA_ERROR_INVALID_ARGUMENT,
+         [](auto& d) {
+             d.enabledExtensions = nullptr;
+             d.enabledExtensionCount = 1;
+         }},
+        {"Vulkan 1.1", AGAA_ERROR_UNSUPPORTED, [](auto& d) { d.apiVersion = VK_API_VERSION_1_1; }},
+        {"queue family", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.queueFamily = 99; }},
+        {"features of another struct", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.enabledFeatures = &noFeatures; }},
+        {"no feature enabled", AGAA_ERROR_UNSUPPORTED, [](auto& d) { d.enabledFeatures = &without; }},
+        {"rendering", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.rendering = 3; }},
+        {"recording", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.recording = 2; }},
+        {"descriptor set", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.descriptorSet = 8; }},
+        {"no frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.framesInFlight = 0; }},
+        {"nine frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.framesInFlight = 9; }},
+        {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.reserved = 1; }},
+        {"the other reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.reserved2 = 1; }},
+        {"no free", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.allocate = noMemory; }},
+        {"no memory", AGAA_ERROR_OUT_OF_MEMORY,
+         [](auto& d) {
+             d.allocate = noMemory;
+             d.free = noFree;
+         }},
+    };
+    for (const Row& row : rows) {
+        AgaaVkContextDesc desc = contextDesc();
+        row.spoil(desc);
+        std::vector<LogLine> lines;
+        const AgaaLog log = logInto(lines);
+        desc.log = &log;
+        AgaaContext context = nullptr;
+        EXPECT_EQ(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context), row.expected) << row.what;
+        EXPECT_EQ(context, nullptr) << row.what;
+        expectOneSentence(lines, row.expected, row.what);
+    }
+    // Where a log would be is not known.
+    AgaaVkContextDesc desc = contextDesc();
+    desc.structSize -= 8;
+    AgaaContext context = nullptr;
+    EXPECT_EQ(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context), AGAA_ERROR_STRUCT);
+    desc = contextDesc();
+    AgaaLog log = AGAA_LOG_INIT;
+    log.structSize = 0;
+    desc.log = &log;
+    EXPECT_EQ(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context), AGAA_ERROR_STRUCT);
+    EXPECT_EQ(context, nullptr);
+}
+
+// What the host did not enable is not used, though the device has it.
+TEST(VkMisuse, WhatWasNotEnabledIsNotThere) {
+    AgaaDeviceCaps all = AGAA_DEVICE_CAPS_INIT, least = AGAA_DEVICE_CAPS_INIT;
+    const StageContext usual;
+    ASSERT_EQ(agaaVkGetContextCaps(usual.get(), &all), AGAA_OK);
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, nullptr, {}};
+    features.features.shaderStorageImageExtendedFormats = VK_TRUE;
+    features.features.shaderStorageImageWriteWithoutFormat = VK_TRUE;
+    StageContext context({.change = [&](auto& desc) {
+        desc.enabledFeatures = &features;
+        desc.enabledExtensionCount = 0;
+    }});
+    ASSERT_EQ(agaaVkGetContextCaps(context.get(), &least), AGAA_OK);
+    const uint64_t dropped = AGAA_DEVICE_FRAGMENT_ATOMICS | AGAA_DEVICE_SAMPLE_RATE_SHADING |
+                             AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_DYNAMIC_RENDERING;
+    EXPECT_NE(all.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, 0u);
+    EXPECT_EQ(least.flags, all.flags & ~dropped);
+    ViewSettings settings = pictureSettings();
+    settings.config.flags = AGAA_CONFIG_COUNTERS;
+    expectRefused(context, settings, AGAA_ERROR_UNSUPPORTED, "counters without atomics");
+}
+
+TEST(VkMisuse, ViewsAreRefusedInASentence) {
+    StageContext context;
+    ViewSettings settings = pictureSettings();
+    settings.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
+    expectRefused(context, settings, AGAA_ERROR_UNSUPPORTED, "OpenGL's clip space");
+    settings = pictureSettings();
+    settings.width = 0;
+    expectRefused(context, settings, AGAA_ERROR_OUT_OF_RANGE, "no pixels");
+    settings.width = 1u << 20;
+    expectRefused(context, settings, AGAA_ERROR_TOO_LARGE, "too wide");
+    settings = pictureSettings();
+    settings.chained = &unknown;
+    expectRefused(context, settings, AGAA_ERROR_UNKNOWN_STRUCT, "unknown struct");
+}
+
+TEST(VkLifetime, HandlesLiveInTheHostsMemory) {
+    HostMemory memory;
+    {
+        StageContext context({.change = [&](auto& desc) {
+            desc.allocate = HostMemory::allocate;
+            desc.free = HostMemory::free;
+            desc.allocateUser = &memory;
+        }});
+        StageView view(context, pictureSettings());
+        EXPECT_EQ(memory.blocks.size(), 2u);
+        EXPECT_TRUE(memory.blocks.contains(view.get()));
+        picture(view);
+        ViewSettings tooLarge = pictureSettings();
+        tooLarge.width = 1u << 20;
+        expectRefused(context, tooLarge, AGAA_ERROR_TOO_LARGE, "too wide");
+        EXPECT_EQ(memory.blocks.size(), 2u) << "what a failure had is given back";
+    }
+    EXPECT_EQ(memory.calls, 3u);
+    EXPECT_TRUE(memory.blocks.empty());
+}
+
+TEST(VkLifetime, ViewsGoBeforeTheirContext) {
+    StageContext context;
+    StageView view(context, pictureSettings());
+    const std::vector<float> expected = picture(view);
+    context.lines.clear();
+    agaaDestroyContext(context.get()); // too early: kept
+    expectOneSentence(context.lines, AGAA_ERROR_WRONG_ORDER, "too early");
+    EXPECT_EQ(picture(view), expected);
+}
+
+} // namespace
+} // namespace agaa::test
