@@ -11,6 +11,10 @@ BarrierTracker::BarrierTracker(const Context& context, const Plan& plan,
 void BarrierTracker::beginFrame() {
     for (State& state : states_)
         state = {};
+    // Of a frame that was given up while it was recorded.
+    images_.clear();
+    memory_.clear();
+    source_ = destination_ = 0;
 }
 
 void BarrierTracker::use(ResourceId id, const Access& access) {

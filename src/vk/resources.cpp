@@ -207,21 +207,22 @@ VkDeviceMemory ViewResources::allocate(uint64_t size, uint32_t type) {
     return memory;
 }
 
-// One arena per memory type; blocks of disjoint lifetimes overlap in it.
+// One arena for all that may lie in the same memory types; blocks of disjoint lifetimes overlap in it.
 void ViewResources::allocateShared(std::vector<Request>& requests, bool alias) {
-    std::map<uint32_t, std::vector<const Request*>> byType;
+    std::map<std::vector<uint32_t>, std::vector<const Request*>> byTypes;
     for (const Request& request : requests)
         if (request.kind == ResourceKind::Image || request.kind == ResourceKind::Buffer) {
-            byType[memoryTypes(request.requirements.memoryTypeBits, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT).front()]
+            byTypes[memoryTypes(request.requirements.memoryTypeBits, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)]
                 .push_back(&request);
             driverBytes_ = checkedAdd(driverBytes_, request.requirements.size);
         }
-    for (const auto& [type, members] : byType)
-        allocateArena(type, members, alias);
+    for (const auto& [types, members] : byTypes)
+        allocateArena(types, members, alias);
 }
 
 // Two of half the members each where the device does not allocate so much at once.
-void ViewResources::allocateArena(uint32_t type, std::span<const Request* const> members, bool alias) {
+void ViewResources::allocateArena(std::span<const uint32_t> types, std::span<const Request* const> members,
+                                  bool alias) {
     std::vector<ArenaBlock> blocks;
     for (const Request* member : members) {
         const uint64_t alignment = std::max<uint64_t>(member->requirements.alignment, context_.granularity);
@@ -231,11 +232,11 @@ void ViewResources::allocateArena(uint32_t type, std::span<const Request* const>
     }
     const uint64_t size = placeBlocks(blocks);
     if (size > context_.maxAllocation && members.size() > 1) {
-        allocateArena(type, members.first(members.size() / 2), alias);
-        allocateArena(type, members.subspan(members.size() / 2), alias);
+        allocateArena(types, members.first(members.size() / 2), alias);
+        allocateArena(types, members.subspan(members.size() / 2), alias);
         return;
     }
-    const VkDeviceMemory arena = allocate(size, type);
+    const VkDeviceMemory arena = allocate(size, types);
     peakBytes_ = checkedAdd(peakBytes_, size);
     for (size_t i = 0; i < members.size(); ++i)
         if (members[i]->image)

@@ -38,7 +38,7 @@ private:
     void allocateShared(std::vector<Request>& requests, bool alias);
     void allocateOwn(const Request& request);
     void createViews(const Plan& plan);
-    void allocateArena(uint32_t type, std::span<const Request* const> members, bool alias);
+    void allocateArena(std::span<const uint32_t> types, std::span<const Request* const> members, bool alias);
     std::vector<uint32_t> memoryTypes(uint32_t allowed, VkMemoryPropertyFlags wanted,
                                       VkMemoryPropertyFlags preferred) const;
     VkDeviceMemory allocate(uint64_t size, std::span<const uint32_t> types);

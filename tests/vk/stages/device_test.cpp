@@ -17,6 +17,7 @@ struct Card {
     uint32_t sharedBytes = 0;    // of a graphics card; 0: as it is
     bool hasWindow = false;      // types: 0 system memory, 1 the card's own, 2 a part of it that the host sees, full
     bool isFull = false;
+    bool isOwnFull = false;      // of a card with a window
     uint32_t refused = 0;
     VkDeviceSize largestSurface = 0;
     std::map<uint32_t, std::vector<VkDeviceSize>> sizes; // of allocations, by type
@@ -78,11 +79,12 @@ VKAPI_ATTR void VKAPI_CALL ofBuffer(VkDevice device, VkBuffer buffer, VkMemoryRe
 
 VKAPI_ATTR VkResult VKAPI_CALL allocate(VkDevice device, const VkMemoryAllocateInfo* info,
                                         const VkAllocationCallbacks* allocator, VkDeviceMemory* out) {
-    if (card.isFull || (card.hasWindow && info->memoryTypeIndex == 2)) {
+    const uint32_t type = info->memoryTypeIndex;
+    if (card.isFull || (card.hasWindow && (type == 2 || (type == 1 && card.isOwnFull)))) {
         ++card.refused;
         return VK_ERROR_OUT_OF_DEVICE_MEMORY;
     }
-    card.sizes[info->memoryTypeIndex].push_back(info->allocationSize);
+    card.sizes[type].push_back(info->allocationSize);
     VkMemoryAllocateInfo real = *info;
     if (card.hasWindow)
         real.memoryTypeIndex = 0;
@@ -178,7 +180,7 @@ TEST(DeviceTest, SurfacesAreSpreadOverWhatTheDeviceAllocatesAtOnce) {
     EXPECT_LE(*std::max_element(spread.begin(), spread.end()), most);
 }
 
-TEST(DeviceTest, UploadsGoToSystemMemoryWhereTheWindowIsFull) {
+TEST(DeviceTest, WhatFindsNoRoomOnTheCardGoesToSystemMemory) {
     if (sharedDevice().name().find("llvmpipe") == std::string::npos)
         GTEST_SKIP() << "the types are made up: they need a device whose memory is all of one type";
     card = {};
@@ -189,6 +191,11 @@ TEST(DeviceTest, UploadsGoToSystemMemoryWhereTheWindowIsFull) {
     EXPECT_GT(card.refused, 0u);
     EXPECT_FALSE(card.sizes[0].empty());
     EXPECT_FALSE(card.sizes[1].empty()) << "what the host does not see stays the card's";
+    card = {};
+    card.hasWindow = card.isOwnFull = true;
+    EXPECT_EQ(picture(), expected);
+    EXPECT_FALSE(card.sizes[0].empty());
+    EXPECT_TRUE(card.sizes[1].empty()) << "surfaces go to system memory where the card is full";
 }
 
 TEST(DeviceTest, AFormatThatIsNotThereRefusesWhatNeedsIt) {
