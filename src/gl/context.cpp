@@ -106,7 +106,10 @@ Context::Context(const AgaaGlContextDesc& desc)
         hostPlaces.emplace(gl, dialect, isCompatibilityProfile(gl));
     guard->capture();
     try {
-        timeSource = probeTimer(gl) ? AGAA_TIME_DEVICE : AGAA_TIME_CPU_FINISH;
+        GLint bits = 0;
+        gl.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
+        timestampBits = uint32_t(std::clamp(bits, 0, 64));
+        timeSource = probeTimer(gl, timestampBits) ? AGAA_TIME_DEVICE : AGAA_TIME_CPU_FINISH;
     } catch (...) {
         guard->restore();
         throw;

@@ -37,6 +37,7 @@ public:
     std::optional<StateGuard> guard; // of all that frames touch
     std::optional<HostPlaces> hostPlaces; // with AGAA_GL_STATE_CALLBACKS
     AgaaTimeSource timeSource = AGAA_TIME_DEVICE;
+    uint32_t timestampBits = 64; // of the driver's counter
     GLuint shadowSampler = 0;
     GLuint texelSampler = 0; // for textures of the host, whose own filter may need mip levels
     GLuint noTarget = 0;     // framebuffer without images: what is fetched from must not be drawn into (4.5, 9.3.1)

@@ -49,7 +49,7 @@ std::vector<double> PassClock::milliseconds(uint32_t slot) const {
         for (size_t i = 0; i < 2; ++i)
             context_.gl.GetQueryObjectui64v(queries_[2 * index(slot, pass) + i], GL_QUERY_RESULT,
                                             &ticks[i]);
-        times.push_back(millisecondsBetween(ticks[0], ticks[1]));
+        times.push_back(millisecondsBetween(ticks[0], ticks[1], context_.timestampBits));
     }
     return times;
 }

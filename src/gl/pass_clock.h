@@ -9,9 +9,11 @@
 
 namespace agaa::gl {
 
-// Signed: a pass that was begun anew and never ended has the end of an earlier frame.
-inline double millisecondsBetween(GLuint64 begin, GLuint64 end) {
-    return double(int64_t(end - begin)) * 1e-6;
+// Of counters of so many bits, [1;64], which wrap. Signed: a pass that was begun anew and never ended has the end of an
+// earlier frame.
+inline double millisecondsBetween(GLuint64 begin, GLuint64 end, uint32_t bits) {
+    const uint32_t unused = 64 - bits;
+    return double(int64_t((end - begin) << unused) >> unused) * 1e-6;
 }
 
 class PassClock {

@@ -71,7 +71,7 @@ public:
     Work& operator=(const Work&) = delete;
 
     // By the CPU's clock and by the driver's timestamps.
-    void run(GLuint rounds, double& clock, double& driver) {
+    void run(GLuint rounds, uint32_t bits, double& clock, double& driver) {
         gl.ProgramUniform1ui(program, 0, rounds);
         gl.Finish();
         const auto begin = std::chrono::steady_clock::now();
@@ -83,7 +83,7 @@ public:
         GLuint64 ticks[2] = {0, 0};
         for (int i = 0; i < 2; ++i)
             gl.GetQueryObjectui64v(stamps[i], GL_QUERY_RESULT, &ticks[i]);
-        driver = millisecondsBetween(ticks[0], ticks[1]);
+        driver = millisecondsBetween(ticks[0], ticks[1], bits);
     }
 
 private:
@@ -97,25 +97,32 @@ private:
 
 } // namespace
 
-static bool isRight(const GladGLContext& gl) {
+static bool isRight(const GladGLContext& gl, uint32_t bits) {
     const NoQueryBuffer none(gl);
     Work work(gl);
     double clock = 0, driver = 0;
-    work.run(1, clock, driver); // compiles
+    work.run(1, bits, clock, driver); // compiles
     // Long enough for submission not to matter; what a driver takes for it grows until it is.
     for (GLuint rounds = 256; rounds <= 1u << 20; rounds *= 4) {
-        work.run(rounds, clock, driver);
+        work.run(rounds, bits, clock, driver);
+        // A pause of the system's is no work of the device's: the shortest of three.
+        for (int again = 0; clock >= 4.0 && again < 2; ++again) {
+            double otherClock = 0, otherDriver = 0;
+            work.run(rounds, bits, otherClock, otherDriver);
+            if (otherClock < clock) {
+                clock = otherClock;
+                driver = otherDriver;
+            }
+        }
         if (clock >= 4.0)
             break;
     }
     return driver >= 0.5 * clock && driver <= 1.5 * clock;
 }
 
-bool probeTimer(const GladGLContext& gl) {
-    GLint bits = 0;
-    gl.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
+bool probeTimer(const GladGLContext& gl, uint32_t bits) {
     try {
-        return bits != 0 && isRight(gl);
+        return bits != 0 && isRight(gl, bits);
     } catch (const Error&) {
         return false; // no reason to go without the SDK
     }

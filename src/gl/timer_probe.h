@@ -7,6 +7,6 @@ namespace agaa::gl {
 
 // Draws: changes programs, bindings, viewport and tests, which the caller keeps. False as well where there are no
 // timestamps, or the probe does not compile.
-bool probeTimer(const GladGLContext& gl);
+bool probeTimer(const GladGLContext& gl, uint32_t bits);
 
 } // namespace agaa::gl

@@ -194,8 +194,16 @@ TEST(GlCalls, TheProbeIsNotClipped) {
 }
 
 TEST(GlCalls, TimesOfAnEarlierEndAreNotHuge) {
-    EXPECT_EQ(gl::millisecondsBetween(1'000'000, 3'500'000), 2.5);
-    EXPECT_EQ(gl::millisecondsBetween(3'500'000, 1'000'000), -2.5);
+    for (const uint32_t bits : {36u, 64u}) {
+        EXPECT_EQ(gl::millisecondsBetween(1'000'000, 3'500'000, bits), 2.5);
+        EXPECT_EQ(gl::millisecondsBetween(3'500'000, 1'000'000, bits), -2.5);
+    }
+}
+
+TEST(GlCalls, CountersOfFewBitsMayWrap) {
+    constexpr GLuint64 end = GLuint64(1) << 36;
+    EXPECT_EQ(gl::millisecondsBetween(end - 500'000, 2'000'000, 36), 2.5);
+    EXPECT_EQ(gl::millisecondsBetween(~GLuint64(0) - 499'999, 2'000'000, 64), 2.5);
 }
 
 } // namespace
