@@ -159,7 +159,8 @@ typedef struct AgaaConfig {
     uint32_t shadowTaps;      /* most samples of an aggregate that are looked up in each shadow; their mean position is
                                  the aggregate's. [0;32]; 0: 8 */
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
-    uint32_t generationTier;  /* AgaaTier; AUTO: best that runs */
+    uint32_t generationTier;  /* AgaaTier; AUTO: best that runs, and whose aggregates a storage buffer of the device
+                                 holds */
     uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
     /* Of the tiers IDS and GBUFFER without AGAA_CONFIG_BUFFERED, one of which AUTO then takes; with others
      * AGAA_ERROR_UNSUPPORTED. Bit i: lights of AgaaFrame::shadows[i] are shaded by means over what they reach of
@@ -182,8 +183,8 @@ typedef struct AgaaConfig {
 /* Named settings of "agaa", from measurements (docs/choosing.md): "paper", as its sections say, but that each sample
  * goes to its own aggregate (AGAA_CONFIG_FIRST_SAMPLE_ROUTING) and k stays as it is (the paper: 10 cm); "fast",
  * "balanced" and "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf,
- * litShadows (the first shadow), glossWeight and what flags say of clustering and filters; leaves the rest. The last two
- * want materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER.
+ * litShadows (the first shadow), glossWeight and what flags say of clustering and filters; leaves the rest. The last
+ * two want materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER.
  * AGAA_ERROR_INVALID_ARGUMENT: config is null, name is null or none of these; AGAA_ERROR_STRUCT: config was not
  * initialised. On an error config is as it was. */
 AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config);

@@ -88,6 +88,7 @@ private:
     void readFunctions(const AgaaViewDesc& view);
     void takeSetLayout(uint64_t setLayout);
     void chooseGenerationTier(const Technique& technique);
+    uint64_t aggregateBytes() const;
     void dropUncalledFor(const Technique& technique);
     void checkTierOptions(const Technique& technique) const;
     // Of a host's function.

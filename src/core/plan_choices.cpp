@@ -1,6 +1,7 @@
 // What a plan is built for: the host's functions, tiers, options, constants.
 #include "core/plan_builder.h"
 
+#include "core/checked.h"
 #include "core/validate.h"
 
 #include <algorithm>
@@ -80,9 +81,24 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
         chooseGeneration(caps_, plan.hwSamples, forced, hasFact(AGAA_FACT_CUSTOM_DEPTH));
     if (choice.tier == AGAA_TIER_AUTO)
         fail(AGAA_ERROR_UNSUPPORTED, "generation cannot run: " + choice.reason);
+    if (forced == AGAA_TIER_AUTO && technique.groupsSamples && choice.tier != AGAA_TIER_GBUFFER &&
+        !(plan.config.flags & AGAA_CONFIG_BUFFERED) && aggregateBytes() > caps_.maxStorageRange) {
+        plan.generationTier = AGAA_TIER_GBUFFER;
+        note(format("generation: aggregates would take %llu bytes, and the device allows %llu in one storage buffer, so "
+                    "that a multisampled G-buffer is aggregated by a compute pass.",
+                    static_cast<unsigned long long>(aggregateBytes()),
+                    static_cast<unsigned long long>(caps_.maxStorageRange)));
+        return;
+    }
     plan.generationTier = choice.tier;
     plan.runnable = plan.runnable && choice.runnable;
     note("generation: " + choice.reason);
+}
+
+// In memory, as two geometry passes leave them.
+uint64_t PlanBuilder::aggregateBytes() const {
+    const uint64_t words = packAggregate(plan.layout, plan.samples).words;
+    return checkedMultiply(uint64_t(plan.width) * plan.height, 4 * words * plan.aggregates);
 }
 
 // What neither the scene nor the technique calls for.

@@ -148,6 +148,7 @@ TEST(Memory, LimitsOfTheDeviceAreNamed) {
     spec.width = 4096;
     spec.height = 4096;
     spec.aggregates = 4;
+    spec.generationTier = AGAA_TIER_PER_SAMPLE;
     try {
         planFor(spec, fourSampleDevice());
         FAIL() << "accepted";

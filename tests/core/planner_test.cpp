@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -114,6 +115,25 @@ TEST(Planner, MaterialsOfTheirOwnDepthGoThroughAGBuffer) {
     EXPECT_EQ(plan.geometryPasses(), 1u);
     spec.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
     EXPECT_THROW(planFor(spec, fourSampleDevice()), Error);
+}
+
+TEST(Planner, AggregatesThatNoBufferHoldsAreNotKept) {
+    const AgaaDeviceCaps caps = fourSampleDevice();
+    EXPECT_NE(planFor({}, caps).generationTier, uint32_t(AGAA_TIER_GBUFFER));
+    const ViewSpec large{.width = 1920, .height = 1080};
+    const Plan plan = planFor(large, caps);
+    EXPECT_EQ(plan.generationTier, uint32_t(AGAA_TIER_GBUFFER));
+    EXPECT_EQ(plan.bytesPerAggregate, 0u);
+    EXPECT_TRUE(std::any_of(plan.notes.begin(), plan.notes.end(), [](const std::string& note) {
+        return note.find("aggregates would take 149299200 bytes") != std::string::npos;
+    }));
+    ViewSpec asked = large;
+    asked.generationTier = AGAA_TIER_PER_SAMPLE;
+    EXPECT_THROW(planFor(asked, caps), Error);
+    asked = large;
+    asked.configFlags = AGAA_CONFIG_BUFFERED;
+    EXPECT_THROW(planFor(asked, caps), Error);
+    EXPECT_NO_THROW(planFor({.technique = "ssaa", .width = 1920, .height = 1080}, caps));
 }
 
 TEST(Planner, ForcedTiersAreKeptOrRefused) {
