@@ -12,8 +12,8 @@ extern "C" {
 
 /* Chained to AgaaViewDesc: a multisampled G-buffer that the host draws itself, before it records the frame. The
  * library draws nothing: AgaaFrame::draw is not called and may be null, and techniques that aggregate take the tier
- * GBUFFER. Its passes are compiled with a function of the host's that reads a sample; the text is GLSL 450, in an OpenGL
- * context below 4.5 GLSL 430, and defines
+ * GBUFFER. Its passes are compiled with a function of the host's that reads a sample; the text is GLSL 450, in OpenGL
+ * contexts below 4.5 GLSL 430, and defines
  *     bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m)
  * which gives depth as the host's depth buffer holds it, and the material (docs/shader-interface.md), and says whether
  * sample i, [0;n), shows geometry. It runs in compute: no implicit derivatives. Its resources, readable by compute when

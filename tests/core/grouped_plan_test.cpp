@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace agaa::test {
 namespace {
@@ -238,8 +239,11 @@ TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
         EXPECT_EQ(config.ndf, uint32_t(grouped ? AGAA_NDF_LEAN : AGAA_NDF_TOKSVIG));
     }
     AgaaConfig config = AGAA_CONFIG_INIT;
+    config.aggregates = 4;
+    const AgaaConfig before = config;
     EXPECT_EQ(agaaApplyPreset("best", &config), AGAA_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(agaaApplyPreset(nullptr, &config), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(std::memcmp(&config, &before, sizeof config), 0);
     EXPECT_EQ(agaaApplyPreset("paper", nullptr), AGAA_ERROR_INVALID_ARGUMENT);
     config.structSize = 1;
     EXPECT_EQ(agaaApplyPreset("paper", &config), AGAA_ERROR_STRUCT);

@@ -37,9 +37,9 @@ struct Request {
         AgaaLog log = AGAA_LOG_INIT;
         log.callback = collect;
         log.user = &lines;
-        AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
         return agaaQueryMemory(&view, nullptr, &log, &report, nullptr, nullptr);
     }
+    AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
 };
 
 struct Row {
@@ -210,7 +210,9 @@ TEST(WrongInput, EachGetsItsCodeAndOneSentence) {
             EXPECT_TRUE(lines.empty()) << row.what;
             continue;
         }
+        EXPECT_EQ(request.report.totalBytes + request.report.peakBytes, 0u) << row.what;
         ASSERT_EQ(lines.size(), 1u) << row.what;
+        EXPECT_EQ(lines[0].text.rfind("agaaQueryMemory: ", 0), 0u) << lines[0].text;
         EXPECT_EQ(lines[0].code, row.expected);
         EXPECT_EQ(lines[0].text.back(), '.') << lines[0].text;
         EXPECT_EQ(lines[0].text.find('\n'), std::string::npos);
@@ -256,6 +258,42 @@ TEST(WrongInput, NullPointersAndShortArrays) {
               AGAA_ERROR_INVALID_ARGUMENT);
     agaaDestroyView(nullptr);
     agaaDestroyContext(nullptr);
+}
+
+// Two calls: how much there is, and all of it or nothing.
+TEST(WrongInput, WhatFindsNoRoomIsNotWritten) {
+    Request request;
+    request.view.config = &request.config;
+    request.view.facts = &request.facts;
+    using Text = AgaaResult(AGAA_CALL*)(const AgaaViewDesc*, const AgaaDeviceCaps*, const AgaaLog*, size_t*, char*);
+    for (const Text text : {agaaPlanToJson, agaaGetAggregateGlsl}) {
+        size_t size = 0;
+        ASSERT_EQ(text(&request.view, nullptr, nullptr, &size, nullptr), AGAA_OK);
+        ASSERT_GT(size, 100u);
+        const std::string untouched(size + 1, '#');
+        std::string out = untouched;
+        size_t least = size - 1;
+        EXPECT_EQ(text(&request.view, nullptr, nullptr, &least, out.data()), AGAA_ERROR_BUFFER_TOO_SMALL);
+        EXPECT_EQ(out, untouched);
+        size_t more = size + 1;
+        EXPECT_EQ(text(&request.view, nullptr, nullptr, &more, out.data()), AGAA_OK);
+        EXPECT_EQ(more, size);
+        EXPECT_EQ(out.find('\0'), size - 1);
+        EXPECT_EQ(out[size], '#');
+    }
+    uint32_t count = 0;
+    ASSERT_EQ(agaaQueryCapabilities(nullptr, &count, nullptr), AGAA_OK);
+    ASSERT_GT(count, 1u);
+    std::vector<AgaaCapability> capabilities(count);
+    uint32_t less = count - 1;
+    EXPECT_EQ(agaaQueryCapabilities(nullptr, &less, capabilities.data()), AGAA_ERROR_BUFFER_TOO_SMALL);
+    AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
+    ASSERT_EQ(agaaQueryMemory(&request.view, nullptr, nullptr, &report, &count, nullptr), AGAA_OK);
+    ASSERT_GT(count, 1u);
+    std::vector<AgaaSurface> surfaces(count);
+    less = count - 1;
+    EXPECT_EQ(agaaQueryMemory(&request.view, nullptr, nullptr, &report, &less, surfaces.data()),
+              AGAA_ERROR_BUFFER_TOO_SMALL);
 }
 
 TEST(WrongInput, ResultsAndTiersHaveNames) {

@@ -152,7 +152,7 @@ TEST(MathBrdf, RectifiedDiffuseIsExactForOneNormal) {
             const float d = math_f::agaa_rectifiedDiffuse(u * len, u, len);
             ASSERT_GE(d, 0.0f);
             ASSERT_LE(d, 1.0f);
-            ASSERT_GE(d, previous - 0.02f) << len << " " << u;
+            ASSERT_GE(d, previous - 1e-5f) << len << " " << u; // in double it falls by 3.5e-6 at most
             previous = d;
         }
     }

@@ -212,6 +212,12 @@ TYPED_TEST_P(IdsCases, WhatWasNotAnnouncedIsCounted) {
         << beyond.validation.explanation;
     ViewSettings instanced = idsSettings(4, 2);
     instanced.instances = 3;
+    // All that is beyond is primitive 9.
+    const std::string last = onlyShining("p.primitive == 9u");
+    shot.material = last.c_str();
+    const auto lastShining = shining(this->render(idsSettings(4, 2), shot));
+    shot.announced = idsShot().announced;
+    EXPECT_GT(lastShining, shining(this->render(idsSettings(4, 2), shot)));
     Shot draws = idsShot();
     draws.announcedDraws = drawNumber + 2;
     const std::string lateDraw = onlyShining("p.draw >= 7u");

@@ -271,10 +271,16 @@ void FrameHost::readStatistics() {
     AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
     EXPECT_EQ(agaaGetFrameStatistics(view_, frameIndex, &statistics), AGAA_OK);
     EXPECT_GT(statistics.counters.visible, 0u);
+    EXPECT_NE(statistics.timeSource, uint32_t(AGAA_TIME_NONE));
+    EXPECT_GT(statistics.passCount, 0u);
+    double sum = 0;
     for (uint32_t i = 0; i < statistics.passCount; ++i) {
+        EXPECT_EQ(statistics.passes[i].isTimed, 1u) << statistics.passes[i].name;
         EXPECT_GE(statistics.passes[i].milliseconds, 0.0) << statistics.passes[i].name;
         EXPECT_LT(statistics.passes[i].milliseconds, 1e5) << statistics.passes[i].name;
+        sum += statistics.passes[i].milliseconds;
     }
+    EXPECT_GT(sum, 0.0);
 }
 
 std::vector<StateText> FrameHost::read() const {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 
 namespace agaa::test {
@@ -120,6 +121,31 @@ TEST_P(HostsTest, FramesInFlightKeepWhatIsTheirs) {
         ASSERT_EQ(agaaGetFrameStatistics(view.get(), which + 1, &statistics), AGAA_OK);
         EXPECT_EQ(statistics.frameIndex, which + 1);
         EXPECT_EQ(std::memcmp(&statistics.counters, &counts[which], sizeof(AgaaCounters)), 0);
+    }
+}
+
+// The times of its passes are in the time that the frame took.
+TEST_P(HostsTest, PassesAreTimed) {
+    ViewSettings settings = settingsFor(GetParam());
+    for (const bool timed : {false, true}) {
+        settings.config.flags = timed ? AGAA_CONFIG_TIMESTAMPS : 0;
+        StageContext context;
+        StageView view(context, settings);
+        view.setTriangles(randomTriangles({.triangles = 200}, 11));
+        const auto begin = std::chrono::steady_clock::now();
+        view.render(view.frame());
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        const AgaaFrameStatistics statistics = view.statistics();
+        EXPECT_EQ(statistics.timeSource, uint32_t(timed ? AGAA_TIME_DEVICE : AGAA_TIME_NONE));
+        ASSERT_GT(statistics.passCount, 0u);
+        double sum = 0;
+        for (uint32_t i = 0; i < statistics.passCount; ++i) {
+            EXPECT_EQ(statistics.passes[i].isTimed, uint32_t(timed)) << statistics.passes[i].name;
+            EXPECT_GE(statistics.passes[i].milliseconds, 0.0) << statistics.passes[i].name;
+            sum += statistics.passes[i].milliseconds;
+        }
+        EXPECT_EQ(sum > 0, timed);
+        EXPECT_LE(sum, took.count());
     }
 }
 

@@ -174,6 +174,38 @@ glm::dvec3 ShadingOracle::perSamplePixel(uint32_t x, uint32_t y) const {
     return (sum + background * double(plan.samples - covered)) / double(plan.samples);
 }
 
+std::pair<glm::dvec3, std::vector<glm::dvec3>> ShadingOracle::shadowTapsOf(
+    const std::vector<glm::dvec3>& samples) const {
+    const AgaaConfig& config = view_.plan().config;
+    const bool alongDepth = config.flags & AGAA_CONFIG_SHADOW_ALONG_DEPTH;
+    const size_t count = samples.size();
+    const size_t most = alongDepth ? count : config.shadowTaps ? config.shadowTaps : 8;
+    const size_t taps = std::min(count, most);
+    std::vector<glm::dvec3> chosen;
+    glm::dvec3 mean(0);
+    for (size_t j = 0; j < taps; ++j) {
+        chosen.push_back(samples[(2 * j + 1) * count / (2 * taps)]);
+        mean += chosen.back() / double(taps);
+    }
+    if (config.flags & AGAA_CONFIG_NO_SHADOW_FILTER)
+        return {mean, {mean}};
+    if (!alongDepth)
+        return {mean, chosen};
+    const glm::dvec3 axis(frame_.view[2], frame_.view[6], frame_.view[10]);
+    double variance = 0;
+    for (const glm::dvec3& sample : samples)
+        variance += std::pow(glm::dot(axis, sample - mean), 2) / double(count);
+    if (variance == 0 || count == 1)
+        return {mean, {mean}};
+    chosen.clear();
+    const bool orthographic = frame_.projection[15] == 1.0f;
+    for (double quantile : {-1.34, -0.45, 0.45, 1.34}) {
+        const double offset = quantile * std::sqrt(variance);
+        chosen.push_back(orthographic ? mean + offset * axis : mean * (1 + offset / glm::dot(axis, mean)));
+    }
+    return {mean, chosen};
+}
+
 glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
     const Plan& plan = view_.plan();
     const AggregatePacking packing = packAggregate(plan.layout, plan.samples);
@@ -193,18 +225,14 @@ glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
         for (uint32_t i = 0; i < plan.samples; ++i)
             if (mask >> i & 1)
                 places.push_back(position(x, y, i));
-        glm::dvec3 mean(0);
-        const uint32_t taps = std::min(count, plan.config.shadowTaps ? plan.config.shadowTaps : 8u);
-        for (uint32_t j = 0; j < taps; ++j)
-            mean += places[(2 * j + 1) * count / (2 * taps)] / double(taps);
+        const auto [mean, taps] = shadowTapsOf(places);
         std::vector<double> visibility;
-        const bool filter = !(plan.config.flags & AGAA_CONFIG_NO_SHADOW_FILTER);
         for (uint32_t map = 0; map < frame_.shadowCount; ++map) {
             double lit = 0;
-            for (uint32_t j = 0; filter && j < taps; ++j)
-                lit += visibility_(map, places[(2 * j + 1) * count / (2 * taps)]) / taps;
-            visibility.push_back(filter ? lit : visibility_(map, mean));
-            shadowTaps_ += filter ? taps : 1;
+            for (const glm::dvec3& tap : taps)
+                lit += visibility_(map, tap) / double(taps.size());
+            visibility.push_back(lit);
+            shadowTaps_ += taps.size();
         }
         sum += double(count) *
                light(aggregate(words, count, towardsEye(mean, constants_)), mean, visibility);

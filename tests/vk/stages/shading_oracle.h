@@ -33,6 +33,8 @@ private:
     glm::dvec3 position(uint32_t x, uint32_t y, uint32_t i) const; // shading space
     glm::dvec3 light(const Shaded& s, const glm::dvec3& position,
                      const std::vector<double>& visibility) const;
+    // Of an aggregate: the mean of its samples' positions, and where its shadows are looked up.
+    std::pair<glm::dvec3, std::vector<glm::dvec3>> shadowTapsOf(const std::vector<glm::dvec3>& samples) const;
     glm::dvec3 perSamplePixel(uint32_t x, uint32_t y) const;
     glm::dvec3 aggregatedPixel(uint32_t x, uint32_t y) const;
 

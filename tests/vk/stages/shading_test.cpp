@@ -114,6 +114,7 @@ struct Case {
     uint32_t ndf = AGAA_NDF_TOKSVIG;
     glm::mat4 projection = perspective(60, 1.5f, 0.1f, 100);
     glm::mat4 view{1};
+    uint32_t shadowTaps = 0, shadingCost = 1;
 };
 
 void expectOracle(const Case& c, std::vector<Triangle> scene) {
@@ -129,6 +130,8 @@ void expectOracle(const Case& c, std::vector<Triangle> scene) {
     settings.config.aggregates = c.aggregates;
     settings.config.brdf = c.brdf;
     settings.config.ndf = c.ndf;
+    settings.config.shadowTaps = c.shadowTaps;
+    settings.config.shadingCost = c.shadingCost;
     settings.config.layout = &layout;
     settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_COUNTERS | c.flags;
     settings.projection = c.projection;
@@ -225,8 +228,13 @@ TEST(Shading, AgreesForBothLobesLayoutsAndFilters) {
         for (const char* layout : {"precise", "paper16"})
             expectOracle({.brdf = brdf, .layout = layout}, scene(33));
     expectOracle({.ndf = AGAA_NDF_NONE}, scene(33));
-    for (uint64_t flag : {AGAA_CONFIG_NO_DIFFUSE_FILTER, AGAA_CONFIG_NO_SHADOW_FILTER})
+    for (uint64_t flag :
+         {AGAA_CONFIG_NO_DIFFUSE_FILTER, AGAA_CONFIG_NO_SHADOW_FILTER, AGAA_CONFIG_SHADOW_ALONG_DEPTH})
         expectOracle({.flags = flag}, scene(33));
+    for (uint32_t taps : {1u, 3u, 32u})
+        expectOracle({.samples = 16, .shadowTaps = taps}, scene(33));
+    for (const char* technique : {"ssaa", "agaa"})
+        expectOracle({.technique = technique, .shadingCost = 3}, scene(33));
     expectOracle({.shadowed = false}, scene(33));
 }
 
@@ -242,12 +250,14 @@ TEST(Shading, AgreesForOffCentreProjections) {
     for (const glm::mat4& projection : {jittered, orthographic})
         for (const char* technique : {"ssaa", "agaa"})
             expectOracle({.technique = technique, .projection = projection}, scene(35));
+    expectOracle({.flags = AGAA_CONFIG_SHADOW_ALONG_DEPTH, .projection = orthographic}, scene(35));
 }
 
 TEST(Shading, AgreesForATurnedView) {
     const float c = std::cos(0.7f), s = std::sin(0.7f);
     const glm::mat4 turn(glm::mat3(c, s * 0.6f, s * 0.8f, 0, 0.8f, -0.6f, -s, c * 0.6f, c * 0.8f));
-    expectOracle({.view = turn}, scene(34));
+    for (uint64_t flags : {uint64_t(0), AGAA_CONFIG_SHADOW_ALONG_DEPTH})
+        expectOracle({.flags = flags, .view = turn}, scene(34));
 }
 
 } // namespace
