@@ -1,4 +1,5 @@
 // Contexts and views of Vulkan: what is refused, in whose memory they live, and in which order they go.
+#include "context_misuse.h"
 #include "host_memory.h"
 #include "ids_view.h"
 
@@ -9,9 +10,6 @@
 namespace agaa::test {
 namespace {
 
-const AgaaStructHeader unknown = {77, sizeof(AgaaStructHeader), nullptr};
-void* AGAA_CALL noMemory(void*, size_t, size_t) { return nullptr; }
-void AGAA_CALL noFree(void*, void*) {}
 
 ViewSettings pictureSettings() {
     ViewSettings settings;
@@ -23,20 +21,12 @@ ViewSettings pictureSettings() {
 std::vector<float> picture(StageView& view) { return drawn(view, randomTriangles({.triangles = 20}, 41)).rgb; }
 
 TEST(VkMisuse, ContextsAreRefusedInASentence) {
-    struct Row {
-        const char* what;
-        AgaaResult expected;
-        std::function<void(AgaaVkContextDesc&)> spoil;
-    };
     static VkPhysicalDeviceFeatures2 noFeatures{};
     static const VkPhysicalDeviceFeatures2 without{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, nullptr, {}};
-    const Row rows[] = {
-        {"sType", AGAA_ERROR_STRUCT, [](auto& d) { d.sType = 1; }},
-        {"unknown struct", AGAA_ERROR_UNKNOWN_STRUCT, [](auto& d) { d.pNext = &unknown; }},
+    const auto rows = contextMisuses<AgaaVkContextDesc>({
         {"no instance", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.instance = nullptr; }},
         {"no physical device", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.physicalDevice = nullptr; }},
         {"no device", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.device = nullptr; }},
-        {"no getProcAddr", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.getProcAddr = nullptr; }},
         {"no extensions", AGAA_ERROR_INVALID_ARGUMENT,
          [](auto& d) {
              d.enabledExtensions = nullptr;
@@ -49,18 +39,9 @@ TEST(VkMisuse, ContextsAreRefusedInASentence) {
         {"rendering", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.rendering = 3; }},
         {"recording", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.recording = 2; }},
         {"descriptor set", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.descriptorSet = 8; }},
-        {"no frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.framesInFlight = 0; }},
-        {"nine frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.framesInFlight = 9; }},
-        {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.reserved = 1; }},
         {"the other reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.reserved2 = 1; }},
-        {"no free", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.allocate = noMemory; }},
-        {"no memory", AGAA_ERROR_OUT_OF_MEMORY,
-         [](auto& d) {
-             d.allocate = noMemory;
-             d.free = noFree;
-         }},
-    };
-    for (const Row& row : rows) {
+    });
+    for (const auto& row : rows) {
         AgaaVkContextDesc desc = contextDesc();
         row.spoil(desc);
         std::vector<LogLine> lines;
@@ -117,7 +98,7 @@ TEST(VkMisuse, ViewsAreRefusedInASentence) {
     settings.width = 1u << 20;
     expectRefused(context, settings, AGAA_ERROR_TOO_LARGE, "too wide");
     settings = pictureSettings();
-    settings.chained = &unknown;
+    settings.chained = &unknownStruct;
     expectRefused(context, settings, AGAA_ERROR_UNKNOWN_STRUCT, "unknown struct");
 }
 

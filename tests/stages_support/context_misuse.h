@@ -1,0 +1,41 @@
+// Descriptions of contexts that no graphics API may take.
+#pragma once
+
+#include "frame_misuse.h"
+
+#include <functional>
+#include <vector>
+
+namespace agaa::test {
+
+inline void* AGAA_CALL noMemory(void*, size_t, size_t) { return nullptr; }
+inline void AGAA_CALL noFree(void*, void*) {}
+
+template <class Desc>
+struct ContextMisuse {
+    const char* what;
+    AgaaResult expected;
+    std::function<void(Desc&)> spoil;
+};
+
+// Of the members that all such descriptions have, then those given.
+template <class Desc>
+std::vector<ContextMisuse<Desc>> contextMisuses(std::vector<ContextMisuse<Desc>> own) {
+    std::vector<ContextMisuse<Desc>> rows = {
+        {"sType", AGAA_ERROR_STRUCT, [](Desc& d) { d.sType = 1; }},
+        {"unknown struct", AGAA_ERROR_UNKNOWN_STRUCT, [](Desc& d) { d.pNext = &unknownStruct; }},
+        {"no getProcAddr", AGAA_ERROR_INVALID_ARGUMENT, [](Desc& d) { d.getProcAddr = nullptr; }},
+        {"no frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](Desc& d) { d.framesInFlight = 0; }},
+        {"nine frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](Desc& d) { d.framesInFlight = 9; }},
+        {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](Desc& d) { d.reserved = 1; }},
+        {"no free", AGAA_ERROR_INVALID_ARGUMENT, [](Desc& d) { d.allocate = noMemory; }},
+        {"no memory", AGAA_ERROR_OUT_OF_MEMORY, [](Desc& d) {
+             d.allocate = noMemory;
+             d.free = noFree;
+         }},
+    };
+    rows.insert(rows.end(), own.begin(), own.end());
+    return rows;
+}
+
+} // namespace agaa::test
