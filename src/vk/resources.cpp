@@ -4,6 +4,7 @@
 #include "vk/formats.h"
 
 #include <algorithm>
+#include <exception>
 #include <map>
 
 namespace agaa::vk {
@@ -176,16 +177,19 @@ std::vector<uint32_t> ViewResources::memoryTypes(uint32_t allowed, VkMemoryPrope
     return types;
 }
 
-VkDeviceMemory ViewResources::allocate(uint64_t size, std::span<const uint32_t> types) {
+// In the first type that has room. Where none has, the error is that of the first, which would have been the best.
+ViewResources::Allocation ViewResources::allocate(uint64_t size, std::span<const uint32_t> types) {
+    std::exception_ptr first;
     for (const uint32_t type : types)
         try {
-            return allocate(size, type);
+            return {allocate(size, type), type};
         } catch (const Error& error) {
-            if (type == types.back() ||
-                (error.code != AGAA_ERROR_OUT_OF_MEMORY && error.code != AGAA_ERROR_TOO_LARGE))
+            if (error.code != AGAA_ERROR_OUT_OF_MEMORY && error.code != AGAA_ERROR_TOO_LARGE)
                 throw;
+            if (!first)
+                first = std::current_exception();
         }
-    return VK_NULL_HANDLE;
+    std::rethrow_exception(first);
 }
 
 VkDeviceMemory ViewResources::allocate(uint64_t size, uint32_t type) {
@@ -207,17 +211,29 @@ VkDeviceMemory ViewResources::allocate(uint64_t size, uint32_t type) {
     return memory;
 }
 
-// One arena for all that may lie in the same memory types; blocks of disjoint lifetimes overlap in it.
+// One arena for all whose best memory type is the same, in one that all of them may lie in; blocks of disjoint
+// lifetimes overlap in it.
 void ViewResources::allocateShared(std::vector<Request>& requests, bool alias) {
-    std::map<std::vector<uint32_t>, std::vector<const Request*>> byTypes;
+    struct Arena {
+        std::vector<uint32_t> types;
+        std::vector<const Request*> members;
+    };
+    std::map<uint32_t, Arena> arenas;
     for (const Request& request : requests)
         if (request.kind == ResourceKind::Image || request.kind == ResourceKind::Buffer) {
-            byTypes[memoryTypes(request.requirements.memoryTypeBits, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)]
-                .push_back(&request);
+            const std::vector<uint32_t> types =
+                memoryTypes(request.requirements.memoryTypeBits, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+            Arena& arena = arenas[types.front()];
+            if (arena.members.empty())
+                arena.types = types;
+            std::erase_if(arena.types, [&](uint32_t type) {
+                return std::find(types.begin(), types.end(), type) == types.end();
+            });
+            arena.members.push_back(&request);
             driverBytes_ = checkedAdd(driverBytes_, request.requirements.size);
         }
-    for (const auto& [types, members] : byTypes)
-        allocateArena(types, members, alias);
+    for (const auto& [best, arena] : arenas)
+        allocateArena(arena.types, arena.members, alias);
 }
 
 // Two of half the members each where the device does not allocate so much at once.
@@ -236,7 +252,12 @@ void ViewResources::allocateArena(std::span<const uint32_t> types, std::span<con
         allocateArena(types, members.subspan(members.size() / 2), alias);
         return;
     }
-    const VkDeviceMemory arena = allocate(size, types);
+    const auto [arena, type] = allocate(size, types);
+    if (type != types.front())
+        context_.log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
+                           format("%llu bytes of surfaces are not in the device's best memory, which has no room for them; "
+                                  "frames may take longer.",
+                                  static_cast<unsigned long long>(size)));
     peakBytes_ = checkedAdd(peakBytes_, size);
     for (size_t i = 0; i < members.size(); ++i)
         if (members[i]->image)
@@ -257,7 +278,8 @@ void ViewResources::allocateOwn(const Request& request) {
     // What the host sees of a device's own memory is a small window on some, which others may have filled.
     const VkDeviceMemory memory =
         allocate(request.requirements.size,
-                 memoryTypes(request.requirements.memoryTypeBits, small ? 0 : host, preferred));
+                 memoryTypes(request.requirements.memoryTypeBits, small ? 0 : host, preferred))
+            .memory;
     check(context_.vk.BindBufferMemory(context_.device, request.buffer, memory, 0),
           "vkBindBufferMemory");
     if (small)

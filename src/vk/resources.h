@@ -41,7 +41,11 @@ private:
     void allocateArena(std::span<const uint32_t> types, std::span<const Request* const> members, bool alias);
     std::vector<uint32_t> memoryTypes(uint32_t allowed, VkMemoryPropertyFlags wanted,
                                       VkMemoryPropertyFlags preferred) const;
-    VkDeviceMemory allocate(uint64_t size, std::span<const uint32_t> types);
+    struct Allocation {
+        VkDeviceMemory memory;
+        uint32_t type;
+    };
+    Allocation allocate(uint64_t size, std::span<const uint32_t> types);
     VkDeviceMemory allocate(uint64_t size, uint32_t type);
     void destroy();
 

@@ -74,8 +74,10 @@ void main() {
 )";
 
 void AGAA_CALL onLog(void* user, uint32_t severity, AgaaResult code, const char* message) {
+    auto& context = *static_cast<StageContext*>(user);
     if (severity >= AGAA_SEVERITY_ERROR)
-        static_cast<StageContext*>(user)->lines.push_back({code, message});
+        context.lines.push_back({code, message});
+    context.warnings += severity == AGAA_SEVERITY_WARNING;
 }
 
 void require(AgaaResult result, const StageContext& context, const char* call) {

@@ -45,7 +45,8 @@ public:
 
     AgaaContext get() const { return context_; }
     const AgaaDeviceCaps& caps() const { return caps_; }
-    std::vector<LogLine> lines; // what the SDK logged
+    std::vector<LogLine> lines; // errors that the SDK logged
+    uint32_t warnings = 0;
 
 private:
     AgaaContext context_ = nullptr;
