@@ -128,21 +128,23 @@ AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceC
     return guarded(checkedLog(log), "agaaQueryMemory", [&]() -> AgaaResult {
         checkViewDesc(view);
         const Plan plan = makePlan(*view, capsOrIdeal(caps), 2);
-        if (outReport) {
+        if (outReport)
             checkStruct(outReport, AGAA_STRUCTURE_TYPE_MEMORY_REPORT, "AgaaMemoryReport");
+        if (surfaceCount) {
+            std::vector<AgaaSurface> list;
+            for (const Resource& resource : plan.resources)
+                if (!resource.isHosts())
+                    list.push_back(surfaceOf(resource));
+            writeArray(list, surfaceCount, surfaces);
+        }
+        if (outReport) {
             outReport->totalBytes = plan.totalBytes();
             outReport->constantBytes = plan.constantBytes();
             outReport->peakBytes = plan.peakBytes();
             outReport->bytesPerPixel = plan.bytesPerPixel();
             outReport->bytesPerAggregate = plan.bytesPerAggregate;
         }
-        if (!surfaceCount)
-            return AGAA_OK;
-        std::vector<AgaaSurface> list;
-        for (const Resource& resource : plan.resources)
-            if (!resource.isHosts())
-                list.push_back(surfaceOf(resource));
-        return writeArray(list, surfaceCount, surfaces);
+        return AGAA_OK;
     });
 }
 

@@ -284,16 +284,27 @@ TEST(WrongInput, WhatFindsNoRoomIsNotWritten) {
     uint32_t count = 0;
     ASSERT_EQ(agaaQueryCapabilities(nullptr, &count, nullptr), AGAA_OK);
     ASSERT_GT(count, 1u);
+    const auto isUntouched = [](const auto& list) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(list.data());
+        return std::all_of(bytes, bytes + list.size() * sizeof list[0], [](unsigned char byte) { return byte == 0; });
+    };
     std::vector<AgaaCapability> capabilities(count);
     uint32_t less = count - 1;
     EXPECT_EQ(agaaQueryCapabilities(nullptr, &less, capabilities.data()), AGAA_ERROR_BUFFER_TOO_SMALL);
-    AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
-    ASSERT_EQ(agaaQueryMemory(&request.view, nullptr, nullptr, &report, &count, nullptr), AGAA_OK);
+    EXPECT_EQ(less, count - 1);
+    EXPECT_TRUE(isUntouched(capabilities));
+    ASSERT_EQ(agaaQueryMemory(&request.view, nullptr, nullptr, nullptr, &count, nullptr), AGAA_OK);
     ASSERT_GT(count, 1u);
     std::vector<AgaaSurface> surfaces(count);
     less = count - 1;
-    EXPECT_EQ(agaaQueryMemory(&request.view, nullptr, nullptr, &report, &less, surfaces.data()),
+    EXPECT_EQ(agaaQueryMemory(&request.view, nullptr, nullptr, &request.report, &less, surfaces.data()),
               AGAA_ERROR_BUFFER_TOO_SMALL);
+    EXPECT_EQ(less, count - 1);
+    EXPECT_TRUE(isUntouched(surfaces));
+    EXPECT_EQ(request.report.totalBytes, 0u);
+    EXPECT_EQ(agaaQueryMemory(&request.view, nullptr, nullptr, &request.report, &count, surfaces.data()), AGAA_OK);
+    EXPECT_FALSE(isUntouched(surfaces));
+    EXPECT_GT(request.report.totalBytes, 0u);
 }
 
 TEST(WrongInput, ResultsAndTiersHaveNames) {
