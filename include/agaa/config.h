@@ -159,8 +159,8 @@ typedef struct AgaaConfig {
     uint32_t shadowTaps;      /* most samples of an aggregate that are looked up in each shadow; their mean position is
                                  the aggregate's. [0;32]; 0: 8 */
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
-    uint32_t generationTier;  /* AgaaTier; AUTO: best that runs, and whose aggregates a storage buffer of the device
-                                 holds */
+    uint32_t generationTier;  /* AgaaTier; AUTO: best that runs; of "agaa", not BUFFERED, GBUFFER where no storage
+                                 buffer of the device holds the aggregates */
     uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
     /* Of the tiers IDS and GBUFFER without AGAA_CONFIG_BUFFERED, one of which AUTO then takes; with others
      * AGAA_ERROR_UNSUPPORTED. Bit i: lights of AgaaFrame::shadows[i] are shaded by means over what they reach of

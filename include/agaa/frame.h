@@ -103,7 +103,7 @@ typedef struct AgaaShadow {
 #define AGAA_SEGMENT_SHADING UINT64_C(0x4)    /* all that writes the output, and the draw pass FORWARD of "msaa" */
 #define AGAA_SEGMENT_ALL UINT64_C(0x7)
 /* The camera of a frame is that of its first segment; lights are read with AGAA_SEGMENT_SHADING. A frame
- * whose command buffer is discarded counts as completed, but has no figures: ask for those of a later one. */
+ * whose command buffer is discarded counts as completed; figures of it mean nothing: ask for those of a later one. */
 
 typedef struct AgaaFrame {
     uint32_t sType;

@@ -70,8 +70,8 @@ typedef struct AgaaFetchFunction {
     uint32_t maxDraws;      /* >= 1; the numbers of draws are below it. What is not, is shown as the last draw's first
                                primitive, or as the draw's last announced one, and counted as
                                AgaaCounters::unannounced */
-    uint32_t maxPrimitives; /* >= 1, of a draw; maxDraws times maxPrimitives, rounded up to a power of two, is at most
-                               2^32 - 1, with AGAA_FETCH_NOT_ALL_DRAWS one less: else AGAA_ERROR_TOO_LARGE */
+    uint32_t maxPrimitives; /* >= 1, of a draw; rounded up to a power of two and times maxDraws it is at most 2^32 - 1,
+                               with AGAA_FETCH_NOT_ALL_DRAWS one less: else AGAA_ERROR_TOO_LARGE */
     uint64_t descriptorSetLayout; /* as at AgaaGBufferFunction */
     uint64_t flags;               /* AGAA_FETCH_… */
     const char* glslExtensions;   /* as at AgaaGBufferFunction */

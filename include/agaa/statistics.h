@@ -16,10 +16,10 @@ typedef struct AgaaCounters {
     uint64_t visible;       /* samples with geometry after the prepass */
     uint64_t once;          /* of these, accumulated, by one aggregate or more */
     uint64_t missed;        /* of these, never accumulated */
-    uint64_t multi;         /* accumulated by a further aggregate, or where nothing is visible */
+    uint64_t multi;         /* accumulated by a further aggregate, or where nothing is visible; of "msaa" only there */
     uint64_t ties;          /* sample writes refused because an equal depth came first; the stencil test refuses them
                                uncounted, so these are where it does not run: of masked materials, with
-                               AGAA_CONFIG_NO_STENCIL and in depth formats without stencil */
+                               AGAA_CONFIG_NO_STENCIL and in depth formats without stencil. Not of "msaa" */
     uint64_t sanitised;     /* fragments, and materials fetched, with a non-finite attribute */
     uint64_t shadingEvents; /* full lighting evaluations of a sample or an aggregate */
     uint64_t shadowTaps;

@@ -84,8 +84,8 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
     if (forced == AGAA_TIER_AUTO && technique.groupsSamples && choice.tier != AGAA_TIER_GBUFFER &&
         !(plan.config.flags & AGAA_CONFIG_BUFFERED) && aggregateBytes() > caps_.maxStorageRange) {
         plan.generationTier = AGAA_TIER_GBUFFER;
-        note(format("generation: aggregates would take %llu bytes, and the device allows %llu in one storage buffer, so "
-                    "that a multisampled G-buffer is aggregated by a compute pass.",
+        note(format("generation: aggregates would take %llu bytes, and the device allows %llu in one storage buffer, "
+                    "so that a multisampled G-buffer is aggregated by a compute pass.",
                     static_cast<unsigned long long>(aggregateBytes()),
                     static_cast<unsigned long long>(caps_.maxStorageRange)));
         return;
@@ -189,6 +189,7 @@ void PlanBuilder::setConstants() {
     c[AGAA_GLOSS_WEIGHT] = config.glossWeight > 0 ? std::bit_cast<uint32_t>(config.glossWeight) : 0; // not -0
     c[AGAA_LIT_SHADOWS] = config.litShadows;
     c[AGAA_DEBUG_VIEW] = config.debugView;
+    c[AGAA_FAR_DEPTH] = !plan.reversedZ;
     c[AGAA_GENERATION_TIER] = plan.generationTier;
 }
 

@@ -210,14 +210,14 @@ TYPED_TEST_P(IdsCases, WhatWasNotAnnouncedIsCounted) {
     EXPECT_NE(std::string(beyond.validation.explanation).find("did not announce"),
               std::string::npos)
         << beyond.validation.explanation;
-    ViewSettings instanced = idsSettings(4, 2);
-    instanced.instances = 3;
     // All that is beyond is primitive 9.
     const std::string last = onlyShining("p.primitive == 9u");
     shot.material = last.c_str();
     const auto lastShining = shining(this->render(idsSettings(4, 2), shot));
     shot.announced = idsShot().announced;
     EXPECT_GT(lastShining, shining(this->render(idsSettings(4, 2), shot)));
+    ViewSettings instanced = idsSettings(4, 2);
+    instanced.instances = 3;
     Shot draws = idsShot();
     draws.announcedDraws = drawNumber + 2;
     const std::string lateDraw = onlyShining("p.draw >= 7u");

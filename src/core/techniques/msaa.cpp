@@ -34,7 +34,6 @@ static void build(PlanBuilder& b) {
     b.bind(resolve, slot::Surface0, BindingType::Texture, color);
     if (b.counts())
         b.bind(resolve, slot::Depth, BindingType::Texture, depth);
-    resolve.constants[AGAA_FAR_DEPTH] = b.plan.reversedZ ? 0 : 1;
     b.bindOutput(resolve);
     b.copyCounters();
 }

@@ -9,7 +9,7 @@ AgaaMaterial agaa_defaultMaterial() {
                         vec3(0.0));
 }
 
-// What is not finite becomes 0 (hard case 37). Returns 1 where something was not.
+// What is not finite becomes the least of its range (hard case 37). Returns 1 where something was not.
 uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
     uint bad = 0u;
     m.diffuse = agaa_sanitise3(m.diffuse, 0.0, 1.0, bad);

@@ -14,6 +14,7 @@ layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_color; // alpha: cover
 #if AGAA_COUNTING
 #include "passes/sample_depth.glsl"
 
+// Alpha is what the second geometry pass wrote, depth what the first one left.
 void agaa_countSamples(uvec2 pixel, uint covered) {
     uint visible = 0u;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i)

@@ -5,11 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 namespace agaa::test {
 namespace {
-
 
 ViewSettings pictureSettings() {
     ViewSettings settings;
@@ -21,7 +18,7 @@ ViewSettings pictureSettings() {
 std::vector<float> picture(StageView& view) { return drawn(view, randomTriangles({.triangles = 20}, 41)).rgb; }
 
 TEST(VkMisuse, ContextsAreRefusedInASentence) {
-    static VkPhysicalDeviceFeatures2 noFeatures{};
+    static const VkPhysicalDeviceFeatures2 noFeatures{};
     static const VkPhysicalDeviceFeatures2 without{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, nullptr, {}};
     const auto rows = contextMisuses<AgaaVkContextDesc>({
         {"no instance", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.instance = nullptr; }},

@@ -103,8 +103,7 @@ TEST(Hair, HardCase26CoverageIsThatOfThePrepass) {
         const AgaaCounters counters = view.statistics().counters;
         EXPECT_EQ(counters.once, counters.visible);
         EXPECT_EQ(counters.missed + counters.multi, 0u);
-        // Rasterisers snap corners to a 256th of a pixel.
-        constexpr float snap = 1.0f / 256;
+        const float snap = 1.0f / float(1u << sharedDevice().limits().subPixelPrecisionBits); // of corners
         EXPECT_GE(counters.visible, height * samplesInHairs(view, -snap)) << "n=" << n;
         EXPECT_LE(counters.visible, height * samplesInHairs(view, snap)) << "n=" << n;
         EXPECT_GT(samplesInHairs(view, -snap), 0u) << "n=" << n;

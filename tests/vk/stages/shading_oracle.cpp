@@ -195,7 +195,7 @@ std::pair<glm::dvec3, std::vector<glm::dvec3>> ShadingOracle::shadowTapsOf(
     double variance = 0;
     for (const glm::dvec3& sample : samples)
         variance += std::pow(glm::dot(axis, sample - mean), 2) / double(count);
-    if (variance == 0 || count == 1)
+    if (variance < 1e-15) // of equal depths, whose mean rounds
         return {mean, {mean}};
     chosen.clear();
     const bool orthographic = frame_.projection[15] == 1.0f;
