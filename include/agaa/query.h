@@ -66,8 +66,9 @@ AGAA_API AgaaResult AGAA_CALL agaaTierFromName(const char* name, uint32_t* outTi
  * is the array's length, AGAA_ERROR_BUFFER_TOO_SMALL where that is less than there are, and becomes their number. */
 AGAA_API AgaaResult AGAA_CALL agaaEnumerateTechniques(uint32_t* count, const char** names);
 
-/* How each technique, n and stage runs on a device: in a stage's first row by itself, unless a view is too large for it, in further rows where AgaaConfig
- * asks for that tier or the host gives the functions that it needs. caps null: an ideal device. Two-call. */
+/* How each technique, n and stage runs on a device: in a stage's first row by itself, unless a view is too large for it,
+ * in further rows where AgaaConfig asks for that tier or the host gives the functions that it needs. caps null: an ideal
+ * device. Two-call. */
 AGAA_API AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count,
                                                     AgaaCapability* capabilities);
 

@@ -255,8 +255,8 @@ void ViewResources::allocateArena(std::span<const uint32_t> types, std::span<con
     const auto [arena, type] = allocate(size, types);
     if (type != types.front())
         context_.log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
-                           format("%llu bytes of surfaces are not in the device's best memory, which has no room for them; "
-                                  "frames may take longer.",
+                           format("%llu bytes of surfaces are not in the device's best memory, which has no room for "
+                                  "them; frames may take longer.",
                                   static_cast<unsigned long long>(size)));
     peakBytes_ = checkedAdd(peakBytes_, size);
     for (size_t i = 0; i < members.size(); ++i)
