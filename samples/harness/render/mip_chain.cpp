@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 namespace harness {
@@ -126,28 +127,41 @@ FloatLevel halve(const FloatLevel& in, bool weightByAlpha) {
     return out;
 }
 
-double coverage(const FloatLevel& level, float cutoff, float scale) {
-    size_t passing = 0;
-    for (const glm::vec4& texel : level.texels)
-        passing += texel.a * scale >= cutoff;
-    return double(passing) / double(level.texels.size());
+// Alpha as bilinear filtering sees it, at evenly spaced places; more of them a texel where there are few texels.
+std::vector<float> filteredAlpha(const FloatLevel& level) {
+    const uint32_t side = level.texels.size() > 4096 ? 2 : 8;
+    std::vector<float> out;
+    out.reserve(side * side * level.texels.size());
+    const auto alpha = [&](uint32_t x, uint32_t y) {
+        return level.texels[size_t(y % level.height) * level.width + x % level.width].a;
+    };
+    for (uint32_t y = 0; y < level.height * side; ++y)
+        for (uint32_t x = 0; x < level.width * side; ++x) {
+            // The centre of texel i is at i + 1/2; one texel more, so that nothing is below 0.
+            const float u = (float(x) + 0.5f) / float(side) + float(level.width) - 0.5f;
+            const float v = (float(y) + 0.5f) / float(side) + float(level.height) - 0.5f;
+            const uint32_t i = uint32_t(u), j = uint32_t(v);
+            out.push_back(std::lerp(std::lerp(alpha(i, j), alpha(i + 1, j), u - float(i)),
+                                    std::lerp(alpha(i, j + 1), alpha(i + 1, j + 1), u - float(i)), v - float(j)));
+        }
+    return out;
 }
 
-// The scale of alpha by which as large a part passes the test as in level 0.
+double passingShare(const std::vector<float>& alpha, float least) {
+    return double(std::count_if(alpha.begin(), alpha.end(), [&](float a) { return a >= least; })) / double(alpha.size());
+}
+
+// The scale of alpha by which the share `wanted`, (0;1), of the level passes the test: cutoff / scale is a quantile of
+// its alpha. 1 where no scale comes nearer: small levels have few values.
 float alphaScale(const FloatLevel& level, float cutoff, double wanted) {
-    float low = 0;
-    float high = 16;
-    for (int step = 0; step < 16; ++step) {
-        const float middle = (low + high) / 2;
-        (coverage(level, cutoff, middle) < wanted ? low : high) = middle;
-    }
-    // Few texels reach few values: the nearer side, and where 1 is as near, the level is left
-    // alone.
-    const auto miss = [&](float scale) {
-        return std::abs(coverage(level, cutoff, scale) - wanted);
-    };
-    const float best = miss(low) < miss(high) ? low : high;
-    return miss(1) <= miss(best) ? 1.0f : best;
+    std::vector<float> alpha = filteredAlpha(level);
+    const size_t passing = size_t(std::lround(wanted * double(alpha.size())));
+    if (passing == 0)
+        return 1;
+    std::nth_element(alpha.begin(), alpha.begin() + ptrdiff_t(passing - 1), alpha.end(), std::greater<>());
+    const float least = std::max(alpha[passing - 1], cutoff / 16);
+    const auto miss = [&](float value) { return std::abs(passingShare(alpha, value) - wanted); };
+    return miss(cutoff) <= miss(least) ? 1.0f : cutoff / least;
 }
 
 MipLevel encode(const FloatLevel& level, bool srgb, const MipOptions& options, float alpha) {
@@ -179,10 +193,10 @@ std::vector<MipLevel> makeMipChain(const Texture& texture, const MipOptions& opt
 
     const bool isTested = options.alphaCutoff > 0;
     FloatLevel level = decode(texture);
-    const double wanted = isTested ? coverage(level, options.alphaCutoff, 1) : 0;
+    const double wanted = isTested ? passingShare(filteredAlpha(level), options.alphaCutoff) : 0;
     while (level.width > 1 || level.height > 1) {
         level = halve(level, isTested);
-        // Nothing or all passes: no scale is better than another.
+        // Where nothing or everything passes, no scale is better than another.
         const bool isScaled = isTested && wanted > 0 && wanted < 1;
         const float alpha = isScaled ? alphaScale(level, options.alphaCutoff, wanted) : 1.0f;
         levels.push_back(encode(level, texture.srgb, options, alpha));
