@@ -126,11 +126,16 @@ typedef struct AgaaFrame {
     float background[4];
     AgaaDrawCallback draw; /* null only where the host draws the G-buffer (AgaaGBufferFunction) */
     void* drawUser;
+    /* Selects the random numbers by which translucent surfaces cover samples (AgaaSurfaceInput::alphaCutoff is 0); the
+     * same in all segments of a frame. 0 in every frame: the pattern stands still. A number that differs between
+     * frames: images that are accumulated over frames converge. Cut-outs do not depend on it. */
+    uint32_t ditherFrame;
+    uint32_t reserved; /* 0 */
 } AgaaFrame;
 #define AGAA_FRAME_INIT                                                                             \
     {AGAA_STRUCTURE_TYPE_FRAME, (uint32_t)sizeof(AgaaFrame), NULL, 0, 0, AGAA_SEGMENT_ALL,           \
      {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, 0, 0, NULL, NULL,                        \
-     {0, 0, 0}, {0, 0, 0, 1}, NULL, NULL}
+     {0, 0, 0}, {0, 0, 0, 1}, NULL, NULL, 0, 0}
 
 #ifdef __cplusplus
 }

@@ -43,6 +43,7 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     out.surface[1] = plan.config.surfaceDistance;
     out.surface[2] = plan.config.surfaceMaterial;
     out.surface[3] = float(plan.samples);
+    out.dither[0] = frame.ditherFrame;
     for (size_t i = 0; i < positions.size(); ++i) {
         out.samples[i][0] = positions[i].x;
         out.samples[i][1] = positions[i].y;

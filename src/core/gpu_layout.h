@@ -16,9 +16,10 @@ struct FrameConstants {
     float ambient[4];      // rgb, emissive range
     float background[4];
     float surface[4];      // one surface: least cosine, distance in pixels, difference of materials; n
+    uint32_t dither[4];    // AgaaFrame::ditherFrame, 0, 0, 0
     float samples[32][4];  // xy in the pixel, [0;1]
 };
-static_assert(sizeof(FrameConstants) == 64 + 32 + 16 * 5 + 512);
+static_assert(sizeof(FrameConstants) == 64 + 32 + 16 * 6 + 512);
 
 struct GpuShadow {
     float matrices[AGAA_MAX_SHADOW_LAYERS][16];

@@ -169,7 +169,8 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
     std::set<std::string> seen;
     std::string out = "#ifndef AGAA_ALPHA_MASKED\n#define AGAA_ALPHA_MASKED 0\n#endif\n";
     out += defines(plan, pass, dialect) + places(dialect) + outputs(pass, dialect);
-    for (const char* path : {"passes/frame.glsl", "math/sanitise.glsl", "math/encoding.glsl",
+    for (const char* path : {"passes/frame.glsl", "math/sanitise.glsl", "math/coverage.glsl",
+                             "math/encoding.glsl",
                              "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "math/records.glsl", "host/surface.glsl",
                              "host/counters.glsl", "host/placement.glsl"})
         appendGlsl(out, path, seen);

@@ -270,6 +270,7 @@ void checkFrame(const AgaaFrame* pointer, const Plan& plan) {
             AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::segments names no segment or an unknown one.");
     require(frame.completedFrame < frame.frameIndex, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::completedFrame is not before frameIndex.");
+    require(frame.reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::reserved is not 0.");
     require(frame.draw || plan.geometryPasses() == 0, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::draw is null.");
     checkMatrices(frame, plan.reversedZ);
     checkRange(uint64_t(frame.lightCount), 0, facts.maxLights,

@@ -60,7 +60,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaDrawTarget, 88);
     EXPECT_SIZE(AgaaLight, 64);
     EXPECT_SIZE(AgaaShadow, 392);
-    EXPECT_SIZE(AgaaFrame, 240);
+    EXPECT_SIZE(AgaaFrame, 248);
     EXPECT_SIZE(AgaaCounters, 128);
     EXPECT_SIZE(AgaaPassTime, 64);
     EXPECT_SIZE(AgaaFrameStatistics, 1216);
@@ -87,6 +87,7 @@ TEST(Abi, Offsets) {
     EXPECT_OFFSET(AgaaFrame, view, 40);
     EXPECT_OFFSET(AgaaFrame, projection, 104);
     EXPECT_OFFSET(AgaaFrame, draw, 224);
+    EXPECT_OFFSET(AgaaFrame, ditherFrame, 240);
     EXPECT_OFFSET(AgaaDrawTarget, pipelineKey, 56);
     EXPECT_OFFSET(AgaaVkFrame, shadowViews, 48);
     EXPECT_OFFSET(AgaaGlFrame, outputTexture, 16);

@@ -48,7 +48,8 @@ void main() {
     s.position = AGAA_INSIDE(position);
     s.geometricNormal = agaa_planeNormal(position);
     s.primitiveSeed = seed;
-    s.alpha = agaa_sharpenAlpha(uv.x, 0.5);
+    s.alpha = uv.x;
+    s.alphaCutoff = 0.5;
 #if AGAA_NEEDS_MATERIAL
     s.diffuse = vec3(AGAA_INSIDE(uv), agaa_dFdx(uv).x);
 #endif

@@ -7,6 +7,7 @@
 
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
+#include "../../src/shaders/math/coverage.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/ndf.glsl"
@@ -41,6 +42,8 @@ void main() {
     agaa_Barycentrics inside = agaa_barycentrics(v, acc, x.yzw, x.xy, x.zw);
     acc += inside.at + inside.dx + inside.dy + inside.facing;
     acc += agaa_emissiveFactor(v, acc);
+    acc.z += float(agaa_translucentMask(x.w, 4u, 1u, 2u, agaa_translucencyHash(id, 1u, 2u, 3u)));
+    acc.z += agaa_isInCutout(x.w, x.x, x.xy, x.zw) ? 1.0 : 0.0;
     acc.y += agaa_toksvigAlpha2(agaa_alpha2FromRoughness(x.y),
                                 agaa_varianceFloor(len, agaa_storedLengthBound(1u, 16u)));
     acc.z += agaa_alpha2FromFoldedLength(agaa_foldedLength(x.z)) +

@@ -17,6 +17,7 @@
 #define AGAA_MAX_SAMPLES 32
 #define OUT(T) T&
 #define INOUT(T) T&
+#define PRECISE
 
 // The functions are internal to each translation unit, which need not use all of them.
 #pragma GCC diagnostic push
@@ -71,6 +72,7 @@ bool agaa_exponentIsAllOnes(real x) {
 
 #undef AGAA_MATH_USINGS
 #undef INOUT
+#undef PRECISE
 #undef OUT
 #pragma GCC diagnostic pop
 

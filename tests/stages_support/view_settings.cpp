@@ -71,6 +71,7 @@ std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMa
     return std::string("#define AGAA_ALPHA_MASKED ") + (isMasked ? "1\n" : "0\n") +
            "#define STAGE_SHADER " + std::to_string(int(settings.shader)) + "\n" +
            "#define STAGE_ALPHA_FACTOR " + std::to_string(alpha) + "\n" +
+           "#define STAGE_SURFACE " + settings.surface + "\n" +
            "#define STAGE_DRAW " + std::to_string(drawNumber) + "u\n" +
            "#define STAGE_INSTANCE_STEP " + instanceStep + "\n";
 }

@@ -42,6 +42,8 @@ struct ViewSettings {
         OwnDepth, // writes gl_FragDepth and discards
         ThirdUnfetched, // says of each third triangle that it cannot be fetched
     } shader = Shader::Material;
+    // GLSL statements in one line that change `AgaaSurfaceInput s` last; `position` is a plain fragment input.
+    const char* surface = "";
     Mistake mistake;
     uint32_t instances = 1; // each shifted by instanceStep against the one before, and a draw of its own
 };

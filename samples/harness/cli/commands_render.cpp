@@ -45,6 +45,8 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
         leaveOut(effect, settings.facts);
     settings.reversedZ = arguments.plan.reversedZ;
     settings.drawOrderSeed = arguments.drawOrderSeed;
+    settings.alphaPoints = arguments.alphaPoints;
+    settings.ditherFrame = arguments.ditherFrame;
     settings.unfetchedEvery = arguments.plan.unfetchedEvery;
     settings.frames = arguments.frames;
     settings.warmup = arguments.warmup;

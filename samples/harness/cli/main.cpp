@@ -76,6 +76,9 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
     app.add_option("--warmup", a.warmup);
     app.add_option("--without", a.without, "specular, emissive, ambient or shadows; repeatable");
     app.add_option("--draw-order-seed", a.drawOrderSeed, "shuffle draws");
+    app.add_option("--alpha-points", a.alphaPoints, "where cut-outs read alpha in a texel: 1 or 4")
+        ->check(CLI::IsMember({1u, 4u}));
+    app.add_option("--dither-frame", a.ditherFrame, "selects the random numbers of translucent surfaces");
     app.add_option("--png", a.png);
     app.add_option("--exr", a.exr);
     app.add_flag("--no-counters", a.noCounters);
@@ -125,6 +128,9 @@ int run(int argc, char** argv) {
     RenderArguments referenceArguments;
     CLI::App* reference = command("reference", "a jittered, accumulated reference image");
     addRenderOptions(*reference, referenceArguments);
+    reference->add_option("--footprint", referenceArguments.footprint,
+                          "what textures are filtered over: a pixel, as in all techniques, or one of the samples")
+        ->check(CLI::IsMember({"pixel", "sample"}));
     reference->add_option("--spp", referenceArguments.spp, "samples per pixel")
         ->check(CLI::Range(2u, 65536u));
 

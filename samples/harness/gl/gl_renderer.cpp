@@ -14,7 +14,7 @@ GlRenderer::GlRenderer(const RendererOptions& options)
     : options_(options), device_(options), sdk_(device_, options), programs_(device_.gl(), options),
       shadowMaps_(device_.gl(), options.shadowMapSize), cameraConstants_(createBuffer(device_.gl())) {
     device_.checkTextureSize(options.shadowMapSize, options.shadowMapSize);
-    device_.gl().NamedBufferData(cameraConstants_.get(), sizeof(glm::mat4), nullptr,
+    device_.gl().NamedBufferData(cameraConstants_.get(), sizeof(CameraConstants), nullptr,
                                  GL_DYNAMIC_DRAW);
 }
 
@@ -71,8 +71,8 @@ void GlRenderer::prepare(const FrameInput& input) {
     for (const AgaaGlDrawPass& pass : view_->passes)
         programs_.prepare(pass, scene(), input.draws);
     const glm::mat4 viewProjection(rasterised(input.camera.projection) * input.camera.view);
-    gl.NamedBufferSubData(cameraConstants_.get(), 0, sizeof viewProjection,
-                          glm::value_ptr(viewProjection));
+    const CameraConstants camera{viewProjection, float(settings.footprint)};
+    gl.NamedBufferSubData(cameraConstants_.get(), 0, sizeof camera, &camera);
     if (fetch_) {
         fetch_->update(scene(), input.draws, viewProjection);
         fetch_->bind();

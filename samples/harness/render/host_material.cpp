@@ -12,8 +12,7 @@ MaterialConstants materialConstants(const Material& material) {
     c.metallic = material.metallic;
     c.roughness = material.roughness;
     c.normalScale = material.normalScale;
-    c.alphaCutoff =
-        material.alphaMode == AlphaMode::Mask ? std::max(material.alphaCutoff, 0.0f) : -1;
+    c.alphaCutoff = material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : -1;
     return c;
 }
 
@@ -76,6 +75,9 @@ Variant variantOf(const Scene& scene, const Draw& draw) {
     variant.isMirrored = draw.isMirrored;
     const uint32_t material = scene.meshes[draw.mesh].material;
     variant.features = materialFeatures(scene, material);
+    const uint32_t tested = 1u << materialTextureCount;
+    if (draw.readsAlphaNear && (variant.features & tested))
+        variant.features |= tested << 1;
     variant.isDoubleSided =
         material < scene.materials.size() && scene.materials[material].doubleSided;
     return variant;

@@ -33,6 +33,14 @@ uint32_t materialFeatures(const Scene& scene, uint32_t material);
 // Throws std::runtime_error where a mesh reaches beyond the scene's vertices or indices.
 void checkMeshes(const Scene& scene);
 
+// As the Camera block of material.vert and material.frag, std140.
+struct CameraConstants {
+    glm::mat4 viewProjection;
+    float footprint;
+    float padding[3] = {};
+};
+static_assert(sizeof(CameraConstants) == 80);
+
 // As material.vert's Draw block.
 struct DrawConstants {
     std::array<glm::vec4, 3> toShading;

@@ -56,6 +56,7 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     input.lights = toAgaaLights(settings.lights, settings.worldOffset, input.camera.eye);
     DrawListOptions options;
     options.useMasked = input.useMasked = (facts.flags & AGAA_FACT_ALPHA_MASKED) != 0;
+    options.readAlphaNear = settings.alphaPoints > 1;
     // Some targets are a pixel wider than the image on each side, or shifted by a part of one.
     options.clipMargin = 4.0 / std::min(settings.width, settings.height);
     options.shuffleSeed = settings.drawOrderSeed;
@@ -93,6 +94,7 @@ AgaaFrame HostRenderer::describeFrame(const FrameInput& input) const {
     frame.shadowCount = uint32_t(shadows().size());
     std::copy_n(glm::value_ptr(input.settings.ambient), 3, frame.ambient);
     std::copy_n(glm::value_ptr(input.settings.background), 4, frame.background);
+    frame.ditherFrame = input.settings.ditherFrame;
     frame.draw = onDraw;
     frame.drawUser = const_cast<HostRenderer*>(this);
     return frame;

@@ -84,6 +84,8 @@ Material materialOf(const tinygltf::Material& source, TextureTable& textures) {
                          : source.alphaMode == "BLEND" ? AlphaMode::Blend
                                                        : AlphaMode::Opaque;
     material.alphaCutoff = float(source.alphaCutoff);
+    if (material.alphaMode == AlphaMode::Mask && material.alphaCutoff <= 0)
+        material.alphaMode = AlphaMode::Opaque; // every alpha passes
     material.doubleSided = source.doubleSided;
     material.normalScale = float(source.normalTexture.scale);
     material.baseColorTexture = textures.find(pbr.baseColorTexture.index, true);

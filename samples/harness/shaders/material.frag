@@ -23,8 +23,11 @@ layout(MATERIAL_AT(2)) uniform sampler2D metalRoughMap;
 layout(MATERIAL_AT(3)) uniform sampler2D emissiveMap;
 layout(std140, MATERIAL_AT(4)) uniform Material { MaterialValues material; };
 
+// footprint: of textures, as a part of the pixel's.
+layout(std140, CAMERA_AT) uniform Camera { mat4 viewProjection; float footprint; } camera;
+
 // What the material has, by bits: base colour, normal, metallic-roughness and emissive map, alpha tested
-// at the cutoff. A constant of the pipeline: drivers that specialise shaders by the uniforms in their
+// at the cutoff, and at four points of a texel. A constant of the pipeline: drivers that specialise shaders by the uniforms in their
 // conditions, as Mesa 22.3's lavapipe, would compile at every change of material.
 #ifdef FEATURES
 const uint features = FEATURES;
@@ -37,17 +40,35 @@ const uint normalBit = 2u;
 const uint metalRoughBit = 4u;
 const uint emissiveBit = 8u;
 const uint alphaTestBit = 16u;
+const uint alphaNearBit = 32u;
 
-// Of the pixel's centre, unlike all else: the samples that survive the depth test, and so what counts as
-// inside, differ between the passes, and a sample that one pass covers must be covered in the next. Precise, since
-// each pass is a program of its own.
-float coverage(vec2 uv, vec2 dx, vec2 dy) {
-    precise float alpha = material.baseColor.a * clamp(AGAA_AT_CENTRE(centreAlpha), 0.0, 1.0);
+// Alpha is taken at the texel's centre, or near it. Everything else is evaluated inside the primitive, but which samples
+// survive the depth test, and so what counts as inside, differs between passes, and all passes must agree about
+// coverage. Precise, since each pass is a program of its own.
+float alphaAt(float vertexAlpha, vec2 uv, vec2 dx, vec2 dy) {
+    precise float alpha = material.baseColor.a * clamp(vertexAlpha, 0.0, 1.0);
     if ((features & baseColorBit) != 0u)
         alpha *= textureGrad(baseColorMap, uv, dx, dy).a;
-    if ((features & alphaTestBit) != 0u)
-        alpha = agaa_sharpenAlpha(alpha, material.alphaCutoff);
     return alpha;
+}
+
+// dx, dy: the textures' footprint, in which only its size may differ from uv's own derivatives.
+void setAlpha(inout AgaaSurfaceInput surface, vec2 uv, vec2 dx, vec2 dy) {
+    float vertexAlpha = AGAA_AT_CENTRE(centreAlpha);
+    surface.alpha = alphaAt(vertexAlpha, uv, dx, dy);
+    if ((features & alphaTestBit) != 0u)
+        surface.alphaCutoff = material.alphaCutoff;
+    surface.hasAlphaNear = (features & alphaNearBit) != 0u;
+    if ((features & alphaNearBit) == 0u)
+        return;
+    vec2 uvDx = agaa_dFdx(uv), uvDy = agaa_dFdy(uv);
+    vec2 alphaStep = vec2(agaa_dFdx(vertexAlpha), agaa_dFdy(vertexAlpha));
+    for (uint k = 0u; k < AGAA_ALPHA_POINTS; ++k) {
+        vec2 point = agaa_alphaPoint(k);
+        precise vec2 place = uv + (uvDx * point.x + uvDy * point.y);
+        precise float ownAlpha = vertexAlpha + (alphaStep.x * point.x + alphaStep.y * point.y);
+        surface.alphaNear[k] = alphaAt(ownAlpha, place, dx, dy);
+    }
 }
 
 SurfacePoint pointInside(vec3 position, float scale, vec2 dx, vec2 dy) {
@@ -78,8 +99,8 @@ void main() {
     float scale = 1.0 / inside.w;
     // Gradients belong to the plain input: from pixel to pixel, the place inside jumps.
     vec2 uvAtCentre = AGAA_AT_CENTRE(centreUv);
-    vec2 dx = agaa_dFdx(uvAtCentre);
-    vec2 dy = agaa_dFdy(uvAtCentre);
+    vec2 dx = agaa_dFdx(uvAtCentre) * camera.footprint;
+    vec2 dy = agaa_dFdy(uvAtCentre) * camera.footprint;
     surface.position = inside.xyz * scale;
     surface.geometricNormal = agaa_planeNormal(AGAA_AT_CENTRE(centrePosition));
     surface.primitiveSeed = primitiveSeed;
@@ -89,7 +110,7 @@ void main() {
     surface.primitive = uint(gl_PrimitiveID);
 #endif
 #if AGAA_ALPHA_MASKED
-    surface.alpha = coverage(uvAtCentre, dx, dy);
+    setAlpha(surface, uvAtCentre, dx, dy);
 #endif
 #if AGAA_NEEDS_MATERIAL
     SurfaceModel model = surfaceModel(material, pointInside(surface.position, scale, dx, dy));

@@ -20,7 +20,7 @@ VARYING(7) out vec3 insideColor;
 VARYING(8) flat out uint primitiveSeed;
 VARYING(9) flat out uint drawIndex;
 
-layout(std140, CAMERA_AT) uniform Camera { mat4 viewProjection; } camera;
+layout(std140, CAMERA_AT) uniform Camera { mat4 viewProjection; float footprint; } camera;
 
 DRAW_BLOCK Draw {
     vec4 toShading[3];       // rows of object to shading space

@@ -13,7 +13,8 @@ namespace {
 
 DescriptorSetLayout makeCameraLayout(const Device& device) {
     const VkDescriptorSetLayoutBinding binding{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1,
-                                               VK_SHADER_STAGE_VERTEX_BIT, nullptr};
+                                               VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
+                                               nullptr};
     VkDescriptorSetLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     info.bindingCount = 1;
@@ -32,7 +33,7 @@ VulkanRenderer::VulkanRenderer(const RendererOptions& options)
 }
 
 void VulkanRenderer::createCameraSet() {
-    cameraConstants_ = arena_.hostBuffer(sizeof(glm::mat4), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    cameraConstants_ = arena_.hostBuffer(sizeof(CameraConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1};
     VkDescriptorPoolCreateInfo pool{};
     pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
@@ -49,7 +50,7 @@ void VulkanRenderer::createCameraSet() {
     allocation.pSetLayouts = &layout;
     check(vkAllocateDescriptorSets(device_.get(), &allocation, &cameraSet_),
           "allocate a descriptor set");
-    const VkDescriptorBufferInfo buffer{cameraConstants_.buffer.get(), 0, sizeof(glm::mat4)};
+    const VkDescriptorBufferInfo buffer{cameraConstants_.buffer.get(), 0, sizeof(CameraConstants)};
     VkWriteDescriptorSet write{};
     write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
     write.dstSet = cameraSet_;
@@ -90,7 +91,8 @@ void VulkanRenderer::prepare(const FrameInput& input) {
     for (const AgaaVkDrawPass& pass : view_->passes)
         pipelines_.prepare(pass, scene(), input.draws, gpuScene_->materialLayout());
     const glm::mat4 viewProjection(input.camera.viewProjection);
-    std::memcpy(cameraConstants_.mapped, glm::value_ptr(viewProjection), sizeof viewProjection);
+    const CameraConstants camera{viewProjection, float(settings.footprint)};
+    std::memcpy(cameraConstants_.mapped, &camera, sizeof camera);
     if (fetch_)
         fetch_->update(scene(), input.draws, viewProjection);
 }

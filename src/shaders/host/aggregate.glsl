@@ -31,7 +31,7 @@ uint agaa_fragmentMask(AgaaSurfaceInput s) {
     uint mask = uint(gl_SampleMaskIn[0]);
 #endif
 #if AGAA_ALPHA_MASKED
-    mask &= agaa_alphaMask(s.alpha, s.primitiveSeed);
+    mask &= agaa_alphaMask(s);
 #endif
     return mask << (agaa_hostGroup() * AGAA_HW_SAMPLES);
 }

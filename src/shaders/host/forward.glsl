@@ -23,7 +23,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
     uint kept = 1u;
 #if AGAA_ALPHA_MASKED
-    kept = agaa_alphaMask(s.alpha, s.primitiveSeed);
+    kept = agaa_alphaMask(s);
 #endif
     if (kept != 0u && !AGAA_HELPER) {
         if (bad != 0u)

@@ -24,6 +24,6 @@ void agaa_emit(AgaaSurfaceInput s) {
     c[12] = e.z;
     agaa_store(c);
 #if AGAA_ALPHA_MASKED
-    AGAA_KEEP_SAMPLES(agaa_alphaMask(s.alpha, s.primitiveSeed));
+    AGAA_KEEP_SAMPLES(agaa_alphaMask(s));
 #endif
 }

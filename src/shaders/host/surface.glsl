@@ -3,10 +3,15 @@
 struct AgaaSurfaceInput {
     vec3 position;        // of the fragment
     vec3 geometricNormal; // of the primitive's plane; either side
-    float alpha;          // coverage in [0,1]; used where AGAA_ALPHA_MASKED is 1. Must be equal in
-                          // every pass: precise, and taken at AGAA_AT_CENTRE, since AGAA_INSIDE
-                          // depends on which samples survive
-    uint primitiveSeed;   // differs between primitives that may overlap; the same in every pass
+    float alpha;          // used where AGAA_ALPHA_MASKED is 1. Must be equal in every pass: declare it
+                          // precise and take it at AGAA_AT_CENTRE, because AGAA_INSIDE depends on which
+                          // samples survive. A value that is not finite counts as 0
+    float alphaCutoff;    // > 0: a cut-out, which covers the samples where alpha >= alphaCutoff.
+                          // 0: a translucent surface, which covers the share alpha of the samples, [0,1]
+    bool hasAlphaNear;    // of cut-outs: alphaNear is set; alpha is then read at n = 1 only
+    vec4 alphaNear;       // alpha at agaa_alphaPoint(0) to (3), by the same rules as alpha
+    uint primitiveSeed;   // of translucent surfaces: differs between primitives that may overlap, and is the
+                          // same in every pass
     uint draw;            // of the visibility pass where AGAA_WRITES_IDS is 1: what AgaaFetchFunction is asked for
     uint primitive;       // of the draw, as gl_PrimitiveID counts
     vec3 diffuse;         // [0,1]
@@ -23,6 +28,9 @@ AgaaSurfaceInput agaa_surfaceInput() {
     s.position = vec3(0.0, 0.0, -1.0);
     s.geometricNormal = vec3(0.0, 0.0, 1.0);
     s.alpha = 1.0;
+    s.alphaCutoff = 0.0;
+    s.hasAlphaNear = false;
+    s.alphaNear = vec4(1.0);
     s.primitiveSeed = 0u;
     s.draw = 0u;
     s.primitive = 0u;
@@ -63,46 +71,54 @@ vec3 agaa_planeNormal(vec3 position) {
     return l2 > 0.0 ? n * inversesqrt(l2) : vec3(0.0);
 }
 
-// Alpha tested at a cutoff as coverage: a ramp one pixel wide around the contour. Passes are programs of their own,
-// which compilers may evaluate differently but for what is precise.
-float agaa_sharpenAlpha(float alpha, float cutoff) {
-    precise float width = max(abs(agaa_dFdx(alpha)) + abs(agaa_dFdy(alpha)), 1e-4);
-    precise float coverage = (alpha - cutoff) / width + 0.5;
-    return clamp(coverage, 0.0, 1.0);
-}
-
-uint agaa_hash(uint x) { // PCG output permutation
-    x = x * 747796405u + 2891336453u;
-    x = ((x >> ((x >> 28u) + 4u)) ^ x) * 277803737u;
-    return (x >> 22u) ^ x;
-}
-
 uvec2 agaa_hostPixel() { return uvec2(gl_FragCoord.xy) / uvec2(AGAA_SCALE_X, AGAA_SCALE_Y); }
 uint agaa_hostGroup() {
     uvec2 sub = uvec2(gl_FragCoord.xy) % uvec2(AGAA_SCALE_X, AGAA_SCALE_Y);
     return sub.y * AGAA_SCALE_X + sub.x;
 }
 
-// Samples of this texel that a surface of this alpha covers. One number a pixel and primitive is spread
-// over the pixel's texels and samples, so that their sum is alpha n rounded up or down, without bias;
-// which samples they are differs from primitive to primitive (hard case 53).
-uint agaa_alphaMask(float alpha, uint primitiveSeed) {
-    const uint all = 0xFFFFFFFFu >> (32u - AGAA_HW_SAMPLES);
-    alpha = clamp(alpha, 0.0, 1.0);
-    if (alpha >= 1.0)
-        return all;
-    uvec2 pixel = agaa_hostPixel();
-    uint h = agaa_hash(pixel.x + agaa_hash(pixel.y + agaa_hash(primitiveSeed)));
-    const uint groups = AGAA_SCALE_X * AGAA_SCALE_Y;
-    uint group = (agaa_hostGroup() + (h >> 8u)) % groups;
-    float u = (float(group) + float(h & 0xFFu) / 256.0) / float(groups);
-    precise float samples = alpha * float(AGAA_HW_SAMPLES) + u;
-    uint count = min(uint(samples), AGAA_HW_SAMPLES);
-    uint start = (h >> 16u) + agaa_hostGroup() * 3u;
+// Where AgaaSurfaceInput::alphaNear wants alpha: from the texel's centre, in pixels, as agaa_dFdx() counts them.
+#define AGAA_ALPHA_POINTS (AGAA_HW_SAMPLES > 1 ? 4u : 0u)
+vec2 agaa_alphaPoint(uint k) {
+    return (vec2(float(k & 1u), float(k >> 1u)) * 0.5 - 0.25) / vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
+}
+
+// From the texel's centre to its sample i, in texels.
+vec2 agaa_sampleOffset(uint i) {
+    uvec2 texel = uvec2(gl_FragCoord.xy) % uvec2(AGAA_SCALE_X, AGAA_SCALE_Y);
+    vec2 position = agaa_frame.samplePosition[agaa_hostGroup() * AGAA_HW_SAMPLES + i].xy;
+    return position * vec2(AGAA_SCALE_X, AGAA_SCALE_Y) - vec2(texel) - 0.5;
+}
+
+float agaa_sanitiseAlpha(float alpha) {
+    uint bad = 0u;
+    return agaa_sanitise(alpha, -65504.0, 65504.0, bad);
+}
+
+// Samples of this texel that a cut-out covers. gradient: of alpha per texel.
+uint agaa_cutoutMask(AgaaSurfaceInput s, float alpha, vec2 gradient) {
+    bool isBilinear = s.hasAlphaNear && AGAA_HW_SAMPLES > 1;
+    vec4 near = vec4(agaa_sanitiseAlpha(s.alphaNear.x), agaa_sanitiseAlpha(s.alphaNear.y),
+                     agaa_sanitiseAlpha(s.alphaNear.z), agaa_sanitiseAlpha(s.alphaNear.w));
     uint mask = 0u;
-    for (uint i = 0u; i < count; ++i)
-        mask |= 1u << ((start + i) % AGAA_HW_SAMPLES);
+    for (uint i = 0u; i < AGAA_HW_SAMPLES; ++i) {
+        vec2 offset = agaa_sampleOffset(i);
+        bool isIn = isBilinear ? agaa_isInCutout4(near, s.alphaCutoff, offset)
+                               : agaa_isInCutout(alpha, s.alphaCutoff, gradient, offset);
+        mask |= isIn ? 1u << i : 0u;
+    }
     return mask;
+}
+
+// Samples of this texel that an alpha-masked surface covers. It takes derivatives, so it needs uniform control flow.
+uint agaa_alphaMask(AgaaSurfaceInput s) {
+    float alpha = agaa_sanitiseAlpha(s.alpha);
+    vec2 gradient = vec2(dFdx(alpha), dFdy(alpha));
+    if (s.alphaCutoff > 0.0)
+        return agaa_cutoutMask(s, alpha, gradient);
+    uvec2 pixel = agaa_hostPixel();
+    return agaa_translucentMask(alpha, AGAA_HW_SAMPLES, agaa_hostGroup(), AGAA_SCALE_X * AGAA_SCALE_Y,
+                                agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.dither.x));
 }
 
 // Leaves a fragment these samples. OpenGL ignores the sample mask of targets with one sample.

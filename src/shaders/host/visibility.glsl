@@ -28,6 +28,6 @@ void agaa_emit(AgaaSurfaceInput s) {
     agaa_out0 = vec4(uvec4(id, id >> 8u, id >> 16u, id >> 24u) & 255u) / 255.0;
 #endif
 #if AGAA_ALPHA_MASKED
-    AGAA_KEEP_SAMPLES(agaa_alphaMask(s.alpha, s.primitiveSeed));
+    AGAA_KEEP_SAMPLES(agaa_alphaMask(s));
 #endif
 }

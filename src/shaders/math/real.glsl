@@ -2,7 +2,7 @@
 // Source: AGAA SDK design, section 3 ("math is written once"); hard cases 37 and 56.
 //
 // In C++ the including file (tests/math/shader_math.h) defines AGAA_MATH_CPP and supplies real,
-// rvec2..4, uvec2..4, OUT, INOUT and agaa_exponentIsAllOnes for its precision. Literals are always
+// rvec2..4, uvec2..4, OUT, INOUT, PRECISE and agaa_exponentIsAllOnes for its precision. Literals are always
 // written inside real(): a bare literal is a double in C++ and would hide the error of the GPU.
 #ifndef AGAA_MATH_REAL_GLSL
 #define AGAA_MATH_REAL_GLSL
@@ -14,6 +14,7 @@
 #define rvec4 vec4
 #define OUT(T) out T
 #define INOUT(T) inout T
+#define PRECISE precise // neither contracted nor reordered
 
 // Infinities and NaNs are the values whose exponent bits are all ones. Bits cannot be folded away
 // by a compiler that assumes there are no NaNs, a comparison x == x can.

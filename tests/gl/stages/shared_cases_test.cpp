@@ -1,6 +1,7 @@
 // What tests of all graphics APIs share, by OpenGL.
 #include "show.h"
 
+#include "coverage_cases.h"
 #include "debug_view_cases.h"
 #include "hard_cases.h"
 #include "ids_cases.h"
@@ -11,6 +12,7 @@ namespace {
 
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ValidationTest, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CoverageCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, IdsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DebugViewCases, OpenGLHost);
 

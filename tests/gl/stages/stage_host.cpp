@@ -52,6 +52,7 @@ void main() {
 #if STAGE_SHADER == 5
     s.draw = drawn.y % 3u == 0u ? AGAA_UNFETCHED : s.draw;
 #endif
+    STAGE_SURFACE
     agaa_emit(s);
 }
 )";

@@ -1,6 +1,7 @@
 // What tests of all graphics APIs share, by Vulkan.
 #include "show.h"
 
+#include "coverage_cases.h"
 #include "debug_view_cases.h"
 #include "hard_cases.h"
 #include "ids_cases.h"
@@ -11,6 +12,7 @@ namespace {
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ValidationTest, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CoverageCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, IdsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DebugViewCases, VulkanHost);
 

@@ -69,6 +69,7 @@ void main() {
 #elif STAGE_SHADER == 5
     s.draw = triangle % 3u == 0u ? AGAA_UNFETCHED : s.draw;
 #endif
+    STAGE_SURFACE
     agaa_emit(s);
 }
 )";
