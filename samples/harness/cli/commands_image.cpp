@@ -24,7 +24,7 @@ void runReference(const RenderArguments& arguments, bool asJson) {
     renderer->load(scene);
     const auto begin = std::chrono::steady_clock::now();
     auto told = begin;
-    const Reference reference = renderReference(*renderer, settings, arguments.spp, [&](uint32_t done) {
+    const auto tell = [&](uint32_t done) {
         const auto now = std::chrono::steady_clock::now();
         if (now - told <= std::chrono::seconds(5))
             return;
@@ -32,7 +32,9 @@ void runReference(const RenderArguments& arguments, bool asJson) {
         const double elapsed = std::chrono::duration<double>(now - begin).count();
         std::fprintf(stderr, "%u of %u samples, %.0f s left\n", done, arguments.spp,
                      elapsed * (arguments.spp - done) / done);
-    });
+    };
+    const Reference reference = renderReference(*renderer, settings, arguments.spp, tell,
+                                                arguments.footprint == "sample" ? Footprint::Sample : Footprint::Pixel);
     const Image& image = reference.image;
     if (!arguments.exr.empty())
         writeExr(arguments.exr, image);
@@ -43,6 +45,7 @@ void runReference(const RenderArguments& arguments, bool asJson) {
         messages.push_back(message.text);
     const json out = {{"scene", arguments.scene},
                       {"spp", arguments.spp},
+                      {"footprint", arguments.footprint},
                       {"splitHalfMse", reference.splitHalfMse},
                       {"splitHalfMseTm", reference.splitHalfMseTm},
                       {"apiMessages", messages}};

@@ -37,16 +37,19 @@ private:
 } // namespace
 
 Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t spp,
-                          const std::function<void(uint32_t)>& progress) {
+                          const std::function<void(uint32_t)>& progress, Footprint footprint) {
     settings.config.technique = "ssaa";
     settings.config.samples = 1;
     settings.frames = 1;
     settings.warmup = 0;
+    if (footprint == Footprint::Sample)
+        settings.footprint = 1 / std::sqrt(double(spp));
     const glm::dvec2 centre = settings.jitter;
     Accumulator halves[2];
     Reference reference;
     for (uint32_t i = 0; i < spp; ++i) {
         settings.jitter = centre + pixelOffset(i);
+        settings.ditherFrame = i + 1; // a pattern that all frames share would stay in the image
         reference.image = renderer.render(settings).image;
         halves[i & 1].add(reference.image);
         if (progress)

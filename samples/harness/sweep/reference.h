@@ -16,14 +16,23 @@ namespace harness {
 // the box filter of one pixel.
 glm::dvec2 pixelOffset(uint32_t i);
 
+// Over what the textures of a reference are filtered, so which question it answers.
+enum class Footprint {
+    Pixel,  // a pixel, as by every technique: how far is a technique from all samples of the same textures?
+    Sample, // one of the spp samples: how far are techniques and texture filtering together from the scene?
+};
+
 struct Reference {
     Image image;
     double splitHalfMse = 0; // of the image, from the difference of its halves
     double splitHalfMseTm = 0;
 };
-// As the settings are, but for technique and samples; around the settings' own jitter. spp: at least 2.
+// The settings' frame by spp samples per pixel (at least 2), around the settings' own jitter. The settings' technique,
+// samples, ditherFrame and footprint are not used: every frame has one sample, hard cut-outs and random numbers of its
+// own for translucent surfaces, so that the two halves, which split the frames, share none.
 Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t spp,
-                          const std::function<void(uint32_t done)>& progress = {});
+                          const std::function<void(uint32_t done)>& progress = {},
+                          Footprint footprint = Footprint::Pixel);
 
 // Those of one scene, rendered when first asked for and kept: backends share them, whose images agree (see the
 // tests) far below a reference's own error.
