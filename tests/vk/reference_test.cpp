@@ -1,0 +1,104 @@
+// Reference images against coverage that is known: everything else is judged by them.
+#include "support.h"
+
+#include "sweep/reference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace harness::test {
+namespace {
+
+constexpr uint32_t width = 96, height = 64;
+constexpr float background = 0.2f;
+
+// A card of radiance 1 that fills the view of a camera at distance 1. Alpha goes from 0 at the left to 1 at the right
+// over the card's height too, so that its contours lean.
+Scene card(AlphaMode mode, float alpha) {
+    Scene scene;
+    scene.name = "card";
+    Material material;
+    material.baseColor = glm::vec4(0, 0, 0, alpha);
+    material.emissive = glm::vec3(1);
+    material.alphaMode = mode;
+    material.doubleSided = true;
+    scene.materials.push_back(material);
+    for (int corner = 0; corner < 4; ++corner) {
+        Vertex v;
+        v.position = glm::vec3(corner & 1 ? 3 : -3, corner & 2 ? 3 : -3, 0);
+        v.normal = glm::vec3(0, 0, 1);
+        const uint8_t own = mode == AlphaMode::Blend ? 255 : corner & 1 ? (corner & 2 ? 255 : 204) : (corner & 2 ? 51 : 0);
+        v.color = glm::u8vec4(255, 255, 255, own);
+        scene.vertices.push_back(v);
+    }
+    scene.indices = {0, 1, 2, 1, 3, 2};
+    scene.meshes.push_back({0, 6, 0, 4, 0});
+    scene.instances.push_back({0});
+    updateBounds(scene);
+    return scene;
+}
+
+RenderSettings settingsOf(const Scene& scene) {
+    RenderSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.camera.eye = {0, 0, 1};
+    settings.camera.target = {0, 0, 0};
+    settings.lights.clear();
+    settings.ambient = glm::vec3(0);
+    settings.background = glm::vec4(background, background, background, 1);
+    settings.facts = sceneFacts(scene, settings.lights);
+    return settings;
+}
+
+// Mean over a pixel of whether alpha, linear over the card, reaches one half.
+double cutoutCoverage(uint32_t px, uint32_t py) {
+    constexpr int side = 64;
+    int covered = 0;
+    const double half = std::tan(glm::radians(30.0));
+    for (int i = 0; i < side * side; ++i) {
+        const double u = (px + (i % side + 0.5) / side) / width * 2 - 1, v = 1 - (py + (i / side + 0.5) / side) / height * 2;
+        const double x = u * half * width / height, y = v * half;
+        covered += 0.8 * (x + 3) / 6 + 0.2 * (y + 3) / 6 >= 0.5;
+    }
+    return double(covered) / (side * side);
+}
+
+struct Outcome {
+    double error = 0; // mean squared, against the exact image
+    Reference reference;
+};
+
+Outcome judge(const Scene& scene, const std::function<double(uint32_t, uint32_t)>& coverage) {
+    sharedRenderer().load(scene);
+    Outcome out;
+    out.reference = renderReference(sharedRenderer(), settingsOf(scene), 128);
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x) {
+            const double exact = background + coverage(x, y) * (1.0 - double(background));
+            out.error += std::pow(double(out.reference.image.rgb[3 * (y * width + x)]) - exact, 2) / (width * height);
+        }
+    std::printf("[ measured ] mean squared error %.3g, by the reference itself %.3g\n", out.error,
+                out.reference.splitHalfMse);
+    EXPECT_TRUE(sharedRenderer().takeMessages().empty());
+    return out;
+}
+
+// Frames that share a pattern would leave its whole variance, 0.13, and say that the error is 0.
+TEST(ReferenceImage, TranslucentCardsConvergeAndTheErrorIsKnown) {
+    const Outcome o = judge(card(AlphaMode::Blend, 0.3f), [](uint32_t, uint32_t) { return 0.3; });
+    const double expected = 0.3 * 0.7 * std::pow(1 - double(background), 2) / 128; // of 128 independent frames
+    EXPECT_LT(o.error, 1.5 * expected);
+    EXPECT_LT(o.error, 1.5 * o.reference.splitHalfMse);
+    EXPECT_GT(o.error, 0.6 * o.reference.splitHalfMse);
+}
+
+TEST(ReferenceImage, CutoutsAreHardTestsAtEachPosition) {
+    const Outcome o = judge(card(AlphaMode::Mask, 1), cutoutCoverage);
+    EXPECT_LT(o.error, 1.5 * o.reference.splitHalfMse + 1e-9);
+    EXPECT_LT(o.error, 2e-6);
+}
+
+} // namespace
+} // namespace harness::test
