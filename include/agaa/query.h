@@ -130,6 +130,11 @@ AGAA_API AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const Aga
 AGAA_API AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
                                                    const AgaaLog* log, size_t* size, char* text);
 
+/* GLSL by which a fragment shader that is not of the SDK's draw passes covers the same samples: for a G-buffer that the
+ * host draws itself (AgaaGBufferFunction). GLSL 420 or later; docs/shader-interface.md lists the functions. The shader
+ * writes the mask to gl_SampleMask. Two-call as agaaPlanToJson; log may be null. */
+AGAA_API AgaaResult AGAA_CALL agaaGetCoverageGlsl(const AgaaLog* log, size_t* size, char* text);
+
 #ifdef __cplusplus
 }
 #endif

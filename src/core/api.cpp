@@ -1,6 +1,7 @@
 // The part of the C ABI that needs no graphics API.
 #include "core/aggregate_glsl.h"
 #include "core/checked.h"
+#include "core/glsl_text.h"
 #include "core/handles.h"
 #include "core/layout.h"
 #include "core/names.h"
@@ -182,6 +183,12 @@ AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, const AgaaDe
     return guarded(checkedLog(log), "agaaGetAggregateGlsl", [&]() -> AgaaResult {
         checkViewDesc(view);
         return writeText(aggregateGlsl(makePlan(*view, capsOrIdeal(caps), 2)), size, text);
+    });
+}
+
+AgaaResult AGAA_CALL agaaGetCoverageGlsl(const AgaaLog* log, size_t* size, char* text) {
+    return guarded(checkedLog(log), "agaaGetCoverageGlsl", [&]() -> AgaaResult {
+        return writeText(coverageGlsl(), size, text);
     });
 }
 

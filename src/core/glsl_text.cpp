@@ -37,6 +37,20 @@ void appendGlsl(std::string& out, const std::string& path, std::set<std::string>
     }
 }
 
+std::string coverageGlsl() {
+    std::string text;
+    std::set<std::string> seen;
+    appendGlsl(text, "math/coverage.glsl", seen);
+    // The host may use the same names.
+    constexpr std::string_view directive = "\n#define ";
+    std::string undefines;
+    for (size_t at = text.find(directive); at != std::string::npos; at = text.find(directive, at + 1)) {
+        const size_t name = at + directive.size();
+        undefines += "#undef " + text.substr(name, text.find_first_of("( \n", name) - name) + "\n";
+    }
+    return text + undefines;
+}
+
 static std::string assemble(const Pass& pass, std::set<std::string> seen, const std::string& version,
                             const std::string& head) {
     std::string text;

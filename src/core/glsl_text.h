@@ -16,6 +16,9 @@ void appendGlsl(std::string& out, const std::string& path, std::set<std::string>
 // As a float literal, whatever the process's locale writes for a decimal point.
 std::string glslNumber(float value);
 
+// The coverage of alpha-masked surfaces, for shaders of the host's own (agaaGetCoverageGlsl).
+std::string coverageGlsl();
+
 // The whole text of a compute pass, for Vulkan. Its specialisation constants stay.
 std::string passGlsl(const Pass& pass);
 // For OpenGL: the pass's constants are written into it.

@@ -104,6 +104,42 @@ TEST_P(HostDialects, CompilesForEveryPlan) {
     EXPECT_GT(compiled, 50);
 }
 
+// For shaders that are not of the SDK's passes: it leaves no macro of its own behind.
+TEST_F(HostGlsl, CoverageCompilesAlone) {
+    size_t size = 0;
+    ASSERT_EQ(agaaGetCoverageGlsl(nullptr, &size, nullptr), AGAA_OK);
+    std::string text(size, '\0');
+    ASSERT_EQ(agaaGetCoverageGlsl(nullptr, &size, text.data()), AGAA_OK);
+    text.resize(size - 1);
+    EXPECT_EQ(agaaGetCoverageGlsl(nullptr, nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    size = 1;
+    char small = '#';
+    EXPECT_EQ(agaaGetCoverageGlsl(nullptr, &size, &small), AGAA_ERROR_BUFFER_TOO_SMALL);
+    EXPECT_EQ(small, '#');
+    HostDialect openGl;
+    openGl.openGl = true;
+    for (const HostDialect& dialect : {HostDialect{}, openGl})
+        for (const char* version : {"420", "450", "460"}) {
+            if (!dialect.openGl && version != std::string("450"))
+                continue;
+            const std::string shader = std::string("#version ") + version + "\n" + text + R"(
+#if defined(real) || defined(rvec2) || defined(OUT) || defined(PRECISE)
+#error a macro is left
+#endif
+layout(location = 0) out vec4 color;
+void main() {
+    float alpha = gl_FragCoord.x * 0.01;
+    int mask = int(agaa_translucentMask(alpha, 4u, 0u, 1u, agaa_translucencyHash(1u, 2u, 3u, 4u)));
+    mask |= agaa_isInCutout(alpha, 0.5, vec2(dFdx(alpha), dFdy(alpha)), vec2(0.25)) ? 1 : 0;
+    mask |= agaa_isInCutout4(vec4(alpha), 0.5, vec2(0.25)) ? 2 : 0;
+    gl_SampleMask[0] = mask;
+    color = vec4(1.0);
+}
+)";
+            EXPECT_EQ(compileErrors(shader, dialect), "") << version;
+        }
+}
+
 // A uniform block promises 16 KiB: shadow maps, and what is left of it for lights.
 TEST(HostGlslForward, WithoutStorageBlocksLightsAreBounded) {
     for (uint32_t lights : {231u, 232u}) {
