@@ -32,6 +32,7 @@ def main():
     parser.add_argument("--rounds", help="frames of each row; none: the usual number, 101 suits a GPU")
     parser.add_argument("--row", action="append", help="only these, as of agaa-harness sweep; repeatable")
     parser.add_argument("--no-ablation", action="store_true", help="not what each effect costs and removes")
+    parser.add_argument("--jpeg", help="images as JPEG of this quality, 1 to 100, not as PNG")
     arguments = parser.parse_args()
     require_harness("full_sweep", arguments.harness)
     command = [arguments.harness, "sweep", "--size", arguments.size, "--out", arguments.out]
@@ -39,6 +40,8 @@ def main():
         command += ["--backend", backend]
     if arguments.rounds:
         command += ["--rounds", arguments.rounds]
+    if arguments.jpeg:
+        command += ["--jpeg", arguments.jpeg]
     for row in arguments.row or []:
         command += ["--row", row]
     for scene in scenes():

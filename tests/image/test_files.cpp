@@ -240,6 +240,21 @@ TEST_F(ImageFiles, PngOfOnePixel) {
     EXPECT_EQ(decodePng(path).bytes, (std::vector<int>{186, 186, 186}));
 }
 
+TEST_F(ImageFiles, JpegIsNearlyThePng) {
+    const fs::path path = folder / "a.jpg";
+    Image ramp{64, 16, {}};
+    for (int i = 0; i < 64 * 16; ++i)
+        ramp.rgb.insert(ramp.rgb.end(), 3, float(i % 64) / 32);
+    writeJpeg(path, ramp, 90);
+    writePng(folder / "a.png", ramp);
+    const Decoded jpeg = decodePng(path), png = decodePng(folder / "a.png"); // by the same library
+    ASSERT_EQ(jpeg.bytes.size(), png.bytes.size());
+    for (size_t i = 0; i < png.bytes.size(); ++i)
+        ASSERT_NEAR(jpeg.bytes[i], png.bytes[i], 6) << i;
+    EXPECT_LT(fs::file_size(path), 2000u);
+    expectSentenceNaming(errorOf([&] { writeJpeg(path, ramp, 0); }), path);
+    expectSentenceNaming(errorOf([&] { writeJpeg(path, ramp, 101); }), path);
+}
 TEST_F(ImageFiles, DifferencePng) {
     const fs::path path = folder / "difference.png";
     const Image a{3, 1, {1, 0, 3, 0, 0, 0, 1, 1, 1}};

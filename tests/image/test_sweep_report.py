@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Tests of tools/report/sweep_report.py: what the file that it writes holds."""
 
+import base64
 import copy
 import json
 import re
@@ -46,6 +47,14 @@ class Written(unittest.TestCase):
     def test_numbers_without_a_word_in_json(self):
         source = self.make({"backends": [{"scenes": [{"rows": [{"n": float("nan")}]}]}]})
         self.assertIsNone(self.embedded(source)["backends"][0]["scenes"][0]["rows"][0]["n"])
+
+    def test_jpeg_is_taken_as_it_is(self):
+        results = make_results(self.folder)
+        row = results["backends"][0]["scenes"][0]["rows"][0]
+        jpeg = b"\xff\xd8\xff\xe0 and so on"
+        (self.folder / "images/one.jpg").write_bytes(jpeg)
+        row["image"] = "images/one.jpg"
+        self.assertIn(base64.b64encode(jpeg).decode(), self.make(results))
 
     def test_images_are_kept_once_and_up_to_a_size(self):
         results = make_results(self.folder)

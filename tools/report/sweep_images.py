@@ -6,6 +6,7 @@ import struct
 import zlib
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
+JPEG = b"\xff\xd8\xff"
 # What a reader compares first; everything else follows.
 FIRST_N = [8, 32, 4, 16]
 FIRST_TECHNIQUES = ["agaa", "simple_complex", "ssaa", "sbaa", "msaa", "fxaa", "single"]
@@ -53,7 +54,8 @@ def read_image(folder, name):
     try:
         path = (folder / name).resolve()
         path.relative_to(folder.resolve())
-        return repack(path.read_bytes())
+        data = path.read_bytes()
+        return data if data.startswith(JPEG) else repack(data)
     except (OSError, ValueError, zlib.error):
         return None
 
@@ -107,13 +109,13 @@ def take_images(results, folder, most_bytes):
         name = holder.get(key)
         holder[key] = None
         # Once the room is used up the rest, some gigabytes of a whole sweep, is not even read.
-        png = read_image(folder, name) if room > 0 else None
-        if png is None:
+        image = read_image(folder, name) if room > 0 else None
+        if image is None:
             left_out += isinstance(name, str)
             continue
-        digest = hashlib.sha256(png).digest()
+        digest = hashlib.sha256(image).digest()
         if digest not in ids:
-            text = base64.b64encode(png).decode("ascii")
+            text = base64.b64encode(image).decode("ascii")
             if len(text) > room:
                 left_out += 1
                 room = 0

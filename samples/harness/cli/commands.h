@@ -58,6 +58,7 @@ struct SweepArguments {
     std::vector<std::string> rows; // none: all
     bool quick = false;
     bool noAblation = false;
+    uint32_t jpegQuality = 0; // 0: PNG
     uint32_t rounds = 0; // 0: the usual number
 };
 

@@ -130,6 +130,7 @@ public:
 private:
     SweepOptions options(const Task& task) const {
         SweepOptions options = sweepOptions(arguments_.quick, task.isPlain, arguments_.rounds);
+        options.jpegQuality = arguments_.jpegQuality;
         options.effectsOfRows = !arguments_.rows.empty() && !task.isPlain;
         options.ablation = !arguments_.noAblation;
         // Mesa leaves what another program had for a sampler in the places of texel buffers, and compiles a pass that

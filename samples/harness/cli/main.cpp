@@ -155,6 +155,8 @@ int run(int argc, char** argv) {
     sweep->add_option("--rounds", sweepArguments.rounds, "frames of each row, which take turns: 7; 101 suits a GPU")
         ->check(CLI::Range(1u, 10000u));
     sweep->add_flag("--no-ablation", sweepArguments.noAblation, "not what each effect costs and removes");
+    sweep->add_option("--jpeg", sweepArguments.jpegQuality, "images as JPEG of this quality, 1 to 100, not as PNG")
+        ->check(CLI::Range(1u, 100u));
     sweep->add_flag("--quick", sweepArguments.quick, "two scenes, few rows, 320x180: minutes, not hours");
 
     try {

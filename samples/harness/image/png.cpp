@@ -1,4 +1,4 @@
-// Tone-mapped PNG files, for looking at.
+// Tone-mapped PNG and JPEG files, for looking at.
 #include "image/check.h"
 #include "image/image.h"
 #include "image/tonemap.h"
@@ -29,7 +29,7 @@ bool isFinite(const float* rgb) {
 }
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
-    throw std::runtime_error("Could not write the PNG file \"" + path.string() + "\": " + reason +
+    throw std::runtime_error("Could not write the image file \"" + path.string() + "\": " + reason +
                              ".");
 }
 
@@ -49,12 +49,19 @@ void appendBytes(void* context, void* data, int size) {
     bytes.insert(bytes.end(), begin, begin + size);
 }
 
-// Encodes into memory first: the library's own file writing does not report a full disk.
-void writeBytes(const std::filesystem::path& path, uint32_t width, uint32_t height,
-                const std::vector<Pixel>& pixels) {
+constexpr int lossless = 0;
+
+// Encodes into memory first: the library's own file writing does not report a full disk. quality: of JPEG, [1;100], or
+// `lossless`, which is PNG.
+void writeBytes(const std::filesystem::path& path, const Image& size, const std::vector<Pixel>& pixels,
+                int quality = lossless) {
     std::vector<char> encoded;
-    if (!stbi_write_png_to_func(appendBytes, &encoded, int(width), int(height), 3, pixels.data(),
-                                int(width * 3)))
+    const int width = int(size.width), height = int(size.height);
+    const bool isEncoded =
+        quality == lossless
+            ? stbi_write_png_to_func(appendBytes, &encoded, width, height, 3, pixels.data(), width * 3)
+            : stbi_write_jpg_to_func(appendBytes, &encoded, width, height, 3, pixels.data(), quality);
+    if (!isEncoded)
         fail(path, "it could not be encoded");
     std::ofstream file(path, std::ios::binary | std::ios::trunc);
     if (!file)
@@ -65,9 +72,7 @@ void writeBytes(const std::filesystem::path& path, uint32_t width, uint32_t heig
         fail(path, "not all of it could be written");
 }
 
-} // namespace
-
-void writePng(const std::filesystem::path& path, const Image& image) {
+std::vector<Pixel> shownPixels(const std::filesystem::path& path, const Image& image) {
     requireForFile(path, image);
     std::vector<Pixel> pixels(image.pixelCount());
     for (size_t i = 0; i < pixels.size(); ++i) {
@@ -79,7 +84,19 @@ void writePng(const std::filesystem::path& path, const Image& image) {
         for (size_t c = 0; c < 3; ++c)
             pixels[i][c] = toByte(toneMap(rgb[c]));
     }
-    writeBytes(path, image.width, image.height, pixels);
+    return pixels;
+}
+
+} // namespace
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+    writeBytes(path, image, shownPixels(path, image));
+}
+
+void writeJpeg(const std::filesystem::path& path, const Image& image, int quality) {
+    if (quality < 1 || quality > 100)
+        fail(path, "the quality must be from 1 to 100");
+    writeBytes(path, image, shownPixels(path, image), quality);
 }
 
 void writeDifferencePng(const std::filesystem::path& path, const Image& a, const Image& b,
@@ -101,7 +118,7 @@ void writeDifferencePng(const std::filesystem::path& path, const Image& a, const
         for (size_t c = 0; c < 3; ++c)
             pixels[i][c] = toByte(std::abs(toneMap(left[c]) - toneMap(right[c])) * gain);
     }
-    writeBytes(path, a.width, a.height, pixels);
+    writeBytes(path, a, pixels);
 }
 
 } // namespace harness

@@ -295,8 +295,11 @@ json SceneSweep::ablation() {
 uint32_t SceneSweep::timeSource() const { return rows_.front().timed.front().timeSource; }
 
 std::string SceneSweep::writeImage(const std::string& name, const Image& image) const {
-    const std::string file = prefix_ + "-" + name + ".png";
-    writePng(images_ / file, image);
+    const std::string file = prefix_ + "-" + name + (options_.jpegQuality ? ".jpg" : ".png");
+    if (options_.jpegQuality)
+        writeJpeg(images_ / file, image, int(options_.jpegQuality));
+    else
+        writePng(images_ / file, image);
     return "images/" + file;
 }
 

@@ -26,6 +26,7 @@ struct SweepOptions {
     uint32_t pathFrames = 3;  // of a camera path
     uint32_t pathSamples = 8; // rows of more samples do not walk it
     uint32_t referenceSamples = 512;
+    uint32_t jpegQuality = 0; // of images, [1;100]; 0: PNG
     uint32_t temporalSamples = 32; // of the references of shifts and of the path; 0: no errors over time
 };
 // rounds: 0: the usual number, which is for software rasterisers; a GPU has time for 101.

@@ -1,7 +1,10 @@
 // Two images under one slider; the right one may be their difference or a map of shading events.
 
 const compare = {zoom: "fit", work: 0};
-const imageUrl = (id) => "data:image/png;base64," + byId("image-" + id).textContent;
+const imageUrl = (id) => {
+    const text = byId("image-" + id).textContent;
+    return `data:image/${text.startsWith("/9j/") ? "jpeg" : "png"};base64,` + text; // JPEG begins with FF D8 FF
+};
 
 // Everything of a scene that has an image: {name, image, heat, difference}.
 function choicesOf(scene) {
