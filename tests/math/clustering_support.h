@@ -19,6 +19,7 @@ struct Sample {
     glm::vec3 position;
     glm::vec3 normal;
     unsigned keyA = 0, keyB = 0;
+    float depthStep = 0;
     bool covered = true;
 
     std::pair<unsigned, unsigned> content() const { return {keyA, keyB}; }
@@ -73,8 +74,8 @@ RunResult<Clustering> runClustering(const std::vector<Sample>& pixel, unsigned c
     r.state = std::make_unique<Clustering>();
     unsigned covered = 0;
     for (unsigned i = 0; i < pixel.size(); ++i) {
-        r.state->agaa_setSample(i, vec3(pixel[i].position), vec3(pixel[i].normal), pixel[i].keyA,
-                                pixel[i].keyB);
+        r.state->agaa_setSample(i, vec3(pixel[i].position), vec3(pixel[i].normal), real(pixel[i].depthStep),
+                                pixel[i].keyA, pixel[i].keyB);
         r.state->agaa_sampleAggregate[i] = 77;
         covered |= (pixel[i].covered ? 1u : 0u) << i;
     }
@@ -104,6 +105,15 @@ inline double equation1(const glm::dvec3& pa, const glm::dvec3& na, const glm::d
 inline double equation1(const Sample& a, const Sample& b, double k) {
     return equation1(glm::dvec3(a.position), glm::normalize(glm::dvec3(a.normal)),
                      glm::dvec3(b.position), glm::normalize(glm::dvec3(b.normal)), k);
+}
+
+// k of two samples, which may be a step of their depth off.
+inline double pairLength(double k, double t, double stepA, double stepB) {
+    return k + 2 * std::max(stepA, stepB) / std::sqrt(std::max(t, 1e-4));
+}
+
+inline double equation1(const Sample& a, const Sample& b, double k, double t) {
+    return equation1(a, b, pairLength(k, t, double(a.depthStep), double(b.depthStep)));
 }
 
 // Steps of 1/4096, and at most 14 significant bits.
@@ -146,6 +156,10 @@ inline std::vector<unsigned> oracle(const std::vector<Sample>& pixel, unsigned c
     count = 0;
     if (members.empty())
         return ids;
+    double step = 0;
+    for (unsigned i : members)
+        step = std::max(step, double(pixel[i].depthStep));
+    const double coarsest = pairLength(k, t, step, step);
     // The largest value wins, among equals the lowest content, then the lowest index.
     auto farthest = [&](auto&& value) {
         return *std::min_element(members.begin(), members.end(), [&](unsigned a, unsigned b) {
@@ -154,11 +168,11 @@ inline std::vector<unsigned> oracle(const std::vector<Sample>& pixel, unsigned c
         });
     };
     seeds = {
-        farthest([&](unsigned i) { return quantisedDistance(distanceToAverage(pixel, i, k)); })};
+        farthest([&](unsigned i) { return quantisedDistance(distanceToAverage(pixel, i, coarsest)); })};
     auto nearest = [&](unsigned i) {
         double d = 1e300;
         for (unsigned s : seeds)
-            d = std::min(d, quantisedDistance(equation1(pixel[i], pixel[s], k)));
+            d = std::min(d, quantisedDistance(equation1(pixel[i], pixel[s], k, t)));
         return d;
     };
     while (seeds.size() < c) {
@@ -170,7 +184,7 @@ inline std::vector<unsigned> oracle(const std::vector<Sample>& pixel, unsigned c
     for (unsigned i : members) {
         std::vector<std::tuple<double, std::pair<unsigned, unsigned>, unsigned>> options;
         for (unsigned s = 0; s < seeds.size(); ++s) {
-            options.emplace_back(quantisedDistance(equation1(pixel[i], pixel[seeds[s]], k)),
+            options.emplace_back(quantisedDistance(equation1(pixel[i], pixel[seeds[s]], k, t)),
                                  pixel[seeds[s]].content(), s);
         }
         ids[i] = std::get<2>(*std::min_element(options.begin(), options.end()));

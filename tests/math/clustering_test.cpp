@@ -87,9 +87,11 @@ TEST(MathClustering, EqualsTheOracleInDouble) {
     for (unsigned n : kSampleCounts) {
         for (unsigned c : {1u, 2u, 3u, 4u, 8u}) {
             for (int i = 0; i < 600; ++i) {
-                const auto pixel =
+                auto pixel =
                     randomPixel(random, n, 1 + random.below(5), random.decades(0.01, 50),
                                 random.range(0, 0.4), i % 3 ? 1.0 : 0.5);
+                for (Sample& s : pixel)
+                    s.depthStep = i % 2 ? float(random.decades(1e-4, 1)) : 0.0f;
                 const double k = random.decades(0.02, 1), t = random.decades(4e-4, 0.25);
                 unsigned count = 0;
                 std::vector<unsigned> seeds;
@@ -105,8 +107,12 @@ TEST(MathClustering, EqualsTheOracleInDouble) {
                 // the first seed (of two samples it always is one); nothing else may differ.
                 ++ties;
                 ASSERT_NE(r.state->agaa_seedSample[0], seeds[0]) << n << " " << c << " " << i;
-                const double own = distanceToAverage(pixel, r.state->agaa_seedSample[0], k);
-                const double best = distanceToAverage(pixel, seeds[0], k);
+                double step = 0;
+                for (const Sample& s : pixel)
+                    step = std::max(step, s.covered ? double(s.depthStep) : 0.0);
+                const double coarsest = pairLength(k, t, step, step);
+                const double own = distanceToAverage(pixel, r.state->agaa_seedSample[0], coarsest);
+                const double best = distanceToAverage(pixel, seeds[0], coarsest);
                 ASSERT_NEAR(own, best, 1.0 / 4096 + 2e-4 * best) << n << " " << c << " " << i;
             }
         }
@@ -153,6 +159,7 @@ TEST(MathClustering, OneSurfaceIsOneAggregateAndTheShortWayIsExact) {
         // What the full algorithm compares, from its own functions.
         unsigned largest = 0;
         glm::vec3 lo(1e30f), hi(-1e30f), loN(2), hiN(-2);
+        const auto lengths = r.state->agaa_lengthsFor(static_cast<float>(k), static_cast<float>(t));
         const float inverse = r.state->agaa_inverseK2(static_cast<float>(k));
         for (unsigned a = 0; a < n; ++a) {
             if (!pixel[a].covered)
@@ -164,7 +171,8 @@ TEST(MathClustering, OneSurfaceIsOneAggregateAndTheShortWayIsExact) {
             for (unsigned b = 0; b < n; ++b) {
                 if (!pixel[b].covered)
                     continue;
-                largest = std::max(largest, r.state->agaa_quantisedSampleDistance(a, b, inverse));
+                largest = std::max(largest,
+                                   r.state->agaa_quantiseDistance(r.state->agaa_pairDistance(a, b, lengths)));
             }
         }
         if (r.count == 0)

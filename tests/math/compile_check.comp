@@ -54,7 +54,7 @@ void main() {
     acc.y += agaa_chebyshevVisibility(x.x, x.y, x.z, 1e-6);
     const float z = agaa_viewZFromDepth(x.x, x.y, x.z, bad);
     acc.z += agaa_depthQuantum(z, x.x, x.y, x.z, bad, 1e-6);
-    acc.z += agaa_characteristicLength(x.x, x.y, z, x.z, x.w);
+    acc.z += agaa_characteristicLength(x.x, x.y, z);
     acc += agaa_viewPosition(x.xy, z, x.x, x.y, x.z, x.w, bad);
     agaa_Surface s;
     s.diffuse = v;
@@ -73,6 +73,7 @@ void main() {
         agaa_sampleNormal[i] = n;
         agaa_sampleKeyA[i] = i;
         agaa_sampleKeyB[i] = i;
+        agaa_sampleStep[i] = x.w;
     }
     const uint count = agaa_defineAggregates(32u, 0xFFFFFFFFu, 4u, 0.1, 0.02, id & 1u);
     uvec2 planes = uvec2(0u);

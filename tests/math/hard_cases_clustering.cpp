@@ -61,7 +61,7 @@ TEST(HardCase20_DepthQuantum, CoplanarWallStaysOneAggregate) {
         Random random(320);
         for (int i = 0; i < 300; ++i) {
             std::vector<Sample> pixel;
-            double k = 0.0;
+            std::vector<Sample> unaware;
             for (unsigned s = 0; s < 8; ++s) {
                 const double z = -distance * (1.0 + 1e-8 * random.range(-1, 1));
                 const double d = (p22 * z + p32) / -z;
@@ -69,17 +69,42 @@ TEST(HardCase20_DepthQuantum, CoplanarWallStaysOneAggregate) {
                 const double stored = std::floor(d * steps + random.unit()) / steps;
                 const double seen = math_d::agaa_viewZFromDepth(stored, p22, p32, 0);
                 const double step = math_d::agaa_depthQuantum(seen, stored, p22, p32, 0, 1 / steps);
-                k = std::max(k, math_d::agaa_characteristicLength(kK, 0.0, seen, step, kT));
                 pixel.push_back(makeSample({0, 0, seen}, {0, 0, 1}, s));
+                unaware.push_back(pixel.back());
+                pixel.back().depthStep = float(step);
             }
-            ASSERT_EQ(runF(pixel, 4, k, kT).count, 1u) << distance;
-            splitWithout += runF(pixel, 4, kK, kT).count > 1;
+            ASSERT_EQ(runF(pixel, 4, kK, kT).count, 1u) << distance;
+            splitWithout += runF(unaware, 4, kK, kT).count > 1;
         }
     }
     EXPECT_GT(splitWithout, 500);
     // Near the camera, and for k scaled by distance, the step changes nothing that matters.
-    EXPECT_NEAR(math_f::agaa_characteristicLength(0.1f, 0.0f, -1.0f, 6e-7f, 0.02f), 0.1f, 1e-5f);
-    EXPECT_NEAR(math_f::agaa_characteristicLength(0.1f, 0.01f, -100.0f, 0.0f, 0.02f), 1.0f, 1e-5f);
+    math_f::Clustering c;
+    const auto lengths = c.agaa_lengthsFor(0.1f, 0.02f);
+    EXPECT_NEAR(1 / std::sqrt(c.agaa_pairInverseK2(lengths, 6e-7f, 6e-7f)), 0.1f, 1e-5f);
+    EXPECT_EQ(math_f::agaa_characteristicLength(0.1f, 0.0f, 1.0f), 0.1f);
+    EXPECT_NEAR(math_f::agaa_characteristicLength(0.1f, 0.01f, 100.0f), 1.0f, 1e-5f);
+}
+
+TEST(HardCase20_DepthQuantum, AFarSampleLeavesNearOnesApart) {
+    // A backdrop at 1 km, whose step of depth is 0.6 m, behind rails at 5 m and 6 m, whose steps are microns.
+    const double near = 0.1, f = 2000.0, steps = 16777216.0;
+    const double p22 = f / (near - f), p32 = near * p22;
+    std::vector<Sample> pixel;
+    for (const double distance : {1000.0, 1000.0, 5.0, 5.0, 5.0, 6.0, 6.0, 6.0}) {
+        const double stored = (-p22 * distance + p32) / distance;
+        pixel.push_back(makeSample({0, 0, -distance}, {0, 0, 1}, unsigned(pixel.size())));
+        pixel.back().depthStep = float(math_d::agaa_depthQuantum(-distance, stored, p22, p32, 0, 1 / steps));
+    }
+    EXPECT_GT(pixel[0].depthStep, 0.5f);
+    const double k = math_d::agaa_characteristicLength(0.0, 0.03, 5.0);
+    const auto r = runF(pixel, 4, k, kT);
+    EXPECT_EQ(r.count, 3u);
+    for (unsigned a = 0; a < pixel.size(); ++a)
+        for (unsigned b = 0; b < a; ++b)
+            EXPECT_EQ(r.ids[a] == r.ids[b], pixel[a].position.z == pixel[b].position.z) << a << ' ' << b;
+    // Nor does it widen what counts as one surface: the rails alone are two.
+    EXPECT_FALSE(r.state->agaa_areAllOneSurface(8, 0xFC, 0.9f, 0.01f));
 }
 
 TEST(HardCase21_CharacteristicLength, AnyValueOfK) {

@@ -245,7 +245,7 @@ TEST(HardCase12_FlippedNormals, SignedProductCounts) {
     EXPECT_NEAR(math_f::agaa_normalMetric(-1.0f), std::sqrt(2.0f), 1e-6f);
     EXPECT_EQ(math_f::agaa_normalMetric(1.0f), 0.0f);
     // Distances see the flip as well: two opposite normals at one place are two aggregates.
-    math_f::Clustering c;
+    math_f::Clustering c{};
     c.agaa_samplePosition[0] = c.agaa_samplePosition[1] = {0, 0, -5};
     c.agaa_sampleNormal[0] = {0, 0, 1};
     c.agaa_sampleNormal[1] = {0, 0, -1};

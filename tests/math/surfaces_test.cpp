@@ -5,7 +5,7 @@ using namespace test_math;
 
 namespace {
 
-constexpr double cosine = 0.9, width = 0.01, k = 0.1;
+constexpr double cosine = 0.9, width = 0.01, k = 0.1, t = 0.02;
 
 template <class State>
 unsigned select(State& state, const std::vector<Sample>& pixel, unsigned limit) {
@@ -16,10 +16,10 @@ unsigned select(State& state, const std::vector<Sample>& pixel, unsigned limit) 
         if (!pixel[i].covered)
             continue;
         covered |= 1u << i;
-        state.agaa_setSample(i, vec(pixel[i].position), vec(pixel[i].normal), 0, 0);
+        state.agaa_setSample(i, vec(pixel[i].position), vec(pixel[i].normal), real(pixel[i].depthStep), 0, 0);
     }
     return state.agaa_selectSurfaces(unsigned(pixel.size()), covered, limit, real(cosine), real(width),
-                                     state.agaa_inverseK2(real(k)));
+                                     state.agaa_lengthsFor(real(k), real(t)));
 }
 
 unsigned coveredBy(const std::vector<Sample>& pixel) {
@@ -90,8 +90,8 @@ TEST(MathSurfaces, AllSamplesOfOnePlane) {
                     const glm::dvec3 off = stands && isStep ? 1.5 * width * normal : glm::dvec3(0);
                     const glm::dvec3 crease = glm::dvec3(0.6, 0, 0.8) * (slope > 0.5 ? -1.0 : 1.0);
                     const glm::dvec3 n = stands && !isStep ? crease : normal;
-                    flat.agaa_setSample(i, glm::vec3(p), glm::vec3(normal), 0, 0);
-                    other.agaa_setSample(i, glm::vec3(p + off), glm::vec3(n), 0, 0);
+                    flat.agaa_setSample(i, glm::vec3(p), glm::vec3(normal), 0, 0, 0);
+                    other.agaa_setSample(i, glm::vec3(p + off), glm::vec3(n), 0, 0, 0);
                 }
                 EXPECT_TRUE(flat.agaa_areAllOneSurface(8, 0xFF, float(cosine), float(width)));
                 EXPECT_FALSE(other.agaa_areAllOneSurface(8, 0xFF, float(cosine), float(width))) << odd;

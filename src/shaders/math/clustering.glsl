@@ -16,16 +16,18 @@ rvec3 agaa_samplePosition[AGAA_MAX_SAMPLES]; // view space, relative to anything
 rvec3 agaa_sampleNormal[AGAA_MAX_SAMPLES];   // unit
 uint agaa_sampleKeyA[AGAA_MAX_SAMPLES];      // depth key
 uint agaa_sampleKeyB[AGAA_MAX_SAMPLES];      // normal code and sub-pixel position key
+real agaa_sampleStep[AGAA_MAX_SAMPLES];      // length of one step of the depth buffer at the sample
 uint agaa_sampleAggregate[AGAA_MAX_SAMPLES]; // result; 0 for samples without geometry
 uint agaa_sampleNearest[AGAA_MAX_SAMPLES];   // quantised distance to the nearest seed so far
 uint agaa_seedSample[8];                     // sample that founded each aggregate
 
 // For each sample with geometry.
-void agaa_setSample(uint i, rvec3 position, rvec3 unitNormal, uint keyA, uint keyB) {
+void agaa_setSample(uint i, rvec3 position, rvec3 unitNormal, real depthStep, uint keyA, uint keyB) {
     agaa_samplePosition[i] = position;
     agaa_sampleNormal[i] = unitNormal;
     agaa_sampleKeyA[i] = keyA;
     agaa_sampleKeyB[i] = keyB;
+    agaa_sampleStep[i] = depthStep;
 }
 
 // Distances are compared as multiples of 1/4096: finer than the 4e-4 below which the 8-bit normal
@@ -47,6 +49,27 @@ real agaa_inverseK2(real k) {
         kk = min(k, real(1e15));
     }
     return real(1.0) / (kk * kk);
+}
+
+// k of Equation 1 as it applies to a pair of samples: the depth buffer may put two samples of one surface
+// a whole step apart, so k grows by perStep times the coarser step of the two. A far sample does not
+// change the distance between near ones.
+struct agaa_Lengths {
+    real k;
+    real perStep;
+};
+
+// With this perStep, samples one step apart are at most a quarter of the threshold t apart:
+// (step / k)^2 <= t / 4.
+agaa_Lengths agaa_lengthsFor(real k, real t) {
+    agaa_Lengths lengths;
+    lengths.k = k;
+    lengths.perStep = real(2.0) / sqrt(max(t, real(1e-4)));
+    return lengths;
+}
+
+real agaa_pairInverseK2(agaa_Lengths lengths, real stepA, real stepB) {
+    return agaa_inverseK2(lengths.k + lengths.perStep * max(stepA, stepB));
 }
 
 // Equation 1, with (1 - na.nb)/2 written as |na - nb|^2 / 4. For unit vectors both are the same,
@@ -128,18 +151,19 @@ void agaa_compare(INOUT(agaa_Farthest) best, uint i, uint value) {
     }
 }
 
-uint agaa_quantisedSampleDistance(uint a, uint b, real inverseK2) {
-    return agaa_quantiseDistance(agaa_sampleDistance(agaa_samplePosition[a], agaa_samplePosition[b],
-                                                     agaa_sampleNormal[a], agaa_sampleNormal[b],
-                                                     inverseK2));
+real agaa_pairDistance(uint a, uint b, agaa_Lengths lengths) {
+    return agaa_sampleDistance(agaa_samplePosition[a], agaa_samplePosition[b], agaa_sampleNormal[a],
+                               agaa_sampleNormal[b],
+                               agaa_pairInverseK2(lengths, agaa_sampleStep[a], agaa_sampleStep[b]));
 }
 
 // Founds aggregate `id` at sample `seed`: moves every sample that is nearer to it than to its seed
 // so far and returns the sample that is then farthest from all seeds, the next candidate. A sample
 // as near to two seeds goes to the seed of lower content.
-uint agaa_addSeed(uint n, uint covered, uint id, uint seed, real inverseK2) {
+uint agaa_addSeed(uint n, uint covered, uint id, uint seed, agaa_Lengths lengths) {
     const rvec3 position = agaa_samplePosition[seed];
     const rvec3 normal = agaa_sampleNormal[seed];
+    const real depthStep = agaa_sampleStep[seed];
     const agaa_Content content = agaa_contentOf(seed);
     agaa_seedSample[id] = seed; // first: compilers warn of reads that they meet before writes
     uint precedes = 0u; // bit s: seed s
@@ -153,7 +177,8 @@ uint agaa_addSeed(uint n, uint covered, uint id, uint seed, real inverseK2) {
     do {
         if (agaa_sampleIsCovered(covered, i)) {
             const uint d = agaa_quantiseDistance(agaa_sampleDistance(
-                agaa_samplePosition[i], position, agaa_sampleNormal[i], normal, inverseK2));
+                agaa_samplePosition[i], position, agaa_sampleNormal[i], normal,
+                agaa_pairInverseK2(lengths, agaa_sampleStep[i], depthStep)));
             uint nearest = agaa_sampleNearest[i];
             if (id == 0u || d < nearest ||
                 (d == nearest && ((precedes >> agaa_sampleAggregate[i]) & 1u) != 0u)) {
@@ -170,13 +195,14 @@ uint agaa_addSeed(uint n, uint covered, uint id, uint seed, real inverseK2) {
 // Rule (e) as printed: the sample with the largest sum of squared distances from all seeds.
 // Equation 1 is itself a squared distance (of position/k and half the normal), so its values are
 // summed.
-uint agaa_literalCandidate(uint n, uint covered, uint seeds, real inverseK2) {
+uint agaa_literalCandidate(uint n, uint covered, uint seeds, agaa_Lengths lengths) {
     agaa_Farthest best = agaa_noneYet();
     for (uint i = 0u; i < n; ++i) {
         if (agaa_sampleIsCovered(covered, i)) {
             uint sum = 0u;
             for (uint s = 0u; s < seeds; ++s) {
-                const uint d = agaa_quantisedSampleDistance(i, agaa_seedSample[s], inverseK2);
+                const uint d =
+                    agaa_quantiseDistance(agaa_pairDistance(i, agaa_seedSample[s], lengths));
                 sum = min(sum, 0xFFFFFFFFu - d) + d;
             }
             agaa_compare(best, i, sum);
@@ -241,6 +267,8 @@ uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint li
     rvec3 highest = lowest;
     rvec3 lowestNormal = lowest;
     rvec3 highestNormal = lowest;
+    real finest = real(0.0);
+    real coarsest = real(0.0);
     bool any = false;
     uint i = 0u;
     do {
@@ -252,31 +280,37 @@ uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint li
             highest = any ? max(highest, p) : p;
             lowestNormal = any ? min(lowestNormal, m) : m;
             highestNormal = any ? max(highestNormal, m) : m;
+            const real depthStep = agaa_sampleStep[i];
+            finest = any ? min(finest, depthStep) : depthStep;
+            coarsest = any ? max(coarsest, depthStep) : depthStep;
             any = true;
         }
     } while (++i < samples);
     uint aggregates = any ? 1u : 0u;
     if (any && limit > 1u) {
-        const real inverseK2 = agaa_inverseK2(k);
+        const agaa_Lengths lengths = agaa_lengthsFor(k, t);
         const uint threshold = agaa_quantiseDistance(max(t, real(0.0)));
         // The short way: two samples are never farther apart than the corners of their bounding
-        // boxes. The margin covers the rounding of the distances that are not computed.
-        const real bound =
-            agaa_sampleDistance(lowest, highest, lowestNormal, highestNormal, inverseK2);
+        // boxes, by the finest of their steps. The margin covers the rounding of the distances that are
+        // not computed.
+        const real bound = agaa_sampleDistance(lowest, highest, lowestNormal, highestNormal,
+                                               agaa_pairInverseK2(lengths, finest, finest));
         if (agaa_quantiseDistance(bound * real(1.00001)) > threshold) {
             const rvec3 size = highest - lowest;
             const real extent = max(size.x, max(size.y, size.z));
-            uint seed = agaa_firstSeed(samples, present, lowest, extent, inverseK2);
-            uint candidate = agaa_addSeed(samples, present, 0u, seed, inverseK2);
+            // Distances to one average are compared by one length, that of the coarsest step.
+            uint seed = agaa_firstSeed(samples, present, lowest, extent,
+                                       agaa_pairInverseK2(lengths, coarsest, coarsest));
+            uint candidate = agaa_addSeed(samples, present, 0u, seed, lengths);
             bool more = true;
             for (uint id = 1u; id < limit && more; ++id) {
                 seed = candidate;
                 if (literalSeeds != 0u && id > 1u) {
-                    seed = agaa_literalCandidate(samples, present, id, inverseK2);
+                    seed = agaa_literalCandidate(samples, present, id, lengths);
                 }
                 more = agaa_sampleNearest[seed] > threshold;
                 if (more) {
-                    candidate = agaa_addSeed(samples, present, id, seed, inverseK2);
+                    candidate = agaa_addSeed(samples, present, id, seed, lengths);
                     aggregates = id + 1u;
                 }
             }

@@ -58,11 +58,10 @@ rvec3 agaa_viewPosition(rvec2 ndc, real z, real p00, real p11, real offsetX, rea
     return p;
 }
 
-// The characteristic length for Equation 1 at view depth z: k, or perDistance * |z| where that is
-// more (0 keeps k), plus as much that two samples of one surface, which the depth buffer may put a
-// whole step apart, stay at a quarter of the threshold t: (step / k')^2 <= t / 4.
-real agaa_characteristicLength(real k, real perDistance, real z, real depthStep, real t) {
-    return max(k, perDistance * abs(z)) + real(2.0) * depthStep / sqrt(max(t, real(1e-4)));
+// The characteristic length for Equation 1 at this distance: k, or perDistance * distance where that is
+// more (0 keeps k). What a step of the depth buffer adds depends on the pair of samples: clustering.glsl.
+real agaa_characteristicLength(real k, real perDistance, real distance) {
+    return max(k, perDistance * abs(distance));
 }
 
 #endif

@@ -20,11 +20,28 @@ void agaa_forgetSurfaces(uint limit) {
     }
 }
 
-bool agaa_isOnSurface(rvec3 position, rvec3 normal, uint i, real cosine, real width) {
-    const rvec3 between = agaa_samplePosition[i] - position;
+// The plane of one sample, kept in registers.
+struct agaa_Plane {
+    rvec3 position;
+    rvec3 normal;
+    real depthStep;
+};
+
+agaa_Plane agaa_planeOf(uint i) {
+    agaa_Plane plane;
+    plane.position = agaa_samplePosition[i];
+    plane.normal = agaa_sampleNormal[i];
+    plane.depthStep = agaa_sampleStep[i];
+    return plane;
+}
+
+// Whether sample i lies on the plane. The depths of both samples may be a step off.
+bool agaa_isOnSurface(agaa_Plane plane, uint i, real cosine, real width) {
+    const rvec3 between = agaa_samplePosition[i] - plane.position;
     const rvec3 own = agaa_sampleNormal[i];
-    return dot(normal, own) >= cosine && abs(dot(normal, between)) <= width &&
-           abs(dot(own, between)) <= width;
+    const real farthest = width + plane.depthStep + agaa_sampleStep[i];
+    return dot(plane.normal, own) >= cosine && abs(dot(plane.normal, between)) <= farthest &&
+           abs(dot(own, between)) <= farthest;
 }
 
 // Whether all samples show one surface, that of the first by content.
@@ -36,13 +53,12 @@ bool agaa_areAllOneSurface(uint n, uint covered, real cosine, real width) {
             agaa_compare(first, i, 0u);
         }
     } while (++i < n);
-    const rvec3 position = agaa_samplePosition[first.content.sample_];
-    const rvec3 normal = agaa_sampleNormal[first.content.sample_];
+    const agaa_Plane plane = agaa_planeOf(first.content.sample_);
     bool one = true;
     i = 0u;
     do {
         if (agaa_sampleIsCovered(covered, i)) {
-            one = one && agaa_isOnSurface(position, normal, i, cosine, width);
+            one = one && agaa_isOnSurface(plane, i, cosine, width);
         }
     } while (++i < n);
     return one;
@@ -97,21 +113,21 @@ uint agaa_keepSurface(uint kept, uint limit, uint mask) {
     return min(kept + 1u, limit);
 }
 
-// At most `limit` (1 to 8) surfaces; their number. width: the tolerance to a plane; inverseK2: as in
-// Equation 1 of AGAA, to tell which surface is nearest.
-uint agaa_selectSurfaces(uint n, uint covered, uint limit, real cosine, real width, real inverseK2) {
+// At most `limit` (1 to 8) surfaces; their number. width: the tolerance to a plane, without the steps of
+// depth; lengths: as in Equation 1 of AGAA, to tell which surface is nearest.
+uint agaa_selectSurfaces(uint n, uint covered, uint limit, real cosine, real width,
+                         agaa_Lengths lengths) {
     uint kept = 0u;
     uint left = covered;
     agaa_forgetSurfaces(limit);
     for (uint found = 0u; found < n && left != 0u; ++found) {
         const uint seed = uint(findMSB(left & (~left + 1u)));
-        const rvec3 position = agaa_samplePosition[seed];
-        const rvec3 normal = agaa_sampleNormal[seed];
+        const agaa_Plane plane = agaa_planeOf(seed);
         uint mask = 0u;
         uint i = 0u;
         do {
             if (agaa_sampleIsCovered(left, i) &&
-                (i == seed || agaa_isOnSurface(position, normal, i, cosine, width))) {
+                (i == seed || agaa_isOnSurface(plane, i, cosine, width))) {
                 mask = mask | (1u << i);
             }
         } while (++i < n);
@@ -128,10 +144,7 @@ uint agaa_selectSurfaces(uint n, uint covered, uint limit, real cosine, real wid
             uint best = 0u;
             real bestDistance = real(3.0e38);
             for (uint s = 0u; s < kept; ++s) {
-                const uint shaded = agaa_surfaceShaded[s];
-                const real d = agaa_sampleDistance(agaa_samplePosition[i], agaa_samplePosition[shaded],
-                                                   agaa_sampleNormal[i], agaa_sampleNormal[shaded],
-                                                   inverseK2);
+                const real d = agaa_pairDistance(i, agaa_surfaceShaded[s], lengths);
                 if (d < bestDistance) {
                     best = s;
                     bestDistance = d;

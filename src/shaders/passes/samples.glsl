@@ -43,7 +43,6 @@ struct agaa_PixelSamples {
     uint covered;
     float nearest;  // distance
     float nearestZ; // along the view
-    float quantum;  // largest step of depth, as a length
 };
 
 // Normals, for the clustering alone, as long as their gloss makes differences count: w = weight / alpha, [1;20].
@@ -52,7 +51,7 @@ void agaa_weighNormal(uint i, vec3 shadingNormal, float alpha2) {
     agaa_sampleNormal[i] = sqrt(w) * shadingNormal;
 }
 
-agaa_PixelSamples agaa_noSamples() { return agaa_PixelSamples(0u, 3.0e38, 3.0e38, 0.0); }
+agaa_PixelSamples agaa_noSamples() { return agaa_PixelSamples(0u, 3.0e38, 3.0e38); }
 
 // While samples are added, the distance is its square.
 agaa_PixelSamples agaa_withDistance(agaa_PixelSamples samples) {
@@ -66,14 +65,13 @@ void agaa_addSample(inout agaa_PixelSamples samples, uvec2 pixel, uint i, vec3 n
     float depth = agaa_depthOf(pixel, i);
     vec3 position = agaa_sampleViewPosition(pixel, i, depth);
     uvec2 place = uvec2(agaa_frame.samplePosition[i].xy * 128.0);
-    agaa_setSample(i, position, normal, floatBitsToUint(depth), code << 16 | place.x << 8 | place.y);
+    float quantum = agaa_frame.projection1.w;
+    quantum = quantum < 0.0 ? -quantum * depth : quantum; // float formats: relative
+    float depthStep = agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x, agaa_frame.projection1.y,
+                                        agaa_isOrthographic(), quantum);
+    agaa_setSample(i, position, normal, depthStep, floatBitsToUint(depth), code << 16 | place.x << 8 | place.y);
     samples.nearest = min(samples.nearest, dot(position, position));
     samples.nearestZ = min(samples.nearestZ, abs(position.z));
-    float step = agaa_frame.projection1.w;
-    step = step < 0.0 ? -step * depth : step; // float formats: relative
-    samples.quantum = max(samples.quantum, agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x,
-                                                             agaa_frame.projection1.y, agaa_isOrthographic(),
-                                                             step));
 }
 
 #ifndef AGAA_HOST_FETCH
@@ -122,12 +120,11 @@ agaa_PixelSamples agaa_loadSamples(uvec2 pixel) {
 #endif
 
 float agaa_pixelCharacteristicLength(agaa_PixelSamples samples) {
-    return agaa_characteristicLength(agaa_frame.cluster.x, agaa_frame.cluster.y, samples.nearest,
-                                     samples.quantum, agaa_frame.cluster.z);
+    return agaa_characteristicLength(agaa_frame.cluster.x, agaa_frame.cluster.y, samples.nearest);
 }
 
-// How far from its plane a surface may be: the depths of two samples may each be a step off.
+// How far from its plane a surface may be, beside the steps of depth.
 float agaa_surfaceWidth(agaa_PixelSamples samples) {
-    return agaa_frame.surface.y * agaa_pixelWidth(samples.nearestZ) + 2.0 * samples.quantum;
+    return agaa_frame.surface.y * agaa_pixelWidth(samples.nearestZ);
 }
 #endif

@@ -26,7 +26,8 @@ void main() {
     if (samples.covered != 0u) {
         count = agaa_selectSurfaces(agaa_sampleCount(), samples.covered, AGAA_AGGREGATES,
                                     agaa_frame.surface.x, agaa_surfaceWidth(samples),
-                                    agaa_inverseK2(agaa_pixelCharacteristicLength(samples)));
+                                    agaa_lengthsFor(agaa_pixelCharacteristicLength(samples),
+                                                    agaa_frame.cluster.z));
     }
     uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_STRIDE);
     for (uint s = 0u; s < AGAA_AGGREGATES; ++s, base += AGAA_STRIDE) {

@@ -59,7 +59,7 @@ public:
         const float* p = constants_.projection;
         const bool orthographic = p[6] != 0.0f;
         Pixel pixel;
-        double nearest2 = 1e300, nearestZ = 1e300, quantum = 0;
+        double nearest2 = 1e300, nearestZ = 1e300;
         const rvec2 centre((x + 0.5) / plan.width * 2 - 1, (y + 0.5) / plan.height * 2 - 1);
         const rvec3 ray = agaa_viewPosition(centre, -1.0, double(p[0]), double(p[1]), double(p[2]), double(p[3]),
                                             orthographic);
@@ -85,16 +85,14 @@ public:
             nearest2 = std::min(nearest2, glm::dot(position, position));
             nearestZ = std::min(nearestZ, std::abs(z));
             const double step = p[7] < 0 ? double(-p[7]) * depth : double(p[7]);
-            quantum = std::max(quantum, agaa_depthQuantum(z, depth, double(p[4]), double(p[5]),
-                                                          orthographic, step));
+            c.agaa_sampleStep[i] = agaa_depthQuantum(z, depth, double(p[4]), double(p[5]), orthographic, step);
         }
         const AgaaConfig& config = plan.config;
         pixel.k = agaa_characteristicLength(double(config.characteristicLength),
                                             double(config.characteristicLengthPerDistance),
-                                            std::sqrt(nearest2), quantum,
-                                            double(config.aggregateThreshold));
+                                            std::sqrt(nearest2));
         const double scale = orthographic ? 1.0 : nearestZ;
-        pixel.width = double(config.surfaceDistance) * scale * 2 / (std::abs(double(p[0])) * plan.width) + 2 * quantum;
+        pixel.width = double(config.surfaceDistance) * scale * 2 / (std::abs(double(p[0])) * plan.width);
         return pixel;
     }
 
@@ -373,6 +371,57 @@ TEST(Definition, HardCase20AWallStaysOneAggregate) {
             }
         EXPECT_GT(stepped, 0u) << "the wall must cross steps of the depth buffer";
         EXPECT_EQ(split, 0u) << "at " << distance;
+    }
+}
+
+// A backdrop at 1 km, whose step of depth is 0.6 m, is seen between thin rails at 5 m and 6 m: the rails are aggregates
+// of their own.
+TEST(Definition, HardCase20AFarBackdropLeavesNearRailsApart) {
+    StageContext context;
+    for (const uint32_t tier : definitionTiers) {
+        ViewSettings settings = settingsFor(8, 3);
+        settings.config.generationTier = tier;
+        settings.config.flags |= tier == AGAA_TIER_GBUFFER ? AGAA_CONFIG_BUFFERED : 0;
+        settings.width = 16;
+        settings.height = 8;
+        settings.projection = perspective(0.4f, 1.5f, 0.1f, 2000); // a pixel is 0.7 m wide at 1 km
+        const float column = 2 * 1.5f * std::tan(0.5f * 0.4f * 3.14159265f / 180) / 16; // a pixel's width at 1 m
+        std::vector<Triangle> scene;
+        addSquare(scene, {0, 0, 1}, {1, 0, 0}, {0, 0, -1000}, 2000);
+        for (int x = 0; x < 16; ++x)
+            for (const float distance : {5.0f, 6.0f}) {
+                const float from = (float(x - 8) + (distance < 5.5f ? 0.0f : 0.4f)) * column * distance;
+                const float to = from + 0.4f * column * distance;
+                for (const auto& top : {glm::vec3(from, 9, -distance), glm::vec3(to, -9, -distance)}) {
+                    Triangle t;
+                    t.position[0] = glm::vec3(from, -9, -distance);
+                    t.position[1] = top.y < 0 ? top : glm::vec3(to, 9, -distance);
+                    t.position[2] = top.y < 0 ? glm::vec3(to, 9, -distance) : top;
+                    t.material.geometricNormal = glm::vec4(0, 0, 1, 0);
+                    scene.push_back(t);
+                }
+            }
+        StageView view(context, settings);
+        view.setTriangles(scene);
+        const AgaaFrame frame = view.frame();
+        view.render(frame);
+        const FrameConstants constants = frameConstants(view.plan(), frame, view.positions());
+        const auto depth = view.readSurface("depth");
+        const auto metadata = view.readSurface("metadata");
+        size_t wrong = 0;
+        for (uint32_t y = 0; y < settings.height; ++y)
+            for (uint32_t x = 0; x < settings.width; ++x) {
+                const Ids ids = storedIds(metadata, size_t(y) * settings.width + x, 8, 3, 0xFF);
+                std::array<double, 8> z{};
+                for (uint32_t i = 0; i < 8; ++i) {
+                    const double d = double(std::bit_cast<float>(depth[view.sampleIndex(x, y, i)].x));
+                    z[i] = std::max(viewPosition(view.plan(), constants, x, y, i, d).z, -100.0);
+                }
+                for (uint32_t i = 0; i < 8; ++i)
+                    for (uint32_t j = 0; j < i; ++j)
+                        wrong += (ids.id[i] == ids.id[j]) != (std::abs(z[i] - z[j]) < 0.5);
+            }
+        EXPECT_EQ(wrong, 0u) << "pairs of samples";
     }
 }
 
