@@ -27,12 +27,15 @@ constexpr const char* channelValues[ChannelCount] = {
 // Writes every channel that the layout has into its field.
 std::string putFields(const Constants& constants) {
     std::string out = "void agaa_putField(inout uint words[AGAA_WORDS], uint field, float value);\n"
+                      "void agaa_putSigned(inout uint words[AGAA_WORDS], uint field, float value);\n"
                       "void agaa_putFields(inout uint words[AGAA_WORDS], vec3 d, vec3 s, vec3 n, "
                       "float alpha2, vec3 e) {\n";
     for (uint32_t i = 0; i < ChannelCount; ++i) {
         const uint32_t field = constants[AGAA_FIELD_DIFFUSE_R + i];
         if (field >> 16)
-            out += format("    agaa_putField(words, %uu, %s);\n", field, channelValues[i]);
+            out += format("    %s(words, %uu, %s);\n",
+                          i >= ChannelNormalX && i <= ChannelNormalZ ? "agaa_putSigned" : "agaa_putField", field,
+                          channelValues[i]);
     }
     return out + "}\n";
 }

@@ -37,7 +37,7 @@ void main() {
     vec3 acc = agaa_decodeHemiOct8(agaa_encodeHemiOct8(n)) + t + b;
     acc += agaa_decodeOct(agaa_encodeOct(n, 10u), 10u);
     acc += agaa_yCbCrToRgb(agaa_rgbToYCbCr(v));
-    acc.x += agaa_unormToSigned(agaa_signedToUnorm(x.w)) +
+    acc.x += agaa_signedMeanOfSum(agaa_signedCode(x.w, 11u), 3u, 11u) +
              agaa_meanOfSum(agaa_quantise(x.x, 11u), 3u, 11u);
     agaa_Barycentrics inside = agaa_barycentrics(v, acc, x.yzw, x.xy, x.zw);
     acc += inside.at + inside.dx + inside.dy + inside.facing;

@@ -171,8 +171,29 @@ TEST(MathEncoding, YCbCrRoundTrip) {
             range.add(std::max(-double(y[k]), double(y[k]) - 1.0));
         }
     }
-    EXPECT_EQ(math_f::agaa_unormToSigned(math_f::agaa_signedToUnorm(-1.0f)), -1.0f);
-    EXPECT_EQ(math_f::agaa_unormToSigned(math_f::agaa_signedToUnorm(0.25f)), 0.25f);
+}
+
+TEST(MathEncoding, SignedMeanOfSum) {
+    Random random(8);
+    for (unsigned bits = 6; bits <= 16; ++bits) {
+        Worst error("mean of signed codes, bits " + std::to_string(bits) + ": error in codes", 0.51);
+        const double step = 2.0 / ((1u << bits) - 2u);
+        for (int i = 0; i < 5000; ++i) {
+            const unsigned n = 1 + random.below(32);
+            unsigned sum = 0;
+            double mean = 0;
+            for (unsigned s = 0; s < n; ++s) {
+                const float v = random.rangeF(-1, 1);
+                sum += math_f::agaa_signedCode(v, bits);
+                mean += double(v) / n;
+            }
+            error.add(std::abs(double(math_f::agaa_signedMeanOfSum(sum, n, bits)) - mean) / step);
+        }
+        for (unsigned n = 1; n <= 32; ++n)
+            for (const float exact : {-1.0f, 0.0f, 1.0f})
+                EXPECT_EQ(math_f::agaa_signedMeanOfSum(n * math_f::agaa_signedCode(exact, bits), n, bits), exact);
+    }
+    EXPECT_EQ(math_f::agaa_signedMeanOfSum(17, 0, 11), 0.0f);
 }
 
 TEST(MathEncoding, DegenerateNormalsGiveTheCodeOfZ) {

@@ -69,18 +69,14 @@ TEST(HardCase01_ToksvigZeroRoughness, EqualsThePaperInDouble) {
 TEST(HardCase02_MeanLengthAboveOne, NeighboursOfStoredUnitNormals) {
     Random random(102);
     for (unsigned bits : {8u, 10u, 16u}) {
-        const float top = static_cast<float>(math_f::agaa_maxCode(bits));
         for (int i = 0; i < 3000; ++i) {
             const glm::vec3 n(random.direction());
             for (int k = 0; k < 27; ++k) {
                 const glm::ivec3 offset(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
                 glm::vec3 stored;
                 for (int c = 0; c < 3; ++c) {
-                    const int code =
-                        int(math_f::agaa_quantise(math_f::agaa_signedToUnorm(n[c]), bits)) +
-                        offset[c];
-                    stored[c] = math_f::agaa_unormToSigned(
-                        std::min(std::max(static_cast<float>(code) / top, 0.0f), 1.0f));
+                    const unsigned code = math_f::agaa_signedCode(n[c], bits) + unsigned(offset[c]);
+                    stored[c] = math_f::agaa_signedMeanOfSum(code, 1, bits);
                 }
                 glm::vec3 direction;
                 float len;
@@ -144,23 +140,24 @@ TEST(HardCase04_OppositeNormalsCancel, FiniteAndEnergyAtMostOne) {
 TEST(HardCase05_QuantisedVarianceFloor, FlatMirrorStaysAMirror) {
     Random random(105);
     for (unsigned bits : {10u, 16u}) {
-        const double top = math_f::agaa_maxCode(bits);
+        const double span = (math_f::agaa_maxCode(bits) - 1) / 2;
         for (unsigned n : {8u, 32u}) {
             double raised = 0.0, untreated = 0.0;
             for (int i = 0; i < 3000; ++i) {
                 const glm::vec3 normal(random.direction());
                 // Exact integer sums, and a blender that rounds after every addition of code/n.
-                glm::dvec3 exact(0), blended(0);
+                glm::uvec3 exact(0);
+                glm::dvec3 blended(0);
                 for (unsigned s = 0; s < n; ++s) {
                     for (int c = 0; c < 3; ++c) {
-                        const float u = math_f::agaa_signedToUnorm(normal[c]);
-                        exact[c] += math_f::agaa_quantise(u, bits);
-                        blended[c] += std::floor(double(u) / n * top + random.unit());
+                        exact[c] += math_f::agaa_signedCode(normal[c], bits);
+                        blended[c] += std::floor((double(normal[c]) + 1) / n * span + random.unit());
                     }
                 }
-                const double offset = 1.0;
-                const glm::vec3 meanE(2.0 * exact / (top * n) - offset);
-                const glm::vec3 meanB(2.0 * blended / top - offset);
+                const glm::vec3 meanE(math_f::agaa_signedMeanOfSum(exact.x, n, bits),
+                                      math_f::agaa_signedMeanOfSum(exact.y, n, bits),
+                                      math_f::agaa_signedMeanOfSum(exact.z, n, bits));
+                const glm::vec3 meanB(blended / span - 1.0);
                 glm::vec3 d;
                 float len;
                 const float a = math_f::agaa_minAlpha2();

@@ -304,12 +304,52 @@ TYPED_TEST_P(HardCases, NormalsWithoutADirectionFaceAlongZ) {
     }
 }
 
+// A normal along an axis is stored exactly, so that the peak of a mirror's lobe is as high as that of its samples.
+TYPED_TEST_P(HardCases, MirrorsAlongAnAxisKeepTheirPeak) {
+    Material m = facing({0, 0, 0});
+    m.specular = glm::vec4(0.2f);
+    m.normal.w = 0;
+    const auto mirror = rectangle(0, 0, 32, 16, 5, m);
+    const float peak = this->render(pixelView({"ssaa", 8}), mirror, {sun()}).rgb[0];
+    EXPECT_GT(peak, 1000);
+    for (const Setting& s : aggregateSettings)
+        for (const uint64_t flags : {uint64_t(0), AGAA_CONFIG_BUFFERED}) {
+            ViewSettings view = pixelView(s);
+            view.config.flags |= s.tier == AGAA_TIER_AUTO ? 0 : flags;
+            for (const float value : this->render(view, mirror, {sun()}).rgb)
+                ASSERT_NEAR(value / peak, 1, 0.01f) << s << flags;
+        }
+}
+
+// A component of 0 is stored exactly: a light in the plane of a surface does not reach it, however bright it is.
+TYPED_TEST_P(HardCases, LightsInThePlaneOfASurfaceDoNotReachIt) {
+    const std::pair<glm::vec3, glm::vec3> cases[] = {
+        {{0, 0, 1}, {1, 0, 0}}, {{0, -0.6f, 0.8f}, {-1, 0, 0}}, {{0.6f, 0, -0.8f}, {0, 1, 0}}};
+    constexpr Setting settings[] = {
+        {"ssaa", 8}, {"agaa", 32}, {"agaa", 8, AGAA_TIER_GBUFFER}, {"agaa", 8, AGAA_TIER_IDS}};
+    for (const auto& [normal, direction] : cases)
+        for (const Setting& s : settings) {
+            Material m = facing({1, 1, 1});
+            m.normal = glm::vec4(normal, 1);
+            AgaaLight light = sun();
+            for (int i = 0; i < 3; ++i) {
+                light.direction[i] = direction[i];
+                light.color[i] = 1e4f;
+            }
+            ViewSettings view = pixelView(s, 4);
+            view.config.flags |= s.tier == AGAA_TIER_AUTO ? 0 : AGAA_CONFIG_BUFFERED;
+            for (const float value : this->render(view, rectangle(0, 0, 32, 16, 5, m), {light}).rgb)
+                ASSERT_EQ(value, 0) << s << ' ' << normal.x << ' ' << normal.y << ' ' << normal.z;
+        }
+}
+
 REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
                             HardCase17GeometryAtTheFarPlaneIsSeen,
                             HardCase19OneCoveredSampleIsThatSample, HardCase32ADarkRampSurvives,
                             HardCase33WhiteStaysWhite, HardCase37BadMaterialsAreContained,
                             HardCase4OpposedNormalsCancel, HardCase39And40LightsInSurfaces,
                             HardCase48And50DegenerateTriangles, HardCase55OddSizesAreWhole,
-                            WithoutSpecularLightIsDiffuse, NormalsWithoutADirectionFaceAlongZ);
+                            WithoutSpecularLightIsDiffuse, NormalsWithoutADirectionFaceAlongZ,
+                            MirrorsAlongAnAxisKeepTheirPeak, LightsInThePlaneOfASurfaceDoNotReachIt);
 
 } // namespace agaa::test

@@ -54,6 +54,16 @@ bool isSafe(double value) {
     return true;
 }
 
+// Steps of signed codes.
+bool isSafeSigned(double value) {
+    for (uint32_t bits = 6; bits <= 16; ++bits) {
+        const double scaled = value * double((1u << (bits - 1)) - 1);
+        if (std::fabs(scaled - std::floor(scaled) - 0.5) < 0.002 * (bits > 12 ? 5 : 1))
+            return false;
+    }
+    return true;
+}
+
 float safeUniform(std::mt19937& random, float low, float high) {
     for (;;) {
         const float value = uniform(random, low, high);
@@ -88,7 +98,7 @@ Material randomMaterial(std::mt19937& random) {
         const double folded = 2 * (1 - double(alpha2)) / (2 - double(alpha2));
         bool safe = true;
         for (int i = 0; i < 3; ++i)
-            safe &= isSafe(n[i] * 0.5 + 0.5) && isSafe(n[i] * folded * 0.5 + 0.5);
+            safe &= isSafeSigned(n[i]) && isSafeSigned(n[i] * folded);
         if (!safe)
             continue;
         m.normal = glm::vec4(glm::vec3(n), alpha2);

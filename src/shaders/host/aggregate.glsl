@@ -62,6 +62,10 @@ void agaa_putField(inout uint words[AGAA_WORDS], uint field, float value) {
     words[field & 0xFFu] |= agaa_quantise(value, field >> 16) << (field >> 8 & 0xFFu);
 }
 
+void agaa_putSigned(inout uint words[AGAA_WORDS], uint field, float value) {
+    words[field & 0xFFu] |= agaa_signedCode(value, field >> 16) << (field >> 8 & 0xFFu);
+}
+
 void agaa_packSurface(AgaaSurfaceInput s, inout uint words[AGAA_WORDS]) {
     vec3 n = s.normal;
 #if AGAA_FOLDED_ROUGHNESS
@@ -74,7 +78,7 @@ void agaa_packSurface(AgaaSurfaceInput s, inout uint words[AGAA_WORDS]) {
     vec3 e = s.emissive / AGAA_EMISSIVE_RANGE;
     if (AGAA_EMISSIVE_CHANNELS == 1u)
         e.x = agaa_scalarEmissive(s);
-    agaa_putFields(words, s.diffuse, specular, n * 0.5 + 0.5, s.alpha2, e);
+    agaa_putFields(words, s.diffuse, specular, n, s.alpha2, e);
 }
 
 void agaa_emit(AgaaSurfaceInput s) {

@@ -150,12 +150,16 @@ real agaa_meanOfSum(uint sum, uint count, uint bits) {
     return mean;
 }
 
-real agaa_signedToUnorm(real v) {
-    return v * real(0.5) + real(0.5);
-}
-
-real agaa_unormToSigned(real u) {
-    return u * real(2.0) - real(1.0);
+// The mean, in [-1, 1], of `count` signed codes whose integer sum is `sum`. No sample, no mean: 0. The
+// centres are taken off as integers, so that a mean of zeros is exactly 0.
+real agaa_signedMeanOfSum(uint sum, uint count, uint bits) {
+    real mean = real(0.0);
+    if (count > 0u) {
+        const uint centre = 1u << (clamp(bits, 2u, 24u) - 1u);
+        const int above = int(sum) - int(count * centre);
+        mean = clamp(real(above) / (real(count) * real(centre - 1u)), real(-1.0), real(1.0));
+    }
+    return mean;
 }
 
 // ---- colour ----------------------------------------------------------------------------------

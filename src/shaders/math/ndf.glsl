@@ -46,10 +46,10 @@ real agaa_toksvigAlpha2(real alpha2, real meanLength) {
 }
 
 // How far the length of a mean of stored unit normals can be from 1 by rounding alone: each of
-// three components is off by half a step of 2/(2^bits-1), once if integer codes are summed exactly
+// three components is off by half a step of its signed code, 2/(2^bits-2), once if integer codes are summed exactly
 // (roundings = 1), n times if a blender rounds after each of n additions (roundings = n).
 real agaa_storedLengthBound(uint roundings, uint bits) {
-    return real(1.7320508075688772) * real(roundings) / real(agaa_maxCode(bits));
+    return real(1.7320508075688772) * real(roundings) / real(max(agaa_maxCode(bits), 2u) - 1u);
 }
 
 // The mean length with a deficit 1-L up to `bound` taken for rounding: deficit' =

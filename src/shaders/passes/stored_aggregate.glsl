@@ -28,14 +28,15 @@ uint agaa_coverage() {
 }
 
 float agaa_mean(uint field) { return agaa_meanOfSum(agaa_field(field), 1u, field >> 16); }
+float agaa_signedMean(uint field) { return agaa_signedMeanOfSum(agaa_field(field), 1u, field >> 16); }
 #else
 uint agaa_coverage() { return agaa_field(AGAA_FIELD_COVERAGE); }
 
 // Sums take log2(n) bits more than one fragment's value.
-float agaa_mean(uint field) {
-    uint growth = uint(findMSB(AGAA_SAMPLES));
-    return agaa_meanOfSum(agaa_field(field + (growth << 16)), agaa_count_, field >> 16);
-}
+uint agaa_sum(uint field) { return agaa_field(field + (uint(findMSB(AGAA_SAMPLES)) << 16)); }
+
+float agaa_mean(uint field) { return agaa_meanOfSum(agaa_sum(field), agaa_count_, field >> 16); }
+float agaa_signedMean(uint field) { return agaa_signedMeanOfSum(agaa_sum(field), agaa_count_, field >> 16); }
 #endif
 
 vec3 agaa_mean3(uint r, uint g, uint b) { return vec3(agaa_mean(r), agaa_mean(g), agaa_mean(b)); }
@@ -44,7 +45,8 @@ agaa_Means agaa_aggregateMeans() {
     agaa_Means m;
     m.moments = agaa_NormalMoments(vec3(0.0), vec3(0.0)); // memory has no place for them
     m.diffuse = agaa_mean3(AGAA_FIELD_DIFFUSE_R, AGAA_FIELD_DIFFUSE_G, AGAA_FIELD_DIFFUSE_B);
-    m.normal = agaa_mean3(AGAA_FIELD_NORMAL_X, AGAA_FIELD_NORMAL_Y, AGAA_FIELD_NORMAL_Z) * 2.0 - 1.0;
+    m.normal = vec3(agaa_signedMean(AGAA_FIELD_NORMAL_X), agaa_signedMean(AGAA_FIELD_NORMAL_Y),
+                    agaa_signedMean(AGAA_FIELD_NORMAL_Z));
     m.lengthBound = agaa_storedLengthBound(1u, AGAA_FIELD_NORMAL_X >> 16);
     m.specular = vec3(0.0);
     m.alpha2 = 1.0;

@@ -17,10 +17,14 @@ void agaa_clearSums() {
         agaa_sums[w] = 0u;
 }
 
-void agaa_addToSum(uint field, float value, uint count) {
+void agaa_addCode(uint field, uint code, uint count) {
     if (field >> 16 != 0u)
-        agaa_sums[field & 0xFFu] += agaa_quantise(value, field >> 16) * count << (field >> 8u & 0xFFu);
+        agaa_sums[field & 0xFFu] += code * count << (field >> 8u & 0xFFu);
 }
+
+void agaa_addToSum(uint field, float value, uint count) { agaa_addCode(field, agaa_quantise(value, field >> 16), count); }
+
+void agaa_addSigned(uint field, float value, uint count) { agaa_addCode(field, agaa_signedCode(value, field >> 16), count); }
 
 void agaa_addToSums3(uint x, uint y, uint z, vec3 value, uint count) {
     agaa_addToSum(x, value.x, count);
@@ -36,7 +40,9 @@ void agaa_addToSums(agaa_Surface s, vec3 storedEmissive, uint count) {
     vec3 specular = AGAA_YCBCR_SPECULAR != 0u ? agaa_rgbToYCbCr(s.specular) : s.specular;
     agaa_addToSums3(AGAA_FIELD_DIFFUSE_R, AGAA_FIELD_DIFFUSE_G, AGAA_FIELD_DIFFUSE_B, s.diffuse, count);
     agaa_addToSums3(AGAA_FIELD_SPECULAR_R, AGAA_FIELD_SPECULAR_G, AGAA_FIELD_SPECULAR_B, specular, count);
-    agaa_addToSums3(AGAA_FIELD_NORMAL_X, AGAA_FIELD_NORMAL_Y, AGAA_FIELD_NORMAL_Z, n * 0.5 + 0.5, count);
+    agaa_addSigned(AGAA_FIELD_NORMAL_X, n.x, count);
+    agaa_addSigned(AGAA_FIELD_NORMAL_Y, n.y, count);
+    agaa_addSigned(AGAA_FIELD_NORMAL_Z, n.z, count);
     agaa_addToSum(AGAA_FIELD_ROUGHNESS, s.alpha2, count);
     agaa_addToSums3(AGAA_FIELD_EMISSIVE_R, AGAA_FIELD_EMISSIVE_G, AGAA_FIELD_EMISSIVE_B, storedEmissive, count);
 }

@@ -26,7 +26,15 @@ uint32_t code(double value, uint32_t bits) {
     return uint32_t(std::floor(std::min(std::max(value, 0.0), 1.0) * top + 0.5));
 }
 
-// The channels of a material as the layout stores them, in [0,1]. Written from the description of the
+// Of a value in [-1,1]: 0 has a code of its own.
+uint32_t signedCode(double value, uint32_t bits) {
+    const double middle = double(1u << (bits - 1));
+    return uint32_t(std::floor(std::min(std::max(value, -1.0), 1.0) * (middle - 1) + 0.5) + middle);
+}
+
+bool isSigned(size_t channel) { return channel >= ChannelNormalX && channel <= ChannelNormalZ; }
+
+// The channels of a material as the layout stores them, in [0,1], or in [-1,1] of a normal. Written from the description of the
 // layouts, not from the shader.
 std::array<double, ChannelCount> channels(const Material& m, const Layout& layout) {
     std::array<double, ChannelCount> v{};
@@ -43,7 +51,7 @@ std::array<double, ChannelCount> channels(const Material& m, const Layout& layou
     for (int i = 0; i < 3; ++i) {
         v[size_t(ChannelDiffuseR + i)] = d[i];
         v[size_t(ChannelSpecularR + i)] = s[i];
-        v[size_t(ChannelNormalX + i)] = n[i] * length * 0.5 + 0.5;
+        v[size_t(ChannelNormalX + i)] = n[i] * length;
         v[size_t(ChannelEmissiveR + i)] = std::min(e[i], range) / range;
     }
     v[ChannelRoughness] = alpha2;
@@ -107,7 +115,8 @@ void expectExactSums(StageContext& context, const Case& c, const std::vector<Tri
                     const auto values = channels(scene[triangle].material, plan.layout);
                     for (size_t k = 0; k < ChannelCount; ++k)
                         if (packing.fields[k].bits)
-                            sums[k] += code(values[k], packing.fields[k].bits);
+                            sums[k] += isSigned(k) ? signedCode(values[k], packing.fields[k].bits)
+                                                   : code(values[k], packing.fields[k].bits);
                 }
                 covered += size_t(std::popcount(mask));
                 const uint32_t* own = &words[(pixel * count + a) * packing.words];

@@ -22,7 +22,7 @@ ViewSettings settingsFor(uint32_t n, uint32_t c, const AgaaLayout* layout = null
     return settings;
 }
 
-// Values of a sample by channel, in [0,1], as the aggregates' fields take them.
+// Values of a sample by channel, in [0,1], or in [-1,1] of a normal.
 std::array<double, ChannelCount> storedValues(
     const Layout& layout, const GBufferPacking& packing,
     const std::vector<std::vector<glm::uvec4>>& attachments, size_t sample) {
@@ -39,7 +39,7 @@ std::array<double, ChannelCount> storedValues(
                                packing.fields[ChannelNormalX].bits) *
         (layout.foldsRoughness() ? math_d::agaa_foldedLength(alpha2) : 1.0);
     for (int i = 0; i < 3; ++i)
-        out[size_t(ChannelNormalX + i)] = n[i] * 0.5 + 0.5;
+        out[size_t(ChannelNormalX + i)] = n[i];
     if (layout.specularIsYCbCr()) {
         const glm::dvec3 c = math_d::agaa_rgbToYCbCr(
             {raw[ChannelSpecularR], raw[ChannelSpecularG], raw[ChannelSpecularB]});
@@ -47,6 +47,14 @@ std::array<double, ChannelCount> storedValues(
             out[size_t(ChannelSpecularR + i)] = c[i];
     }
     return out;
+}
+
+// As the aggregates' fields take it.
+double codeOf(size_t channel, double value, uint32_t bits) {
+    if (channel < ChannelNormalX || channel > ChannelNormalZ)
+        return std::floor(std::min(std::max(value, 0.0), 1.0) * double((1u << bits) - 1) + 0.5);
+    const double middle = double(1u << (bits - 1));
+    return std::floor(std::min(std::max(value, -1.0), 1.0) * (middle - 1) + 0.5) + middle;
 }
 
 void expectSums(StageContext& context, uint32_t n, uint32_t c, const char* layoutName) {
@@ -87,9 +95,8 @@ void expectSums(StageContext& context, uint32_t n, uint32_t c, const char* layou
                     mask |= 1u << i;
                     const auto values = storedValues(plan.layout, source, attachments, s);
                     for (size_t k = 0; k < ChannelCount; ++k)
-                        sums[k] += std::floor(
-                            std::min(std::max(values[k], 0.0), 1.0) *
-                                double((1u << packing.fields[k].bits) - 1) + 0.5);
+                        if (packing.fields[k].bits)
+                            sums[k] += codeOf(k, values[k], packing.fields[k].bits);
                 }
                 covered += size_t(std::popcount(mask));
                 const uint32_t* own = &words[(pixel * plan.aggregates + a) * packing.words];

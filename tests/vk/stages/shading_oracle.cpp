@@ -54,20 +54,25 @@ ShadingOracle::Shaded ShadingOracle::aggregate(const uint32_t* words, uint32_t c
     const Plan& plan = view_.plan();
     const AggregatePacking packing = packAggregate(plan.layout, plan.samples);
     const uint32_t growth = uint32_t(std::bit_width(plan.samples) - 1);
+    const auto sumOf = [&](const Field& f) {
+        return double(uint64_t(words[f.word]) >> f.shift & ((uint64_t(1) << (f.bits + growth)) - 1));
+    };
     const auto mean = [&](uint32_t channel) {
         const Field& f = packing.fields[channel];
-        if (!f.bits)
-            return 0.0;
-        const uint32_t bits = f.bits + growth;
-        const uint64_t sum = uint64_t(words[f.word]) >> f.shift & ((uint64_t(1) << bits) - 1);
-        return double(sum) / (double(count) * double((1u << f.bits) - 1));
+        return f.bits ? sumOf(f) / (double(count) * double((1u << f.bits) - 1)) : 0.0;
+    };
+    // Around a code in the middle that stands for 0.
+    const auto signedMean = [&](uint32_t channel) {
+        const Field& f = packing.fields[channel];
+        const double middle = double(1u << (f.bits - 1));
+        return (sumOf(f) / double(count) - middle) / (middle - 1);
     };
     const auto mean3 = [&](uint32_t first) {
         return glm::dvec3(mean(first), mean(first + 1), mean(first + 2));
     };
     Shaded s;
     s.diffuse = mean3(ChannelDiffuseR);
-    const glm::dvec3 normal = mean3(ChannelNormalX) * 2.0 - 1.0;
+    const glm::dvec3 normal(signedMean(ChannelNormalX), signedMean(ChannelNormalY), signedMean(ChannelNormalZ));
     double length = 0;
     math_d::agaa_meanDirection(normal, toEye, s.normal, length);
     s.meanLength = math_d::agaa_varianceFloor(
