@@ -1,4 +1,5 @@
 // Bounds, and the camera and lights of scenes that bring none.
+#include "render/camera_matrices.h"
 #include "scene_support.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -62,6 +63,26 @@ TEST(Bounds, CoverRotatedAndMirroredInstances) {
     EXPECT_DOUBLE_EQ(scene.boundsMax.x, 1e6 + 1);
     EXPECT_DOUBLE_EQ(scene.boundsMax.z, 2);
     EXPECT_EQ(scene.placedTriangles(), 8u);
+}
+
+// A stray vertex or instance is drawn, but it sets neither the view nor the shadows.
+TEST(Bounds, LeaveOutStrayVerticesAndInstances) {
+    const Scene sane = sheet({-3, 0, -3}, {3, 2, 3});
+    Scene vertex = sane, instance = sane;
+    vertex.vertices.push_back({});
+    vertex.vertices.back().position = {1e12f, -1e12f, 1e12f};
+    ++vertex.meshes[0].vertexCount;
+    updateBounds(vertex);
+    for (const glm::dvec3& offset : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(1e12, 0, 0)})
+        instance.instances.push_back({0, glm::translate(glm::dmat4(1), offset)});
+    updateBounds(instance);
+    EXPECT_EQ(vertex.boundsMin, sane.boundsMin);
+    EXPECT_EQ(vertex.boundsMax, sane.boundsMax);
+    EXPECT_EQ(vertex.meshes[0].boundsMax.x, 1e12f) << "culling needs all vertices";
+    EXPECT_EQ(instance.boundsMax, glm::dvec3(4, 3, 3));
+    RenderSettings settings;
+    settings.camera = defaultCamera(vertex);
+    EXPECT_LT(cameraMatrices(vertex, settings, ClipY::Down).farPlane, 100);
 }
 
 TEST(Bounds, OfAnEmptySceneAreZero) {

@@ -99,13 +99,14 @@ struct Scene {
     std::vector<Texture> textures;
     std::vector<Light> lights;
     std::vector<Camera> cameras;
-    glm::dvec3 boundsMin{0}; // world space, over all instances
+    glm::dvec3 boundsMin{0}; // world space, over all instances, without stray vertices
     glm::dvec3 boundsMax{0};
 
     uint64_t placedTriangles() const;
 };
 
-// Recomputes Mesh bounds and the scene's bounds from its vertices and instances.
+// Recomputes Mesh bounds and the scene's bounds from its vertices and instances. The scene's bounds leave out vertices and
+// instances that are 2^24 times as far from the others as those are from each other; Mesh bounds have all.
 void updateBounds(Scene& scene);
 
 // Frames the whole scene from a three-quarter view, whatever its size and position.
