@@ -27,7 +27,7 @@ void main() {
     const uint id = gl_GlobalInvocationID.x;
     const vec4 x = inputs[id];
     uint bad = 0u;
-    vec3 v = agaa_sanitise3(x.xyz, 0.0, 65504.0, bad);
+    vec3 v = agaa_sanitise3(x.xyz, 0.0, 65504.0, bad) + agaa_sanitiseEmission(x.yzw, x.x, bad);
     vec3 t;
     vec3 b;
     agaa_viewBasis(normalize(v), t, b);

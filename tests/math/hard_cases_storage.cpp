@@ -251,6 +251,14 @@ TEST(HardCase37_BadMaterial, SanitisedAndCounted) {
         EXPECT_NEAR(glm::length(math_f::agaa_sanitiseNormal({x, 0.5f * x, -x}, flag)), 1, 1e-6) << x;
         EXPECT_EQ(flag, 0u) << x;
     }
+    // Emission beyond the range keeps its hue, whatever its size.
+    for (const float size : {1.0f, 4.0f, 1e30f}) {
+        unsigned flag = 0;
+        const glm::vec3 e = math_f::agaa_sanitiseEmission(glm::vec3(0.5f, 8, 2) * size, 16.0f, flag);
+        EXPECT_EQ(e, size > 2 ? glm::vec3(1, 16, 4) : glm::vec3(0.5f, 8, 2));
+        EXPECT_EQ(math_f::agaa_sanitiseEmission({nanF(), 32 * size, -size}, 16.0f, flag), glm::vec3(0, 16, 0));
+        EXPECT_EQ(flag, 1u);
+    }
     // A flag that is set stays set.
     unsigned flag = 1;
     math_f::agaa_sanitise(0.5f, 0.0f, 1.0f, flag);

@@ -198,6 +198,20 @@ TEST(Gltf, TexturesAreSharedByImageWrapAndColourSpace) {
     EXPECT_EQ(scene.textures[size_t(b.emissiveTexture)].wrapV, Wrap::Mirror);
 }
 
+// A strength that no float holds is as bright as half floats can be, in the same hue.
+TEST(Gltf, InfiniteEmissionIsTheBrightest) {
+    GltfFile file;
+    const int p = file.add(kSquare, "VEC3", kFloat);
+    for (const char* strength : {"1e39", "1e9", "1e300"}) {
+        const Scene scene = loadGltf(file.writeGltf(
+            "bright", oneNode(R"("mode":5,"material":0,"attributes":{"POSITION":)" + str(p) + "}") +
+                          R"(,"extensionsUsed":["KHR_materials_emissive_strength"],"materials":[{)"
+                          R"("emissiveFactor":[1,0.5,0],"extensions":{"KHR_materials_emissive_strength":)"
+                          R"({"emissiveStrength":)" + strength + "}}}]"));
+        EXPECT_EQ(scene.materials[0].emissive, glm::vec3(65504, 32752, 0)) << strength;
+    }
+}
+
 TEST(Gltf, TangentsAreGeneratedForNormalMaps) {
     GltfFile file;
     const int position = file.add(kSquare, "VEC3", kFloat);

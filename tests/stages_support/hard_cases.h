@@ -343,6 +343,18 @@ TYPED_TEST_P(HardCases, LightsInThePlaneOfASurfaceDoNotReachIt) {
         }
 }
 
+// Emission beyond the layout's range of 16 keeps its hue.
+TYPED_TEST_P(HardCases, BrightEmissionKeepsItsHue) {
+    Material m = facing({0, 0, 0});
+    m.emissive = glm::vec4(64, 32, 16, 0);
+    for (const Setting& s : hardSettings) {
+        const Shown r = this->render(pixelView(s), rectangle(0, 0, 32, 16, 5, m), {});
+        for (int i = 0; i < 3; ++i)
+            ASSERT_NEAR(r.rgb[size_t(i)], 16.0f / float(1 << i), 0.05f) << s;
+        EXPECT_EQ(r.counters.sanitised, 0u) << "finite values are not counted";
+    }
+}
+
 REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
                             HardCase17GeometryAtTheFarPlaneIsSeen,
                             HardCase19OneCoveredSampleIsThatSample, HardCase32ADarkRampSurvives,
@@ -350,6 +362,7 @@ REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
                             HardCase4OpposedNormalsCancel, HardCase39And40LightsInSurfaces,
                             HardCase48And50DegenerateTriangles, HardCase55OddSizesAreWhole,
                             WithoutSpecularLightIsDiffuse, NormalsWithoutADirectionFaceAlongZ,
-                            MirrorsAlongAnAxisKeepTheirPeak, LightsInThePlaneOfASurfaceDoNotReachIt);
+                            MirrorsAlongAnAxisKeepTheirPeak, LightsInThePlaneOfASurfaceDoNotReachIt,
+                            BrightEmissionKeepsItsHue);
 
 } // namespace agaa::test

@@ -1,5 +1,6 @@
 #include "scene/gltf_reader.h"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -67,6 +68,19 @@ private:
     std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
 };
 
+// Numbers of a file may be infinite as a float.
+float finiteFloat(double value) {
+    return float(std::clamp(value, -1e15, 1e15));
+}
+
+// Emission that half floats cannot hold keeps its hue: its largest channel becomes their maximum.
+glm::vec3 scaledEmission(const glm::vec3& factor, float strength) {
+    constexpr double brightest = 65504;
+    const glm::dvec3 emission = glm::dvec3(factor) * double(strength);
+    const double largest = std::max({emission.r, emission.g, emission.b});
+    return glm::vec3(largest > brightest ? emission * (brightest / largest) : emission);
+}
+
 Material materialOf(const tinygltf::Material& source, TextureTable& textures) {
     Material material;
     material.name = source.name;
@@ -76,10 +90,12 @@ Material materialOf(const tinygltf::Material& source, TextureTable& textures) {
     material.metallic = float(pbr.metallicFactor);
     material.roughness = float(pbr.roughnessFactor);
     for (int i = 0; i < 3 && size_t(i) < source.emissiveFactor.size(); ++i)
-        material.emissive[i] = float(source.emissiveFactor[size_t(i)]);
+        material.emissive[i] = finiteFloat(source.emissiveFactor[size_t(i)]);
+    float emissiveStrength = 1;
     const auto strength = source.extensions.find("KHR_materials_emissive_strength");
     if (strength != source.extensions.end() && strength->second.Has("emissiveStrength"))
-        material.emissive *= float(strength->second.Get("emissiveStrength").GetNumberAsDouble());
+        emissiveStrength = finiteFloat(strength->second.Get("emissiveStrength").GetNumberAsDouble());
+    material.emissive = scaledEmission(material.emissive, emissiveStrength);
     material.alphaMode = source.alphaMode == "MASK"    ? AlphaMode::Mask
                          : source.alphaMode == "BLEND" ? AlphaMode::Blend
                                                        : AlphaMode::Opaque;

@@ -16,7 +16,7 @@ struct AgaaSurfaceInput {
     uint primitive;       // of the draw, as gl_PrimitiveID counts
     vec3 diffuse;         // [0,1]
     vec3 specular;        // reflectance at normal incidence, [0,1]
-    vec3 emissive;        // radiance, [0,range of the layout]
+    vec3 emissive;        // radiance, [0,range of the layout]; brighter: scaled to that, in the same hue
     vec3 normal;          // shading normal, unit
     float alpha2;         // [4.1e-6,1]
 };
@@ -133,7 +133,7 @@ uint agaa_sanitiseSurface(inout AgaaSurfaceInput s, float emissiveRange) {
     uint bad = 0u;
     s.diffuse = agaa_sanitise3(s.diffuse, 0.0, 1.0, bad);
     s.specular = agaa_sanitise3(s.specular, 0.0, 1.0, bad);
-    s.emissive = agaa_sanitise3(s.emissive, 0.0, emissiveRange, bad);
+    s.emissive = agaa_sanitiseEmission(s.emissive, emissiveRange, bad);
     s.alpha2 = agaa_sanitise(s.alpha2, agaa_minAlpha2(), 1.0, bad);
     s.normal = agaa_sanitiseNormal(s.normal, bad);
     return bad;

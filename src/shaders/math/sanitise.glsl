@@ -32,4 +32,17 @@ rvec3 agaa_sanitise3(rvec3 v, real lo, real hi, INOUT(uint) bad) {
     return result;
 }
 
+// Radiance in [0, range]. Brighter emission is scaled as a whole, so that its largest channel is `range`:
+// clamping each channel would shift its hue.
+rvec3 agaa_sanitiseEmission(rvec3 v, real range, INOUT(uint) bad) {
+    const rvec3 e = agaa_sanitise3(v, real(0.0), real(3.0e38), bad);
+    const real largest = max(e.x, max(e.y, e.z));
+    rvec3 result = e;
+    if (largest > range) {
+        const rvec3 hue = rvec3(e.x / largest, e.y / largest, e.z / largest);
+        result = rvec3(hue.x * range, hue.y * range, hue.z * range);
+    }
+    return result;
+}
+
 #endif
