@@ -65,6 +65,43 @@ TYPED_TEST_P(IdsCases, ShowWhatTwoPassesShow) {
     }
 }
 
+// Four large surfaces that lean away from the eye: nearly all pixels show one primitive.
+inline std::vector<Triangle> leaningSurfaces() {
+    std::vector<Triangle> list;
+    for (int i = 0; i < 4; ++i) {
+        Triangle t;
+        const float x = float(i) - 2, far = 6 + float(i);
+        t.position[0] = {x, -2, -2};
+        t.position[1] = {x + 1.2f, -2, -2.5f};
+        t.position[2] = {2 * x, 3, -far};
+        t.material.geometricNormal = glm::vec4(planeNormal(t), 0);
+        t.material.normal = glm::vec4(planeNormal(t), 0.3f);
+        list.push_back(t);
+    }
+    return list;
+}
+
+// Pixels of one primitive are grouped like all others where surfaces may be split.
+TYPED_TEST_P(IdsCases, SplitSurfacesAreGroupedAsByTwoPasses) {
+    const Shot shot{.triangles = leaningSurfaces(), .change = addAmbient};
+    const auto rendered = [&](uint32_t tier, uint64_t flags) {
+        ViewSettings settings = idsSettings(8, 2, tier, flags);
+        settings.config.characteristicLength = 0.02f;
+        settings.config.characteristicLengthPerDistance = 0;
+        return this->render(settings, shot);
+    };
+    const Shown twice = rendered(AGAA_TIER_AUTO, AGAA_CONFIG_SPLIT_SURFACES);
+    const double events = double(twice.counters.shadingEvents);
+    EXPECT_GT(events, 1.5 * double(rendered(AGAA_TIER_IDS, 0).counters.shadingEvents)) << "there is something to split";
+    for (const uint64_t flag : {uint64_t(0), AGAA_CONFIG_BUFFERED}) {
+        const Shown ids = rendered(AGAA_TIER_IDS, flag | AGAA_CONFIG_SPLIT_SURFACES);
+        EXPECT_NEAR(double(ids.counters.shadingEvents), events, 0.01 * events) << (flag ? "buffered" : "at once");
+        EXPECT_EQ(ids.counters.once, ids.counters.visible);
+        EXPECT_EQ(ids.counters.visible, twice.counters.visible);
+        EXPECT_GE(compare(ids.rgb, twice.rgb).psnr, 60);
+    }
+}
+
 // What is kept in memory between the passes, and where some triangles come from, does not change
 // the image.
 TYPED_TEST_P(IdsCases, BufferedAndUnfetchedShowTheSame) {
@@ -255,7 +292,8 @@ TYPED_TEST_P(IdsCases, MaterialsThatAreNotFiniteAreContained) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(IdsCases, ShowWhatTwoPassesShow, BufferedAndUnfetchedShowTheSame,
+REGISTER_TYPED_TEST_SUITE_P(IdsCases, ShowWhatTwoPassesShow, SplitSurfacesAreGroupedAsByTwoPasses,
+                            BufferedAndUnfetchedShowTheSame,
                             UnfetchedSamplesThatAreNotDrawnAreMissed,
                             CountersTellPrimitivesAndMaterials,
                             MorePrimitivesThanATileListsAreAllShown, InstancesAreDrawsOfTheirOwn,

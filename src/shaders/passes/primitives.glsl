@@ -190,8 +190,7 @@ void agaa_takeAll(uvec2 pixel, uint covered) {
             for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
                 agaa_masks[lane * AGAA_AGGREGATES + a] = a == 0u ? covered : 0u;
         }
-        // Of one primitive there is nothing to group: what its normal turns by widens the lobe.
-        bool groups = turn && primitives > 1u && AGAA_AGGREGATES > 1u;
+        bool groups = turn && AGAA_AGGREGATES > 1u && (primitives > 1u || agaa_splitsSurfaces());
         if (groups)
             agaa_many[atomicAdd(agaa_manyCount, 1u)] = lane;
         waits = waits && !turn;

@@ -39,6 +39,10 @@ bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 }
 #endif
 
+// Whether samples of one plane may be in several aggregates (AGAA_CONFIG_SPLIT_SURFACES): the planner then asks for a
+// cosine that no two normals have.
+bool agaa_splitsSurfaces() { return AGAA_AGGREGATES > 1u && agaa_frame.surface.x > 1.0; }
+
 struct agaa_PixelSamples {
     uint covered;
     float nearest;  // distance

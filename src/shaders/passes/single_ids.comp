@@ -1,5 +1,5 @@
-// Pixels of one primitive, whose samples make one aggregate, shaded at once; those of several are left to the pass that
-// groups them.
+// Shades pixels of one primitive, whose samples make one aggregate. Pixels that show several primitives, or whose
+// surfaces may be split, are left to the pass that groups samples.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_MAX_SAMPLES AGAA_SAMPLES
@@ -57,6 +57,7 @@ void agaa_sortTile(uvec2 tile) {
         id = own != 0u ? own : id;
         samples |= own != 0u ? 1u << i : 0u;
     } while (++i < agaa_sampleCount());
+    isOne = isOne && !(agaa_splitsSurfaces() && bitCount(samples) > 1);
     if (samples == 0u && isInside)
         agaa_writePixel(pixel, agaa_PixelWork(0u, 0u, 0u), vec3(0.0));
     if (samples != 0u && isOne) {
