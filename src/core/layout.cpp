@@ -1,6 +1,7 @@
 #include "core/layout.h"
 
 #include "core/error.h"
+#include "core/validate.h"
 
 #include <algorithm>
 #include <bit>
@@ -125,6 +126,7 @@ static constexpr uint32_t firstChannel[] = {ChannelDiffuseR, ChannelSpecularR, C
                                             ChannelRoughness, ChannelEmissiveR};
 
 AggregatePacking packAggregate(const Layout& layout, uint32_t samples) {
+    checkSampleCount(samples, "the number of samples in an aggregate");
     const uint32_t growth = uint32_t(std::countr_zero(samples));
     AggregatePacking packing;
     struct Piece {

@@ -68,7 +68,8 @@ AgaaLayout builtinLayout(const char* name); // throws for unknown names
 Layout reduceLayout(Layout layout, uint64_t factFlags);
 
 // Sums of n fragments in 32-bit words. A field has bits + log2(n) bits, so that n values of full scale
-// do not carry into the next (hard case 36); a coverage mask of n bits is one more field.
+// do not carry into the next (hard case 36); a coverage mask of n bits is one more field. Numbers that are no
+// power of two, or above 32, throw AGAA_ERROR_OUT_OF_RANGE: log2(n) bits do not hold their sums.
 struct AggregatePacking {
     uint32_t words = 0;
     Fields fields;

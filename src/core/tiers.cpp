@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/planner.h"
+#include "core/validate.h"
 
 #include <bit>
 #include <cstring>
@@ -38,6 +39,7 @@ static VisibilityChoice scaledTarget(const AgaaDeviceCaps& caps, uint32_t sample
 }
 
 VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced) {
+    checkSampleCount(samples, "the number of samples per pixel");
     VisibilityChoice choice;
     if (forced == AGAA_TIER_NATIVE || forced == AGAA_TIER_AUTO) {
         if (hasSamples(caps, samples)) {
@@ -58,6 +60,7 @@ VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, 
 
 GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples, uint32_t forced,
                                   bool customDepth) {
+    checkSampleCount(hwSamples, "the number of samples per texel");
     GenerationChoice choice;
     const auto accept = [&](AgaaTier tier, float price, const char* reason) {
         choice.tier = tier;

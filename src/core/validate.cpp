@@ -59,6 +59,11 @@ void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name) {
                     static_cast<unsigned long long>(low), static_cast<unsigned long long>(high)));
 }
 
+void checkSampleCount(uint32_t samples, const char* name) {
+    if (samples < 1 || samples > 32 || !std::has_single_bit(samples))
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("%s is %u, not one of 1, 2, 4, 8, 16, 32.", name, samples));
+}
+
 void checkHeaderVersion(uint32_t version) {
     if ((version >> 12) != (AGAA_HEADER_VERSION >> 12))
         fail(AGAA_ERROR_VERSION,
@@ -71,9 +76,7 @@ AgaaConfig checkConfig(const AgaaConfig* pointer) {
     require(config.technique, AGAA_ERROR_INVALID_ARGUMENT, "AgaaConfig::technique is null.");
     if (!findTechnique(config.technique))
         fail(AGAA_ERROR_UNSUPPORTED, format("no technique is called \"%.64s\".", config.technique));
-    if (config.samples < 1 || config.samples > 32 || !std::has_single_bit(config.samples))
-        fail(AGAA_ERROR_OUT_OF_RANGE,
-             format("AgaaConfig::samples is %u, not one of 1, 2, 4, 8, 16, 32.", config.samples));
+    checkSampleCount(config.samples, "AgaaConfig::samples");
     checkRange(uint64_t(config.aggregates), 1, 6, "AgaaConfig::aggregates");
     checkRange(uint64_t(config.brdf), 0, AGAA_BRDF_GGX, "AgaaConfig::brdf");
     checkRange(uint64_t(config.ndf), 0, AGAA_NDF_SGGX, "AgaaConfig::ndf");

@@ -28,6 +28,8 @@ inline void checkFinite(float value, const char* name) {
 }
 
 void checkRange(double value, double low, double high, const char* name);
+// The numbers of samples a pixel that sums, coverage masks and targets are made for.
+void checkSampleCount(uint32_t samples, const char* name);
 void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name);
 
 // The version that a host was built for.

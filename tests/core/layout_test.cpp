@@ -54,6 +54,18 @@ TEST(Layout, AggregateFieldsNeverOverlapOrCarry) {
     }
 }
 
+// 9 values of full scale do not fit log2(8) bits of growth.
+TEST(Layout, RefusesNumbersOfSamplesWhoseSumsWouldCarry) {
+    for (uint32_t samples : {0u, 3u, 6u, 9u, 12u, 31u, 33u, 64u})
+        try {
+            packAggregate(builtin("precise"), samples);
+            ADD_FAILURE() << samples;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, AGAA_ERROR_OUT_OF_RANGE) << samples;
+            EXPECT_NE(error.message.find(" is " + std::to_string(samples) + ", not one of"), std::string::npos);
+        }
+}
+
 TEST(Layout, Paper16AggregatesTakeTwentyTwentyFourAndThirtyTwoBytes) {
     const Layout layout = builtin("paper16");
     EXPECT_EQ(packAggregate(layout, 8).bytes(), 20u);

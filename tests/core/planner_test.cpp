@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/host_glsl.h"
 #include "core/sample_patterns.h"
+#include "core/tiers.h"
 
 #include <gtest/gtest.h>
 
@@ -31,6 +32,24 @@ TEST(Planner, ScaledTargetsGiveTheAskedSamplesOnAFourSampleDevice) {
     ViewSpec four;
     four.samples = 4;
     EXPECT_EQ(planFor(four, fourSampleDevice()).visibilityTier, AGAA_TIER_NATIVE);
+}
+
+// A bit of AgaaDeviceCaps::sampleCounts names a power of two only.
+TEST(Planner, TiersRefuseNumbersOfSamplesThatNoTargetHas) {
+    const auto expectRefused = [](uint32_t samples, const auto& choose) {
+        try {
+            choose();
+            ADD_FAILURE() << samples;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, AGAA_ERROR_OUT_OF_RANGE) << samples;
+            EXPECT_NE(error.message.find("not one of 1, 2, 4, 8, 16, 32"), std::string::npos) << error.message;
+        }
+    };
+    for (uint32_t samples : {0u, 3u, 9u, 24u, 64u})
+        for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET}) {
+            expectRefused(samples, [&] { chooseVisibility(idealDevice(), samples, tier); });
+            expectRefused(samples, [&] { chooseGeneration(idealDevice(), samples, AGAA_TIER_AUTO, false); });
+        }
 }
 
 TEST(Planner, SamplesLieApartInsideThePixel) {
