@@ -148,7 +148,9 @@ typedef struct AgaaConfig {
     uint32_t brdf;            /* AgaaBrdf */
     uint32_t ndf;             /* AgaaNdf */
     float characteristicLength;            /* k of equation 1, in host units, [0;inf) */
-    float characteristicLengthPerDistance; /* k is at least this times the distance, [0;1]; k > 0 */
+    float characteristicLengthPerDistance; /* k is at least this times the distance of the pixel's nearest sample,
+                                              [0;1]; k > 0. In an orthographic view, half the view's width stands for
+                                              the distance, as in a perspective view of 90 degrees. */
     float aggregateThreshold; /* t: a further aggregate must be farther than this, [0;1e6] */
     /* What counts as one surface: shaded once by "simple_complex" and "sbaa", one aggregate of "agaa". 0: as the
      * technique has it. */

@@ -54,7 +54,7 @@ void main() {
     acc.y += agaa_chebyshevVisibility(x.x, x.y, x.z, 1e-6);
     const float z = agaa_viewZFromDepth(x.x, x.y, x.z, bad);
     acc.z += agaa_depthQuantum(z, x.x, x.y, x.z, bad, 1e-6);
-    acc.z += agaa_characteristicLength(x.x, x.y, z);
+    acc.z += agaa_characteristicLength(x.x, x.y, agaa_scaleDistance(z, x.z, bad));
     acc += agaa_viewPosition(x.xy, z, x.x, x.y, x.z, x.w, bad);
     agaa_Surface s;
     s.diffuse = v;

@@ -58,6 +58,13 @@ rvec3 agaa_viewPosition(rvec2 ndc, real z, real p00, real p11, real offsetX, rea
     return p;
 }
 
+// The distance that lengths in a view scale with. An orthographic view has the same scale everywhere, and
+// its eye is an arbitrary point: half the view's width stands for the distance, as in a perspective view
+// of 90 degrees.
+real agaa_scaleDistance(real fromEye, real p00, uint orthographic) {
+    return orthographic != 0u ? abs(agaa_guardedReciprocal(p00)) : fromEye;
+}
+
 // The characteristic length for Equation 1 at this distance: k, or perDistance * distance where that is
 // more (0 keeps k). What a step of the depth buffer adds depends on the pair of samples: clustering.glsl.
 real agaa_characteristicLength(real k, real perDistance, real distance) {

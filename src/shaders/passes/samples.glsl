@@ -124,7 +124,8 @@ agaa_PixelSamples agaa_loadSamples(uvec2 pixel) {
 #endif
 
 float agaa_pixelCharacteristicLength(agaa_PixelSamples samples) {
-    return agaa_characteristicLength(agaa_frame.cluster.x, agaa_frame.cluster.y, samples.nearest);
+    float distance = agaa_scaleDistance(samples.nearest, agaa_frame.projection0.x, agaa_isOrthographic());
+    return agaa_characteristicLength(agaa_frame.cluster.x, agaa_frame.cluster.y, distance);
 }
 
 // How far from its plane a surface may be, beside the steps of depth.

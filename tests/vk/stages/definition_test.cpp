@@ -90,7 +90,7 @@ public:
         const AgaaConfig& config = plan.config;
         pixel.k = agaa_characteristicLength(double(config.characteristicLength),
                                             double(config.characteristicLengthPerDistance),
-                                            std::sqrt(nearest2));
+                                            orthographic ? 1 / std::abs(double(p[0])) : std::sqrt(nearest2));
         const double scale = orthographic ? 1.0 : nearestZ;
         pixel.width = double(config.surfaceDistance) * scale * 2 / (std::abs(double(p[0])) * plan.width);
         return pixel;
@@ -213,6 +213,44 @@ TEST(Definition, AgreesForAFixedLength) {
     settings.config.characteristicLengthPerDistance = 0;
     settings.config.aggregateThreshold = 0.1f;
     expectOracle(context, settings, randomTriangles({.triangles = 400}, 23));
+}
+
+TEST(Definition, AgreesForOrthographicViews) {
+    StageContext context;
+    ViewSettings settings = settingsFor(8, 3);
+    settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES;
+    settings.projection = pixelOrthographic(12, 8, 25);
+    settings.projection[3] = glm::vec4(0, 0, 0, 1);
+    expectOracle(context, settings, randomTriangles({.triangles = 400}, 28));
+}
+
+// The eye of an orthographic view is an arbitrary point: a step between two layers is parted everywhere or nowhere,
+// wherever the eye is.
+TEST(Definition, StepsInOrthographicViewsArePartedAlike) {
+    StageContext context;
+    for (const float eye : {0.0f, 1000.0f})
+        for (const float gap : {2.0f, 5.0f}) { // k is 24, of which k sqrt(t) is 3.4
+            ViewSettings settings = settingsFor(8, 2);
+            settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES;
+            settings.config.characteristicLengthPerDistance = 1;
+            settings.projection = pixelOrthographic(48, 32, 10);
+            settings.projection[3].x += 2 * eye / 48;
+            Material material;
+            std::vector<Triangle> scene = rectangle(0, 0, 48, 32, 9, material);
+            for (int x = 0; x < 48; ++x)
+                for (const Triangle& t : rectangle(float(x), 0, float(x) + 0.5f, 32, 9 - gap, material))
+                    scene.push_back(t);
+            for (Triangle& t : scene)
+                for (glm::vec3& p : t.position)
+                    p.x -= eye;
+            StageView view(context, settings);
+            view.setTriangles(scene);
+            view.render(view.frame());
+            size_t parted = 0;
+            for (const glm::uvec4& texel : view.readSurface("metadata"))
+                parted += texel.x != 0;
+            EXPECT_EQ(parted, gap < 3 ? 0u : 48u * 32u) << eye << ' ' << gap;
+        }
 }
 
 TEST(Definition, AgreesForOtherSurfaces) {
