@@ -24,7 +24,9 @@ typedef enum AgaaSemantic {
 typedef enum AgaaEncoding {
     AGAA_ENCODING_UNORM = 0, /* value / range in [0,1] */
     AGAA_ENCODING_YCBCR = 1, /* specular only: luma at `aggregateBits`, both chroma channels at `chromaBits` */
-    AGAA_ENCODING_FOLDED = 2, /* roughness only: shortens the normal, takes no bits (aggregates) */
+    AGAA_ENCODING_FOLDED = 2, /* roughness only: shortens the normal, takes no bits (aggregates). An aggregate in memory
+                                 then cannot tell roughness from the spread of its normals: its diffuse term is not
+                                 filtered, and rounding of the sums widens narrow lobes. */
     AGAA_ENCODING_MAX_ENUM = 0x7FFFFFFF
 } AgaaEncoding;
 

@@ -308,7 +308,7 @@ void PlanBuilder::bindLighting(Pass& pass) {
          lights_);
     bindShadows(pass);
     if (plan.effects.empty())
-        listEffects();
+        listEffects(plan.layout.foldsRoughness() && pass.file == "passes/shade_aggregates.comp");
 }
 
 // The shader names all four maps; slots without one of their own repeat another and are not read.
@@ -336,7 +336,7 @@ void PlanBuilder::bindShadows(Pass& pass) {
                            plan.functionShadows, any != noResource);
 }
 
-void PlanBuilder::listEffects() {
+void PlanBuilder::listEffects(bool readsFolded) {
     if (plan.layout.has(AGAA_SEMANTIC_SPECULAR))
         effect("specular");
     if (plan.layout.has(AGAA_SEMANTIC_EMISSIVE))
@@ -359,8 +359,11 @@ void PlanBuilder::listEffects() {
                         "took %.2f of the time of frames without.",
                         std::popcount(plan.config.litShadows), plan.config.samples, double(litPrice)));
         }
-        if (constants_[AGAA_FILTER_DIFFUSE])
+        if (constants_[AGAA_FILTER_DIFFUSE] && !readsFolded)
             effect("filtered-diffuse");
+        if (readsFolded)
+            note("roughness is folded into the normal's length: the length does not tell the spread of normals, so the "
+                 "diffuse term is not filtered, and rounding of the sums widens narrow lobes.");
         if (constants_[AGAA_NDF] && plan.layout.has(AGAA_SEMANTIC_SPECULAR))
             effect("ndf-widening");
         if (plan.config.ndf > AGAA_NDF_TOKSVIG)

@@ -100,7 +100,7 @@ private:
     }
     static void addHostCode(Pass& pass, const HostText& text, const char* origin);
     void bindShadows(Pass& pass);
-    void listEffects();
+    void listEffects(bool readsFolded); // whether the shading pass reads aggregates whose roughness is folded
     void findLifetimes();
     ResourceId add(Resource resource);
 

@@ -204,6 +204,22 @@ TEST(Planner, EffectsTheSceneDoesNotCallForLeaveNoTrace) {
         EXPECT_NE(std::find(rich.effects.begin(), rich.effects.end(), effect), rich.effects.end());
 }
 
+// Of aggregates in memory, the length of a normal that roughness is folded into does not tell how normals spread.
+TEST(Planner, FoldedAggregatesInMemoryAreNotFiltered) {
+    const auto filters = [](const ViewSpec& spec) {
+        const std::vector<std::string>& effects = planFor(spec, fourSampleDevice()).effects;
+        return std::find(effects.begin(), effects.end(), "filtered-diffuse") != effects.end();
+    };
+    for (const uint32_t tier : {AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER})
+        for (const uint64_t flags : {uint64_t(0), AGAA_CONFIG_BUFFERED}) {
+            if (tier == AGAA_TIER_PER_SAMPLE && flags)
+                continue;
+            const bool isInMemory = tier == AGAA_TIER_PER_SAMPLE || flags;
+            EXPECT_TRUE(filters({.generationTier = tier, .configFlags = flags}));
+            EXPECT_EQ(filters({.layout = "paper16", .generationTier = tier, .configFlags = flags}), !isInMemory);
+        }
+}
+
 void expectShadersOf(const ViewSpec& spec) {
     for (const Pass& pass : planFor(spec, fourSampleDevice()).passes)
         EXPECT_TRUE(pass.kind != PassKind::Compute || !embeddedSpirv(pass.shader).empty()) << pass.shader;

@@ -355,6 +355,35 @@ TYPED_TEST_P(HardCases, BrightEmissionKeepsItsHue) {
     }
 }
 
+// The diffuse term is filtered by the spread of normals, but not of aggregates in memory whose roughness is folded into
+// the length that would tell the spread.
+TYPED_TEST_P(HardCases, FoldedAggregatesInMemoryHaveNoFilteredDiffuse) {
+    std::vector<Triangle> scene;
+    for (int i = 0; i < 64; ++i) {
+        Material m = facing({1, 1, 1});
+        m.normal = glm::vec4(i % 2 ? 0.8f : -0.8f, 0, 0.6f, 1);
+        for (const Triangle& t : rectangle(float(i) / 2, 0, float(i + 1) / 2, 16, 5, m))
+            scene.push_back(t);
+    }
+    AgaaLight light = sun();
+    light.direction[0] = -1;
+    light.direction[2] = 0;
+    for (const char* name : {"precise", "paper16"})
+        for (const Setting& s : {Setting{"agaa", 8}, Setting{"agaa", 8, AGAA_TIER_GBUFFER}}) {
+            AgaaLayout layout;
+            agaaGetBuiltinLayout(name, &layout);
+            ViewSettings view = pixelView(s, 1);
+            view.config.layout = &layout;
+            const float filtered = this->render(view, scene, {light}).rgb[0];
+            view.config.flags |= AGAA_CONFIG_NO_DIFFUSE_FILTER;
+            const float plain = this->render(view, scene, {light}).rgb[0];
+            if (std::strcmp(name, "paper16") == 0 && s.tier == AGAA_TIER_AUTO)
+                EXPECT_EQ(filtered, plain);
+            else
+                EXPECT_GT(filtered, plain + 0.1f) << name << ' ' << s;
+        }
+}
+
 REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
                             HardCase17GeometryAtTheFarPlaneIsSeen,
                             HardCase19OneCoveredSampleIsThatSample, HardCase32ADarkRampSurvives,
@@ -363,6 +392,6 @@ REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
                             HardCase48And50DegenerateTriangles, HardCase55OddSizesAreWhole,
                             WithoutSpecularLightIsDiffuse, NormalsWithoutADirectionFaceAlongZ,
                             MirrorsAlongAnAxisKeepTheirPeak, LightsInThePlaneOfASurfaceDoNotReachIt,
-                            BrightEmissionKeepsItsHue);
+                            BrightEmissionKeepsItsHue, FoldedAggregatesInMemoryHaveNoFilteredDiffuse);
 
 } // namespace agaa::test
