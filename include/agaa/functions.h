@@ -59,8 +59,9 @@ typedef struct AgaaGBufferFunction {
  * Names and errors as at AgaaGBufferFunction. Of "agaa". */
 /* Some draws cannot be fetched: displaced, or by shaders that compute cannot call. The visibility pass gives them
  * AgaaSurfaceInput::draw = AGAA_UNFETCHED, and a second geometry pass, AGAA_DRAW_PASS_GBUFFER whose depthCompare is
- * EQUAL, draws these draws alone into a multisampled G-buffer, from which their samples are taken; it takes one id. Not
- * with AGAA_FACT_CUSTOM_DEPTH. */
+ * EQUAL, draws these draws alone into a multisampled G-buffer, from which their samples are taken; it takes one id. Of
+ * equal depths the first drawn is shown; without a stencil (AGAA_CONFIG_NO_STENCIL, or no such depth format) the last of
+ * these draws. Not with AGAA_FACT_CUSTOM_DEPTH. */
 #define AGAA_FETCH_NOT_ALL_DRAWS UINT64_C(0x01)
 typedef struct AgaaFetchFunction {
     uint32_t sType;

@@ -38,6 +38,9 @@ public:
     const AgaaDeviceCaps& caps() const { return caps_; }
     bool counts() const { return plan.config.flags & AGAA_CONFIG_COUNTERS; }
     bool hasFact(uint64_t fact) const { return plan.facts.flags & fact; }
+    // Plans that draw twice keep the first of equal depths by a stencil test, where the depth format has a stencil.
+    bool wantsStencil() const { return !(plan.config.flags & AGAA_CONFIG_NO_STENCIL); }
+    bool keepsFirst() const { return wantsStencil() && hasStencil(plan.depthFormat); }
 
     // One texel a pixel, or with atTargetRate the scaled, multisampled target.
     ResourceId image(std::string name, Format format, bool atTargetRate);

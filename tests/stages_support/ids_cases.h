@@ -136,6 +136,40 @@ TYPED_TEST_P(IdsCases, BufferedAndUnfetchedShowTheSame) {
     }
 }
 
+// Of equal depths the first drawn is shown, masked materials included, where the second pass draws it too.
+TYPED_TEST_P(IdsCases, HardCase25UnfetchedDrawsShowTheFirstOfEqualDepths) {
+    for (const bool isMasked : {false, true}) {
+        SCOPED_TRACE(isMasked ? "masked" : "opaque");
+        std::vector<Triangle> list;
+        for (const glm::vec3& colour : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)})
+            for (int i = 0; i < 3; ++i) { // the test host's shader cannot fetch each third
+                Triangle t;
+                t.position[0] = {-9, -9, -4};
+                t.position[1] = {9, -9, -4};
+                t.position[2] = {0, 12, -4};
+                t.material.diffuse = glm::vec4(colour, isMasked ? 0.6f : 1.0f);
+                t.material.specular = glm::vec4(0);
+                t.isMasked = isMasked;
+                t.seed = 3 * uint32_t(list.size() / 3) + 1;
+                list.push_back(t);
+            }
+        Shot shot{.triangles = list, .change = addAmbient, .fetchFlags = AGAA_FETCH_NOT_ALL_DRAWS};
+        const Shown drawnOnce = this->render(idsSettings(8, 2, AGAA_TIER_GBUFFER), shot);
+        for (const bool isReversed : {false, true}) {
+            ViewSettings settings = idsSettings(8, 2);
+            settings.shader = ViewSettings::Shader::ThirdUnfetched;
+            if (isReversed) {
+                settings.flags = AGAA_VIEW_REVERSED_Z;
+                settings.projection = reversedInfinite(60, 1.5f, 0.1f);
+            }
+            const Shown shown = this->render(settings, shot);
+            EXPECT_GE(compare(shown.rgb, drawnOnce.rgb).psnr, 60);
+            EXPECT_EQ(shown.counters.once, shown.counters.visible);
+            EXPECT_TRUE(shown.validation.isValid) << shown.validation.explanation;
+        }
+    }
+}
+
 // What neither functions nor the G-buffer give a material: counted, left out of the image, told by
 // validation.
 TYPED_TEST_P(IdsCases, UnfetchedSamplesThatAreNotDrawnAreMissed) {
@@ -294,6 +328,7 @@ TYPED_TEST_P(IdsCases, MaterialsThatAreNotFiniteAreContained) {
 
 REGISTER_TYPED_TEST_SUITE_P(IdsCases, ShowWhatTwoPassesShow, SplitSurfacesAreGroupedAsByTwoPasses,
                             BufferedAndUnfetchedShowTheSame,
+                            HardCase25UnfetchedDrawsShowTheFirstOfEqualDepths,
                             UnfetchedSamplesThatAreNotDrawnAreMissed,
                             CountersTellPrimitivesAndMaterials,
                             MorePrimitivesThanATileListsAreAllShown, InstancesAreDrawsOfTheirOwn,

@@ -21,8 +21,6 @@ Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format forma
     return s;
 }
 
-bool wantsStencil(const PlanBuilder& b) { return !(b.plan.config.flags & AGAA_CONFIG_NO_STENCIL); }
-
 void setRecord(Pass& pass, const Aggregation& a) {
     setFields(pass.constants, AGAA_FIELD_DIFFUSE_R, a.packing.fields);
     pass.constants[AGAA_WORDS] = a.packing.words;
@@ -44,8 +42,8 @@ ResourceId aggregateBuffer(PlanBuilder& b, const Aggregation& a) {
 // metadata: or noResource.
 void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass, ResourceId metadata,
                     ResourceId aggregates) {
-    const bool stencil = wantsStencil(b) && hasStencil(b.plan.depthFormat);
-    if (wantsStencil(b) && !stencil)
+    const bool stencil = b.keepsFirst();
+    if (b.wantsStencil() && !stencil)
         b.note("no format of depth and stencil: of equal depths the first to come is kept, which is "
                "not repeatable.");
     const bool perSample = b.plan.generationTier == AGAA_TIER_PER_SAMPLE && b.plan.hwSamples > 1;
@@ -84,7 +82,7 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
 } // namespace
 
 void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
-    const Prepass prepass = drawPrepass(b, wantsStencil(b));
+    const Prepass prepass = drawPrepass(b, b.wantsStencil());
     const ResourceId aggregates = aggregateBuffer(b, a);
     const ResourceId metadata = a.define(
         [&](Pass& pass) {
@@ -147,9 +145,12 @@ struct Ids {
 };
 
 Ids drawIds(PlanBuilder& b) {
-    Ids ids{drawPrepass(b, false, "ids", Format::RGBA8), {}};
-    if (b.plan.someUnfetched)
+    Ids ids{drawPrepass(b, b.plan.someUnfetched && b.wantsStencil(), "ids", Format::RGBA8), {}};
+    if (b.plan.someUnfetched) {
+        if (b.wantsStencil() && !b.keepsFirst())
+            b.note("no format of depth and stencil: of unfetched draws at equal depth the last is shown.");
         ids.unfetched = drawGBufferOver(b, ids.prepass.depth);
+    }
     return ids;
 }
 

@@ -14,8 +14,6 @@ struct Prepass {
 };
 // Depth of every sample and, by name and format, what tells samples apart.
 Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name = "normals", Format format = Format::RG8);
-// Whether plans that draw twice want the stencil, to keep the first of equal depths.
-bool wantsStencil(const PlanBuilder& b);
 
 struct Aggregation {
     Layout layout; // of an aggregate

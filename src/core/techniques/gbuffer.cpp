@@ -41,7 +41,11 @@ GBuffer makeGBuffer(PlanBuilder& b) {
 GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth) {
     GBuffer g;
     g.depth = depth;
-    drawGBuffer(b, g, "gbuffer of unfetched draws").drawState.depthCompare = AGAA_COMPARE_EQUAL;
+    Pass& draw = drawGBuffer(b, g, "gbuffer of unfetched draws");
+    draw.drawState.depthCompare = AGAA_COMPARE_EQUAL;
+    // The first pass shows the first of equal depths. Masks apply before this stencil test, because the shader's depth
+    // and stencil tests are late: masked materials take part.
+    draw.drawState.stencilTest = draw.drawState.stencilTestMasked = b.keepsFirst();
     return g;
 }
 

@@ -1,7 +1,7 @@
 // `msaa`: forward shading once per fragment into a multisampled target, which is resolved. A depth pass first,
 // so that what is hidden is not shaded.
 #include "core/error.h"
-#include "core/techniques/aggregation.h" // wantsStencil
+#include "core/plan_builder.h"
 #include "core/techniques/techniques.h"
 
 namespace agaa {
@@ -10,7 +10,7 @@ static void build(PlanBuilder& b) {
     require(!b.hasFact(AGAA_FACT_CUSTOM_DEPTH), AGAA_ERROR_UNSUPPORTED,
             "materials that write depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) cannot be drawn a second time "
             "at equal depth, which \"msaa\" asks for.");
-    const ResourceId depth = b.depth(wantsStencil(b));
+    const ResourceId depth = b.depth(b.wantsStencil());
     const ResourceId color = b.image("color", Format::RGBA16F, true);
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
                                AGAA_SEGMENT_PREPASS);
@@ -23,7 +23,7 @@ static void build(PlanBuilder& b) {
     b.bindCommon(forward);
     b.bindLighting(forward);
     forward.drawState.depthCompare = AGAA_COMPARE_EQUAL;
-    forward.drawState.stencilTest = wantsStencil(b) && hasStencil(b.plan.depthFormat);
+    forward.drawState.stencilTest = b.keepsFirst();
     forward.drawState.stencilTestMasked = 0; // as where aggregates are generated
     forward.drawState.colorAttachmentCount = 1;
     forward.colorTargets = {color};
