@@ -112,7 +112,8 @@ typedef enum AgaaTier {
 #define AGAA_CONFIG_SHADOW_ALONG_DEPTH UINT64_C(0x80) /* AGAA 3.5.3: taps along the view ray by the
                                                          aggregate's depth variance, not at samples */
 #define AGAA_CONFIG_NO_STENCIL UINT64_C(0x20) /* first come, first kept; not repeatable on ties */
-#define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2, step 2 (c), for comparison */
+#define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2, step 2 (c), for comparison: 4 bytes
+                                                               a pixel more */
 #define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x200) /* of "agaa": samples of one surface are clustered like all
                                                       others (AGAA 3.3), so that distance may part them */
 #define AGAA_CONFIG_BUFFERED UINT64_C(0x400) /* of "agaa": aggregates go to memory, the surface "aggregates", and a

@@ -98,7 +98,7 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
 // In memory, as two geometry passes leave them.
 uint64_t PlanBuilder::aggregateBytes() const {
     const uint64_t words = packAggregate(plan.layout, plan.samples).words;
-    return checkedMultiply(uint64_t(plan.width) * plan.height, 4 * words * plan.aggregates);
+    return checkedMultiply(uint64_t(plan.width) * plan.height, 4 * words * plan.aggregates + claimBytes());
 }
 
 // What neither the scene nor the technique calls for.
@@ -106,8 +106,10 @@ void PlanBuilder::dropUncalledFor(const Technique& technique) {
     AgaaConfig& config = plan.config;
     if (!technique.groupsSamples) { // settings of "agaa" may stay where another is measured
         config.litShadows = 0;
-        config.flags &= ~AGAA_CONFIG_BUFFERED;
+        config.flags &= ~(AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FIRST_SAMPLE_ROUTING);
     }
+    if (plan.aggregates < 2) // one place to go to
+        config.flags &= ~AGAA_CONFIG_FIRST_SAMPLE_ROUTING;
     if (!technique.groupsSamples || !plan.layout.has(AGAA_SEMANTIC_SPECULAR)) { // no lobe: elliptic, or narrow
         config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG);
         config.glossWeight = 0;

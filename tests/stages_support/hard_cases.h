@@ -256,6 +256,37 @@ TYPED_TEST_P(HardCases, HardCase48And50DegenerateTriangles) {
     }
 }
 
+// Two coplanar masked surfaces share samples. The first sample of each may route it to another aggregate: what the
+// first has, the second must not have again.
+TYPED_TEST_P(HardCases, HardCase25RoutedDuplicatesCountOnce) {
+    std::vector<Triangle> scene;
+    for (uint32_t i = 0; i < 2; ++i) {
+        Triangle t;
+        t.position[0] = {-6, -4, -3};
+        t.position[1] = {7, -4, -9};
+        t.position[2] = {0, 9, -12};
+        t.material = facing({0.3f, 0.6f, 0.9f});
+        t.material.diffuse.w = 0.6f;
+        t.material.geometricNormal = glm::vec4(planeNormal(t), 0);
+        t.isMasked = true;
+        t.seed = 7 + i;
+        scene.push_back(t);
+    }
+    for (const bool routes : {false, true}) {
+        ViewSettings view;
+        view.config.aggregates = 4;
+        view.config.characteristicLength = 0.02f;
+        view.config.characteristicLengthPerDistance = 0;
+        view.config.flags = AGAA_CONFIG_SPLIT_SURFACES | (routes ? AGAA_CONFIG_FIRST_SAMPLE_ROUTING : 0);
+        const Shown r = this->render(view, scene, {sun()});
+        EXPECT_GT(r.counters.shadingEvents, 2 * r.counters.shadedPixels) << "there are several aggregates";
+        EXPECT_GT(r.counters.ties, 0u);
+        EXPECT_EQ(r.counters.once, r.counters.visible);
+        EXPECT_EQ(r.counters.multi, 0u) << (routes ? "routed" : "split");
+        EXPECT_TRUE(r.validation.isValid) << r.validation.explanation;
+    }
+}
+
 // The same image at any size, by one pixel and by many.
 TYPED_TEST_P(HardCases, HardCase55OddSizesAreWhole) {
     for (const Setting& s : hardSettings)
@@ -389,9 +420,10 @@ REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
                             HardCase19OneCoveredSampleIsThatSample, HardCase32ADarkRampSurvives,
                             HardCase33WhiteStaysWhite, HardCase37BadMaterialsAreContained,
                             HardCase4OpposedNormalsCancel, HardCase39And40LightsInSurfaces,
-                            HardCase48And50DegenerateTriangles, HardCase55OddSizesAreWhole,
-                            WithoutSpecularLightIsDiffuse, NormalsWithoutADirectionFaceAlongZ,
-                            MirrorsAlongAnAxisKeepTheirPeak, LightsInThePlaneOfASurfaceDoNotReachIt,
-                            BrightEmissionKeepsItsHue, FoldedAggregatesInMemoryHaveNoFilteredDiffuse);
+                            HardCase48And50DegenerateTriangles, HardCase25RoutedDuplicatesCountOnce,
+                            HardCase55OddSizesAreWhole, WithoutSpecularLightIsDiffuse,
+                            NormalsWithoutADirectionFaceAlongZ, MirrorsAlongAnAxisKeepTheirPeak,
+                            LightsInThePlaneOfASurfaceDoNotReachIt, BrightEmissionKeepsItsHue,
+                            FoldedAggregatesInMemoryHaveNoFilteredDiffuse);
 
 } // namespace agaa::test

@@ -34,9 +34,10 @@ namespace {
 
 constexpr uint32_t anyComponent = 4; // of AGAA_COVERAGE_COMPONENT
 
-ResourceId aggregateBuffer(PlanBuilder& b, const Aggregation& a) {
+// claimBytes: of each pixel, after all aggregates.
+ResourceId aggregateBuffer(PlanBuilder& b, const Aggregation& a, uint64_t claimBytes = 0) {
     b.plan.bytesPerAggregate = 4 * a.stride;
-    return b.pixelBuffer("aggregates", checkedMultiply(b.plan.aggregates, 4 * a.stride));
+    return b.pixelBuffer("aggregates", checkedMultiply(b.plan.aggregates, 4 * a.stride) + claimBytes);
 }
 
 // metadata: or noResource.
@@ -83,7 +84,7 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
 
 void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
     const Prepass prepass = drawPrepass(b, b.wantsStencil());
-    const ResourceId aggregates = aggregateBuffer(b, a);
+    const ResourceId aggregates = aggregateBuffer(b, a, b.claimBytes());
     const ResourceId metadata = a.define(
         [&](Pass& pass) {
             b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);

@@ -97,6 +97,16 @@ void agaa_emit(AgaaSurfaceInput s) {
     uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_STRIDE);
     const uint coverageShift = AGAA_FIELD_COVERAGE >> 8 & 0xFFu;
 #if AGAA_FIRST_SAMPLE_ROUTING
+    // Coplanar duplicates may go to different aggregates, so that the coverage of one cannot tell that another holds a
+    // sample already. A word of each pixel, after all aggregates, tells it.
+    uint pixels = agaa_frame.size.x * agaa_frame.size.y;
+    uint claim = pixels * (AGAA_AGGREGATES * AGAA_STRIDE) + pixel.y * agaa_frame.size.x + pixel.x;
+    uint claimed = agaa_orWord(claim, mask) & mask;
+    if (claimed != 0u)
+        agaa_countFragment(AGAA_FRAGMENT_TIES, uint(bitCount(claimed)));
+    mask &= ~claimed;
+    if (mask == 0u)
+        return;
     uint first = uint(findLSB(mask));
     uint only = (planes.x >> first & 1u) | (planes.y >> first & 1u) << 1u;
 #endif
