@@ -102,7 +102,8 @@ typedef struct AgaaShadow {
 #define AGAA_SEGMENT_GENERATION UINT64_C(0x2) /* what leaves aggregates or surfaces in memory, its material pass too */
 #define AGAA_SEGMENT_SHADING UINT64_C(0x4)    /* all that writes the output, and the draw pass FORWARD of "msaa" */
 #define AGAA_SEGMENT_ALL UINT64_C(0x7)
-/* The camera of a frame is that of its first segment; lights are read with AGAA_SEGMENT_SHADING. A frame
+/* The camera of a frame is that of its first segment. Lights, shadows, ambient and background are read with
+ * AGAA_SEGMENT_SHADING. Earlier segments may still run on the device while a later one is recorded. A frame
  * whose command buffer is discarded counts as completed; figures of it mean nothing: ask for those of a later one. */
 
 typedef struct AgaaFrame {

@@ -48,7 +48,8 @@ enum class ResourceKind {
     ShadowMap,    // the host's, sampled with comparison
 };
 
-// What the executor writes into an upload buffer each frame (src/core/frame_data.h).
+// What the executor writes into an upload buffer each frame (src/core/frame_data.h), when it records the segment that
+// reads the buffer. Each is read in one segment only: the device may run an earlier one while the CPU writes for the next.
 enum class UploadContent { None, FrameConstants, Lights };
 
 struct Resource {
@@ -65,6 +66,7 @@ struct Resource {
     uint32_t hostSlot = 0;   // ShadowMap: which of the frame's
     uint32_t firstPass = 0;  // lifetime, by index into Plan::passes
     uint32_t lastPass = 0;
+    uint64_t segments = 0;   // of the passes that use it
 
     bool isPerPixel() const { return kind == ResourceKind::Image || kind == ResourceKind::Buffer; }
     bool isHosts() const { return kind == ResourceKind::Output || kind == ResourceKind::ShadowMap; }

@@ -18,6 +18,7 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
                          uint32_t framesInFlight)
     : caps_(caps), framesInFlight_(framesInFlight) {
     shadowMaps_.fill(noResource);
+    frames_.fill(noResource);
     plan.width = view.width;
     plan.height = view.height;
     plan.reversedZ = view.flags & AGAA_VIEW_REVERSED_Z;
@@ -50,12 +51,6 @@ PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
     require(!counts() || caps_.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
             "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");
     setConstants();
-    frame_ = add({.name = "frame-constants",
-                  .kind = ResourceKind::UploadBuffer,
-                  .content = UploadContent::FrameConstants,
-                  .format = Format::Buffer,
-                  .bytes = sizeof(FrameConstants),
-                  .copies = framesInFlight});
     lights_ = add({.name = "lights",
                    .kind = ResourceKind::UploadBuffer,
                    .content = UploadContent::Lights,
@@ -150,7 +145,7 @@ Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId dr
     pass.drawState.colorWriteMask = 0xF;
     pass.constants = constants_;
     plan.passes.push_back(std::move(pass));
-    bind(plan.passes.back(), host_slot::Frame, BindingType::UniformBuffer, frame_);
+    bind(plan.passes.back(), host_slot::Frame, BindingType::UniformBuffer, frameConstants(segment));
     return plan.passes.back();
 }
 
@@ -245,10 +240,25 @@ void PlanBuilder::defaultSurface(float cosine, float distance, float material) {
     set(plan.config.surfaceMaterial, material);
 }
 
+// Segments have a buffer each, because later ones bring other values (light count, ambient, background) while an
+// earlier one may still run.
+ResourceId PlanBuilder::frameConstants(uint64_t segment) {
+    const char* const names[] = {"frame-constants-prepass", "frame-constants-generation", "frame-constants-shading"};
+    const size_t index = size_t(std::countr_zero(segment));
+    if (frames_[index] == noResource)
+        frames_[index] = add({.name = names[index],
+                              .kind = ResourceKind::UploadBuffer,
+                              .content = UploadContent::FrameConstants,
+                              .format = Format::Buffer,
+                              .bytes = sizeof(FrameConstants),
+                              .copies = framesInFlight_});
+    return frames_[index];
+}
+
 void PlanBuilder::bindCommon(Pass& pass) {
     const bool host = pass.kind == PassKind::HostDraw;
     if (!host)
-        bind(pass, slot::Frame, BindingType::UniformBuffer, frame_);
+        bind(pass, slot::Frame, BindingType::UniformBuffer, frameConstants(pass.segment));
     if (counts())
         bind(pass, host ? uint32_t(host_slot::Counters) : uint32_t(slot::Counters),
              BindingType::StorageBuffer, counters_, true);
@@ -402,6 +412,7 @@ void PlanBuilder::findLifetimes() {
             Resource& resource = plan.resources[id];
             resource.firstPass = std::min(resource.firstPass, i);
             resource.lastPass = std::max(resource.lastPass, i);
+            resource.segments |= plan.passes[i].segment;
         };
         const Pass& pass = plan.passes[i];
         for (const Binding& binding : pass.bindings)

@@ -107,12 +107,13 @@ private:
     static void addHostCode(Pass& pass, const HostText& text, const char* origin);
     void bindShadows(Pass& pass);
     void listEffects(bool readsFolded); // whether the shading pass reads aggregates whose roughness is folded
+    ResourceId frameConstants(uint64_t segment);
     void findLifetimes();
     ResourceId add(Resource resource);
 
     AgaaDeviceCaps caps_;
     Constants constants_{};
-    ResourceId frame_ = noResource;
+    std::array<ResourceId, 3> frames_; // frame constants by segment
     ResourceId lights_ = noResource;
     ResourceId counters_ = noResource;
     ResourceId output_ = noResource;

@@ -13,8 +13,7 @@ namespace agaa::gl {
 void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
     for (ResourceId id = 0; id < plan.resources.size(); ++id) {
         const Resource& resource = plan.resources[id];
-        if (resource.content != UploadContent::FrameConstants &&
-            !(resource.content == UploadContent::Lights && frame.segments & AGAA_SEGMENT_SHADING))
+        if (resource.content == UploadContent::None || !(resource.segments & frame.segments))
             continue;
         writeUpload(plan, resource.content, frame, positions, upload_.data());
         context.gl.NamedBufferSubData(resources->buffer(id, slot), 0, GLsizeiptr(resource.bytes),

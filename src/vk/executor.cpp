@@ -41,11 +41,11 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const
 }
 
 void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
-    for (ResourceId id = 0; id < plan.resources.size(); ++id)
-        if (plan.resources[id].content == UploadContent::FrameConstants ||
-            (plan.resources[id].content == UploadContent::Lights &&
-             frame.segments & AGAA_SEGMENT_SHADING))
-            writeUpload(plan, plan.resources[id].content, frame, positions, (*resources)[id].mapped[slot]);
+    for (ResourceId id = 0; id < plan.resources.size(); ++id) {
+        const Resource& resource = plan.resources[id];
+        if (resource.content != UploadContent::None && resource.segments & frame.segments)
+            writeUpload(plan, resource.content, frame, positions, (*resources)[id].mapped[slot]);
+    }
 }
 
 // Only of the passes about to be recorded: sets that an earlier segment bound must not change.

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <set>
 #include <tuple>
 
@@ -49,6 +50,20 @@ TEST(Planner, TiersRefuseNumbersOfSamplesThatNoTargetHas) {
         for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET}) {
             expectRefused(samples, [&] { chooseVisibility(idealDevice(), samples, tier); });
             expectRefused(samples, [&] { chooseGeneration(idealDevice(), samples, AGAA_TIER_AUTO, false); });
+        }
+}
+
+// The CPU writes them when it records their segment, while the device may run the segments before.
+TEST(Planner, UploadsAreReadInOneSegmentEach) {
+    for (const Technique* technique : techniques())
+        for (uint64_t flags : {uint64_t(0), AGAA_CONFIG_BUFFERED | AGAA_CONFIG_COUNTERS}) {
+            ViewSpec spec{.technique = technique->name, .configFlags = flags};
+            spec.samples = technique->multisampled ? 8 : 1;
+            const Plan plan = planFor(spec, fourSampleDevice());
+            for (const Resource& resource : plan.resources) {
+                const bool isUpload = resource.content != UploadContent::None;
+                EXPECT_TRUE(!isUpload || std::popcount(resource.segments) <= 1) << technique->name << ", " << resource.name;
+            }
         }
 }
 

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <set>
+
 namespace agaa::test {
 namespace {
 
@@ -219,6 +222,50 @@ TEST(Recording, FramesAndSegmentsHaveAnOrder) {
         bench.expectOneSentence(AGAA_ERROR_WRONG_ORDER, "in flight");
     });
     bench.renderGoodFrame();
+}
+
+// The frame constants of every segment and frame in flight.
+std::vector<std::vector<std::byte>> uploads(const StageView& view) {
+    std::vector<std::vector<std::byte>> copies;
+    for (agaa::ResourceId id = 0; id < view.plan().resources.size(); ++id) {
+        const agaa::Resource& resource = view.plan().resources[id];
+        if (resource.content != agaa::UploadContent::FrameConstants)
+            continue;
+        for (const void* mapped : (*view.executor().resources)[id].mapped) {
+            const auto* bytes = static_cast<const std::byte*>(mapped);
+            copies.emplace_back(bytes, bytes + resource.bytes);
+        }
+    }
+    return copies;
+}
+
+// The device may run a segment while the next one, which brings other light, is recorded.
+TEST(Recording, SegmentsLeaveTheConstantsOfEarlierOnesAlone) {
+    Bench bench;
+    bench.renderGoodFrame();
+    const std::vector<float> expected = bench.view.image().rgb;
+    AgaaFrame frame = bench.frame();
+    const AgaaFrame lit = frame;
+    std::set<size_t> written;
+    frame.lightCount = 0;
+    frame.background[1] = 0.25f;
+    sharedDevice().runCommands([&](VkCommandBuffer commands) {
+        AgaaVkFrame vk = bench.view.vkFrame(commands);
+        vk.shadowViews[0] = bench.shadow.view();
+        for (uint64_t segment : {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING}) {
+            if (segment == AGAA_SEGMENT_SHADING)
+                frame = lit;
+            frame.segments = segment;
+            const auto before = uploads(bench.view);
+            ASSERT_EQ(bench.record(frame, vk), AGAA_OK);
+            const auto after = uploads(bench.view);
+            for (size_t i = 0; i < after.size(); ++i)
+                if (after[i] != before[i]) {
+                    EXPECT_TRUE(written.insert(i).second) << "segment " << segment << " changes what another wrote";
+                }
+        }
+    });
+    EXPECT_EQ(bench.view.image().rgb, expected);
 }
 
 // What was begun and given up does not stop the next frame.
