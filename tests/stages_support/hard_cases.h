@@ -299,7 +299,7 @@ TYPED_TEST_P(HardCases, HardCase55OddSizesAreWhole) {
                 view, rectangle(0, 0, float(width), float(height), 1, facing({1, 1, 1})), {sun()});
             EXPECT_EQ(r.counters.visible, uint64_t(width) * height * s.n) << s;
             for (float value : r.rgb)
-                EXPECT_NEAR(value, 3 / 3.14159265f, 0.01f) << s;
+                EXPECT_NEAR(value, 3 / 3.14159265f, 1e-3f) << s;
         }
 }
 
