@@ -197,8 +197,8 @@ typedef struct AgaaVkFrame {
 
 /* Records the frame's segments. Pipeline, descriptor, viewport and dynamic state of the command buffer
  * is undefined afterwards. A draw callback that fails: with SECONDARY recording AGAA_ERROR_CALLBACK, nothing is
- * recorded; with INLINE recording AGAA_ERROR_PARTIAL, the command buffer is to be discarded, as where host memory ends
- * meanwhile. A frame is AGAA_ERROR_WRONG_ORDER too early (framesInFlight), with a frameIndex that does not increase, or
+ * recorded; with INLINE recording AGAA_ERROR_PARTIAL, the command buffer is to be discarded. Any other failure after
+ * the first command, such as the end of host memory, is AGAA_ERROR_PARTIAL too. A frame is AGAA_ERROR_WRONG_ORDER too early (framesInFlight), with a frameIndex that does not increase, or
  * with segments missing or repeated; with another camera than its earlier segments AGAA_ERROR_OUT_OF_RANGE. */
 AGAA_API AgaaResult AGAA_CALL agaaVkRecordFrame(AgaaView view, const AgaaFrame* frame,
                                                 const AgaaVkFrame* vkFrame);

@@ -58,7 +58,8 @@ typedef struct AgaaDrawTarget {
  * has the depth of an earlier pass to be equal to. Vulkan: called with rendering
  * begun by the SDK, which also ends it; nothing is bound, viewport and scissor are unset. Commands are
  * recorded inline: the callback executes no command buffers of its own. OpenGL: as at agaaGlRecordFrame.
- * Return AGAA_OK, or any other value to give up the frame. Must not throw, must not call the SDK. */
+ * Return AGAA_OK, or any other value to give up the frame. Must not call the SDK. Must not throw: an exception that the
+ * SDK can catch counts as AGAA_ERROR_CALLBACK returned. */
 typedef AgaaResult(AGAA_CALL* AgaaDrawCallback)(void* user, const AgaaDrawTarget* target);
 
 /* ---- frame ---------------------------------------------------------------------------------- */

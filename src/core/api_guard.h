@@ -54,6 +54,16 @@ AgaaResult guarded(const Log& log, const char* function, Body&& body) noexcept {
     }
 }
 
+// Callbacks must not throw. One that does counts as failed, because what the SDK began around it must come to an end.
+template <typename Call>
+AgaaResult contained(Call&& call) noexcept {
+    try {
+        return call();
+    } catch (...) {
+        return AGAA_ERROR_CALLBACK;
+    }
+}
+
 // Two-call convention: without an array writes the count; with one copies all, for which *count must suffice.
 template <typename Container, typename Element>
 AgaaResult writeArray(const Container& source, uint32_t* count, Element* destination) {

@@ -5,6 +5,7 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -27,6 +28,16 @@ struct Error {
 
 [[noreturn]] inline void fail(AgaaResult code, std::string message) {
     throw Error{code, std::move(message)};
+}
+
+// The code must reach the host even where there is no memory for the sentence.
+[[noreturn]] inline void failPartial(const char* message) {
+    Error error{AGAA_ERROR_PARTIAL, {}};
+    try {
+        error.message = message;
+    } catch (const std::bad_alloc&) {
+    }
+    throw error;
 }
 
 inline void require(bool condition, AgaaResult code, const char* message) {

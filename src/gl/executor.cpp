@@ -120,7 +120,7 @@ void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_
     if (context.hostPlaces)
         context.hostPlaces->capture();
     bindForHost(pass, frame, glFrame, slot);
-    const AgaaResult result = frame.draw(frame.drawUser, &target);
+    const AgaaResult result = contained([&] { return frame.draw(frame.drawUser, &target); });
     if (context.hostPlaces)
         context.hostPlaces->restore();
     if (result != AGAA_OK)

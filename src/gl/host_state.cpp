@@ -11,7 +11,7 @@ View::HostState::~HostState() {
     if (context_.statePolicy == AGAA_GL_STATE_RESTORE && captured_)
         context_.guard->restore(); // whatever a callback left behind
     if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS && away_)
-        context_.popState(context_.stateUser);
+        contained([&] { return context_.popState(context_.stateUser); });
 }
 
 void View::HostState::giveBack() {
@@ -19,7 +19,7 @@ void View::HostState::giveBack() {
         context_.guard->restore();
     if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS) {
         away_ = false;
-        require(context_.popState(context_.stateUser) == AGAA_OK, AGAA_ERROR_CALLBACK,
+        require(contained([&] { return context_.popState(context_.stateUser); }) == AGAA_OK, AGAA_ERROR_CALLBACK,
                 "AgaaGlContextDesc::popState reported failure.");
     }
 }
@@ -36,7 +36,7 @@ void View::HostState::takeAway() {
         captured_ = true;
     }
     if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS) {
-        require(context_.pushState(context_.stateUser) == AGAA_OK, AGAA_ERROR_CALLBACK,
+        require(contained([&] { return context_.pushState(context_.stateUser); }) == AGAA_OK, AGAA_ERROR_CALLBACK,
                 "AgaaGlContextDesc::pushState reported failure.");
         away_ = true;
     }

@@ -131,7 +131,7 @@ AgaaResult View::callHost(const AgaaFrame& frame, size_t pass, uint32_t slot,
                                 VkCommandBuffer commands) {
     const AgaaDrawTarget target = drawTarget(plan, plan.passes[pass], passes[pass].host, commands,
                                              passes[pass].sets[slot]);
-    return frame.draw(frame.drawUser, &target);
+    return contained([&] { return frame.draw(frame.drawUser, &target); });
 }
 
 // Draw callbacks record into command buffers of ours first: one that fails leaves the host's untouched.
@@ -271,10 +271,13 @@ AgaaResult View::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
         // The host discards the command buffer: what it would have begun never runs, and a frame whose
         // earlier segments run cannot go on.
         sequence.failed(frame);
-        fail(AGAA_ERROR_PARTIAL, error.message);
+        failPartial(error.message.c_str());
     } catch (const std::bad_alloc&) {
         sequence.failed(frame);
-        fail(AGAA_ERROR_PARTIAL, "host memory is exhausted; discard the command buffer.");
+        failPartial("host memory is exhausted; discard the command buffer.");
+    } catch (...) {
+        sequence.failed(frame);
+        failPartial("an unexpected internal failure; discard the command buffer.");
     }
     sequence.recorded(frame);
     return AGAA_OK;

@@ -2,6 +2,8 @@
 #include "bench.h"
 #include "frame_misuse.h"
 
+#include <stdexcept>
+
 namespace agaa::test {
 namespace {
 
@@ -181,6 +183,44 @@ TEST(GlRecording, AFailingCallbackLeavesTheOutput) {
         bench.view.drawResults.clear();
         EXPECT_EQ(bench.record(frame, bench.glFrame()), AGAA_OK);
         EXPECT_EQ(bench.view.image(), expected);
+    }
+}
+
+// The contract forbids it, but the SDK can still give the host its state back.
+TEST(GlRecording, CallbacksThatThrowHaveFailed) {
+    struct HostState {
+        int depth = 0;
+        bool throws = false;
+    } state;
+    AgaaGlContextDesc desc = contextDesc();
+    desc.statePolicy = AGAA_GL_STATE_CALLBACKS;
+    desc.stateUser = &state;
+    desc.pushState = [](void* user) -> AgaaResult {
+        ++static_cast<HostState*>(user)->depth;
+        return AGAA_OK;
+    };
+    desc.popState = [](void* user) -> AgaaResult {
+        auto& host = *static_cast<HostState*>(user);
+        --host.depth;
+        if (host.throws)
+            throw std::runtime_error("from popState");
+        return AGAA_OK;
+    };
+    Bench bench(desc);
+    const std::vector<float> expected = bench.picture();
+    const auto throwing = [](void*, const AgaaDrawTarget*) -> AgaaResult { throw std::runtime_error("from a draw"); };
+    for (bool isDraw : {true, false}) {
+        SCOPED_TRACE(isDraw);
+        AgaaFrame frame = bench.frame();
+        if (isDraw)
+            frame.draw = throwing;
+        state.throws = !isDraw;
+        EXPECT_EQ(bench.record(frame, bench.glFrame()), AGAA_ERROR_CALLBACK);
+        expectOneSentence(bench.context.lines, AGAA_ERROR_CALLBACK, "throwing");
+        EXPECT_EQ(state.depth, 0);
+        state.throws = false;
+        EXPECT_EQ(bench.view.image(), expected);
+        EXPECT_EQ(bench.picture(), expected);
     }
 }
 

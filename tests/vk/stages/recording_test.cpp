@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstring>
 #include <set>
+#include <stdexcept>
 
 namespace agaa::test {
 namespace {
@@ -184,6 +186,81 @@ TEST(Recording, AFailingCallbackInlineIsPartial) {
     bench.expectOneSentence(AGAA_ERROR_PARTIAL, "inline");
     sharedDevice().discardCommands(commands);
     bench.view.drawResults.clear();
+    bench.renderGoodFrame();
+    EXPECT_EQ(bench.view.image().rgb, expected);
+}
+
+AgaaResult AGAA_CALL throwing(void*, const AgaaDrawTarget*) { throw std::runtime_error("from a callback"); }
+
+// The contract forbids it, but the SDK can still end what it began.
+TEST(Recording, ACallbackThatThrowsHasFailed) {
+    for (bool isInline : {false, true}) {
+        SCOPED_TRACE(isInline);
+        const AgaaResult expectedCode = isInline ? AGAA_ERROR_PARTIAL : AGAA_ERROR_CALLBACK;
+        Bench bench({.inlineRecording = isInline});
+        bench.renderGoodFrame();
+        const std::vector<float> expected = bench.view.image().rgb;
+        const VkCommandBuffer commands = sharedDevice().beginCommands();
+        AgaaFrame frame = bench.frame();
+        frame.draw = throwing;
+        AgaaVkFrame vk = bench.view.vkFrame(commands);
+        vk.shadowViews[0] = bench.shadow.view();
+        EXPECT_EQ(bench.record(frame, vk), expectedCode);
+        bench.expectOneSentence(expectedCode, "throwing callback");
+        sharedDevice().discardCommands(commands);
+        bench.renderGoodFrame();
+        EXPECT_EQ(bench.view.image().rgb, expected);
+    }
+}
+
+// A device whose dispatches throw what the library does not.
+bool dispatchThrows = false;
+PFN_vkCmdDispatch realDispatch = nullptr;
+PFN_vkGetDeviceProcAddr realDeviceProcAddr = nullptr;
+
+VKAPI_ATTR void VKAPI_CALL dispatch(VkCommandBuffer commands, uint32_t x, uint32_t y, uint32_t z) {
+    if (dispatchThrows)
+        throw std::runtime_error("from the driver");
+    realDispatch(commands, x, y, z);
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceProcAddr(VkDevice device, const char* name) {
+    const PFN_vkVoidFunction real = realDeviceProcAddr(device, name);
+    if (std::strcmp(name, "vkCmdDispatch") != 0)
+        return real;
+    realDispatch = reinterpret_cast<PFN_vkCmdDispatch>(real);
+    return reinterpret_cast<PFN_vkVoidFunction>(dispatch);
+}
+
+AgaaVkFunction AGAA_CALL procAddr(void* instance, const char* name) {
+    const AgaaVkFunction real = harness::vk::Device::getProcAddr(instance, name);
+    if (std::strcmp(name, "vkGetDeviceProcAddr") != 0)
+        return real;
+    realDeviceProcAddr = reinterpret_cast<PFN_vkGetDeviceProcAddr>(real);
+    return reinterpret_cast<AgaaVkFunction>(deviceProcAddr);
+}
+
+TEST(Recording, AnyFailureAfterTheFirstCommandIsPartial) {
+    Bench bench({.getProcAddr = procAddr});
+    bench.renderGoodFrame();
+    const std::vector<float> expected = bench.view.image().rgb;
+    AgaaFrame frame = bench.frame();
+    frame.segments = AGAA_SEGMENT_PREPASS;
+    sharedDevice().runCommands([&](VkCommandBuffer commands) {
+        AgaaVkFrame vk = bench.view.vkFrame(commands);
+        ASSERT_EQ(bench.record(frame, vk), AGAA_OK);
+    });
+    frame.segments = AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING;
+    const VkCommandBuffer commands = sharedDevice().beginCommands();
+    AgaaVkFrame vk = bench.view.vkFrame(commands);
+    vk.shadowViews[0] = bench.shadow.view();
+    dispatchThrows = true;
+    EXPECT_EQ(bench.record(frame, vk), AGAA_ERROR_PARTIAL);
+    dispatchThrows = false;
+    bench.expectOneSentence(AGAA_ERROR_PARTIAL, "unexpected");
+    // Earlier segments of the frame have run, so that it cannot go on.
+    EXPECT_EQ(bench.record(frame, vk), AGAA_ERROR_WRONG_ORDER);
+    sharedDevice().discardCommands(commands);
     bench.renderGoodFrame();
     EXPECT_EQ(bench.view.image().rgb, expected);
 }
