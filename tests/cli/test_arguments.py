@@ -42,6 +42,10 @@ WRONG = [
     ["render", "--preset", "fast", "--aggregates", "3"],
     ["compare", "only-one.exr"],
     ["reference", "--spp", "1"],
+    ["reference", "--footprint", "texel"],
+    ["render", "--alpha-points", "2"],
+    ["render", "--dither-frame", "-1"],
+    ["sweep", "--jpeg", "0"],
 ]
 
 FAILS = [

@@ -20,8 +20,8 @@ class Render(unittest.TestCase):
 
     backend = "vk"
 
-    def render(self, *arguments, size="96x54"):
-        return harness.data("render", "--backend", self.backend, "--scene", "metal", "--size", size,
+    def render(self, *arguments, size="96x54", scene="metal"):
+        return harness.data("render", "--backend", self.backend, "--scene", scene, "--size", size,
                             *arguments)
 
     def test_counting_changes_no_pixel(self):
@@ -106,6 +106,21 @@ class Render(unittest.TestCase):
 
         few, many = reference(4), reference(32)
         self.assertLess(many["splitHalfMseTm"], few["splitHalfMseTm"])
+
+    def test_footprints_of_references(self):
+        for footprint in ("pixel", "sample"):
+            data = harness.data("reference", "--backend", self.backend, "--scene", "foliage", "--size", "48x27",
+                                "--spp", "16", "--footprint", footprint, "--exr", self.path(footprint + ".exr"))
+            self.assertEqual(data["footprint"], footprint)
+            self.assertEqual(data["apiMessages"], [])
+        data = harness.data("compare", self.path("pixel.exr"), self.path("sample.exr"))
+        self.assertGreater(data["mseTm"], 1e-5, "textures are filtered over less")
+
+    def test_points_where_alpha_is_read(self):
+        for points in ("1", "4"):
+            data = self.render("--alpha-points", points, "--exr", self.path(points + ".exr"), scene="foliage")
+            self.assertEqual((data["counters"]["missed"], data["counters"]["multi"]), (0, 0))
+        self.assertGreater(harness.data("compare", self.path("1.exr"), self.path("4.exr"))["maxAbs"], 0.01)
 
     def test_caps(self):
         data = harness.data("caps", "--backend", self.backend)
