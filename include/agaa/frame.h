@@ -116,7 +116,8 @@ typedef struct AgaaFrame {
     uint64_t segments;       /* AGAA_SEGMENT_…, in order, each once per frame */
     float view[16];       /* shading to view space: a rotation, its translation is zero */
     float projection[16]; /* as the rasteriser uses it, sub-pixel jitter and the y flip of a negative viewport
-                             height included */
+                             height included. Samples whose depth rounds to that of the far plane, 1 or with
+                             AGAA_VIEW_REVERSED_Z 0, show the background */
     uint32_t lightCount;
     uint32_t shadowCount;
     const AgaaLight* lights;

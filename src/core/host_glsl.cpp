@@ -57,6 +57,8 @@ std::string places(const HostDialect& dialect) {
         out += dialect.openGl ? format("#define AGAA_AT_%s binding = %u\n", names[i], dialect.bindings[i])
                               : format("#define AGAA_AT_%s set = %u, binding = %u\n", names[i],
                                        dialect.descriptorSet, i);
+    static_assert(host_slot::Normals == host_slot::Shadow0);
+    out += "#define AGAA_AT_NORMALS AGAA_AT_SHADOW0\n";
     return out;
 }
 
@@ -116,7 +118,9 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     defineSwitch(out, "AGAA_COUNTING", c[AGAA_COUNTERS]);
     define(out, "AGAA_EMISSIVE_CHANNELS", c[AGAA_EMISSIVE_CHANNELS]);
     out += "#define AGAA_EMISSIVE_RANGE " + glslNumber(plan.layout.emissiveRange()) + "\n";
+    defineSwitch(out, "AGAA_FAR_DEPTH", c[AGAA_FAR_DEPTH]);
     if (pass.drawPass == AGAA_DRAW_PASS_AGGREGATE) {
+        out += format("#define AGAA_TARGET_TEXTURE %s\n", plan.hwSamples > 1 ? "sampler2DMS" : "sampler2D");
         defineSwitch(out, "AGAA_AGGREGATES", std::max(plan.aggregates, 1u));
         defineSwitch(out, "AGAA_PER_SAMPLE", pass.drawState.sampleShading);
         defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE", !pass.extensions.empty());
@@ -186,10 +190,12 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
         appendGlsl(out, "host/gbuffer.glsl", seen);
         break;
     case AGAA_DRAW_PASS_FORWARD:
+        appendGlsl(out, "host/far_plane.glsl", seen);
         appendGlsl(out, "host/forward.glsl", seen);
         break;
     case AGAA_DRAW_PASS_AGGREGATE:
         out += putFields(pass.constants);
+        appendGlsl(out, "host/far_plane.glsl", seen);
         appendGlsl(out, "host/aggregate.glsl", seen);
         break;
     default:

@@ -25,7 +25,8 @@ enum : uint32_t {
 }
 // Binding slots of the set that hosts bind (src/shaders/host/).
 namespace host_slot {
-enum : uint32_t { Frame = 0, Metadata = 1, Aggregates = 2, Counters = 3, Lights = 4, Shadow0 = 5, Count = 9 };
+enum : uint32_t { Frame = 0, Metadata = 1, Aggregates = 2, Counters = 3, Lights = 4, Shadow0 = 5, Count = 9,
+                 Normals = Shadow0 }; // passes that draw aggregates have no shadows
 }
 
 class PlanBuilder {

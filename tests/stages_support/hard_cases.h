@@ -101,6 +101,36 @@ TYPED_TEST_P(HardCases, HardCase17GeometryAtTheFarPlaneIsSeen) {
         }
 }
 
+// A wall that runs into the far plane: where its depth rounds to the value that was cleared, every technique shows the
+// background.
+TYPED_TEST_P(HardCases, HardCase17DepthThatRoundsToTheFarPlaneIsBackground) {
+    std::vector<Triangle> wall = rectangle(-100, -100, 100, 100, 0, facing({1, 1, 1}));
+    for (Triangle& t : wall)
+        for (glm::vec3& corner : t.position)
+            corner.z = corner.x < 0 ? -99.99f : -100.0f;
+    const auto shown = [&](const Setting& s) {
+        ViewSettings view;
+        view.config.technique = s.technique;
+        view.config.samples = s.n;
+        view.config.generationTier = s.tier;
+        return this->render(view, wall, {sun()});
+    };
+    const Shown truth = shown({"ssaa", 8});
+    EXPECT_GT(truth.counters.visible, uint64_t(48 * 32 * 8 / 2));
+    EXPECT_LT(truth.counters.visible, uint64_t(48 * 32 * 8 * 99 / 100)) << "part of the wall is at the far plane";
+    for (const Setting& s : {Setting{"simple_complex", 8}, {"msaa", 8}, {"sbaa", 8}, {"agaa", 8},
+                             {"agaa", 8, AGAA_TIER_PER_SAMPLE}, {"agaa", 8, AGAA_TIER_GBUFFER},
+                             {"agaa", 8, AGAA_TIER_IDS}}) {
+        const Shown r = shown(s);
+        EXPECT_EQ(r.counters.once, r.counters.visible) << s;
+        EXPECT_EQ(r.counters.missed + r.counters.multi, 0u) << s;
+        if (std::string(s.technique) == "msaa")
+            continue; // it finds the far plane by the depth that it reads, which Mesa rounds up by a step
+        EXPECT_EQ(r.counters.visible, truth.counters.visible) << s;
+        EXPECT_GE(compare(r.rgb, truth.rgb).psnr, 45) << s;
+    }
+}
+
 // One sample of a pixel: no variance, no widening, the colour's nth part.
 TYPED_TEST_P(HardCases, HardCase19OneCoveredSampleIsThatSample) {
     // A dot around one sample of the 4x pattern, in pixel (8, 4).
@@ -253,6 +283,58 @@ TYPED_TEST_P(HardCases, HardCase48And50DegenerateTriangles) {
         EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
         EXPECT_EQ(r.counters.once, r.counters.visible);
         EXPECT_EQ(r.counters.missed + r.counters.multi, 0u);
+    }
+}
+
+// Zero area, collinear corners, needles: what a rasteriser makes of them must be the same in both passes, and each
+// sample counts once.
+inline std::vector<Triangle> sliverTriangles(uint32_t count, uint32_t seed) {
+    std::mt19937 random(seed);
+    const auto uniform = [&](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
+    std::vector<Triangle> list;
+    for (uint32_t i = 0; i < count; ++i) {
+        Triangle t;
+        const float distance = uniform(1, 20);
+        for (glm::vec3& corner : t.position)
+            corner = distance * glm::vec3(uniform(-0.9f, 0.9f), uniform(-0.6f, 0.6f), uniform(-1.2f, -0.8f));
+        const glm::vec3 along = t.position[1] - t.position[0];
+        if (i % 5 == 0)
+            t.position[2] = t.position[1];
+        if (i % 5 == 1)
+            t.position[2] = t.position[0] + uniform(-1, 2) * along;
+        if (i % 5 == 2)
+            t.position[2] = t.position[0] + uniform(0, 1) * along + 1e-4f * distance * glm::vec3(uniform(-1, 1));
+        if (i % 5 == 3) // along the view, from the near to the far plane
+            t.position[1] = t.position[0] * (100 / distance);
+        if (i % 5 >= 3)
+            t.position[2] = t.position[0] + 0.01f * distance * glm::vec3(uniform(-1, 1), uniform(-1, 1), 0);
+        t.material = facing({uniform(0, 1), uniform(0, 1), uniform(0, 1)});
+        const glm::vec3 n = glm::cross(along, t.position[2] - t.position[0]);
+        const float length = glm::length(n);
+        t.material.geometricNormal = glm::vec4(length > 0 ? n / length : glm::vec3(0), 0);
+        list.push_back(t);
+    }
+    return list;
+}
+
+TYPED_TEST_P(HardCases, HardCase48SliversCountOnce) {
+    for (const uint32_t seed : {1u, 2u}) {
+        const std::vector<Triangle> scene = sliverTriangles(3000, seed);
+        uint64_t visible = 0;
+        for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_IDS}) {
+            ViewSettings view;
+            view.config.samples = 32;
+            view.config.aggregates = 4;
+            view.config.generationTier = tier;
+            const Shown r = this->render(view, scene, {sun()});
+            EXPECT_EQ(r.counters.once, r.counters.visible) << seed << ' ' << agaaTierName(tier);
+            EXPECT_EQ(r.counters.missed + r.counters.multi, 0u) << seed << ' ' << agaaTierName(tier);
+            EXPECT_EQ(nonFinite(r.rgb), 0u);
+            visible = visible ? visible : r.counters.visible;
+            EXPECT_EQ(r.counters.visible, visible);
+        }
     }
 }
 
@@ -417,6 +499,7 @@ TYPED_TEST_P(HardCases, FoldedAggregatesInMemoryHaveNoFilteredDiffuse) {
 
 REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
                             HardCase17GeometryAtTheFarPlaneIsSeen,
+                            HardCase17DepthThatRoundsToTheFarPlaneIsBackground,
                             HardCase19OneCoveredSampleIsThatSample, HardCase32ADarkRampSurvives,
                             HardCase33WhiteStaysWhite, HardCase37BadMaterialsAreContained,
                             HardCase4OpposedNormalsCancel, HardCase39And40LightsInSurfaces,
@@ -424,6 +507,6 @@ REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
                             HardCase55OddSizesAreWhole, WithoutSpecularLightIsDiffuse,
                             NormalsWithoutADirectionFaceAlongZ, MirrorsAlongAnAxisKeepTheirPeak,
                             LightsInThePlaneOfASurfaceDoNotReachIt, BrightEmissionKeepsItsHue,
-                            FoldedAggregatesInMemoryHaveNoFilteredDiffuse);
+                            FoldedAggregatesInMemoryHaveNoFilteredDiffuse, HardCase48SliversCountOnce);
 
 } // namespace agaa::test

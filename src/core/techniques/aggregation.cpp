@@ -60,6 +60,8 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     draw.depthTarget = prepass.depth;
     if (metadata != noResource)
         b.bind(draw, host_slot::Metadata, BindingType::Texture, metadata);
+    if (!a.represented) // samples at the far plane, which the prepass does not show, are equal in depth all the same
+        b.bind(draw, host_slot::Normals, BindingType::Texture, prepass.normals);
     b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.plan.hwSamples > 1)
         draw.extensions.push_back("post_depth_coverage");

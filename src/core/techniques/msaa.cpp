@@ -32,8 +32,7 @@ static void build(PlanBuilder& b) {
     Pass& resolve = b.compute("resolve", AGAA_STAGE_OTHER, "resolve", "mcb", AGAA_SEGMENT_SHADING);
     b.bindCommon(resolve);
     b.bind(resolve, slot::Surface0, BindingType::Texture, color);
-    if (b.counts())
-        b.bind(resolve, slot::Depth, BindingType::Texture, depth);
+    b.bind(resolve, slot::Depth, BindingType::Texture, depth);
     b.bindOutput(resolve);
     b.copyCounters();
 }

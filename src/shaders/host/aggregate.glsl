@@ -21,8 +21,26 @@ uint agaa_orWord(uint word, uint bits) { return atomicOr(agaa_aggregates.words[w
 void agaa_addToWord(uint word, uint amount) { atomicAdd(agaa_aggregates.words[word], amount); }
 #endif
 
+#if !AGAA_REPRESENTED
+layout(AGAA_AT_NORMALS) uniform AGAA_TARGET_TEXTURE agaa_normals; // of the first pass; 0: background
+#if AGAA_HW_SAMPLES == 1
+#define AGAA_NORMAL_OF(i) texelFetch(agaa_normals, ivec2(gl_FragCoord.xy), 0)
+#else
+#define AGAA_NORMAL_OF(i) texelFetch(agaa_normals, ivec2(gl_FragCoord.xy), i)
+#endif
+
+// Of a texel, the samples that show geometry.
+uint agaa_shownSamples() {
+    uint shown = 0u;
+    for (int i = 0; i < AGAA_HW_SAMPLES; ++i)
+        shown |= AGAA_NORMAL_OF(i).x > 0.0 ? 1u << i : 0u;
+    return shown;
+}
+#endif
+
 // Samples of the pixel that this invocation stands for.
 uint agaa_fragmentMask(AgaaSurfaceInput s) {
+    bool isFar = agaa_mayReachFarPlane(); // first: derivatives want uniform control flow
 #if AGAA_HW_SAMPLES == 1
     uint mask = 1u;
 #elif AGAA_PER_SAMPLE
@@ -32,6 +50,10 @@ uint agaa_fragmentMask(AgaaSurfaceInput s) {
 #endif
 #if AGAA_ALPHA_MASKED
     mask &= agaa_alphaMask(s);
+#endif
+#if !AGAA_REPRESENTED
+    if (isFar && mask != 0u)
+        mask &= agaa_shownSamples();
 #endif
     return mask << (agaa_hostGroup() * AGAA_HW_SAMPLES);
 }

@@ -21,6 +21,7 @@ agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
 
 void agaa_emit(AgaaSurfaceInput s) {
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
+    float alpha = agaa_mayReachFarPlane() ? 0.5 : 1.0; // which the resolve looks at
     uint kept = 1u;
 #if AGAA_ALPHA_MASKED
     kept = agaa_alphaMask(s);
@@ -33,7 +34,7 @@ void agaa_emit(AgaaSurfaceInput s) {
         for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
             agaa_visibility[map] = agaa_shadowTap(map, s.position);
 #endif
-        agaa_out0 = vec4(min(agaa_lightSurface(agaa_forwardSurface(s), s.position), vec3(65504.0)), 1.0);
+        agaa_out0 = vec4(min(agaa_lightSurface(agaa_forwardSurface(s), s.position), vec3(65504.0)), alpha);
     }
 #if AGAA_ALPHA_MASKED
     AGAA_KEEP_SAMPLES(kept);

@@ -9,16 +9,19 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/counters.glsl"
 #include "passes/output.glsl"
 
-layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_color; // alpha: covered
-
-#if AGAA_COUNTING
 #include "passes/sample_depth.glsl"
 
+// Alpha: 0 where nothing is, 0.5 where the fragment may be at the far plane, else 1.
+layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_color;
+
+bool agaa_isAtFarPlane(uvec2 pixel, uint i) { return agaa_depthOf(pixel, i) == float(AGAA_FAR_DEPTH); }
+
+#if AGAA_COUNTING
 // Alpha is what the second geometry pass wrote, depth what the first one left.
 void agaa_countSamples(uvec2 pixel, uint covered) {
     uint visible = 0u;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i)
-        visible |= agaa_depthOf(pixel, i) != float(AGAA_FAR_DEPTH) ? 1u << i : 0u;
+        visible |= agaa_isAtFarPlane(pixel, i) ? 0u : 1u << i;
     uint missed = visible & ~covered;
     uint multi = covered & ~visible;
     agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(visible)));
@@ -38,8 +41,9 @@ void agaa_resolvePixel(uvec2 pixel) {
     uint covered = 0u;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
         vec4 texel = AGAA_FETCH(agaa_color, pixel, i);
-        sum += texel.rgb;
-        covered |= texel.a > 0.0 ? 1u << i : 0u;
+        bool isShown = texel.a == 1.0 || (texel.a > 0.0 && !agaa_isAtFarPlane(pixel, i));
+        sum += isShown ? texel.rgb : vec3(0.0);
+        covered |= isShown ? 1u << i : 0u;
     }
     agaa_countSamples(pixel, covered);
     agaa_writeOutput(pixel, sum / float(AGAA_SAMPLES), uint(bitCount(covered)));
