@@ -4,7 +4,9 @@
 #include "gl/bindings.h"
 #include "gl/formats.h"
 #include "gl/host_state.h"
+#include "gl/output_view.h"
 
+#include <algorithm>
 #include <new>
 #include <optional>
 
@@ -174,6 +176,12 @@ void View::runTransfer(const Pass& pass, uint32_t slot) {
                                   GLsizeiptr(plan.resources[pass.source].bytes));
 }
 
+static bool usesOutput(const Plan& plan, const Pass& pass) {
+    return std::any_of(pass.bindings.begin(), pass.bindings.end(), [&](const Binding& binding) {
+        return plan.resources[binding.resource].kind == ResourceKind::Output;
+    });
+}
+
 void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t index, uint32_t slot,
                    HostState& state) {
     const Pass& pass = plan.passes[index];
@@ -188,13 +196,17 @@ void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t in
     case PassKind::HostDraw:
         runHostDraw(frame, glFrame, index, slot, state);
         break;
-    case PassKind::Compute:
+    case PassKind::Compute: {
+        std::optional<OutputView> output;
+        if (usesOutput(plan, pass))
+            output.emplace(gl, glFrame.outputTexture);
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.noTarget);
         gl.UseProgram(passes[index].program);
         bindForCompute(pass, frame, glFrame, slot);
         gl.DispatchCompute((plan.width + pass.groupSide - 1) / pass.groupSide,
                            (plan.height + pass.groupSide - 1) / pass.groupSide, 1);
         break;
+    }
     case PassKind::Fill:
     case PassKind::Copy:
         runTransfer(pass, slot);

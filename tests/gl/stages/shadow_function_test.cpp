@@ -2,6 +2,7 @@
 // its view.
 #include "bench.h"
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -116,6 +117,50 @@ TEST(GlFrames, CompositeOverATextureWithoutMipLevels) {
                   GL_RGBA, GL_FLOAT, nullptr);
     gl.BindTexture(GL_TEXTURE_2D, 0);
     EXPECT_EQ(render(name), render(bench.view.output().get()));
+}
+
+// Level 0 and its channels are written and read, whatever the host's own sampling of the texture is set to.
+TEST(GlFrames, OutputsMayHaveABaseLevelAndSwizzle) {
+    const GladGLContext& gl = sharedEgl().gl();
+    ViewSettings settings = benchSettings();
+    settings.flags = AGAA_VIEW_COMPOSITE;
+    const auto width = GLsizei(settings.width), height = GLsizei(settings.height);
+    const auto count = 4 * width * height;
+    const std::vector<float> below(size_t(count), 0.5f), other(size_t(count), 8.0f);
+    constexpr std::array<GLint, 4> plain = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
+    constexpr std::array<GLint, 4> mixed = {GL_ZERO, GL_ALPHA, GL_RED, GL_ONE};
+    for (const char* technique : {"ssaa", "agaa", "fxaa"}) {
+        settings.config.technique = technique;
+        Bench bench(contextDesc(), sharedEgl(), settings);
+        const auto render = [&](GLint baseLevel, const std::array<GLint, 4>& swizzle, float background) {
+            const harness::gl::Texture output = harness::gl::createTexture(gl, GL_TEXTURE_2D);
+            gl.TextureStorage2D(output.get(), 2, GL_RGBA32F, width, height);
+            gl.TextureSubImage2D(output.get(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, below.data());
+            gl.TextureSubImage2D(output.get(), 1, 0, 0, width / 2, height / 2, GL_RGBA, GL_FLOAT, other.data());
+            gl.TextureParameteri(output.get(), GL_TEXTURE_BASE_LEVEL, baseLevel);
+            gl.TextureParameteriv(output.get(), GL_TEXTURE_SWIZZLE_RGBA, swizzle.data());
+            AgaaFrame frame = bench.frame();
+            frame.background[3] = background;
+            AgaaGlFrame glFrame = bench.glFrame();
+            glFrame.outputTexture = output.get();
+            bench.view.render(frame, glFrame);
+            GLint levelNow = -1;
+            std::array<GLint, 4> swizzleNow{};
+            gl.GetTextureParameteriv(output.get(), GL_TEXTURE_BASE_LEVEL, &levelNow);
+            gl.GetTextureParameteriv(output.get(), GL_TEXTURE_SWIZZLE_RGBA, swizzleNow.data());
+            EXPECT_EQ(levelNow, baseLevel);
+            EXPECT_EQ(swizzleNow, swizzle);
+            std::vector<float> texels(below.size());
+            gl.GetTextureImage(output.get(), 0, GL_RGBA, GL_FLOAT, count * GLsizei(sizeof(float)), texels.data());
+            return texels;
+        };
+        for (float background : {0.0f, 1.0f}) { // 0: composites
+            const std::vector<float> expected = render(0, plain, background);
+            EXPECT_EQ(render(1, plain, background), expected) << technique << ", background " << background;
+            EXPECT_EQ(render(0, mixed, background), expected) << technique << ", background " << background;
+            EXPECT_EQ(render(1, mixed, background), expected) << technique << ", background " << background;
+        }
+    }
 }
 
 double meanDifference(const std::vector<float>& a, const std::vector<float>& b) {

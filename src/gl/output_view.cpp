@@ -1,0 +1,23 @@
+#include "gl/output_view.h"
+
+namespace agaa::gl {
+
+static constexpr std::array<GLint, 4> inOrder = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
+
+OutputView::OutputView(const GladGLContext& gl, GLuint texture) : gl_(gl), texture_(texture) {
+    gl.GetTextureParameteriv(texture, GL_TEXTURE_BASE_LEVEL, &baseLevel_);
+    gl.GetTextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA, swizzle_.data());
+    if (baseLevel_ != 0)
+        gl.TextureParameteri(texture, GL_TEXTURE_BASE_LEVEL, 0);
+    if (swizzle_ != inOrder)
+        gl.TextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA, inOrder.data());
+}
+
+OutputView::~OutputView() {
+    if (baseLevel_ != 0)
+        gl_.TextureParameteri(texture_, GL_TEXTURE_BASE_LEVEL, baseLevel_);
+    if (swizzle_ != inOrder)
+        gl_.TextureParameteriv(texture_, GL_TEXTURE_SWIZZLE_RGBA, swizzle_.data());
+}
+
+} // namespace agaa::gl
