@@ -35,7 +35,7 @@ typedef struct AgaaCounters {
                              show the last announced */
 } AgaaCounters;
 
-#define AGAA_MAX_PASSES 16
+#define AGAA_MAX_PASSES 16 /* a view with more is refused */
 typedef struct AgaaPassTime {
     char name[48];
     uint32_t stage;  /* AgaaStage */

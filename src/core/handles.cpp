@@ -95,9 +95,9 @@ AgaaResult AgaaView_T::statistics(uint64_t completedFrame, AgaaFrameStatistics& 
     const std::vector<double> times = readPassTimes(slot);
     if (!times.empty())
         out.timeSource = timeSource();
-    out.passCount = 0;
-    for (size_t i = 0; i < plan.passes.size() && out.passCount < AGAA_MAX_PASSES; ++i) {
-        AgaaPassTime& time = out.passes[out.passCount++];
+    out.passCount = uint32_t(plan.passes.size()); // at most AGAA_MAX_PASSES: the planner refuses more
+    for (size_t i = 0; i < plan.passes.size(); ++i) {
+        AgaaPassTime& time = out.passes[i];
         time = {};
         std::strncpy(time.name, plan.passes[i].name.c_str(), sizeof time.name - 1);
         time.stage = plan.passes[i].stage;

@@ -431,6 +431,10 @@ void PlanBuilder::findLifetimes() {
 }
 
 void PlanBuilder::checkLimits() const {
+    // Statistics tell of every pass.
+    if (plan.passes.size() > AGAA_MAX_PASSES)
+        fail(AGAA_ERROR_INTERNAL, format("the plan has %zu passes; AgaaFrameStatistics::passes holds %d.",
+                                         plan.passes.size(), AGAA_MAX_PASSES));
     // The host's own targets and output, which are no resources with a size of ours.
     const uint64_t width = uint64_t(plan.width) * plan.scaleX, height = uint64_t(plan.height) * plan.scaleY;
     if (std::max(width, height) > caps_.maxImageSize)

@@ -4,6 +4,7 @@
 #include "core/embedded.h"
 #include "core/error.h"
 #include "core/host_glsl.h"
+#include "core/plan_builder.h"
 #include "core/sample_patterns.h"
 #include "core/tiers.h"
 
@@ -65,6 +66,31 @@ TEST(Planner, UploadsAreReadInOneSegmentEach) {
                 EXPECT_TRUE(!isUpload || std::popcount(resource.segments) <= 1) << technique->name << ", " << resource.name;
             }
         }
+}
+
+// AgaaFrameStatistics has room for AGAA_MAX_PASSES times, and none may be left out in silence.
+TEST(Planner, APlanHasNoMorePassesThanStatisticsHold) {
+    AgaaConfig config = AGAA_CONFIG_INIT;
+    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
+    AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
+    view.width = view.height = 64;
+    view.config = &config;
+    view.facts = &facts;
+    const auto build = [&](size_t passes) {
+        PlanBuilder builder(view, idealDevice(), 2);
+        const ResourceId buffer = builder.pixelBuffer("words", 4);
+        while (builder.plan.passes.size() < passes)
+            builder.fill("clear", AGAA_STAGE_OTHER, buffer, AGAA_SEGMENT_SHADING);
+        return builder.finish();
+    };
+    EXPECT_EQ(build(AGAA_MAX_PASSES).passes.size(), size_t(AGAA_MAX_PASSES));
+    try {
+        build(AGAA_MAX_PASSES + 1);
+        ADD_FAILURE() << "accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, AGAA_ERROR_INTERNAL);
+        EXPECT_NE(error.message.find("17 passes"), std::string::npos) << error.message;
+    }
 }
 
 TEST(Planner, SamplesLieApartInsideThePixel) {
