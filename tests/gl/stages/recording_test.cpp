@@ -1,7 +1,11 @@
 // Misuse of frames: an error code, one clear sentence, nothing drawn, nothing lost.
 #include "bench.h"
 #include "frame_misuse.h"
+// The library's own, for its buffer of counters.
+#include "gl/view.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 
 namespace agaa::test {
@@ -242,6 +246,38 @@ TEST(GlRecording, AFailedFrameTakesItsSlot) {
     EXPECT_EQ(bench.record(frame, bench.glFrame()), AGAA_OK);
     EXPECT_EQ(agaaGetFrameStatistics(bench.view.get(), 3, &statistics), AGAA_OK);
     EXPECT_EQ(statistics.frameIndex, 3u);
+}
+
+// Fragments add to the low word of a count, which has a high word too. The test puts the low word near its end after
+// the first segment, which clears it.
+TEST(GlRecording, CountsOfFragmentsCarryIntoTheirHighWord) {
+    for (uint32_t storage : {AGAA_GL_STORAGE_BUFFERS, AGAA_GL_STORAGE_IMAGES}) {
+        SCOPED_TRACE(storage);
+        AgaaGlContextDesc desc = contextDesc();
+        desc.storage = storage;
+        Bench bench(desc);
+        std::vector<Triangle> triangles = randomTriangles({.triangles = 20}, 41);
+        for (Triangle& triangle : triangles)
+            triangle.material.diffuse.y = nan;
+        bench.view.setTriangles(triangles);
+        bench.picture();
+        const uint64_t once = bench.view.statistics().counters.sanitised;
+        ASSERT_GT(once, 2u);
+        const auto& view = static_cast<const agaa::gl::View&>(*bench.view.get());
+        const auto& resources = view.plan.resources;
+        const auto counters = std::find_if(resources.begin(), resources.end(),
+                                           [](const agaa::Resource& r) { return r.name == "counters"; });
+        const GLuint buffer = view.resources->buffer(agaa::ResourceId(counters - resources.begin()), 0);
+        AgaaFrame frame = bench.frame();
+        frame.segments = AGAA_SEGMENT_PREPASS;
+        ASSERT_EQ(bench.record(frame, bench.glFrame()), AGAA_OK);
+        const GLuint start = 0xFFFFFFFEu;
+        sharedEgl().gl().ClearNamedBufferSubData(buffer, GL_R32UI, offsetof(agaa::CounterBuffer, sanitised), sizeof start,
+                                                 GL_RED_INTEGER, GL_UNSIGNED_INT, &start);
+        frame.segments = AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING;
+        ASSERT_EQ(bench.record(frame, bench.glFrame()), AGAA_OK);
+        EXPECT_EQ(bench.view.statistics().counters.sanitised, start + once);
+    }
 }
 
 TEST(GlRecording, FramesAndSegmentsHaveAnOrder) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <set>
@@ -343,6 +344,43 @@ TEST(Recording, SegmentsLeaveTheConstantsOfEarlierOnesAlone) {
         }
     });
     EXPECT_EQ(bench.view.image().rgb, expected);
+}
+
+// Fragments add to the low word of a count, which has a high word too. The test puts the low word near its end after
+// the first segment, which clears it.
+TEST(Recording, CountsOfFragmentsCarryIntoTheirHighWord) {
+    Bench bench;
+    std::vector<Triangle> triangles = randomTriangles({.triangles = 20}, 41);
+    for (Triangle& triangle : triangles)
+        triangle.material.diffuse.y = nan;
+    bench.view.setTriangles(triangles);
+    bench.renderGoodFrame();
+    const uint64_t once = bench.view.statistics().counters.sanitised;
+    ASSERT_GT(once, 2u);
+    const uint32_t start = 0xFFFFFFFEu;
+    const std::vector<agaa::Resource>& resources = bench.view.plan().resources;
+    const auto counters = std::find_if(resources.begin(), resources.end(),
+                                       [](const agaa::Resource& r) { return r.name == "counters"; });
+    const VkBuffer buffer = (*bench.view.executor().resources)[agaa::ResourceId(counters - resources.begin())].buffers[0];
+    sharedDevice().runCommands([&](VkCommandBuffer commands) {
+        AgaaFrame frame = bench.frame();
+        AgaaVkFrame vk = bench.view.vkFrame(commands);
+        vk.shadowViews[0] = bench.shadow.view();
+        frame.segments = AGAA_SEGMENT_PREPASS;
+        ASSERT_EQ(bench.record(frame, vk), AGAA_OK);
+        VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_MEMORY_WRITE_BIT,
+                                VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT};
+        const auto wait = [&] {
+            vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1,
+                                 &barrier, 0, nullptr, 0, nullptr);
+        };
+        wait();
+        vkCmdUpdateBuffer(commands, buffer, offsetof(agaa::CounterBuffer, sanitised), sizeof start, &start);
+        wait();
+        frame.segments = AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING;
+        ASSERT_EQ(bench.record(frame, vk), AGAA_OK);
+    });
+    EXPECT_EQ(bench.view.statistics().counters.sanitised, start + once);
 }
 
 // What was begun and given up does not stop the next frame.
