@@ -119,6 +119,10 @@ typedef enum AgaaTier {
 #define AGAA_CONFIG_BUFFERED UINT64_C(0x400) /* of "agaa": aggregates go to memory, the surface "aggregates", and a
                                                 pass of its own shades them, by the tiers IDS and GBUFFER too; not
                                                 with litShadows, nor with ndf from LEAN on */
+#define AGAA_CONFIG_FINE_MATERIALS UINT64_C(0x800) /* of the tier IDS: a primitive's material is evaluated in each
+                                                      texel of the scaled target that shows it, as a G-buffer's is,
+                                                      not once in each pixel. No effect where a pixel is one texel.
+                                                      AgaaCounters::materials counts the evaluations */
 
 /* What the output shows of each pixel in place of its image: numbers and shares in all channels, or a colour. Not of
  * "msaa", whose shading is the host's. Beyond what is covered: 0. A view that does not apply is
@@ -188,7 +192,7 @@ typedef struct AgaaConfig {
 /* Named settings of "agaa", from measurements (docs/choosing.md): "paper", as its sections say, but that each sample
  * goes to its own aggregate (AGAA_CONFIG_FIRST_SAMPLE_ROUTING) and k stays as it is (the paper: 10 cm); "fast",
  * "balanced" and "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf,
- * litShadows (the first shadow), glossWeight and what flags say of clustering and filters; leaves the rest. The last
+ * litShadows (the first shadow), glossWeight and what flags say of clustering, filters and materials; leaves the rest. The last
  * two want materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER.
  * AGAA_ERROR_INVALID_ARGUMENT: config is null, name is null or none of these; AGAA_ERROR_STRUCT: config was not
  * initialised. On an error config is as it was. */

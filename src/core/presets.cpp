@@ -18,14 +18,14 @@ struct Preset {
 
 constexpr uint64_t decided = AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_SPLIT_SURFACES |
                              AGAA_CONFIG_FIRST_SAMPLE_ROUTING | AGAA_CONFIG_NO_SHADOW_FILTER |
-                             AGAA_CONFIG_NO_DIFFUSE_FILTER;
+                             AGAA_CONFIG_NO_DIFFUSE_FILTER | AGAA_CONFIG_FINE_MATERIALS;
 
 constexpr Preset presets[] = {
     {"paper", 2, 0.02f, AGAA_SEEDS_SUM_OF_SQUARES, 0, 0.0f, AGAA_NDF_TOKSVIG,
      AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_SPLIT_SURFACES},
     {"fast", 1, 0.02f, AGAA_SEEDS_MAXIMIN, 0, 0.0f, AGAA_NDF_TOKSVIG, 0},
     {"balanced", 4, 0.4f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, 0},
-    {"accurate", 4, 0.1f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, 0},
+    {"accurate", 4, 0.1f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, AGAA_CONFIG_FINE_MATERIALS},
 };
 
 } // namespace

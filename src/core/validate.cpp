@@ -102,7 +102,7 @@ AgaaConfig checkConfig(const AgaaConfig* pointer) {
                                AGAA_CONFIG_NO_DIFFUSE_FILTER | AGAA_CONFIG_NO_SHADOW_FILTER |
                                AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_NO_STENCIL |
                                AGAA_CONFIG_FIRST_SAMPLE_ROUTING | AGAA_CONFIG_SPLIT_SURFACES |
-                               AGAA_CONFIG_BUFFERED;
+                               AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS;
     require((config.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaConfig::flags has bits that are not known here.");
     return config;

@@ -102,6 +102,60 @@ TYPED_TEST_P(IdsCases, SplitSurfacesAreGroupedAsByTwoPasses) {
     }
 }
 
+// As the preset asks for, without fine materials.
+inline ViewSettings accurateSettings(const char* technique, uint32_t tier) {
+    ViewSettings settings = idsSettings(8, 4, tier);
+    agaaApplyPreset("accurate", &settings.config);
+    settings.config.flags &= ~AGAA_CONFIG_FINE_MATERIALS;
+    settings.config.technique = technique;
+    return settings;
+}
+
+// Small facets of a plane whose shading normals face the eye and away from it in turn: one surface by their planes,
+// but a mean of such normals has no direction.
+TYPED_TEST_P(IdsCases, OpposedShadingNormalsOfOnePlaneAreGrouped) {
+    Shot shot{.change = addAmbient};
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x) {
+            Material m;
+            m.normal = glm::vec4(0, 0, (x + y) % 2 ? 1 : -1, 1e-2f);
+            const glm::vec2 corner = 0.6f * glm::vec2(x, y);
+            for (const Triangle& t : rectangle(corner.x, corner.y, corner.x + 0.6f, corner.y + 0.6f, 5, m))
+                shot.triangles.push_back(t);
+        }
+    const auto shown = [&](const char* technique, uint32_t tier) {
+        ViewSettings settings = accurateSettings(technique, tier);
+        settings.width = settings.height = 24;
+        settings.projection = pixelOrthographic(24, 24, 10);
+        settings.config.characteristicLength = 100; // normals alone
+        return this->render(settings, shot);
+    };
+    const Shown truth = shown("ssaa", AGAA_TIER_AUTO);
+    const Shown ids = shown("agaa", AGAA_TIER_IDS);
+    const Difference d = compare(ids.rgb, truth.rgb);
+    std::printf("PSNR %.1f dB, energy %.3f\n", d.psnr, sumOf(ids.rgb) / sumOf(truth.rgb));
+    EXPECT_GE(d.psnr, 40);
+    EXPECT_NEAR(sumOf(ids.rgb) / sumOf(truth.rgb), 1, 0.02);
+}
+
+// The shading normal of one primitive that turns fast parts its samples too, where gloss weighs normals.
+TYPED_TEST_P(IdsCases, NormalsThatTurnWithinAPrimitiveAreGrouped) {
+    Shot shot{.triangles = leaningSurfaces(), .change = addAmbient};
+    shot.material = "float turn = 60.0 * p.at.x; m.alpha2 = 1e-3;\n"
+                    "m.normal = vec3(sin(turn), 0.0, cos(turn));\n"
+                    "m.normalDx = 60.0 * p.dx.x * vec3(cos(turn), 0.0, -sin(turn));\n"
+                    "m.normalDy = 60.0 * p.dy.x * vec3(cos(turn), 0.0, -sin(turn));\n";
+    ViewSettings settings = accurateSettings("agaa", AGAA_TIER_IDS);
+    const Shown grouped = this->render(settings, shot);
+    settings.config.glossWeight = 0;
+    const Shown whole = this->render(settings, shot);
+    EXPECT_GT(double(grouped.counters.shadingEvents), 1.3 * double(whole.counters.shadingEvents));
+    EXPECT_EQ(grouped.counters.primitives, whole.counters.primitives);
+    EXPECT_EQ(grouped.counters.visible, whole.counters.visible);
+    EXPECT_EQ(grouped.counters.once, grouped.counters.visible);
+    EXPECT_EQ(grouped.counters.shadedPixels, whole.counters.shadedPixels);
+}
+
 // What is kept in memory between the passes, and where some triangles come from, does not change
 // the image.
 TYPED_TEST_P(IdsCases, BufferedAndUnfetchedShowTheSame) {
@@ -327,6 +381,7 @@ TYPED_TEST_P(IdsCases, MaterialsThatAreNotFiniteAreContained) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(IdsCases, ShowWhatTwoPassesShow, SplitSurfacesAreGroupedAsByTwoPasses,
+                            OpposedShadingNormalsOfOnePlaneAreGrouped, NormalsThatTurnWithinAPrimitiveAreGrouped,
                             BufferedAndUnfetchedShowTheSame,
                             HardCase25UnfetchedDrawsShowTheFirstOfEqualDepths,
                             UnfetchedSamplesThatAreNotDrawnAreMissed,

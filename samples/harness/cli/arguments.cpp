@@ -177,6 +177,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
     flag(arguments.noStencil, AGAA_CONFIG_NO_STENCIL);
     flag(arguments.firstSampleRouting, AGAA_CONFIG_FIRST_SAMPLE_ROUTING);
     flag(arguments.splitSurfaces, AGAA_CONFIG_SPLIT_SURFACES);
+    flag(arguments.fineMaterials, AGAA_CONFIG_FINE_MATERIALS);
     flag(arguments.noDiffuseFilter, AGAA_CONFIG_NO_DIFFUSE_FILTER);
     flag(arguments.noShadowFilter, AGAA_CONFIG_NO_SHADOW_FILTER);
     flag(arguments.shadowAlongDepth, AGAA_CONFIG_SHADOW_ALONG_DEPTH);

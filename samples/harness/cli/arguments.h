@@ -45,6 +45,7 @@ struct PlanArguments {
     bool noStencil = false;
     bool firstSampleRouting = false;
     bool splitSurfaces = false;
+    bool fineMaterials = false;
     bool lit = false;
     bool buffered = false;
     uint32_t unfetchedEvery = 0; // of the tier ids: each so-manieth draw is one that cannot be fetched; 0: none

@@ -40,13 +40,14 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--shadow-taps", a.shadowTaps, "per aggregate, at most; 0: 8");
     app.add_option("--shading-cost", a.shadingCost, "evaluate lighting this many times");
     app.add_flag("--split-surfaces", a.splitSurfaces, "agaa: one surface may make several aggregates");
+    app.add_flag("--fine-materials", a.fineMaterials, "agaa by id: a material in each texel of the scaled target");
     app.add_flag("--first-sample-routing", a.firstSampleRouting, "the paper's algorithm 2, step 2 (c)");
     app.add_flag("--no-diffuse-filter", a.noDiffuseFilter);
     app.add_flag("--no-shadow-filter", a.noShadowFilter);
     app.add_flag("--shadow-along-depth", a.shadowAlongDepth, "the paper's shadow taps");
     CLI::Option* preset = app.add_option("--preset", a.preset, "paper, fast, balanced or accurate: settings of agaa");
     for (const char* decided : {"--technique", "--aggregates", "--ndf", "--seeds", "--threshold", "--surface",
-                                "--gloss-weight", "--lit", "--shadow-taps", "--split-surfaces",
+                                "--gloss-weight", "--lit", "--shadow-taps", "--split-surfaces", "--fine-materials",
                                 "--first-sample-routing", "--no-diffuse-filter", "--no-shadow-filter",
                                 "--shadow-along-depth"})
         preset->excludes(app.get_option(decided));

@@ -18,6 +18,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 shared uint agaa_masks[64u * AGAA_AGGREGATES]; // samples of each aggregate
 
+bool agaa_agreeShadingNormals(uvec2 pixel, uint covered) { return true; }
+
 void agaa_weighNormals(uvec2 pixel, uint covered) { agaa_weighFetchedNormals(pixel, covered); }
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {

@@ -13,6 +13,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(AGAA_AT_METADATA_OUT) writeonly uniform uimage2D agaa_metadata;
 
+bool agaa_agreeShadingNormals(uvec2 pixel, uint covered) { return true; }
+
 void agaa_weighNormals(uvec2 pixel, uint covered) {
 #if AGAA_FROM_GBUFFER
     agaa_weighFetchedNormals(pixel, covered);

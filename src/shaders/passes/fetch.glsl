@@ -69,8 +69,33 @@ AgaaMaterial agaa_fetchMaterialAt(AgaaPrimitive p, uvec2 pixel, vec2 place) {
     return m;
 }
 
-// In the middle of these samples, one or more; its normal is that at the pixel's corner, not unit.
+// Whether each texel of the target has materials of its own (AGAA_CONFIG_FINE_MATERIALS).
+bool agaa_hasFineMaterials() { return AGAA_MATERIAL_SAMPLES < agaa_sampleCount(); }
+
+// Samples of a pixel that share a primitive's material with this one.
+uint agaa_materialGroup(uint i) {
+    if (!agaa_hasFineMaterials())
+        return 0xFFFFFFFFu;
+    return (1u << AGAA_MATERIAL_SAMPLES) - 1u << i / AGAA_MATERIAL_SAMPLES * AGAA_MATERIAL_SAMPLES;
+}
+
+// A texel's material, as a fragment of a G-buffer has it: one normal, in the centre or, where the primitive does not
+// show at all samples, at one of those where it does.
+AgaaMaterial agaa_fetchFineMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
+    uint first = uint(findLSB(samples));
+    uint group = first / AGAA_MATERIAL_SAMPLES;
+    vec2 scale = vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
+    vec2 centre = (vec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X) + 0.5) / scale;
+    bool isWhole = uint(bitCount(samples)) == AGAA_MATERIAL_SAMPLES;
+    AgaaMaterial m = agaa_fetchMaterialAt(p, pixel, isWhole ? centre : agaa_frame.samplePosition[first].xy);
+    m.normalDx = m.normalDy = vec3(0.0);
+    return m;
+}
+
+// Of these samples, one or more, in their middle; its normal is that at the pixel's corner, not unit.
 AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
+    if (agaa_hasFineMaterials())
+        return agaa_fetchFineMaterial(p, pixel, samples);
     vec2 middle = vec2(0.0);
     uint i = 0u;
     do {
@@ -84,6 +109,13 @@ AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
 }
 
 bool agaa_isCurvedMaterial(AgaaMaterial m) { return m.normalDx != vec3(0.0) || m.normalDy != vec3(0.0); }
+
+// At sample i.
+vec3 agaa_materialNormal(AgaaMaterial m, uint i) {
+    vec2 place = agaa_frame.samplePosition[i].xy;
+    vec3 n = m.normal + place.x * m.normalDx + place.y * m.normalDy;
+    return n * inversesqrt(max(dot(n, n), 1e-6));
+}
 
 // Of a curved one the normal is not a surface's.
 agaa_Surface agaa_surfaceOfMaterial(AgaaMaterial m) {

@@ -5,7 +5,7 @@
 #ifdef AGAA_TAKES_LEFT
 #define AGAA_LEFT_ACCESS readonly
 #else
-#define AGAA_LEFT_ACCESS writeonly
+#define AGAA_LEFT_ACCESS coherent
 #endif
 layout(std430, AGAA_AT_LEFT) AGAA_LEFT_ACCESS buffer agaa_LeftBlock {
     uint words[];
@@ -29,6 +29,12 @@ void agaa_leavePixel(uvec2 tile, bool isLeft) {
     barrier();
     if (lane < 2u && all(lessThan(tile, agaa_tileCounts())))
         agaa_left.words[agaa_leftWord(tile, 32u * lane)] = agaa_leftHere[lane];
+}
+
+// One more, after all tiles of the group were sorted.
+void agaa_leaveLate(uvec2 pixel) {
+    uint lane = pixel.x & 7u | (pixel.y & 7u) << 3u;
+    atomicOr(agaa_left.words[agaa_leftWord(pixel / 8u, lane)], 1u << (lane & 31u));
 }
 #else
 const uint agaa_mostLeft = 64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE;

@@ -45,29 +45,27 @@ uint agaa_loadIds(uvec2 pixel) {
     return covered;
 }
 
-// Returns how many entries these samples take: primitives, and samples of unfetched draws one by one.
-uint agaa_findPrimitives(uint covered) {
+// Returns how many entries these samples take: primitives, once for each group of samples that share a material, and
+// samples of unfetched draws one by one. shown: of fetched primitives.
+uint agaa_findPrimitives(uint covered, out uint shown) {
     uint count = 0u;
+    shown = 0u;
     for (uint left = covered; left != 0u; ++count) {
-        uint id = agaa_sampleIds[findLSB(left)];
+        uint first = uint(findLSB(left));
+        uint id = agaa_sampleIds[first];
         uint alike = left & (~left + 1u);
         if (agaa_isFetched(id)) {
             uint i = 0u;
             do
                 alike |= agaa_sampleIds[i] == id ? 1u << i : 0u;
             while (++i < agaa_sampleCount());
+            shown += (alike & covered & ~left) == 0u ? 1u : 0u;
+            alike &= left & agaa_materialGroup(first);
         }
         agaa_primitiveSamples[count] = alike;
         left &= ~alike;
     }
     return count;
-}
-
-uint agaa_fetchedPrimitives(uint count) {
-    uint fetched = 0u;
-    for (uint i = 0u; i < count; ++i)
-        fetched += agaa_isFetched(agaa_sampleIds[findLSB(agaa_primitiveSamples[i])]) ? 1u : 0u;
-    return fetched;
 }
 
 // count: one or more.
@@ -105,13 +103,7 @@ void agaa_fetchListed(uint at) {
     agaa_listMaterial[at] = agaa_fetchMaterial(p, pixel, samples);
 }
 
-// At sample i.
-vec3 agaa_listedNormal(uint at, uint i) {
-    AgaaMaterial m = agaa_listMaterial[at];
-    vec2 place = agaa_frame.samplePosition[i].xy;
-    vec3 n = m.normal + place.x * m.normalDx + place.y * m.normalDy;
-    return n * inversesqrt(max(dot(n, n), 1e-6));
-}
+vec3 agaa_listedNormal(uint at, uint i) { return agaa_materialNormal(agaa_listMaterial[at], i); }
 
 // lane: of the pixel, which may be another's.
 agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
@@ -133,6 +125,19 @@ agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
         }
     } while (++i < agaa_sampleCount());
     return agaa_withDistance(samples);
+}
+
+bool agaa_agreeShadingNormals(uvec2 pixel, uint covered) {
+    if (AGAA_GLOSS_WEIGHT == 0u)
+        return true; // planes decide
+    uint first = uint(findLSB(covered));
+    vec3 normal = agaa_listedNormal(agaa_samplePrimitive[first], first);
+    float least = 1.0;
+    for (uint rest = covered; rest != 0u; rest &= rest - 1u) {
+        uint i = uint(findLSB(rest));
+        least = min(least, dot(normal, agaa_listedNormal(agaa_samplePrimitive[i], i)));
+    }
+    return least >= agaa_frame.surface.x;
 }
 
 void agaa_weighNormals(uvec2 pixel, uint covered) {
@@ -169,8 +174,7 @@ void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint missed);
 // Each pixel with geometry is taken once. Called by all lanes, `covered` being 0 of those that have no pixel.
 void agaa_takeAll(uvec2 pixel, uint covered) {
     const uint lane = gl_LocalInvocationIndex;
-    uint primitives = agaa_findPrimitives(covered);
-    agaa_shownPrimitives = agaa_fetchedPrimitives(primitives);
+    uint primitives = agaa_findPrimitives(covered, agaa_shownPrimitives);
     agaa_count(AGAA_COUNT_PRIMITIVES, agaa_shownPrimitives);
     bool waits = covered != 0u;
     for (;;) {
@@ -190,7 +194,7 @@ void agaa_takeAll(uvec2 pixel, uint covered) {
             for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
                 agaa_masks[lane * AGAA_AGGREGATES + a] = a == 0u ? covered : 0u;
         }
-        bool groups = turn && AGAA_AGGREGATES > 1u && (primitives > 1u || agaa_splitsSurfaces());
+        bool groups = turn && AGAA_AGGREGATES > 1u && (primitives > 1u || agaa_splitsSurfaces() || AGAA_GLOSS_WEIGHT != 0u);
         if (groups)
             agaa_many[atomicAdd(agaa_manyCount, 1u)] = lane;
         waits = waits && !turn;

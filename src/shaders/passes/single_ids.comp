@@ -21,23 +21,55 @@ shared uint agaa_singlePixel[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE]; // x | 
 shared uint agaa_singleId[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
 shared uint agaa_singleSamples[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
 
-AgaaMaterial agaa_material = agaa_defaultMaterial(); // of the pixel at hand
+// Of the pixel at hand, by groups of samples that share one.
+AgaaMaterial agaa_materials[AGAA_MAX_SAMPLES];
 
-#if AGAA_LIT
-agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) {
+agaa_Means agaa_meansOf(uint samples, float scale, bool isLit) {
     agaa_Means m = agaa_noMeans();
-    agaa_addPrimitive(m, agaa_material, mask, scale, true);
+    for (uint left = samples; left != 0u;) {
+        uint first = uint(findLSB(left));
+        uint own = left & agaa_materialGroup(first);
+        agaa_addPrimitive(m, agaa_materials[first / AGAA_MATERIAL_SAMPLES], own, scale, isLit);
+        left &= ~own;
+    }
     return m;
 }
+
+#if AGAA_LIT
+agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) { return agaa_meansOf(mask, scale, true); }
 #endif
 
+// Returns whether shading normals are of one surface.
+bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
+    AgaaPrimitive primitive = agaa_primitive(id);
+    vec3 normal = vec3(0.0);
+    float least = 1.0;
+    for (uint left = samples; left != 0u;) {
+        uint first = uint(findLSB(left));
+        uint own = left & agaa_materialGroup(first);
+        AgaaMaterial m = agaa_fetchMaterial(primitive, pixel, own);
+        agaa_materials[first / AGAA_MATERIAL_SAMPLES] = m;
+        bool isFirst = left == samples;
+        left &= ~own;
+        if (AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u)
+            continue;
+        normal = isFirst ? agaa_materialNormal(m, first) : normal;
+        uint compared = agaa_isCurvedMaterial(m) ? own : 1u << first;
+        for (; compared != 0u; compared &= compared - 1u)
+            least = min(least, dot(normal, agaa_materialNormal(m, uint(findLSB(compared)))));
+    }
+    return least >= agaa_frame.surface.x || AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u;
+}
+
 void agaa_shadeSingle(uvec2 pixel, uint id, uint samples) {
+    if (!agaa_fetchGroups(pixel, id, samples)) {
+        agaa_leaveLate(pixel);
+        return;
+    }
     agaa_count(AGAA_COUNT_PRIMITIVES, 1u);
     agaa_shownPrimitives = 1u;
-    agaa_material = agaa_fetchMaterial(agaa_primitive(id), pixel, samples);
     agaa_PixelWork work = agaa_countedWork(pixel, 1u, samples, 0u);
-    agaa_Means means = agaa_noMeans();
-    agaa_addPrimitive(means, agaa_material, samples, 1.0 / float(bitCount(samples)), false);
+    agaa_Means means = agaa_meansOf(samples, 1.0 / float(bitCount(samples)), false);
     vec3 color = agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, samples), 0u, samples, means, false);
     agaa_writePixel(pixel, work, color);
 }
@@ -77,6 +109,7 @@ void main() {
     barrier();
     for (uint t = 0u; t < AGAA_REGION_SIDE * AGAA_REGION_SIDE; ++t)
         agaa_sortTile(gl_WorkGroupID.xy * AGAA_REGION_SIDE + uvec2(t % AGAA_REGION_SIDE, t / AGAA_REGION_SIDE));
+    memoryBarrierBuffer(); // for agaa_leaveLate()
     barrier();
     uint at = lane;
     do {

@@ -81,6 +81,42 @@ TEST(Ids, AttributesAreThoseOfTheRasteriser) {
     }
 }
 
+// With fine materials, those of the texels of a G-buffer, on triangles that many pixels show in part.
+TEST(Ids, FineMaterialsAreThoseOfAGBuffer) {
+    StageContext context;
+    std::vector<Triangle> triangles = randomTriangles({.triangles = 60}, 67);
+    std::mt19937 random(7);
+    for (Triangle& t : triangles)
+        for (glm::vec2& uv : t.uv)
+            uv = {float(random() % 2), float(random() % 2)};
+    const char* byWeights = R"(
+    vec2 uv = p.at.x * hostVertices.data[6u * p.primitive + 1u].xy + p.at.y * hostVertices.data[6u * p.primitive + 3u].xy +
+              p.at.z * hostVertices.data[6u * p.primitive + 5u].xy;
+    m.diffuse = vec3(uv, 0.0);
+)";
+    ViewSettings settings = settingsFor(8, 1, AGAA_TIER_GBUFFER);
+    settings.shader = ViewSettings::Shader::UvInside;
+    StageView raster(context, settings);
+    const harness::Image truth = drawn(raster, triangles);
+    const auto byId = [&](uint64_t flag, AgaaCounters& counters) {
+        ViewSettings own = settingsFor(8, 1, AGAA_TIER_IDS);
+        own.config.flags |= flag;
+        IdsView ids(context, own, {.triangles = triangles, .material = byWeights});
+        const double error = std::pow(10, -compare(truth, ids.render()).psnr / 10);
+        counters = ids.view().statistics().counters;
+        return error;
+    };
+    AgaaCounters coarse, fine;
+    const double coarseError = byId(0, coarse), fineError = byId(AGAA_CONFIG_FINE_MATERIALS, fine);
+    std::printf("mseTm %.2e, fine %.2e; materials %llu, fine %llu\n", coarseError, fineError,
+                static_cast<unsigned long long>(coarse.materials), static_cast<unsigned long long>(fine.materials));
+    EXPECT_LT(fineError, 0.25 * coarseError);
+    EXPECT_EQ(fine.primitives, coarse.primitives);
+    EXPECT_EQ(coarse.materials, coarse.primitives);
+    EXPECT_GT(fine.materials, fine.primitives);
+    EXPECT_LE(fine.materials, 2 * fine.primitives);
+}
+
 // The weights' derivatives, against differences between pixels of what is shown.
 TEST(Ids, DerivativesArePerPixel) {
     StageContext context;
