@@ -99,6 +99,12 @@ TEST_P(GlScenes, ImagesRepeatBitByBit) {
     expectImagesRepeat(sharedGlRenderer(), settings());
 }
 
+TEST_P(GlScenes, OrderOfDrawsIsFreeInOneGeometryPass) {
+    if (GetParam().name != "foliage" && GetParam().name != "metal")
+        GTEST_SKIP() << "foliage and metal cover it";
+    expectOrderOfDrawsIsFree(sharedGlRenderer(), settings());
+}
+
 INSTANTIATE_TEST_SUITE_P(All, GlScenes, testing::ValuesIn(allTestScenes()),
                          [](const auto& info) { return info.param.name; });
 

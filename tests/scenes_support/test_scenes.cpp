@@ -130,6 +130,20 @@ void expectWholeFrame(const RenderResult& result, uint32_t aggregates) {
         ASSERT_TRUE(std::isfinite(value));
 }
 
+void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings) {
+    settings.config.samples = 8;
+    settings.config.generationTier = AGAA_TIER_GBUFFER;
+    settings.config.flags &= ~AGAA_CONFIG_COUNTERS; // with counts of fragments Mesa tests depth after shading
+    for (const char* technique : {"ssaa", "simple_complex", "agaa"}) {
+        settings.config.technique = technique;
+        settings.drawOrderSeed = 1;
+        const Image one = renderer.render(settings).image;
+        settings.drawOrderSeed = 2;
+        const Difference difference = differenceOf(one, renderer.render(settings).image);
+        EXPECT_EQ(difference.pixels, 0u) << technique << ": " << difference.largest;
+    }
+}
+
 void expectImagesRepeat(Renderer& renderer, RenderSettings settings) {
     const auto expectRepeats = [&](const char* what) {
         const Image first = renderer.render(settings).image;

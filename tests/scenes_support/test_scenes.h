@@ -46,6 +46,9 @@ void expectEverySampleOnce(const AgaaCounters& counters);
 void expectWholeFrame(const RenderResult& result, uint32_t aggregates);
 // Bit by bit, with ssaa and agaa.
 void expectImagesRepeat(Renderer& renderer, RenderSettings settings);
+// Of techniques that draw once, into a G-buffer: each fragment is evaluated at a place that does not depend on what was
+// drawn before. For scenes without equal depths.
+void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings);
 // The generation tiers' images, within a stated mean difference; prints it under the scene's name.
 void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* name);
 // Aggregates in memory or not, draws fetched or not, the preset accurate by id or from a G-buffer: within stated mean

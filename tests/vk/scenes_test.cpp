@@ -75,6 +75,12 @@ TEST_P(Scenes, DrawOrderMattersOnlyWhereDepthsTie) {
     EXPECT_LE(differenceOf(ordered, shuffled).pixels, c.ties);
 }
 
+TEST_P(Scenes, OrderOfDrawsIsFreeInOneGeometryPass) {
+    if (GetParam().name != "foliage" && GetParam().name != "metal")
+        GTEST_SKIP() << "foliage and metal cover it";
+    expectOrderOfDrawsIsFree(sharedRenderer(), settings());
+}
+
 TEST_P(Scenes, HardCase22_FarFromTheOriginNothingChanges) {
     RenderSettings s = settings();
     const Image near = sharedRenderer().render(s).image;

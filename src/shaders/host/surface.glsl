@@ -46,7 +46,19 @@ AgaaSurfaceInput agaa_surfaceInput() {
 // outside and attributes extrapolate without bound. Mesa 22.3 divides by the centre's 1/w here and
 // displaces plain reads of the same input: pass a constant 1 along, divide by it, and take derivatives
 // of an input of their own where such drivers matter.
+#if AGAA_FIRST_PASS && AGAA_HW_SAMPLES > 1
+// The first pass tests depth against whatever was drawn earlier. Mesa 22.3 takes the centroid of the samples that pass,
+// so that values would depend on the order of draws. gl_SampleMaskIn has the samples that the primitive covers.
+bool agaa_isCentreInside() {
+    uint mask = uint(gl_SampleMaskIn[0]);
+    return mask == 0u || mask == 0xFFFFFFFFu >> (32u - AGAA_HW_SAMPLES); // 0: a helper invocation
+}
+int agaa_firstSampleInside() { return max(findLSB(uint(gl_SampleMaskIn[0])), 0); }
+#define AGAA_INSIDE(v) \
+    (agaa_isCentreInside() ? interpolateAtOffset(v, vec2(0.0)) : interpolateAtSample(v, agaa_firstSampleInside()))
+#else
 #define AGAA_INSIDE(v) interpolateAtCentroid(v)
+#endif
 
 // The value of a fragment input at the centre of its texel. Where a pass runs once per sample, OpenGL evaluates
 // plain inputs at the sample.
