@@ -24,22 +24,8 @@ shared uint agaa_singleSamples[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
 // Of the pixel at hand, by groups of samples that share one.
 AgaaMaterial agaa_materials[AGAA_MAX_SAMPLES];
 
-agaa_Means agaa_meansOf(uint samples, float scale, bool isLit) {
-    agaa_Means m = agaa_noMeans();
-    for (uint left = samples; left != 0u;) {
-        uint first = uint(findLSB(left));
-        uint own = left & agaa_materialGroup(first);
-        agaa_addPrimitive(m, agaa_materials[first / AGAA_MATERIAL_SAMPLES], own, scale, isLit);
-        left &= ~own;
-    }
-    return m;
-}
-
-#if AGAA_LIT
-agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) { return agaa_meansOf(mask, scale, true); }
-#endif
-
-// Returns whether shading normals are of one surface.
+// Returns whether shading normals are of one surface. Before what reads materials: compilers warn of reads that they
+// meet before writes.
 bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
     AgaaPrimitive primitive = agaa_primitive(id);
     vec3 normal = vec3(0.0);
@@ -60,6 +46,21 @@ bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
     }
     return least >= agaa_frame.surface.x || AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u;
 }
+
+agaa_Means agaa_meansOf(uint samples, float scale, bool isLit) {
+    agaa_Means m = agaa_noMeans();
+    for (uint left = samples; left != 0u;) {
+        uint first = uint(findLSB(left));
+        uint own = left & agaa_materialGroup(first);
+        agaa_addPrimitive(m, agaa_materials[first / AGAA_MATERIAL_SAMPLES], own, scale, isLit);
+        left &= ~own;
+    }
+    return m;
+}
+
+#if AGAA_LIT
+agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) { return agaa_meansOf(mask, scale, true); }
+#endif
 
 void agaa_shadeSingle(uvec2 pixel, uint id, uint samples) {
     if (!agaa_fetchGroups(pixel, id, samples)) {
