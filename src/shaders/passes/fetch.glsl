@@ -53,8 +53,8 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
     return away > 0.0 ? -n : n;
 }
 
-// At a place in the pixel.
-AgaaMaterial agaa_fetchMaterialAt(AgaaPrimitive p, uvec2 pixel, vec2 place) {
+// The primitive at a place in the pixel.
+void agaa_moveTo(inout AgaaPrimitive p, uvec2 pixel, vec2 place) {
     vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
     vec2 ndc = (vec2(pixel) + place) / pixelsPerNdc - 1.0;
     agaa_Barycentrics b = agaa_barycentrics(p.a.xyw, p.b.xyw, p.c.xyw, ndc, pixelsPerNdc);
@@ -62,6 +62,9 @@ AgaaMaterial agaa_fetchMaterialAt(AgaaPrimitive p, uvec2 pixel, vec2 place) {
     p.dx = b.dx;
     p.dy = b.dy;
     p.facing = b.facing;
+}
+
+AgaaMaterial agaa_fetchMaterialThere(AgaaPrimitive p) {
     AgaaMaterial m = agaa_defaultMaterial();
     agaaHostMaterial(p, m);
     agaa_count(AGAA_COUNT_MATERIALS, 1u);
@@ -79,15 +82,31 @@ uint agaa_materialGroup(uint i) {
     return (1u << AGAA_MATERIAL_SAMPLES) - 1u << i / AGAA_MATERIAL_SAMPLES * AGAA_MATERIAL_SAMPLES;
 }
 
-// A texel's material, as a fragment of a G-buffer has it: one normal, in the centre or, where the primitive does not
-// show at all samples, at one of those where it does.
+// Samples of a texel that the primitive covers, nearer surfaces and masks left aside, by the weights at one of them.
+uint agaa_coveredOfTexel(AgaaPrimitive p, uint group, uint known) {
+    uint covered = 1u << known;
+    for (uint i = group * AGAA_MATERIAL_SAMPLES; i < (group + 1u) * AGAA_MATERIAL_SAMPLES; ++i) {
+        vec2 away = agaa_frame.samplePosition[i].xy - agaa_frame.samplePosition[known].xy;
+        vec3 at = p.at + p.dx * away.x + p.dy * away.y;
+        covered |= min(at.x, min(at.y, at.z)) > 0.0 ? 1u << i : 0u;
+    }
+    return covered;
+}
+
+// A texel's material, where a fragment of a G-buffer has it (AGAA_INSIDE): one normal, in the centre or, where the
+// primitive does not cover all samples, at the first that it covers.
 AgaaMaterial agaa_fetchFineMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
     uint first = uint(findLSB(samples));
     uint group = first / AGAA_MATERIAL_SAMPLES;
-    vec2 scale = vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
-    vec2 centre = (vec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X) + 0.5) / scale;
-    bool isWhole = uint(bitCount(samples)) == AGAA_MATERIAL_SAMPLES;
-    AgaaMaterial m = agaa_fetchMaterialAt(p, pixel, isWhole ? centre : agaa_frame.samplePosition[first].xy);
+    uint covered = samples;
+    if (uint(bitCount(samples)) < AGAA_MATERIAL_SAMPLES) {
+        agaa_moveTo(p, pixel, agaa_frame.samplePosition[first].xy);
+        covered = agaa_coveredOfTexel(p, group, first);
+    }
+    vec2 centre = (vec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X) + 0.5) / vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
+    bool isWhole = uint(bitCount(covered)) == AGAA_MATERIAL_SAMPLES;
+    agaa_moveTo(p, pixel, isWhole ? centre : agaa_frame.samplePosition[findLSB(covered)].xy);
+    AgaaMaterial m = agaa_fetchMaterialThere(p);
     m.normalDx = m.normalDy = vec3(0.0);
     return m;
 }
@@ -103,7 +122,8 @@ AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
             middle += agaa_frame.samplePosition[i].xy;
     } while (++i < agaa_sampleCount());
     middle /= float(bitCount(samples));
-    AgaaMaterial m = agaa_fetchMaterialAt(p, pixel, middle);
+    agaa_moveTo(p, pixel, middle);
+    AgaaMaterial m = agaa_fetchMaterialThere(p);
     m.normal -= middle.x * m.normalDx + middle.y * m.normalDy;
     return m;
 }
