@@ -110,7 +110,8 @@ typedef enum AgaaTier {
 #define AGAA_CONFIG_NO_DIFFUSE_FILTER UINT64_C(0x08)
 #define AGAA_CONFIG_NO_SHADOW_FILTER UINT64_C(0x10) /* one tap at the aggregate's mean position */
 #define AGAA_CONFIG_SHADOW_ALONG_DEPTH UINT64_C(0x80) /* AGAA 3.5.3: taps along the view ray by the
-                                                         aggregate's depth variance, not at samples */
+                                                         aggregate's depth variance, not at samples, within
+                                                         the depths of its samples */
 #define AGAA_CONFIG_NO_STENCIL UINT64_C(0x20) /* first come, first kept; not repeatable on ties */
 #define AGAA_CONFIG_FIRST_SAMPLE_ROUTING UINT64_C(0x40) /* AGAA algorithm 2, step 2 (c), for comparison: 4 bytes
                                                                a pixel more */
@@ -165,8 +166,8 @@ typedef struct AgaaConfig {
     float surfaceDistance; /* from the surface's plane, in widths of a pixel at its depth, [0;1e6] */
     float surfaceMaterial; /* largest difference of a material's channel, [0;1]; read by "simple_complex" */
     uint32_t seeds;           /* AgaaSeeds */
-    uint32_t shadowTaps;      /* most samples of an aggregate that are looked up in each shadow; their mean position is
-                                 the aggregate's. [0;32]; 0: 8 */
+    uint32_t shadowTaps;      /* most samples of an aggregate that are looked up in each shadow, [0;32]; 0: 8. Shadows
+                                 alone depend on it: the aggregate's position is the mean of all its samples. */
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t generationTier;  /* AgaaTier; AUTO: best that runs; of "agaa", not BUFFERED, GBUFFER where no storage
                                  buffer of the device holds the aggregates */

@@ -8,6 +8,7 @@
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
 #include "../../src/shaders/math/coverage.glsl"
+#include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/ndf.glsl"
@@ -42,6 +43,7 @@ void main() {
     agaa_Barycentrics inside = agaa_barycentrics(v, acc, x.yzw, x.xy, x.zw);
     acc += inside.at + inside.dx + inside.dy + inside.facing;
     acc += agaa_emissiveFactor(v, acc);
+    acc.x += agaa_mixDisplayed(x.x, x.y, x.z);
     acc.z += float(agaa_translucentMask(x.w, 4u, 1u, 2u, agaa_translucencyHash(id, 1u, 2u, 3u)));
     acc.z += agaa_isInCutout(x.w, x.x, x.xy, x.zw) ? 1.0 : 0.0;
     acc.y += agaa_toksvigAlpha2(agaa_alpha2FromRoughness(x.y),
@@ -50,7 +52,8 @@ void main() {
              agaa_alpha2FromExponent(agaa_exponentFromAlpha2(x.z));
     agaa_Moments m = agaa_momentsInit(x.x);
     agaa_momentsAdd(m, x.y);
-    acc.x += agaa_momentsMean(m) + agaa_momentsVariance(m) + agaa_normalMetric(x.y);
+    acc.x += agaa_momentsMean(m) + agaa_momentsVariance(m) + agaa_normalMetric(x.y) +
+             agaa_depthTap(id, x.x, x.y, x.z, x.w);
     acc.y += agaa_chebyshevVisibility(x.x, x.y, x.z, 1e-6);
     const float z = agaa_viewZFromDepth(x.x, x.y, x.z, bad);
     acc.z += agaa_depthQuantum(z, x.x, x.y, x.z, bad, 1e-6);

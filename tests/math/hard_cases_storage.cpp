@@ -1,5 +1,6 @@
 // Hard cases of codes, guards, depth and statistics; the numbers are those of the list of
 // numerically hard cases.
+#include <algorithm>
 #include <cfloat>
 
 #include "guards_fast_math.h"
@@ -96,6 +97,41 @@ TEST(HardCase14_ShiftedVariance, AgainstDouble) {
     }
     std::printf("[ measured ] E[x^2]-E[x]^2 negative in %.1f %%\n", 100.0 * negative / count);
     EXPECT_GT(negative, count / 20);
+}
+
+TEST(HardCase14_ShiftedVariance, TapsStayWithinTheSamples) {
+    // Depths 1, 1, 1, 1, 20: 1.34 sigma before the mean is 5.4 behind the eye.
+    Worst error("shadow taps along the depth: float against double, relative to the depth", 1e-5);
+    Random random(215);
+    for (int i = 0; i < 20000; ++i) {
+        std::vector<float> z(1 + random.below(32));
+        for (float& v : z)
+            v = -float(random.decades(1, 100));
+        if (i == 0)
+            z = {-1, -1, -1, -1, -20};
+        const auto [low, high] = std::minmax_element(z.begin(), z.end());
+        math_f::agaa_Moments m = math_f::agaa_momentsInit(z[0]);
+        double mean = 0, variance = 0;
+        for (const float v : z) {
+            math_f::agaa_momentsAdd(m, v);
+            mean += double(v) / double(z.size());
+        }
+        for (const float v : z)
+            variance += (double(v) - mean) * (double(v) - mean) / double(z.size());
+        std::vector<float> taps;
+        for (unsigned j = 0; j < 4; ++j)
+            taps.push_back(math_f::agaa_depthTap(j, math_f::agaa_momentsMean(m),
+                                                 std::sqrt(math_f::agaa_momentsVariance(m)), *low, *high));
+        std::sort(taps.begin(), taps.end());
+        const double quantiles[] = {-1.34, -0.45, 0.45, 1.34};
+        for (size_t j = 0; j < 4; ++j) {
+            ASSERT_GE(taps[j], *low);
+            ASSERT_LE(taps[j], *high);
+            const double expected =
+                std::min(std::max(mean + quantiles[j] * std::sqrt(variance), double(*low)), double(*high));
+            error.add(std::abs(double(taps[j]) - expected) / std::abs(double(*low)));
+        }
+    }
 }
 
 TEST(HardCase16_ReversedInfiniteDepth, FiniteAtDepthZero) {

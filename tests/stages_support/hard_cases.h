@@ -497,6 +497,23 @@ TYPED_TEST_P(HardCases, FoldedAggregatesInMemoryHaveNoFilteredDiffuse) {
         }
 }
 
+// Shadow taps choose where shadows are looked up, not where an aggregate is shaded.
+TYPED_TEST_P(HardCases, ShadowTapsDoNotMoveTheShading) {
+    AgaaLight lamp = sun();
+    lamp.type = AGAA_LIGHT_POINT;
+    lamp.position[0] = 8;
+    lamp.position[1] = 8;
+    lamp.position[2] = -4.8f;
+    for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
+        ViewSettings view = pixelView({"agaa", 32, tier}, 1);
+        view.config.shadowTaps = 1;
+        const auto ground = rectangle(0, 0, 32, 16, 5, facing({1, 1, 1}));
+        const Shown one = this->render(view, ground, {lamp});
+        view.config.shadowTaps = 32;
+        EXPECT_EQ(one.rgb, this->render(view, ground, {lamp}).rgb) << agaaTierName(tier);
+    }
+}
+
 REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
                             HardCase17GeometryAtTheFarPlaneIsSeen,
                             HardCase17DepthThatRoundsToTheFarPlaneIsBackground,
@@ -507,6 +524,7 @@ REGISTER_TYPED_TEST_SUITE_P(HardCases, HardCase18AnEmptyFrameIsTheBackground,
                             HardCase55OddSizesAreWhole, WithoutSpecularLightIsDiffuse,
                             NormalsWithoutADirectionFaceAlongZ, MirrorsAlongAnAxisKeepTheirPeak,
                             LightsInThePlaneOfASurfaceDoNotReachIt, BrightEmissionKeepsItsHue,
-                            FoldedAggregatesInMemoryHaveNoFilteredDiffuse, HardCase48SliversCountOnce);
+                            FoldedAggregatesInMemoryHaveNoFilteredDiffuse, HardCase48SliversCountOnce,
+                            ShadowTapsDoNotMoveTheShading);
 
 } // namespace agaa::test

@@ -45,6 +45,14 @@ real agaa_momentsVariance(agaa_Moments m) {
     return variance;
 }
 
+// Depth of shadow tap j of four along the view ray: taps of equal weight at +-0.45 and +-1.34 sigma, whose
+// spread is that of a Gaussian. Samples are no Gaussian: a tap stays between the nearest and the farthest.
+real agaa_depthTap(uint j, real mean, real sigma, real lowest, real highest) {
+    const real quantile = j < 2u ? real(0.45) : real(1.34);
+    const real offset = (j & 1u) != 0u ? sigma * quantile : -sigma * quantile;
+    return clamp(mean + offset, lowest, highest);
+}
+
 // Upper bound of the lit fraction at distance t behind occluders of the given moments (Chebyshev).
 real agaa_chebyshevVisibility(real mean, real variance, real t, real minVariance) {
     const real v = max(variance, max(minVariance, real(1e-12)));

@@ -80,45 +80,65 @@ vec3 agaa_viewPositionOf(uvec2 pixel, uint i) {
     return agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i));
 }
 
-// Mean position, and the aggregate's share of each shadow map's light: at up to AGAA_SHADOW_TAPS of its
-// own samples, evenly chosen, or along the view ray by the variance of its depth, which takes all samples.
+// Shadow taps at up to AGAA_SHADOW_TAPS of these samples, evenly chosen. Returns how many.
+uint agaa_tapSomeSamples(uvec2 pixel, uint mask) {
+    uint taps = min(uint(bitCount(mask)), AGAA_SHADOW_TAPS);
+    agaa_Choice choice = agaa_chooseFrom(mask, taps);
+    for (uint j = 0u; j < taps; ++j)
+        agaa_addTaps(agaa_toShadingSpace(agaa_viewPositionOf(pixel, agaa_nextSample(choice, j))));
+    return taps;
+}
+
+// Shadow taps along the view ray, by the spread of the samples' depths. Returns how many.
+uint agaa_tapAlongDepth(vec3 mean, float sigma, float lowest, float highest) {
+    uint taps = sigma > 0.0 ? 4u : 1u;
+    for (uint j = 0u; j < taps; ++j) {
+        float z = taps > 1u ? agaa_depthTap(j, mean.z, sigma, lowest, highest) : mean.z;
+        float along = abs(mean.z) > 0.0 ? z / mean.z : 1.0;
+        agaa_addTaps(agaa_toShadingSpace(agaa_isOrthographic() != 0u ? vec3(mean.xy, z) : mean * along));
+    }
+    return taps;
+}
+
+// Mean position of all samples, and the aggregate's share of each shadow map's light: at some of its samples, at all
+// of them, along the view ray or at the mean position.
 vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
     uint count = uint(bitCount(mask));
     vec3 mean = vec3(0.0);
     vec3 first = vec3(0.0);
+    float lowest = 0.0;
+    float highest = 0.0;
     agaa_Moments depthMoments = agaa_momentsInit(0.0);
 #if AGAA_SHADOWS
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] = 0.0;
 #endif
-    uint places = AGAA_SHADOW_FILTER == 2u ? count : min(count, AGAA_SHADOW_TAPS);
-    agaa_Choice choice = agaa_chooseFrom(mask, places);
-    for (uint j = 0u; j < places; ++j) {
-        vec3 position = agaa_viewPositionOf(pixel, agaa_nextSample(choice, j));
-        if (j == 0u) { // sums are relative to the first sample (hard case 14)
+    const bool tapsAll = AGAA_SHADOW_FILTER == 1u && AGAA_SAMPLES <= AGAA_SHADOW_TAPS;
+    for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
+        vec3 position = agaa_viewPositionOf(pixel, uint(findLSB(rest)));
+        if (rest == mask) { // sums are relative to the first sample (hard case 14)
             first = position;
+            lowest = highest = position.z;
             depthMoments = agaa_momentsInit(position.z);
         }
         mean += position - first;
-        if (AGAA_SHADOW_FILTER == 2u)
+        if (AGAA_SHADOW_FILTER == 2u) {
             agaa_momentsAdd(depthMoments, position.z);
-        if (AGAA_SHADOW_FILTER == 1u)
+            lowest = min(lowest, position.z);
+            highest = max(highest, position.z);
+        }
+        if (tapsAll)
             agaa_addTaps(agaa_toShadingSpace(position));
     }
-    mean = first + mean / float(places);
-    uint taps = places;
+    mean = first + mean / float(count);
+#if AGAA_SHADOWS
+    uint taps = count;
     if (AGAA_SHADOW_FILTER != 1u) {
         float sigma = AGAA_SHADOW_FILTER == 2u ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
-        taps = sigma > 0.0 ? 4u : 1u;
-        for (uint j = 0u; j < taps; ++j) {
-            // Four taps of equal weight whose spread is that of a Gaussian: +-0.45 and +-1.34 sigma.
-            float offset = sigma * (j < 2u ? 0.45 : 1.34) * ((j & 1u) != 0u ? 1.0 : -1.0);
-            float along = abs(mean.z) > 0.0 ? 1.0 + offset / mean.z : 1.0;
-            vec3 at = agaa_isOrthographic() != 0u ? mean + vec3(0.0, 0.0, offset) : mean * along;
-            agaa_addTaps(agaa_toShadingSpace(at));
-        }
+        taps = agaa_tapAlongDepth(mean, sigma, lowest, highest);
+    } else if (!tapsAll) {
+        taps = agaa_tapSomeSamples(pixel, mask);
     }
-#if AGAA_SHADOWS
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] /= float(taps);
 #endif

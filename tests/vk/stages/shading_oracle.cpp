@@ -187,25 +187,29 @@ std::pair<glm::dvec3, std::vector<glm::dvec3>> ShadingOracle::shadowTapsOf(
     const size_t most = alongDepth ? count : config.shadowTaps ? config.shadowTaps : 8;
     const size_t taps = std::min(count, most);
     std::vector<glm::dvec3> chosen;
-    glm::dvec3 mean(0);
-    for (size_t j = 0; j < taps; ++j) {
+    for (size_t j = 0; j < taps; ++j)
         chosen.push_back(samples[(2 * j + 1) * count / (2 * taps)]);
-        mean += chosen.back() / double(taps);
-    }
+    glm::dvec3 mean(0);
+    for (const glm::dvec3& sample : samples)
+        mean += sample / double(count);
     if (config.flags & AGAA_CONFIG_NO_SHADOW_FILTER)
         return {mean, {mean}};
     if (!alongDepth)
         return {mean, chosen};
     const glm::dvec3 axis(frame_.view[2], frame_.view[6], frame_.view[10]);
-    double variance = 0;
-    for (const glm::dvec3& sample : samples)
-        variance += std::pow(glm::dot(axis, sample - mean), 2) / double(count);
+    double variance = 0, lowest = 1e300, highest = -1e300; // of the offset from the mean
+    for (const glm::dvec3& sample : samples) {
+        const double offset = glm::dot(axis, sample - mean);
+        variance += offset * offset / double(count);
+        lowest = std::min(lowest, offset);
+        highest = std::max(highest, offset);
+    }
     if (variance < 1e-15) // of equal depths, whose mean rounds
         return {mean, {mean}};
     chosen.clear();
     const bool orthographic = frame_.projection[15] == 1.0f;
     for (double quantile : {-1.34, -0.45, 0.45, 1.34}) {
-        const double offset = quantile * std::sqrt(variance);
+        const double offset = std::clamp(quantile * std::sqrt(variance), lowest, highest);
         chosen.push_back(orthographic ? mean + offset * axis : mean * (1 + offset / glm::dot(axis, mean)));
     }
     return {mean, chosen};
