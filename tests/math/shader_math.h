@@ -40,6 +40,7 @@
     using glm::max;                                                                                \
     using glm::min;                                                                                \
     using glm::normalize;                                                                          \
+    using glm::pow;                                                                                \
     using glm::sqrt;
 
 namespace math_f {

@@ -3,6 +3,7 @@
 #undef AGAA_MATH_REAL_GLSL
 #undef AGAA_MATH_SANITISE_GLSL
 #undef AGAA_MATH_COVERAGE_GLSL
+#undef AGAA_MATH_DISPLAY_GLSL
 #undef AGAA_MATH_ENCODING_GLSL
 #undef AGAA_MATH_METADATA_GLSL
 #undef AGAA_MATH_NDF_GLSL
@@ -18,6 +19,7 @@
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
 #include "../../src/shaders/math/coverage.glsl"
+#include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/records.glsl"

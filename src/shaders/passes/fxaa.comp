@@ -7,7 +7,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/bindings.glsl"
 #include "passes/constants.glsl"
 #include "passes/frame.glsl"
-#include "passes/display.glsl"
+#include "math/display.glsl"
 
 layout(AGAA_AT_SURFACE0) uniform sampler2D agaa_shaded; // a: luma
 layout(AGAA_AT_OUTPUT) writeonly uniform image2D agaa_output;
@@ -106,7 +106,9 @@ vec3 agaa_filtered(ivec2 pixel) {
     float shift = max(agaa_edgeShift(pixel, edge, l.m), agaa_subpixelShift(l, range));
     if (shift <= 0.0)
         return color;
-    return agaa_linear(mix(agaa_display(color), agaa_display(agaa_color(pixel + edge.across)), shift));
+    vec3 other = agaa_color(pixel + edge.across);
+    return vec3(agaa_mixDisplayed(color.x, other.x, shift), agaa_mixDisplayed(color.y, other.y, shift),
+                agaa_mixDisplayed(color.z, other.z, shift));
 }
 
 void main() {
