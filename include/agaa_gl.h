@@ -103,7 +103,7 @@ typedef struct AgaaGlContextDesc {
     uint32_t lightsBinding;     /* shader storage buffer that is not one of these two, or with AGAA_GL_STORAGE_IMAGES
                                    uniform buffer, not frameBinding */
     uint32_t shadowUnit;        /* texture unit of the first of AGAA_MAX_SHADOW_MAPS; in AGAA_DRAW_PASS_AGGREGATE
-                                   of the prepass's normals */
+                                   of views without AGAA_VIEW_REVERSED_Z, of the prepass's normals */
     uint32_t framesInFlight;    /* [1;8]: as of AgaaVkContextDesc */
     uint32_t reserved;          /* 0 */
     const AgaaLog* log;         /* may be null; copied */

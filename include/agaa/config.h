@@ -193,8 +193,8 @@ typedef struct AgaaConfig {
 /* Named settings of "agaa", from measurements (docs/choosing.md): "paper", as its sections say, but that each sample
  * goes to its own aggregate (AGAA_CONFIG_FIRST_SAMPLE_ROUTING) and k stays as it is (the paper: 10 cm); "fast",
  * "balanced" and "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf,
- * litShadows (the first shadow), glossWeight and what flags say of clustering, filters and materials; leaves the rest. The last
- * two want materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER.
+ * litShadows (the first shadow), glossWeight and what flags say of clustering, filters and materials; leaves the rest.
+ * The last two want materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER.
  * AGAA_ERROR_INVALID_ARGUMENT: config is null, name is null or none of these; AGAA_ERROR_STRUCT: config was not
  * initialised. On an error config is as it was. */
 AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config);

@@ -60,7 +60,9 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     draw.depthTarget = prepass.depth;
     if (metadata != noResource)
         b.bind(draw, host_slot::Metadata, BindingType::Texture, metadata);
-    if (!a.represented) // samples at the far plane, which the prepass does not show, are equal in depth all the same
+    // Samples at the far plane, which the prepass does not show, are equal in depth all the same: the normals tell them.
+    // Floats reach 0, the far plane of a reversed depth, at the plane itself; there the normals' memory is free again.
+    if (!a.represented && !b.plan.reversedZ)
         b.bind(draw, host_slot::Normals, BindingType::Texture, prepass.normals);
     b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.plan.hwSamples > 1)

@@ -21,7 +21,7 @@ uint agaa_orWord(uint word, uint bits) { return atomicOr(agaa_aggregates.words[w
 void agaa_addToWord(uint word, uint amount) { atomicAdd(agaa_aggregates.words[word], amount); }
 #endif
 
-#if !AGAA_REPRESENTED
+#if AGAA_CHECKS_FAR_PLANE
 layout(AGAA_AT_NORMALS) uniform AGAA_TARGET_TEXTURE agaa_normals; // of the first pass; 0: background
 #if AGAA_HW_SAMPLES == 1
 #define AGAA_NORMAL_OF(i) texelFetch(agaa_normals, ivec2(gl_FragCoord.xy), 0)
@@ -40,7 +40,9 @@ uint agaa_shownSamples() {
 
 // Samples of the pixel that this invocation stands for.
 uint agaa_fragmentMask(AgaaSurfaceInput s) {
+#if AGAA_CHECKS_FAR_PLANE
     bool isFar = agaa_mayReachFarPlane(); // first: derivatives want uniform control flow
+#endif
 #if AGAA_HW_SAMPLES == 1
     uint mask = 1u;
 #elif AGAA_PER_SAMPLE
@@ -51,7 +53,7 @@ uint agaa_fragmentMask(AgaaSurfaceInput s) {
 #if AGAA_ALPHA_MASKED
     mask &= agaa_alphaMask(s);
 #endif
-#if !AGAA_REPRESENTED
+#if AGAA_CHECKS_FAR_PLANE
     if (isFar && mask != 0u)
         mask &= agaa_shownSamples();
 #endif

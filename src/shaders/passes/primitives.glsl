@@ -194,7 +194,8 @@ void agaa_takeAll(uvec2 pixel, uint covered) {
             for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
                 agaa_masks[lane * AGAA_AGGREGATES + a] = a == 0u ? covered : 0u;
         }
-        bool groups = turn && AGAA_AGGREGATES > 1u && (primitives > 1u || agaa_splitsSurfaces() || AGAA_GLOSS_WEIGHT != 0u);
+        bool groups = turn && AGAA_AGGREGATES > 1u &&
+                      (primitives > 1u || agaa_splitsSurfaces() || AGAA_GLOSS_WEIGHT != 0u);
         if (groups)
             agaa_many[atomicAdd(agaa_manyCount, 1u)] = lane;
         waits = waits && !turn;

@@ -57,7 +57,7 @@ TEST(GlShadowFunction, ShowsWhatTheSameMapShows) {
         settings.config.technique = technique;
         settings.config.samples = technique == std::string("single") ? 1 : 4;
         const std::vector<float> lit = byMap(settings, 0.5f), dark = byMap(settings, 0.125f);
-        EXPECT_GT(sum(lit), 1.02 * sum(dark)) << "there is light to lose";
+        EXPECT_GT(sum(lit), 1.005 * sum(dark)) << "there is light to lose";
         EXPECT_EQ(byFunction(settings, 0.5f), lit) << technique;
         EXPECT_EQ(byFunction(settings, 0.125f), dark) << technique;
     }
