@@ -32,7 +32,7 @@ struct RenderArguments {
     uint32_t warmup = 0;
     std::vector<std::string> without; // effects that are left out
     uint32_t drawOrderSeed = 0;
-    uint32_t alphaPoints = 4;
+    uint32_t alphaPoints = 1;
     uint32_t ditherFrame = 0;
     uint32_t spp = 512; // of reference
     std::string footprint = "pixel"; // of reference: pixel or sample

@@ -20,7 +20,7 @@ struct Draw {
 
 struct DrawListOptions {
     bool useMasked = true; // false: every material counts as opaque
-    bool readAlphaNear = true; // cut-outs read alpha at four points of each texel of the target
+    bool readAlphaNear = false; // cut-outs read alpha at four points of each texel of the target
     double clipMargin = 0; // culling keeps what is this far outside, as a part of the clip volume
     uint32_t shuffleSeed = 0; // != 0: the order within opaque and within masked is shuffled by it
 };
