@@ -25,7 +25,7 @@ TextureArrays arraysOf(const Scene& scene, const std::set<int>& used) {
 
 void expectEachIsItsLayer(const TextureArrays& arrays, const std::set<int>& used) {
     for (const int texture : used) {
-        const int code = arrays.layerOf(texture);
+        const int code = arrays.layerOf(texture).layer;
         const bool isSmall = code >= firstSmallLayer;
         const TextureLayers& array = isSmall ? arrays.small : arrays.large;
         const size_t layer = size_t(isSmall ? code - firstSmallLayer : code);
@@ -77,12 +77,37 @@ TEST(TextureArrays, ALittleSavingMakesOne) {
 TEST(TextureArrays, WhatIsNotUsedHasNoLayer) {
     const Scene scene = sceneOf({{256, 256}, {4, 4}});
     const TextureArrays arrays = arraysOf(scene, {1});
-    EXPECT_EQ(arrays.layerOf(-1), -1);
-    EXPECT_EQ(arrays.layerOf(1), 0);
+    EXPECT_EQ(arrays.layerOf(-1).layer, -1);
+    EXPECT_EQ(arrays.layerOf(1).layer, 0);
     EXPECT_EQ(arrays.large[0][0].width, 4u);
     const TextureArrays none = arraysOf(scene, {});
     EXPECT_EQ(none.large.size(), 1u);
     EXPECT_EQ(none.small.size(), 1u);
+}
+
+// Each level of a layer is the texture's own, repeated, so that both filter alike at every footprint.
+TEST(TextureArrays, SmallerTexturesAreRepeatedInEachLevel) {
+    Scene scene = sceneOf({{16, 8}, {8, 8}, {16, 8}}); // too little to save for two arrays
+    Texture& small = scene.textures[1];
+    for (size_t i = 0; i < small.rgba.size(); ++i)
+        small.rgba[i] = uint8_t(37 * i);
+    const TextureArrays arrays = arraysOf(scene, {0, 1, 2});
+    const TextureLayer at = arrays.layerOf(1);
+    EXPECT_EQ(at.repeatsU, 1u);
+    EXPECT_EQ(at.repeatsV, 0u);
+    const std::vector<MipLevel> own = makeMipChain(small, {});
+    const std::vector<MipLevel>& layer = arrays.large[size_t(at.layer)];
+    ASSERT_EQ(layer.size(), 5u);
+    for (size_t i = 0; i < layer.size(); ++i) {
+        const MipLevel& expected = own[std::min(i, own.size() - 1)];
+        ASSERT_EQ(layer[i].width, arrays.large[0][i].width);
+        ASSERT_EQ(layer[i].height, arrays.large[0][i].height);
+        for (uint32_t y = 0; y < layer[i].height; ++y)
+            for (uint32_t x = 0; x < 4 * layer[i].width; ++x)
+                ASSERT_EQ(layer[i].rgba[size_t(4) * y * layer[i].width + x],
+                          expected.rgba[size_t(4) * (y % expected.height) * expected.width + x % (4 * expected.width)])
+                    << i << ' ' << x << ' ' << y;
+    }
 }
 
 TEST(TextureArrays, LayersAreAtMost1024Wide) {

@@ -11,9 +11,9 @@ namespace {
 // Of the textures of a material: base colour, normal, metallic-roughness, emissive.
 bool isColor(size_t i) { return i == 0 || i == 3; }
 
-uint32_t wrapCode(const Texture& texture) {
+uint32_t wrapCode(const Texture& texture, const TextureLayer& at) {
     const auto code = [](Wrap wrap) { return wrap == Wrap::Repeat ? 0u : wrap == Wrap::Mirror ? 1u : 2u; };
-    return code(texture.wrapU) | code(texture.wrapV) << 2;
+    return code(texture.wrapU) | code(texture.wrapV) << 2 | at.repeatsU << 4 | at.repeatsV << 8;
 }
 
 } // namespace
@@ -36,8 +36,9 @@ FetchScene makeFetchScene(const Scene& scene) {
         const auto textures = materialTextures(scene, material);
         FetchMaterial made{materialConstants(material), {}, {}};
         for (size_t i = 0; i < textures.size(); ++i) {
-            made.layers[int(i)] = (isColor(i) ? fetch.colors : fetch.values).layerOf(textures[i]);
-            made.wraps[int(i)] = textures[i] >= 0 ? wrapCode(scene.textures[size_t(textures[i])]) : 0;
+            const TextureLayer at = (isColor(i) ? fetch.colors : fetch.values).layerOf(textures[i]);
+            made.layers[int(i)] = at.layer;
+            made.wraps[int(i)] = textures[i] >= 0 ? wrapCode(scene.textures[size_t(textures[i])], at) : 0;
         }
         fetch.materials.push_back(made);
     }

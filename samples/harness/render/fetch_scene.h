@@ -1,5 +1,5 @@
 // A scene as the SDK's pass that fetches by id reads it (shaders/fetch.glsl): draws and materials for buffers, textures
-// resized to the layers of arrays.
+// in the layers of arrays.
 #pragma once
 
 #include "render/host_material.h"
@@ -19,7 +19,8 @@ struct FetchDraw {
 };
 static_assert(sizeof(FetchDraw) == 112);
 
-// wraps: of the textures, of u, and of v times 4: 0 repeat, 1 mirror, 2 clamp. layers: TextureArrays::layerOf().
+// wraps: of the textures, 2 bits of u and 2 of v: 0 repeat, 1 mirror, 2 clamp; then 4 bits each of TextureLayer's
+// repeatsU and repeatsV.
 struct FetchMaterial {
     MaterialConstants values;
     glm::ivec4 layers;

@@ -53,13 +53,34 @@ Split bestSplit(const Scene& scene, const std::set<int>& used) {
     return double(best.texels()) <= (1 - leastSaving) * double(one.texels()) ? best : one;
 }
 
+uint32_t levelSide(uint32_t side, size_t level) { return std::max(side >> level, 1u); }
+
+// A layer of `size` in which each level is the texture's own level, repeated.
+std::vector<MipLevel> repeated(const std::vector<MipLevel>& levels, Size size) {
+    std::vector<MipLevel> out;
+    for (size_t i = 0; i < size_t(std::bit_width(size.side())); ++i) {
+        const MipLevel& level = levels[std::min(i, levels.size() - 1)];
+        MipLevel& layer = out.emplace_back();
+        layer.width = levelSide(size.width, i);
+        layer.height = levelSide(size.height, i);
+        layer.rgba.reserve(size_t(4) * layer.width * layer.height);
+        for (uint32_t y = 0; y < layer.height; ++y) {
+            const auto row = level.rgba.begin() + ptrdiff_t(4) * (y % level.height) * level.width;
+            for (uint32_t x = 0; x < layer.width; x += level.width)
+                layer.rgba.insert(layer.rgba.end(), row, row + ptrdiff_t(4) * level.width);
+        }
+    }
+    return out;
+}
+
 TextureLayers makeLayers(const Scene& scene, const std::vector<int>& textures, Size size,
                          const std::vector<MipOptions>& options) {
     TextureLayers layers;
     for (const int texture : textures) {
         const Texture& source = scene.textures[size_t(texture)];
-        layers.push_back(resizeMipChain(makeMipChain(source, options[size_t(texture)]), source, size.width,
-                                        size.height));
+        const Size own = layerSize(source);
+        layers.push_back(repeated(
+            resizeMipChain(makeMipChain(source, options[size_t(texture)]), source, own.width, own.height), size));
     }
     if (layers.empty())
         layers.push_back({{1, 1, {255, 255, 255, 255}}});
@@ -75,10 +96,15 @@ TextureArrays makeTextureArrays(const Scene& scene, const std::set<int>& used,
                          makeLayers(scene, split.small, split.smallSize, options),
                          !split.small.empty(),
                          {}};
-    for (size_t i = 0; i < split.large.size(); ++i)
-        arrays.layers[split.large[i]] = int(i);
-    for (size_t i = 0; i < split.small.size(); ++i)
-        arrays.layers[split.small[i]] = firstSmallLayer + int(i);
+    const auto place = [&](const std::vector<int>& textures, Size size, int firstLayer) {
+        for (size_t i = 0; i < textures.size(); ++i) {
+            const Size own = layerSize(scene.textures[size_t(textures[i])]);
+            arrays.layers[textures[i]] = {firstLayer + int(i), uint32_t(std::countr_zero(size.width / own.width)),
+                                          uint32_t(std::countr_zero(size.height / own.height))};
+        }
+    };
+    place(split.large, split.largeSize, 0);
+    place(split.small, split.smallSize, firstSmallLayer);
     return arrays;
 }
 

@@ -71,9 +71,10 @@ float fetchWrapped(float x, uint wrap, float halfTexel) {
 vec4 fetchTexel(sampler2DArray textures, int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
     if (layer < 0)
         return vec4(1.0);
-    vec2 halfTexel = 0.5 / vec2(textureSize(textures, 0).xy);
-    uv = vec2(fetchWrapped(uv.x, wrap & 3u, halfTexel.x), fetchWrapped(uv.y, wrap >> 2u, halfTexel.y));
-    return textureGrad(textures, vec3(uv, float(layer)), dx, dy);
+    vec2 share = exp2(-vec2(wrap >> 4u & 15u, wrap >> 8u & 15u)); // of the layer, that is the texture once
+    vec2 halfTexel = 0.5 / (vec2(textureSize(textures, 0).xy) * share);
+    uv = vec2(fetchWrapped(uv.x, wrap & 3u, halfTexel.x), fetchWrapped(uv.y, wrap >> 2u & 3u, halfTexel.y));
+    return textureGrad(textures, vec3(uv * share, float(layer)), dx * share, dy * share);
 }
 
 vec4 fetchColor(int kind, int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
