@@ -160,7 +160,7 @@ typedef struct AgaaGlDrawPass {
 } AgaaGlDrawPass;
 #define AGAA_GL_DRAW_PASS_INIT                                                                      \
     {AGAA_STRUCTURE_TYPE_GL_DRAW_PASS, (uint32_t)sizeof(AgaaGlDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, \
-     0, 0, {0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, NULL, NULL}
+     0, 0, {0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, NULL, NULL}
 
 /* Two-call: with passes null, writes the count; otherwise every element must be initialised, or the call is
  * AGAA_ERROR_STRUCT. AGAA_ERROR_BUFFER_TOO_SMALL where *count is less than there are; AGAA_ERROR_INVALID_ARGUMENT

@@ -135,7 +135,7 @@ typedef struct AgaaVkDrawPass {
 } AgaaVkDrawPass;
 #define AGAA_VK_DRAW_PASS_INIT                                                                      \
     {AGAA_STRUCTURE_TYPE_VK_DRAW_PASS, (uint32_t)sizeof(AgaaVkDrawPass), NULL, 0, 0, NULL, 0, 0, 0,  \
-     0, 0, {0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0, 0, NULL, NULL}
+     0, 0, {0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0, 0, NULL, NULL}
 
 /* Two-call: with passes null, writes the count; otherwise every element must be initialised, or the call is
  * AGAA_ERROR_STRUCT. AGAA_ERROR_BUFFER_TOO_SMALL where *count is less than there are; AGAA_ERROR_INVALID_ARGUMENT
@@ -198,8 +198,9 @@ typedef struct AgaaVkFrame {
 /* Records the frame's segments. Pipeline, descriptor, viewport and dynamic state of the command buffer
  * is undefined afterwards. A draw callback that fails: with SECONDARY recording AGAA_ERROR_CALLBACK, nothing is
  * recorded; with INLINE recording AGAA_ERROR_PARTIAL, the command buffer is to be discarded. Any other failure after
- * the first command, such as the end of host memory, is AGAA_ERROR_PARTIAL too. A frame is AGAA_ERROR_WRONG_ORDER too early (framesInFlight), with a frameIndex that does not increase, or
- * with segments missing or repeated; with another camera than its earlier segments AGAA_ERROR_OUT_OF_RANGE. */
+ * the first command, such as the end of host memory, is AGAA_ERROR_PARTIAL too. A frame is AGAA_ERROR_WRONG_ORDER
+ * too early (framesInFlight), with a frameIndex that does not increase, or with segments missing or repeated; with
+ * another camera than its earlier segments AGAA_ERROR_OUT_OF_RANGE. */
 AGAA_API AgaaResult AGAA_CALL agaaVkRecordFrame(AgaaView view, const AgaaFrame* frame,
                                                 const AgaaVkFrame* vkFrame);
 

@@ -29,8 +29,8 @@ typedef enum AgaaCompare {
 } AgaaCompare;
 
 /* Fixed-function state that the host's pipelines must have in this pass. Cull mode is the host's
- * choice and must be the same in all passes of a frame. Nothing that mixes, moves or takes away fragments:
- * no blending, dithering, logic operation, alpha-to-coverage, sample mask, depth bias, scissor or sRGB conversion. */
+ * choice and must be the same in all passes of a frame. Nothing else that mixes, moves or takes away fragments:
+ * no blending but keepFirst, no dithering, logic operation, alpha-to-coverage, sample mask, depth bias, scissor or sRGB conversion. */
 typedef struct AgaaDrawState {
     uint32_t depthCompare; /* AgaaCompare */
     uint32_t depthWrite;
@@ -40,6 +40,8 @@ typedef struct AgaaDrawState {
     uint32_t colorWriteMask; /* RGBA bits 1, 2, 4, 8, the same for all attachments */
     uint32_t samples;        /* of the target */
     uint32_t sampleShading;  /* 1: one invocation per sample (minSampleShading 1) */
+    uint32_t keepFirst;      /* 1: blend all attachments, colour and alpha alike: source factor ONE_MINUS_DST_ALPHA,
+                              * destination factor ONE, operation ADD. A sample keeps what was drawn into it first */
 } AgaaDrawState;
 
 typedef struct AgaaDrawTarget {

@@ -162,7 +162,10 @@ static void createPass(Host* host, uint32_t i, const AgaaVkDrawPass* sdk, VkShad
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO, .depthTestEnable = VK_TRUE,
         .depthWriteEnable = sdk->state.depthWrite, .depthCompareOp = ops[sdk->state.depthCompare],
         .stencilTestEnable = sdk->state.stencilTest, .front = stencil, .back = stencil};
-    const VkPipelineColorBlendAttachmentState target = {.colorWriteMask = sdk->state.colorWriteMask};
+    const VkPipelineColorBlendAttachmentState target = {
+        .blendEnable = sdk->state.keepFirst, .colorWriteMask = sdk->state.colorWriteMask,
+        .srcColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA, .dstColorBlendFactor = VK_BLEND_FACTOR_ONE,
+        .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA, .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE};
     const VkPipelineColorBlendAttachmentState targets[4] = {target, target, target, target};
     const VkPipelineColorBlendStateCreateInfo blend = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,

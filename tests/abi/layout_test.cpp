@@ -56,7 +56,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaSurface, 120);
     EXPECT_SIZE(AgaaMemoryReport, 56);
     EXPECT_SIZE(AgaaTarget, 40);
-    EXPECT_SIZE(AgaaDrawState, 32);
+    EXPECT_SIZE(AgaaDrawState, 36);
     EXPECT_SIZE(AgaaDrawTarget, 88);
     EXPECT_SIZE(AgaaLight, 64);
     EXPECT_SIZE(AgaaShadow, 392);

@@ -36,6 +36,9 @@ void setDrawState(const GladGLContext& gl, const AgaaDrawState& state) {
         return state.colorWriteMask & bit ? GL_TRUE : GL_FALSE;
     };
     gl.ColorMask(writes(1), writes(2), writes(4), writes(8));
+    (state.keepFirst ? gl.Enable : gl.Disable)(GL_BLEND);
+    gl.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    gl.BlendEquation(GL_FUNC_ADD);
     (state.sampleShading ? gl.Enable : gl.Disable)(GL_SAMPLE_SHADING);
     gl.MinSampleShading(1);
 }

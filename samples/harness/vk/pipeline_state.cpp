@@ -70,8 +70,14 @@ PipelineState::PipelineState(const AgaaVkDrawPass& pass, bool isMasked)
         depthStencil.back = depthStencil.front;
     }
     // The bits of the SDK's mask are those of VkColorComponentFlags.
-    for (VkPipelineColorBlendAttachmentState& blend : blends)
+    for (VkPipelineColorBlendAttachmentState& blend : blends) {
         blend.colorWriteMask = wanted.colorWriteMask;
+        if (wanted.keepFirst) {
+            blend.blendEnable = VK_TRUE;
+            blend.srcColorBlendFactor = blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA;
+            blend.dstColorBlendFactor = blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+        }
+    }
 
     static_assert(sizeof(VkFormat) == sizeof pass.colorFormats[0]);
     const VkFormat depthFormat = VkFormat(pass.depthStencilFormat);

@@ -24,7 +24,10 @@ static void build(PlanBuilder& b) {
     b.bindLighting(forward);
     forward.drawState.depthCompare = AGAA_COMPARE_EQUAL;
     forward.drawState.stencilTest = b.keepsFirst();
-    forward.drawState.stencilTestMasked = 0; // as where aggregates are generated
+    // The stencil test comes before the mask of a masked material. It would refuse the coplanar fragment that owns the
+    // sample, so blending keeps the first there. Each coplanar masked fragment is still shaded.
+    forward.drawState.stencilTestMasked = 0;
+    forward.drawState.keepFirst = b.hasFact(AGAA_FACT_ALPHA_MASKED) || !b.keepsFirst();
     forward.drawState.colorAttachmentCount = 1;
     forward.colorTargets = {color};
     forward.clearsColor = true;

@@ -5,6 +5,7 @@ layout(early_fragment_tests) in; // what is hidden is neither shaded nor counted
 void agaa_count(uint which, uint amount) { agaa_countFragment(2u * which, amount); }
 #define AGAA_COMPARE(map, at) textureGrad(map, at, vec2(0.0), vec2(0.0))
 #include "passes/lighting.glsl"
+#include "passes/forward_color.glsl"
 
 agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
     agaa_Surface surface;
@@ -21,7 +22,7 @@ agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
 
 void agaa_emit(AgaaSurfaceInput s) {
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
-    float alpha = agaa_mayReachFarPlane() ? 0.5 : 1.0; // which the resolve looks at
+    bool mayReachFarPlane = agaa_mayReachFarPlane();
     uint kept = 1u;
 #if AGAA_ALPHA_MASKED
     kept = agaa_alphaMask(s);
@@ -34,7 +35,8 @@ void agaa_emit(AgaaSurfaceInput s) {
         for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
             agaa_visibility[map] = agaa_shadowTap(map, s.position);
 #endif
-        agaa_out0 = vec4(min(agaa_lightSurface(agaa_forwardSurface(s), s.position), vec3(65504.0)), alpha);
+        vec3 color = min(agaa_lightSurface(agaa_forwardSurface(s), s.position), vec3(65504.0));
+        agaa_out0 = vec4(mayReachFarPlane ? agaa_markFarPlane(color) : color, 1.0);
     }
 #if AGAA_ALPHA_MASKED
     AGAA_KEEP_SAMPLES(kept);

@@ -10,8 +10,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/output.glsl"
 
 #include "passes/sample_depth.glsl"
+#include "passes/forward_color.glsl"
 
-// Alpha: 0 where nothing is, 0.5 where the fragment may be at the far plane, else 1.
+// Alpha: 0 where nothing is, else 1.
 layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_color;
 
 bool agaa_isAtFarPlane(uvec2 pixel, uint i) { return agaa_depthOf(pixel, i) == float(AGAA_FAR_DEPTH); }
@@ -41,8 +42,8 @@ void agaa_resolvePixel(uvec2 pixel) {
     uint covered = 0u;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
         vec4 texel = AGAA_FETCH(agaa_color, pixel, i);
-        bool isShown = texel.a == 1.0 || (texel.a > 0.0 && !agaa_isAtFarPlane(pixel, i));
-        sum += isShown ? texel.rgb : vec3(0.0);
+        bool isShown = texel.a > 0.0 && !(agaa_isMarkedFarPlane(texel.rgb) && agaa_isAtFarPlane(pixel, i));
+        sum += isShown ? agaa_unmarkFarPlane(texel.rgb) : vec3(0.0);
         covered |= isShown ? 1u << i : 0u;
     }
     agaa_countSamples(pixel, covered);

@@ -3,7 +3,8 @@
 
 #include "coverage_cases.h"
 #include "debug_view_cases.h"
-#include "hard_cases.h"
+#include "hard_geometry_cases.h"
+#include "hard_material_cases.h"
 #include "ids_cases.h"
 #include "validation_cases.h"
 
@@ -11,7 +12,8 @@ namespace agaa::test {
 namespace {
 
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ValidationTest, OpenGLHost);
-INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardGeometryCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CoverageCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, IdsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DebugViewCases, OpenGLHost);

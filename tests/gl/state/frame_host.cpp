@@ -316,6 +316,10 @@ void FrameHost::drawTriangle(const AgaaDrawTarget& target) {
         return (state.colorWriteMask & bit) != 0 ? GL_TRUE : GL_FALSE;
     };
     gl_.ColorMask(mask(1), mask(2), mask(4), mask(8));
+    if (state.keepFirst != 0) {
+        gl_.Enable(GL_BLEND);
+        gl_.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    }
     if (state.sampleShading != 0) {
         gl_.Enable(GL_SAMPLE_SHADING);
         gl_.MinSampleShading(1.0f);

@@ -3,7 +3,8 @@
 
 #include "coverage_cases.h"
 #include "debug_view_cases.h"
-#include "hard_cases.h"
+#include "hard_geometry_cases.h"
+#include "hard_material_cases.h"
 #include "ids_cases.h"
 #include "validation_cases.h"
 
@@ -11,7 +12,8 @@ namespace agaa::test {
 namespace {
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ValidationTest, VulkanHost);
-INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CoverageCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, IdsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DebugViewCases, VulkanHost);

@@ -1,0 +1,282 @@
+// Numerically hard geometry through the whole pipeline, by every generation tier. Each graphics API instantiates these.
+#pragma once
+
+#include "hard_case_test.h"
+
+#include <cmath>
+#include <utility>
+
+namespace agaa::test {
+
+template <class Host>
+class HardGeometryCases : public HardCaseTest<Host> {};
+TYPED_TEST_SUITE_P(HardGeometryCases);
+
+TYPED_TEST_P(HardGeometryCases, HardCase18AnEmptyFrameIsTheBackground) {
+    for (const Setting& s : hardSettings) {
+        const Shown r = this->render(pixelView(s), {}, {sun()});
+        for (size_t i = 0; i < r.rgb.size() / 3; ++i) {
+            EXPECT_EQ(r.rgb[3 * i], 0.25f);
+            EXPECT_EQ(r.rgb[3 * i + 1], 0.5f);
+            EXPECT_EQ(r.rgb[3 * i + 2], 0.75f);
+        }
+        EXPECT_EQ(r.counters.shadingEvents, 0u);
+    }
+}
+
+// A step before the far plane, whose depth is the clear value: geometry all the same.
+TYPED_TEST_P(HardGeometryCases, HardCase17GeometryAtTheFarPlaneIsSeen) {
+    for (const Setting& s : hardSettings)
+        for (bool reversed : {false, true}) {
+            ViewSettings view = pixelView(s);
+            if (reversed) {
+                view.flags = AGAA_VIEW_REVERSED_Z;
+                view.projection[2][2] = 1.0f / 10;
+                view.projection[3][2] = 1;
+            }
+            const float depth = std::nextafter(10.0f, 0.0f);
+            const Shown r =
+                this->render(view, rectangle(0, 0, 32, 16, depth, facing({1, 1, 1})), {sun()});
+            EXPECT_EQ(nonFinite(r.rgb), 0u);
+            EXPECT_EQ(r.counters.visible, uint64_t(32 * 16) * s.n) << s << reversed;
+            EXPECT_EQ(r.counters.once, r.counters.visible);
+        }
+}
+
+// A wall that runs into the far plane: where its depth rounds to the value that was cleared, every technique shows the
+// background.
+TYPED_TEST_P(HardGeometryCases, HardCase17DepthThatRoundsToTheFarPlaneIsBackground) {
+    std::vector<Triangle> wall = rectangle(-100, -100, 100, 100, 0, facing({1, 1, 1}));
+    for (Triangle& t : wall)
+        for (glm::vec3& corner : t.position)
+            corner.z = corner.x < 0 ? -99.99f : -100.0f;
+    const auto shown = [&](const Setting& s) {
+        ViewSettings view;
+        view.config.technique = s.technique;
+        view.config.samples = s.n;
+        view.config.generationTier = s.tier;
+        return this->render(view, wall, {sun()});
+    };
+    const Shown truth = shown({"ssaa", 8});
+    EXPECT_GT(truth.counters.visible, uint64_t(48 * 32 * 8 / 2));
+    EXPECT_LT(truth.counters.visible, uint64_t(48 * 32 * 8 * 99 / 100)) << "part of the wall is at the far plane";
+    for (const Setting& s : {Setting{"simple_complex", 8}, {"msaa", 8}, {"sbaa", 8}, {"agaa", 8},
+                             {"agaa", 8, AGAA_TIER_PER_SAMPLE}, {"agaa", 8, AGAA_TIER_GBUFFER},
+                             {"agaa", 8, AGAA_TIER_IDS}}) {
+        const Shown r = shown(s);
+        EXPECT_EQ(r.counters.once, r.counters.visible) << s;
+        EXPECT_EQ(r.counters.missed + r.counters.multi, 0u) << s;
+        if (std::string(s.technique) == "msaa") {
+            // It finds the far plane by the depth that it reads, and Mesa reads the last step of 24 bits as 1: it loses
+            // that step, which on this wall is wide.
+            EXPECT_LE(r.counters.visible, truth.counters.visible);
+            EXPECT_GE(r.counters.visible, truth.counters.visible / 3);
+            continue;
+        }
+        EXPECT_EQ(r.counters.visible, truth.counters.visible) << s;
+        EXPECT_GE(compare(r.rgb, truth.rgb).psnr, 45) << s;
+    }
+}
+
+// A surface that a host puts at the far plane, of depth 0 where z is reversed, is background, too.
+TYPED_TEST_P(HardGeometryCases, HardCase17SurfacesPutAtTheFarPlaneAreBackground) {
+    for (const Setting& s : hardSettings) {
+        ViewSettings view = pixelView(s);
+        view.flags = AGAA_VIEW_REVERSED_Z;
+        view.projection[2][2] = 1.0f / 16; // exact, so that depth is exactly 0
+        view.projection[3][2] = 1;
+        std::vector<Triangle> scene = rectangle(0, 0, 32, 16, 16, facing({1, 1, 1}));
+        const auto near = rectangle(0, 0, 16, 16, 5, facing({1, 1, 1}));
+        scene.insert(scene.end(), near.begin(), near.end());
+        const Shown r = this->render(view, scene, {sun()});
+        EXPECT_EQ(r.counters.visible, uint64_t(16 * 16) * s.n) << s;
+        EXPECT_EQ(r.counters.once, r.counters.visible) << s;
+        EXPECT_EQ(r.counters.missed + r.counters.multi, 0u) << s;
+        EXPECT_EQ(r.rgb[3 * 20], 0.25f) << s;
+    }
+}
+
+// One sample of a pixel: no variance, no widening, the colour's nth part.
+TYPED_TEST_P(HardGeometryCases, HardCase19OneCoveredSampleIsThatSample) {
+    // A dot around one sample of the 4x pattern, in pixel (8, 4).
+    Material m = facing({0.5f, 0.25f, 0.125f});
+    m.specular = glm::vec4(0.3f);
+    m.normal.w = 0.01f;
+    const auto dot = rectangle(8.37f, 4.12f, 8.38f, 4.13f, 1, m);
+    const Shown samples = this->render(pixelView({"ssaa", 4}), dot, {sun()});
+    EXPECT_EQ(samples.counters.visible, 1u);
+    for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
+        const Shown aggregates = this->render(pixelView({"agaa", 4, tier}), dot, {sun()});
+        EXPECT_EQ(aggregates.counters.visible, 1u);
+        EXPECT_EQ(aggregates.counters.widenedLobes, 0u);
+        for (size_t i = 0; i < samples.rgb.size(); ++i)
+            EXPECT_NEAR(samples.rgb[i], aggregates.rgb[i], 2e-3f) << agaaTierName(tier);
+    }
+}
+
+// Triangles through the eye's plane, of no area, and of no width.
+TYPED_TEST_P(HardGeometryCases, HardCase48And50DegenerateTriangles) {
+    std::vector<Triangle> scene = randomTriangles({.triangles = 50}, 51);
+    for (size_t i = 0; i < scene.size(); ++i) {
+        Triangle& t = scene[i];
+        if (i % 3 == 0)
+            t.position[2] = t.position[1];
+        if (i % 3 == 1)
+            t.position[0].z = 3;
+        if (i % 7 == 0)
+            t.material.geometricNormal = glm::vec4(0);
+    }
+    for (const Setting& s : hardSettings) {
+        ViewSettings view;
+        view.config.technique = s.technique;
+        view.config.samples = s.n;
+        view.config.generationTier = s.tier;
+        const Shown r = this->render(view, scene, {sun()});
+        EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
+        EXPECT_EQ(r.counters.once, r.counters.visible);
+        EXPECT_EQ(r.counters.missed + r.counters.multi, 0u);
+    }
+}
+
+// Zero area, collinear corners, needles: what a rasteriser makes of them must be the same in both passes, and each
+// sample counts once.
+inline std::vector<Triangle> sliverTriangles(uint32_t count, uint32_t seed) {
+    std::mt19937 random(seed);
+    const auto uniform = [&](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
+    std::vector<Triangle> list;
+    for (uint32_t i = 0; i < count; ++i) {
+        Triangle t;
+        const float distance = uniform(1, 20);
+        for (glm::vec3& corner : t.position)
+            corner = distance * glm::vec3(uniform(-0.9f, 0.9f), uniform(-0.6f, 0.6f), uniform(-1.2f, -0.8f));
+        const glm::vec3 along = t.position[1] - t.position[0];
+        if (i % 5 == 0)
+            t.position[2] = t.position[1];
+        if (i % 5 == 1)
+            t.position[2] = t.position[0] + uniform(-1, 2) * along;
+        if (i % 5 == 2)
+            t.position[2] = t.position[0] + uniform(0, 1) * along + 1e-4f * distance * glm::vec3(uniform(-1, 1));
+        if (i % 5 == 3) // along the view, from the near to the far plane
+            t.position[1] = t.position[0] * (100 / distance);
+        if (i % 5 >= 3)
+            t.position[2] = t.position[0] + 0.01f * distance * glm::vec3(uniform(-1, 1), uniform(-1, 1), 0);
+        t.material = facing({uniform(0, 1), uniform(0, 1), uniform(0, 1)});
+        const glm::vec3 n = glm::cross(along, t.position[2] - t.position[0]);
+        const float length = glm::length(n);
+        t.material.geometricNormal = glm::vec4(length > 0 ? n / length : glm::vec3(0), 0);
+        list.push_back(t);
+    }
+    return list;
+}
+
+TYPED_TEST_P(HardGeometryCases, HardCase48SliversCountOnce) {
+    for (const uint32_t seed : {1u, 2u}) {
+        const std::vector<Triangle> scene = sliverTriangles(3000, seed);
+        uint64_t visible = 0;
+        for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_IDS}) {
+            ViewSettings view;
+            view.config.samples = 32;
+            view.config.aggregates = 4;
+            view.config.generationTier = tier;
+            const Shown r = this->render(view, scene, {sun()});
+            EXPECT_EQ(r.counters.once, r.counters.visible) << seed << ' ' << agaaTierName(tier);
+            EXPECT_EQ(r.counters.missed + r.counters.multi, 0u) << seed << ' ' << agaaTierName(tier);
+            EXPECT_EQ(nonFinite(r.rgb), 0u);
+            visible = visible ? visible : r.counters.visible;
+            EXPECT_EQ(r.counters.visible, visible);
+        }
+    }
+}
+
+// Two coplanar masked surfaces share samples. The first sample of each may route it to another aggregate: what the
+// first has, the second must not have again.
+TYPED_TEST_P(HardGeometryCases, HardCase25RoutedDuplicatesCountOnce) {
+    std::vector<Triangle> scene;
+    for (uint32_t i = 0; i < 2; ++i) {
+        Triangle t;
+        t.position[0] = {-6, -4, -3};
+        t.position[1] = {7, -4, -9};
+        t.position[2] = {0, 9, -12};
+        t.material = facing({0.3f, 0.6f, 0.9f});
+        t.material.diffuse.w = 0.6f;
+        t.material.geometricNormal = glm::vec4(planeNormal(t), 0);
+        t.isMasked = true;
+        t.seed = 7 + i;
+        scene.push_back(t);
+    }
+    for (const bool routes : {false, true}) {
+        ViewSettings view;
+        view.config.aggregates = 4;
+        view.config.characteristicLength = 0.02f;
+        view.config.characteristicLengthPerDistance = 0;
+        view.config.flags = AGAA_CONFIG_SPLIT_SURFACES | (routes ? AGAA_CONFIG_FIRST_SAMPLE_ROUTING : 0);
+        const Shown r = this->render(view, scene, {sun()});
+        EXPECT_GT(r.counters.shadingEvents, 2 * r.counters.shadedPixels) << "there are several aggregates";
+        EXPECT_GT(r.counters.ties, 0u);
+        EXPECT_EQ(r.counters.once, r.counters.visible);
+        EXPECT_EQ(r.counters.multi, 0u) << (routes ? "routed" : "split");
+        EXPECT_TRUE(r.validation.isValid) << r.validation.explanation;
+    }
+}
+
+// Of coplanar draws `msaa` shows what was drawn first in each sample, as techniques with a G-buffer do, masked materials
+// included, whose stencil test would come before their mask.
+TYPED_TEST_P(HardGeometryCases, HardCase25CoplanarDrawsOfMsaaShowTheFirst) {
+    struct Layer {
+        glm::vec3 colour;
+        bool isMasked;
+    };
+    const Layer masked[] = {{{1, 0, 0}, true}, {{0, 1, 0}, true}, {{0, 0, 1}, true}};
+    const Layer opaqueFirst[] = {{{1, 0, 0}, false}, {{0, 1, 0}, true}};
+    const Layer maskedFirst[] = {{{1, 0, 0}, true}, {{0, 1, 0}, false}};
+    for (const std::span<const Layer> layers : {std::span<const Layer>(masked), std::span<const Layer>(opaqueFirst),
+                                                std::span<const Layer>(maskedFirst)}) {
+        std::vector<Triangle> scene;
+        for (const Layer& layer : layers)
+            for (Triangle& t : rectangle(0, 0, 32, 16, 5, facing(layer.colour))) {
+                t.material.diffuse.w = layer.isMasked ? 0.5f : 1.0f;
+                t.isMasked = layer.isMasked;
+                t.seed = 11 * uint32_t(scene.size() / 2) + 1;
+                scene.push_back(t);
+            }
+        for (const uint32_t n : {4u, 8u, 32u})
+            for (const uint64_t flags : {uint64_t(0), uint64_t(AGAA_CONFIG_NO_STENCIL)}) {
+                ViewSettings view = pixelView({"msaa", n});
+                view.config.flags |= flags;
+                const Shown shown = this->render(view, scene, {sun()});
+                view.config.technique = "ssaa";
+                const Shown truth = this->render(view, scene, {sun()});
+                EXPECT_GE(compare(shown.rgb, truth.rgb).psnr, 60) << "n=" << n << " flags=" << flags;
+                EXPECT_EQ(shown.counters.visible, truth.counters.visible);
+                EXPECT_EQ(shown.counters.once, shown.counters.visible);
+            }
+    }
+}
+
+// The same image at any size, by one pixel and by many.
+TYPED_TEST_P(HardGeometryCases, HardCase55OddSizesAreWhole) {
+    for (const Setting& s : hardSettings)
+        for (const auto& [width, height] : {std::pair{1u, 1u}, {3u, 5u}, {129u, 1u}, {1u, 77u}}) {
+            ViewSettings view = pixelView(s);
+            view.width = width;
+            view.height = height;
+            view.projection = pixelOrthographic(float(width), float(height), 10);
+            const Shown r = this->render(
+                view, rectangle(0, 0, float(width), float(height), 1, facing({1, 1, 1})), {sun()});
+            EXPECT_EQ(r.counters.visible, uint64_t(width) * height * s.n) << s;
+            for (float value : r.rgb)
+                EXPECT_NEAR(value, 3 / 3.14159265f, 1e-3f) << s;
+        }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(HardGeometryCases, HardCase18AnEmptyFrameIsTheBackground,
+                            HardCase17GeometryAtTheFarPlaneIsSeen,
+                            HardCase17DepthThatRoundsToTheFarPlaneIsBackground,
+                            HardCase17SurfacesPutAtTheFarPlaneAreBackground,
+                            HardCase19OneCoveredSampleIsThatSample, HardCase48And50DegenerateTriangles,
+                            HardCase48SliversCountOnce, HardCase25RoutedDuplicatesCountOnce,
+                            HardCase25CoplanarDrawsOfMsaaShowTheFirst, HardCase55OddSizesAreWhole);
+
+} // namespace agaa::test
