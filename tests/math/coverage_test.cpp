@@ -48,7 +48,7 @@ TEST(TranslucentMask, LayersOverlapLikeIndependentOnes) {
                               Split{32, 1}, Split{8, 4}, Split{2, 1}, Split{1, 4}}) {
         for (unsigned frame : {0u, 1u, 77u}) {
             double one = 0, two = 0;
-            constexpr unsigned side = 96;
+            constexpr unsigned side = 192;
             for (unsigned y = 0; y < side; ++y)
                 for (unsigned x = 0; x < side; ++x) {
                     const unsigned a = math_f::agaa_translucencyHash(x, y, 11, frame),
@@ -65,6 +65,27 @@ TEST(TranslucentMask, LayersOverlapLikeIndependentOnes) {
             EXPECT_NEAR(two / all, 0.75, 0.01) << split.samples << "x" << split.groups << " frame " << frame;
         }
     }
+}
+
+// Small shares are not lost to the steps of the random number.
+TEST(TranslucentMask, MeanOfALayerIsItsAlpha) {
+    struct Split {
+        unsigned samples, groups;
+    };
+    Worst worst("mean coverage less alpha, in standard deviations of the mean", 4);
+    for (const Split split : {Split{1, 1}, Split{2, 1}, Split{4, 1}, Split{4, 8}, Split{1, 4}, Split{32, 1}})
+        for (const float alpha : {0.002f, 0.05f, 0.3f, 0.999f}) {
+            constexpr unsigned side = 1024;
+            double sum = 0;
+            for (unsigned y = 0; y < side; ++y)
+                for (unsigned x = 0; x < side; ++x)
+                    sum += glm::bitCount(math_f::agaa_translucentMask(
+                        alpha, split.samples, (x + y) % split.groups, split.groups,
+                        math_f::agaa_translucencyHash(x, y, 11, 0)));
+            const double count = double(side) * side;
+            const double part = double(alpha) * split.samples - std::floor(double(alpha) * split.samples);
+            worst.add(std::abs(sum - double(alpha) * split.samples * count) / std::sqrt(part * (1 - part) * count));
+        }
 }
 
 // The mean over frames converges in each pixel: what stands still in frame 0 is gone.

@@ -94,6 +94,33 @@ TEST(ReferenceImage, TranslucentCardsConvergeAndTheErrorIsKnown) {
     EXPECT_GT(o.error, 0.6 * o.reference.splitHalfMse);
 }
 
+// The mean over the card shows a bias that is far below the error of a pixel.
+TEST(ReferenceImage, TranslucentCardsAreNotThinned) {
+    for (const float alpha : {0.05f, 0.3f}) {
+        const Outcome o = judge(card(AlphaMode::Blend, alpha), [&](uint32_t, uint32_t) { return double(alpha); });
+        double mean = 0;
+        for (float value : o.reference.image.rgb)
+            mean += double(value) / double(o.reference.image.rgb.size());
+        const double coverage = (mean - double(background)) / (1 - double(background));
+        const double deviation = std::sqrt(double(alpha) * (1 - double(alpha)) / (128.0 * width * height));
+        EXPECT_NEAR(coverage, double(alpha), 4 * deviation);
+    }
+}
+
+// A second reference of another ditherFrame shares no random number with the first.
+TEST(ReferenceImage, ReferencesOfOtherDitherFramesAreIndependent) {
+    const Scene scene = card(AlphaMode::Blend, 0.3f);
+    sharedRenderer().load(scene);
+    RenderSettings settings = settingsOf(scene);
+    const Reference one = renderReference(sharedRenderer(), settings, 16);
+    settings.ditherFrame = 1;
+    const Reference two = renderReference(sharedRenderer(), settings, 16);
+    double difference = 0;
+    for (size_t i = 0; i < one.image.rgb.size(); ++i)
+        difference += std::pow(double(one.image.rgb[i]) - double(two.image.rgb[i]), 2) / double(one.image.rgb.size());
+    EXPECT_NEAR(difference / (one.splitHalfMse + two.splitHalfMse), 1, 0.1);
+}
+
 TEST(ReferenceImage, CutoutsAreHardTestsAtEachPosition) {
     const Outcome o = judge(card(AlphaMode::Mask, 1), cutoutCoverage);
     EXPECT_LT(o.error, 1.5 * o.reference.splitHalfMse + 1e-9);

@@ -77,8 +77,6 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
     app.add_option("--warmup", a.warmup);
     app.add_option("--without", a.without, "specular, emissive, ambient or shadows; repeatable");
     app.add_option("--draw-order-seed", a.drawOrderSeed, "shuffle draws");
-    app.add_option("--alpha-points", a.alphaPoints, "where cut-outs read alpha in a texel: 1 or 4")
-        ->check(CLI::IsMember({1u, 4u}));
     app.add_option("--dither-frame", a.ditherFrame, "selects the random numbers of translucent surfaces");
     app.add_option("--png", a.png);
     app.add_option("--exr", a.exr);
@@ -125,6 +123,8 @@ int run(int argc, char** argv) {
     RenderArguments renderArguments;
     CLI::App* render = command("render", "render a scene through the SDK");
     addRenderOptions(*render, renderArguments);
+    render->add_option("--alpha-points", renderArguments.alphaPoints, "where cut-outs read alpha in a texel: 1 or 4")
+        ->check(CLI::IsMember({1u, 4u}));
 
     RenderArguments referenceArguments;
     CLI::App* reference = command("reference", "a jittered, accumulated reference image");

@@ -45,11 +45,13 @@ Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t 
     if (footprint == Footprint::Sample)
         settings.footprint = 1 / std::sqrt(double(spp));
     const glm::dvec2 centre = settings.jitter;
+    // A pattern that all frames share would stay in the image, and one that references share in their difference.
+    const uint32_t firstDither = settings.ditherFrame * spp + 1;
     Accumulator halves[2];
     Reference reference;
     for (uint32_t i = 0; i < spp; ++i) {
         settings.jitter = centre + pixelOffset(i);
-        settings.ditherFrame = i + 1; // a pattern that all frames share would stay in the image
+        settings.ditherFrame = firstDither + i;
         reference.image = renderer.render(settings).image;
         halves[i & 1].add(reference.image);
         if (progress)

@@ -247,7 +247,10 @@ void SceneSweep::measurePath() {
 }
 
 const Reference& SceneSweep::temporalReference(const char* of, uint32_t frame) {
-    return references_.get(of + std::to_string(frame), renderer_, base_, options_.temporalSamples);
+    RenderSettings settings = base_;
+    // Random numbers that all frames' references share would count as bias of what is measured.
+    settings.ditherFrame = 1 + frame;
+    return references_.get(of + std::to_string(frame), renderer_, settings, options_.temporalSamples);
 }
 
 // Each effect off and on in turns; errors against ssaa with all effects.

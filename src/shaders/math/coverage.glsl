@@ -44,7 +44,8 @@ uint agaa_translucencyHash(uint x, uint y, uint primitiveSeed, uint frame) {
 // alpha n, rounded up or down without bias; which samples they are differs between primitives (hard case 53).
 uint agaa_translucentMask(real alpha, uint samples, uint group, uint groups, uint hash) {
     const uint turned = (group + (hash >> 8u)) % groups;
-    const real u = (real(turned) + real(hash & 0xFFu) / real(256.0)) / real(groups);
+    const real fine = (real(agaa_hash(hash) & 0xFFFFu) + real(0.5)) / real(65536.0);
+    const real u = (real(turned) + fine) / real(groups);
     PRECISE real wanted = clamp(alpha, real(0.0), real(1.0)) * real(samples) + u;
     const uint count = min(uint(wanted), samples);
     const uint start = (hash >> 16u) + group * 3u;
