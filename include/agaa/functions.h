@@ -54,9 +54,9 @@ typedef struct AgaaGBufferFunction {
  * AgaaFrame::projection has it, where a negative viewport height turns it, and the material at a point of
  * it (docs/shader-interface.md). That point's material is taken for all samples of the primitive in the pixel, or, with
  * AGAA_CONFIG_FINE_MATERIALS, in the texel; its normal too, unless the function says by what it changes. They run in
- * compute: no implicit derivatives. Their resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1],
- * emission in [0;range] of the layout; what is not finite as there. The alpha test is the visibility pass's alone.
- * Names and errors as at AgaaGBufferFunction. Of "agaa". */
+ * compute: no implicit derivatives. Their resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours
+ * are in [0;1], emission in [0;range] of the layout; what is not finite as there. The alpha test is the visibility
+ * pass's alone. Names and errors as at AgaaGBufferFunction. Of "agaa". */
 /* Some draws cannot be fetched: displaced, or by shaders that compute cannot call. The visibility pass gives them
  * AgaaSurfaceInput::draw = AGAA_UNFETCHED, and a second geometry pass, AGAA_DRAW_PASS_GBUFFER whose depthCompare is
  * EQUAL, draws these draws alone into a multisampled G-buffer, from which their samples are taken; it takes one id. Of

@@ -28,14 +28,16 @@ typedef struct AgaaCounters {
     uint64_t maxEventsPerPixel;
     uint64_t aggregates; /* or surfaces of "sbaa", of all pixels */
     uint64_t primitives; /* tier IDS: that samples show, of all pixels; of draws that can be fetched */
-    uint64_t materials;  /* tier IDS: fetched, each for the samples of a primitive in a pixel */
+    uint64_t materials;  /* tier IDS: fetched, each for the samples of a primitive in a pixel or, with
+                            AGAA_CONFIG_FINE_MATERIALS, a texel; twice in pixels of one primitive whose shading normals
+                            turn out to be of several surfaces */
     uint64_t misplaced; /* fragments of the first geometry pass that do not lie where the camera puts them;
                            few of slivers, whose positions extrapolate */
     uint64_t unannounced; /* tier IDS: fragments of a draw or primitive beyond what AgaaFetchFunction announced; they
                              show the last announced */
 } AgaaCounters;
 
-#define AGAA_MAX_PASSES 16 /* a view with more is refused */
+#define AGAA_MAX_PASSES 16 /* a view with more is AGAA_ERROR_INTERNAL */
 typedef struct AgaaPassTime {
     char name[48];
     uint32_t stage;  /* AgaaStage */

@@ -27,6 +27,8 @@ void FrameSequence::check(const AgaaFrame& frame) const {
                 "an earlier segment of this frame is missing.");
         require(cameraOf(frame) == camera_, AGAA_ERROR_OUT_OF_RANGE,
                 "AgaaFrame::view or projection is not that of the frame's earlier segments.");
+        require(frame.ditherFrame == ditherFrame_, AGAA_ERROR_OUT_OF_RANGE,
+                "AgaaFrame::ditherFrame is not that of the frame's earlier segments.");
         return;
     }
     require(frame.frameIndex > frame_, AGAA_ERROR_WRONG_ORDER,
@@ -51,6 +53,7 @@ void FrameSequence::recorded(const AgaaFrame& frame) {
         slot_ = slotOf(frame);
         frame_ = frame.frameIndex;
         camera_ = cameraOf(frame);
+        ditherFrame_ = frame.ditherFrame;
         segments_ = 0;
         slots_[slot_] = {frame.frameIndex, false};
     }

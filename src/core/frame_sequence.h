@@ -38,6 +38,7 @@ private:
     uint32_t slot_ = 0;
     uint64_t segments_ = 0;           // recorded of the frame
     std::array<float, 32> camera_{};  // view and projection of the frame
+    uint32_t ditherFrame_ = 0;        // of the frame
 };
 
 } // namespace agaa

@@ -5,7 +5,7 @@ struct AgaaSurfaceInput {
     vec3 geometricNormal; // of the primitive's plane; either side
     float alpha;          // used where AGAA_ALPHA_MASKED is 1. Must be equal in every pass: declare it
                           // precise and take it at AGAA_AT_CENTRE, because AGAA_INSIDE depends on which
-                          // samples survive. A value that is not finite counts as 0
+                          // samples survive. A value that is not finite counts as 0, and so does a cutoff
     float alphaCutoff;    // > 0: a cut-out, which covers the samples where alpha >= alphaCutoff.
                           // 0: a translucent surface, which covers the share alpha of the samples, [0,1]
     bool hasAlphaNear;    // of cut-outs: alphaNear is set; alpha is then read at n = 1 only
@@ -102,10 +102,15 @@ vec2 agaa_sampleOffset(uint i) {
     return position * vec2(AGAA_SCALE_X, AGAA_SCALE_Y) - vec2(texel) - 0.5;
 }
 
-float agaa_sanitiseAlpha(float alpha) {
-    uint bad = 0u;
-    return agaa_sanitise(alpha, -65504.0, 65504.0, bad);
-}
+// 0 where it is no finite number, so that the gradients of its neighbours in the quad stay small.
+float agaa_sanitiseAlpha(float alpha) { return agaa_isFinite(alpha) ? clamp(alpha, -65504.0, 65504.0) : 0.0; }
+
+// Of the pixel's own row and column, where a driver would otherwise share a quad's.
+#if __VERSION__ >= 450
+#define AGAA_FINE_GRADIENT(v) vec2(dFdxFine(v), dFdyFine(v))
+#else
+#define AGAA_FINE_GRADIENT(v) vec2(dFdx(v), dFdy(v))
+#endif
 
 // Samples of this texel that a cut-out covers. gradient: of alpha per texel.
 uint agaa_cutoutMask(AgaaSurfaceInput s, float alpha, vec2 gradient) {
@@ -125,7 +130,8 @@ uint agaa_cutoutMask(AgaaSurfaceInput s, float alpha, vec2 gradient) {
 // Samples of this texel that an alpha-masked surface covers. It takes derivatives, so it needs uniform control flow.
 uint agaa_alphaMask(AgaaSurfaceInput s) {
     float alpha = agaa_sanitiseAlpha(s.alpha);
-    vec2 gradient = vec2(dFdx(alpha), dFdy(alpha));
+    vec2 gradient = AGAA_FINE_GRADIENT(alpha);
+    s.alphaCutoff = agaa_sanitiseAlpha(s.alphaCutoff);
     if (s.alphaCutoff > 0.0)
         return agaa_cutoutMask(s, alpha, gradient);
     uvec2 pixel = agaa_hostPixel();

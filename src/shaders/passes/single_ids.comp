@@ -22,7 +22,7 @@ shared uint agaa_singleId[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
 shared uint agaa_singleSamples[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
 
 // Of the pixel at hand, by groups of samples that share one.
-AgaaMaterial agaa_materials[AGAA_MAX_SAMPLES];
+AgaaMaterial agaa_materials[(AGAA_MAX_SAMPLES + AGAA_MATERIAL_SAMPLES - 1u) / AGAA_MATERIAL_SAMPLES];
 
 // Returns whether shading normals are of one surface. Before what reads materials: compilers warn of reads that they
 // meet before writes.

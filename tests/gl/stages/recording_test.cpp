@@ -297,6 +297,9 @@ TEST(GlRecording, FramesAndSegmentsHaveAnOrder) {
     AgaaFrame elsewhere = frame;
     elsewhere.projection[0] *= 2;
     expect(elsewhere, AGAA_SEGMENT_GENERATION, AGAA_ERROR_OUT_OF_RANGE, "another camera");
+    AgaaFrame otherDither = frame;
+    ++otherDither.ditherFrame;
+    expect(otherDither, AGAA_SEGMENT_GENERATION, AGAA_ERROR_OUT_OF_RANGE, "another ditherFrame");
     expect(frame, AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING, AGAA_OK, "the rest");
     expect(frame, AGAA_SEGMENT_ALL, AGAA_ERROR_WRONG_ORDER, "the same frame");
     AgaaFrame earlier = frame;

@@ -282,6 +282,10 @@ TEST(Recording, FramesAndSegmentsHaveAnOrder) {
         elsewhere.projection[0] *= 2;
         EXPECT_EQ(bench.record(elsewhere, vk), AGAA_ERROR_OUT_OF_RANGE) << "another camera";
         bench.expectOneSentence(AGAA_ERROR_OUT_OF_RANGE, "another camera");
+        AgaaFrame otherDither = first;
+        ++otherDither.ditherFrame;
+        EXPECT_EQ(bench.record(otherDither, vk), AGAA_ERROR_OUT_OF_RANGE) << "another ditherFrame";
+        bench.expectOneSentence(AGAA_ERROR_OUT_OF_RANGE, "another ditherFrame");
         EXPECT_EQ(bench.record(first, vk), AGAA_OK);
         AgaaFrame again = first;
         again.segments = AGAA_SEGMENT_ALL;
