@@ -54,6 +54,27 @@ TEST(MipChain, LevelsKeepTheCoverageOfTheFirst) {
     EXPECT_GT(plainError, 0.3);
 }
 
+// Dense leaves with hard edges, whose levels must be scaled up: what is stored above 1 is 1.
+TEST(MipChain, ClampedTexelsDoNotThinHardEdges) {
+    Texture texture{"", 256, 256, false, Wrap::Repeat, Wrap::Repeat, {}};
+    for (uint32_t y = 0; y < 256; ++y)
+        for (uint32_t x = 0; x < 256; ++x) {
+            const double u = x % 32 - 15.5, v = y % 32 - 15.5;
+            texture.rgba.insert(texture.rgba.end(), {255, 255, 255, uint8_t(std::hypot(u, 3 * v) < 15 ? 255 : 0)});
+        }
+    MipOptions tested;
+    tested.alphaCutoff = 0.75f;
+    const std::vector<MipLevel> levels = makeMipChain(texture, tested);
+    const double first = coverageOf(levels[0], 0.75);
+    double worst = 0;
+    for (size_t i = 1; i < levels.size() && levels[i].width >= 64; ++i) { // later a leaf is four texels, of few values
+        worst = std::max(worst, std::abs(coverageOf(levels[i], 0.75) / first - 1));
+        std::printf("[ measured ] %3u x %-3u coverage of level 0's: %.3f\n", levels[i].width, levels[i].height,
+                    coverageOf(levels[i], 0.75) / first);
+    }
+    EXPECT_LT(worst, 0.02);
+}
+
 TEST(MipChain, UntestedAndUniformAlphaIsLeftAlone) {
     Texture texture{"", 4, 4, false, Wrap::Repeat, Wrap::Repeat, std::vector<uint8_t>(64, 100)};
     for (float cutoff : {0.0f, 0.2f, 0.9f}) { // not tested; everything passes; nothing passes

@@ -127,41 +127,48 @@ FloatLevel halve(const FloatLevel& in, bool weightByAlpha) {
     return out;
 }
 
-// Alpha as bilinear filtering sees it, at evenly spaced places; more of them a texel where there are few texels.
-std::vector<float> filteredAlpha(const FloatLevel& level) {
-    const uint32_t side = level.texels.size() > 4096 ? 2 : 8;
-    std::vector<float> out;
-    out.reserve(side * side * level.texels.size());
-    const auto alpha = [&](uint32_t x, uint32_t y) {
-        return level.texels[size_t(y % level.height) * level.width + x % level.width].a;
+// The share of a level's area where alpha times scale, stored in texels up to 1 and filtered bilinearly, passes the
+// test, counted at evenly spaced places; more of them a texel where there are few texels.
+double passingShare(const FloatLevel& level, const Texture& source, float scale, float cutoff) {
+    const uint32_t side = level.texels.size() > 4096 ? 4 : 8;
+    const auto wrapped = [](uint32_t i, uint32_t size, Wrap wrap) { // i: 1 more than the texel's number
+        if (wrap == Wrap::Repeat)
+            return (i + size - 1) % size;
+        return std::clamp(i, 1u, size) - 1; // a mirror's neighbour at the edge is the texel itself
     };
-    for (uint32_t y = 0; y < level.height * side; ++y)
-        for (uint32_t x = 0; x < level.width * side; ++x) {
-            // The centre of texel i is at i + 1/2; one texel more, so that nothing is below 0.
-            const float u = (float(x) + 0.5f) / float(side) + float(level.width) - 0.5f;
-            const float v = (float(y) + 0.5f) / float(side) + float(level.height) - 0.5f;
-            const uint32_t i = uint32_t(u), j = uint32_t(v);
-            out.push_back(std::lerp(std::lerp(alpha(i, j), alpha(i + 1, j), u - float(i)),
-                                    std::lerp(alpha(i, j + 1), alpha(i + 1, j + 1), u - float(i)), v - float(j)));
+    const auto alpha = [&](uint32_t x, uint32_t y) {
+        const size_t row = wrapped(y, level.height, source.wrapV);
+        return std::min(scale * level.texels[row * level.width + wrapped(x, level.width, source.wrapU)].a, 1.0f);
+    };
+    uint64_t passing = 0;
+    for (uint32_t j = 0; j <= level.height; ++j)
+        for (uint32_t i = 0; i <= level.width; ++i) {
+            const float a = alpha(i, j), b = alpha(i + 1, j), c = alpha(i, j + 1), d = alpha(i + 1, j + 1);
+            // Between texel centres; the first and the last of a row or column have half of that.
+            const uint32_t beginX = i == 0 ? side / 2 : 0, endX = i == level.width ? side / 2 : side;
+            const uint32_t beginY = j == 0 ? side / 2 : 0, endY = j == level.height ? side / 2 : side;
+            if (std::max({a, b, c, d}) < cutoff)
+                continue;
+            for (uint32_t y = beginY; y < endY; ++y)
+                for (uint32_t x = beginX; x < endX; ++x) {
+                    const float u = (float(x) + 0.5f) / float(side), v = (float(y) + 0.5f) / float(side);
+                    passing += std::lerp(std::lerp(a, b, u), std::lerp(c, d, u), v) >= cutoff;
+                }
         }
-    return out;
+    return double(passing) / (double(side) * side * double(level.texels.size()));
 }
 
-double passingShare(const std::vector<float>& alpha, float least) {
-    return double(std::count_if(alpha.begin(), alpha.end(), [&](float a) { return a >= least; })) / double(alpha.size());
-}
-
-// The scale of alpha by which the share `wanted`, (0;1), of the level passes the test: cutoff / scale is a quantile of
-// its alpha. 1 where no scale comes nearer: small levels have few values.
-float alphaScale(const FloatLevel& level, float cutoff, double wanted) {
-    std::vector<float> alpha = filteredAlpha(level);
-    const size_t passing = size_t(std::lround(wanted * double(alpha.size())));
-    if (passing == 0)
-        return 1;
-    std::nth_element(alpha.begin(), alpha.begin() + ptrdiff_t(passing - 1), alpha.end(), std::greater<>());
-    const float least = std::max(alpha[passing - 1], cutoff / 16);
-    const auto miss = [&](float value) { return std::abs(passingShare(alpha, value) - wanted); };
-    return miss(cutoff) <= miss(least) ? 1.0f : cutoff / least;
+// The scale of alpha by which the share `wanted` of the level passes the test. 1 where no scale comes nearer: small
+// levels have few values.
+float alphaScale(const FloatLevel& level, const Texture& source, float cutoff, double wanted) {
+    const auto share = [&](float scale) { return passingShare(level, source, scale, cutoff); };
+    float low = cutoff / 2, high = 16;
+    for (int step = 0; step < 12; ++step) {
+        const float middle = std::sqrt(low * high);
+        (share(middle) < wanted ? low : high) = middle;
+    }
+    const float nearest = std::abs(share(low) - wanted) < std::abs(share(high) - wanted) ? low : high;
+    return std::abs(share(1) - wanted) <= std::abs(share(nearest) - wanted) ? 1.0f : nearest;
 }
 
 MipLevel encode(const FloatLevel& level, bool srgb, const MipOptions& options, float alpha) {
@@ -193,12 +200,12 @@ std::vector<MipLevel> makeMipChain(const Texture& texture, const MipOptions& opt
 
     const bool isTested = options.alphaCutoff > 0;
     FloatLevel level = decode(texture);
-    const double wanted = isTested ? passingShare(filteredAlpha(level), options.alphaCutoff) : 0;
+    const double wanted = isTested ? passingShare(level, texture, 1, options.alphaCutoff) : 0;
     while (level.width > 1 || level.height > 1) {
         level = halve(level, isTested);
         // Where nothing or everything passes, no scale is better than another.
         const bool isScaled = isTested && wanted > 0 && wanted < 1;
-        const float alpha = isScaled ? alphaScale(level, options.alphaCutoff, wanted) : 1.0f;
+        const float alpha = isScaled ? alphaScale(level, texture, options.alphaCutoff, wanted) : 1.0f;
         levels.push_back(encode(level, texture.srgb, options, alpha));
     }
     return levels;
