@@ -119,7 +119,9 @@ typedef struct AgaaFrame {
     float view[16];       /* shading to view space: a rotation, its translation is zero */
     float projection[16]; /* as the rasteriser uses it, sub-pixel jitter and the y flip of a negative viewport
                              height included. Samples whose depth rounds to that of the far plane, 1 or with
-                             AGAA_VIEW_REVERSED_Z 0, show the background */
+                             AGAA_VIEW_REVERSED_Z 0, show the background. With AGAA_VIEW_REVERSED_Z, where depth does
+                             not round to 0, draw nothing at exactly 0 (a sky, say): two geometry passes count it
+                             as drawn twice */
     uint32_t lightCount;
     uint32_t shadowCount;
     const AgaaLight* lights;

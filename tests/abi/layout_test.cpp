@@ -70,12 +70,12 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaVkRequirements, 72);
     EXPECT_SIZE(AgaaVkSurface, 88);
     EXPECT_SIZE(AgaaVkContextDesc, 144);
-    EXPECT_SIZE(AgaaVkDrawPass, 144);
+    EXPECT_SIZE(AgaaVkDrawPass, 152);
     EXPECT_SIZE(AgaaVkFrame, 88);
     EXPECT_SIZE(AgaaFrameValidation, 768);
     EXPECT_SIZE(AgaaGlRequirements, 64);
     EXPECT_SIZE(AgaaGlContextDesc, 136);
-    EXPECT_SIZE(AgaaGlDrawPass, 128);
+    EXPECT_SIZE(AgaaGlDrawPass, 136);
     EXPECT_SIZE(AgaaGlSurface, 64);
     EXPECT_SIZE(AgaaGlFrame, 40);
 }

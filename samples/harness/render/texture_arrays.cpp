@@ -55,6 +55,14 @@ Split bestSplit(const Scene& scene, const std::set<int>& used) {
 
 uint32_t levelSide(uint32_t side, size_t level) { return std::max(side >> level, 1u); }
 
+// What is repeated in a layer of `layer`. A texture that does not wrap around fills the layer: at its edge, coarse levels
+// of a repeated one would mix in the opposite edge.
+Size repeatedSize(const Texture& texture, Size layer) {
+    const Size own = layerSize(texture);
+    return {texture.wrapU == Wrap::Repeat ? own.width : layer.width,
+            texture.wrapV == Wrap::Repeat ? own.height : layer.height};
+}
+
 // A layer of `size` in which each level is the texture's own level, repeated.
 std::vector<MipLevel> repeated(const std::vector<MipLevel>& levels, Size size) {
     std::vector<MipLevel> out;
@@ -78,7 +86,7 @@ TextureLayers makeLayers(const Scene& scene, const std::vector<int>& textures, S
     TextureLayers layers;
     for (const int texture : textures) {
         const Texture& source = scene.textures[size_t(texture)];
-        const Size own = layerSize(source);
+        const Size own = repeatedSize(source, size);
         layers.push_back(repeated(
             resizeMipChain(makeMipChain(source, options[size_t(texture)]), source, own.width, own.height), size));
     }
@@ -98,7 +106,7 @@ TextureArrays makeTextureArrays(const Scene& scene, const std::set<int>& used,
                          {}};
     const auto place = [&](const std::vector<int>& textures, Size size, int firstLayer) {
         for (size_t i = 0; i < textures.size(); ++i) {
-            const Size own = layerSize(scene.textures[size_t(textures[i])]);
+            const Size own = repeatedSize(scene.textures[size_t(textures[i])], size);
             arrays.layers[textures[i]] = {firstLayer + int(i), uint32_t(std::countr_zero(size.width / own.width)),
                                           uint32_t(std::countr_zero(size.height / own.height))};
         }

@@ -1,5 +1,6 @@
 // Textures of one colour space as layers of arrays: of one, or of two by size where that saves a quarter of its memory.
-// A texture smaller than its layer is repeated in it, so that each level filters as that of the texture by itself.
+// A texture smaller than its layer is repeated in it, so that each level filters as that of the texture by itself; in a
+// direction in which it does not wrap around it is resized.
 #pragma once
 
 #include "render/mip_chain.h"

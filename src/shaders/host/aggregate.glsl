@@ -56,10 +56,6 @@ uint agaa_fragmentMask(AgaaSurfaceInput s) {
 #if AGAA_CHECKS_FAR_PLANE
     if (isFar && mask != 0u)
         mask &= agaa_shownSamples();
-#elif !AGAA_FAR_DEPTH
-    // Depth that falls towards 0 does not round to the far plane, but a host may put a surface there.
-    if (!(gl_FragCoord.z > 0.0))
-        mask = 0u;
 #endif
     return mask << (agaa_hostGroup() * AGAA_HW_SAMPLES);
 }
