@@ -30,7 +30,6 @@ static void setState(const AgaaDrawState* state) {
     enable(GL_MULTISAMPLE, 1);
     enable(GL_BLEND, state->keepFirst);
     glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    glBlendEquation(GL_FUNC_ADD);
     enable(GL_DITHER, 0);
     enable(GL_SCISSOR_TEST, 0);
     enable(GL_CULL_FACE, 0); /* the host's choice, but the same in every pass */

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Says whether two builds render the same bits: images, plans, bytes and counters of all techniques, on both APIs.
+
+Run it on one build with --out, on the other with --against. It fails where anything differs and names it.
+"""
+import argparse
+import hashlib
+import json
+import pathlib
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+from runs import HARNESS, Runs, require_harness
+
+SCENES = ["foliage", "city"]  # masks and textures; emission and normal maps
+TIERS = ["post-depth-atomics", "per-sample", "gbuffer", "ids"]
+SAMPLES = [1, 2, 4, 8, 16, 32]
+
+
+def configurations():
+    """Options of `agaa-harness render`, a list each."""
+    plain = [["single"], ["fxaa"], *(["msaa", n] for n in (2, 4, 8, 32))]
+    plain += [[technique, n] for technique in ("ssaa", "simple_complex") for n in SAMPLES]
+    for technique, *samples in plain:
+        yield ["--technique", technique, *(["--samples", samples[0]] if samples else [])]
+    for n in SAMPLES:
+        for surfaces in (1, 2, 4, 6):
+            yield ["--technique", "sbaa", "--samples", n, "--aggregates", surfaces]
+        for c in (1, 2, 3, 4):
+            for tier in TIERS:
+                yield ["--samples", n, "--aggregates", c, "--tier", f"generation={tier}"]
+    for preset in ("paper", "fast", "balanced", "accurate"):
+        yield ["--preset", preset]
+        yield ["--preset", preset, "--tier", "generation=gbuffer"]
+    for tier in TIERS:
+        for extra in (["--layout", "paper16"], ["--split-surfaces"], ["--reversed-z", 0], ["--no-stencil"],
+                      ["--buffered"], ["--brdf", "blinn-phong"], ["--ndf", "lean"], ["--seeds", "sum-of-squares"]):
+            if extra != ["--buffered"] or tier in ("gbuffer", "ids"):
+                yield ["--tier", f"generation={tier}", *extra]
+    for extra in (["--first-sample-routing"], ["--shadow-along-depth"], ["--no-shadow-filter"], ["--no-diffuse-filter"],
+                  ["--tier", "generation=ids", "--unfetched-every", 3], ["--tier", "generation=ids", "--lit"],
+                  ["--without", "specular"], ["--without", "shadows"], ["--alpha-points", 4], ["--dither-frame", 7]):
+        yield extra
+    for view in ("events", "aggregates", "clusters", "primitives", "lit", "widened", "tier"):
+        yield ["--tier", "generation=ids", "--view", view]
+
+
+def digest(data):
+    return hashlib.sha256(data).hexdigest()[:16]
+
+
+def fingerprint(runs, work, backend, scene, options, size):
+    name = " ".join([backend, scene, *map(str, options)])
+    image = work / f"{digest(name.encode())}.exr"
+    arguments = ["--backend", backend, "--scene", scene, "--size", size, *options]
+    try:
+        report = runs.call("render", *arguments, "--exr", image)
+    except SystemExit as refused:  # that is a result, too
+        return name, {"refused": str(refused).split(": ", 2)[-1]}
+    plan = runs.call("plan", *(option for option in arguments if option not in ("--backend", backend)))
+    facts = {key: report[key] for key in ("bytesPerPixel", "memoryBytes", "peakBytes", "tiers", "geometryPasses",
+                                          "counters", "apiMessages")}
+    facts["passes"] = [one["name"] for one in report["passes"]]
+    facts["image"] = digest(image.read_bytes())
+    facts["plan"] = digest(json.dumps(plan, sort_keys=True).encode())
+    image.unlink()
+    return name, facts
+
+
+def differences(before, after):
+    for name in sorted(set(before) | set(after)):
+        if name not in before or name not in after:
+            yield f"{name}: only {'before' if name in before else 'after'}"
+            continue
+        for key in sorted(set(before[name]) | set(after[name])):
+            a, b = before[name].get(key), after[name].get(key)
+            if a != b:
+                yield f"{name}: {key} was {a}, is {b}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
+    parser.add_argument("--size", default="96x64")
+    parser.add_argument("--backend", action="append", choices=["vk", "gl"], help="repeatable; none: both")
+    parser.add_argument("--out", type=pathlib.Path, help="where the fingerprints go, as JSON")
+    parser.add_argument("--against", type=pathlib.Path, help="fingerprints of another build")
+    arguments = parser.parse_args()
+    require_harness("fingerprint", arguments.harness)
+    with tempfile.TemporaryDirectory() as folder:
+        work = pathlib.Path(folder)
+        runs = Runs("fingerprint", arguments.harness, work, {})
+        tasks = [(backend, scene, options) for backend in arguments.backend or ["vk", "gl"] for scene in SCENES
+                 for options in configurations()]
+        found = {}
+        with ThreadPoolExecutor(2) as pool:
+            for done, (name, facts) in enumerate(pool.map(
+                    lambda task: fingerprint(runs, work, *task, arguments.size), tasks), 1):
+                found[name] = facts
+                if done % 50 == 0:
+                    print(f"{done} of {len(tasks)}", flush=True)
+    refused = sum("refused" in facts for facts in found.values())
+    print(f"{len(found)} fingerprints, {refused} of them of refusals")
+    if arguments.out:
+        arguments.out.write_text(json.dumps(found, indent=1, sort_keys=True) + "\n")
+    if arguments.against:
+        told = list(differences(json.loads(arguments.against.read_text()), found))
+        print("\n".join(told) if told else "no difference")
+        sys.exit(1 if told else 0)
+
+
+if __name__ == "__main__":
+    main()
