@@ -46,15 +46,13 @@ void main() {
     acc.x += agaa_mixDisplayed(x.x, x.y, x.z);
     acc.z += float(agaa_translucentMask(x.w, 4u, 1u, 2u, agaa_translucencyHash(id, 1u, 2u, 3u)));
     acc.z += agaa_isInCutout(x.w, x.x, x.xy, x.zw) ? 1.0 : 0.0;
-    acc.y += agaa_toksvigAlpha2(agaa_alpha2FromRoughness(x.y),
+    acc.y += agaa_toksvigAlpha2(x.y,
                                 agaa_varianceFloor(len, agaa_storedLengthBound(1u, 16u)));
-    acc.z += agaa_alpha2FromFoldedLength(agaa_foldedLength(x.z)) +
-             agaa_alpha2FromExponent(agaa_exponentFromAlpha2(x.z));
+    acc.z += agaa_alpha2FromFoldedLength(agaa_foldedLength(x.z)) + agaa_exponentFromAlpha2(x.z);
     agaa_Moments m = agaa_momentsInit(x.x);
     agaa_momentsAdd(m, x.y);
-    acc.x += agaa_momentsMean(m) + agaa_momentsVariance(m) + agaa_normalMetric(x.y) +
+    acc.x += agaa_momentsVariance(m) + agaa_normalMetric(x.y) +
              agaa_depthTap(id, x.x, x.y, x.z, x.w);
-    acc.y += agaa_chebyshevVisibility(x.x, x.y, x.z, 1e-6);
     const float z = agaa_viewZFromDepth(x.x, x.y, x.z, bad);
     acc.z += agaa_depthQuantum(z, x.x, x.y, x.z, bad, 1e-6);
     acc.z += agaa_characteristicLength(x.x, x.y, agaa_scaleDistance(z, x.z, bad));

@@ -99,8 +99,6 @@ TEST(HardCase03_RoughnessOutOfRange, Clamped) {
         for (float len : {0.0f, FLT_TRUE_MIN, 0.5f, 1.0f, 1.5f}) {
             const float w = math_f::agaa_toksvigAlpha2(r * r, len);
             EXPECT_EQ(w, 1.0f) << r << " " << len;
-            const float a = math_f::agaa_alpha2FromRoughness(r);
-            EXPECT_TRUE(a >= math_f::agaa_minAlpha2() && a <= 1.0f) << r;
             const float s = math_f::agaa_exponentFromAlpha2(r * r);
             EXPECT_EQ(s, 0.0f) << r;
         }
@@ -230,11 +228,10 @@ TEST(HardCase09_RoughnessConventions, RoundTripIsTheIdentity) {
         const float a =
             static_cast<float>(i % 2 ? random.decades(4.2e-6, 1) : random.range(1e-5, 1));
         const float s = math_f::agaa_exponentFromAlpha2(a);
-        const float back = math_f::agaa_toksvigAlpha2(math_f::agaa_alpha2FromExponent(s), 1.0f);
+        const float back = math_f::agaa_toksvigAlpha2(2.0f / (s + 2.0f), 1.0f);
         ulps.add(std::abs(double(back) - double(a)) / double(std::nextafter(a, 2.0f) - a));
     }
-    // alpha = perceptual^2, alpha2 = alpha^2, s = 2/alpha2 - 2.
-    EXPECT_NEAR(math_f::agaa_alpha2FromRoughness(0.5f), 0.0625f, 1e-8f);
+    // s = 2/alpha2 - 2.
     EXPECT_NEAR(math_f::agaa_exponentFromAlpha2(0.0625f), 30.0f, 1e-5f);
 }
 
@@ -300,22 +297,6 @@ TEST(HardCase40_EqualSpotCones, StepWithoutNaN) {
     // Swapped cones are a step too, not a negative light.
     EXPECT_EQ(math_f::agaa_spotCone(0.9f, 0.5f, 0.8f), 1.0f);
     EXPECT_EQ(math_f::agaa_spotCone(0.7f, 0.5f, 0.8f), 0.0f);
-}
-
-TEST(HardCase41_Chebyshev, VisibilityStaysBetweenZeroAndOne) {
-    for (float variance : extremeFloats()) {
-        for (float t : extremeFloats()) {
-            for (float mean : {0.0f, 0.5f, 1.0f, 1e6f}) {
-                if (variance > 1e30f)
-                    continue;
-                const float v = math_f::agaa_chebyshevVisibility(mean, variance, t, 1e-7f);
-                ASSERT_TRUE(v >= 0.0f && v <= 1.0f) << variance << " " << t << " " << mean;
-                if (t <= mean) {
-                    ASSERT_EQ(v, 1.0f);
-                }
-            }
-        }
-    }
 }
 
 TEST(HardCase58_BlinnPhongHighExponents, AgainstDouble) {

@@ -10,7 +10,7 @@
 
 // ---- frame of a view ray ---------------------------------------------------------------------
 
-// Orthonormal t, b with cross(t, b) == v for unit v. No branch on a pole: the sign of v.z moves the
+// Orthonormal t, b with cross(t, b) == v for unit v (Duff et al. 2017). No branch on a pole: the sign of v.z moves the
 // singularity away, so v.z == -1 is as exact as v.z == 1.
 void agaa_viewBasis(rvec3 v, OUT(rvec3) t, OUT(rvec3) b) {
     const real s = v.z < real(0.0) ? real(-1.0) : real(1.0);

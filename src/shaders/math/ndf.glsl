@@ -22,14 +22,6 @@ real agaa_exponentFromAlpha2(real a2) {
     return real(2.0) / clamp(a2, agaa_minAlpha2(), real(1.0)) - real(2.0);
 }
 
-real agaa_alpha2FromExponent(real s) {
-    return real(2.0) / (max(s, real(0.0)) + real(2.0));
-}
-
-real agaa_alpha2FromRoughness(real perceptual) {
-    return max(agaa_sq(agaa_sq(agaa_saturate(perceptual))), agaa_minAlpha2());
-}
-
 // alpha2 widened by the variance that the length of a mean of unit normals tells. The five steps of
 // section 3.5.2, (alpha2 -> exponent -> Toksvig factor -> exponent -> alpha2), reduced to one
 // fraction that has no infinity for alpha2 = 0 and no pole for lengths above 1.
@@ -104,15 +96,6 @@ void agaa_addNormalMoments(INOUT(agaa_NormalMoments) m, real weight, rvec3 n) {
     m.mixed = m.mixed + weight * rvec3(n.y * n.z, n.z * n.x, n.x * n.y);
 }
 
-// Two unit vectors at right angles to the unit vector n and to each other.
-void agaa_tangents(rvec3 n, OUT(rvec3) t, OUT(rvec3) b) {
-    const real s = n.z < real(0.0) ? real(-1.0) : real(1.0);
-    const real a = real(-1.0) / (s + n.z);
-    const real c = n.x * n.y * a;
-    t = rvec3(real(1.0) + s * n.x * n.x * a, s * c, -s * n.x);
-    b = rvec3(c, s + n.y * n.y * a, -n.y);
-}
-
 // What the moments are along a and b.
 real agaa_momentAlong(agaa_NormalMoments m, rvec3 a, rvec3 b) {
     const rvec3 r = rvec3(m.squares.x * b.x + m.mixed.z * b.y + m.mixed.y * b.z,
@@ -132,7 +115,7 @@ void agaa_spreadAlpha2(agaa_NormalMoments m, rvec3 n, real meanLength, real alph
     const real a2 = clamp(alpha2, agaa_minAlpha2(), real(1.0));
     rvec3 t;
     rvec3 b;
-    agaa_tangents(n, t, b);
+    agaa_viewBasis(n, t, b);
     const real tt = agaa_momentAlong(m, t, t);
     const real bb = agaa_momentAlong(m, b, b);
     const real tb = agaa_momentAlong(m, t, b);

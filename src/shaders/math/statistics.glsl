@@ -1,6 +1,6 @@
 // Mean and variance over the samples of an aggregate, and what shadows and metrics make of them.
 // Sources: AGAA (Crassin et al., TVCG 2016) sections 3.4.1 and 3.5.3; Hollaender et al. 2013
-// (adaptive image-space sampling metrics); hard cases 12, 13, 14, 19 and 41.
+// (adaptive image-space sampling metrics); hard cases 12, 13, 14 and 19.
 #ifndef AGAA_MATH_STATISTICS_GLSL
 #define AGAA_MATH_STATISTICS_GLSL
 #include "real.glsl"
@@ -30,11 +30,6 @@ void agaa_momentsAdd(INOUT(agaa_Moments) m, real x) {
     m.count = m.count + real(1.0);
 }
 
-// Without samples the mean is the shift.
-real agaa_momentsMean(agaa_Moments m) {
-    return m.shift + m.sum / max(m.count, real(1.0));
-}
-
 // Never negative, and exactly 0 for one sample, whatever the compiler contracts.
 real agaa_momentsVariance(agaa_Moments m) {
     real variance = real(0.0);
@@ -51,13 +46,6 @@ real agaa_depthTap(uint j, real mean, real sigma, real lowest, real highest) {
     const real quantile = j < 2u ? real(0.45) : real(1.34);
     const real offset = (j & 1u) != 0u ? sigma * quantile : -sigma * quantile;
     return clamp(mean + offset, lowest, highest);
-}
-
-// Upper bound of the lit fraction at distance t behind occluders of the given moments (Chebyshev).
-real agaa_chebyshevVisibility(real mean, real variance, real t, real minVariance) {
-    const real v = max(variance, max(minVariance, real(1e-12)));
-    const real d = min(max(t - mean, real(0.0)), real(1e12));
-    return v / (v + d * d);
 }
 
 // Normal metric for a sample count: sqrt(1 - smallest n.n), of signed dot products of normals that
