@@ -2,6 +2,7 @@
 
 #include "core/checked.h"
 #include "core/gpu_layout.h"
+#include "core/permutations.h"
 #include "core/validate.h"
 
 #include <algorithm>
@@ -149,38 +150,40 @@ Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId dr
     return plan.passes.back();
 }
 
-// What a pass is compiled for, by letter in the names of permutations; see src/CMakeLists.txt.
-struct Switch {
-    char letter;
-    const char* define;
-    bool on;
-};
+bool PlanBuilder::isSwitchedOn(char letter) const {
+    switch (letter) {
+    case 'm':
+        return plan.hwSamples > 1;
+    case 's':
+        return plan.facts.shadowMapCount > 0;
+    case 'c':
+        return counts();
+    case 'b':
+        return plan.composite;
+    case 'a':
+        return plan.aggregates > 1;
+    case 'g':
+        return plan.generationTier == AGAA_TIER_GBUFFER;
+    case 'l':
+        return plan.config.litShadows != 0;
+    default: // the pass says it
+        return false;
+    }
+}
 
-Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string& shader,
-                           const char* permutation, uint64_t segment) {
+Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string& shader, uint64_t segment,
+                           std::string_view switches) {
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
     pass.file = "passes/" + shader + ".comp";
     pass.shader = shader + "_";
-    const Switch switches[] = {{'m', "AGAA_MULTISAMPLED", plan.hwSamples > 1},
-                               {'s', "AGAA_SHADOWS", plan.facts.shadowMapCount > 0},
-                               {'c', "AGAA_COUNTING", counts()},
-                               {'b', "AGAA_COMPOSITE", plan.composite},
-                               {'a', "AGAA_SEVERAL", plan.aggregates > 1},
-                               {'g', "AGAA_FROM_GBUFFER", plan.generationTier == AGAA_TIER_GBUFFER},
-                               {'x', "AGAA_CLASSIFIED", false},
-                               {'l', "AGAA_LIT", plan.config.litShadows != 0},
-                               {'r', "AGAA_REPRESENTED", false}};
-    for (const char* letter = permutation; *letter; ++letter) {
-        const Switch& s = *std::find_if(std::begin(switches), std::end(switches),
-                                        [&](const Switch& each) { return each.letter == *letter; });
-        bool on = s.on;
-        if (letter[1] == '0' || letter[1] == '1')
-            on = *++letter == '1';
-        pass.shader += s.letter;
+    for (const char letter : passSwitches(shader)) {
+        const size_t said = switches.find(letter);
+        const bool on = said == std::string_view::npos ? isSwitchedOn(letter) : switches[said + 1] == '1';
+        pass.shader += letter;
         pass.shader += on ? '1' : '0';
-        pass.defines += format("#define %s %d\n", s.define, on);
+        pass.defines += format("#define %s %d\n", switchMacro(letter), on);
     }
     pass.segment = segment;
     pass.constants = constants_;

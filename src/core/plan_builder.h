@@ -55,10 +55,9 @@ public:
     ResourceId depth(bool needsStencil);
 
     Pass& hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment);
-    // permutation: the letters of the switches that the shader is compiled for; 0 or 1 after a letter says
-    // what the plan as a whole does not.
-    Pass& compute(std::string name, AgaaStage stage, const std::string& shader,
-                  const char* permutation, uint64_t segment);
+    // A permutation of the shader by the plan; switches, such as "r1", say what the plan as a whole does not.
+    Pass& compute(std::string name, AgaaStage stage, const std::string& shader, uint64_t segment,
+                  std::string_view switches = {});
     // A bit for every pixel that one pass leaves to another (src/shaders/passes/left_pixels.glsl).
     ResourceId leftPixels();
     void leavePixels(Pass& pass, ResourceId left);
@@ -88,6 +87,7 @@ public:
     Plan plan;
 
 private:
+    bool isSwitchedOn(char letter) const; // of core/permutations.h
     uint32_t listLength() const; // of primitives that a group of lanes takes at a time
     void chooseVisibilityTier();
     void setConstants();

@@ -23,7 +23,7 @@ ResourceId defineAggregates(PlanBuilder& b, const std::function<void(Pass&)>& bi
         return noResource;
     const ResourceId metadata =
         b.image("metadata", metadataFormat(b.plan.samples, b.plan.aggregates), false);
-    Pass& define = b.compute("define aggregates", AGAA_STAGE_DEFINITION, "definition", "mg",
+    Pass& define = b.compute("define aggregates", AGAA_STAGE_DEFINITION, "definition",
                              AGAA_SEGMENT_GENERATION);
     b.bindCommon(define);
     bindSamples(define);

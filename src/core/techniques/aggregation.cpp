@@ -73,8 +73,8 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
 // bindDepth: the samples' depth and, where counted, what tells those that show geometry.
 void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates,
                      const std::function<void(Pass&)>& bindDepth) {
-    Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates",
-                            a.represented ? "mscbr1" : "mscbr0", AGAA_SEGMENT_SHADING);
+    Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", AGAA_SEGMENT_SHADING,
+                            a.represented ? "r1" : "");
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
@@ -110,8 +110,8 @@ void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {
     const GBuffer gbuffer = makeGBuffer(b);
     const ResourceId aggregates = aggregateBuffer(b, a);
     const ResourceId metadata = a.define([&](Pass& pass) { gbuffer.bind(b, pass); }, aggregates);
-    Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather",
-                             a.represented ? "ma0r1" : "mar0", AGAA_SEGMENT_GENERATION);
+    Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather", AGAA_SEGMENT_GENERATION,
+                             a.represented ? "a0r1" : "");
     b.bindCommon(gather);
     gbuffer.bind(b, gather);
     if (metadata != noResource)
@@ -126,7 +126,7 @@ namespace {
 // samples: what binds them.
 template <typename Samples>
 Pass& shadeAtOnce(PlanBuilder& b, const char* name, const char* shader, const Samples& samples) {
-    Pass& shade = b.compute(name, AGAA_STAGE_SHADING, shader, "mscbl", AGAA_SEGMENT_SHADING);
+    Pass& shade = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     samples.bind(b, shade);
     b.bindLighting(shade);
@@ -177,7 +177,7 @@ void shadeFromIds(PlanBuilder& b) {
 void buildFromIds(PlanBuilder& b, const Aggregation& a) {
     const Ids ids = drawIds(b);
     const ResourceId aggregates = aggregateBuffer(b, a);
-    Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather_ids", "mc", AGAA_SEGMENT_GENERATION);
+    Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather_ids", AGAA_SEGMENT_GENERATION);
     b.bindCommon(gather);
     ids.bind(b, gather);
     b.bind(gather, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);

@@ -32,7 +32,7 @@ static void build(PlanBuilder& b) {
     forward.colorTargets = {color};
     forward.clearsColor = true;
     forward.depthTarget = depth;
-    Pass& resolve = b.compute("resolve", AGAA_STAGE_OTHER, "resolve", "mcb", AGAA_SEGMENT_SHADING);
+    Pass& resolve = b.compute("resolve", AGAA_STAGE_OTHER, "resolve", AGAA_SEGMENT_SHADING);
     b.bindCommon(resolve);
     b.bind(resolve, slot::Surface0, BindingType::Texture, color);
     b.bind(resolve, slot::Depth, BindingType::Texture, depth);

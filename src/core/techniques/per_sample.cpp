@@ -7,11 +7,10 @@ namespace agaa {
 
 namespace {
 
-// variant: x1, where pixels that show one surface are shaded once. image: to be shaded; noResource: the output.
-Pass& shadeSamples(PlanBuilder& b, const GBuffer& gbuffer, const char* variant,
-                   ResourceId image = noResource) {
-    Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples", variant,
-                            AGAA_SEGMENT_SHADING);
+// isClassified: pixels that show one surface are shaded once. image: to be shaded; noResource: the output.
+Pass& shadeSamples(PlanBuilder& b, const GBuffer& gbuffer, bool isClassified, ResourceId image = noResource) {
+    Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples", AGAA_SEGMENT_SHADING,
+                            isClassified ? "x1" : "");
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade, image);
@@ -20,7 +19,7 @@ Pass& shadeSamples(PlanBuilder& b, const GBuffer& gbuffer, const char* variant,
 }
 
 void buildPerSample(PlanBuilder& b) {
-    shadeSamples(b, makeGBuffer(b), "mscbx0");
+    shadeSamples(b, makeGBuffer(b), false);
     b.copyCounters();
 }
 
@@ -30,8 +29,8 @@ void buildFxaa(PlanBuilder& b) {
         return buildPerSample(b); // numbers, that are not to be filtered
     const GBuffer gbuffer = makeGBuffer(b);
     const ResourceId shaded = b.image("shaded", Format::RGBA16F, false);
-    shadeSamples(b, gbuffer, "mscbx0", shaded).constants[AGAA_LUMA_IN_ALPHA] = 1;
-    Pass& filter = b.compute("fxaa", AGAA_STAGE_OTHER, "fxaa", "", AGAA_SEGMENT_SHADING);
+    shadeSamples(b, gbuffer, false, shaded).constants[AGAA_LUMA_IN_ALPHA] = 1;
+    Pass& filter = b.compute("fxaa", AGAA_STAGE_OTHER, "fxaa", AGAA_SEGMENT_SHADING);
     b.bindCommon(filter);
     b.bind(filter, slot::Surface0, BindingType::Texture, shaded);
     b.bind(filter, slot::Output, BindingType::StorageImage, b.output(), true);
@@ -41,7 +40,7 @@ void buildFxaa(PlanBuilder& b) {
 // Lauritzen 2010: pixels that show one surface are shaded once.
 void buildSimpleComplex(PlanBuilder& b) {
     b.defaultSurface(0.98f, 1.0f, 0.05f);
-    shadeSamples(b, makeGBuffer(b), "mscbx1");
+    shadeSamples(b, makeGBuffer(b), true);
     b.copyCounters();
 }
 

@@ -46,7 +46,7 @@ void build(PlanBuilder& b) {
     surfaces.represented = true;
     surfaces.definitionClears = true;
     surfaces.define = [&](const auto& bindSamples, ResourceId aggregates) {
-        Pass& select = b.compute("select surfaces", AGAA_STAGE_DEFINITION, "select", "mg",
+        Pass& select = b.compute("select surfaces", AGAA_STAGE_DEFINITION, "select",
                                  AGAA_SEGMENT_GENERATION);
         b.bindCommon(select);
         bindSamples(select);

@@ -1,0 +1,12 @@
+// The switches that compute passes are compiled for (src/shaders/passes/permutations.inc).
+#pragma once
+
+#include <string_view>
+
+namespace agaa {
+
+// Letters of a pass, in the order of permutations' names. Throws Error for a shader that the table does not have.
+std::string_view passSwitches(std::string_view shader);
+const char* switchMacro(char letter);
+
+} // namespace agaa
