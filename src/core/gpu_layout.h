@@ -45,29 +45,20 @@ inline uint64_t lightBufferBytes(uint32_t maxLights) {
     return AGAA_MAX_SHADOW_MAPS * sizeof(GpuShadow) + uint64_t(maxLights ? maxLights : 1) * sizeof(GpuLight);
 }
 
-// Each count as two words, low first; maxEvents is one word.
+enum Counter : uint32_t {
+#define AGAA_COUNTER(index, name, member) name = index,
+#define AGAA_COUNTER_MAX(index, name, member) name = index, counterCount
+#include "shaders/passes/counters.inc"
+#undef AGAA_COUNTER
+#undef AGAA_COUNTER_MAX
+};
+
 struct CounterBuffer {
-    uint32_t visible[2];
-    uint32_t once[2];
-    uint32_t missed[2];
-    uint32_t multi[2];
-    uint32_t ties[2];
-    uint32_t sanitised[2];
-    uint32_t shadingEvents[2];
-    uint32_t shadowTaps[2];
-    uint32_t widenedLobes[2];
-    uint32_t shadedPixels[2];
-    uint32_t misplaced[2];
-    uint32_t aggregates[2];
-    uint32_t primitives[2];
-    uint32_t materials[2];
-    uint32_t unannounced[2];
-    uint32_t maxEvents;
-    uint32_t padding0;
-    uint32_t invalidPixels; // found; the first of them follow
-    uint32_t padding1;
+    uint32_t counts[counterCount][2]; // by Counter; low word first
+    uint32_t invalidPixels;           // found; the first of them follow
+    uint32_t padding;
     uint32_t pixels[AGAA_MAX_INVALID_PIXELS][8]; // AgaaInvalidPixel, padded
 };
-static_assert(sizeof(CounterBuffer) == 4 * (34 + 8 * AGAA_MAX_INVALID_PIXELS));
+static_assert(sizeof(CounterBuffer) == 4 * (2 * counterCount + 2 + 8 * AGAA_MAX_INVALID_PIXELS));
 
 } // namespace agaa

@@ -54,26 +54,15 @@ AgaaView_T::AgaaView_T(AgaaContext_T& context, Plan framePlan)
 AgaaView_T::~AgaaView_T() { --owner.viewCount; }
 
 static AgaaCounters countersOf(const CounterBuffer& source) {
-    const auto wide = [](const uint32_t (&words)[2]) {
-        return uint64_t(words[0]) | uint64_t(words[1]) << 32;
-    };
     AgaaCounters out{};
-    out.visible = wide(source.visible);
-    out.once = wide(source.once);
-    out.missed = wide(source.missed);
-    out.multi = wide(source.multi);
-    out.ties = wide(source.ties);
-    out.sanitised = wide(source.sanitised);
-    out.shadingEvents = wide(source.shadingEvents);
-    out.shadowTaps = wide(source.shadowTaps);
-    out.widenedLobes = wide(source.widenedLobes);
-    out.aggregates = wide(source.aggregates);
-    out.primitives = wide(source.primitives);
-    out.materials = wide(source.materials);
-    out.shadedPixels = wide(source.shadedPixels);
-    out.misplaced = wide(source.misplaced);
-    out.unannounced = wide(source.unannounced);
-    out.maxEventsPerPixel = source.maxEvents;
+    const auto wide = [&](Counter counter) {
+        return uint64_t(source.counts[counter][0]) | uint64_t(source.counts[counter][1]) << 32;
+    };
+#define AGAA_COUNTER(index, name, member) out.member = wide(name);
+#define AGAA_COUNTER_MAX(index, name, member) out.member = wide(name);
+#include "shaders/passes/counters.inc"
+#undef AGAA_COUNTER
+#undef AGAA_COUNTER_MAX
     return out;
 }
 

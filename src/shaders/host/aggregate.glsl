@@ -111,7 +111,7 @@ void agaa_emit(AgaaSurfaceInput s) {
         return;
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
     if (bad != 0u)
-        agaa_countFragment(AGAA_FRAGMENT_SANITISED, 1u);
+        agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
     uint words[AGAA_WORDS];
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         words[w] = 0u;
@@ -127,7 +127,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     uint claim = pixels * (AGAA_AGGREGATES * AGAA_STRIDE) + pixel.y * agaa_frame.size.x + pixel.x;
     uint claimed = agaa_orWord(claim, mask) & mask;
     if (claimed != 0u)
-        agaa_countFragment(AGAA_FRAGMENT_TIES, uint(bitCount(claimed)));
+        agaa_countFragment(AGAA_COUNT_TIES, uint(bitCount(claimed)));
     mask &= ~claimed;
     if (mask == 0u)
         return;
@@ -149,7 +149,7 @@ void agaa_emit(AgaaSurfaceInput s) {
                       coverageShift;
         uint fresh = own & ~before;
         if (fresh != own)
-            agaa_countFragment(AGAA_FRAGMENT_TIES, uint(bitCount(own & before)));
+            agaa_countFragment(AGAA_COUNT_TIES, uint(bitCount(own & before)));
         if (fresh == 0u)
             continue;
         uint count = uint(bitCount(fresh));

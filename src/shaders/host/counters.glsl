@@ -1,8 +1,9 @@
-// Counts of a host's fragments: low words of the frame's 64-bit counts, by word (core/gpu_layout.h).
-#define AGAA_FRAGMENT_TIES 8u
-#define AGAA_FRAGMENT_SANITISED 10u
-#define AGAA_FRAGMENT_MISPLACED 20u
-#define AGAA_FRAGMENT_UNANNOUNCED 28u
+// Counts of a host's fragments, added to the frame's 64-bit counts.
+#define AGAA_COUNTER(index, name, member) const uint name = index;
+#define AGAA_COUNTER_MAX(index, name, member) const uint name = index;
+#include "passes/counters.inc"
+#undef AGAA_COUNTER
+#undef AGAA_COUNTER_MAX
 
 #if AGAA_COUNTING && AGAA_STORAGE_IMAGES
 layout(r32ui, AGAA_AT_COUNTERS) uniform uimageBuffer agaa_counterWords;
@@ -15,11 +16,11 @@ uint agaa_addToCounter(uint word, uint amount) { return atomicAdd(agaa_counterBu
 #endif
 
 #if AGAA_COUNTING
-void agaa_countFragment(uint word, uint amount) {
-    uint before = agaa_addToCounter(word, amount);
+void agaa_countFragment(uint counter, uint amount) {
+    uint before = agaa_addToCounter(2u * counter, amount);
     if (before + amount < before) // carried
-        agaa_addToCounter(word + 1u, 1u);
+        agaa_addToCounter(2u * counter + 1u, 1u);
 }
 #else
-void agaa_countFragment(uint word, uint amount) {}
+void agaa_countFragment(uint counter, uint amount) {}
 #endif

@@ -1,8 +1,6 @@
 // Forward pass: a fragment is shaded once for all its samples, with the lighting of the deferred passes.
 layout(early_fragment_tests) in; // what is hidden is neither shaded nor counted
-#define AGAA_COUNT_EVENTS 6u
-#define AGAA_COUNT_SHADOW_TAPS 7u
-void agaa_count(uint which, uint amount) { agaa_countFragment(2u * which, amount); }
+void agaa_count(uint counter, uint amount) { agaa_countFragment(counter, amount); }
 #define AGAA_COMPARE(map, at) textureGrad(map, at, vec2(0.0), vec2(0.0))
 #include "passes/lighting.glsl"
 #include "passes/forward_color.glsl"
@@ -29,7 +27,7 @@ void agaa_emit(AgaaSurfaceInput s) {
 #endif
     if (kept != 0u && !AGAA_HELPER) {
         if (bad != 0u)
-            agaa_countFragment(AGAA_FRAGMENT_SANITISED, 1u);
+            agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
         agaa_count(AGAA_COUNT_EVENTS, 1u);
 #if AGAA_SHADOWS
         for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)

@@ -5,7 +5,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     agaa_checkPlacement(s.position);
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
     if (bad != 0u && !AGAA_HELPER)
-        agaa_countFragment(AGAA_FRAGMENT_SANITISED, 1u);
+        agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
     float c[13];
     c[0] = s.diffuse.x;
     c[1] = s.diffuse.y;

@@ -19,6 +19,6 @@ bool agaa_isMisplaced(vec3 position) {
 void agaa_checkPlacement(vec3 position) {
 #if AGAA_COUNTING && AGAA_FIRST_PASS
     if (agaa_isMisplaced(position) && !AGAA_HELPER)
-        agaa_countFragment(AGAA_FRAGMENT_MISPLACED, 1u);
+        agaa_countFragment(AGAA_COUNT_MISPLACED, 1u);
 #endif
 }

@@ -21,7 +21,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     // the last announced, which its draw has; a draw as the first primitive of the last, which may have no other.
     bool isFetched = AGAA_SOME_UNFETCHED == 0 || s.draw != AGAA_UNFETCHED;
     if (isFetched && (s.draw >= AGAA_MAX_DRAWS || s.primitive >= AGAA_MAX_PRIMITIVES) && !AGAA_HELPER)
-        agaa_countFragment(AGAA_FRAGMENT_UNANNOUNCED, 1u);
+        agaa_countFragment(AGAA_COUNT_UNANNOUNCED, 1u);
     uint primitive = s.draw < AGAA_MAX_DRAWS ? min(s.primitive, AGAA_MAX_PRIMITIVES - 1u) : 0u;
     uint id = (min(s.draw, AGAA_MAX_DRAWS - 1u) << AGAA_PRIMITIVE_BITS | primitive) + 1u;
     id = isFetched ? id : 0xFFFFFFFFu;

@@ -1,27 +1,16 @@
 // Counts of a workgroup, added to the frame's 64-bit counts once per group.
 #ifndef AGAA_COUNTERS_GLSL
 #define AGAA_COUNTERS_GLSL
-#define AGAA_COUNT_VISIBLE 0u
-#define AGAA_COUNT_ONCE 1u
-#define AGAA_COUNT_MISSED 2u
-#define AGAA_COUNT_MULTI 3u
-#define AGAA_COUNT_TIES 4u
-#define AGAA_COUNT_SANITISED 5u
-#define AGAA_COUNT_EVENTS 6u
-#define AGAA_COUNT_SHADOW_TAPS 7u
-#define AGAA_COUNT_WIDENED 8u
-#define AGAA_COUNT_PIXELS 9u
-#define AGAA_COUNT_MISPLACED 10u // by fragments only
-#define AGAA_COUNT_AGGREGATES 11u
-#define AGAA_COUNT_PRIMITIVES 12u
-#define AGAA_COUNT_MATERIALS 13u
-#define AGAA_COUNT_UNANNOUNCED 14u // by fragments only
-#define AGAA_COUNT_MAX_EVENTS 15u // one word, a maximum
-#define AGAA_COUNTS 16u
+#define AGAA_COUNTER(index, name, member) const uint name = index;
+#define AGAA_COUNTER_MAX(index, name, member) const uint name = index;
+#include "passes/counters.inc"
+#undef AGAA_COUNTER
+#undef AGAA_COUNTER_MAX
+const uint AGAA_COUNTS = AGAA_COUNT_MAX_EVENTS + 1u;
 
 #if AGAA_COUNTING
 layout(std430, AGAA_AT_COUNTERS) coherent buffer agaa_CounterBlock {
-    uint words[32]; // of the counts
+    uint words[2u * AGAA_COUNTS];
     uint invalidPixelCount; // with missed or multi samples
     uint padding;
     uint invalidPixels[8][8]; // x, y, visible, missed, multi of the first

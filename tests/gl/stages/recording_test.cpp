@@ -272,7 +272,7 @@ TEST(GlRecording, CountsOfFragmentsCarryIntoTheirHighWord) {
         frame.segments = AGAA_SEGMENT_PREPASS;
         ASSERT_EQ(bench.record(frame, bench.glFrame()), AGAA_OK);
         const GLuint start = 0xFFFFFFFEu;
-        sharedEgl().gl().ClearNamedBufferSubData(buffer, GL_R32UI, offsetof(agaa::CounterBuffer, sanitised), sizeof start,
+        sharedEgl().gl().ClearNamedBufferSubData(buffer, GL_R32UI, offsetof(agaa::CounterBuffer, counts[agaa::AGAA_COUNT_SANITISED]), sizeof start,
                                                  GL_RED_INTEGER, GL_UNSIGNED_INT, &start);
         frame.segments = AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING;
         ASSERT_EQ(bench.record(frame, bench.glFrame()), AGAA_OK);

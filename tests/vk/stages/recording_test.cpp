@@ -379,7 +379,7 @@ TEST(Recording, CountsOfFragmentsCarryIntoTheirHighWord) {
                                  &barrier, 0, nullptr, 0, nullptr);
         };
         wait();
-        vkCmdUpdateBuffer(commands, buffer, offsetof(agaa::CounterBuffer, sanitised), sizeof start, &start);
+        vkCmdUpdateBuffer(commands, buffer, offsetof(agaa::CounterBuffer, counts[agaa::AGAA_COUNT_SANITISED]), sizeof start, &start);
         wait();
         frame.segments = AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING;
         ASSERT_EQ(bench.record(frame, vk), AGAA_OK);
