@@ -52,7 +52,7 @@ typedef struct AgaaCapability {
     uint32_t stage; /* AgaaStage */
     uint32_t tier;  /* AgaaTier; AUTO where the stage cannot run */
     uint32_t isNative;
-    float relativePrice; /* roughly, as measured on lavapipe: the stage by native visibility or post-depth atomics; of
+    float relativeCost; /* roughly, as measured on lavapipe: the stage by native visibility or post-depth atomics; of
                             GBUFFER and IDS whole frames of "agaa", n = 8 */
     char reason[244];    /* one sentence */
 } AgaaCapability;

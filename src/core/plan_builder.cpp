@@ -13,7 +13,7 @@ namespace agaa {
 
 // Whole frames with lit aggregates against those without: median of the ten scenes of docs/results/lavapipe/sweep,
 // n = 8, preset accurate.
-constexpr float litPrice = 1.04f;
+constexpr float litCost = 1.04f;
 
 PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
                          uint32_t framesInFlight)
@@ -203,9 +203,9 @@ Pass& PlanBuilder::fill(std::string name, AgaaStage stage, ResourceId destinatio
     return plan.passes.back();
 }
 
-ResourceId PlanBuilder::leftPixels() {
+ResourceId PlanBuilder::deferredPixels() {
     const uint64_t tiles = checkedMultiply((uint64_t(plan.width) + 7) / 8, (uint64_t(plan.height) + 7) / 8);
-    return add({.name = "left-pixels",
+    return add({.name = "deferred-pixels",
                 .kind = ResourceKind::Buffer,
                 .format = Format::Buffer,
                 .width = plan.width,
@@ -219,15 +219,15 @@ static void takeTiles(Pass& pass, uint32_t side) {
     pass.defines += format("#define AGAA_REGION_SIDE %uu\n", side);
 }
 
-void PlanBuilder::leavePixels(Pass& pass, ResourceId left) {
-    bind(pass, slot::Left, BindingType::StorageBuffer, left, true);
+void PlanBuilder::deferPixels(Pass& pass, ResourceId deferred) {
+    bind(pass, slot::Deferred, BindingType::StorageBuffer, deferred, true);
     takeTiles(pass, 2);
 }
 
 // Software rasterisers of Mesa end all loops of an invocation once they have turned 65535 times together: at many samples
 // a group has fewer pixels, which fill its lanes all the same.
-void PlanBuilder::takeLeft(Pass& pass, ResourceId left) {
-    bind(pass, slot::Left, BindingType::StorageBuffer, left);
+void PlanBuilder::takeDeferred(Pass& pass, ResourceId deferred) {
+    bind(pass, slot::Deferred, BindingType::StorageBuffer, deferred);
     takeTiles(pass, plan.samples > 8 ? 1 : 2);
 }
 
@@ -370,7 +370,7 @@ void PlanBuilder::listEffects(bool readsFolded) {
             note(format("lit aggregates: shadows looked up at each sample: %d, up to %u taps a pixel and light; the "
                         "second means are in registers, no bytes in memory; on lavapipe, from a G-buffer, whole frames "
                         "took %.2f of the time of frames without.",
-                        std::popcount(plan.config.litShadows), plan.config.samples, double(litPrice)));
+                        std::popcount(plan.config.litShadows), plan.config.samples, double(litCost)));
         }
         if (constants_[AGAA_FILTER_DIFFUSE] && !readsFolded)
             effect("filtered-diffuse");

@@ -20,7 +20,7 @@ enum : uint32_t {
     Output = 11,
     Shadow0 = 12,
     Below = 16, // the output as it was, for compositing
-    Left = 17,  // pixels that one pass leaves to another
+    Deferred = 17, // pixels that one pass defers to another
 };
 }
 // Binding slots of the set that hosts bind (src/shaders/host/).
@@ -58,10 +58,10 @@ public:
     // A permutation of the shader by the plan; switches, such as "r1", say what the plan as a whole does not.
     Pass& compute(std::string name, AgaaStage stage, const std::string& shader, uint64_t segment,
                   std::string_view switches = {});
-    // A bit for every pixel that one pass leaves to another (src/shaders/passes/left_pixels.glsl).
-    ResourceId leftPixels();
-    void leavePixels(Pass& pass, ResourceId left);
-    void takeLeft(Pass& pass, ResourceId left);
+    // A bit for every pixel that one pass leaves to another (src/shaders/passes/deferred_pixels.glsl).
+    ResourceId deferredPixels();
+    void deferPixels(Pass& pass, ResourceId deferred);
+    void takeDeferred(Pass& pass, ResourceId deferred);
 
     Pass& fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment);
 

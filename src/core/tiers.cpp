@@ -11,7 +11,7 @@ namespace agaa {
 
 // Whole frames against those by post-depth atomics: medians of the ten scenes of docs/results/lavapipe/sweep, n = 8,
 // c = 2.
-constexpr float gbufferPrice = 0.7f, idsPrice = 0.7f;
+constexpr float gbufferCost = 0.7f, idsCost = 0.7f;
 
 static bool hasSamples(const AgaaDeviceCaps& caps, uint32_t samples) {
     return (caps.sampleCounts >> std::countr_zero(samples)) & 1;
@@ -28,7 +28,7 @@ static VisibilityChoice scaledTarget(const AgaaDeviceCaps& caps, uint32_t sample
         choice.scaleY = groups / choice.scaleX;
         choice.hwSamples = hw;
         choice.tier = AGAA_TIER_SCALED_TARGET;
-        choice.relativePrice = 1; // 0.9 to 1.0 of native at n = 4 on lavapipe
+        choice.relativeCost = 1; // 0.9 to 1.0 of native at n = 4 on lavapipe
         choice.reason =
             format("a target of %ux%u sub-pixels at %u samples each gives %u per pixel.",
                    choice.scaleX, choice.scaleY, hw, samples);
@@ -64,7 +64,7 @@ GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples
     GenerationChoice choice;
     const auto accept = [&](AgaaTier tier, float price, const char* reason) {
         choice.tier = tier;
-        choice.relativePrice = price;
+        choice.relativeCost = price;
         choice.reason = reason;
         return choice;
     };
@@ -73,7 +73,7 @@ GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples
         return choice;
     };
     const auto fromGBuffer = [&](const char* reason) {
-        return accept(AGAA_TIER_GBUFFER, gbufferPrice, reason);
+        return accept(AGAA_TIER_GBUFFER, gbufferCost, reason);
     };
     if (forced == AGAA_TIER_GBUFFER)
         return fromGBuffer("a multisampled G-buffer is aggregated by a compute pass.");
@@ -134,7 +134,7 @@ static AgaaCapability capability(const Technique& technique, uint32_t samples, A
     row.stage = stage;
     row.tier = tier;
     row.isNative = native;
-    row.relativePrice = price;
+    row.relativeCost = price;
     std::strncpy(row.reason, reason.c_str(), sizeof row.reason - 1);
     return row;
 }
@@ -149,7 +149,7 @@ static std::vector<GenerationChoice> generationChoices(const AgaaDeviceCaps& cap
             choices.push_back(choice);
     }
     if (technique.groupsSamples)
-        choices.push_back({AGAA_TIER_IDS, true, idsPrice,
+        choices.push_back({AGAA_TIER_IDS, true, idsCost,
                            "with an AgaaFetchFunction, materials are fetched by the ids that the only geometry pass "
                            "leaves."});
     return choices;
@@ -164,7 +164,7 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
             const VisibilityChoice visibility = chooseVisibility(caps, samples, AGAA_TIER_AUTO);
             const auto addVisibility = [&](const VisibilityChoice& choice) {
                 rows.push_back(capability(*technique, samples, AGAA_STAGE_PREPASS, choice.tier,
-                                          choice.tier == AGAA_TIER_NATIVE, choice.relativePrice, choice.reason));
+                                          choice.tier == AGAA_TIER_NATIVE, choice.relativeCost, choice.reason));
             };
             addVisibility(visibility);
             if (visibility.tier == AGAA_TIER_AUTO)
@@ -177,7 +177,7 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
                                           AGAA_TIER_NATIVE, true, 1, "a compute pass."));
                 for (const GenerationChoice& choice : generationChoices(caps, visibility.hwSamples, *technique))
                     rows.push_back(capability(*technique, samples, AGAA_STAGE_GENERATION, choice.tier, false,
-                                              choice.relativePrice, choice.reason));
+                                              choice.relativeCost, choice.reason));
             }
             rows.push_back(capability(*technique, samples, AGAA_STAGE_SHADING, AGAA_TIER_NATIVE, true,
                                       1, "a compute pass."));

@@ -13,7 +13,7 @@ struct VisibilityChoice {
     uint32_t hwSamples = 1;
     uint32_t scaleX = 1;
     uint32_t scaleY = 1;
-    float relativePrice = 1;
+    float relativeCost = 1;
     std::string reason; // one sentence
 };
 VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced);
@@ -21,7 +21,7 @@ VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, 
 struct GenerationChoice {
     AgaaTier tier = AGAA_TIER_AUTO; // AUTO: cannot run
     bool runnable = true;           // false: a model only
-    float relativePrice = 1;
+    float relativeCost = 1;
     std::string reason;
 };
 // customDepth: some materials write depth or discard on their own, so that no pass can compare with the

@@ -18,7 +18,7 @@ constexpr uint32_t storageBinding(uint32_t planSlot) {
         return 0;
     case slot::Counters:
         return 1;
-    case slot::Left:
+    case slot::Deferred:
         return 3;
     default:
         return 2;

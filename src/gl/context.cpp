@@ -31,7 +31,7 @@ GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user) {
 }
 
 static StateScope scopeOf(const HostDialect& dialect) {
-    StateScope scope = hostPlaces(dialect);
+    StateScope scope = hostBindings(dialect);
     for (uint32_t unit = firstTextureUnit; unit <= lastTextureUnit; ++unit)
         scope.textureUnits.push_back(unit);
     scope.uniformBindings.push_back(uniformBinding);
@@ -103,7 +103,7 @@ Context::Context(const AgaaGlContextDesc& desc)
         limitToImages(gl, caps);
     guard.emplace(gl, scopeOf(dialect), isCompatibilityProfile(gl));
     if (statePolicy == AGAA_GL_STATE_CALLBACKS)
-        hostPlaces.emplace(gl, dialect, isCompatibilityProfile(gl));
+        hostBindings.emplace(gl, dialect, isCompatibilityProfile(gl));
     guard->capture();
     try {
         GLint bits = 0;

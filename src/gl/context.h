@@ -4,7 +4,7 @@
 #include "agaa_gl.h"
 #include "core/handles.h"
 #include "core/host_glsl.h"
-#include "gl/host_places.h"
+#include "gl/host_bindings.h"
 #include "gl/state_guard.h"
 
 #include <glad/gl.h>
@@ -35,7 +35,7 @@ public:
     AgaaGlStateCallback popState;
     void* stateUser;
     std::optional<StateGuard> guard; // of all that frames touch
-    std::optional<HostPlaces> hostPlaces; // with AGAA_GL_STATE_CALLBACKS
+    std::optional<HostBindings> hostBindings; // with AGAA_GL_STATE_CALLBACKS
     AgaaTimeSource timeSource = AGAA_TIME_DEVICE;
     uint32_t timestampBits = 64; // of the driver's counter
     GLuint shadowSampler = 0;

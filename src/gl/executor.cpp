@@ -118,18 +118,18 @@ void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_
                                    0,
                                    objects.framebuffer,
                                    0};
-    state.giveBack();
-    if (context.hostPlaces)
-        context.hostPlaces->capture();
+    state.restore();
+    if (context.hostBindings)
+        context.hostBindings->capture();
     bindForHost(pass, frame, glFrame, slot);
     const AgaaResult result = contained([&] { return frame.draw(frame.drawUser, &target); });
-    if (context.hostPlaces)
-        context.hostPlaces->restore();
+    if (context.hostBindings)
+        context.hostBindings->restore();
     if (result != AGAA_OK)
         fail(AGAA_ERROR_CALLBACK,
              format("the draw callback returned %d in pass \"%s\"; the output was not written.",
                     int(result), pass.name.c_str()));
-    state.takeAway();
+    state.save();
 }
 
 void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,

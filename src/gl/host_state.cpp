@@ -14,7 +14,7 @@ View::HostState::~HostState() {
         contained([&] { return context_.popState(context_.stateUser); });
 }
 
-void View::HostState::giveBack() {
+void View::HostState::restore() {
     if (context_.statePolicy == AGAA_GL_STATE_RESTORE)
         context_.guard->restore();
     if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS) {
@@ -25,11 +25,11 @@ void View::HostState::giveBack() {
 }
 
 void View::HostState::finish() {
-    giveBack();
+    restore();
     finished_ = true;
 }
 
-void View::HostState::takeAway() {
+void View::HostState::save() {
     // What a callback changes is not what the host had on entry.
     if (context_.statePolicy == AGAA_GL_STATE_RESTORE && !captured_) {
         context_.guard->capture();

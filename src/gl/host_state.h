@@ -8,14 +8,14 @@ namespace agaa::gl {
 
 class View::HostState {
 public:
-    explicit HostState(Context& context) : context_(context) { takeAway(); }
+    explicit HostState(Context& context) : context_(context) { save(); }
     ~HostState();
     HostState(const HostState&) = delete;
     HostState& operator=(const HostState&) = delete;
 
-    void giveBack(); // before a draw callback
-    void takeAway(); // after it
-    void finish();   // gives back for good, and tells if that fails
+    void restore(); // the host's, before a draw callback
+    void save();    // after it
+    void finish();  // restores for good, and tells if that fails
 
 private:
     Context& context_;

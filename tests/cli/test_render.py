@@ -128,7 +128,7 @@ class Render(unittest.TestCase):
         self.assertIn(1, data["sampleCounts"])
         for row in data["tiers"]:
             self.assertEqual(set(row), {"technique", "samples", "stage", "tier", "native",
-                                        "relativePrice", "reason"})
+                                        "relativeCost", "reason"})
             self.assertTrue(row["reason"].endswith("."))
 
 

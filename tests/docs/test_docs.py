@@ -148,7 +148,7 @@ class Prices(unittest.TestCase):
         return next(row["frameMs"]["median"] for row in scene["rows"] if is_wanted(row))
 
     def test_of_tiers(self):
-        for name, tier in (("gbufferPrice", "gbuffer"), ("idsPrice", "ids")):
+        for name, tier in (("gbufferCost", "gbuffer"), ("idsCost", "ids")):
             measured = [self.frame(scene, tier) / self.frame(scene, None) for scene in self.scenes]
             self.assertAlmostEqual(statistics.median(measured), self.price("tiers.cpp", name), delta=0.05)
 
@@ -167,7 +167,7 @@ class Prices(unittest.TestCase):
     def test_of_lit_aggregates(self):
         effects = [effect for scene in self.scenes for effect in scene["ablation"] if effect["effect"] == "lit-aggregates"]
         measured = [effect["on"]["frameMs"]["median"] / effect["off"]["frameMs"]["median"] for effect in effects]
-        self.assertAlmostEqual(statistics.median(measured), self.price("plan_builder.cpp", "litPrice"), delta=0.02)
+        self.assertAlmostEqual(statistics.median(measured), self.price("plan_builder.cpp", "litCost"), delta=0.02)
 
 
 if __name__ == "__main__":

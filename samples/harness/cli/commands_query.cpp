@@ -101,7 +101,7 @@ void runCaps(const DeviceArguments& arguments, bool asJson) {
                          {"stage", agaaStageName(row.stage)},
                          {"tier", row.tier ? agaaTierName(row.tier) : "none"},
                          {"native", row.isNative != 0},
-                         {"relativePrice", row.relativePrice},
+                         {"relativeCost", row.relativeCost},
                          {"reason", row.reason}});
     if (asJson) {
         print({{"backend", arguments.backend},

@@ -168,9 +168,9 @@ void shadeFromGBuffer(PlanBuilder& b) {
 
 void shadeFromIds(PlanBuilder& b) {
     const Ids ids = drawIds(b);
-    const ResourceId several = b.leftPixels();
-    b.leavePixels(shadeAtOnce(b, "shade single primitives", "single_ids", ids), several);
-    b.takeLeft(shadeAtOnce(b, "aggregate and shade", "aggregate_ids", ids), several);
+    const ResourceId several = b.deferredPixels();
+    b.deferPixels(shadeAtOnce(b, "shade single primitives", "single_ids", ids), several);
+    b.takeDeferred(shadeAtOnce(b, "aggregate and shade", "aggregate_ids", ids), several);
     b.copyCounters();
 }
 

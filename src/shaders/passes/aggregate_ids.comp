@@ -10,8 +10,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/counters.glsl"
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
-#define AGAA_TAKES_LEFT
-#include "passes/left_pixels.glsl"
+#define AGAA_TAKES_DEFERRED
+#include "passes/deferred_pixels.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "passes/events.glsl"
 #include "passes/aggregate.glsl"
@@ -58,7 +58,7 @@ void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint missed) {
 
 void main() {
     agaa_countBegin();
-    uint count = agaa_findLeft();
+    uint count = agaa_findDeferred();
     agaa_turn = 0u;
     do {
         bool isHeld = agaa_turn + gl_LocalInvocationIndex < count;

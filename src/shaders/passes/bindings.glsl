@@ -7,7 +7,7 @@
 #define AGAA_AT_LIGHTS binding = 0
 #define AGAA_AT_COUNTERS binding = 1
 #define AGAA_AT_AGGREGATES binding = 2
-#define AGAA_AT_LEFT binding = 3
+#define AGAA_AT_DEFERRED binding = 3
 #define AGAA_AT_METADATA_OUT binding = 0
 #define AGAA_AT_OUTPUT binding = 1
 #define AGAA_AT_DEPTH binding = 3
@@ -39,6 +39,6 @@
 #define AGAA_AT_SHADOW2 set = 0, binding = 14
 #define AGAA_AT_SHADOW3 set = 0, binding = 15
 #define AGAA_AT_BELOW set = 0, binding = 16
-#define AGAA_AT_LEFT set = 0, binding = 17
+#define AGAA_AT_DEFERRED set = 0, binding = 17
 #endif
 #endif

@@ -12,7 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
 #include "passes/samples.glsl"
-#include "passes/left_pixels.glsl"
+#include "passes/deferred_pixels.glsl"
 #include "passes/primitive_means.glsl"
 
 // A group has a region of AGAA_REGION_SIDE tiles each way, whose pixels of one primitive are dealt out to full lanes.
@@ -64,7 +64,7 @@ agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) { return agaa_mean
 
 void agaa_shadeSingle(uvec2 pixel, uint id, uint samples) {
     if (!agaa_fetchGroups(pixel, id, samples)) {
-        agaa_leaveLate(pixel);
+        agaa_deferLate(pixel);
         return;
     }
     agaa_count(AGAA_COUNT_PRIMITIVES, 1u);
@@ -99,7 +99,7 @@ void agaa_sortTile(uvec2 tile) {
         agaa_singleId[place] = id;
         agaa_singleSamples[place] = samples;
     }
-    agaa_leavePixel(tile, !isOne);
+    agaa_deferPixel(tile, !isOne);
 }
 
 void main() {
@@ -110,7 +110,7 @@ void main() {
     barrier();
     for (uint t = 0u; t < AGAA_REGION_SIDE * AGAA_REGION_SIDE; ++t)
         agaa_sortTile(gl_WorkGroupID.xy * AGAA_REGION_SIDE + uvec2(t % AGAA_REGION_SIDE, t / AGAA_REGION_SIDE));
-    memoryBarrierBuffer(); // for agaa_leaveLate()
+    memoryBarrierBuffer(); // for agaa_deferLate()
     barrier();
     uint at = lane;
     do {

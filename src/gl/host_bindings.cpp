@@ -1,11 +1,11 @@
-#include "gl/host_places.h"
+#include "gl/host_bindings.h"
 
 #include "core/plan_builder.h"
 #include "gl/state_table.h"
 
 namespace agaa::gl {
 
-StateScope hostPlaces(const HostDialect& dialect) {
+StateScope hostBindings(const HostDialect& dialect) {
     const auto& at = dialect.bindings;
     StateScope scope;
     scope.uniformBindings = {at[host_slot::Frame]};
@@ -19,9 +19,9 @@ StateScope hostPlaces(const HostDialect& dialect) {
     return scope;
 }
 
-HostPlaces::HostPlaces(const GladGLContext& gl, const HostDialect& dialect,
+HostBindings::HostBindings(const GladGLContext& gl, const HostDialect& dialect,
                        bool compatibilityProfile)
-    : context_(gl, hostPlaces(dialect), compatibilityProfile) {
+    : context_(gl, hostBindings(dialect), compatibilityProfile) {
     size_t count = 0;
     for (const StateRow& row : bindingRows())
         if (row.array != StateArray::Once && context_.has(row)) {
@@ -31,7 +31,7 @@ HostPlaces::HostPlaces(const GladGLContext& gl, const HostDialect& dialect,
     values_.resize(count);
 }
 
-void HostPlaces::capture() {
+void HostBindings::capture() {
     const StateReading reading(context_);
     auto value = values_.begin();
     for (const StateRow& row : rows_)
@@ -40,7 +40,7 @@ void HostPlaces::capture() {
 }
 
 // Binding to an index also binds to the target, and textures need their unit active: both stay the callback's.
-void HostPlaces::restore() noexcept {
+void HostBindings::restore() noexcept {
     const GladGLContext& gl = context_.gl();
     GLint uniformBuffer = 0, storageBuffer = 0, activeTexture = 0;
     gl.GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &uniformBuffer);

@@ -10,12 +10,12 @@
 namespace agaa::gl {
 
 // Where draw callbacks find the SDK's resources.
-StateScope hostPlaces(const HostDialect& dialect);
+StateScope hostBindings(const HostDialect& dialect);
 
 // As StateGuard; only of the numbered places, so what a callback does elsewhere stays.
-class HostPlaces {
+class HostBindings {
 public:
-    HostPlaces(const GladGLContext& gl, const HostDialect& dialect, bool compatibilityProfile);
+    HostBindings(const GladGLContext& gl, const HostDialect& dialect, bool compatibilityProfile);
 
     void capture();
     void restore() noexcept;
