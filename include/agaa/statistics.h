@@ -15,8 +15,8 @@ extern "C" {
 typedef struct AgaaCounters {
     uint64_t visible;       /* samples with geometry after the prepass */
     uint64_t once;          /* of these, accumulated, by one aggregate or more */
-    uint64_t missed;        /* of these, never accumulated */
-    uint64_t multi;         /* accumulated by a further aggregate, or where nothing is visible; of "msaa" only there */
+    uint64_t uncovered;     /* of these, never accumulated */
+    uint64_t overlapping;   /* accumulated by a further aggregate, or where nothing is visible; of "msaa" only there */
     uint64_t ties;          /* sample writes refused because an equal depth came first; the stencil test refuses them
                                uncounted, so these are where it does not run: of masked materials, with
                                AGAA_CONFIG_NO_STENCIL and in depth formats without stencil. Not of "msaa" */
@@ -84,8 +84,8 @@ AGAA_API AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t com
 typedef struct AgaaInvalidPixel {
     uint32_t x, y;    /* pixel */
     uint32_t visible; /* bit i: sample i shows geometry after the prepass */
-    uint32_t missed;  /* of these, never accumulated */
-    uint32_t multi;   /* accumulated by two aggregates, or where nothing is visible */
+    uint32_t uncovered;   /* of these, never accumulated */
+    uint32_t overlapping; /* accumulated by two aggregates, or where nothing is visible */
 } AgaaInvalidPixel;
 
 #define AGAA_MAX_INVALID_PIXELS 8
@@ -97,11 +97,11 @@ typedef struct AgaaFrameValidation {
     uint32_t structSize;
     const void* pNext;
     uint64_t frameIndex;
-    uint64_t visible, once, missed, multi, ties; /* samples; as in AgaaCounters */
-    uint64_t misplaced;                          /* fragments; as in AgaaCounters */
-    uint64_t invalidPixels;                      /* with missed or multi samples */
-    uint32_t isValid; /* 1: something visible, nothing missed, multi or unannounced, misplaced at most a hundredth of
-                         visible */
+    uint64_t visible, once, uncovered, overlapping, ties; /* samples; as in AgaaCounters */
+    uint64_t misplaced;                                   /* fragments; as in AgaaCounters */
+    uint64_t invalidPixels;                               /* with uncovered or overlapping samples */
+    uint32_t isValid; /* 1: something visible, nothing uncovered, overlapping or unannounced, misplaced at most a
+                         hundredth of visible */
     uint32_t pixelCount;
     AgaaInvalidPixel pixels[AGAA_MAX_INVALID_PIXELS]; /* the first that were found */
     char explanation[512]; /* what was found and what usually causes it */

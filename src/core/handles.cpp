@@ -118,16 +118,16 @@ static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses
                "did. Usual causes: more draws or instances than maxDraws, an object of more primitives than "
                "maxPrimitives, AgaaSurfaceInput::draw that does not start at 0, or AGAA_UNFETCHED without "
                "AGAA_FETCH_NOT_ALL_DRAWS.";
-    if (v.missed && v.multi)
+    if (v.uncovered && v.overlapping)
         return "Samples were missed and others written where they are not visible. Usual causes: the passes "
                "do not compute the same position (one expression and `invariant gl_Position` in both), or "
                "draw different objects, instances or animation states.";
-    if (v.missed)
+    if (v.uncovered)
         return "Samples that the prepass shows were never written. Usual causes: an object is left out of "
                "the material pass, positions differ in the last bit (`invariant gl_Position`, one expression "
                "in both passes), the depth test is not EQUAL, cull modes differ, or an alpha mask is not "
                "computed from the same values in both passes.";
-    if (v.multi)
+    if (v.overlapping)
         return "Samples were written twice or where nothing is visible. Usual causes: objects are drawn that "
                "the prepass left out with the depth test off, or an alpha mask differs between the passes.";
     if (geometryPasses == 0)
@@ -151,13 +151,14 @@ AgaaResult AgaaView_T::validation(uint64_t completedFrame, AgaaFrameValidation& 
     out.frameIndex = newest->frame;
     out.visible = counters.visible;
     out.once = counters.once;
-    out.missed = counters.missed;
-    out.multi = counters.multi;
+    out.uncovered = counters.uncovered;
+    out.overlapping = counters.overlapping;
     out.ties = counters.ties;
     out.misplaced = counters.misplaced;
     out.unannounced = counters.unannounced;
     out.invalidPixels = buffer.invalidPixels;
-    out.isValid = out.visible != 0 && out.missed == 0 && out.multi == 0 && out.unannounced == 0 && !isMisplaced(out);
+    out.isValid = out.visible != 0 && out.uncovered == 0 && out.overlapping == 0 && out.unannounced == 0 &&
+                  !isMisplaced(out);
     out.pixelCount = std::min<uint32_t>(buffer.invalidPixels, AGAA_MAX_INVALID_PIXELS);
     for (uint32_t i = 0; i < AGAA_MAX_INVALID_PIXELS; ++i) {
         const uint32_t* words = buffer.pixels[i];

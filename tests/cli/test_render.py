@@ -41,8 +41,8 @@ class Render(unittest.TestCase):
                 counters = data["counters"]
                 self.assertGreater(counters["visible"], 0)
                 self.assertEqual(counters["once"], counters["visible"])
-                self.assertEqual(counters["missed"], 0)
-                self.assertEqual(counters["multi"], 0)
+                self.assertEqual(counters["uncovered"], 0)
+                self.assertEqual(counters["overlapping"], 0)
                 self.assertEqual(data["predictedBytes"], data["memoryBytes"])
                 if self.backend == "vk":
                     self.assertGreaterEqual(data["driverBytes"], data["memoryBytes"])
@@ -97,7 +97,7 @@ class Render(unittest.TestCase):
         for size in ("1x1", "3x5", "33x17"):
             data = self.render("--samples", "32", size=size)
             self.assertEqual(data["apiMessages"], [])
-            self.assertEqual(data["counters"]["missed"], 0)
+            self.assertEqual(data["counters"]["uncovered"], 0)
 
     def test_reference_says_its_own_error(self):
         def reference(spp):
@@ -119,7 +119,7 @@ class Render(unittest.TestCase):
     def test_points_where_alpha_is_read(self):
         for points in ("1", "4"):
             data = self.render("--alpha-points", points, "--exr", self.path(points + ".exr"), scene="foliage")
-            self.assertEqual((data["counters"]["missed"], data["counters"]["multi"]), (0, 0))
+            self.assertEqual((data["counters"]["uncovered"], data["counters"]["overlapping"]), (0, 0))
         self.assertGreater(harness.data("compare", self.path("1.exr"), self.path("4.exr"))["maxAbs"], 0.01)
 
     def test_caps(self):

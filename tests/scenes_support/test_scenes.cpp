@@ -116,8 +116,8 @@ void expectNoMessages(Renderer& renderer) {
 void expectEverySampleOnce(const AgaaCounters& c) {
     EXPECT_GT(c.visible, 0u);
     EXPECT_EQ(c.once, c.visible);
-    EXPECT_EQ(c.missed, 0u);
-    EXPECT_EQ(c.multi, 0u);
+    EXPECT_EQ(c.uncovered, 0u);
+    EXPECT_EQ(c.overlapping, 0u);
     EXPECT_EQ(c.sanitised + c.unannounced, 0u);
 }
 

@@ -96,8 +96,8 @@ protected:
                                                          frame.ditherFrame = ditherFrame;
                                                      }});
         EXPECT_EQ(nonFinite(shown.rgb), 0u) << s;
-        EXPECT_EQ(shown.counters.missed, 0u) << s;
-        EXPECT_EQ(shown.counters.multi, 0u) << s;
+        EXPECT_EQ(shown.counters.uncovered, 0u) << s;
+        EXPECT_EQ(shown.counters.overlapping, 0u) << s;
         std::vector<double> out;
         for (size_t i = 0; i < shown.rgb.size(); i += 3)
             out.push_back(double(shown.rgb[i]) * 3.14159265 / 3); // by the sun, of irradiance 3

@@ -65,7 +65,7 @@ TYPED_TEST_P(HardGeometryCases, HardCase17DepthThatRoundsToTheFarPlaneIsBackgrou
                              {"agaa", 8, AGAA_TIER_IDS}}) {
         const Shown r = shown(s);
         EXPECT_EQ(r.counters.once, r.counters.visible) << s;
-        EXPECT_EQ(r.counters.missed + r.counters.multi, 0u) << s;
+        EXPECT_EQ(r.counters.uncovered + r.counters.overlapping, 0u) << s;
         if (std::string(s.technique) == "msaa") {
             // It finds the far plane by the depth that it reads, and Mesa reads the last step of 24 bits as 1: it loses
             // that step, which on this wall is wide.
@@ -93,7 +93,7 @@ TYPED_TEST_P(HardGeometryCases, HardCase17SurfacesPutAtTheFarPlaneAreBackground)
         const Shown r = this->render(view, scene, {sun()});
         EXPECT_EQ(r.counters.visible, uint64_t(16 * 16) * s.n) << s;
         EXPECT_EQ(r.counters.once, r.counters.visible) << s;
-        EXPECT_EQ(r.counters.missed + r.counters.multi, 0u) << s;
+        EXPECT_EQ(r.counters.uncovered + r.counters.overlapping, 0u) << s;
         EXPECT_EQ(r.rgb[3 * 20], 0.25f) << s;
     }
 }
@@ -136,7 +136,7 @@ TYPED_TEST_P(HardGeometryCases, HardCase48And50DegenerateTriangles) {
         const Shown r = this->render(view, scene, {sun()});
         EXPECT_EQ(nonFinite(r.rgb), 0u) << s;
         EXPECT_EQ(r.counters.once, r.counters.visible);
-        EXPECT_EQ(r.counters.missed + r.counters.multi, 0u);
+        EXPECT_EQ(r.counters.uncovered + r.counters.overlapping, 0u);
     }
 }
 
@@ -184,7 +184,7 @@ TYPED_TEST_P(HardGeometryCases, HardCase48SliversCountOnce) {
             view.config.generationTier = tier;
             const Shown r = this->render(view, scene, {sun()});
             EXPECT_EQ(r.counters.once, r.counters.visible) << seed << ' ' << agaaTierName(tier);
-            EXPECT_EQ(r.counters.missed + r.counters.multi, 0u) << seed << ' ' << agaaTierName(tier);
+            EXPECT_EQ(r.counters.uncovered + r.counters.overlapping, 0u) << seed << ' ' << agaaTierName(tier);
             EXPECT_EQ(nonFinite(r.rgb), 0u);
             visible = visible ? visible : r.counters.visible;
             EXPECT_EQ(r.counters.visible, visible);
@@ -218,7 +218,7 @@ TYPED_TEST_P(HardGeometryCases, HardCase25RoutedDuplicatesCountOnce) {
         EXPECT_GT(r.counters.shadingEvents, 2 * r.counters.shadedPixels) << "there are several aggregates";
         EXPECT_GT(r.counters.ties, 0u);
         EXPECT_EQ(r.counters.once, r.counters.visible);
-        EXPECT_EQ(r.counters.multi, 0u) << (routes ? "routed" : "split");
+        EXPECT_EQ(r.counters.overlapping, 0u) << (routes ? "routed" : "split");
         EXPECT_TRUE(r.validation.isValid) << r.validation.explanation;
     }
 }

@@ -58,7 +58,7 @@ TYPED_TEST_P(IdsCases, ShowWhatTwoPassesShow) {
         EXPECT_EQ(d.farPixels, 0);
         EXPECT_EQ(ids.counters.visible, twice.counters.visible);
         EXPECT_EQ(ids.counters.once, ids.counters.visible);
-        EXPECT_EQ(ids.counters.missed + ids.counters.multi + ids.counters.misplaced, 0u);
+        EXPECT_EQ(ids.counters.uncovered + ids.counters.overlapping + ids.counters.misplaced, 0u);
         EXPECT_TRUE(ids.validation.isValid) << ids.validation.explanation;
         EXPECT_NEAR(double(ids.counters.shadingEvents), double(twice.counters.shadingEvents),
                     0.002 * double(twice.counters.shadingEvents));
@@ -172,7 +172,7 @@ TYPED_TEST_P(IdsCases, BufferedAndUnfetchedShowTheSame) {
             EXPECT_EQ(d.farPixels, 0);
             EXPECT_EQ(other.counters.visible, fused.counters.visible);
             EXPECT_EQ(other.counters.once, other.counters.visible);
-            EXPECT_EQ(other.counters.missed + other.counters.multi, 0u);
+            EXPECT_EQ(other.counters.uncovered + other.counters.overlapping, 0u);
             return other.counters;
         };
         const AgaaCounters buffered =
@@ -235,9 +235,9 @@ TYPED_TEST_P(IdsCases, UnfetchedSamplesThatAreNotDrawnAreMissed) {
             settings.shader = ViewSettings::Shader::ThirdUnfetched;
             settings.mistake.materialDepth = 1.01f; // no depth of the second pass is equal
             const Shown shown = this->render(settings, shot);
-            EXPECT_GT(shown.counters.missed, shown.counters.visible / 10);
-            EXPECT_EQ(shown.counters.once + shown.counters.missed, shown.counters.visible);
-            EXPECT_EQ(shown.counters.multi, 0u);
+            EXPECT_GT(shown.counters.uncovered, shown.counters.visible / 10);
+            EXPECT_EQ(shown.counters.once + shown.counters.uncovered, shown.counters.visible);
+            EXPECT_EQ(shown.counters.overlapping, 0u);
             EXPECT_FALSE(shown.validation.isValid);
             EXPECT_GT(shown.validation.invalidPixels, 0u);
             EXPECT_EQ(nonFinite(shown.rgb), 0u);

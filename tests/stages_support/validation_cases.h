@@ -90,7 +90,7 @@ AgaaFrameValidation validationOf(const ViewSettings& settings,
 
 // As many pixels as there is room for, none twice, each in the rectangle and with these samples.
 inline void expectPixels(const AgaaFrameValidation& v, const PixelRectangle& where, uint32_t visible,
-                         uint32_t missed, uint32_t multi) {
+                         uint32_t uncovered, uint32_t overlapping) {
     EXPECT_EQ(v.invalidPixels, where.pixels());
     ASSERT_EQ(v.pixelCount, uint32_t(AGAA_MAX_INVALID_PIXELS));
     std::set<std::pair<uint32_t, uint32_t>> places;
@@ -98,8 +98,8 @@ inline void expectPixels(const AgaaFrameValidation& v, const PixelRectangle& whe
         places.emplace(pixel.x, pixel.y);
         EXPECT_TRUE(where.holds(pixel.x, pixel.y)) << pixel.x << ", " << pixel.y;
         EXPECT_EQ(pixel.visible, visible);
-        EXPECT_EQ(pixel.missed, missed);
-        EXPECT_EQ(pixel.multi, multi);
+        EXPECT_EQ(pixel.uncovered, uncovered);
+        EXPECT_EQ(pixel.overlapping, overlapping);
     }
     EXPECT_EQ(places.size(), size_t(AGAA_MAX_INVALID_PIXELS));
 }
@@ -108,22 +108,22 @@ inline void expectExplanation(const AgaaFrameValidation& v, const char* words) {
     EXPECT_NE(std::string(v.explanation).find(words), std::string::npos) << v.explanation;
 }
 
-inline void expectInvalid(const AgaaFrameValidation& v, uint64_t visible, uint64_t missed,
-                          uint64_t multi) {
+inline void expectInvalid(const AgaaFrameValidation& v, uint64_t visible, uint64_t uncovered,
+                          uint64_t overlapping) {
     EXPECT_EQ(v.isValid, 0u);
     EXPECT_EQ(v.visible, visible);
-    EXPECT_EQ(v.missed, missed);
-    EXPECT_EQ(v.once, visible - missed);
-    EXPECT_EQ(v.multi, multi);
+    EXPECT_EQ(v.uncovered, uncovered);
+    EXPECT_EQ(v.once, visible - uncovered);
+    EXPECT_EQ(v.overlapping, overlapping);
 }
 
 inline void expectValid(const AgaaFrameValidation& v, uint64_t visible) {
     EXPECT_EQ(v.isValid, 1u);
     EXPECT_EQ(v.visible, visible);
     EXPECT_EQ(v.once, visible);
-    EXPECT_EQ(v.missed + v.multi + v.misplaced + v.unannounced + v.invalidPixels + v.pixelCount, 0u);
+    EXPECT_EQ(v.uncovered + v.overlapping + v.misplaced + v.unannounced + v.invalidPixels + v.pixelCount, 0u);
     for (const AgaaInvalidPixel& pixel : v.pixels)
-        EXPECT_EQ(pixel.x + pixel.y + pixel.visible + pixel.missed + pixel.multi, 0u);
+        EXPECT_EQ(pixel.x + pixel.y + pixel.visible + pixel.uncovered + pixel.overlapping, 0u);
     expectExplanation(v, "exactly once");
 }
 
@@ -182,8 +182,8 @@ TYPED_TEST_P(ValidationTest, DifferentObjectsAreBoth) {
     for (const AgaaInvalidPixel& pixel : v.pixels) {
         const bool isMissed = first.holds(pixel.x, pixel.y);
         EXPECT_NE(isMissed, second.holds(pixel.x, pixel.y));
-        EXPECT_EQ(pixel.missed, isMissed ? allSamples : 0);
-        EXPECT_EQ(pixel.multi, isMissed ? 0 : allSamples);
+        EXPECT_EQ(pixel.uncovered, isMissed ? allSamples : 0);
+        EXPECT_EQ(pixel.overlapping, isMissed ? 0 : allSamples);
     }
     expectExplanation(v, "draw different objects");
 }
@@ -195,7 +195,7 @@ TYPED_TEST_P(ValidationTest, AnotherPositionIsMissed) {
     expectInvalid(v, visibleSamples, visibleSamples, 0);
     EXPECT_EQ(v.invalidPixels, first.pixels() + second.pixels() + masked.pixels());
     for (const AgaaInvalidPixel& pixel : v.pixels)
-        EXPECT_EQ(pixel.missed, pixel.visible);
+        EXPECT_EQ(pixel.uncovered, pixel.visible);
     expectExplanation(v, "positions differ in the last bit");
 }
 
@@ -206,9 +206,9 @@ TYPED_TEST_P(ValidationTest, AnotherMaskIsMissed) {
     EXPECT_EQ(v.invalidPixels, masked.pixels());
     for (const AgaaInvalidPixel& pixel : v.pixels) {
         EXPECT_TRUE(masked.holds(pixel.x, pixel.y));
-        EXPECT_NE(pixel.missed, 0u);
-        EXPECT_EQ(pixel.missed & ~pixel.visible, 0u);
-        EXPECT_EQ(pixel.multi, 0u);
+        EXPECT_NE(pixel.uncovered, 0u);
+        EXPECT_EQ(pixel.uncovered & ~pixel.visible, 0u);
+        EXPECT_EQ(pixel.overlapping, 0u);
     }
     expectExplanation(v, "alpha mask");
 }
@@ -241,7 +241,7 @@ TYPED_TEST_P(ValidationTest, AnotherCameraMisplaces) {
         ASSERT_EQ(agaaValidateFrame(view.get(), frame.frameIndex, &v), AGAA_OK);
         EXPECT_EQ(v.isValid, 0u);
         EXPECT_GT(v.misplaced, (first.pixels() + second.pixels()) / 2);
-        EXPECT_EQ(v.missed + v.multi, 0u);
+        EXPECT_EQ(v.uncovered + v.overlapping, 0u);
         expectExplanation(v, "AgaaFrame's camera");
     }
 }

@@ -82,8 +82,10 @@ json passesJson(const RenderResult& timed) {
 json countersJson(const AgaaCounters& c) {
     return {{"visible", c.visible},
             {"once", c.once},
-            {"missed", c.missed},
-            {"multi", c.multi},
+            {"uncovered", c.uncovered},
+            {"overlapping", c.overlapping},
+            {"missed", c.uncovered}, // the names of earlier versions
+            {"multi", c.overlapping},
             {"ties", c.ties},
             {"sanitised", c.sanitised},
             {"shadingEvents", c.shadingEvents},

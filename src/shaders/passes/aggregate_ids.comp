@@ -47,10 +47,10 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     return agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, mask), a, mask, means, false);
 }
 
-void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint missed) {
+void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered) {
     agaa_PixelWork work = agaa_PixelWork(0u, 0u, 0u);
     if (isHeld)
-        work = agaa_countedWork(pixel, agaa_aggregateCount[gl_LocalInvocationIndex], covered, missed);
+        work = agaa_countedWork(pixel, agaa_aggregateCount[gl_LocalInvocationIndex], covered, uncovered);
     vec3 color = agaa_shadeWork(work);
     if (isHeld)
         agaa_writePixel(pixel, work, color);

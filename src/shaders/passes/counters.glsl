@@ -11,9 +11,9 @@ const uint AGAA_COUNTS = AGAA_COUNT_MAX_EVENTS + 1u;
 #if AGAA_COUNTING
 layout(std430, AGAA_AT_COUNTERS) coherent buffer agaa_CounterBlock {
     uint words[2u * AGAA_COUNTS];
-    uint invalidPixelCount; // with missed or multi samples
+    uint invalidPixelCount; // with uncovered or overlapping samples
     uint padding;
-    uint invalidPixels[8][8]; // x, y, visible, missed, multi of the first
+    uint invalidPixels[8][8]; // x, y, visible, uncovered, overlapping of the first
 } agaa_counterBuffer;
 
 shared uint agaa_groupCounts[AGAA_COUNTS];
@@ -33,15 +33,15 @@ void agaa_countEvents(uint count) {
     agaa_ownCounts[AGAA_COUNT_MAX_EVENTS] = max(agaa_ownCounts[AGAA_COUNT_MAX_EVENTS], count);
 }
 // The geometry passes disagree about these samples of the pixel.
-void agaa_reportPixel(uvec2 pixel, uint visible, uint missed, uint multi) {
+void agaa_reportPixel(uvec2 pixel, uint visible, uint uncovered, uint overlapping) {
     uint place = atomicAdd(agaa_counterBuffer.invalidPixelCount, 1u);
     if (place >= 8u)
         return;
     agaa_counterBuffer.invalidPixels[place][0] = pixel.x;
     agaa_counterBuffer.invalidPixels[place][1] = pixel.y;
     agaa_counterBuffer.invalidPixels[place][2] = visible;
-    agaa_counterBuffer.invalidPixels[place][3] = missed;
-    agaa_counterBuffer.invalidPixels[place][4] = multi;
+    agaa_counterBuffer.invalidPixels[place][3] = uncovered;
+    agaa_counterBuffer.invalidPixels[place][4] = overlapping;
 }
 void agaa_countEnd() {
     for (uint i = 0u; i < AGAA_COUNT_MAX_EVENTS; ++i)

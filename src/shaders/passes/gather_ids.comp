@@ -35,7 +35,7 @@ void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
 }
 
 // What is missed is found by the pass that shades.
-void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint missed) {
+void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered) {
     if (isHeld)
         for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
             agaa_storeAggregate(pixel, a, agaa_masks[gl_LocalInvocationIndex * AGAA_AGGREGATES + a]);

@@ -68,15 +68,15 @@ void agaa_addPrimitive(inout agaa_Means m, AgaaMaterial material, uint samples, 
         agaa_addCurved(m, material, places);
 }
 
-// count: of the pixel's aggregates; missed: samples beside the covered ones that no pass gave a material.
-agaa_PixelWork agaa_countedWork(uvec2 pixel, uint count, uint covered, uint missed) {
+// count: of the pixel's aggregates; uncovered: samples beside the covered ones that no pass gave a material.
+agaa_PixelWork agaa_countedWork(uvec2 pixel, uint count, uint covered, uint uncovered) {
     uint samples = uint(bitCount(covered));
-    agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(covered | missed)));
+    agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(covered | uncovered)));
     agaa_count(AGAA_COUNT_ONCE, samples);
 #if AGAA_COUNTING
-    agaa_count(AGAA_COUNT_MISSED, uint(bitCount(missed)));
-    if (missed != 0u)
-        agaa_reportPixel(pixel, covered | missed, missed, 0u);
+    agaa_count(AGAA_COUNT_UNCOVERED, uint(bitCount(uncovered)));
+    if (uncovered != 0u)
+        agaa_reportPixel(pixel, covered | uncovered, uncovered, 0u);
 #endif
     agaa_countEvents(count);
     agaa_count(AGAA_COUNT_AGGREGATES, count);

@@ -23,7 +23,7 @@ shared uint agaa_aggregateCount[64];
 shared uint agaa_masks[64u * AGAA_AGGREGATES];     // samples of each aggregate
 shared uint agaa_waiting;                          // pixels that did not find room
 #ifdef AGAA_SOME_UNFETCHED
-shared uint agaa_missedSamples[64]; // of each pixel, that the G-buffer of unfetched draws has not
+shared uint agaa_uncoveredSamples[64]; // of each pixel, that the G-buffer of unfetched draws has not
 #endif
 
 // Of the pixel at hand.
@@ -89,7 +89,7 @@ void agaa_fetchListed(uint at) {
     if (!agaa_isFetched(agaa_listId[at])) {
         if (!agaa_fetchSample(pixel, uint(findLSB(samples)))) {
             agaa_listSamples[at] = 0u;
-            atomicOr(agaa_missedSamples[lane], samples);
+            atomicOr(agaa_uncoveredSamples[lane], samples);
             return;
         }
         agaa_Surface s = agaa_sampleSurface();
@@ -168,8 +168,8 @@ void agaa_groupListed(uint lane) {
 
 // Of the shader that includes this; called by all lanes.
 // A pixel's aggregates are known, by agaa_masks; isHeld: the lane has one, all of whose samples are `covered` but for
-// those that no geometry pass gave a material, `missed`.
-void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint missed);
+// those that no geometry pass gave a material, `uncovered`.
+void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered);
 
 // Each pixel with geometry is taken once. Called by all lanes, `covered` being 0 of those that have no pixel.
 void agaa_takeAll(uvec2 pixel, uint covered) {
@@ -186,7 +186,7 @@ void agaa_takeAll(uvec2 pixel, uint covered) {
         uint first = waits ? atomicAdd(agaa_listed, primitives) : 0u;
         bool turn = waits && first + primitives <= agaa_listLength;
 #ifdef AGAA_SOME_UNFETCHED
-        agaa_missedSamples[lane] = 0u;
+        agaa_uncoveredSamples[lane] = 0u;
 #endif
         if (turn) {
             agaa_listPrimitives(first, primitives);
@@ -212,19 +212,19 @@ void agaa_takeAll(uvec2 pixel, uint covered) {
         } while (at < listed);
         barrier();
 #ifdef AGAA_SOME_UNFETCHED
-        uint missed = turn ? agaa_missedSamples[lane] : 0u;
+        uint uncovered = turn ? agaa_uncoveredSamples[lane] : 0u;
         if (turn && !groups) { // grouping leaves them out by itself
-            agaa_masks[lane * AGAA_AGGREGATES] &= ~missed;
-            agaa_aggregateCount[lane] = covered == missed ? 0u : 1u;
+            agaa_masks[lane * AGAA_AGGREGATES] &= ~uncovered;
+            agaa_aggregateCount[lane] = covered == uncovered ? 0u : 1u;
         }
 #else
-        const uint missed = 0u;
+        const uint uncovered = 0u;
 #endif
         if (lane < agaa_manyCount) {
             agaa_groupListed(agaa_many[lane]);
         }
         barrier();
-        agaa_takePixel(turn, pixel, covered & ~missed, missed);
+        agaa_takePixel(turn, pixel, covered & ~uncovered, uncovered);
         if (waiting == 0u)
             break;
         barrier();

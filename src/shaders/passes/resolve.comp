@@ -23,15 +23,15 @@ void agaa_countSamples(uvec2 pixel, uint covered) {
     uint visible = 0u;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i)
         visible |= agaa_isAtFarPlane(pixel, i) ? 0u : 1u << i;
-    uint missed = visible & ~covered;
-    uint multi = covered & ~visible;
+    uint uncovered = visible & ~covered;
+    uint overlapping = covered & ~visible;
     agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(visible)));
     agaa_count(AGAA_COUNT_ONCE, uint(bitCount(visible & covered)));
-    agaa_count(AGAA_COUNT_MISSED, uint(bitCount(missed)));
-    agaa_count(AGAA_COUNT_MULTI, uint(bitCount(multi)));
+    agaa_count(AGAA_COUNT_UNCOVERED, uint(bitCount(uncovered)));
+    agaa_count(AGAA_COUNT_OVERLAPPING, uint(bitCount(overlapping)));
     agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
-    if ((missed | multi) != 0u)
-        agaa_reportPixel(pixel, visible, missed, multi);
+    if ((uncovered | overlapping) != 0u)
+        agaa_reportPixel(pixel, visible, uncovered, overlapping);
 }
 #else
 void agaa_countSamples(uvec2 pixel, uint covered) {}

@@ -58,12 +58,12 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     uint once = uint(bitCount(visible & coveredMask));
     agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(visible)));
     agaa_count(AGAA_COUNT_ONCE, once);
-    agaa_count(AGAA_COUNT_MISSED, uint(bitCount(visible & ~coveredMask)));
-    agaa_count(AGAA_COUNT_MULTI, work.covered - once);
-    uint missed = visible & ~coveredMask;
-    uint multi = twice | (coveredMask & ~visible);
-    if ((missed | multi) != 0u)
-        agaa_reportPixel(pixel, visible, missed, multi);
+    agaa_count(AGAA_COUNT_UNCOVERED, uint(bitCount(visible & ~coveredMask)));
+    agaa_count(AGAA_COUNT_OVERLAPPING, work.covered - once);
+    uint uncovered = visible & ~coveredMask;
+    uint overlapping = twice | (coveredMask & ~visible);
+    if ((uncovered | overlapping) != 0u)
+        agaa_reportPixel(pixel, visible, uncovered, overlapping);
     agaa_countEvents(uint(bitCount(work.events)));
     agaa_count(AGAA_COUNT_AGGREGATES, uint(bitCount(work.events)));
     agaa_count(AGAA_COUNT_PIXELS, work.events != 0u ? 1u : 0u);

@@ -86,7 +86,7 @@ TEST(GlHostGBuffer, ShowsWhatTheLibrarysOwnShows) {
             const AgaaCounters a = drawn.view.statistics().counters, b = bench.view.statistics().counters;
             EXPECT_GT(a.visible, 0u);
             EXPECT_EQ(a.visible, b.visible);
-            EXPECT_EQ(b.missed + b.multi, 0u);
+            EXPECT_EQ(b.uncovered + b.overlapping, 0u);
             for (; unit > firstUnit; --unit)
                 gl.BindTextureUnit(unit - 1, 0);
         }

@@ -138,8 +138,8 @@ void expectExactSums(StageContext& context, const Case& c, const std::vector<Tri
     const AgaaCounters counters = view.statistics().counters;
     EXPECT_EQ(counters.visible, covered);
     EXPECT_EQ(counters.once, covered);
-    EXPECT_EQ(counters.missed, 0u);
-    EXPECT_EQ(counters.multi, 0u);
+    EXPECT_EQ(counters.uncovered, 0u);
+    EXPECT_EQ(counters.overlapping, 0u);
 }
 
 TEST(Accumulation, IsExactForEverySampleAndAggregateCount) {
@@ -218,7 +218,7 @@ TEST(Accumulation, HardCase27FirstSampleRoutingMovesCoverage) {
     exact.setTriangles(scene);
     exact.render(exact.frame());
     EXPECT_EQ(literal.statistics().counters.once, exact.statistics().counters.once);
-    EXPECT_EQ(literal.statistics().counters.missed, 0u);
+    EXPECT_EQ(literal.statistics().counters.uncovered, 0u);
     EXPECT_NE(literal.readBuffer("aggregates"), exact.readBuffer("aggregates"));
 }
 

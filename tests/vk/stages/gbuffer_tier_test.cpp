@@ -122,7 +122,7 @@ void expectSums(StageContext& context, uint32_t n, uint32_t c, const char* layou
     const AgaaCounters counters = view.statistics().counters;
     EXPECT_EQ(counters.visible, covered);
     EXPECT_EQ(counters.once, covered);
-    EXPECT_EQ(counters.missed, 0u);
+    EXPECT_EQ(counters.uncovered, 0u);
 }
 
 TEST(GBufferTier, SumsItsSamples) {

@@ -102,7 +102,7 @@ TEST(Hair, HardCase26CoverageIsThatOfThePrepass) {
         view.render(view.frame());
         const AgaaCounters counters = view.statistics().counters;
         EXPECT_EQ(counters.once, counters.visible);
-        EXPECT_EQ(counters.missed + counters.multi, 0u);
+        EXPECT_EQ(counters.uncovered + counters.overlapping, 0u);
         const float snap = 1.0f / float(1u << sharedDevice().limits().subPixelPrecisionBits); // of corners
         EXPECT_GE(counters.visible, height * samplesInHairs(view, -snap)) << "n=" << n;
         EXPECT_LE(counters.visible, height * samplesInHairs(view, snap)) << "n=" << n;

@@ -143,7 +143,7 @@ void expectSamePicture(StageContext& context, const ViewSettings& settings) {
     const AgaaCounters a = drawn.statistics().counters, b = view.statistics().counters;
     EXPECT_EQ(a.visible, b.visible);
     EXPECT_EQ(a.once, b.once);
-    EXPECT_EQ(b.missed + b.multi + b.misplaced, 0u);
+    EXPECT_EQ(b.uncovered + b.overlapping + b.misplaced, 0u);
     EXPECT_NEAR(double(a.shadingEvents), double(b.shadingEvents), 2e-3 * double(a.shadingEvents));
 }
 
