@@ -7,6 +7,7 @@
 #include "core/names.h"
 #include "core/planner.h"
 #include "core/presets.h"
+#include "core/technique.h"
 #include "core/tiers.h"
 #include "core/validate.h"
 

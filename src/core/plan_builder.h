@@ -1,7 +1,8 @@
 // What technique files write plans with: resources and passes by name, sizes checked.
 #pragma once
 
-#include "core/planner.h"
+#include "core/plan.h"
+#include "core/technique.h"
 #include "core/tiers.h"
 
 namespace agaa {

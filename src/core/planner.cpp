@@ -1,16 +1,10 @@
 #include "core/planner.h"
 
 #include "core/plan_builder.h"
+#include "core/technique.h"
 #include "core/validate.h"
 
 namespace agaa {
-
-const Technique* findTechnique(std::string_view name) {
-    for (const Technique* technique : techniques())
-        if (name == technique->name)
-            return technique;
-    return nullptr;
-}
 
 AgaaDeviceCaps idealDevice() {
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;

@@ -1,7 +1,7 @@
 #include "core/tiers.h"
 
 #include "core/error.h"
-#include "core/planner.h"
+#include "core/technique.h"
 #include "core/validate.h"
 
 #include <bit>

@@ -1,6 +1,6 @@
 #include "core/validate.h"
 
-#include "core/planner.h"
+#include "core/technique.h"
 
 #include <algorithm>
 #include <bit>

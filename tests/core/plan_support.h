@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/planner.h"
+#include "core/technique.h"
 
 #include <functional>
 

@@ -9,4 +9,11 @@ const std::vector<const Technique*>& techniques() {
     return table;
 }
 
+const Technique* findTechnique(std::string_view name) {
+    for (const Technique* technique : techniques())
+        if (name == technique->name)
+            return technique;
+    return nullptr;
+}
+
 } // namespace agaa
