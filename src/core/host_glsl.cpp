@@ -69,7 +69,7 @@ std::string storeAttachments(const Pass& pass) {
         for (uint32_t channel = 0; channel < ChannelCount; ++channel) {
             const uint32_t field = pass.constants[AGAA_SOURCE_DIFFUSE_R + channel];
             if (field >> 16 && (field & 0xFF) == i)
-                components[field >> 8 & 0xFF] = format("c[%u]", channel);
+                components[field >> 8 & 0xFF] = format("agaa_unormOf(c[%u], %uu)", channel, field >> 16);
         }
         out += format("    agaa_out%zu = vec4(%s, %s, %s, %s);\n", i, components[0].c_str(),
                       components[1].c_str(), components[2].c_str(), components[3].c_str());

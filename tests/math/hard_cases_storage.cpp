@@ -46,6 +46,22 @@ TEST(HardCase10_NormalCodes, PoleAndSeam) {
     }
 }
 
+TEST(HardCase10_NormalCodes, RoundingAndTruncatingDriversStoreTheNearest) {
+    Random random(212);
+    for (unsigned bits : {8u, 10u, 16u}) {
+        const double top = math_f::agaa_maxCode(bits);
+        for (int i = 0; i < 200000; ++i) {
+            const bool isCode = i % 2;
+            const double code = isCode ? std::floor(double(random.rangeF(0, 1)) * top) : 0;
+            const float x = isCode ? float(code / top) : random.rangeF(-0.1f, 1.1f);
+            const double exact = isCode ? code : std::clamp(double(x), 0.0, 1.0) * top;
+            const double stored = std::min(double(math_f::agaa_unormOf(x, bits)), 1.0) * top;
+            ASSERT_EQ(std::floor(stored), std::floor(stored + 0.5));
+            ASSERT_LE(std::abs(std::floor(stored) - exact), isCode ? 0.0 : 0.51);
+        }
+    }
+}
+
 TEST(HardCase11_SphereMapPoles, OctahedralHasNone) {
     for (unsigned bits : {8u, 11u, 16u}) {
         for (const glm::vec3& n : {glm::vec3(0, 0, 1), glm::vec3(0, 0, -1), glm::vec3(0, -0.0f, 1),

@@ -94,6 +94,13 @@ rvec3 agaa_decodeHemiOct8(uvec2 code) {
 
 // ---- octahedral, full sphere -----------------------------------------------------------------
 
+// What to write to a UNORM channel of `bits` bits (2 to 16) so that it stores the nearest code: a quarter of a step above
+// it, for drivers that round and for those that truncate, as Mesa 22.3 does with 10 bits.
+real agaa_unormOf(real x, uint bits) {
+    const real top = real(agaa_maxCode(bits));
+    return (floor(agaa_saturate(x) * top + real(0.5)) + real(0.25)) / top;
+}
+
 // The value to store in two UNORM channels of `bits` bits each (2 to 16). Neither is ever code 0.
 rvec2 agaa_encodeOct(rvec3 n, uint bits) {
     const rvec3 d = agaa_directionOrZ(n);
