@@ -23,7 +23,7 @@ MERGED = {
 COLUMNS = {
     "ssaa n=4": ["--technique", "ssaa", "--samples", "4"],
     **MERGED,
-    ALL_SAMPLES: ["--technique", "ssaa", "--samples", "8"],
+    ALL_SAMPLES: ["--technique", "ssaa", "--samples", "8", "--layout", "reference"],
     "agaa n=32 c=2": ["--samples", "32", "--aggregates", "2"],
     "agaa n=32 accurate": ["--samples", "32", "--preset", "accurate", *BY_ID],
 }

@@ -60,7 +60,7 @@ class Candidates:
     def measured(self, name, view):
         begin = time.monotonic()
         reference, image = self.runs.work / "reference.exr", self.runs.work / "image.exr"
-        row = self.render(view, reference, ["--technique", "ssaa"])
+        row = self.render(view, reference, ["--technique", "ssaa", "--layout", "reference"])
         out = {"scene": name, "device": row["device"], "driver": row["driver"], "candidates": {}}
         self.render(view, image, ["--technique", "single"])
         single = self.error(reference, image)

@@ -127,5 +127,32 @@ TEST(ReferenceImage, CutoutsAreHardTestsAtEachPosition) {
     EXPECT_LT(o.error, 2e-6);
 }
 
+double meanRatio(const Image& a, const Image& b) {
+    double sum = 0;
+    for (size_t i = 0; i < a.rgb.size(); ++i)
+        sum += double(a.rgb[i]) / double(b.rgb[i]);
+    return sum / double(a.rgb.size());
+}
+
+// Materials by id are not rounded. Of the specular reflectance 0.04, 10 bits make 0.0401, and less if they are truncated.
+TEST(ReferenceImage, SpecularReflectanceIsNotRounded) {
+    Scene scene = card(AlphaMode::Opaque, 1);
+    scene.materials[0].emissive = glm::vec3(0);
+    sharedRenderer().load(scene);
+    RenderSettings settings = settingsOf(scene);
+    settings.lights = {Light{}};
+    settings.lights[0].type = LightType::Directional;
+    settings.lights[0].direction = {0, 0, -1};
+    settings.facts = sceneFacts(scene, settings.lights);
+    const Image reference = renderReference(sharedRenderer(), settings, 4).image;
+    settings.config.technique = "agaa";
+    settings.config.samples = 8;
+    settings.config.generationTier = AGAA_TIER_IDS;
+    const Image byId = sharedRenderer().render(settings).image;
+    EXPECT_NEAR(meanRatio(reference, byId), 1, 3e-4);
+    settings.config.technique = "ssaa";
+    EXPECT_NEAR(meanRatio(sharedRenderer().render(settings).image, byId), 0.0401 / 0.04, 1e-3);
+}
+
 } // namespace
 } // namespace harness::test

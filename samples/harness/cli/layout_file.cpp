@@ -1,6 +1,7 @@
 #include "cli/layout_file.h"
 
 #include "cli/arguments.h"
+#include "sweep/reference.h"
 
 #include <nlohmann/json.hpp>
 
@@ -43,12 +44,14 @@ static AgaaLayout parseLayout(const nlohmann::json& json, const std::string& fil
 
 AgaaLayout readLayout(const std::string& nameOrFile) {
     AgaaLayout layout{};
+    if (nameOrFile == "reference")
+        return referenceLayout(nullptr);
     if (agaaGetBuiltinLayout(nameOrFile.c_str(), &layout) == AGAA_OK)
         return layout;
     std::ifstream stream(nameOrFile);
     if (!stream)
         throw BadArgument("--layout is \"" + nameOrFile +
-                          "\"; it can be paper16, precise or a readable JSON file.");
+                          "\"; it can be paper16, precise, reference or a readable JSON file.");
     try {
         return parseLayout(nlohmann::json::parse(stream), nameOrFile);
     } catch (const nlohmann::json::exception& error) {

@@ -1,4 +1,4 @@
-// G-buffer layouts of the command line: a built-in name or a JSON file
+// G-buffer layouts of the command line: a built-in name, "reference" or a JSON file
 // {"attributes": [{"semantic": "diffuse", "channels": 3, "sampleBits": 8, "aggregateBits": 10,
 //                  "encoding": "unorm", "chromaBits": 0, "range": 1}, …]}.
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace harness {
 
-// Throws BadArgument where it is neither.
+// Throws BadArgument where it is none of these.
 AgaaLayout readLayout(const std::string& nameOrFile);
 
 } // namespace harness

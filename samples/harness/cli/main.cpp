@@ -15,7 +15,7 @@ void addPlanOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--technique", a.technique, "see agaa-harness caps: single, ssaa, agaa …");
     app.add_option("--samples", a.samples, "n: visibility samples per pixel");
     app.add_option("--aggregates", a.aggregates, "c: aggregates per pixel, 1 to 4; S: surfaces of sbaa, 1 to 6");
-    app.add_option("--layout", a.layout, "paper16, precise or a JSON file");
+    app.add_option("--layout", a.layout, "paper16, precise, reference or a JSON file");
     app.add_option("--tier", a.tiers, "native, auto or stage=tier; repeatable")
         ->take_all()
         ->allow_extra_args(false);

@@ -15,6 +15,17 @@ glm::dvec2 pixelOffset(uint32_t i) {
     return {x - std::floor(x) - 0.5, y - std::floor(y) - 0.5};
 }
 
+AgaaLayout referenceLayout(const AgaaLayout* own) {
+    AgaaLayout layout{};
+    if (own)
+        layout = *own;
+    else
+        agaaGetBuiltinLayout("precise", &layout);
+    for (uint32_t i = 0; i < layout.attributeCount; ++i)
+        layout.attributes[i].sampleBits = 16;
+    return layout;
+}
+
 namespace {
 
 class Accumulator {
@@ -42,6 +53,8 @@ Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t 
     settings.config.samples = 1;
     settings.frames = 1;
     settings.warmup = 0;
+    const AgaaLayout layout = referenceLayout(settings.config.layout);
+    settings.config.layout = &layout;
     if (footprint == Footprint::Sample)
         settings.footprint = 1 / std::sqrt(double(spp));
     const glm::dvec2 centre = settings.jitter;

@@ -16,6 +16,10 @@ namespace harness {
 // the box filter of one pixel.
 glm::dvec2 pixelOffset(uint32_t i);
 
+// The layout with 16 bits per channel of a sample; null: "precise". Reference images use it: 10 bits for the specular
+// reflectance change dark images by more than a technique's own error, and techniques without a G-buffer do not round.
+AgaaLayout referenceLayout(const AgaaLayout* layout);
+
 // Over what the textures of a reference are filtered, so which question it answers.
 enum class Footprint {
     Pixel,  // a pixel, as by every technique: how far is a technique from all samples of the same textures?
@@ -28,7 +32,7 @@ struct Reference {
     double splitHalfMseTm = 0;
 };
 // The settings' frame by spp samples per pixel (at least 2), around the settings' own jitter. The settings' technique,
-// samples and footprint are not used: every frame has one sample, hard cut-outs and random numbers of its own for
+// samples and footprint are not used, its layout is widened: every frame has one sample, hard cut-outs and random numbers of its own for
 // translucent surfaces, so that the two halves, which split the frames, share none, and references of the same spp and
 // another ditherFrame neither.
 Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t spp,

@@ -161,10 +161,14 @@ const Image* SceneSweep::sameSamples(const SweepRow& row) {
     if (row.samples == 1 || row.technique == "ssaa")
         return nullptr;
     const auto found = sameSamples_.find(row.samples);
-    return &(found != sameSamples_.end()
-                 ? found
-                 : sameSamples_.emplace(row.samples, render({"ssaa", row.samples}).image).first)
-                ->second;
+    if (found != sameSamples_.end())
+        return &found->second;
+    const AgaaLayout* own = base_.config.layout;
+    const AgaaLayout wide = referenceLayout(own);
+    base_.config.layout = &wide;
+    Image image = render({"ssaa", row.samples}).image;
+    base_.config.layout = own;
+    return &(sameSamples_[row.samples] = std::move(image));
 }
 
 // On two threads: nothing is timed meanwhile.
