@@ -11,9 +11,9 @@ function(agaa_compile_pass out_list pass name)
     OUTPUT ${spv}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/spirv
     COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 -I${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders
-            ${ARGN} --vn spirv_${name} -o ${spv}
+            -I${CMAKE_CURRENT_BINARY_DIR}/shaders ${ARGN} --vn spirv_${name} -o ${spv}
             ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders/passes/${pass}.comp
-    DEPENDS ${sources}
+    DEPENDS ${sources} ${written_glsl}
     COMMENT "Compiling ${name}" VERBATIM)
   set(${out_list} ${${out_list}} ${spv} PARENT_SCOPE)
 endfunction()

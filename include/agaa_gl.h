@@ -78,6 +78,23 @@ typedef enum AgaaGlOutputs {
     AGAA_GL_OUTPUTS_MAX_ENUM = 0x7FFFFFFF
 } AgaaGlOutputs;
 
+/* The SDK's resources that the host's fragment shaders reach, and the kind of each binding. */
+typedef enum AgaaGlBinding {
+    AGAA_GL_BINDING_FRAME = 0,      /* uniform buffer */
+    AGAA_GL_BINDING_METADATA = 1,   /* texture unit */
+    AGAA_GL_BINDING_AGGREGATES = 2, /* shader storage buffer; image unit with AGAA_GL_STORAGE_IMAGES */
+    AGAA_GL_BINDING_COUNTERS = 3,   /* as AGAA_GL_BINDING_AGGREGATES */
+    AGAA_GL_BINDING_LIGHTS = 4,     /* shader storage buffer; uniform buffer with AGAA_GL_STORAGE_IMAGES */
+    AGAA_GL_BINDING_SHADOW0 = 5,    /* texture units of the shadow maps; SHADOW0 also holds the prepass's normals in
+                                       AGAA_DRAW_PASS_AGGREGATE of views without AGAA_VIEW_REVERSED_Z */
+    AGAA_GL_BINDING_SHADOW1 = 6,
+    AGAA_GL_BINDING_SHADOW2 = 7,
+    AGAA_GL_BINDING_SHADOW3 = 8,
+    AGAA_GL_BINDING_COUNT = 9,
+    AGAA_GL_BINDING_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlBinding;
+#define AGAA_GL_MAX_BINDINGS 17
+
 /* Must not throw and must not call the SDK. Anything but AGAA_OK makes the frame AGAA_ERROR_CALLBACK. */
 typedef AgaaResult(AGAA_CALL* AgaaGlStateCallback)(void* user);
 
@@ -94,27 +111,20 @@ typedef struct AgaaGlContextDesc {
     AgaaGlStateCallback pushState; /* both with AGAA_GL_STATE_CALLBACKS; otherwise not called, may be null */
     AgaaGlStateCallback popState;
     void* stateUser;
-    /* Where the SDK binds what the host's shaders read, during draw callbacks. The host's own bindings there
-     * come back after the callback, but with AGAA_GL_STATE_NONE. */
-    uint32_t frameBinding;      /* uniform buffer */
-    uint32_t metadataUnit;      /* texture unit, outside [shadowUnit;shadowUnit+3] */
-    uint32_t aggregatesBinding; /* shader storage buffer; with AGAA_GL_STORAGE_IMAGES an image unit */
-    uint32_t countersBinding;   /* the same, not equal to aggregatesBinding */
-    uint32_t lightsBinding;     /* shader storage buffer that is not one of these two, or with AGAA_GL_STORAGE_IMAGES
-                                   uniform buffer, not frameBinding */
-    uint32_t shadowUnit;        /* texture unit of the first of AGAA_MAX_SHADOW_MAPS; in AGAA_DRAW_PASS_AGGREGATE
-                                   of views without AGAA_VIEW_REVERSED_Z, of the prepass's normals */
-    uint32_t framesInFlight;    /* [1;8]: as of AgaaVkContextDesc */
-    uint32_t reserved;          /* 0 */
-    const AgaaLog* log;         /* may be null; copied */
+    /* By AgaaGlBinding: where the SDK binds resources of the host's shaders during draw callbacks. Bindings of one kind
+     * must differ; elements from AGAA_GL_BINDING_COUNT on must be 0. The host's own bindings are restored after the
+     * callback, except with AGAA_GL_STATE_NONE. */
+    uint32_t bindings[AGAA_GL_MAX_BINDINGS];
+    uint32_t framesInFlight; /* [1;8]: as of AgaaVkContextDesc */
+    const AgaaLog* log;      /* may be null; copied */
     AgaaAllocateCallback allocate; /* may be null */
     AgaaFreeCallback free;
     void* allocateUser;
 } AgaaGlContextDesc;
 #define AGAA_GL_CONTEXT_DESC_INIT                                                                   \
     {AGAA_STRUCTURE_TYPE_GL_CONTEXT, (uint32_t)sizeof(AgaaGlContextDesc), NULL, NULL, NULL, 450,       \
-     AGAA_GL_STORAGE_BUFFERS, AGAA_GL_OUTPUTS_SDK, AGAA_GL_STATE_RESTORE, NULL, NULL, NULL, 0, 0, 0, \
-     1, 2, 1, 2, 0, NULL, NULL, NULL, NULL}
+     AGAA_GL_STORAGE_BUFFERS, AGAA_GL_OUTPUTS_SDK, AGAA_GL_STATE_RESTORE, NULL, NULL, NULL,            \
+     {0, 0, 0, 1, 2, 1, 2, 3, 4, 0, 0, 0, 0, 0, 0, 0, 0}, 2, NULL, NULL, NULL, NULL}
 
 /* headerVersion: pass AGAA_HEADER_VERSION. Probes whether the driver's timer queries are right, which takes
  * some milliseconds. The host's state is left as it was; errors that were pending are told to the log. Not to be

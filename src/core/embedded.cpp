@@ -22,6 +22,7 @@ struct TextRow {
 };
 constexpr TextRow textTable[] = {
 #include "host_glsl.inc"
+#include "written_glsl.inc"
 };
 
 } // namespace

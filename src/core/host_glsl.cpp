@@ -51,14 +51,12 @@ std::string outputs(const Pass& pass, const HostDialect& dialect) {
 // Where the host's set or binding points hold each of the SDK's resources.
 std::string places(const HostDialect& dialect) {
     std::string out;
-    const char* const names[] = {"FRAME",  "METADATA", "AGGREGATES", "COUNTERS", "LIGHTS",
-                                 "SHADOW0", "SHADOW1", "SHADOW2",    "SHADOW3"};
-    for (uint32_t i = 0; i < host_slot::Count; ++i)
-        out += dialect.openGl ? format("#define AGAA_AT_%s binding = %u\n", names[i], dialect.bindings[i])
-                              : format("#define AGAA_AT_%s set = %u, binding = %u\n", names[i],
-                                       dialect.descriptorSet, i);
-    static_assert(host_slot::Normals == host_slot::Shadow0);
-    out += "#define AGAA_AT_NORMALS AGAA_AT_SHADOW0\n";
+    for (const BindingRow& row : hostBindingTable)
+        out += dialect.openGl ? format("#define AGAA_AT_%s binding = %u\n", row.macro, dialect.bindings[row.slot])
+                              : format("#define AGAA_AT_%s set = %u, binding = %u\n", row.macro,
+                                       dialect.descriptorSet, row.slot);
+#define AGAA_HOST_ALIAS(macro, name, ofMacro, of) out += "#define AGAA_AT_" #macro " AGAA_AT_" #ofMacro "\n";
+#include "shaders/passes/bindings.inc"
     return out;
 }
 

@@ -1,6 +1,7 @@
 // The GLSL that a host's fragment shader includes for one draw pass, assembled from a plan.
 #pragma once
 
+#include "core/bindings.h"
 #include "core/plan.h"
 
 #include <array>
@@ -15,7 +16,7 @@ struct HostDialect {
     bool storageImages = false; // buffers are reached as images
     bool hostOutputs = false;   // the host declares the outputs
     uint32_t descriptorSet = 0; // Vulkan: of the SDK's set
-    std::array<uint32_t, 9> bindings{}; // OpenGL: by host_slot
+    std::array<uint32_t, hostBindingCount> bindings{}; // OpenGL: by host_slot
 };
 
 std::string hostExtensions(const Pass& pass, const HostDialect& dialect);

@@ -1,34 +1,12 @@
 // What technique files write plans with: resources and passes by name, sizes checked.
 #pragma once
 
+#include "core/bindings.h"
 #include "core/plan.h"
 #include "core/technique.h"
 #include "core/tiers.h"
 
 namespace agaa {
-
-// Binding slots of the SDK's compute passes (src/shaders/passes/).
-namespace slot {
-enum : uint32_t {
-    Frame = 0,
-    Lights = 1,
-    Counters = 2,
-    Depth = 3,
-    Surface0 = 4, // normals or G-buffer attachments
-    Metadata = 8,
-    MetadataOut = 9,
-    Aggregates = 10,
-    Output = 11,
-    Shadow0 = 12,
-    Below = 16, // the output as it was, for compositing
-    Deferred = 17, // pixels that one pass defers to another
-};
-}
-// Binding slots of the set that hosts bind (src/shaders/host/).
-namespace host_slot {
-enum : uint32_t { Frame = 0, Metadata = 1, Aggregates = 2, Counters = 3, Lights = 4, Shadow0 = 5, Count = 9,
-                 Normals = Shadow0 }; // passes that draw aggregates have no shadows
-}
 
 class PlanBuilder {
 public:

@@ -1,11 +1,29 @@
 // The OpenGL part of the C ABI.
 #include "core/backend_api.h"
+#include "gl/bindings.h"
 #include "gl/formats.h"
 #include "gl/view.h"
 
 using namespace agaa;
 
 namespace {
+
+void checkBindings(const AgaaGlContextDesc& desc) {
+    for (uint32_t i = AGAA_GL_BINDING_COUNT; i < AGAA_GL_MAX_BINDINGS; ++i)
+        if (desc.bindings[i] != 0)
+            fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaGlContextDesc::bindings[%u] is not 0.", i));
+    const auto kind = [&](const BindingRow& row) {
+        const BindingKind own = gl::hostKind(row, desc.storage == AGAA_GL_STORAGE_IMAGES);
+        return own == BindingKind::WrittenStorage ? BindingKind::Storage : own;
+    };
+    for (const BindingRow& a : hostBindingTable)
+        for (const BindingRow& b : hostBindingTable)
+            if (a.slot < b.slot && kind(a) == kind(b) && desc.bindings[a.slot] == desc.bindings[b.slot])
+                fail(AGAA_ERROR_INVALID_ARGUMENT,
+                     format("AgaaGlContextDesc::bindings has the same place for AGAA_GL_BINDING_%s and "
+                            "AGAA_GL_BINDING_%s.",
+                            a.macro, b.macro));
+}
 
 void checkContextDesc(const AgaaGlContextDesc* pointer) {
     const AgaaGlContextDesc& desc =
@@ -20,18 +38,7 @@ void checkContextDesc(const AgaaGlContextDesc* pointer) {
     checkRange(uint64_t(desc.storage), 0, AGAA_GL_STORAGE_IMAGES, "AgaaGlContextDesc::storage");
     checkRange(uint64_t(desc.outputs), 0, AGAA_GL_OUTPUTS_HOST, "AgaaGlContextDesc::outputs");
     checkRange(uint64_t(desc.statePolicy), 0, AGAA_GL_STATE_NONE, "AgaaGlContextDesc::statePolicy");
-    require(desc.reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGlContextDesc::reserved is not 0.");
-    require(desc.aggregatesBinding != desc.countersBinding, AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaGlContextDesc::aggregatesBinding and countersBinding are the same.");
-    const bool images = desc.storage == AGAA_GL_STORAGE_IMAGES;
-    require(desc.lightsBinding != (images ? desc.frameBinding : desc.aggregatesBinding) &&
-                (images || desc.lightsBinding != desc.countersBinding),
-            AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaGlContextDesc::lightsBinding is also that of another buffer.");
-    require(desc.metadataUnit < desc.shadowUnit ||
-                desc.metadataUnit - desc.shadowUnit >= AGAA_MAX_SHADOW_MAPS,
-            AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaGlContextDesc::metadataUnit is among the units from shadowUnit on.");
+    checkBindings(desc);
     const bool callbacks = desc.statePolicy == AGAA_GL_STATE_CALLBACKS;
     require(!callbacks || (desc.pushState && desc.popState), AGAA_ERROR_INVALID_ARGUMENT,
             "AGAA_GL_STATE_CALLBACKS needs AgaaGlContextDesc::pushState and popState.");

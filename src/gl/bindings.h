@@ -1,29 +1,20 @@
-// Binding points of the SDK's compute passes: plans number them in one space, OpenGL has one a kind. The
-// numbers are those of src/shaders/passes/bindings.glsl.
+// Binding points of OpenGL: plans number bindings in one space, OpenGL has a space of places for each kind.
 #pragma once
 
-#include "core/plan_builder.h"
+#include "core/bindings.h"
+#include "core/host_glsl.h"
+#include "gl/state_context.h"
 
 namespace agaa::gl {
 
-constexpr uint32_t uniformBinding = 0; // frame constants
-constexpr uint32_t storageBindingCount = 4;
-constexpr uint32_t imageUnitCount = 2;
-constexpr uint32_t firstTextureUnit = slot::Depth; // textures keep the plan's numbers
-constexpr uint32_t lastTextureUnit = slot::Below;
+constexpr uint32_t placeOf(uint32_t slot) { return bindingTable[slot].openGl; }
 
-constexpr uint32_t storageBinding(uint32_t planSlot) {
-    switch (planSlot) {
-    case slot::Lights:
-        return 0;
-    case slot::Counters:
-        return 1;
-    case slot::Deferred:
-        return 3;
-    default:
-        return 2;
-    }
-}
-constexpr uint32_t imageUnit(uint32_t planSlot) { return planSlot == slot::MetadataOut ? 0u : 1u; }
+// How the host's shaders reach a binding; storage buffers become images or uniform buffers with
+// AGAA_GL_STORAGE_IMAGES.
+BindingKind hostKind(const BindingRow& row, bool storageImages);
+
+// Where draw callbacks find the SDK's resources, and where the SDK's compute passes do.
+StateScope hostBindings(const HostDialect& dialect);
+StateScope passBindings();
 
 } // namespace agaa::gl

@@ -32,13 +32,14 @@ GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user) {
 
 static StateScope scopeOf(const HostDialect& dialect) {
     StateScope scope = hostBindings(dialect);
-    for (uint32_t unit = firstTextureUnit; unit <= lastTextureUnit; ++unit)
-        scope.textureUnits.push_back(unit);
-    scope.uniformBindings.push_back(uniformBinding);
-    for (uint32_t i = 0; i < storageBindingCount; ++i)
-        scope.storageBindings.push_back(i);
-    for (uint32_t i = 0; i < imageUnitCount; ++i)
-        scope.imageUnits.push_back(i);
+    const StateScope own = passBindings();
+    const auto append = [](std::vector<uint32_t>& to, const std::vector<uint32_t>& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    append(scope.textureUnits, own.textureUnits);
+    append(scope.uniformBindings, own.uniformBindings);
+    append(scope.storageBindings, own.storageBindings);
+    append(scope.imageUnits, own.imageUnits);
     return scope;
 }
 
@@ -48,27 +49,29 @@ static bool isCompatibilityProfile(const GladGLContext& gl) {
     return !(mask & GL_CONTEXT_CORE_PROFILE_BIT);
 }
 
+static GLenum limitOf(BindingKind kind) {
+    switch (kind) {
+    case BindingKind::Uniform:
+        return GL_MAX_UNIFORM_BUFFER_BINDINGS;
+    case BindingKind::Texture:
+        return GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS;
+    case BindingKind::Image:
+        return GL_MAX_IMAGE_UNITS;
+    case BindingKind::Storage:
+    case BindingKind::WrittenStorage:
+        break;
+    }
+    return GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS;
+}
+
 static void checkBindings(const GladGLContext& gl, const HostDialect& dialect) {
-    const auto check = [&](uint32_t value, GLenum limit, const char* name) {
+    for (const BindingRow& row : hostBindingTable) {
         GLint count = 0;
-        gl.GetIntegerv(limit, &count);
-        if (value >= uint32_t(count))
-            fail(AGAA_ERROR_OUT_OF_RANGE,
-                 format("AgaaGlContextDesc::%s is %u; the context has %d.", name, value, count));
-    };
-    const auto& at = dialect.bindings;
-    check(at[host_slot::Frame], GL_MAX_UNIFORM_BUFFER_BINDINGS, "frameBinding");
-    check(at[host_slot::Metadata], GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, "metadataUnit");
-    const GLenum storage =
-        dialect.storageImages ? GL_MAX_IMAGE_UNITS : GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS;
-    check(at[host_slot::Aggregates], storage, "aggregatesBinding");
-    check(at[host_slot::Counters], storage, "countersBinding");
-    check(at[host_slot::Lights],
-          dialect.storageImages ? GL_MAX_UNIFORM_BUFFER_BINDINGS : GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS,
-          "lightsBinding");
-    check(at[host_slot::Shadow0], GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, "shadowUnit");
-    check(at[host_slot::Shadow0 + AGAA_MAX_SHADOW_MAPS - 1], GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS,
-          "shadowUnit + 3");
+        gl.GetIntegerv(limitOf(hostKind(row, dialect.storageImages)), &count);
+        if (dialect.bindings[row.slot] >= uint32_t(count))
+            fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaGlContextDesc::bindings[AGAA_GL_BINDING_%s] is %u; the context has %d.",
+                                                 row.macro, dialect.bindings[row.slot], count));
+    }
 }
 
 // Where buffers are reached as images, these set the limits.
@@ -91,11 +94,7 @@ Context::Context(const AgaaGlContextDesc& desc)
     dialect.glslVersion = desc.glslVersion;
     dialect.storageImages = desc.storage == AGAA_GL_STORAGE_IMAGES;
     dialect.hostOutputs = desc.outputs == AGAA_GL_OUTPUTS_HOST;
-    dialect.bindings = {desc.frameBinding, desc.metadataUnit, desc.aggregatesBinding,
-                        desc.countersBinding};
-    dialect.bindings[host_slot::Lights] = desc.lightsBinding;
-    for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i)
-        dialect.bindings[host_slot::Shadow0 + i] = desc.shadowUnit + i;
+    std::copy_n(desc.bindings, hostBindingCount, dialect.bindings.begin());
     takeHostErrors("agaaGlCreateContext");
     caps = queryCaps(gl);
     checkBindings(gl, dialect);

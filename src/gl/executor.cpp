@@ -74,13 +74,11 @@ void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFra
             gl.BindBufferBase(GL_UNIFORM_BUFFER, place, resources->buffer(binding.resource, slot));
             break;
         case BindingType::StorageBuffer:
-            if (context.dialect.storageImages && !binding.writes)
-                gl.BindBufferBase(GL_UNIFORM_BUFFER, place, resources->buffer(binding.resource, slot));
-            else if (context.dialect.storageImages)
+            if (hostKind(hostBindingTable[binding.slot], context.dialect.storageImages) == BindingKind::Image)
                 gl.BindImageTexture(place, resources->bufferImage(binding.resource, slot), 0, GL_FALSE, 0,
                                     GL_READ_WRITE, GL_R32UI);
             else
-                gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, place,
+                gl.BindBufferBase(context.dialect.storageImages ? GL_UNIFORM_BUFFER : GL_SHADER_STORAGE_BUFFER, place,
                                   resources->buffer(binding.resource, slot));
             break;
         case BindingType::ShadowTexture:
@@ -138,28 +136,29 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
     for (const Binding& binding : pass.bindings) {
         const Resource& resource = plan.resources[binding.resource];
         const bool output = resource.kind == ResourceKind::Output;
+        const GLuint place = placeOf(binding.slot);
         const GLuint texture =
             output ? glFrame.outputTexture : (*resources)[binding.resource].texture;
         switch (binding.type) {
         case BindingType::UniformBuffer:
-            gl.BindBufferBase(GL_UNIFORM_BUFFER, uniformBinding,
+            gl.BindBufferBase(GL_UNIFORM_BUFFER, place,
                               resources->buffer(binding.resource, slot));
             break;
         case BindingType::StorageBuffer:
-            gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, storageBinding(binding.slot),
+            gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, place,
                               resources->buffer(binding.resource, slot));
             break;
         case BindingType::StorageImage:
-            gl.BindImageTexture(imageUnit(binding.slot), texture, 0, GL_FALSE, 0, GL_WRITE_ONLY,
+            gl.BindImageTexture(place, texture, 0, GL_FALSE, 0, GL_WRITE_ONLY,
                                 output ? outputFormat_ : internalFormat(resource.format));
             break;
         case BindingType::Texture:
-            gl.BindTextureUnit(binding.slot, texture);
-            gl.BindSampler(binding.slot, output ? context.texelSampler : 0);
+            gl.BindTextureUnit(place, texture);
+            gl.BindSampler(place, output ? context.texelSampler : 0);
             break;
         case BindingType::ShadowTexture:
-            gl.BindTextureUnit(binding.slot, shadowTexture(resource, frame, glFrame));
-            gl.BindSampler(binding.slot, context.shadowSampler);
+            gl.BindTextureUnit(place, shadowTexture(resource, frame, glFrame));
+            gl.BindSampler(place, context.shadowSampler);
             break;
         }
     }

@@ -1,23 +1,8 @@
 #include "gl/host_bindings.h"
 
-#include "core/plan_builder.h"
 #include "gl/state_table.h"
 
 namespace agaa::gl {
-
-StateScope hostBindings(const HostDialect& dialect) {
-    const auto& at = dialect.bindings;
-    StateScope scope;
-    scope.uniformBindings = {at[host_slot::Frame]};
-    scope.textureUnits = {at[host_slot::Metadata]};
-    for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i)
-        scope.textureUnits.push_back(at[host_slot::Shadow0 + i]);
-    (dialect.storageImages ? scope.imageUnits : scope.storageBindings) = {at[host_slot::Aggregates],
-                                                                          at[host_slot::Counters]};
-    (dialect.storageImages ? scope.uniformBindings : scope.storageBindings)
-        .push_back(at[host_slot::Lights]);
-    return scope;
-}
 
 HostBindings::HostBindings(const GladGLContext& gl, const HostDialect& dialect,
                        bool compatibilityProfile)

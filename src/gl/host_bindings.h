@@ -2,15 +2,11 @@
 // themselves: their popState comes before the SDK binds there, so it cannot bring these back.
 #pragma once
 
-#include "core/host_glsl.h"
-#include "gl/state_context.h"
+#include "gl/bindings.h"
 
 #include <vector>
 
 namespace agaa::gl {
-
-// Where draw callbacks find the SDK's resources.
-StateScope hostBindings(const HostDialect& dialect);
 
 // As StateGuard; only of the numbered places, so what a callback does elsewhere stays.
 class HostBindings {

@@ -74,7 +74,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaVkFrame, 88);
     EXPECT_SIZE(AgaaFrameValidation, 768);
     EXPECT_SIZE(AgaaGlRequirements, 64);
-    EXPECT_SIZE(AgaaGlContextDesc, 136);
+    EXPECT_SIZE(AgaaGlContextDesc, 176);
     EXPECT_SIZE(AgaaGlDrawPass, 136);
     EXPECT_SIZE(AgaaGlSurface, 64);
     EXPECT_SIZE(AgaaGlFrame, 40);

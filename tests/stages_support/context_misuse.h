@@ -27,7 +27,6 @@ std::vector<ContextMisuse<Desc>> contextMisuses(std::vector<ContextMisuse<Desc>>
         {"no getProcAddr", AGAA_ERROR_INVALID_ARGUMENT, [](Desc& d) { d.getProcAddr = nullptr; }},
         {"no frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](Desc& d) { d.framesInFlight = 0; }},
         {"nine frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](Desc& d) { d.framesInFlight = 9; }},
-        {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](Desc& d) { d.reserved = 1; }},
         {"no free", AGAA_ERROR_INVALID_ARGUMENT, [](Desc& d) { d.allocate = noMemory; }},
         {"no memory", AGAA_ERROR_OUT_OF_MEMORY, [](Desc& d) {
              d.allocate = noMemory;

@@ -31,12 +31,7 @@ SdkContext::SdkContext(const Device& device, const RendererOptions& options) {
         desc.popState = popState;
         desc.stateUser = const_cast<Device*>(&device);
     }
-    desc.frameBinding = frameBinding;
-    desc.metadataUnit = metadataUnit;
-    desc.aggregatesBinding = aggregatesBinding;
-    desc.countersBinding = countersBinding;
-    desc.lightsBinding = lightsBinding;
-    desc.shadowUnit = shadowUnit;
+    std::copy(std::begin(sdkBindings), std::end(sdkBindings), desc.bindings);
     desc.log = &log;
     log_.check(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context_), "agaaGlCreateContext");
     log_.check(agaaGlGetContextCaps(context_, &caps_), "agaaGlGetContextCaps");

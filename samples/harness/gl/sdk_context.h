@@ -11,12 +11,7 @@ namespace harness::gl {
 using GlSdkView = SdkView<AgaaGlDrawPass>;
 
 // Where the engine lets the SDK bind: beside its own camera and materials.
-constexpr uint32_t frameBinding = 0;
-constexpr uint32_t metadataUnit = 4;
-constexpr uint32_t aggregatesBinding = 2;
-constexpr uint32_t countersBinding = 3;
-constexpr uint32_t lightsBinding = 5;
-constexpr uint32_t shadowUnit = 5;
+constexpr uint32_t sdkBindings[AGAA_GL_BINDING_COUNT] = {0, 4, 2, 3, 5, 5, 6, 7, 8}; // by AgaaGlBinding
 
 class SdkContext {
 public:

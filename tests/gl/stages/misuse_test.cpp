@@ -33,16 +33,23 @@ TEST(GlMisuse, ContextsAreRefusedInASentence) {
         {"storage", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.storage = 2; }},
         {"outputs", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.outputs = 2; }},
         {"policy", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.statePolicy = 3; }},
-        {"equal bindings", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.countersBinding = 0; }},
-        {"frame binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.frameBinding = 100000; }},
-        {"metadata unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.metadataUnit = 100000; }},
-        {"shadow unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.shadowUnit = 100000; }},
-        {"shadow units past the last number", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.shadowUnit = 0xFFFFFFFD; }},
-        {"aggregates binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.aggregatesBinding = 100000; }},
+        {"equal bindings", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.bindings[AGAA_GL_BINDING_COUNTERS] = 0; }},
+        {"equal texture units", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.bindings[AGAA_GL_BINDING_SHADOW3] = 0; }},
+        {"lights where the frame is", AGAA_ERROR_INVALID_ARGUMENT,
+         [](auto& d) {
+             d.storage = AGAA_GL_STORAGE_IMAGES;
+             d.bindings[AGAA_GL_BINDING_LIGHTS] = d.bindings[AGAA_GL_BINDING_FRAME];
+         }},
+        {"a binding that is not known", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_COUNT] = 9; }},
+        {"frame binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_FRAME] = 100000; }},
+        {"metadata unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_METADATA] = 100000; }},
+        {"shadow unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_SHADOW0] = 100000; }},
+        {"last shadow unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_SHADOW3] = ~0u; }},
+        {"aggregates binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_AGGREGATES] = 100000; }},
         {"counters image unit", AGAA_ERROR_OUT_OF_RANGE,
          [](auto& d) {
              d.storage = AGAA_GL_STORAGE_IMAGES;
-             d.countersBinding = 100000;
+             d.bindings[AGAA_GL_BINDING_COUNTERS] = 100000;
          }},
         {"no popState", AGAA_ERROR_INVALID_ARGUMENT,
          [](auto& d) {

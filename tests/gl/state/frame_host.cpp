@@ -92,13 +92,9 @@ std::vector<uint32_t> upTo(uint32_t last) {
 } // namespace
 
 gl::StateScope touchedScope(bool storageImages) {
-    gl::StateScope scope;
-    for (uint32_t unit = gl::firstTextureUnit; unit <= gl::lastTextureUnit; ++unit)
-        scope.textureUnits.push_back(unit);
+    gl::StateScope scope = gl::passBindings();
     scope.textureUnits.push_back(kMetadataUnit);
-    scope.uniformBindings = {gl::uniformBinding, kFrameBinding};
-    scope.storageBindings = upTo(gl::storageBindingCount - 1);
-    scope.imageUnits = upTo(gl::imageUnitCount - 1);
+    scope.uniformBindings.push_back(kFrameBinding);
     auto& places = storageImages ? scope.imageUnits : scope.storageBindings;
     places.insert(places.end(), {kAggregatesBinding, kCountersBinding});
     (storageImages ? scope.uniformBindings : scope.storageBindings).push_back(kLightsBinding);
@@ -151,12 +147,13 @@ FrameHost::FrameHost(const EglContext& egl, const FrameSettings& settings, AgaaG
     desc.pushState = push;
     desc.popState = pop;
     desc.stateUser = this;
-    desc.frameBinding = kFrameBinding;
-    desc.metadataUnit = kMetadataUnit;
-    desc.aggregatesBinding = kAggregatesBinding;
-    desc.countersBinding = kCountersBinding;
-    desc.lightsBinding = kLightsBinding;
-    desc.shadowUnit = kShadowUnit;
+    desc.bindings[AGAA_GL_BINDING_FRAME] = kFrameBinding;
+    desc.bindings[AGAA_GL_BINDING_METADATA] = kMetadataUnit;
+    desc.bindings[AGAA_GL_BINDING_AGGREGATES] = kAggregatesBinding;
+    desc.bindings[AGAA_GL_BINDING_COUNTERS] = kCountersBinding;
+    desc.bindings[AGAA_GL_BINDING_LIGHTS] = kLightsBinding;
+    for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i)
+        desc.bindings[AGAA_GL_BINDING_SHADOW0 + i] = kShadowUnit + i;
     desc.log = &messages;
     if (agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context_) != AGAA_OK)
         throw std::runtime_error(log.empty() ? "agaaGlCreateContext" : log.back());

@@ -21,6 +21,7 @@ TEST(VkMisuse, ContextsAreRefusedInASentence) {
     static const VkPhysicalDeviceFeatures2 noFeatures{};
     static const VkPhysicalDeviceFeatures2 without{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, nullptr, {}};
     const auto rows = contextMisuses<AgaaVkContextDesc>({
+        {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.reserved = 1; }},
         {"no instance", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.instance = nullptr; }},
         {"no physical device", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.physicalDevice = nullptr; }},
         {"no device", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.device = nullptr; }},
