@@ -128,8 +128,7 @@ AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceC
                                      const AgaaLog* log, AgaaMemoryReport* outReport,
                                      uint32_t* surfaceCount, AgaaSurface* surfaces) {
     return guarded(checkedLog(log), "agaaQueryMemory", [&]() -> AgaaResult {
-        checkViewDesc(view);
-        const Plan plan = makePlan(*view, capsOrIdeal(caps), 2);
+        const Plan plan = makePlan(resolveView(view), capsOrIdeal(caps), 2);
         if (outReport)
             checkStruct(outReport, AGAA_STRUCTURE_TYPE_MEMORY_REPORT, "AgaaMemoryReport");
         if (surfaceCount) {
@@ -153,9 +152,9 @@ AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceC
 AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
                                      AgaaTarget* outTarget) {
     return guarded(checkedLog(log), "agaaQueryTarget", [&]() -> AgaaResult {
-        checkViewDesc(view);
+        const ViewSettings settings = resolveView(view);
         checkStruct(outTarget, AGAA_STRUCTURE_TYPE_TARGET, "AgaaTarget");
-        const Plan plan = makePlan(*view, capsOrIdeal(caps), 2);
+        const Plan plan = makePlan(settings, capsOrIdeal(caps), 2);
         const uint64_t width = uint64_t(plan.width) * plan.scaleX, height = uint64_t(plan.height) * plan.scaleY;
         if (std::max(width, height) > capsOrIdeal(caps).maxImageSize)
             fail(AGAA_ERROR_TOO_LARGE, format("the target would be %llux%llu texels; the device allows %u.",
@@ -174,16 +173,14 @@ AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceC
 AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
                                     const AgaaLog* log, size_t* size, char* text) {
     return guarded(checkedLog(log), "agaaPlanToJson", [&]() -> AgaaResult {
-        checkViewDesc(view);
-        return writeText(planToJson(makePlan(*view, capsOrIdeal(caps), 2)), size, text);
+        return writeText(planToJson(makePlan(resolveView(view), capsOrIdeal(caps), 2)), size, text);
     });
 }
 
 AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
                                           size_t* size, char* text) {
     return guarded(checkedLog(log), "agaaGetAggregateGlsl", [&]() -> AgaaResult {
-        checkViewDesc(view);
-        return writeText(aggregateGlsl(makePlan(*view, capsOrIdeal(caps), 2)), size, text);
+        return writeText(aggregateGlsl(makePlan(resolveView(view), capsOrIdeal(caps), 2)), size, text);
     });
 }
 

@@ -4,12 +4,13 @@
 
 #include "agaa_sdk.h"
 #include "core/format.h"
-#include "core/layout.h"
+#include "core/view_settings.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace agaa {
@@ -120,12 +121,11 @@ struct Pass {
     ResourceId destination = noResource;
 };
 
-struct Plan {
-    std::string technique;
-    uint32_t width = 0;
-    uint32_t height = 0;
-    uint32_t samples = 1;
-    uint32_t aggregates = 0; // 0 where nothing is aggregated
+// config and depthBits are those that run.
+struct Plan : ViewSettings {
+    Plan() = default;
+    explicit Plan(ViewSettings settings) : ViewSettings(std::move(settings)) {}
+
     uint32_t hwSamples = 1;
     uint32_t scaleX = 1;
     uint32_t scaleY = 1;
@@ -133,22 +133,8 @@ struct Plan {
     AgaaTier generationTier = AGAA_TIER_AUTO;
     std::vector<std::string> notes; // why a tier or a format was chosen
     std::vector<std::string> effects; // that run
-    AgaaConfig config{};
-    AgaaSceneFacts facts{};
-    Layout layout;
-    uint32_t functionShadows = 0;     // bit i: the host's function answers for shadow i
-    bool hostGBuffer = false;         // the host draws it; a function of the host's reads its samples
-    uint32_t maxDraws = 0, maxPrimitives = 0; // that ids tell apart; 0: nothing fetches materials by id
-    uint32_t primitiveBits = 0;       // of an id, the low ones
-    bool someUnfetched = false;       // draws that ids cannot name go into a G-buffer
-    std::vector<float> samplePositions; // n pairs, where the host says them
-    uint64_t functionSetLayout = 0;   // of set 1 in passes with code of the host's
-    bool reversedZ = false;
-    bool composite = false; // over what the output holds
-    bool clipZFromMinusOne = false;
     bool aliases = true; // resources of disjoint lifetimes may share memory
     Format depthFormat = Format::None; // of the target; None where the host draws
-    uint32_t depthBits = 0;            // of fixed point; 0: float
     std::vector<Resource> resources;
     std::vector<Pass> passes;
     uint32_t bytesPerAggregate = 0;

@@ -3,7 +3,7 @@
 #include "core/checked.h"
 #include "core/gpu_layout.h"
 #include "core/permutations.h"
-#include "core/validate.h"
+#include "core/error.h"
 
 #include <algorithm>
 #include <array>
@@ -15,35 +15,12 @@ namespace agaa {
 // n = 8, preset accurate.
 constexpr float litCost = 1.04f;
 
-PlanBuilder::PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps,
-                         uint32_t framesInFlight)
-    : caps_(caps), framesInFlight_(framesInFlight) {
+PlanBuilder::PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight)
+    : plan(view), caps_(caps), framesInFlight_(framesInFlight) {
     shadowMaps_.fill(noResource);
     frames_.fill(noResource);
-    plan.width = view.width;
-    plan.height = view.height;
-    plan.reversedZ = view.flags & AGAA_VIEW_REVERSED_Z;
-    plan.composite = view.flags & AGAA_VIEW_COMPOSITE;
-    plan.clipZFromMinusOne = view.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
-    plan.aliases = !(caps.flags & AGAA_DEVICE_NO_ALIASING);
-    plan.config = checkConfig(view.config);
-    plan.aliases = plan.aliases && !(plan.config.flags & AGAA_CONFIG_READBACK);
-    plan.facts = checkFacts(view.facts);
-    const Technique& technique = *findTechnique(plan.config.technique);
-    plan.config.technique = technique.name; // static storage
-    plan.technique = technique.name;
-    if (!technique.multisampled)
-        plan.config.samples = 1;
-    plan.samples = plan.config.samples;
-    readFunctions(view);
-    plan.layout = reduceLayout(checkLayout(plan.config.layout), plan.facts.flags);
-    plan.config.layout = nullptr; // the host's pointer does not outlive the call
-    if (technique.maxAggregates && plan.config.aggregates > technique.maxAggregates)
-        fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaConfig::aggregates is %u; \"%s\" takes %u at most.",
-                                             plan.config.aggregates, technique.name,
-                                             technique.maxAggregates));
-    plan.aggregates =
-        technique.maxAggregates ? std::min(plan.config.aggregates, plan.samples) : 0;
+    plan.aliases = !(caps.flags & AGAA_DEVICE_NO_ALIASING) && !(plan.config.flags & AGAA_CONFIG_READBACK);
+    const Technique& technique = *findTechnique(plan.technique);
     dropUncalledFor(technique);
     chooseVisibilityTier();
     if (technique.maxAggregates)
@@ -278,7 +255,7 @@ void PlanBuilder::addHostCode(Pass& pass, const HostText& text, const char* orig
 }
 
 void PlanBuilder::bindHostGBuffer(Pass& pass) {
-    addHostCode(pass, gbufferFunction_, "AgaaGBufferFunction");
+    addHostCode(pass, plan.gbufferFunction, "AgaaGBufferFunction");
     pass.defines += "#define AGAA_HOST_GBUFFER 1\n";
 }
 
@@ -292,7 +269,7 @@ uint32_t PlanBuilder::listLength() const {
 }
 
 void PlanBuilder::bindHostFetch(Pass& pass) {
-    addHostCode(pass, fetchFunction_, "AgaaFetchFunction");
+    addHostCode(pass, plan.fetchFunction, "AgaaFetchFunction");
     pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
                            "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",
                            plan.primitiveBits, plan.clipZFromMinusOne, listLength());
@@ -344,7 +321,7 @@ void PlanBuilder::bindShadows(Pass& pass) {
     require(!host, AGAA_ERROR_UNSUPPORTED,
             "AgaaShadowFunction is for techniques that shade in the SDK's passes; this one shades in the "
             "host's.");
-    addHostCode(pass, shadowFunction_, "AgaaShadowFunction");
+    addHostCode(pass, plan.shadowFunction, "AgaaShadowFunction");
     pass.defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
                            plan.functionShadows, any != noResource);
 }

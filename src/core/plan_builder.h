@@ -10,7 +10,7 @@ namespace agaa {
 
 class PlanBuilder {
 public:
-    PlanBuilder(const AgaaViewDesc& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight);
+    PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight);
 
     Plan finish(); // lifetimes, limits
 
@@ -71,19 +71,10 @@ private:
     void chooseVisibilityTier();
     void setConstants();
     void checkLimits() const;
-    void readFunctions(const AgaaViewDesc& view);
-    void takeSetLayout(uint64_t setLayout);
     void chooseGenerationTier(const Technique& technique);
     uint64_t aggregateBytes() const;
     void dropUncalledFor(const Technique& technique);
     void checkTierOptions(const Technique& technique) const;
-    // Of a host's function.
-    struct HostText {
-        std::string glsl, extensions;
-    };
-    template <typename Function> static HostText textOf(const Function& function) {
-        return {function.glsl, function.glslExtensions ? function.glslExtensions : ""};
-    }
     static void addHostCode(Pass& pass, const HostText& text, const char* origin);
     void bindShadows(Pass& pass);
     void listEffects(bool readsFolded); // whether the shading pass reads aggregates whose roughness is folded
@@ -98,7 +89,6 @@ private:
     ResourceId counters_ = noResource;
     ResourceId output_ = noResource;
     std::array<ResourceId, AGAA_MAX_SHADOW_MAPS> shadowMaps_;
-    HostText shadowFunction_, gbufferFunction_, fetchFunction_;
     uint32_t framesInFlight_;
 };
 

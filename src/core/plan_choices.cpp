@@ -1,48 +1,13 @@
-// What a plan is built for: the host's functions, tiers, options, constants.
+// What a plan is built for: tiers, options, constants.
 #include "core/plan_builder.h"
 
 #include "core/checked.h"
-#include "core/validate.h"
+#include "core/error.h"
 
 #include <algorithm>
 #include <bit>
 
 namespace agaa {
-
-// Functions of one view find their resources in the same set.
-void PlanBuilder::takeSetLayout(uint64_t setLayout) {
-    require(!setLayout || !plan.functionSetLayout || setLayout == plan.functionSetLayout,
-            AGAA_ERROR_INVALID_ARGUMENT,
-            "functions of the view have different set layouts; all find their resources in set 1.");
-    if (setLayout)
-        plan.functionSetLayout = setLayout;
-}
-
-void PlanBuilder::readFunctions(const AgaaViewDesc& view) {
-    if (const AgaaShadowFunction* function = checkShadowFunction(view)) {
-        plan.functionShadows = function->shadows;
-        takeSetLayout(function->descriptorSetLayout);
-        shadowFunction_ = textOf(*function);
-    }
-    if (const AgaaGBufferFunction* function = checkGBufferFunction(view, plan.samples)) {
-        takeSetLayout(function->descriptorSetLayout);
-        plan.hostGBuffer = true;
-        plan.depthBits = function->depthBits;
-        if (const float* positions = function->samplePositions)
-            plan.samplePositions.assign(positions, positions + 2 * plan.samples);
-        gbufferFunction_ = textOf(*function);
-    }
-    if (const AgaaFetchFunction* function = checkFetchFunction(view)) {
-        require(!plan.hostGBuffer, AGAA_ERROR_INVALID_ARGUMENT,
-                "the view has an AgaaGBufferFunction and an AgaaFetchFunction; materials come by one of them.");
-        takeSetLayout(function->descriptorSetLayout);
-        plan.maxDraws = function->maxDraws;
-        plan.maxPrimitives = function->maxPrimitives;
-        plan.someUnfetched = function->flags & AGAA_FETCH_NOT_ALL_DRAWS;
-        plan.primitiveBits = uint32_t(std::bit_width(function->maxPrimitives - 1));
-        fetchFunction_ = textOf(*function);
-    }
-}
 
 void PlanBuilder::chooseGenerationTier(const Technique& technique) {
     if (plan.hostGBuffer) {

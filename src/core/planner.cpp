@@ -2,7 +2,6 @@
 
 #include "core/plan_builder.h"
 #include "core/technique.h"
-#include "core/validate.h"
 
 namespace agaa {
 
@@ -19,8 +18,7 @@ AgaaDeviceCaps idealDevice() {
     return caps;
 }
 
-Plan makePlan(const AgaaViewDesc& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
-    checkViewDesc(&view);
+Plan makePlan(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
     PlanBuilder builder(view, caps, framesInFlight);
     findTechnique(builder.plan.technique)->build(builder);
     return builder.finish();

@@ -8,7 +8,7 @@ namespace agaa {
 // A device that has every feature and the papers' native paths.
 AgaaDeviceCaps idealDevice();
 
-// Throws Error where the view is not valid or the device cannot run it; the message says why.
-Plan makePlan(const AgaaViewDesc& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight);
+// Throws Error where the device cannot run the view; the message says why.
+Plan makePlan(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight);
 
 } // namespace agaa

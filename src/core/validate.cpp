@@ -1,11 +1,7 @@
 #include "core/validate.h"
 
-#include "core/technique.h"
-
 #include <algorithm>
 #include <bit>
-#include <regex>
-#include <sstream>
 #include <string>
 
 namespace agaa {
@@ -69,135 +65,6 @@ void checkHeaderVersion(uint32_t version) {
         fail(AGAA_ERROR_VERSION,
              format("the host was built for version %u.%u, this library is %u.%u.", version >> 22,
                     version >> 12 & 0x3FF, AGAA_VERSION_MAJOR, AGAA_VERSION_MINOR));
-}
-
-AgaaConfig checkConfig(const AgaaConfig* pointer) {
-    const AgaaConfig& config = checkStruct(pointer, AGAA_STRUCTURE_TYPE_CONFIG, "AgaaConfig");
-    require(config.technique, AGAA_ERROR_INVALID_ARGUMENT, "AgaaConfig::technique is null.");
-    if (!findTechnique(config.technique))
-        fail(AGAA_ERROR_UNSUPPORTED, format("no technique is called \"%.64s\".", config.technique));
-    checkSampleCount(config.samples, "AgaaConfig::samples");
-    checkRange(uint64_t(config.aggregates), 1, 6, "AgaaConfig::aggregates");
-    checkRange(uint64_t(config.brdf), 0, AGAA_BRDF_GGX, "AgaaConfig::brdf");
-    checkRange(uint64_t(config.ndf), 0, AGAA_NDF_SGGX, "AgaaConfig::ndf");
-    checkRange(uint64_t(config.seeds), 0, AGAA_SEEDS_SUM_OF_SQUARES, "AgaaConfig::seeds");
-    checkRange(uint64_t(config.shadowTaps), 0, 32, "AgaaConfig::shadowTaps");
-    checkRange(uint64_t(config.shadingCost), 1, 64, "AgaaConfig::shadingCost");
-    checkFinite(config.characteristicLength, "AgaaConfig::characteristicLength");
-    checkRange(double(config.characteristicLength), 0.0, 3.4e38, "AgaaConfig::characteristicLength");
-    checkRange(double(config.characteristicLengthPerDistance), 0.0, 1.0,
-               "AgaaConfig::characteristicLengthPerDistance");
-    // k = 0 divides by zero in equation 1 (hard case 21).
-    require(config.characteristicLength > 0 || config.characteristicLengthPerDistance > 0,
-            AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaConfig::characteristicLength and its share per distance are both 0; k must be > 0.");
-    checkRange(double(config.aggregateThreshold), 0.0, 1e6, "AgaaConfig::aggregateThreshold");
-    checkRange(double(config.surfaceCosine), 0.0, 1.0, "AgaaConfig::surfaceCosine");
-    checkRange(double(config.surfaceDistance), 0.0, 1e6, "AgaaConfig::surfaceDistance");
-    checkRange(double(config.surfaceMaterial), 0.0, 1.0, "AgaaConfig::surfaceMaterial");
-    checkRange(uint64_t(config.litShadows), 0, (1u << AGAA_MAX_SHADOW_MAPS) - 1, "AgaaConfig::litShadows");
-    checkRange(double(config.glossWeight), 0.0, 16.0, "AgaaConfig::glossWeight");
-    checkRange(uint64_t(config.debugView), 0, AGAA_DEBUG_VIEW_TIER, "AgaaConfig::debugView");
-    constexpr uint64_t known = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK |
-                               AGAA_CONFIG_NO_DIFFUSE_FILTER | AGAA_CONFIG_NO_SHADOW_FILTER |
-                               AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_NO_STENCIL |
-                               AGAA_CONFIG_FIRST_SAMPLE_ROUTING | AGAA_CONFIG_SPLIT_SURFACES |
-                               AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS;
-    require((config.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaConfig::flags has bits that are not known here.");
-    return config;
-}
-
-AgaaSceneFacts checkFacts(const AgaaSceneFacts* pointer) {
-    const AgaaSceneFacts& facts =
-        checkStruct(pointer, AGAA_STRUCTURE_TYPE_SCENE_FACTS, "AgaaSceneFacts");
-    checkRange(uint64_t(facts.maxLights), 0, 4096, "AgaaSceneFacts::maxLights");
-    checkRange(uint64_t(facts.shadowMapCount), 0, AGAA_MAX_SHADOW_MAPS,
-               "AgaaSceneFacts::shadowMapCount");
-    constexpr uint64_t known = AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH;
-    require((facts.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaSceneFacts::flags has bits that are not known here.");
-    return facts;
-}
-
-void checkViewDesc(const AgaaViewDesc* pointer) {
-    checkHeader(pointer, AGAA_STRUCTURE_TYPE_VIEW, sizeof *pointer, "AgaaViewDesc",
-                {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, AGAA_STRUCTURE_TYPE_FETCH_FUNCTION,
-                 AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION});
-    const AgaaViewDesc& desc = *pointer;
-    require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaViewDesc has no pixels: width and height must be at least 1.");
-    constexpr uint64_t known =
-        AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE | AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
-    require((desc.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaViewDesc::flags has bits that are not known here.");
-}
-
-// Text of the host's, and the lines that go before all else.
-static void checkGlsl(const char* glsl, const char* extensions, const char* structure) {
-    if (!glsl)
-        fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s::glsl is null.", structure));
-    static const std::regex directive(R"([ \t]*\r?|#extension +\w+ *: *\w+[ \t]*\r?)");
-    std::istringstream lines(extensions ? extensions : "");
-    for (std::string line; std::getline(lines, line);)
-        if (line.size() > 200 || !std::regex_match(line, directive))
-            fail(AGAA_ERROR_INVALID_ARGUMENT,
-                 format("%s::glslExtensions has more than lines \"#extension NAME : BEHAVIOUR\".", structure));
-}
-
-const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc) {
-    const void* chained = findChained(&desc, AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION);
-    if (!chained)
-        return nullptr;
-    const auto* function = static_cast<const AgaaShadowFunction*>(chained);
-    require(function->structSize == sizeof *function, AGAA_ERROR_STRUCT,
-            "AgaaShadowFunction has another structSize than this library's.");
-    checkGlsl(function->glsl, function->glslExtensions, "AgaaShadowFunction");
-    require(function->reserved == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaShadowFunction::reserved is not 0.");
-    const uint32_t declared = (1u << desc.facts->shadowMapCount) - 1;
-    require(function->shadows != 0 && (function->shadows & ~declared) == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaShadowFunction::shadows names no shadow, or more than AgaaSceneFacts declares.");
-    return function;
-}
-
-const AgaaGBufferFunction* checkGBufferFunction(const AgaaViewDesc& desc, uint32_t samples) {
-    const void* chained = findChained(&desc, AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION);
-    if (!chained)
-        return nullptr;
-    const auto* function = static_cast<const AgaaGBufferFunction*>(chained);
-    require(function->structSize == sizeof *function, AGAA_ERROR_STRUCT,
-            "AgaaGBufferFunction has another structSize than this library's.");
-    checkGlsl(function->glsl, function->glslExtensions, "AgaaGBufferFunction");
-    require(function->reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGBufferFunction::reserved is not 0.");
-    require(function->depthBits == 0 || function->depthBits == 16 || function->depthBits == 24,
-            AGAA_ERROR_OUT_OF_RANGE, "AgaaGBufferFunction::depthBits is not one of 0, 16, 24.");
-    for (uint32_t i = 0; function->samplePositions && i < 2 * samples; ++i)
-        require(function->samplePositions[i] >= 0 && function->samplePositions[i] < 1, AGAA_ERROR_OUT_OF_RANGE,
-                "AgaaGBufferFunction::samplePositions holds a place outside the pixel, [0;1).");
-    return function;
-}
-
-const AgaaFetchFunction* checkFetchFunction(const AgaaViewDesc& desc) {
-    const void* chained = findChained(&desc, AGAA_STRUCTURE_TYPE_FETCH_FUNCTION);
-    if (!chained)
-        return nullptr;
-    const auto* function = static_cast<const AgaaFetchFunction*>(chained);
-    require(function->structSize == sizeof *function, AGAA_ERROR_STRUCT,
-            "AgaaFetchFunction has another structSize than this library's.");
-    checkGlsl(function->glsl, function->glslExtensions, "AgaaFetchFunction");
-    require(function->maxDraws >= 1 && function->maxPrimitives >= 1, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaFetchFunction::maxDraws or ::maxPrimitives is 0.");
-    require((function->flags & ~AGAA_FETCH_NOT_ALL_DRAWS) == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaFetchFunction::flags has bits that are not known here.");
-    const int bits = std::bit_width(function->maxPrimitives - 1);
-    // One id is of what cannot be fetched, one of no geometry.
-    const uint32_t ids = function->flags & AGAA_FETCH_NOT_ALL_DRAWS ? 0xFFFFFFFEu : 0xFFFFFFFFu;
-    if ((uint64_t(function->maxDraws) << bits) > ids)
-        fail(AGAA_ERROR_TOO_LARGE,
-             format("%u draws of up to %u primitives each, which take %d bits, are more than 32-bit ids can tell.",
-                    function->maxDraws, function->maxPrimitives, bits));
-    return function;
 }
 
 static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {

@@ -34,15 +34,7 @@ void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name);
 
 // The version that a host was built for.
 void checkHeaderVersion(uint32_t version);
-AgaaConfig checkConfig(const AgaaConfig* config);
-AgaaSceneFacts checkFacts(const AgaaSceneFacts* facts);
 // Against what the view was made for.
 void checkFrame(const AgaaFrame* frame, const Plan& plan);
-// The functions chained to a view, or null. samples: of the technique, as many positions are read.
-const AgaaShadowFunction* checkShadowFunction(const AgaaViewDesc& desc);
-const AgaaGBufferFunction* checkGBufferFunction(const AgaaViewDesc& desc, uint32_t samples);
-const AgaaFetchFunction* checkFetchFunction(const AgaaViewDesc& desc);
-// Name, chain and size of a view; the planner checks the rest against the device.
-void checkViewDesc(const AgaaViewDesc* desc);
 
 } // namespace agaa

@@ -87,8 +87,8 @@ AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* d
     return guarded(logOf(context), "agaaGlCreateView", [&]() -> AgaaResult {
         requireBackend(context, Backend::OpenGL);
         require(outView, AGAA_ERROR_INVALID_ARGUMENT, "the view pointer is null.");
-        checkViewDesc(desc);
-        *outView = construct<gl::View>(context->allocator, static_cast<gl::Context&>(*context), *desc);
+        const ViewSettings settings = resolveView(desc);
+        *outView = construct<gl::View>(context->allocator, static_cast<gl::Context&>(*context), settings);
         return AGAA_OK;
     });
 }

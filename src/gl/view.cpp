@@ -8,8 +8,8 @@
 
 namespace agaa::gl {
 
-View::View(Context& owner, const AgaaViewDesc& desc)
-    : AgaaView_T(owner, makePlan(desc, owner.caps, owner.framesInFlight)), context(owner),
+View::View(Context& owner, const ViewSettings& settings)
+    : AgaaView_T(owner, makePlan(settings, owner.caps, owner.framesInFlight)), context(owner),
       barriers(plan.resources.size()) {
     require(plan.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
             "set layouts of AgaaGBufferFunction, AgaaFetchFunction and AgaaShadowFunction are of Vulkan.");

@@ -25,7 +25,7 @@ struct PassObjects {
 
 class View : public AgaaView_T {
 public:
-    View(Context& owner, const AgaaViewDesc& desc);
+    View(Context& owner, const ViewSettings& settings);
     ~View() override;
 
     AgaaResult record(const AgaaFrame& frame, const AgaaGlFrame& glFrame);

@@ -86,10 +86,10 @@ AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* d
     return guarded(logOf(context), "agaaVkCreateView", [&]() -> AgaaResult {
         requireBackend(context, Backend::Vulkan);
         require(outView, AGAA_ERROR_INVALID_ARGUMENT, "the view pointer is null.");
-        checkViewDesc(desc);
-        require(!(desc->flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE), AGAA_ERROR_UNSUPPORTED,
+        const ViewSettings settings = resolveView(desc);
+        require(!settings.clipZFromMinusOne, AGAA_ERROR_UNSUPPORTED,
                 "AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE is of OpenGL; Vulkan maps z/w in [0;1] to depth.");
-        *outView = construct<vk::View>(context->allocator, static_cast<vk::Context&>(*context), *desc);
+        *outView = construct<vk::View>(context->allocator, static_cast<vk::Context&>(*context), settings);
         return AGAA_OK;
     });
 }

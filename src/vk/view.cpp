@@ -10,8 +10,8 @@
 
 namespace agaa::vk {
 
-View::View(Context& device, const AgaaViewDesc& desc)
-    : AgaaView_T(device, makePlan(desc, device.caps, device.framesInFlight)), context(device),
+View::View(Context& device, const ViewSettings& settings)
+    : AgaaView_T(device, makePlan(settings, device.caps, device.framesInFlight)), context(device),
       positions(plan.samplePositions.empty()
                     ? samplePositions(standardPositions(plan.hwSamples), plan.scaleX, plan.scaleY)
                     : samplePositions(plan.samplePositions)) {

@@ -31,7 +31,7 @@ struct FrameSlot {
 
 class View : public AgaaView_T {
 public:
-    View(Context& owner, const AgaaViewDesc& desc);
+    View(Context& owner, const ViewSettings& settings);
     ~View() override;
 
     AgaaResult record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame);

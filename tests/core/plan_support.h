@@ -60,7 +60,7 @@ inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
     view.facts = &facts;
     view.flags = spec.viewFlags;
     view.pNext = spec.chained;
-    return makePlan(view, caps, 2);
+    return makePlan(resolveView(&view), caps, 2);
 }
 
 } // namespace agaa::test

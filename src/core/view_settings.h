@@ -1,0 +1,47 @@
+// A host's description of a view after validation: complete, in range, and without pointers to the host's memory. Planning
+// reads this and checks only what depends on the device.
+#pragma once
+
+#include "agaa_sdk.h"
+#include "core/layout.h"
+
+#include <string>
+#include <vector>
+
+namespace agaa {
+
+// GLSL of a host's function.
+struct HostText {
+    std::string glsl, extensions;
+};
+
+struct ViewSettings {
+    std::string technique;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    bool reversedZ = false;
+    bool composite = false; // over what the output holds
+    bool clipZFromMinusOne = false;
+    AgaaConfig config{}; // technique: static storage; layout: null
+    AgaaSceneFacts facts{};
+    Layout layout; // of what the facts call for
+    uint32_t samples = 1;    // 1 of techniques that are not multisampled
+    uint32_t aggregates = 0; // 0 where nothing is aggregated
+
+    uint32_t functionShadows = 0; // bit i: the host's function answers for shadow i
+    HostText shadowFunction;
+    bool hostGBuffer = false;     // the host draws it; a function of the host's reads its samples
+    HostText gbufferFunction;
+    std::vector<float> samplePositions; // n pairs, where the host says them
+    uint32_t depthBits = 0;             // of fixed point; 0: float
+    uint32_t maxDraws = 0, maxPrimitives = 0; // that ids tell apart; 0: nothing fetches materials by id
+    uint32_t primitiveBits = 0;         // of an id, the low ones
+    bool someUnfetched = false;         // draws that ids cannot name go into a G-buffer
+    HostText fetchFunction;
+    uint64_t functionSetLayout = 0;     // of set 1 in passes with code of the host's
+};
+
+// Throws Error where the description is not valid, whatever the device; the message says why. null is not valid.
+ViewSettings resolveView(const AgaaViewDesc* desc);
+
+} // namespace agaa
