@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <regex>
 
 namespace agaa {
 
@@ -37,18 +38,22 @@ void appendGlsl(std::string& out, const std::string& path, std::set<std::string>
     }
 }
 
+// The macros of math/real.glsl, which the host may use for something else, are written out.
 std::string coverageGlsl() {
     std::string text;
     std::set<std::string> seen;
     appendGlsl(text, "math/coverage.glsl", seen);
-    // The host may use the same names.
-    constexpr std::string_view directive = "\n#define ";
-    std::string undefines;
-    for (size_t at = text.find(directive); at != std::string::npos; at = text.find(directive, at + 1)) {
-        const size_t name = at + directive.size();
-        undefines += "#undef " + text.substr(name, text.find_first_of("( \n", name) - name) + "\n";
-    }
-    return text + undefines;
+    const std::pair<const char*, const char*> steps[] = {
+        {R"(#define (real|rvec[234]|OUT|INOUT|PRECISE)\b[^\n]*\n)", ""},
+        {R"(\breal\b)", "float"},
+        {R"(\brvec([234])\b)", "vec$1"},
+        {R"(\bOUT\((\w+)\))", "out $1"},
+        {R"(\bINOUT\((\w+)\))", "inout $1"},
+        {R"(\bPRECISE\b)", "precise"},
+    };
+    for (const auto& [macro, written] : steps)
+        text = std::regex_replace(text, std::regex(macro), written);
+    return text;
 }
 
 static std::string assemble(const Pass& pass, std::set<std::string> seen, const std::string& version,

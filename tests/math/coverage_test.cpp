@@ -38,6 +38,35 @@ TEST(LocatedMask, ExtremeInputIsDecidedAndTheCentreIsAHardTest) {
     }
 }
 
+TEST(TranslucentMask, AlphaThatIsNoNumberCoversNothing) {
+    for (const float alpha : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                              -std::numeric_limits<float>::infinity(), -1.0f})
+        for (unsigned hash : {0u, 12345u, ~0u})
+            EXPECT_EQ(math_f::agaa_translucentMask(alpha, 8, 0, 1, hash), 0u) << alpha;
+    EXPECT_EQ(math_f::agaa_translucentMask(2, 8, 0, 1, 7), 255u);
+}
+
+// Where float and double disagree about a sample, the surface passes within float's rounding of the cutoff there.
+TEST(LocatedMask, FourPointsInFloatAgreeWithDoubleUpToRounding) {
+    Random random(25);
+    std::size_t disagreements = 0;
+    Worst worst("margin where float and double disagree, of the largest term", 16 * 0x1p-24);
+    for (int i = 0; i < 1000000; ++i) {
+        glm::vec4 alpha(random.rangeF(0, 1), random.rangeF(0, 1), random.rangeF(0, 1), random.rangeF(0, 1));
+        const glm::vec2 offset(random.rangeF(-0.5, 0.5), random.rangeF(-0.5, 0.5));
+        const glm::dvec2 at = glm::dvec2(offset) * 2.0 + 0.5;
+        const double value = glm::mix(glm::mix(double(alpha.x), double(alpha.y), at.x),
+                                      glm::mix(double(alpha.z), double(alpha.w), at.x), at.y);
+        const float cutoff = float(value * (1 + double(random.rangeF(-1, 1)) * 1e-7)); // but for rounding
+        if (math_f::agaa_isInCutout4(alpha, cutoff, offset) ==
+            math_d::agaa_isInCutout4(glm::dvec4(alpha), cutoff, glm::dvec2(offset)))
+            continue;
+        ++disagreements;
+        worst.add(std::abs(value - double(cutoff)) / std::max(1.0, std::abs(value)));
+    }
+    EXPECT_GT(disagreements, 100u); // else nothing was tested
+}
+
 // Over pixels: the mean of a layer's coverage is alpha, and two layers of one half cover three quarters, at every
 // number of samples and way of splitting a pixel into texels.
 TEST(TranslucentMask, LayersOverlapLikeIndependentOnes) {

@@ -7,7 +7,8 @@ struct AgaaSurfaceInput {
                           // precise and take it at AGAA_AT_CENTRE, because AGAA_INSIDE depends on which
                           // samples survive. A value that is not finite counts as 0, and so does a cutoff
     float alphaCutoff;    // > 0: a cut-out, which covers the samples where alpha >= alphaCutoff.
-                          // 0: a translucent surface, which covers the share alpha of the samples, [0,1]
+                          // 0 and below: a translucent surface, which covers the share alpha of the samples,
+                          // [0,1]; a cut-out at 0, which covers all, is not alpha-masked
     bool hasAlphaNear;    // of cut-outs: alphaNear is set; alpha is then read at n = 1 only
     vec4 alphaNear;       // alpha at agaa_alphaPoint(0) to (3), by the same rules as alpha
     uint primitiveSeed;   // of translucent surfaces: differs between primitives that may overlap, and is the
@@ -101,9 +102,6 @@ vec2 agaa_sampleOffset(uint i) {
     vec2 position = agaa_frame.samplePosition[agaa_hostGroup() * AGAA_HW_SAMPLES + i].xy;
     return position * vec2(AGAA_SCALE_X, AGAA_SCALE_Y) - vec2(texel) - 0.5;
 }
-
-// 0 where it is no finite number, so that the gradients of its neighbours in the quad stay small.
-float agaa_sanitiseAlpha(float alpha) { return agaa_isFinite(alpha) ? clamp(alpha, -65504.0, 65504.0) : 0.0; }
 
 // Of the pixel's own row and column, where a driver would otherwise share a quad's.
 #if __VERSION__ >= 450

@@ -6,6 +6,12 @@
 #ifndef AGAA_MATH_COVERAGE_GLSL
 #define AGAA_MATH_COVERAGE_GLSL
 #include "real.glsl"
+#include "sanitise.glsl"
+
+// 0 where alpha is no finite number, so that the gradients of its neighbours in the quad stay small.
+real agaa_sanitiseAlpha(real alpha) {
+    return agaa_isFinite(alpha) ? clamp(alpha, real(-65504.0), real(65504.0)) : real(0.0);
+}
 
 // Located masks: inside a texel of the target the edge of a cut-out is nearly straight, so alpha is taken as a simple
 // function of the place and compared with the cutoff at the sample's own position. offset: from the texel's centre to
@@ -46,7 +52,7 @@ uint agaa_translucentMask(real alpha, uint samples, uint group, uint groups, uin
     const uint turned = (group + (hash >> 8u)) % groups;
     const real fine = (real(agaa_hash(hash) & 0xFFFFu) + real(0.5)) / real(65536.0);
     const real u = (real(turned) + fine) / real(groups);
-    PRECISE real wanted = clamp(alpha, real(0.0), real(1.0)) * real(samples) + u;
+    PRECISE real wanted = clamp(agaa_sanitiseAlpha(alpha), real(0.0), real(1.0)) * real(samples) + u;
     const uint count = min(uint(wanted), samples);
     const uint start = (hash >> 16u) + group * 3u;
     uint mask = 0u;
