@@ -11,6 +11,10 @@ def run(*arguments):
                           text=True)
 
 
+def start(*arguments):
+    return subprocess.Popen([HARNESS, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
 def data(*arguments):
     """The one JSON object that --json prints."""
     result = run(*arguments, "--json")

@@ -129,7 +129,9 @@ uint agaa_cutoutMask(AgaaSurfaceInput s, float alpha, vec2 gradient) {
 uint agaa_alphaMask(AgaaSurfaceInput s) {
     float alpha = agaa_sanitiseAlpha(s.alpha);
     vec2 gradient = AGAA_FINE_GRADIENT(alpha);
-    s.alphaCutoff = agaa_sanitiseAlpha(s.alphaCutoff);
+    // The cutoff is mostly a uniform. Mesa's lavapipe (22.3) copies a shader, and never frees the copy, at every draw whose
+    // uniforms decide a branch. A term that depends on the fragment, and is 0, prevents that.
+    s.alphaCutoff = agaa_sanitiseAlpha(s.alphaCutoff + min(gl_FragCoord.x, 0.0));
     if (s.alphaCutoff > 0.0)
         return agaa_cutoutMask(s, alpha, gradient);
     uvec2 pixel = agaa_hostPixel();
