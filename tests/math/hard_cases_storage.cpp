@@ -46,7 +46,7 @@ TEST(HardCase10_NormalCodes, PoleAndSeam) {
     }
 }
 
-TEST(HardCase10_NormalCodes, RoundingAndTruncatingDriversStoreTheNearest) {
+TEST(UnormChannels, RoundingAndTruncatingDriversStoreTheNearest) {
     Random random(212);
     for (unsigned bits : {8u, 10u, 16u}) {
         const double top = math_f::agaa_maxCode(bits);

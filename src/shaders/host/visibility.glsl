@@ -14,7 +14,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     n = vec3(dot(n, t), dot(n, b), dot(n, v));
     if (n.z < 0.0)
         n = -n;
-    agaa_out0 = vec4(vec2(agaa_encodeHemiOct8(n)) / 255.0, 0.0, 0.0);
+    agaa_out0 = vec4(agaa_unormOfCode(vec2(agaa_encodeHemiOct8(n)), 8u), 0.0, 0.0);
 #endif
 #if AGAA_WRITES_IDS
     // What the host did not announce is shown as what it did, since ids must name what can be fetched: a primitive as
@@ -25,7 +25,8 @@ void agaa_emit(AgaaSurfaceInput s) {
     uint primitive = s.draw < AGAA_MAX_DRAWS ? min(s.primitive, AGAA_MAX_PRIMITIVES - 1u) : 0u;
     uint id = (min(s.draw, AGAA_MAX_DRAWS - 1u) << AGAA_PRIMITIVE_BITS | primitive) + 1u;
     id = isFetched ? id : 0xFFFFFFFFu;
-    agaa_out0 = vec4(uvec4(id, id >> 8u, id >> 16u, id >> 24u) & 255u) / 255.0;
+    uvec4 bytes = uvec4(id, id >> 8u, id >> 16u, id >> 24u) & 255u;
+    agaa_out0 = vec4(agaa_unormOfCode(vec2(bytes.xy), 8u), agaa_unormOfCode(vec2(bytes.zw), 8u));
 #endif
 #if AGAA_ALPHA_MASKED
     AGAA_KEEP_SAMPLES(agaa_alphaMask(s));

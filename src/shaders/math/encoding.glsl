@@ -27,6 +27,18 @@ uint agaa_maxCode(uint bits) {
     return (1u << min(bits, 24u)) - 1u;
 }
 
+// What to write to a UNORM channel of `bits` bits (2 to 16) so that it stores this code: a quarter of a step above it, for
+// drivers that round and for those that truncate, as Mesa 22.3 does with 10 bits.
+rvec2 agaa_unormOfCode(rvec2 code, uint bits) {
+    return (code + rvec2(real(0.25))) / real(agaa_maxCode(bits));
+}
+
+// The same of the code nearest to x.
+real agaa_unormOf(real x, uint bits) {
+    const real code = floor(agaa_saturate(x) * real(agaa_maxCode(bits)) + real(0.5));
+    return agaa_unormOfCode(rvec2(code), bits).x;
+}
+
 // Signed codes lie in 1..2^bits-1 around the centre 2^(bits-1): an odd number of codes, so that 0
 // is represented exactly, and code 0 stays free to say "no geometry".
 uint agaa_signedCode(real v, uint bits) {
@@ -93,13 +105,6 @@ rvec3 agaa_decodeHemiOct8(uvec2 code) {
 }
 
 // ---- octahedral, full sphere -----------------------------------------------------------------
-
-// What to write to a UNORM channel of `bits` bits (2 to 16) so that it stores the nearest code: a quarter of a step above
-// it, for drivers that round and for those that truncate, as Mesa 22.3 does with 10 bits.
-real agaa_unormOf(real x, uint bits) {
-    const real top = real(agaa_maxCode(bits));
-    return (floor(agaa_saturate(x) * top + real(0.5)) + real(0.25)) / top;
-}
 
 // The value to store in two UNORM channels of `bits` bits each (2 to 16). Neither is ever code 0.
 rvec2 agaa_encodeOct(rvec3 n, uint bits) {
