@@ -121,8 +121,9 @@ typedef enum AgaaTier {
                                                 pass of its own shades them, by the tiers IDS and GBUFFER too; not
                                                 with litShadows, nor with ndf from LEAN on */
 #define AGAA_CONFIG_FINE_MATERIALS UINT64_C(0x800) /* of the tier IDS: a primitive's material is evaluated in each
-                                                      texel of the scaled target that shows it, as a G-buffer's is,
-                                                      not once in each pixel. No effect where a pixel is one texel.
+                                                      texel of the target that shows it, where a G-buffer's is: the
+                                                      centre, or the first sample that the primitive covers.
+                                                      Derivatives of normals are not used.
                                                       AgaaCounters::materials counts the evaluations */
 
 /* What the output shows of each pixel in place of its image: numbers and shares in all channels, or a colour. Not of

@@ -159,7 +159,8 @@ void PlanBuilder::setConstants() {
     c[AGAA_FAR_DEPTH] = !plan.reversedZ;
     c[AGAA_GENERATION_TIER] = plan.generationTier;
     // The samples of a texel share a fragment, for which a G-buffer has one material.
-    c[AGAA_MATERIAL_SAMPLES] = config.flags & AGAA_CONFIG_FINE_MATERIALS ? plan.hwSamples : plan.samples;
+    c[AGAA_FINE_MATERIALS] = (config.flags & AGAA_CONFIG_FINE_MATERIALS) != 0;
+    c[AGAA_MATERIAL_SAMPLES] = c[AGAA_FINE_MATERIALS] ? plan.hwSamples : plan.samples;
 }
 
 } // namespace agaa

@@ -73,11 +73,11 @@ AgaaMaterial agaa_fetchMaterialThere(AgaaPrimitive p) {
 }
 
 // Whether each texel of the target has materials of its own (AGAA_CONFIG_FINE_MATERIALS).
-bool agaa_hasFineMaterials() { return AGAA_MATERIAL_SAMPLES < agaa_sampleCount(); }
+bool agaa_hasFineMaterials() { return AGAA_FINE_MATERIALS != 0u; }
 
 // Samples of a pixel that share a primitive's material with this one.
 uint agaa_materialGroup(uint i) {
-    if (!agaa_hasFineMaterials())
+    if (!agaa_hasFineMaterials() || AGAA_MATERIAL_SAMPLES >= 32u)
         return 0xFFFFFFFFu;
     return (1u << AGAA_MATERIAL_SAMPLES) - 1u << i / AGAA_MATERIAL_SAMPLES * AGAA_MATERIAL_SAMPLES;
 }

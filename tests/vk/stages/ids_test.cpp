@@ -94,27 +94,29 @@ TEST(Ids, FineMaterialsAreThoseOfAGBuffer) {
               p.at.z * hostVertices.data[6u * p.primitive + 5u].xy;
     m.diffuse = vec3(uv, 0.0);
 )";
-    ViewSettings settings = settingsFor(8, 1, AGAA_TIER_GBUFFER);
-    settings.shader = ViewSettings::Shader::UvInside;
-    StageView raster(context, settings);
-    const harness::Image truth = drawn(raster, triangles);
-    const auto byId = [&](uint64_t flag, AgaaCounters& counters) {
-        ViewSettings own = settingsFor(8, 1, AGAA_TIER_IDS);
-        own.config.flags |= flag;
-        IdsView ids(context, own, {.triangles = triangles, .material = byWeights});
-        const double error = std::pow(10, -compare(truth, ids.render()).psnr / 10);
-        counters = ids.view().statistics().counters;
-        return error;
-    };
-    AgaaCounters coarse, fine;
-    const double coarseError = byId(0, coarse), fineError = byId(AGAA_CONFIG_FINE_MATERIALS, fine);
-    std::printf("mseTm %.2e, fine %.2e; materials %llu, fine %llu\n", coarseError, fineError,
-                static_cast<unsigned long long>(coarse.materials), static_cast<unsigned long long>(fine.materials));
-    EXPECT_LT(fineError, 0.25 * coarseError);
-    EXPECT_EQ(fine.primitives, coarse.primitives);
-    EXPECT_EQ(coarse.materials, coarse.primitives);
-    EXPECT_GT(fine.materials, fine.primitives);
-    EXPECT_LE(fine.materials, 2 * fine.primitives);
+    for (const uint32_t n : {4u, 8u}) { // one texel a pixel, and two
+        ViewSettings settings = settingsFor(n, 1, AGAA_TIER_GBUFFER);
+        settings.shader = ViewSettings::Shader::UvInside;
+        StageView raster(context, settings);
+        const harness::Image truth = drawn(raster, triangles);
+        const auto byId = [&](uint64_t flag, AgaaCounters& counters) {
+            ViewSettings own = settingsFor(n, 1, AGAA_TIER_IDS);
+            own.config.flags |= flag;
+            IdsView ids(context, own, {.triangles = triangles, .material = byWeights});
+            const double error = std::pow(10, -compare(truth, ids.render()).psnr / 10);
+            counters = ids.view().statistics().counters;
+            return error;
+        };
+        AgaaCounters coarse, fine;
+        const double coarseError = byId(0, coarse), fineError = byId(AGAA_CONFIG_FINE_MATERIALS, fine);
+        std::printf("n=%u: mseTm %.2e, fine %.2e; materials %llu, fine %llu\n", n, coarseError, fineError,
+                    static_cast<unsigned long long>(coarse.materials), static_cast<unsigned long long>(fine.materials));
+        EXPECT_LT(fineError, 0.25 * coarseError);
+        EXPECT_EQ(fine.primitives, coarse.primitives);
+        EXPECT_EQ(coarse.materials, coarse.primitives);
+        EXPECT_LE(fine.materials, n / 4 * fine.primitives);
+        EXPECT_GE(fine.materials, fine.primitives + (n > 4));
+    }
 }
 
 // The weights' derivatives, against differences between pixels of what is shown.
