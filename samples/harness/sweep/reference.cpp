@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace harness {
@@ -21,7 +22,7 @@ AgaaLayout referenceLayout(const AgaaLayout* own) {
         layout = *own;
     else
         agaaGetBuiltinLayout("precise", &layout);
-    for (uint32_t i = 0; i < layout.attributeCount; ++i)
+    for (uint32_t i = 0; i < std::min<uint32_t>(layout.attributeCount, AGAA_MAX_LAYOUT_ATTRIBUTES); ++i)
         layout.attributes[i].sampleBits = 16;
     return layout;
 }

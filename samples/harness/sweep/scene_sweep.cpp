@@ -163,12 +163,11 @@ const Image* SceneSweep::sameSamples(const SweepRow& row) {
     const auto found = sameSamples_.find(row.samples);
     if (found != sameSamples_.end())
         return &found->second;
-    const AgaaLayout* own = base_.config.layout;
-    const AgaaLayout wide = referenceLayout(own);
-    base_.config.layout = &wide;
-    Image image = render({"ssaa", row.samples}).image;
-    base_.config.layout = own;
-    return &(sameSamples_[row.samples] = std::move(image));
+    const AgaaLayout layout = referenceLayout(base_.config.layout);
+    RenderSettings settings = base_;
+    SweepRow{"ssaa", row.samples}.apply(settings.config);
+    settings.config.layout = &layout;
+    return &(sameSamples_[row.samples] = renderer_.render(settings).image);
 }
 
 // On two threads: nothing is timed meanwhile.
