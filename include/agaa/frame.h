@@ -121,7 +121,8 @@ typedef struct AgaaFrame {
                              height included. Samples whose depth rounds to that of the far plane, 1 or with
                              AGAA_VIEW_REVERSED_Z 0, show the background. With AGAA_VIEW_REVERSED_Z, where depth does
                              not round to 0, draw nothing at exactly 0 (a sky, say): two geometry passes count it
-                             as drawn twice */
+                             as drawn twice. "msaa" may show the background also where depth is the step of a
+                             fixed-point format next to the far plane's */
     uint32_t lightCount;
     uint32_t shadowCount;
     const AgaaLight* lights;

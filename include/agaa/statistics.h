@@ -20,8 +20,9 @@ typedef struct AgaaCounters {
     uint64_t ties;          /* sample writes refused because an equal depth came first; the stencil test refuses them
                                uncounted, so these are where it does not run: of masked materials, with
                                AGAA_CONFIG_NO_STENCIL and in depth formats without stencil. Not of "msaa" */
-    uint64_t sanitised;     /* fragments, and materials fetched, with a non-finite attribute */
-    uint64_t shadingEvents; /* full lighting evaluations of a sample or an aggregate */
+    uint64_t sanitised;     /* fragments, and materials as often as they are fetched, with a non-finite attribute */
+    uint64_t shadingEvents; /* full lighting evaluations of a sample or an aggregate; of "msaa" of fragments, each of
+                               coplanar fragments of masked materials */
     uint64_t shadowTaps;
     uint64_t widenedLobes;  /* events whose specular lobe the NDF widened */
     uint64_t shadedPixels;  /* pixels with at least one event */
