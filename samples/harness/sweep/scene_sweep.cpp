@@ -164,8 +164,9 @@ const Image* SceneSweep::sameSamples(const SweepRow& row) {
     if (found != sameSamples_.end())
         return &found->second;
     const AgaaLayout layout = referenceLayout(base_.config.layout);
+    const SweepRow all{"ssaa", row.samples};
     RenderSettings settings = base_;
-    SweepRow{"ssaa", row.samples}.apply(settings.config);
+    all.apply(settings.config);
     settings.config.layout = &layout;
     return &(sameSamples_[row.samples] = renderer_.render(settings).image);
 }
