@@ -53,9 +53,9 @@ typedef struct AgaaLayout {
     AgaaLayoutAttribute attributes[AGAA_MAX_LAYOUT_ATTRIBUTES];
 } AgaaLayout;
 
-/* Built-in layouts: "paper16" (AGAA figure 7) and "precise" (the default: per channel 16 bits of a sample, 10 of its
- * specular reflectance, and 11 or more of an aggregate; roughness beside the normal). Of both the range of emission is 16. Writes all of *outLayout,
- * which need not be initialised. AGAA_ERROR_LAYOUT for other names. */
+/* Built-in layouts: "paper16" (AGAA figure 7) and "precise", the default: per channel 16 bits of a sample, 10 of its
+ * specular reflectance, and 11 or more of an aggregate; roughness beside the normal. The range of emission is 16 in both.
+ * Writes all of *outLayout, which need not be initialised. AGAA_ERROR_LAYOUT for other names. */
 AGAA_API AgaaResult AGAA_CALL agaaGetBuiltinLayout(const char* name, AgaaLayout* outLayout);
 
 /* ---- configuration -------------------------------------------------------------------------- */

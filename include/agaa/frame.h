@@ -29,8 +29,9 @@ typedef enum AgaaCompare {
 } AgaaCompare;
 
 /* Fixed-function state that the host's pipelines must have in this pass. Cull mode is the host's
- * choice and must be the same in all passes of a frame. Nothing else that mixes, moves or takes away fragments:
- * no blending but keepFirst, no dithering, logic operation, alpha-to-coverage, sample mask, depth bias, scissor or sRGB conversion. */
+ * choice and must be the same in all passes of a frame. Disable everything else that changes fragments: blending
+ * except keepFirst, dithering, logic operations, alpha-to-coverage, sample masks, depth bias, scissor and sRGB
+ * conversion. */
 typedef struct AgaaDrawState {
     uint32_t depthCompare; /* AgaaCompare */
     uint32_t depthWrite;

@@ -52,11 +52,12 @@ typedef struct AgaaGBufferFunction {
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)
  * which give the clip coordinates of a triangle, as the vertex shader computed them, but with y as
  * AgaaFrame::projection has it, where a negative viewport height turns it, and the material at a point of
- * it (docs/shader-interface.md). That point's material is taken for all samples of the primitive in the pixel. Its normal
- * is, too, unless the function gives the normal's derivatives. With AGAA_CONFIG_FINE_MATERIALS a material is taken for the
- * samples of a texel, and derivatives of normals are not used. The functions run in compute: no implicit derivatives. Their resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours
- * are in [0;1], emission in [0;range] of the layout; what is not finite as there. The alpha test is the visibility
- * pass's alone. Names and errors as at AgaaGBufferFunction. Of "agaa". */
+ * it (docs/shader-interface.md). That point's material is taken for all samples of the primitive in the pixel. Its
+ * normal is, too, unless the function gives the normal's derivatives. With AGAA_CONFIG_FINE_MATERIALS a material is
+ * taken for the samples of a texel, and derivatives of normals are not used. The functions run in compute: no implicit
+ * derivatives. Their resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1], emission in
+ * [0;range] of the layout; what is not finite as there. The alpha test is the visibility pass's alone. Names and errors
+ * as at AgaaGBufferFunction. Of "agaa". */
 /* Some draws cannot be fetched: displaced, or by shaders that compute cannot call. The visibility pass gives them
  * AgaaSurfaceInput::draw = AGAA_UNFETCHED, and a second geometry pass, AGAA_DRAW_PASS_GBUFFER whose depthCompare is
  * EQUAL, draws these draws alone into a multisampled G-buffer, from which their samples are taken; it takes one id. Of

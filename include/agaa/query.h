@@ -131,9 +131,9 @@ AGAA_API AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, con
                                                    const AgaaLog* log, size_t* size, char* text);
 
 /* GLSL by which a fragment shader that is not of the SDK's draw passes covers the same samples: for a G-buffer that the
- * host draws itself (AgaaGBufferFunction). GLSL 420 or later; docs/shader-interface.md lists the functions, and gradients
- * for versions before 450. The shader
- * writes the mask to gl_SampleMask. Two-call as agaaPlanToJson; log may be null. */
+ * host draws itself (AgaaGBufferFunction). GLSL 420 or later; docs/shader-interface.md lists the functions, and the
+ * gradients for versions before 450. The shader writes the mask to gl_SampleMask. Two-call as agaaPlanToJson; log may
+ * be null. */
 AGAA_API AgaaResult AGAA_CALL agaaGetCoverageGlsl(const AgaaLog* log, size_t* size, char* text);
 
 #ifdef __cplusplus

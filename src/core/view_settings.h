@@ -1,4 +1,4 @@
-// A host's description of a view after validation: complete, in range, and without pointers to the host's memory. Planning
+// A host's description of a view after validation: complete, in range, without pointers to the host's memory. Planning
 // reads this and checks only what depends on the device.
 #pragma once
 

@@ -69,8 +69,9 @@ static void checkBindings(const GladGLContext& gl, const HostDialect& dialect) {
         GLint count = 0;
         gl.GetIntegerv(limitOf(hostKind(row, dialect.storageImages)), &count);
         if (dialect.bindings[row.slot] >= uint32_t(count))
-            fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaGlContextDesc::bindings[AGAA_GL_BINDING_%s] is %u; the context has %d.",
-                                                 row.macro, dialect.bindings[row.slot], count));
+            fail(AGAA_ERROR_OUT_OF_RANGE,
+                 format("AgaaGlContextDesc::bindings[AGAA_GL_BINDING_%s] is %u; the context has %d.", row.macro,
+                        dialect.bindings[row.slot], count));
     }
 }
 

@@ -32,9 +32,9 @@ struct Reference {
     double splitHalfMseTm = 0;
 };
 // The settings' frame by spp samples per pixel (at least 2), around the settings' own jitter. The settings' technique,
-// samples and footprint are not used, its layout is widened: every frame has one sample, hard cut-outs and random numbers of its own for
-// translucent surfaces, so that the two halves, which split the frames, share none, and references of the same spp and
-// another ditherFrame neither.
+// samples and footprint are not used; their layout is widened. Every frame has one sample, hard cut-outs and random
+// numbers of its own for translucent surfaces. The two halves, which split the frames, share no random numbers;
+// references of the same spp and another ditherFrame do not either.
 Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t spp,
                           const std::function<void(uint32_t done)>& progress = {},
                           Footprint footprint = Footprint::Pixel);

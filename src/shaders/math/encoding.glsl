@@ -27,8 +27,8 @@ uint agaa_maxCode(uint bits) {
     return (1u << min(bits, 24u)) - 1u;
 }
 
-// What to write to a UNORM channel of `bits` bits (2 to 16) so that it stores this code: a quarter of a step above it, for
-// drivers that round and for those that truncate, as Mesa 22.3 does with 10 bits.
+// What to write to a UNORM channel of `bits` bits (2 to 16) so that it stores this code: a quarter of a step above it,
+// for drivers that round and for those that truncate, as Mesa 22.3 does with 10 bits.
 rvec2 agaa_unormOfCode(rvec2 code, uint bits) {
     return (code + rvec2(real(0.25))) / real(agaa_maxCode(bits));
 }

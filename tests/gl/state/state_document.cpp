@@ -52,7 +52,9 @@ constexpr const char* kAfter = R"(
 - Conditional rendering, queries of `GL_TIME_ELAPSED` and rectangles of `GL_EXT_window_rectangles`: they must not be
   active. Transform feedback must be paused, or the frame is refused.
 - What belongs to objects: the draw buffers of a framebuffer, the attributes of a vertex array, the uniforms of
-  a program. The SDK does not touch the host's objects, but for the output texture's contents.
+  a program. The SDK does not touch the host's objects, except the output texture: frames write its contents, and set its
+  base level and swizzle to 0 and to the channels in order while a pass uses it, where they are not. Textures with
+  bindless handles must have these values already, because OpenGL refuses to change them.
 - Objects that a callback deletes: their bindings are 0 afterwards. A program linked anew without success is not
   used again.
 - A program that the host has deleted while it is in use, which is legal: OpenGL drops it as soon as a frame uses
