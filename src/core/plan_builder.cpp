@@ -11,7 +11,7 @@
 
 namespace agaa {
 
-// Whole frames with lit aggregates against those without: median of the ten scenes of docs/results/lavapipe/sweep,
+// Whole frames with lit aggregates against those without: median of the scenes of docs/results/lavapipe/sweep,
 // n = 8, preset accurate.
 constexpr float litCost = 1.04f;
 

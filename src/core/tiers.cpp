@@ -9,9 +9,8 @@
 
 namespace agaa {
 
-// Whole frames against those by post-depth atomics: medians of the ten scenes of docs/results/lavapipe/sweep, n = 8,
-// c = 2.
-constexpr float gbufferCost = 0.7f, idsCost = 0.7f;
+// Whole frames against those by post-depth atomics: medians of the scenes of docs/results/lavapipe/sweep, n = 8, c = 2.
+constexpr float gbufferCost = 0.64f, idsCost = 0.61f;
 
 static bool hasSamples(const AgaaDeviceCaps& caps, uint32_t samples) {
     return (caps.sampleCounts >> std::countr_zero(samples)) & 1;
