@@ -17,7 +17,9 @@ typedef enum AgaaSemantic {
     AGAA_SEMANTIC_NORMAL = 2,    /* 3 channels per aggregate, stored as 2 per sample */
     AGAA_SEMANTIC_ROUGHNESS = 3, /* 1 channel: alpha squared */
     AGAA_SEMANTIC_EMISSIVE = 4,  /* 3 channels, or 1: a factor of the diffuse albedo */
-    AGAA_SEMANTIC_COUNT = 5,
+    AGAA_SEMANTIC_CUSTOM = 5,    /* 1 to 4 channels of the host's own. The SDK stores and filters them, and does not
+                                    shade by them; agaaAggregate() of agaaGetAggregateGlsl() reads them. */
+    AGAA_SEMANTIC_COUNT = 6,
     AGAA_SEMANTIC_MAX_ENUM = 0x7FFFFFFF
 } AgaaSemantic;
 
@@ -30,20 +32,33 @@ typedef enum AgaaEncoding {
     AGAA_ENCODING_MAX_ENUM = 0x7FFFFFFF
 } AgaaEncoding;
 
+/* How the values of samples become the value of their aggregate. */
+typedef enum AgaaFilter {
+    AGAA_FILTER_MEAN = 0,   /* the mean; values in [0;range] */
+    AGAA_FILTER_NORMAL = 1, /* 3 channels, a unit vector per sample; an aggregate has the mean, as long as they agree */
+    AGAA_FILTER_NONE = 2,   /* the value of one sample: the largest code of channel 0, then of 1, and so on. Values in
+                               [0;range]; all channels of an aggregate in 32 bits */
+    AGAA_FILTER_MAX_ENUM = 0x7FFFFFFF
+} AgaaFilter;
+
+#define AGAA_MAX_CUSTOM_CHANNELS 8
 typedef struct AgaaLayoutAttribute {
-    uint32_t semantic;      /* AgaaSemantic, each at most once; DIFFUSE and NORMAL are mandatory */
-    uint32_t channels;      /* as at AgaaSemantic */
+    uint32_t semantic;      /* AgaaSemantic, each at most once but for CUSTOM; DIFFUSE and NORMAL are mandatory */
+    uint32_t channels;      /* as at AgaaSemantic; AGAA_MAX_CUSTOM_CHANNELS of all CUSTOM attributes together */
     uint32_t sampleBits;    /* per channel in the multisampled G-buffer: 8, 10 (of three channels, not of normals) or
                                16; all together must fit four attachments */
     uint32_t aggregateBits; /* per channel and fragment before summing: [6;16]; 0: as many as n leaves of
                                16, or a whole 16 */
     uint32_t chromaBits;    /* YCBCR: [6;16] */
     uint32_t encoding;      /* AgaaEncoding */
-    float range;            /* [1e-6;65504]: the value that full scale stands for; 1 except EMISSIVE */
-    uint32_t reserved;      /* 0 */
+    float range;            /* [1e-6;65504]: the value that full scale stands for; 1 except EMISSIVE and CUSTOM */
+    uint32_t filter;        /* AgaaFilter of CUSTOM; 0 of others */
+    const char* name;       /* CUSTOM: the member of AgaaSurfaceInput, AgaaMaterial and AgaaAggregate, a float or a vec of
+                               `channels`. An identifier of GLSL of up to 31 letters, digits and underscores, unlike the
+                               members that those structs have. Read during the call only. Null of others */
 } AgaaLayoutAttribute;
 
-#define AGAA_MAX_LAYOUT_ATTRIBUTES 5
+#define AGAA_MAX_LAYOUT_ATTRIBUTES 13
 typedef struct AgaaLayout {
     uint32_t sType;
     uint32_t structSize;

@@ -1,5 +1,6 @@
 #include "core/aggregate_glsl.h"
 
+#include "core/custom_glsl.h"
 #include "core/error.h"
 #include "core/glsl_text.h"
 
@@ -22,6 +23,7 @@ std::string aggregateGlsl(const Plan& plan) {
 #undef AGAA_CONSTANT
     out += format("#define AGAA_REPRESENTED 0\n#define AGAA_IMAGE_WIDTH %uu\n#define AGAA_EMISSIVE_RANGE %s\n",
                   plan.width, glslNumber(plan.layout.emissiveRange()).c_str());
+    out += customGlsl(plan.layout);
     std::set<std::string> seen;
     appendGlsl(out, "host/stored_aggregate.glsl", seen);
     return out;

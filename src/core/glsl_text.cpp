@@ -11,7 +11,8 @@ namespace agaa {
 
 void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
                 const std::string& hostCode) {
-    if (!seen.insert(path).second)
+    const bool isTable = path.ends_with(".inc"); // read once for each macro that its rows call
+    if (!seen.insert(path).second && !isTable)
         return;
     const std::string_view text = embeddedGlsl(path);
     if (text.empty())

@@ -1,5 +1,6 @@
 #include "core/host_glsl.h"
 
+#include "core/custom_glsl.h"
 #include "core/error.h"
 #include "core/glsl_text.h"
 #include "core/gpu_layout.h"
@@ -21,23 +22,13 @@ void defineSwitch(std::string& out, const char* name, uint32_t value) {
     out += format("#define %s %u\n", name, value);
 }
 
-constexpr const char* channelValues[ChannelCount] = {
-    "d.x", "d.y", "d.z", "s.x", "s.y", "s.z", "n.x", "n.y", "n.z", "alpha2", "e.x", "e.y", "e.z"};
-
-// Writes every channel that the layout has into its field.
-std::string putFields(const Constants& constants) {
-    std::string out = "void agaa_putField(inout uint words[AGAA_WORDS], uint field, float value);\n"
-                      "void agaa_putSigned(inout uint words[AGAA_WORDS], uint field, float value);\n"
-                      "void agaa_putFields(inout uint words[AGAA_WORDS], vec3 d, vec3 s, vec3 n, "
-                      "float alpha2, vec3 e) {\n";
-    for (uint32_t i = 0; i < ChannelCount; ++i) {
-        const uint32_t field = constants[AGAA_FIELD_DIFFUSE_R + i];
-        if (field >> 16)
-            out += format("    %s(words, %uu, %s);\n",
-                          i >= ChannelNormalX && i <= ChannelNormalZ ? "agaa_putSigned" : "agaa_putField", field,
-                          channelValues[i]);
-    }
-    return out + "}\n";
+// Where an aggregate has each channel.
+std::string fields(const Constants& constants) {
+    std::string out;
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) define(out, #field, constants[field]);
+#include "shaders/passes/channels.inc"
+    return out;
 }
 
 std::string outputs(const Pass& pass, const HostDialect& dialect) {
@@ -61,13 +52,18 @@ std::string places(const HostDialect& dialect) {
 }
 
 std::string storeAttachments(const Pass& pass) {
-    std::string out = "void agaa_store(float c[13]) {\n";
+    static constexpr const char* members[ChannelCount] = {
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) #member,
+#include "shaders/passes/channels.inc"
+    };
+    std::string out = "void agaa_store(agaa_Stored v) {\n";
     for (size_t i = 0; i < pass.colorTargets.size(); ++i) {
         std::string components[4] = {"0.0", "0.0", "0.0", "0.0"};
         for (uint32_t channel = 0; channel < ChannelCount; ++channel) {
-            const uint32_t field = pass.constants[AGAA_SOURCE_DIFFUSE_R + channel];
-            if (field >> 16 && (field & 0xFF) == i)
-                components[field >> 8 & 0xFF] = format("agaa_unormOf(c[%u], %uu)", channel, field >> 16);
+            const uint32_t source = pass.constants[AGAA_SOURCE_DIFFUSE_R + channel];
+            if (source >> 16 && (source & 0xFF) == i)
+                components[source >> 8 & 0xFF] = format("agaa_sourceOf(v.%s, %uu)", members[channel], source);
         }
         out += format("    agaa_out%zu = vec4(%s, %s, %s, %s);\n", i, components[0].c_str(),
                       components[1].c_str(), components[2].c_str(), components[3].c_str());
@@ -130,13 +126,16 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         const auto isNormals = [](const Binding& binding) { return binding.slot == host_slot::Normals; };
         defineSwitch(out, "AGAA_CHECKS_FAR_PLANE",
                      std::any_of(pass.bindings.begin(), pass.bindings.end(), isNormals));
+        define(out, "AGAA_MAX_WORDS", c[AGAA_WORDS]);
+        define(out, "AGAA_UNFILTERED_WORDS", c[AGAA_UNFILTERED_WORDS]);
         define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
-        defineSwitch(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
-        defineSwitch(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
+        define(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
+        define(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
     }
     defineSwitch(out, "AGAA_FIRST_PASS", pass.clearsDepth);
     if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
         define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
+    out += customGlsl(plan.layout);
     const bool writesIds = pass.drawPass == AGAA_DRAW_PASS_VISIBILITY && plan.generationTier == AGAA_TIER_IDS;
     defineSwitch(out, "AGAA_WRITES_IDS", writesIds);
     if (writesIds) {
@@ -179,7 +178,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
     out += defines(plan, pass, dialect) + places(dialect) + outputs(pass, dialect);
     for (const char* path : {"passes/frame.glsl", "math/sanitise.glsl", "math/coverage.glsl",
                              "math/encoding.glsl",
-                             "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "math/records.glsl", "host/surface.glsl",
+                             "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "math/records.glsl", "passes/stored.glsl", "host/surface.glsl",
                              "host/counters.glsl", "host/placement.glsl"})
         appendGlsl(out, path, seen);
     switch (pass.drawPass) {
@@ -195,7 +194,8 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
         appendGlsl(out, "host/forward.glsl", seen);
         break;
     case AGAA_DRAW_PASS_AGGREGATE:
-        out += putFields(pass.constants);
+        out += fields(pass.constants);
+        appendGlsl(out, "passes/packing.glsl", seen);
         appendGlsl(out, "host/far_plane.glsl", seen);
         appendGlsl(out, "host/aggregate.glsl", seen);
         break;

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <string_view>
 
 namespace agaa {
 
@@ -25,27 +27,36 @@ static AgaaLayout makeLayout(std::initializer_list<AgaaLayoutAttribute> attribut
 AgaaLayout builtinLayout(const char* name) {
     if (std::strcmp(name, "paper16") == 0)
         return makeLayout({
-            {AGAA_SEMANTIC_NORMAL, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 1, 0},
-            {AGAA_SEMANTIC_DIFFUSE, 3, 8, 10, 0, AGAA_ENCODING_UNORM, 1, 0},
-            {AGAA_SEMANTIC_EMISSIVE, 1, 8, 8, 0, AGAA_ENCODING_UNORM, 16, 0},
-            {AGAA_SEMANTIC_SPECULAR, 3, 8, 16, 8, AGAA_ENCODING_YCBCR, 1, 0},
-            {AGAA_SEMANTIC_ROUGHNESS, 1, 8, 0, 0, AGAA_ENCODING_FOLDED, 1, 0},
+            {AGAA_SEMANTIC_NORMAL, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
+            {AGAA_SEMANTIC_DIFFUSE, 3, 8, 10, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
+            {AGAA_SEMANTIC_EMISSIVE, 1, 8, 8, 0, AGAA_ENCODING_UNORM, 16, AGAA_FILTER_MEAN, nullptr},
+            {AGAA_SEMANTIC_SPECULAR, 3, 8, 16, 8, AGAA_ENCODING_YCBCR, 1, AGAA_FILTER_MEAN, nullptr},
+            {AGAA_SEMANTIC_ROUGHNESS, 1, 8, 0, 0, AGAA_ENCODING_FOLDED, 1, AGAA_FILTER_MEAN, nullptr},
         });
     if (std::strcmp(name, "precise") == 0)
         return makeLayout({
-            {AGAA_SEMANTIC_DIFFUSE, 3, 16, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, 0},
-            {AGAA_SEMANTIC_ROUGHNESS, 1, 16, 16, 0, AGAA_ENCODING_UNORM, 1, 0},
-            {AGAA_SEMANTIC_NORMAL, 3, 16, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, 0},
-            {AGAA_SEMANTIC_SPECULAR, 3, 10, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, 0},
-            {AGAA_SEMANTIC_EMISSIVE, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 16, 0},
+            {AGAA_SEMANTIC_DIFFUSE, 3, 16, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
+            {AGAA_SEMANTIC_ROUGHNESS, 1, 16, 16, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
+            {AGAA_SEMANTIC_NORMAL, 3, 16, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
+            {AGAA_SEMANTIC_SPECULAR, 3, 10, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
+            {AGAA_SEMANTIC_EMISSIVE, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 16, AGAA_FILTER_MEAN, nullptr},
         });
     fail(AGAA_ERROR_LAYOUT, format("no built-in layout is called \"%.64s\".", name));
 }
 
 static const char* semanticName(uint32_t semantic) {
-    static constexpr const char* names[] = {"diffuse", "specular", "normal", "roughness",
-                                            "emissive"};
+    static constexpr const char* names[] = {
+#define AGAA_ATTRIBUTE(semantic, name) name,
+#define AGAA_CHANNEL(index, name, field, source, attribute, member)
+#include "shaders/passes/channels.inc"
+    };
+    static_assert(std::size(names) == AGAA_SEMANTIC_COUNT);
     return semantic < AGAA_SEMANTIC_COUNT ? names[semantic] : "unknown";
+}
+
+// Of a fragment's value, where nothing is summed.
+static uint32_t aggregateBitsOf(const AgaaLayoutAttribute& a) {
+    return a.aggregateBits == bitsOfHalfWord ? 16 : a.aggregateBits;
 }
 
 static void checkAttribute(const AgaaLayoutAttribute& a) {
@@ -54,7 +65,9 @@ static void checkAttribute(const AgaaLayoutAttribute& a) {
     };
     const bool isRoughness = a.semantic == AGAA_SEMANTIC_ROUGHNESS;
     const bool isEmissive = a.semantic == AGAA_SEMANTIC_EMISSIVE;
-    if (!(a.channels == (isRoughness ? 1u : 3u) || (isEmissive && a.channels == 1)))
+    const bool isCustom = a.semantic == AGAA_SEMANTIC_CUSTOM;
+    if (isCustom ? a.channels < 1 || a.channels > 4
+                 : !(a.channels == (isRoughness ? 1u : 3u) || (isEmissive && a.channels == 1)))
         bad("wrong number of channels");
     if (a.sampleBits != 8 && a.sampleBits != 10 && a.sampleBits != 16)
         bad("sampleBits is not 8, 10 or 16");
@@ -62,10 +75,17 @@ static void checkAttribute(const AgaaLayoutAttribute& a) {
         bad("two octahedral components do not pack into 10-bit channels; use 8 or 16");
     if ((a.sampleBits == 10) && a.channels != 3)
         bad("10-bit channels come in threes");
-    if (a.reserved)
-        bad("reserved is not 0");
-    if (!(a.range >= 1e-6f && a.range <= 65504.0f) || (!isEmissive && a.range != 1))
-        bad("range must be 1, or [1e-6;65504] for emissive");
+    if (a.filter > (isCustom ? AGAA_FILTER_NONE : AGAA_FILTER_MEAN))
+        bad("its filter is not known; attributes that are not custom have filter 0");
+    if (!isCustom && a.name)
+        bad("only custom attributes have a name");
+    const bool hasRange = isEmissive || (isCustom && a.filter != AGAA_FILTER_NORMAL);
+    if (!(a.range >= 1e-6f && a.range <= 65504.0f) || (!hasRange && a.range != 1))
+        bad("range must be 1, or [1e-6;65504] for emissive and for custom attributes that are no normals");
+    if (a.filter == AGAA_FILTER_NORMAL && a.channels != 3)
+        bad("a normal has three channels");
+    if (a.filter == AGAA_FILTER_NONE && a.channels * aggregateBitsOf(a) > 32)
+        bad("its channels do not fit the 32 bits that an unfiltered attribute has in an aggregate");
     if (a.encoding == AGAA_ENCODING_FOLDED) {
         if (!isRoughness)
             bad("only roughness can be folded into the normal");
@@ -83,6 +103,40 @@ static void checkAttribute(const AgaaLayoutAttribute& a) {
         bad("aggregateBits is neither 0 (fill 16-bit sums) nor in [6;16]");
 }
 
+static bool isIdentifier(std::string_view name) {
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const auto isOther = [&](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; };
+    return !name.empty() && name.size() <= 31 && isLetter(name[0]) && std::all_of(name.begin(), name.end(), isOther) &&
+           name.find("__") == std::string_view::npos && !name.starts_with("gl_") && !name.starts_with("agaa");
+}
+
+// Adds an attribute of the host's own, after it was checked by itself.
+static void addCustom(Layout& layout, AgaaLayoutAttribute attribute) {
+    static constexpr std::string_view members[] = {
+        "position", "geometricNormal", "alpha", "alphaCutoff", "hasAlphaNear", "alphaNear", "primitiveSeed",
+        "draw", "primitive", "diffuse", "specular", "emissive", "normal", "alpha2", "normalDx", "normalDy", "samples"};
+    require(attribute.name, AGAA_ERROR_LAYOUT, "a custom layout attribute has no name.");
+    const std::string name(attribute.name, strnlen(attribute.name, 32));
+    if (!isIdentifier(name))
+        fail(AGAA_ERROR_LAYOUT,
+             format("custom layout attribute \"%s\": a name has 1 to 31 letters, digits and single underscores, begins "
+                    "with a letter, and not with gl_ or agaa.",
+                    name.c_str()));
+    const bool isTaken = std::find(std::begin(members), std::end(members), name) != std::end(members) ||
+                         std::any_of(layout.customs.begin(), layout.customs.end(),
+                                     [&](const CustomAttribute& custom) { return custom.name == name; });
+    if (isTaken)
+        fail(AGAA_ERROR_LAYOUT, format("custom layout attribute \"%s\": the name is taken.", name.c_str()));
+    uint32_t channels = attribute.channels;
+    for (const CustomAttribute& custom : layout.customs)
+        channels += custom.attribute.channels;
+    if (channels > AGAA_MAX_CUSTOM_CHANNELS)
+        fail(AGAA_ERROR_LAYOUT, format("the custom attributes have %u channels; %d are the most.", channels,
+                                       AGAA_MAX_CUSTOM_CHANNELS));
+    attribute.name = nullptr; // the host's pointer does not outlive the call
+    layout.customs.push_back({name, attribute});
+}
+
 Layout checkLayout(const AgaaLayout* pointer) {
     const AgaaLayout source = pointer ? *pointer : builtinLayout("precise");
     if (source.sType != AGAA_STRUCTURE_TYPE_LAYOUT || source.structSize != sizeof(AgaaLayout))
@@ -92,12 +146,17 @@ Layout checkLayout(const AgaaLayout* pointer) {
     if (source.reserved)
         fail(AGAA_ERROR_LAYOUT, "AgaaLayout::reserved is not 0.");
     if (source.attributeCount > AGAA_MAX_LAYOUT_ATTRIBUTES)
-        fail(AGAA_ERROR_LAYOUT, "AgaaLayout has more attributes than there are semantics.");
+        fail(AGAA_ERROR_LAYOUT, format("AgaaLayout has %u attributes; %d are the most.", source.attributeCount, AGAA_MAX_LAYOUT_ATTRIBUTES));
     Layout layout;
     for (uint32_t i = 0; i < source.attributeCount; ++i) {
         const AgaaLayoutAttribute& attribute = source.attributes[i];
         if (attribute.semantic >= AGAA_SEMANTIC_COUNT)
             fail(AGAA_ERROR_LAYOUT, "AgaaLayout has an attribute of unknown semantic.");
+        if (attribute.semantic == AGAA_SEMANTIC_CUSTOM) {
+            checkAttribute(attribute);
+            addCustom(layout, attribute);
+            continue;
+        }
         if (layout.attributes[attribute.semantic].channels)
             fail(AGAA_ERROR_LAYOUT,
                  format("AgaaLayout names %s twice.", semanticName(attribute.semantic)));
@@ -122,8 +181,26 @@ Layout reduceLayout(Layout layout, uint64_t factFlags) {
     return layout;
 }
 
-static constexpr uint32_t firstChannel[] = {ChannelDiffuseR, ChannelSpecularR, ChannelNormalX,
-                                            ChannelRoughness, ChannelEmissiveR};
+// Calls visit(attribute, its first channel) of what the layout has.
+template <typename Visit>
+static void forEachAttribute(const Layout& layout, const Visit& visit) {
+    static constexpr uint32_t semantics[] = {
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) AGAA_SEMANTIC_##attribute,
+#include "shaders/passes/channels.inc"
+    };
+    const auto first = [](uint32_t semantic) {
+        return uint32_t(std::find(std::begin(semantics), std::end(semantics), semantic) - std::begin(semantics));
+    };
+    for (uint32_t semantic = 0; semantic < AGAA_SEMANTIC_CUSTOM; ++semantic)
+        if (layout.attributes[semantic].channels)
+            visit(layout.attributes[semantic], first(semantic));
+    uint32_t channel = first(AGAA_SEMANTIC_CUSTOM);
+    for (const CustomAttribute& custom : layout.customs) {
+        visit(custom.attribute, channel);
+        channel += custom.attribute.channels;
+    }
+}
 
 AggregatePacking packAggregate(const Layout& layout, uint32_t samples) {
     checkSampleCount(samples, "the number of samples in an aggregate");
@@ -134,20 +211,20 @@ AggregatePacking packAggregate(const Layout& layout, uint32_t samples) {
         Field* field;
     };
     std::vector<Piece> pieces;
-    for (uint32_t semantic = 0; semantic < AGAA_SEMANTIC_COUNT; ++semantic) {
-        const AgaaLayoutAttribute& a = layout.attributes[semantic];
-        if (a.encoding == AGAA_ENCODING_FOLDED)
-            continue;
+    forEachAttribute(layout, [&](const AgaaLayoutAttribute& a, uint32_t first) {
+        if (a.encoding == AGAA_ENCODING_FOLDED || a.filter == AGAA_FILTER_NONE)
+            return;
         for (uint32_t i = 0; i < a.channels; ++i) {
             const bool isChroma = a.encoding == AGAA_ENCODING_YCBCR && i > 0;
             const uint32_t bits = isChroma                             ? a.chromaBits
                                   : a.aggregateBits == bitsOfHalfWord ? 16 - growth
                                                                       : a.aggregateBits;
-            Field& field = packing.fields[firstChannel[semantic] + i];
+            Field& field = packing.fields[first + i];
             field.bits = bits;
+            field.isSigned = a.semantic == AGAA_SEMANTIC_NORMAL || a.filter == AGAA_FILTER_NORMAL;
             pieces.push_back({bits + growth, &field});
         }
-    }
+    });
     packing.coverage.bits = samples;
     pieces.push_back({samples, &packing.coverage});
     // First fit, longest first: few enough pieces that nothing better is needed.
@@ -164,6 +241,15 @@ AggregatePacking packAggregate(const Layout& layout, uint32_t samples) {
         *word += piece.bits;
     }
     packing.words = uint32_t(used.size());
+    // The largest word is that of one sample: each has a word of its own, channel 0 in its highest bits.
+    forEachAttribute(layout, [&](const AgaaLayoutAttribute& a, uint32_t first) {
+        if (a.filter != AGAA_FILTER_NONE)
+            return;
+        const uint32_t bits = aggregateBitsOf(a);
+        for (uint32_t i = 0; i < a.channels; ++i)
+            packing.fields[first + i] = {packing.words, (a.channels - 1 - i) * bits, bits, false, true};
+        packing.unfilteredWords |= 1u << packing.words++;
+    });
     return packing;
 }
 
@@ -191,22 +277,21 @@ GBufferPacking packGBuffer(const Layout& layout) {
                 packing.attachments.back() == Format::None)
                 packing.attachments.back() = attachmentFormat(bits, component);
         };
-        for (uint32_t semantic = 0; semantic < AGAA_SEMANTIC_COUNT; ++semantic) {
-            const AgaaLayoutAttribute& a = layout.attributes[semantic];
-            if (!a.channels || a.sampleBits != bits)
-                continue;
-            const uint32_t channels = semantic == AGAA_SEMANTIC_NORMAL ? 2 : a.channels;
+        forEachAttribute(layout, [&](const AgaaLayoutAttribute& a, uint32_t first) {
+            if (a.sampleBits != bits)
+                return;
+            const uint32_t channels = a.semantic == AGAA_SEMANTIC_NORMAL ? 2 : a.channels;
             for (uint32_t i = 0; i < channels; ++i) {
                 if (component == capacity) {
                     packing.attachments.push_back(Format::None);
                     component = 0;
                 }
-                packing.fields[firstChannel[semantic] + i] = {
-                    uint32_t(packing.attachments.size() - 1), component, bits};
+                packing.fields[first + i] = {uint32_t(packing.attachments.size() - 1), component, bits,
+                                             a.filter == AGAA_FILTER_NORMAL, false};
                 if (++component == capacity)
                     packing.attachments.back() = attachmentFormat(bits, capacity);
             }
-        }
+        });
         close();
     }
     if (packing.attachments.size() > 4)
@@ -220,26 +305,30 @@ std::vector<NativeSurface> packNativeAggregate(const Layout& layout) {
     const auto rgb = [](uint32_t bits) { return bits <= 8    ? Format::RGBA8
                                                 : bits <= 10 ? Format::RGB10A2
                                                              : Format::RGB16; };
-    const auto add = [&](AgaaSemantic semantic, const char* name) {
-        const AgaaLayoutAttribute& a = layout[semantic];
+    const auto addAttribute = [&](const AgaaLayoutAttribute& a, const std::string& name) {
         if (!a.channels || a.encoding == AGAA_ENCODING_FOLDED)
             return;
-        const uint32_t bits = a.aggregateBits == bitsOfHalfWord ? 16 : a.aggregateBits;
+        const uint32_t bits = aggregateBitsOf(a);
         if (a.encoding == AGAA_ENCODING_YCBCR) {
             surfaces.push_back({"aggregate-specular-luma", bits <= 8 ? Format::R8 : Format::R16});
             surfaces.push_back(
                 {"aggregate-specular-chroma", a.chromaBits <= 8 ? Format::RG8 : Format::RG16});
         } else if (a.channels == 1) {
             surfaces.push_back({name, bits <= 8 ? Format::R8 : Format::R16});
-        } else {
+        } else if (a.channels == 3) {
             surfaces.push_back({name, rgb(bits)});
+        } else {
+            surfaces.push_back({name, attachmentFormat(bits <= 8 ? 8 : 16, a.channels)});
         }
     };
+    const auto add = [&](AgaaSemantic semantic, const char* name) { addAttribute(layout[semantic], name); };
     add(AGAA_SEMANTIC_NORMAL, "aggregate-normal");
     add(AGAA_SEMANTIC_DIFFUSE, "aggregate-diffuse");
     add(AGAA_SEMANTIC_SPECULAR, "aggregate-specular");
     add(AGAA_SEMANTIC_EMISSIVE, "aggregate-emissive");
     add(AGAA_SEMANTIC_ROUGHNESS, "aggregate-roughness");
+    for (const CustomAttribute& custom : layout.customs)
+        addAttribute(custom.attribute, "aggregate-" + custom.name);
     return surfaces;
 }
 

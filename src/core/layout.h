@@ -12,37 +12,41 @@
 
 namespace agaa {
 
-// Channels that a shader reads and writes. Order is that of the specialisation constants.
+// Channels that a shader reads and writes (src/shaders/passes/channels.inc).
 enum Channel : uint32_t {
-    ChannelDiffuseR,
-    ChannelDiffuseG,
-    ChannelDiffuseB,
-    ChannelSpecularR, // or Y'
-    ChannelSpecularG, // or Cb
-    ChannelSpecularB, // or Cr
-    ChannelNormalX,
-    ChannelNormalY,
-    ChannelNormalZ,
-    ChannelRoughness,
-    ChannelEmissiveR,
-    ChannelEmissiveG,
-    ChannelEmissiveB,
-    ChannelCount
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) Channel##name = index,
+#include "shaders/passes/channels.inc"
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) +1
+    ChannelCount = 0
+#include "shaders/passes/channels.inc"
 };
 
-// Where a channel lies. bits == 0: absent. As a shader constant: word | shift << 8 | bits << 16.
+// Where a channel lies. bits == 0: absent. The shader constant is described at src/shaders/passes/stored.glsl.
 struct Field {
     uint32_t word = 0;  // or attachment
     uint32_t shift = 0; // or component
     uint32_t bits = 0;  // of one fragment's value
+    bool isSigned = false;
+    bool isUnfiltered = false;
 
-    uint32_t constant() const { return word | shift << 8 | bits << 16; }
+    uint32_t constant() const {
+        return word | shift << 8 | bits << 16 | uint32_t(isSigned) << 24 | uint32_t(isUnfiltered) << 25;
+    }
 };
 using Fields = std::array<Field, ChannelCount>;
 
+// An attribute of the host's own, AGAA_SEMANTIC_CUSTOM.
+struct CustomAttribute {
+    std::string name;
+    AgaaLayoutAttribute attribute{}; // its name is null
+};
+
 // A validated layout: attributes by semantic; absent ones have channels == 0.
 struct Layout {
-    std::array<AgaaLayoutAttribute, AGAA_SEMANTIC_COUNT> attributes{};
+    std::array<AgaaLayoutAttribute, AGAA_SEMANTIC_CUSTOM> attributes{};
+    std::vector<CustomAttribute> customs; // their channels come in sequence
 
     const AgaaLayoutAttribute& operator[](AgaaSemantic semantic) const {
         return attributes[semantic];
@@ -72,6 +76,7 @@ Layout reduceLayout(Layout layout, uint64_t factFlags);
 // power of two, or above 32, throw AGAA_ERROR_OUT_OF_RANGE: log2(n) bits do not hold their sums.
 struct AggregatePacking {
     uint32_t words = 0;
+    uint32_t unfilteredWords = 0; // bit w: word w keeps the largest value
     Fields fields;
     Field coverage; // bits == n
     uint32_t bytes() const { return 4 * words; }
@@ -86,7 +91,7 @@ GBufferPacking packGBuffer(const Layout& layout);
 
 // The paper's surfaces of one aggregate (figure 7), for native additive blending.
 struct NativeSurface {
-    const char* name;
+    std::string name;
     Format format;
 };
 std::vector<NativeSurface> packNativeAggregate(const Layout& layout);

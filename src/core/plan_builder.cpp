@@ -1,6 +1,7 @@
 #include "core/plan_builder.h"
 
 #include "core/checked.h"
+#include "core/custom_glsl.h"
 #include "core/gpu_layout.h"
 #include "core/permutations.h"
 #include "core/error.h"
@@ -45,8 +46,6 @@ PlanBuilder::PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, u
 }
 
 void setFields(Constants& constants, Constant first, const Fields& fields) {
-    static_assert(AGAA_FIELD_EMISSIVE_B - AGAA_FIELD_DIFFUSE_R + 1 == ChannelCount);
-    static_assert(AGAA_SOURCE_EMISSIVE_B - AGAA_SOURCE_DIFFUSE_R + 1 == ChannelCount);
     for (uint32_t i = 0; i < ChannelCount; ++i)
         constants[first + i] = fields[i].constant();
 }
@@ -256,14 +255,17 @@ void PlanBuilder::addHostCode(Pass& pass, const HostText& text, const char* orig
 
 void PlanBuilder::bindHostGBuffer(Pass& pass) {
     addHostCode(pass, plan.gbufferFunction, "AgaaGBufferFunction");
-    pass.defines += "#define AGAA_HOST_GBUFFER 1\n";
+    pass.defines += "#define AGAA_HOST_GBUFFER 1\n" + customGlsl(plan.layout);
 }
 
 // A graphics processor hides how long fetches take by groups that share its memory, so that lists are short there: a
 // primitive a lane at most. By arithmetic, not by measurement.
 uint32_t PlanBuilder::listLength() const {
     // What a listed primitive takes of shared memory by the rules of std430, and what else does.
-    constexpr uint32_t listed = 124, others = 8704;
+    constexpr uint32_t others = 8704;
+    uint32_t listed = 124;
+    for (const CustomAttribute& custom : plan.layout.customs)
+        listed += custom.attribute.channels == 1 ? 4 : 16;
     const uint32_t room = (std::max(caps_.maxSharedBytes, others) - others) / listed;
     return std::clamp(room / 32 * 32, 32u, caps_.flags & AGAA_DEVICE_SOFTWARE ? 256u : 64u);
 }
@@ -273,6 +275,7 @@ void PlanBuilder::bindHostFetch(Pass& pass) {
     pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
                            "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",
                            plan.primitiveBits, plan.clipZFromMinusOne, listLength());
+    pass.defines += customGlsl(plan.layout);
     if (plan.someUnfetched)
         pass.defines += "#define AGAA_SOME_UNFETCHED 1\n";
 }

@@ -16,6 +16,12 @@ Layout builtin(const char* name) {
     return checkLayout(&layout);
 }
 
+AgaaLayoutAttribute& addCustom(AgaaLayout& layout, const char* name) {
+    AgaaLayoutAttribute& a = layout.attributes[layout.attributeCount++];
+    a = {AGAA_SEMANTIC_CUSTOM, 2, 16, 0, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, name};
+    return a;
+}
+
 // Every field with its growth stays in its word and overlaps no other.
 void expectSound(const AggregatePacking& packing, uint32_t samples) {
     const uint32_t growth = uint32_t(std::countr_zero(samples));
@@ -35,7 +41,7 @@ void expectSound(const AggregatePacking& packing, uint32_t samples) {
         }
     };
     for (const Field& field : packing.fields)
-        claim(field, growth);
+        claim(field, field.isUnfiltered ? 0 : growth);
     claim(packing.coverage, 0);
 }
 
@@ -66,6 +72,26 @@ TEST(Layout, RefusesNumbersOfSamplesWhoseSumsWouldCarry) {
         }
 }
 
+// The value of one sample is the largest word, so it has a word for itself, and its first channel the highest bits.
+TEST(Layout, UnfilteredAttributesHaveWordsOfTheirOwn) {
+    AgaaLayout layout = builtinLayout("precise");
+    addCustom(layout, "part").filter = AGAA_FILTER_NONE;
+    layout.attributes[4].channels = 1; // of emission: room in the attachments
+    for (uint32_t samples : {1u, 8u, 32u}) {
+        const AggregatePacking packing = packAggregate(checkLayout(&layout), samples);
+        expectSound(packing, samples);
+        const Field& first = packing.fields[ChannelCustom0];
+        const Field& second = packing.fields[ChannelCustom1];
+        EXPECT_EQ(packing.unfilteredWords, 1u << first.word);
+        EXPECT_EQ(first.word, second.word);
+        EXPECT_EQ(first.shift, 16u);
+        EXPECT_EQ(second.shift, 0u);
+        for (uint32_t channel = 0; channel < ChannelCustom0; ++channel)
+            EXPECT_NE(packing.fields[channel].word, first.word) << channel;
+        EXPECT_NE(packing.coverage.word, first.word);
+    }
+}
+
 TEST(Layout, Paper16AggregatesTakeTwentyTwentyFourAndThirtyTwoBytes) {
     const Layout layout = builtin("paper16");
     EXPECT_EQ(packAggregate(layout, 8).bytes(), 20u);
@@ -82,8 +108,8 @@ TEST(Layout, Paper16SamplesTakeTwelveBytesBesideDepth) {
 
 TEST(Layout, PreciseKeepsElevenBitsOrMorePerFragmentAndChannel) {
     for (uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u})
-        for (const Field& field : packAggregate(builtin("precise"), samples).fields)
-            EXPECT_GE(field.bits, 11u) << samples;
+        for (uint32_t channel = 0; channel < ChannelCustom0; ++channel)
+            EXPECT_GE(packAggregate(builtin("precise"), samples).fields[channel].bits, 11u) << samples;
 }
 
 TEST(Layout, DropsWhatTheSceneDoesNotCallFor) {
@@ -113,7 +139,41 @@ TEST(Layout, WrongLayoutsAreRefusedWithAReason) {
         {"range", [](AgaaLayout& l) { l.attributes[0].range = 0; }},
         {"encoding", [](AgaaLayout& l) { l.attributes[0].encoding = 7; }},
         {"folded", [](AgaaLayout& l) { l.attributes[0].encoding = AGAA_ENCODING_FOLDED; }},
-        {"count", [](AgaaLayout& l) { l.attributeCount = 6; }},
+        {"count", [](AgaaLayout& l) { l.attributeCount = AGAA_MAX_LAYOUT_ATTRIBUTES + 1; }},
+        {"filter", [](AgaaLayout& l) { l.attributes[0].filter = AGAA_FILTER_NONE; }},
+        {"name", [](AgaaLayout& l) { l.attributes[0].name = "albedo"; }},
+        {"custom without a name", [](AgaaLayout& l) { addCustom(l, nullptr); }},
+        {"custom of a member's name", [](AgaaLayout& l) { addCustom(l, "normal"); }},
+        {"custom of a prefix", [](AgaaLayout& l) { addCustom(l, "agaa_wind"); }},
+        {"custom of no identifier", [](AgaaLayout& l) { addCustom(l, "wind;"); }},
+        {"custom of two underscores", [](AgaaLayout& l) { addCustom(l, "wind__x"); }},
+        {"custom of 32 letters", [](AgaaLayout& l) { addCustom(l, "abcdefghijklmnopqrstuvwxyzabcdef"); }},
+        {"custom of five channels", [](AgaaLayout& l) { addCustom(l, "wind").channels = 5; }},
+        {"custom normal of two channels",
+         [](AgaaLayout& l) { addCustom(l, "wind").filter = AGAA_FILTER_NORMAL; }},
+        {"custom of an unknown filter", [](AgaaLayout& l) { addCustom(l, "wind").filter = 3; }},
+        {"custom of 48 bits unfiltered",
+         [](AgaaLayout& l) {
+             AgaaLayoutAttribute& a = addCustom(l, "wind");
+             a.channels = 3;
+             a.filter = AGAA_FILTER_NONE;
+         }},
+        {"custom twice",
+         [](AgaaLayout& l) {
+             addCustom(l, "wind");
+             addCustom(l, "wind");
+         }},
+        {"custom of nine channels",
+         [](AgaaLayout& l) {
+             l.attributeCount = 4; // room for them in the attachments
+             for (const char* name : {"a", "b", "c"})
+                 addCustom(l, name).channels = 3;
+         }},
+        {"custom beyond four attachments",
+         [](AgaaLayout& l) {
+             addCustom(l, "a").channels = 4;
+             addCustom(l, "b").channels = 4;
+         }},
     };
     for (const BadLayout& row : table) {
         AgaaLayout layout = builtinLayout("precise");

@@ -35,7 +35,8 @@ void lightForHost(AgaaFrame& frame) {
     std::fill_n(frame.background, 3, 0.0f);
 }
 
-std::string hostShadingText(const AgaaViewDesc& desc, const AgaaDeviceCaps& caps, const std::string& declarations) {
+std::string hostShadingText(const AgaaViewDesc& desc, const AgaaDeviceCaps& caps, const std::string& declarations,
+                            const char* light) {
     size_t size = 0;
     EXPECT_EQ(agaaGetAggregateGlsl(&desc, &caps, nullptr, &size, nullptr), AGAA_OK);
     std::string aggregates(size, '\0');
@@ -50,12 +51,62 @@ void main() {
     vec3 color = vec3(0.0);
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a) {
         AgaaAggregate g = agaaAggregate(pixel, a);
-        vec3 light = g.emissive + vec3(0.5, 0.4, 0.3) * (g.diffuse + g.specular);
-        color += light * float(bitCount(g.samples)) / float(AGAA_SAMPLES);
+        vec3 light = )" + light + R"(;
+        if (g.samples != 0u)
+            color += light * float(bitCount(g.samples)) / float(AGAA_SAMPLES);
     }
     show(pixel, color);
 }
 )";
+}
+
+void forCustomAttributes(const std::vector<uint32_t>& tiers, const std::function<void(ViewSettings)>& check) {
+    AgaaLayout layout;
+    agaaGetBuiltinLayout("precise", &layout);
+    layout.attributeCount = 4; // no emission: attachments are four
+    const auto add = [&](const char* name, uint32_t channels, uint32_t bits, float range, uint32_t filter) {
+        layout.attributes[layout.attributeCount++] = {AGAA_SEMANTIC_CUSTOM, channels, bits, filter == AGAA_FILTER_NONE ? 8u : 0u,
+                                                      0, AGAA_ENCODING_UNORM, range, filter, name};
+    };
+    add("wind", 2, 16, 4.0f, AGAA_FILTER_MEAN);
+    add("tangent", 3, 8, 1.0f, AGAA_FILTER_NORMAL);
+    add("part", 1, 8, 1.0f, AGAA_FILTER_NONE);
+    for (const auto& [n, c] : {std::pair{1u, 1u}, {8u, 1u}, {32u, 4u}})
+        for (const uint32_t tier : tiers) {
+            SCOPED_TRACE(std::string(agaaTierName(tier)) + " n=" + std::to_string(n) + " c=" + std::to_string(c));
+            ViewSettings settings;
+            settings.config.layout = &layout;
+            settings.config.samples = n;
+            settings.config.aggregates = c;
+            settings.config.generationTier = tier;
+            settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_BUFFERED;
+            settings.facts.shadowMapCount = 0;
+            settings.surface = "s.wind = 4.0 * s.diffuse.xy; s.tangent = s.normal; s.part = s.diffuse.z;";
+            check(settings);
+            if (testing::Test::HasFatalFailure())
+                return;
+        }
+}
+
+void CustomImages::add(const ViewSettings& settings, std::span<const float> rgba) {
+    ASSERT_EQ(rgba.size(), size_t(settings.width) * settings.height * 4);
+    std::vector<float> parts;
+    double excess = 0;
+    for (size_t i = 0; i < rgba.size(); i += 4) {
+        // Sums of 11 bits; of the tangent 8 bits a sample from a G-buffer.
+        ASSERT_LE(rgba[i], 2e-3f) << i / 4;
+        ASSERT_GE(rgba[i + 1], -3e-3f) << i / 4; // 8 bits
+        excess += double(rgba[i + 1]);
+        parts.push_back(rgba[i + 2]);
+    }
+    EXPECT_GT(*std::max_element(parts.begin(), parts.end()), 0.5f);
+    if (settings.config.aggregates > 1)
+        return;
+    // A sample's part is its own; the largest of several is not their mean.
+    EXPECT_EQ(excess / double(parts.size()) > 2e-3, settings.config.samples > 1);
+    const auto [first, isNew] = parts_.try_emplace(settings.config.samples, parts);
+    for (size_t i = 0; i < parts.size() && !isNew; ++i)
+        ASSERT_NEAR(first->second[i], parts[i], 1e-6f) << i;
 }
 
 void expectShadedAlike(const std::vector<float>& sdk, size_t channels, std::span<const float> host) {

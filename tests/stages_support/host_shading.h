@@ -4,8 +4,10 @@
 #include "view_settings.h"
 
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace agaa::test {
 
@@ -17,7 +19,28 @@ void lightForHost(AgaaFrame& frame);
 
 // Of a compute shader in groups of 8 x 8 pixels. declarations: the version, AGAA_AGGREGATE_WORD(i) and
 // void show(uvec2 pixel, vec3 color).
-std::string hostShadingText(const AgaaViewDesc& desc, const AgaaDeviceCaps& caps, const std::string& declarations);
+// light: GLSL of a vec3, of `AgaaAggregate g`.
+constexpr const char* ambientLight = "g.emissive + vec3(0.5, 0.4, 0.3) * (g.diffuse + g.specular)";
+std::string hostShadingText(const AgaaViewDesc& desc, const AgaaDeviceCaps& caps, const std::string& declarations,
+                            const char* light = ambientLight);
+
+// Settings of views with attributes of the host's own: `wind`, a mean of range 4; `tangent`, a normal; `part`,
+// unfiltered. Their surfaces repeat attributes of the SDK's, which they are compared with.
+void forCustomAttributes(const std::vector<uint32_t>& tiers, const std::function<void(ViewSettings)>& check);
+// Of fetched materials; s of drawn ones is m here.
+constexpr const char* customMaterial = "m.wind = 4.0 * m.diffuse.xy; m.tangent = m.normal; m.part = m.diffuse.z;";
+// Differences of wind and tangent; by how much part is beyond the mean of what it repeats; part.
+constexpr const char* customLight = "vec3(distance(0.25 * g.wind, g.diffuse.xy) + 0.1 * distance(g.tangent, g.normal), "
+                                    "g.part - g.diffuse.z, g.part)";
+// Collects images by customLight: each must be within what quantisation allows. Those of c = 1, whose aggregates all
+// tiers make of the same samples, must have the same parts.
+class CustomImages {
+public:
+    void add(const ViewSettings& settings, std::span<const float> rgba);
+
+private:
+    std::map<uint32_t, std::vector<float>> parts_; // by n
+};
 
 // sdk: the image of the SDK's own shading, of this many channels; host: the shader's, RGBA.
 void expectShadedAlike(const std::vector<float>& sdk, size_t channels, std::span<const float> host);

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <set>
+#include <utility>
 
 namespace harness {
 
@@ -20,17 +22,23 @@ static uint32_t indexOf(const std::string& name, std::initializer_list<const cha
     throw BadArgument(file + ": \"" + name + "\" is not known in a layout.");
 }
 
+// As long as the process lives, because AgaaLayoutAttribute points to it.
+static const char* kept(std::string name) {
+    static std::set<std::string> names;
+    return names.insert(std::move(name)).first->c_str();
+}
+
 static AgaaLayout parseLayout(const nlohmann::json& json, const std::string& file) {
     AgaaLayout layout{};
     layout.sType = AGAA_STRUCTURE_TYPE_LAYOUT;
     layout.structSize = sizeof layout;
     const auto& attributes = json.at("attributes");
     if (!attributes.is_array() || attributes.size() > AGAA_MAX_LAYOUT_ATTRIBUTES)
-        throw BadArgument(file + ": a layout has an array of at most 5 attributes.");
+        throw BadArgument(file + ": a layout has an array of at most 13 attributes.");
     for (const auto& source : attributes) {
         AgaaLayoutAttribute& a = layout.attributes[layout.attributeCount++];
         a.semantic = indexOf(source.at("semantic").get<std::string>(),
-                             {"diffuse", "specular", "normal", "roughness", "emissive"}, file);
+                             {"diffuse", "specular", "normal", "roughness", "emissive", "custom"}, file);
         a.channels = source.at("channels").get<uint32_t>();
         a.sampleBits = source.at("sampleBits").get<uint32_t>();
         a.aggregateBits = source.value("aggregateBits", 0u);
@@ -38,6 +46,9 @@ static AgaaLayout parseLayout(const nlohmann::json& json, const std::string& fil
         a.encoding = indexOf(source.value("encoding", std::string("unorm")),
                              {"unorm", "ycbcr", "folded"}, file);
         a.range = source.value("range", 1.0f);
+        a.filter = indexOf(source.value("filter", std::string("mean")), {"mean", "normal", "none"}, file);
+        if (source.contains("name"))
+            a.name = kept(source.at("name").get<std::string>());
     }
     return layout;
 }

@@ -1,6 +1,6 @@
 // G-buffer layouts of the command line: a built-in name, "reference" or a JSON file
 // {"attributes": [{"semantic": "diffuse", "channels": 3, "sampleBits": 8, "aggregateBits": 10,
-//                  "encoding": "unorm", "chromaBits": 0, "range": 1}, …]}.
+//                  "encoding": "unorm", "chromaBits": 0, "range": 1}, …]}; custom attributes have "name" and "filter".
 #pragma once
 
 #include "agaa_sdk.h"

@@ -30,9 +30,10 @@ void addLayout(Key& key, const AgaaLayout& layout) {
          ++i) {
         const AgaaLayoutAttribute& a = layout.attributes[i];
         for (const uint32_t value : {a.semantic, a.channels, a.sampleBits, a.aggregateBits,
-                                     a.chromaBits, a.encoding, a.reserved})
+                                     a.chromaBits, a.encoding, a.filter})
             key.add(value);
         key.add(a.range);
+        key.add(a.name);
     }
 }
 

@@ -40,7 +40,7 @@ void buildNative(PlanBuilder& b) {
     });
     const uint32_t slots = std::bit_ceil(b.plan.aggregates); // no device has 3 samples
     uint64_t bytes = 0;
-    const auto surface = [&](const char* name, Format format) {
+    const auto surface = [&](const std::string& name, Format format) {
         b.modelSurface(name, format, slots);
         bytes += bytesPerTexel(format);
     };

@@ -24,6 +24,7 @@ Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format forma
 void setRecord(Pass& pass, const Aggregation& a) {
     setFields(pass.constants, AGAA_FIELD_DIFFUSE_R, a.packing.fields);
     pass.constants[AGAA_WORDS] = a.packing.words;
+    pass.constants[AGAA_UNFILTERED_WORDS] = a.packing.unfilteredWords;
     pass.constants[AGAA_STRIDE] = a.stride;
     pass.constants[AGAA_FIELD_COVERAGE] = a.packing.coverage.constant();
     pass.constants[AGAA_FOLDED_ROUGHNESS] = a.layout.foldsRoughness();

@@ -15,6 +15,7 @@ Layout surfaceLayout(Layout layout) {
         attribute.encoding = AGAA_ENCODING_UNORM;
         attribute.aggregateBits = std::max(attribute.sampleBits, 6u);
     }
+    layout.customs.clear(); // nothing reads them: agaaGetAggregateGlsl() is for "agaa"
     return layout;
 }
 

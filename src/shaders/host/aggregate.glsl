@@ -12,6 +12,7 @@ layout(r32ui, AGAA_AT_AGGREGATES) uniform uimageBuffer agaa_aggregates;
 uint agaa_readWord(uint word) { return imageLoad(agaa_aggregates, int(word)).x; }
 uint agaa_orWord(uint word, uint bits) { return imageAtomicOr(agaa_aggregates, int(word), bits); }
 void agaa_addToWord(uint word, uint amount) { imageAtomicAdd(agaa_aggregates, int(word), amount); }
+void agaa_raiseWord(uint word, uint least) { imageAtomicMax(agaa_aggregates, int(word), least); }
 #else
 layout(std430, AGAA_AT_AGGREGATES) buffer agaa_AggregateBlock {
     uint words[];
@@ -19,6 +20,7 @@ layout(std430, AGAA_AT_AGGREGATES) buffer agaa_AggregateBlock {
 uint agaa_readWord(uint word) { return agaa_aggregates.words[word]; }
 uint agaa_orWord(uint word, uint bits) { return atomicOr(agaa_aggregates.words[word], bits); }
 void agaa_addToWord(uint word, uint amount) { atomicAdd(agaa_aggregates.words[word], amount); }
+void agaa_raiseWord(uint word, uint least) { atomicMax(agaa_aggregates.words[word], least); }
 #endif
 
 #if AGAA_CHECKS_FAR_PLANE
@@ -81,30 +83,6 @@ uint agaa_ownPart(uint mask, uint base) {
 }
 #endif
 
-// One fragment's values in the words of an aggregate, to be multiplied by its number of samples.
-void agaa_putField(inout uint words[AGAA_WORDS], uint field, float value) {
-    words[field & 0xFFu] |= agaa_quantise(value, field >> 16) << (field >> 8 & 0xFFu);
-}
-
-void agaa_putSigned(inout uint words[AGAA_WORDS], uint field, float value) {
-    words[field & 0xFFu] |= agaa_signedCode(value, field >> 16) << (field >> 8 & 0xFFu);
-}
-
-void agaa_packSurface(AgaaSurfaceInput s, inout uint words[AGAA_WORDS]) {
-    vec3 n = s.normal;
-#if AGAA_FOLDED_ROUGHNESS
-    n *= agaa_foldedLength(s.alpha2);
-#endif
-    vec3 specular = s.specular;
-#if AGAA_YCBCR_SPECULAR
-    specular = agaa_rgbToYCbCr(specular);
-#endif
-    vec3 e = s.emissive / AGAA_EMISSIVE_RANGE;
-    if (AGAA_EMISSIVE_CHANNELS == 1u)
-        e.x = agaa_scalarEmissive(s);
-    agaa_putFields(words, s.diffuse, specular, n, s.alpha2, e);
-}
-
 void agaa_emit(AgaaSurfaceInput s) {
     uint mask = agaa_fragmentMask(s);
     if (mask == 0u || AGAA_HELPER)
@@ -112,10 +90,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
     if (bad != 0u)
         agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
-    uint words[AGAA_WORDS];
-    for (uint w = 0u; w < AGAA_WORDS; ++w)
-        words[w] = 0u;
-    agaa_packSurface(s, words);
+    agaa_packSurface(agaa_storedInput(s));
     uvec2 pixel = agaa_hostPixel();
     uvec2 planes = agaa_readPlanes(pixel);
     uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_STRIDE);
@@ -156,7 +131,9 @@ void agaa_emit(AgaaSurfaceInput s) {
         // The product in the condition: words of a material without textures are uniform, and Mesa's lavapipe (22.3)
         // makes a copy of a shader, which it never frees, at every draw whose uniforms decide a branch.
         for (uint w = 0u; w < AGAA_WORDS; ++w)
-            if (words[w] * count != 0u)
-                agaa_addToWord(base + w, words[w] * count);
+            if (agaa_isUnfilteredWord(w))
+                agaa_raiseWord(base + w, agaa_packed[w]);
+            else if (agaa_packed[w] * count != 0u)
+                agaa_addToWord(base + w, agaa_packed[w] * count);
     }
 }

@@ -20,6 +20,7 @@ struct AgaaSurfaceInput {
     vec3 emissive;        // radiance, [0,range of the layout]; brighter: scaled to that, in the same hue
     vec3 normal;          // shading normal, unit
     float alpha2;         // [4.1e-6,1]
+    AGAA_CUSTOM_MEMBERS   // attributes of the layout's own (AGAA_SEMANTIC_CUSTOM), in their range
 };
 
 const uint AGAA_UNFETCHED = 0xFFFFFFFFu; // AgaaSurfaceInput::draw of what AGAA_FETCH_NOT_ALL_DRAWS says
@@ -40,6 +41,7 @@ AgaaSurfaceInput agaa_surfaceInput() {
     s.emissive = vec3(0.0);
     s.normal = vec3(0.0, 0.0, 1.0);
     s.alpha2 = 1.0;
+    AGAA_CLEAR_CUSTOM(s)
     return s;
 }
 
@@ -154,9 +156,15 @@ uint agaa_sanitiseSurface(inout AgaaSurfaceInput s, float emissiveRange) {
     s.emissive = agaa_sanitiseEmission(s.emissive, emissiveRange, bad);
     s.alpha2 = agaa_sanitise(s.alpha2, agaa_minAlpha2(), 1.0, bad);
     s.normal = agaa_sanitiseNormal(s.normal, bad);
+    AGAA_SANITISE_CUSTOM(s, bad)
     return bad;
 }
 
-float agaa_scalarEmissive(AgaaSurfaceInput s) {
-    return agaa_emissiveFactor(s.diffuse, s.emissive / AGAA_EMISSIVE_RANGE);
+agaa_Stored agaa_storedInput(AgaaSurfaceInput s) {
+    vec3 emissive = s.emissive / AGAA_EMISSIVE_RANGE;
+    if (AGAA_EMISSIVE_CHANNELS == 1u)
+        emissive.x = agaa_emissiveFactor(s.diffuse, emissive);
+    agaa_Stored v = agaa_storedSurface(s.diffuse, s.specular, s.normal, s.alpha2, emissive);
+    AGAA_STORE_CUSTOM(s, v)
+    return v;
 }

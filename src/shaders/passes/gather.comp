@@ -46,7 +46,7 @@ void main() {
         for (uint i = 0u; i < AGAA_SAMPLES; ++i)
             if ((own >> i & 1u) != 0u && agaa_fetchSample(pixel, i)) {
                 mask |= AGAA_REPRESENTED != 0 ? 1u : 1u << i;
-                agaa_addToSums(agaa_sampleSurface(), agaa_storedEmissive(), 1u);
+                agaa_addToSums(agaa_storedSample(), 1u);
             }
         agaa_storeSums(mask, base);
     }

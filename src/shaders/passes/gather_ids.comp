@@ -13,22 +13,28 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/primitives.glsl"
 #include "passes/sums.glsl"
 
+agaa_Stored agaa_storedMaterial(AgaaMaterial m) {
+    vec3 emissive = m.emissive / agaa_frame.ambient.w;
+    if (AGAA_EMISSIVE_CHANNELS == 1u)
+        emissive = vec3(agaa_emissiveFactor(m.diffuse, emissive));
+    agaa_Stored v = agaa_storedSurface(m.diffuse, m.specular, m.normal, m.alpha2, emissive);
+    AGAA_STORE_CUSTOM(m, v)
+    return v;
+}
+
 void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
     agaa_clearSums();
     uint list = agaa_pixelList[gl_LocalInvocationIndex];
     uint end = (list & 0xFFFFu) + (list >> 16u);
     for (uint at = list & 0xFFFFu; at < end && mask != 0u; ++at) {
-        agaa_Surface s = agaa_surfaceOfMaterial(agaa_listMaterial[at]);
-        vec3 emissive = s.emissive / agaa_frame.ambient.w;
-        if (AGAA_EMISSIVE_CHANNELS == 1u)
-            emissive = vec3(agaa_emissiveFactor(s.diffuse, emissive));
+        agaa_Stored v = agaa_storedMaterial(agaa_listMaterial[at]);
         uint own = agaa_listSamples[at] & mask;
         bool isCurved = agaa_isCurvedMaterial(agaa_listMaterial[at]);
         if (own != 0u && !isCurved)
-            agaa_addToSums(s, emissive, uint(bitCount(own)));
+            agaa_addToSums(v, uint(bitCount(own)));
         for (uint rest = isCurved ? own : 0u; rest != 0u; rest &= rest - 1u) {
-            s.normal = agaa_listedNormal(at, uint(findLSB(rest)));
-            agaa_addToSums(s, emissive, 1u);
+            v.normal = agaa_listedNormal(at, uint(findLSB(rest)));
+            agaa_addToSums(v, 1u);
         }
     }
     agaa_storeSums(mask, ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE);

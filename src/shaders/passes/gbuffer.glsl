@@ -5,6 +5,7 @@
 #include "math/encoding.glsl"
 #include "math/light.glsl"
 #include "passes/host_samples.glsl"
+#include "passes/stored.glsl"
 
 #ifdef AGAA_HOST_GBUFFER
 AgaaMaterial agaa_fetched; // of the sample fetched last
@@ -16,7 +17,7 @@ bool agaa_fetchSample(uvec2 pixel, uint i) {
 
 bool agaa_isCovered(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
 
-vec2 agaa_normalCode() { return agaa_encodeOct(agaa_fetched.normal, AGAA_SOURCE_NORMAL_X >> 16); }
+vec2 agaa_normalCode() { return agaa_encodeOct(agaa_fetched.normal, agaa_fieldBits(AGAA_SOURCE_NORMAL_X)); }
 vec3 agaa_fetchedNormal() { return agaa_fetched.normal; }
 vec3 agaa_fetchedDiffuse() { return agaa_fetched.diffuse; }
 vec3 agaa_fetchedSpecular() { return agaa_fetched.specular; }
@@ -28,28 +29,36 @@ vec3 agaa_storedEmissive() {
         return vec3(agaa_emissiveFactor(agaa_fetched.diffuse, e));
     return AGAA_EMISSIVE_CHANNELS == 3u ? e : vec3(0.0);
 }
+
+void agaa_storeFetchedCustom(inout agaa_Stored v) { AGAA_STORE_CUSTOM(agaa_fetched, v) }
 #else
 layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_gbuffer0;
 layout(AGAA_AT_SURFACE1) uniform AGAA_TARGET_TEXTURE agaa_gbuffer1;
 layout(AGAA_AT_SURFACE2) uniform AGAA_TARGET_TEXTURE agaa_gbuffer2;
 layout(AGAA_AT_SURFACE3) uniform AGAA_TARGET_TEXTURE agaa_gbuffer3;
 
-vec4 agaa_texels[4];
+agaa_Stored agaa_fetched; // of the sample fetched last; absent channels are 0
 
-// Fields are constants, so that each call folds to one component of one texel.
-float agaa_channel(uint field) { return agaa_texels[field & 0xFFu][field >> 8u & 0xFFu]; }
-
-vec3 agaa_channel3(uint x, uint y, uint z) {
-    return vec3(agaa_channel(x), agaa_channel(y), agaa_channel(z));
+float agaa_sourceValue(float texel, uint source) {
+    uint bits = agaa_fieldBits(source);
+    if (!agaa_isSignedField(source))
+        return bits != 0u ? texel : 0.0;
+    return agaa_fromSignedCode(uint(texel * float(agaa_maxCode(bits)) + 0.5), bits);
 }
 
 // False where the sample shows no geometry.
 bool agaa_fetchSample(uvec2 pixel, uint i) {
-    agaa_texels[0] = AGAA_FETCH(agaa_gbuffer0, pixel, i);
-    agaa_texels[1] = AGAA_FETCH(agaa_gbuffer1, pixel, i);
-    agaa_texels[2] = AGAA_FETCH(agaa_gbuffer2, pixel, i);
-    agaa_texels[3] = AGAA_FETCH(agaa_gbuffer3, pixel, i);
-    return agaa_channel(AGAA_SOURCE_NORMAL_X) != 0.0;
+    vec4 texels[4];
+    texels[0] = AGAA_FETCH(agaa_gbuffer0, pixel, i);
+    texels[1] = AGAA_FETCH(agaa_gbuffer1, pixel, i);
+    texels[2] = AGAA_FETCH(agaa_gbuffer2, pixel, i);
+    texels[3] = AGAA_FETCH(agaa_gbuffer3, pixel, i);
+    // Sources are constants, so that each row folds to one component of one texel.
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) \
+    agaa_fetched.member = agaa_sourceValue(texels[source & 0xFFu][source >> 8u & 0xFFu], source);
+#include "channels.inc"
+    return agaa_fetched.normal.x != 0.0;
 }
 
 // As agaa_fetchSample(), without the fetching of what is not asked for.
@@ -62,30 +71,20 @@ bool agaa_isCovered(uvec2 pixel, uint i) {
     return texel[AGAA_SOURCE_NORMAL_X >> 8u & 0xFFu] != 0.0;
 }
 
-vec2 agaa_normalCode() {
-    return vec2(agaa_channel(AGAA_SOURCE_NORMAL_X), agaa_channel(AGAA_SOURCE_NORMAL_Y));
-}
+vec2 agaa_normalCode() { return agaa_fetched.normal.xy; }
 
 // Emission as stored: in shares of the layout's range, or of range times diffuse.
 vec3 agaa_storedEmissive() {
     if (AGAA_EMISSIVE_CHANNELS == 3u)
-        return agaa_channel3(AGAA_SOURCE_EMISSIVE_R, AGAA_SOURCE_EMISSIVE_G, AGAA_SOURCE_EMISSIVE_B);
-    return AGAA_EMISSIVE_CHANNELS == 1u ? vec3(agaa_channel(AGAA_SOURCE_EMISSIVE_R)) : vec3(0.0);
+        return agaa_fetched.emissive;
+    return AGAA_EMISSIVE_CHANNELS == 1u ? vec3(agaa_fetched.emissive.x) : vec3(0.0);
 }
 
-vec3 agaa_fetchedNormal() { return agaa_decodeOct(agaa_normalCode(), AGAA_SOURCE_NORMAL_X >> 16); }
-
-vec3 agaa_fetchedDiffuse() {
-    return agaa_channel3(AGAA_SOURCE_DIFFUSE_R, AGAA_SOURCE_DIFFUSE_G, AGAA_SOURCE_DIFFUSE_B);
-}
-
-vec3 agaa_fetchedSpecular() {
-    return agaa_channel3(AGAA_SOURCE_SPECULAR_R, AGAA_SOURCE_SPECULAR_G, AGAA_SOURCE_SPECULAR_B);
-}
-
-float agaa_fetchedAlpha2() {
-    return AGAA_SOURCE_ROUGHNESS >> 16 != 0u ? agaa_channel(AGAA_SOURCE_ROUGHNESS) : 1.0;
-}
+vec3 agaa_fetchedNormal() { return agaa_decodeOct(agaa_normalCode(), agaa_fieldBits(AGAA_SOURCE_NORMAL_X)); }
+vec3 agaa_fetchedDiffuse() { return agaa_fetched.diffuse; }
+vec3 agaa_fetchedSpecular() { return agaa_fetched.specular; }
+float agaa_fetchedAlpha2() { return agaa_fieldBits(AGAA_SOURCE_ROUGHNESS) != 0u ? agaa_fetched.alpha2 : 1.0; }
+void agaa_storeFetchedCustom(inout agaa_Stored v) { v.custom = agaa_fetched.custom; }
 #endif
 
 agaa_Surface agaa_sampleSurface() {
@@ -105,5 +104,13 @@ agaa_Surface agaa_sampleSurface() {
     if (AGAA_EMISSIVE_CHANNELS == 1u)
         s.emissive *= s.diffuse;
     return s;
+}
+
+// The sample fetched last, as an aggregate stores it.
+agaa_Stored agaa_storedSample() {
+    agaa_Surface s = agaa_sampleSurface();
+    agaa_Stored v = agaa_storedSurface(s.diffuse, s.specular, s.normal, s.alpha2, agaa_storedEmissive());
+    agaa_storeFetchedCustom(v);
+    return v;
 }
 #endif

@@ -10,8 +10,9 @@ ivec2 agaaTexel(uvec2 pixel, uint i) {
 int agaaTexelSample(uint i) { return int(i % AGAA_HW_SAMPLES); }
 
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH)
+#include "passes/custom.glsl"
 
-struct AgaaMaterial { // as in AgaaSurfaceInput, but for the last two
+struct AgaaMaterial { // as in AgaaSurfaceInput, but for normalDx and normalDy
     vec3 diffuse;
     vec3 specular;
     vec3 emissive;
@@ -21,6 +22,7 @@ struct AgaaMaterial { // as in AgaaSurfaceInput, but for the last two
     // grows by d from pixel to pixel, as AgaaPrimitive's weights tell, it is (d - n * dot(n, d)) / |N|, negated where
     // the normal was. 0: one normal stands for all samples of the primitive.
     vec3 normalDx, normalDy;
+    AGAA_CUSTOM_MEMBERS // of the layout's
 };
 
 #endif

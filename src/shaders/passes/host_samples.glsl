@@ -5,8 +5,15 @@
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH)
 // What functions leave alone; as in agaa_surfaceInput().
 AgaaMaterial agaa_defaultMaterial() {
-    return AgaaMaterial(vec3(0.5), vec3(0.04), vec3(0.0), vec3(0.0, 0.0, 1.0), 1.0, vec3(0.0),
-                        vec3(0.0));
+    AgaaMaterial m;
+    m.diffuse = vec3(0.5);
+    m.specular = vec3(0.04);
+    m.emissive = vec3(0.0);
+    m.normal = vec3(0.0, 0.0, 1.0);
+    m.alpha2 = 1.0;
+    m.normalDx = m.normalDy = vec3(0.0);
+    AGAA_CLEAR_CUSTOM(m)
+    return m;
 }
 
 // What is not finite becomes the least of its range (hard case 37). Returns 1 where something was not.
@@ -17,6 +24,7 @@ uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
     m.emissive = agaa_sanitiseEmission(m.emissive, agaa_frame.ambient.w, bad);
     m.normal = agaa_sanitiseNormal(m.normal, bad);
     m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
+    AGAA_SANITISE_CUSTOM(m, bad)
     bool isKnown = agaa_isFinite3(m.normalDx) && agaa_isFinite3(m.normalDy);
     bad |= isKnown ? 0u : 1u;
     float steepest = isKnown ? max(dot(m.normalDx, m.normalDx), dot(m.normalDy, m.normalDy)) : 0.0;

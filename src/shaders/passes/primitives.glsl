@@ -94,7 +94,14 @@ void agaa_fetchListed(uint at) {
         }
         agaa_Surface s = agaa_sampleSurface();
         agaa_listPlane[at] = mat3(agaa_frame.view) * s.normal;
-        agaa_listMaterial[at] = AgaaMaterial(s.diffuse, s.specular, s.emissive, s.normal, s.alpha2, vec3(0.0), vec3(0.0));
+        AgaaMaterial m = agaa_defaultMaterial();
+        m.diffuse = s.diffuse;
+        m.specular = s.specular;
+        m.emissive = s.emissive;
+        m.normal = s.normal;
+        m.alpha2 = s.alpha2;
+        AGAA_LOAD_CUSTOM(agaa_fetched, m)
+        agaa_listMaterial[at] = m;
         return;
     }
 #endif

@@ -4,6 +4,7 @@
 #include "math/encoding.glsl"
 #include "math/clustering.glsl"
 #include "passes/sample_depth.glsl"
+#include "passes/stored.glsl"
 
 #ifndef AGAA_FROM_GBUFFER
 #define AGAA_FROM_GBUFFER 0

@@ -82,7 +82,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     position = agaa_toShadingSpace(
         agaa_sampleViewPosition(pixel, shaded, agaa_depthOf(pixel, shaded)));
 #endif
-    return agaa_shadeMeans(pixel, position, a, mask, agaa_aggregateMeans(), AGAA_FOLDED_ROUGHNESS != 0u);
+    return agaa_shadeMeans(pixel, position, a, mask, agaa_meansOfStored(agaa_storedMeans()), AGAA_FOLDED_ROUGHNESS != 0u);
 }
 
 void main() {

@@ -6,12 +6,13 @@
 #include "math/encoding.glsl"
 #include "math/ndf.glsl"
 #include "math/records.glsl"
+#include "passes/stored.glsl"
 
 uint agaa_base = 0u;   // first word of the aggregate at hand
 uint agaa_count_ = 0u; // its samples
 
 uint agaa_field(uint field) {
-    uint bits = field >> 16;
+    uint bits = agaa_fieldBits(field);
     uint word = AGAA_AGGREGATE_WORD(agaa_base + (field & 0xFFu));
     return bitfieldExtract(word, int(field >> 8u & 0xFFu), int(bits));
 }
@@ -27,42 +28,53 @@ uint agaa_coverage() {
     return agaa_field(AGAA_FIELD_COVERAGE) != 0u ? agaa_recordSamples(agaa_record(), AGAA_SAMPLES) : 0u;
 }
 
-float agaa_mean(uint field) { return agaa_meanOfSum(agaa_field(field), 1u, field >> 16); }
-float agaa_signedMean(uint field) { return agaa_signedMeanOfSum(agaa_field(field), 1u, field >> 16); }
+uint agaa_sum(uint field) { return agaa_field(field); }
+uint agaa_summed() { return 1u; }
 #else
 uint agaa_coverage() { return agaa_field(AGAA_FIELD_COVERAGE); }
 
 // Sums take log2(n) bits more than one fragment's value.
 uint agaa_sum(uint field) { return agaa_field(field + (uint(findMSB(AGAA_SAMPLES)) << 16)); }
 
-float agaa_mean(uint field) { return agaa_meanOfSum(agaa_sum(field), agaa_count_, field >> 16); }
-float agaa_signedMean(uint field) { return agaa_signedMeanOfSum(agaa_sum(field), agaa_count_, field >> 16); }
+uint agaa_summed() { return agaa_count_; }
 #endif
 
-vec3 agaa_mean3(uint r, uint g, uint b) { return vec3(agaa_mean(r), agaa_mean(g), agaa_mean(b)); }
+float agaa_meanOf(uint field) {
+    uint bits = agaa_fieldBits(field);
+    if (bits == 0u)
+        return 0.0;
+    if (agaa_isUnfilteredField(field))
+        return agaa_meanOfSum(agaa_field(field), 1u, bits);
+    return agaa_isSignedField(field) ? agaa_signedMeanOfSum(agaa_sum(field), agaa_summed(), bits)
+                                     : agaa_meanOfSum(agaa_sum(field), agaa_summed(), bits);
+}
 
-agaa_Means agaa_aggregateMeans() {
+agaa_Stored agaa_storedMeans() {
+    agaa_Stored v;
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) v.member = agaa_meanOf(field);
+#include "channels.inc"
+    return v;
+}
+
+agaa_Means agaa_meansOfStored(agaa_Stored v) {
     agaa_Means m;
     m.moments = agaa_NormalMoments(vec3(0.0), vec3(0.0)); // memory has no place for them
-    m.diffuse = agaa_mean3(AGAA_FIELD_DIFFUSE_R, AGAA_FIELD_DIFFUSE_G, AGAA_FIELD_DIFFUSE_B);
-    m.normal = vec3(agaa_signedMean(AGAA_FIELD_NORMAL_X), agaa_signedMean(AGAA_FIELD_NORMAL_Y),
-                    agaa_signedMean(AGAA_FIELD_NORMAL_Z));
-    m.lengthBound = agaa_storedLengthBound(1u, AGAA_FIELD_NORMAL_X >> 16);
+    m.diffuse = v.diffuse;
+    m.normal = v.normal;
+    m.lengthBound = agaa_storedLengthBound(1u, agaa_fieldBits(AGAA_FIELD_NORMAL_X));
     m.specular = vec3(0.0);
     m.alpha2 = 1.0;
     if (AGAA_HAS_SPECULAR != 0u) {
-        m.specular = agaa_mean3(AGAA_FIELD_SPECULAR_R, AGAA_FIELD_SPECULAR_G, AGAA_FIELD_SPECULAR_B);
-        if (AGAA_YCBCR_SPECULAR != 0u)
-            m.specular = max(agaa_yCbCrToRgb(m.specular), vec3(0.0));
-        if (AGAA_FIELD_ROUGHNESS >> 16 != 0u)
-            m.alpha2 = agaa_mean(AGAA_FIELD_ROUGHNESS);
+        m.specular = AGAA_YCBCR_SPECULAR != 0u ? max(agaa_yCbCrToRgb(v.specular), vec3(0.0)) : v.specular;
+        if (agaa_fieldBits(AGAA_FIELD_ROUGHNESS) != 0u)
+            m.alpha2 = v.alpha2;
     }
     m.emissive = vec3(0.0);
     if (AGAA_EMISSIVE_CHANNELS == 3u)
-        m.emissive = AGAA_EMISSIVE_RANGE *
-                     agaa_mean3(AGAA_FIELD_EMISSIVE_R, AGAA_FIELD_EMISSIVE_G, AGAA_FIELD_EMISSIVE_B);
+        m.emissive = AGAA_EMISSIVE_RANGE * v.emissive;
     if (AGAA_EMISSIVE_CHANNELS == 1u)
-        m.emissive = AGAA_EMISSIVE_RANGE * agaa_mean(AGAA_FIELD_EMISSIVE_R) * m.diffuse;
+        m.emissive = AGAA_EMISSIVE_RANGE * v.emissive.x * m.diffuse;
     return m;
 }
 

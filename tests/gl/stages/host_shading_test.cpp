@@ -25,11 +25,12 @@ GLuint computeProgram(const GladGLContext& gl, const std::string& text) {
     return program;
 }
 
-std::vector<float> shadedByHost(StageContext& context, const ViewSettings& settings, StageView& view) {
+std::vector<float> shadedByHost(StageContext& context, const ViewSettings& settings, StageView& view,
+                                const char* light = ambientLight) {
     const GladGLContext& gl = context.egl().gl();
     AgaaGlSurface surface = AGAA_GL_SURFACE_INIT;
     EXPECT_EQ(agaaGlGetSurface(view.get(), "aggregates", &surface), AGAA_OK);
-    const GLuint program = computeProgram(gl, hostShadingText(viewDesc(settings), context.caps(), declarations));
+    const GLuint program = computeProgram(gl, hostShadingText(viewDesc(settings), context.caps(), declarations, light));
     const harness::gl::Texture image = harness::gl::createTexture(gl, GL_TEXTURE_2D);
     gl.TextureStorage2D(image.get(), 1, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height));
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -57,6 +58,17 @@ TEST(GlHostShading, ReadsWhatTheSdkShades) {
         lightForHost(frame);
         view.render(frame);
         expectShadedAlike(view.image(), 4, shadedByHost(context, settings, view));
+    });
+}
+
+TEST(GlHostShading, ReadsAttributesOfItsOwn) {
+    StageContext context;
+    CustomImages images;
+    forCustomAttributes({AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER}, [&](const ViewSettings& settings) {
+        StageView view(context, settings);
+        view.setTriangles(hostShadingScene());
+        view.render(view.frame());
+        images.add(settings, shadedByHost(context, settings, view, customLight));
     });
 }
 

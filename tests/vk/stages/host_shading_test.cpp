@@ -2,6 +2,7 @@
 // shading; synchronisation validation sees both.
 #include "compute_pass.h"
 #include "host_shading.h"
+#include "ids_view.h"
 #include "stage_host.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ void show(uvec2 pixel, vec3 color) { shown.colors[pixel.y * )" +
 // Shades what a view left in "aggregates", in the command buffer that recorded it.
 class HostPass {
 public:
-    HostPass(StageContext& context, const ViewSettings& settings, StageView& view)
+    HostPass(StageContext& context, const ViewSettings& settings, StageView& view, const char* light = ambientLight)
         : settings_(settings), arena_(sharedDevice()), set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT) {
         const Device& device = sharedDevice();
         AgaaVkSurface surface = AGAA_VK_SURFACE_INIT;
@@ -35,7 +36,7 @@ public:
         shown_ = arena_.hostBuffer(size_t(settings.width) * settings.height * 4 * sizeof(float),
                                    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, true);
         set_.write({(VkBuffer)surface.buffer, shown_.buffer.get()});
-        pass_.emplace(device, set_.layout(), hostShadingText(viewDesc(settings), context.caps(), declarations(settings)),
+        pass_.emplace(device, set_.layout(), hostShadingText(viewDesc(settings), context.caps(), declarations(settings), light),
                       "host shading");
     }
 
@@ -97,6 +98,42 @@ TEST(HostShading, ReadsWhatTheSdkShades) {
             });
             expectShadedAlike(sdk, 3, pass.rgba());
         }
+    });
+}
+
+// change: sets what the view's functions read.
+void expectOwnAttributes(StageContext& context, StageView& view, CustomImages& images,
+                         const std::function<void(AgaaVkFrame&)>& change) {
+    const HostPass pass(context, view.settings(), view, customLight);
+    const AgaaFrame frame = view.frame();
+    sharedDevice().runCommands([&](VkCommandBuffer commands) {
+        AgaaVkFrame vk = view.vkFrame(commands);
+        change(vk);
+        ASSERT_EQ(agaaVkRecordFrame(view.get(), &frame, &vk), AGAA_OK);
+        pass.record(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT);
+    });
+    images.add(view.settings(), pass.rgba());
+}
+
+TEST(HostShading, ReadsAttributesOfItsOwn) {
+    StageContext context;
+    CustomImages images;
+    const std::vector<uint32_t> tiers = {AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER,
+                                         AGAA_TIER_IDS};
+    forCustomAttributes(tiers, [&](const ViewSettings& settings) {
+        if (settings.config.generationTier == AGAA_TIER_IDS) {
+            for (uint32_t flags : {0u, uint32_t(AGAA_FETCH_NOT_ALL_DRAWS)}) {
+                ViewSettings some = settings;
+                some.shader = flags ? ViewSettings::Shader::ThirdUnfetched : ViewSettings::Shader::Material;
+                IdsView ids(context, some,
+                            {.triangles = hostShadingScene(), .material = customMaterial, .fetchFlags = flags});
+                expectOwnAttributes(context, ids.view(), images, [&](AgaaVkFrame& vk) { ids.bind(vk); });
+            }
+            return;
+        }
+        StageView view(context, settings);
+        view.setTriangles(hostShadingScene());
+        expectOwnAttributes(context, view, images, [](AgaaVkFrame&) {});
     });
 }
 

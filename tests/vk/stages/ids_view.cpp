@@ -33,7 +33,7 @@ IdsView::IdsView(StageContext& context, ViewSettings settings, const Shot& shot)
 }
 
 void IdsView::render(const AgaaFrame& frame) {
-    view_->render(frame, [&](AgaaVkFrame& vk) { vk.functionSet = (uint64_t)set_.get(); });
+    view_->render(frame, [&](AgaaVkFrame& vk) { bind(vk); });
 }
 
 harness::Image IdsView::render(const AgaaLight& light, const AgaaShadow* shadow) {
