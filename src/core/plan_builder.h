@@ -83,6 +83,7 @@ private:
     ResourceId add(Resource resource);
 
     AgaaDeviceCaps caps_;
+    const GenerationTier* generation_ = nullptr; // of techniques that aggregate
     Constants constants_{};
     std::array<ResourceId, 3> frames_; // frame constants by segment
     ResourceId lights_ = noResource;

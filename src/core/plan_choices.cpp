@@ -10,53 +10,23 @@
 namespace agaa {
 
 void PlanBuilder::chooseGenerationTier(const Technique& technique) {
-    if (plan.hostGBuffer) {
-        require(plan.config.generationTier == AGAA_TIER_AUTO || plan.config.generationTier == AGAA_TIER_GBUFFER,
-                AGAA_ERROR_UNSUPPORTED,
-                "generation cannot run: a G-buffer that the host draws leaves only the tier gbuffer.");
-        plan.generationTier = AGAA_TIER_GBUFFER;
-        note("generation: the host's multisampled G-buffer is aggregated by a compute pass.");
-        return;
-    }
-    const uint32_t forced = plan.config.generationTier;
-    const bool takesIds = technique.groupsSamples && plan.maxDraws > 0;
-    if (forced == AGAA_TIER_IDS && !takesIds)
-        fail(AGAA_ERROR_UNSUPPORTED, format("generation cannot run: %s.",
-                                            technique.groupsSamples ? "the tier ids needs an AgaaFetchFunction"
-                                                                    : "the tier ids is for \"agaa\""));
-    if (takesIds && (forced == AGAA_TIER_IDS || forced == AGAA_TIER_AUTO)) {
-        require(!plan.someUnfetched || !hasFact(AGAA_FACT_CUSTOM_DEPTH), AGAA_ERROR_UNSUPPORTED,
-                "materials that write depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) cannot be drawn a second "
-                "time at equal depth, which AGAA_FETCH_NOT_ALL_DRAWS asks for.");
-        plan.generationTier = AGAA_TIER_IDS;
-        note(plan.someUnfetched
-                 ? "generation: materials are fetched by the ids that the first geometry pass leaves; draws that "
-                   "cannot be fetched (AGAA_FETCH_NOT_ALL_DRAWS) are drawn again, into a whole multisampled G-buffer."
-                 : "generation: materials are fetched by the ids that the only geometry pass leaves.");
-        return;
-    }
-    if (technique.groupsSamples && forced == AGAA_TIER_AUTO &&
-        (plan.config.litShadows || plan.config.glossWeight > 0 || plan.config.ndf > AGAA_NDF_TOKSVIG)) {
-        plan.generationTier = AGAA_TIER_GBUFFER;
-        note("generation: lit shadows, the weight of gloss and elliptic lobes want materials where samples are grouped, "
-             "so that a multisampled G-buffer is aggregated by a compute pass.");
-        return;
-    }
-    const GenerationChoice choice =
-        chooseGeneration(caps_, plan.hwSamples, forced, hasFact(AGAA_FACT_CUSTOM_DEPTH));
-    if (choice.tier == AGAA_TIER_AUTO)
+    const AgaaConfig& config = plan.config;
+    GenerationQuery query{.caps = caps_,
+                          .hwSamples = plan.hwSamples,
+                          .customDepth = hasFact(AGAA_FACT_CUSTOM_DEPTH),
+                          .hostGBuffer = plan.hostGBuffer,
+                          .fetches = plan.maxDraws > 0,
+                          .someUnfetched = plan.someUnfetched,
+                          .needsMaterials = config.litShadows || config.glossWeight > 0 || config.ndf > AGAA_NDF_TOKSVIG};
+    // Other tiers shade at once, without aggregates in memory.
+    if (technique.groupsSamples && !(config.flags & AGAA_CONFIG_BUFFERED))
+        query.aggregateBytes = aggregateBytes();
+    const GenerationChoice choice = chooseGeneration(technique, query, config.generationTier);
+    if (!choice.row)
         fail(AGAA_ERROR_UNSUPPORTED, "generation cannot run: " + choice.reason);
-    if (forced == AGAA_TIER_AUTO && technique.groupsSamples && choice.tier != AGAA_TIER_GBUFFER &&
-        !(plan.config.flags & AGAA_CONFIG_BUFFERED) && aggregateBytes() > caps_.maxStorageRange) {
-        plan.generationTier = AGAA_TIER_GBUFFER;
-        note(format("generation: aggregates would take %llu bytes, and the device allows %llu in one storage buffer, "
-                    "so that a multisampled G-buffer is aggregated by a compute pass.",
-                    static_cast<unsigned long long>(aggregateBytes()),
-                    static_cast<unsigned long long>(caps_.maxStorageRange)));
-        return;
-    }
-    plan.generationTier = choice.tier;
-    plan.runnable = plan.runnable && choice.runnable;
+    generation_ = choice.row;
+    plan.generationTier = choice.row->tier;
+    plan.runnable = plan.runnable && !choice.row->isModel;
     note("generation: " + choice.reason);
 }
 
@@ -89,7 +59,7 @@ void PlanBuilder::dropUncalledFor(const Technique& technique) {
 // After the tier is known.
 void PlanBuilder::checkTierOptions(const Technique& technique) const {
     const AgaaConfig& config = plan.config;
-    const bool knowsMaterials = plan.generationTier == AGAA_TIER_IDS || plan.generationTier == AGAA_TIER_GBUFFER;
+    const bool knowsMaterials = generation_ && generation_->knowsMaterials;
     const bool buffered = config.flags & AGAA_CONFIG_BUFFERED;
     require(config.glossWeight == 0 || knowsMaterials, AGAA_ERROR_UNSUPPORTED,
             "AgaaConfig::glossWeight needs the tier ids or gbuffer, which know materials when they group samples.");
@@ -106,8 +76,8 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
             "AgaaConfig::debugView shows aggregates, of which this technique makes none.");
     require(view != AGAA_DEBUG_VIEW_WIDENED || !plan.layout.foldsRoughness(), AGAA_ERROR_UNSUPPORTED,
             "AgaaConfig::debugView shows widened lobes, which a layout with folded roughness cannot tell.");
-    require(view != AGAA_DEBUG_VIEW_PRIMITIVES || (plan.generationTier == AGAA_TIER_IDS && !buffered),
-            AGAA_ERROR_UNSUPPORTED,
+    const bool countsPrimitives = generation_ && generation_->countsPrimitives;
+    require(view != AGAA_DEBUG_VIEW_PRIMITIVES || (countsPrimitives && !buffered), AGAA_ERROR_UNSUPPORTED,
             "AgaaConfig::debugView shows primitives, which only the tier ids without AGAA_CONFIG_BUFFERED counts.");
 }
 

@@ -1,19 +1,57 @@
 // What a technique is: a row of a table. src/core/techniques/ has them.
 #pragma once
 
+#include "agaa_sdk.h"
+
 #include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace agaa {
 
 class PlanBuilder;
+struct ViewSettings;
+
+// What decides whether a generation tier runs.
+struct GenerationQuery {
+    const AgaaDeviceCaps& caps;
+    uint32_t hwSamples = 1;
+    bool isForced = false;        // AgaaConfig::generationTier names the tier
+    bool customDepth = false;     // materials write depth or discard on their own, so that no pass can compare with the
+                                  // depth of an earlier one before it runs them
+    bool hostGBuffer = false;     // the host draws it
+    bool fetches = false;         // the view has an AgaaFetchFunction
+    bool someUnfetched = false;   // it does not answer for all draws
+    bool needsMaterials = false;  // settings need materials where samples are grouped
+    uint64_t aggregateBytes = 0;  // of one buffer, where another tier would need none; 0: not asked
+};
+
+struct TierAnswer {
+    bool runs = false;
+    std::string reason; // one sentence, either way
+};
+
+// A way to generate aggregates. src/core/techniques/generation_tiers.cpp has them.
+struct GenerationTier {
+    AgaaTier tier;
+    float relativeCost;          // of whole frames, against post-depth atomics
+    bool isAutomatic;            // AUTO may take it
+    bool isModel;                // priced, never run
+    bool knowsMaterials;         // where samples are grouped
+    bool countsPrimitives;
+    const char* offer;           // listed although the answer depends on what the host brings; null: on nothing
+    TierAnswer (*answer)(const GenerationQuery& query);
+};
 
 struct Technique {
     const char* name;
+    uint32_t maxSamples;    // of n
     uint32_t maxAggregates; // c or S, of techniques with a generation stage; 0: none
-    bool multisampled;      // runs at more than one sample per pixel
-    bool groupsSamples;     // by where they lie and what they show: tier IDS, lit shadows, gloss, elliptic lobes
+    // By where they lie and what they show: lit shadows, gloss, elliptic lobes.
+    bool groupsSamples;
+    std::span<const GenerationTier* const> tiers; // in the order in which AUTO prefers them
     void (*build)(PlanBuilder& builder);
 };
 const std::vector<const Technique*>& techniques();

@@ -9,9 +9,6 @@
 
 namespace agaa {
 
-// Whole frames against those by post-depth atomics: medians of the scenes of docs/results/lavapipe/sweep, n = 8, c = 2.
-constexpr float gbufferCost = 0.64f, idsCost = 0.61f;
-
 static bool hasSamples(const AgaaDeviceCaps& caps, uint32_t samples) {
     return (caps.sampleCounts >> std::countr_zero(samples)) & 1;
 }
@@ -57,70 +54,35 @@ VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, 
     return choice;
 }
 
-GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples, uint32_t forced,
-                                  bool customDepth) {
-    checkSampleCount(hwSamples, "the number of samples per texel");
+// The techniques that have the tier.
+static std::string owners(uint32_t tier) {
+    std::string names;
+    for (const Technique* technique : techniques())
+        for (const GenerationTier* row : technique->tiers)
+            if (row->tier == AgaaTier(tier))
+                names += (names.empty() ? "\"" : ", \"") + std::string(technique->name) + "\"";
+    return names;
+}
+
+GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery query, uint32_t forced) {
+    checkSampleCount(query.hwSamples, "the number of samples per texel");
+    query.isForced = forced != AGAA_TIER_AUTO;
     GenerationChoice choice;
-    const auto accept = [&](AgaaTier tier, float price, const char* reason) {
-        choice.tier = tier;
-        choice.relativeCost = price;
-        choice.reason = reason;
-        return choice;
-    };
-    const auto refuse = [&](const char* reason) {
-        choice.reason = reason;
-        return choice;
-    };
-    const auto fromGBuffer = [&](const char* reason) {
-        return accept(AGAA_TIER_GBUFFER, gbufferCost, reason);
-    };
-    if (forced == AGAA_TIER_GBUFFER)
-        return fromGBuffer("a multisampled G-buffer is aggregated by a compute pass.");
-    if (customDepth)
-        return forced == AGAA_TIER_AUTO
-                   ? fromGBuffer("materials that write depth or discard on their own are drawn once, "
-                                 "into a multisampled G-buffer.")
-                   : refuse("materials that write depth or discard on their own need the tier "
-                            "gbuffer.");
-    if (forced == AGAA_TIER_NV_MIXED_SAMPLES) {
-        if (!(caps.flags & AGAA_DEVICE_NV_MIXED_SAMPLES))
-            return refuse("the device has no mixed samples with coverage override.");
-        choice.runnable = false;
-        return accept(AGAA_TIER_NV_MIXED_SAMPLES, 1,
-                      "mixed samples with additive blending; priced, not yet run.");
+    for (const GenerationTier* row : technique.tiers) {
+        if (query.isForced ? row->tier != AgaaTier(forced) : !row->isAutomatic)
+            continue;
+        const TierAnswer answer = row->answer(query);
+        choice.reason = answer.reason;
+        if (answer.runs) {
+            choice.row = row;
+            return choice;
+        }
     }
-    if (!(caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS))
-        return forced == AGAA_TIER_AUTO
-                   ? fromGBuffer("without atomics in fragment shaders a multisampled G-buffer is "
-                                 "aggregated by a compute pass.")
-                   : refuse("the device has no atomics in fragment shaders.");
-    const bool postDepth = caps.flags & AGAA_DEVICE_POST_DEPTH_COVERAGE;
-    switch (forced) {
-    case AGAA_TIER_AUTO:
-    case AGAA_TIER_POST_DEPTH_ATOMICS:
-        if (hwSamples == 1)
-            return accept(AGAA_TIER_POST_DEPTH_ATOMICS, 1,
-                          "one sample a texel: the early depth test leaves exact coverage.");
-        if (postDepth)
-            return accept(AGAA_TIER_POST_DEPTH_ATOMICS, 1,
-                          "post-depth coverage and integer atomics split a fragment exactly.");
-        if (forced != AGAA_TIER_AUTO)
-            return refuse("the device has no post-depth coverage.");
-        [[fallthrough]];
-    case AGAA_TIER_PER_SAMPLE:
-        if (hwSamples == 1)
-            return accept(AGAA_TIER_PER_SAMPLE, 1, "one sample a texel.");
-        if (caps.flags & AGAA_DEVICE_SAMPLE_RATE_SHADING)
-            return accept(AGAA_TIER_PER_SAMPLE, 2, // 376 against 183 ms: bamboo, n = 4, lavapipe
-                          "one invocation per sample with integer atomics.");
-        return forced == AGAA_TIER_AUTO
-                   ? fromGBuffer("without post-depth coverage and sample-rate shading a multisampled "
-                                 "G-buffer is aggregated by a compute pass.")
-                   : refuse("the device has no sample-rate shading.");
-    default:
-        break;
+    if (choice.reason.empty()) { // no such row
+        const std::string names = owners(forced);
+        choice.reason = names.empty() ? format("the tier %s is not built for generation.", agaaTierName(forced))
+                                      : format("the tier %s is for %s.", agaaTierName(forced), names.c_str());
     }
-    choice.reason = format("the tier %s is not built for generation.", agaaTierName(forced));
     return choice;
 }
 
@@ -138,19 +100,17 @@ static AgaaCapability capability(const Technique& technique, uint32_t samples, A
     return row;
 }
 
-// What is taken where the host neither asks nor offers anything, then all else that it can have.
-static std::vector<GenerationChoice> generationChoices(const AgaaDeviceCaps& caps, uint32_t hwSamples,
-                                                       const Technique& technique) {
-    std::vector<GenerationChoice> choices = {chooseGeneration(caps, hwSamples, AGAA_TIER_AUTO, false)};
-    for (uint32_t tier : {AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER}) {
-        const GenerationChoice choice = chooseGeneration(caps, hwSamples, tier, false);
-        if (choice.tier != AGAA_TIER_AUTO && choice.tier != choices.front().tier)
+// What is taken where the host neither asks nor offers anything, then all else that runs, then what needs an offer.
+static std::vector<GenerationChoice> generationChoices(const Technique& technique, const GenerationQuery& query) {
+    std::vector<GenerationChoice> choices = {chooseGeneration(technique, query, AGAA_TIER_AUTO)};
+    for (const GenerationTier* row : technique.tiers) {
+        const GenerationChoice choice = chooseGeneration(technique, query, row->tier);
+        if (choice.row && choice.row != choices.front().row && !row->isModel)
             choices.push_back(choice);
     }
-    if (technique.groupsSamples)
-        choices.push_back({AGAA_TIER_IDS, true, idsCost,
-                           "with an AgaaFetchFunction, materials are fetched by the ids that the only geometry pass "
-                           "leaves."});
+    for (const GenerationTier* row : technique.tiers)
+        if (row->offer)
+            choices.push_back({row, row->offer});
     return choices;
 }
 
@@ -158,7 +118,7 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
     std::vector<AgaaCapability> rows;
     for (const Technique* technique : techniques())
         for (uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u}) {
-            if (!technique->multisampled && samples > 1)
+            if (samples > technique->maxSamples)
                 continue;
             const VisibilityChoice visibility = chooseVisibility(caps, samples, AGAA_TIER_AUTO);
             const auto addVisibility = [&](const VisibilityChoice& choice) {
@@ -174,9 +134,10 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
             if (technique->maxAggregates) {
                 rows.push_back(capability(*technique, samples, AGAA_STAGE_DEFINITION,
                                           AGAA_TIER_NATIVE, true, 1, "a compute pass."));
-                for (const GenerationChoice& choice : generationChoices(caps, visibility.hwSamples, *technique))
-                    rows.push_back(capability(*technique, samples, AGAA_STAGE_GENERATION, choice.tier, false,
-                                              choice.relativeCost, choice.reason));
+                const GenerationQuery query{.caps = caps, .hwSamples = visibility.hwSamples};
+                for (const GenerationChoice& choice : generationChoices(*technique, query))
+                    rows.push_back(capability(*technique, samples, AGAA_STAGE_GENERATION, choice.row->tier, false,
+                                              choice.row->relativeCost, choice.reason));
             }
             rows.push_back(capability(*technique, samples, AGAA_STAGE_SHADING, AGAA_TIER_NATIVE, true,
                                       1, "a compute pass."));

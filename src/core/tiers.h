@@ -2,6 +2,7 @@
 #pragma once
 
 #include "agaa_sdk.h"
+#include "core/technique.h"
 
 #include <string>
 #include <vector>
@@ -19,15 +20,11 @@ struct VisibilityChoice {
 VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced);
 
 struct GenerationChoice {
-    AgaaTier tier = AGAA_TIER_AUTO; // AUTO: cannot run
-    bool runnable = true;           // false: a model only
-    float relativeCost = 1;
-    std::string reason;
+    const GenerationTier* row = nullptr; // null: cannot run
+    std::string reason;                  // one sentence
 };
-// customDepth: some materials write depth or discard on their own, so that no pass can compare with the
-// depth of an earlier one before it runs them.
-GenerationChoice chooseGeneration(const AgaaDeviceCaps& caps, uint32_t hwSamples, uint32_t forced,
-                                  bool customDepth);
+// Of the technique's tiers the forced one, or with AUTO the first that runs. The query's isForced is set here.
+GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery query, uint32_t forced);
 
 std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps);
 

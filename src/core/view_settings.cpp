@@ -175,9 +175,7 @@ ViewSettings resolveView(const AgaaViewDesc* desc) {
     const Technique& technique = *findTechnique(view.config.technique);
     view.config.technique = technique.name; // static storage
     view.technique = technique.name;
-    if (!technique.multisampled)
-        view.config.samples = 1;
-    view.samples = view.config.samples;
+    view.samples = view.config.samples = std::min(view.config.samples, technique.maxSamples);
     readShadowFunction(*desc, view);
     readGBufferFunction(*desc, view);
     readFetchFunction(*desc, view);

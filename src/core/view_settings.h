@@ -25,7 +25,7 @@ struct ViewSettings {
     AgaaConfig config{}; // technique: static storage; layout: null
     AgaaSceneFacts facts{};
     Layout layout; // of what the facts call for
-    uint32_t samples = 1;    // 1 of techniques that are not multisampled
+    uint32_t samples = 1;    // no more than the technique takes
     uint32_t aggregates = 0; // 0 where nothing is aggregated
 
     uint32_t functionShadows = 0; // bit i: the host's function answers for shadow i

@@ -50,7 +50,10 @@ TEST(Planner, TiersRefuseNumbersOfSamplesThatNoTargetHas) {
     for (uint32_t samples : {0u, 3u, 9u, 24u, 64u})
         for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET}) {
             expectRefused(samples, [&] { chooseVisibility(idealDevice(), samples, tier); });
-            expectRefused(samples, [&] { chooseGeneration(idealDevice(), samples, AGAA_TIER_AUTO, false); });
+            expectRefused(samples, [&] {
+                const AgaaDeviceCaps caps = idealDevice();
+                chooseGeneration(*findTechnique("agaa"), {.caps = caps, .hwSamples = samples}, AGAA_TIER_AUTO);
+            });
         }
 }
 
@@ -59,7 +62,7 @@ TEST(Planner, UploadsAreReadInOneSegmentEach) {
     for (const Technique* technique : techniques())
         for (uint64_t flags : {uint64_t(0), AGAA_CONFIG_BUFFERED | AGAA_CONFIG_COUNTERS}) {
             ViewSpec spec{.technique = technique->name, .configFlags = flags};
-            spec.samples = technique->multisampled ? 8 : 1;
+            spec.samples = std::min(technique->maxSamples, 8u);
             const Plan plan = planFor(spec, fourSampleDevice());
             for (const Resource& resource : plan.resources) {
                 const bool isUpload = resource.content != UploadContent::None;

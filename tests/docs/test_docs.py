@@ -150,7 +150,7 @@ class Prices(unittest.TestCase):
     def test_of_tiers(self):
         for name, tier in (("gbufferCost", "gbuffer"), ("idsCost", "ids")):
             measured = [self.frame(scene, tier) / self.frame(scene, None) for scene in self.scenes]
-            self.assertAlmostEqual(statistics.median(measured), self.price("tiers.cpp", name), delta=0.05)
+            self.assertAlmostEqual(statistics.median(measured), self.price("techniques/generation_tiers.cpp", name), delta=0.05)
 
     def test_of_causes(self):
         """What the page of a sweep says of aggregates that err more than surfaces of SBAA."""

@@ -1,5 +1,6 @@
 // `agaa`: prepass, aggregate definition, AG-buffer generation, shading (Crassin et al. 2016, section 3).
 #include "core/techniques/aggregation.h"
+#include "core/techniques/generation_tiers.h"
 #include "core/techniques/techniques.h"
 
 #include <bit>
@@ -73,6 +74,8 @@ void build(PlanBuilder& b) {
 
 } // namespace
 
-const Technique agaaTechnique = {"agaa", 4, true, true, build};
+static constexpr const GenerationTier* tiers[] = {&idsTier, &postDepthTier, &perSampleTier, &gbufferTier,
+                                                  &mixedSamplesTier};
+const Technique agaaTechnique = {"agaa", 32, 4, true, tiers, build};
 
 } // namespace agaa

@@ -1,6 +1,7 @@
 #include "core/techniques/aggregation.h"
 
 #include "core/checked.h"
+#include "core/error.h"
 #include "core/techniques/gbuffer.h"
 
 #include <optional>
@@ -153,6 +154,9 @@ struct Ids {
 Ids drawIds(PlanBuilder& b) {
     Ids ids{drawPrepass(b, b.plan.someUnfetched && b.wantsStencil(), "ids", Format::RGBA8), {}};
     if (b.plan.someUnfetched) {
+        require(!b.hasFact(AGAA_FACT_CUSTOM_DEPTH), AGAA_ERROR_UNSUPPORTED,
+                "materials that write depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) cannot be drawn a second "
+                "time at equal depth, which AGAA_FETCH_NOT_ALL_DRAWS asks for.");
         if (b.wantsStencil() && !b.keepsFirst())
             b.note("no format of depth and stencil: of unfetched draws at equal depth the last is shown.");
         ids.unfetched = drawGBufferOver(b, ids.prepass.depth);

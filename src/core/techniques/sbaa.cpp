@@ -1,6 +1,7 @@
 // `sbaa`: prepass, selection of the surfaces that cover most, their attributes, shading once each (Salvi and
 // Vidimce 2012, merge mode).
 #include "core/techniques/aggregation.h"
+#include "core/techniques/generation_tiers.h"
 #include "core/techniques/techniques.h"
 
 #include <algorithm>
@@ -61,6 +62,7 @@ void build(PlanBuilder& b) {
 
 } // namespace
 
-const Technique sbaaTechnique = {"sbaa", 6, true, false, build};
+static constexpr const GenerationTier* tiers[] = {&postDepthTier, &perSampleTier, &gbufferTier, &mixedSamplesTier};
+const Technique sbaaTechnique = {"sbaa", 32, 6, false, tiers, build};
 
 } // namespace agaa

@@ -1,0 +1,120 @@
+#include "core/techniques/generation_tiers.h"
+
+#include "core/error.h"
+
+namespace agaa {
+
+namespace {
+
+// Whole frames against those by post-depth atomics: medians of the scenes of docs/results/lavapipe/sweep, n = 8, c = 2.
+constexpr float gbufferCost = 0.64f, idsCost = 0.61f;
+constexpr float perSampleCost = 2; // 376 against 183 ms: bamboo, n = 4, lavapipe
+
+constexpr const char* hostGBufferReason = "a G-buffer that the host draws leaves only the tier gbuffer.";
+
+bool hasAtomics(const GenerationQuery& q) { return q.caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS; }
+bool isTooLarge(const GenerationQuery& q) { return q.aggregateBytes > q.caps.maxStorageRange; }
+
+// Why two geometry passes cannot run, whatever the device; empty where they can.
+std::string twoPassRefusal(const GenerationQuery& q) {
+    if (q.hostGBuffer)
+        return hostGBufferReason;
+    if (!q.isForced && q.needsMaterials)
+        return "settings need materials where samples are grouped.";
+    if (q.customDepth)
+        return "materials that write depth or discard on their own need the tier gbuffer.";
+    return {};
+}
+
+// The same of passes that accumulate by atomics.
+std::string atomicsRefusal(const GenerationQuery& q) {
+    if (std::string refusal = twoPassRefusal(q); !refusal.empty())
+        return refusal;
+    if (!hasAtomics(q))
+        return "the device has no atomics in fragment shaders.";
+    if (!q.isForced && isTooLarge(q))
+        return "the device has no storage buffer that holds the aggregates.";
+    return {};
+}
+
+TierAnswer answerPostDepth(const GenerationQuery& q) {
+    if (std::string refusal = atomicsRefusal(q); !refusal.empty())
+        return {false, refusal};
+    if (q.hwSamples == 1)
+        return {true, "one sample a texel: the early depth test leaves exact coverage."};
+    if (q.caps.flags & AGAA_DEVICE_POST_DEPTH_COVERAGE)
+        return {true, "post-depth coverage and integer atomics split a fragment exactly."};
+    return {false, "the device has no post-depth coverage."};
+}
+
+TierAnswer answerPerSample(const GenerationQuery& q) {
+    if (std::string refusal = atomicsRefusal(q); !refusal.empty())
+        return {false, refusal};
+    if (q.hwSamples == 1)
+        return {true, "one sample a texel."};
+    if (q.caps.flags & AGAA_DEVICE_SAMPLE_RATE_SHADING)
+        return {true, "one invocation per sample with integer atomics."};
+    return {false, "the device has no sample-rate shading."};
+}
+
+TierAnswer answerMixedSamples(const GenerationQuery& q) {
+    if (std::string refusal = twoPassRefusal(q); !refusal.empty())
+        return {false, refusal};
+    if (!(q.caps.flags & AGAA_DEVICE_NV_MIXED_SAMPLES))
+        return {false, "the device has no mixed samples with coverage override."};
+    return {true, "mixed samples with additive blending; priced, not yet run."};
+}
+
+// It always runs; the reason is why AUTO came to it.
+TierAnswer answerGBuffer(const GenerationQuery& q) {
+    const std::string aggregated = "a multisampled G-buffer is aggregated by a compute pass.";
+    if (q.hostGBuffer)
+        return {true, "the host's multisampled G-buffer is aggregated by a compute pass."};
+    if (q.isForced)
+        return {true, aggregated};
+    if (q.needsMaterials)
+        return {true, "lit shadows, the weight of gloss and elliptic lobes want materials where samples are grouped, so "
+                      "that " + aggregated};
+    if (q.customDepth)
+        return {true, "materials that write depth or discard on their own are drawn once, into a multisampled G-buffer."};
+    if (!hasAtomics(q))
+        return {true, "without atomics in fragment shaders " + aggregated};
+    if (isTooLarge(q))
+        return {true, format("aggregates would take %llu bytes, and the device allows %llu in one storage buffer, so "
+                             "that ", static_cast<unsigned long long>(q.aggregateBytes),
+                             static_cast<unsigned long long>(q.caps.maxStorageRange)) + aggregated};
+    return {true, "without post-depth coverage and sample-rate shading " + aggregated};
+}
+
+TierAnswer answerIds(const GenerationQuery& q) {
+    if (q.hostGBuffer)
+        return {false, hostGBufferReason};
+    if (!q.fetches)
+        return {false, "the tier ids needs an AgaaFetchFunction."};
+    return {true, q.someUnfetched
+                      ? "materials are fetched by the ids that the first geometry pass leaves; draws that cannot be "
+                        "fetched (AGAA_FETCH_NOT_ALL_DRAWS) are drawn again, into a whole multisampled G-buffer."
+                      : "materials are fetched by the ids that the only geometry pass leaves."};
+}
+
+} // namespace
+
+const GenerationTier idsTier = {
+    .tier = AGAA_TIER_IDS, .relativeCost = idsCost, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
+    .countsPrimitives = true,
+    .offer = "with an AgaaFetchFunction, materials are fetched by the ids that the only geometry pass leaves.",
+    .answer = answerIds};
+const GenerationTier postDepthTier = {
+    .tier = AGAA_TIER_POST_DEPTH_ATOMICS, .relativeCost = 1, .isAutomatic = true, .isModel = false,
+    .knowsMaterials = false, .countsPrimitives = false, .offer = nullptr, .answer = answerPostDepth};
+const GenerationTier perSampleTier = {
+    .tier = AGAA_TIER_PER_SAMPLE, .relativeCost = perSampleCost, .isAutomatic = true, .isModel = false,
+    .knowsMaterials = false, .countsPrimitives = false, .offer = nullptr, .answer = answerPerSample};
+const GenerationTier gbufferTier = {
+    .tier = AGAA_TIER_GBUFFER, .relativeCost = gbufferCost, .isAutomatic = true, .isModel = false,
+    .knowsMaterials = true, .countsPrimitives = false, .offer = nullptr, .answer = answerGBuffer};
+const GenerationTier mixedSamplesTier = {
+    .tier = AGAA_TIER_NV_MIXED_SAMPLES, .relativeCost = 1, .isAutomatic = false, .isModel = true,
+    .knowsMaterials = false, .countsPrimitives = false, .offer = nullptr, .answer = answerMixedSamples};
+
+} // namespace agaa

@@ -1,0 +1,14 @@
+// The ways to generate aggregates.
+#pragma once
+
+#include "core/technique.h"
+
+namespace agaa {
+
+extern const GenerationTier idsTier;
+extern const GenerationTier postDepthTier;
+extern const GenerationTier perSampleTier;
+extern const GenerationTier gbufferTier;
+extern const GenerationTier mixedSamplesTier;
+
+} // namespace agaa
