@@ -171,49 +171,68 @@ typedef struct AgaaConfig {
     const AgaaLayout* layout; /* null: "precise" */
     uint32_t brdf;            /* AgaaBrdf */
     uint32_t ndf;             /* AgaaNdf */
-    float characteristicLength;            /* k of equation 1, in host units, [0;inf) */
-    float characteristicLengthPerDistance; /* k is at least this times the distance of the pixel's nearest sample,
-                                              [0;1]; k > 0. In an orthographic view, half the view's width stands for
-                                              the distance, as in a perspective view of 90 degrees. */
-    float aggregateThreshold; /* t: a further aggregate must be farther than this, [0;1e6] */
     /* What counts as one surface: shaded once by "simple_complex" and "sbaa", one aggregate of "agaa". 0: as the
      * technique has it. */
     float surfaceCosine;   /* least cosine between normals, [0;1] */
     float surfaceDistance; /* from the surface's plane, in widths of a pixel at its depth, [0;1e6] */
     float surfaceMaterial; /* largest difference of a material's channel, [0;1]; read by "simple_complex" */
-    uint32_t seeds;           /* AgaaSeeds */
     uint32_t shadowTaps;      /* most samples of an aggregate that are looked up in each shadow, [0;32]; 0: 8. Shadows
                                  alone depend on it: the aggregate's position is the mean of all its samples. */
     uint32_t visibilityTier;  /* AgaaTier; AUTO: best that runs */
     uint32_t generationTier;  /* AgaaTier; AUTO: best that runs; of "agaa", not BUFFERED, GBUFFER where no storage
                                  buffer of the device holds the aggregates */
     uint32_t shadingCost;     /* [1;64]: lighting is evaluated this many times, for measurements */
-    /* Of the tiers IDS and GBUFFER without AGAA_CONFIG_BUFFERED, one of which AUTO then takes; with others
-     * AGAA_ERROR_UNSUPPORTED. Bit i: lights of AgaaFrame::shadows[i] are shaded by means over what they reach of
-     * an aggregate, times the share that they reach, so that lit and unlit samples may differ in normal and colour.
-     * A tap a sample, in place of shadowTaps. Shadows that AgaaSceneFacts does not declare are left out. */
-    uint32_t litShadows;
+    uint32_t debugView;       /* AgaaDebugView */
     uint64_t flags;           /* AGAA_CONFIG_… */
-    /* Of the tiers GBUFFER and IDS, which know materials when they group samples: one of them AUTO then takes; others
-     * are AGAA_ERROR_UNSUPPORTED. Without specular light it is as 0. Shading normals differ by
-     * glossWeight / alpha as much in equation 1, [1;20], alpha of GGX, up to the term's largest value of 1; equal
-     * normals of different gloss differ too. What shines narrowly is parted sooner. [0;16]; 0: by normals alone. */
-    float glossWeight;
-    uint32_t debugView; /* AgaaDebugView */
 } AgaaConfig;
 #define AGAA_CONFIG_INIT                                                                            \
     {AGAA_STRUCTURE_TYPE_CONFIG, (uint32_t)sizeof(AgaaConfig), NULL, "agaa", 8, 2, NULL,             \
-     AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.03f, 0.02f, 0.0f, 0.0f, 0.0f, AGAA_SEEDS_MAXIMIN, 0,   \
-     AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0, 0.0f, 0}
+     AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.0f, 0.0f, 0,                                           \
+     AGAA_TIER_AUTO, AGAA_TIER_AUTO, 1, 0, 0}
 
-/* Named settings of "agaa", from measurements (docs/choosing.md): "paper", as its sections say, but that each sample
- * goes to its own aggregate (AGAA_CONFIG_FIRST_SAMPLE_ROUTING) and k stays as it is (the paper: 10 cm); "fast",
- * "balanced" and "accurate". Sets technique, aggregates, aggregateThreshold, surface…, seeds, shadowTaps, ndf,
- * litShadows (the first shadow), glossWeight and what flags say of clustering, filters and materials; leaves the rest.
- * The last two want materials where samples are grouped: without an AgaaFetchFunction, tier AUTO then is GBUFFER.
- * AGAA_ERROR_INVALID_ARGUMENT: config is null, name is null or none of these; AGAA_ERROR_STRUCT: config was not
- * initialised. On an error config is as it was. */
-AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config);
+/* Settings of "agaa" and "sbaa": how samples are grouped. Chained to AgaaConfig; without it they have these defaults.
+ * Other techniques check the struct and do not use it, so that a host may chain the settings of all techniques. */
+typedef struct AgaaAggregation {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    float characteristicLength;            /* k of equation 1, in host units, [0;inf) */
+    float characteristicLengthPerDistance; /* k is at least this times the distance of the pixel's nearest sample,
+                                              [0;1]; k > 0. In an orthographic view, half the view's width stands for
+                                              the distance, as in a perspective view of 90 degrees. */
+    float aggregateThreshold; /* t: a further aggregate must be farther than this, [0;1e6] */
+    uint32_t seeds;           /* AgaaSeeds; of "agaa" */
+    /* Of "agaa". Bit i: lights of AgaaFrame::shadows[i] are shaded by means over the samples of an aggregate that they
+     * reach, times the share of those samples, so that lit and unlit samples may differ in normal and colour. One tap a
+     * sample replaces shadowTaps. Shadows that AgaaSceneFacts does not declare are left out. Requires the tier IDS or
+     * GBUFFER without AGAA_CONFIG_BUFFERED. AUTO selects one of them; any other tier fails with
+     * AGAA_ERROR_UNSUPPORTED. */
+    uint32_t litShadows;
+    /* Of "agaa", [0;16]. Shading normals differ by glossWeight / alpha as much in equation 1, [1;20], alpha of GGX, up
+     * to the term's largest value of 1. Equal normals of different gloss differ too. Glossy surfaces are split earlier.
+     * 0: by normals alone; so it is without specular light. Requires the tier IDS or GBUFFER, which know materials when
+     * they group samples. AUTO selects one of them; any other tier fails with AGAA_ERROR_UNSUPPORTED. */
+    float glossWeight;
+} AgaaAggregation;
+#define AGAA_AGGREGATION_INIT                                                                       \
+    {AGAA_STRUCTURE_TYPE_AGGREGATION, (uint32_t)sizeof(AgaaAggregation), NULL, 0.0f, 0.03f, 0.02f,   \
+     AGAA_SEEDS_MAXIMIN, 0, 0.0f}
+
+/* Applies named settings of "agaa", from measurements (docs/choosing.md). "paper" follows the paper's sections, except
+ * that each sample goes to its own aggregate (AGAA_CONFIG_FIRST_SAMPLE_ROUTING) and that k keeps its value (the paper:
+ * 10 cm). The others are "fast", "balanced" and "accurate".
+ *
+ * config       Receives technique, aggregates, surface…, shadowTaps, ndf, and the flags of clustering, filters and
+ *              materials. All else keeps its value, pNext too.
+ * aggregation  Receives aggregateThreshold, seeds, litShadows (the first shadow) and glossWeight. All else keeps its
+ *              value. Chain it to config.
+ *
+ * "balanced" and "accurate" need materials where samples are grouped: without an AgaaFetchFunction, tier AUTO is GBUFFER.
+ *
+ * Errors       AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, or the name is not known
+ *              AGAA_ERROR_STRUCT             a struct was not initialised
+ *              Both structs then keep all their values. */
+AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config, AgaaAggregation* aggregation);
 
 /* What the scene calls for. The planner drops what is not named here. */
 #define AGAA_FACT_SPECULAR UINT64_C(0x01)

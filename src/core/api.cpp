@@ -98,11 +98,12 @@ AgaaResult AGAA_CALL agaaGetBuiltinLayout(const char* name, AgaaLayout* outLayou
     });
 }
 
-AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config) {
+AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config, AgaaAggregation* aggregation) {
     return guarded(Log(), "agaaApplyPreset", [&]() -> AgaaResult {
         require(name, AGAA_ERROR_INVALID_ARGUMENT, "the name is null.");
-        checkStruct(config, AGAA_STRUCTURE_TYPE_CONFIG, "AgaaConfig");
-        if (!applyPreset(name, *config))
+        checkHeader(config, AGAA_STRUCTURE_TYPE_CONFIG, sizeof *config, "AgaaConfig", settingsTypes());
+        checkHeader(aggregation, AGAA_STRUCTURE_TYPE_AGGREGATION, sizeof *aggregation, "AgaaAggregation", settingsTypes());
+        if (!applyPreset(name, *config, *aggregation))
             fail(AGAA_ERROR_INVALID_ARGUMENT, format("no preset is called \"%.64s\".", name));
         return AGAA_OK;
     });

@@ -33,9 +33,9 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     out.size[1] = plan.height;
     out.size[2] = frame.lightCount;
     out.size[3] = frame.background[3] == 0.0f;
-    out.cluster[0] = plan.config.characteristicLength;
-    out.cluster[1] = plan.config.characteristicLengthPerDistance;
-    out.cluster[2] = plan.config.aggregateThreshold;
+    out.cluster[0] = plan.aggregation.characteristicLength;
+    out.cluster[1] = plan.aggregation.characteristicLengthPerDistance;
+    out.cluster[2] = plan.aggregation.aggregateThreshold;
     std::memcpy(out.ambient, frame.ambient, sizeof frame.ambient);
     out.ambient[3] = plan.layout.emissiveRange();
     std::memcpy(out.background, frame.background, sizeof frame.background);

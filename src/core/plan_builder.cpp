@@ -141,7 +141,7 @@ bool PlanBuilder::isSwitchedOn(char letter) const {
     case 'g':
         return plan.generationTier == AGAA_TIER_GBUFFER;
     case 'l':
-        return plan.config.litShadows != 0;
+        return plan.aggregation.litShadows != 0;
     default: // the pass says it
         return false;
     }
@@ -345,12 +345,12 @@ void PlanBuilder::listEffects(bool readsFolded) {
     if (plan.aggregates) {
         if (plan.facts.shadowMapCount && constants_[AGAA_SHADOW_FILTER])
             effect("shadow-filter");
-        if (plan.config.litShadows) {
+        if (plan.aggregation.litShadows) {
             effect("lit-aggregates");
             note(format("lit aggregates: shadows looked up at each sample: %d, up to %u taps a pixel and light; the "
                         "second means are in registers, no bytes in memory; on lavapipe, from a G-buffer, whole frames "
                         "took %.2f of the time of frames without.",
-                        std::popcount(plan.config.litShadows), plan.config.samples, double(litCost)));
+                        std::popcount(plan.aggregation.litShadows), plan.config.samples, double(litCost)));
         }
         if (constants_[AGAA_FILTER_DIFFUSE] && !readsFolded)
             effect("filtered-diffuse");

@@ -17,7 +17,7 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
                           .hostGBuffer = plan.hostGBuffer,
                           .fetches = plan.maxDraws > 0,
                           .someUnfetched = plan.someUnfetched,
-                          .needsMaterials = config.litShadows || config.glossWeight > 0 || config.ndf > AGAA_NDF_TOKSVIG};
+                          .needsMaterials = plan.aggregation.litShadows || plan.aggregation.glossWeight > 0 || config.ndf > AGAA_NDF_TOKSVIG};
     // Other tiers shade at once, without aggregates in memory.
     if (technique.groupsSamples && !(config.flags & AGAA_CONFIG_BUFFERED))
         query.aggregateBytes = aggregateBytes();
@@ -40,20 +40,20 @@ uint64_t PlanBuilder::aggregateBytes() const {
 void PlanBuilder::dropUncalledFor(const Technique& technique) {
     AgaaConfig& config = plan.config;
     if (!technique.groupsSamples) { // settings of "agaa" may stay where another is measured
-        config.litShadows = 0;
+        plan.aggregation.litShadows = 0;
         config.flags &= ~(AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FIRST_SAMPLE_ROUTING);
     }
     if (plan.aggregates < 2) // one place to go to
         config.flags &= ~AGAA_CONFIG_FIRST_SAMPLE_ROUTING;
     if (!technique.groupsSamples || !plan.layout.has(AGAA_SEMANTIC_SPECULAR)) { // no lobe: elliptic, or narrow
         config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG);
-        config.glossWeight = 0;
+        plan.aggregation.glossWeight = 0;
     }
-    const uint32_t lit = config.litShadows & ((1u << plan.facts.shadowMapCount) - 1);
-    if (lit != config.litShadows)
-        note("lit aggregates: AgaaConfig::litShadows names shadows that AgaaSceneFacts does not declare; they are "
+    const uint32_t lit = plan.aggregation.litShadows & ((1u << plan.facts.shadowMapCount) - 1);
+    if (lit != plan.aggregation.litShadows)
+        note("lit aggregates: AgaaAggregation::litShadows names shadows that AgaaSceneFacts does not declare; they are "
              "left out.");
-    config.litShadows = lit;
+    plan.aggregation.litShadows = lit;
 }
 
 // After the tier is known.
@@ -61,10 +61,10 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
     const AgaaConfig& config = plan.config;
     const bool knowsMaterials = generation_ && generation_->knowsMaterials;
     const bool buffered = config.flags & AGAA_CONFIG_BUFFERED;
-    require(config.glossWeight == 0 || knowsMaterials, AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::glossWeight needs the tier ids or gbuffer, which know materials when they group samples.");
-    require(config.litShadows == 0 || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::litShadows needs the tier ids or gbuffer without AGAA_CONFIG_BUFFERED, which know materials "
+    require(plan.aggregation.glossWeight == 0 || knowsMaterials, AGAA_ERROR_UNSUPPORTED,
+            "AgaaAggregation::glossWeight needs the tier ids or gbuffer, which know materials when they group samples.");
+    require(plan.aggregation.litShadows == 0 || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
+            "AgaaAggregation::litShadows needs the tier ids or gbuffer without AGAA_CONFIG_BUFFERED, which know materials "
             "and shadows in one pass.");
     require(config.ndf <= AGAA_NDF_TOKSVIG || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
             "AgaaConfig::ndf needs the tier ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic lobes, whose "
@@ -118,13 +118,13 @@ void PlanBuilder::setConstants() {
                             : config.flags & AGAA_CONFIG_SHADOW_ALONG_DEPTH ? 2
                                                                             : 1;
     c[AGAA_COUNTERS] = counts();
-    c[AGAA_SEEDS] = config.seeds;
+    c[AGAA_SEEDS] = plan.aggregation.seeds;
     c[AGAA_EMISSIVE_CHANNELS] = plan.layout[AGAA_SEMANTIC_EMISSIVE].channels;
     c[AGAA_HAS_SPECULAR] = plan.layout.has(AGAA_SEMANTIC_SPECULAR);
     c[AGAA_HAS_AMBIENT] = hasFact(AGAA_FACT_AMBIENT);
     c[AGAA_SHADING_COST] = config.shadingCost;
-    c[AGAA_GLOSS_WEIGHT] = config.glossWeight > 0 ? std::bit_cast<uint32_t>(config.glossWeight) : 0; // not -0
-    c[AGAA_LIT_SHADOWS] = config.litShadows;
+    c[AGAA_GLOSS_WEIGHT] = plan.aggregation.glossWeight > 0 ? std::bit_cast<uint32_t>(plan.aggregation.glossWeight) : 0; // not -0
+    c[AGAA_LIT_SHADOWS] = plan.aggregation.litShadows;
     c[AGAA_DEBUG_VIEW] = config.debugView;
     c[AGAA_FAR_DEPTH] = !plan.reversedZ;
     c[AGAA_GENERATION_TIER] = plan.generationTier;

@@ -30,18 +30,18 @@ constexpr Preset presets[] = {
 
 } // namespace
 
-bool applyPreset(std::string_view name, AgaaConfig& config) {
+bool applyPreset(std::string_view name, AgaaConfig& config, AgaaAggregation& aggregation) {
     for (const Preset& preset : presets)
         if (preset.name == name) {
             config.technique = "agaa";
             config.aggregates = preset.aggregates;
-            config.aggregateThreshold = preset.threshold;
+            aggregation.aggregateThreshold = preset.threshold;
             config.surfaceCosine = config.surfaceDistance = config.surfaceMaterial = 0;
-            config.seeds = preset.seeds;
+            aggregation.seeds = preset.seeds;
             config.shadowTaps = 0;
             config.ndf = preset.ndf;
-            config.litShadows = preset.litShadows;
-            config.glossWeight = preset.glossWeight;
+            aggregation.litShadows = preset.litShadows;
+            aggregation.glossWeight = preset.glossWeight;
             config.flags = (config.flags & ~decided) | preset.flags;
             return true;
         }

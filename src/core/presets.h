@@ -8,6 +8,6 @@
 namespace agaa {
 
 // False where there is none of that name.
-bool applyPreset(std::string_view name, AgaaConfig& config);
+bool applyPreset(std::string_view name, AgaaConfig& config, AgaaAggregation& aggregation);
 
 } // namespace agaa

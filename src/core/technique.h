@@ -3,6 +3,7 @@
 
 #include "agaa_sdk.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -45,6 +46,14 @@ struct GenerationTier {
     TierAnswer (*answer)(const GenerationQuery& query);
 };
 
+// A struct that may be chained to AgaaConfig.
+struct TechniqueSettings {
+    uint32_t sType;
+    size_t structSize;
+    const char* name;
+    void (*read)(const void* structure, ViewSettings& view); // throws Error where a member is out of range
+};
+
 struct Technique {
     const char* name;
     uint32_t maxSamples;    // of n
@@ -52,9 +61,13 @@ struct Technique {
     // By where they lie and what they show: lit shadows, gloss, elliptic lobes.
     bool groupsSamples;
     std::span<const GenerationTier* const> tiers; // in the order in which AUTO prefers them
+    std::span<const TechniqueSettings* const> settings;
     void (*build)(PlanBuilder& builder);
 };
 const std::vector<const Technique*>& techniques();
 const Technique* findTechnique(std::string_view name); // null where there is none
+
+// Of the structs that may be chained to AgaaConfig: settings of all techniques, so that a host may chain several.
+std::vector<uint32_t> settingsTypes();
 
 } // namespace agaa

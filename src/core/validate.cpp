@@ -7,16 +7,14 @@
 namespace agaa {
 
 void checkHeader(const void* structure, uint32_t sType, size_t structSize, const char* name,
-                 std::initializer_list<uint32_t> known) {
+                 const std::vector<uint32_t>& known) {
     if (!structure)
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is null.", name));
     const auto* header = static_cast<const AgaaStructHeader*>(structure);
     if (header->sType != sType)
         fail(AGAA_ERROR_STRUCT, format("%s has sType %u where %u is expected; start from its _INIT.",
                                        name, header->sType, sType));
-    if (header->structSize != structSize)
-        fail(AGAA_ERROR_STRUCT, format("%s has structSize %u where this library's is %zu.", name,
-                                       header->structSize, structSize));
+    checkStructSize(structure, structSize, name);
     uint32_t length = 0;
     std::vector<uint32_t> seen;
     for (const auto* next = static_cast<const AgaaStructHeader*>(header->pNext); next;
@@ -33,6 +31,12 @@ void checkHeader(const void* structure, uint32_t sType, size_t structSize, const
                  format("the chain of %s holds a struct of type %u, which is not known here.", name,
                         next->sType));
     }
+}
+
+void checkStructSize(const void* structure, size_t structSize, const char* name) {
+    const uint32_t size = static_cast<const AgaaStructHeader*>(structure)->structSize;
+    if (size != structSize)
+        fail(AGAA_ERROR_STRUCT, format("%s has structSize %u where this library's is %zu.", name, size, structSize));
 }
 
 const void* findChained(const void* structure, uint32_t sType) {

@@ -5,13 +5,15 @@
 #include "core/plan.h"
 
 #include <cmath>
-#include <initializer_list>
+#include <vector>
 
 namespace agaa {
 
 // sType, structSize and the pNext chain. known: the types that may be chained to this struct, each once.
 void checkHeader(const void* structure, uint32_t sType, size_t structSize, const char* name,
-                 std::initializer_list<uint32_t> known = {});
+                 const std::vector<uint32_t>& known = {});
+// Of a struct in a chain.
+void checkStructSize(const void* structure, size_t structSize, const char* name);
 // The struct of this type in a chain, or null.
 const void* findChained(const void* structure, uint32_t sType);
 

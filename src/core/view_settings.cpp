@@ -3,14 +3,25 @@
 #include "core/technique.h"
 #include "core/validate.h"
 
+#include <algorithm>
 #include <bit>
 #include <regex>
 #include <sstream>
 
 namespace agaa {
 
+static void readSettings(const AgaaConfig& config, ViewSettings& view) {
+    for (const Technique* technique : techniques())
+        for (const TechniqueSettings* settings : technique->settings)
+            if (const void* chained = findChained(&config, settings->sType)) {
+                checkStructSize(chained, settings->structSize, settings->name);
+                settings->read(chained, view);
+            }
+}
+
 static AgaaConfig checkConfig(const AgaaConfig* pointer) {
-    const AgaaConfig& config = checkStruct(pointer, AGAA_STRUCTURE_TYPE_CONFIG, "AgaaConfig");
+    checkHeader(pointer, AGAA_STRUCTURE_TYPE_CONFIG, sizeof *pointer, "AgaaConfig", settingsTypes());
+    const AgaaConfig& config = *pointer;
     require(config.technique, AGAA_ERROR_INVALID_ARGUMENT, "AgaaConfig::technique is null.");
     if (!findTechnique(config.technique))
         fail(AGAA_ERROR_UNSUPPORTED, format("no technique is called \"%.64s\".", config.technique));
@@ -18,23 +29,11 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer) {
     checkRange(uint64_t(config.aggregates), 1, 6, "AgaaConfig::aggregates");
     checkRange(uint64_t(config.brdf), 0, AGAA_BRDF_GGX, "AgaaConfig::brdf");
     checkRange(uint64_t(config.ndf), 0, AGAA_NDF_SGGX, "AgaaConfig::ndf");
-    checkRange(uint64_t(config.seeds), 0, AGAA_SEEDS_SUM_OF_SQUARES, "AgaaConfig::seeds");
     checkRange(uint64_t(config.shadowTaps), 0, 32, "AgaaConfig::shadowTaps");
     checkRange(uint64_t(config.shadingCost), 1, 64, "AgaaConfig::shadingCost");
-    checkFinite(config.characteristicLength, "AgaaConfig::characteristicLength");
-    checkRange(double(config.characteristicLength), 0.0, 3.4e38, "AgaaConfig::characteristicLength");
-    checkRange(double(config.characteristicLengthPerDistance), 0.0, 1.0,
-               "AgaaConfig::characteristicLengthPerDistance");
-    // k = 0 divides by zero in equation 1 (hard case 21).
-    require(config.characteristicLength > 0 || config.characteristicLengthPerDistance > 0,
-            AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaConfig::characteristicLength and its share per distance are both 0; k must be > 0.");
-    checkRange(double(config.aggregateThreshold), 0.0, 1e6, "AgaaConfig::aggregateThreshold");
     checkRange(double(config.surfaceCosine), 0.0, 1.0, "AgaaConfig::surfaceCosine");
     checkRange(double(config.surfaceDistance), 0.0, 1e6, "AgaaConfig::surfaceDistance");
     checkRange(double(config.surfaceMaterial), 0.0, 1.0, "AgaaConfig::surfaceMaterial");
-    checkRange(uint64_t(config.litShadows), 0, (1u << AGAA_MAX_SHADOW_MAPS) - 1, "AgaaConfig::litShadows");
-    checkRange(double(config.glossWeight), 0.0, 16.0, "AgaaConfig::glossWeight");
     checkRange(uint64_t(config.debugView), 0, AGAA_DEBUG_VIEW_TIER, "AgaaConfig::debugView");
     constexpr uint64_t known = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK |
                                AGAA_CONFIG_NO_DIFFUSE_FILTER | AGAA_CONFIG_NO_SHADOW_FILTER |
@@ -89,8 +88,7 @@ static const Function* chainedFunction(const AgaaViewDesc& desc, uint32_t sType,
     const auto* function = static_cast<const Function*>(findChained(&desc, sType));
     if (!function)
         return nullptr;
-    if (function->structSize != sizeof *function)
-        fail(AGAA_ERROR_STRUCT, format("%s has another structSize than this library's.", name));
+    checkStructSize(function, sizeof *function, name);
     checkGlsl(function->glsl, function->glslExtensions, name);
     return function;
 }
@@ -171,6 +169,8 @@ ViewSettings resolveView(const AgaaViewDesc* desc) {
     view.composite = desc->flags & AGAA_VIEW_COMPOSITE;
     view.clipZFromMinusOne = desc->flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
     view.config = checkConfig(desc->config);
+    readSettings(view.config, view);
+    view.config.pNext = nullptr;
     view.facts = checkFacts(desc->facts);
     const Technique& technique = *findTechnique(view.config.technique);
     view.config.technique = technique.name; // static storage

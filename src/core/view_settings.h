@@ -23,6 +23,7 @@ struct ViewSettings {
     bool composite = false; // over what the output holds
     bool clipZFromMinusOne = false;
     AgaaConfig config{}; // technique: static storage; layout: null
+    AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
     AgaaSceneFacts facts{};
     Layout layout; // of what the facts call for
     uint32_t samples = 1;    // no more than the technique takes

@@ -21,6 +21,7 @@ TEST(Abi, HeadersComeFirst) {
     CHECK_HEADER(AgaaLog);
     CHECK_HEADER(AgaaLayout);
     CHECK_HEADER(AgaaConfig);
+    CHECK_HEADER(AgaaAggregation);
     CHECK_HEADER(AgaaSceneFacts);
     CHECK_HEADER(AgaaViewDesc);
     CHECK_HEADER(AgaaDeviceCaps);
@@ -46,9 +47,10 @@ TEST(Abi, HeadersComeFirst) {
 
 TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaLog, 32);
-    EXPECT_SIZE(AgaaLayoutAttribute, 32);
-    EXPECT_SIZE(AgaaLayout, 184);
-    EXPECT_SIZE(AgaaConfig, 112);
+    EXPECT_SIZE(AgaaLayoutAttribute, 40);
+    EXPECT_SIZE(AgaaLayout, 544);
+    EXPECT_SIZE(AgaaConfig, 88);
+    EXPECT_SIZE(AgaaAggregation, 40);
     EXPECT_SIZE(AgaaSceneFacts, 32);
     EXPECT_SIZE(AgaaViewDesc, 48);
     EXPECT_SIZE(AgaaDeviceCaps, 304);
@@ -83,7 +85,7 @@ TEST(Abi, Sizes) {
 TEST(Abi, Offsets) {
     EXPECT_OFFSET(AgaaConfig, technique, 16);
     EXPECT_OFFSET(AgaaConfig, layout, 32);
-    EXPECT_OFFSET(AgaaConfig, flags, 96);
+    EXPECT_OFFSET(AgaaConfig, flags, 80);
     EXPECT_OFFSET(AgaaFrame, view, 40);
     EXPECT_OFFSET(AgaaFrame, projection, 104);
     EXPECT_OFFSET(AgaaFrame, draw, 224);

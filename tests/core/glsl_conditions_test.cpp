@@ -129,7 +129,7 @@ TEST_F(GlslConditions, NameWhatIsDefined) {
                 spec.configFlags = each.configFlags | (viewFlags ? AGAA_CONFIG_COUNTERS : 0);
                 spec.viewFlags = viewFlags;
                 spec.shadowMaps = shadowMaps;
-                spec.change = [&](AgaaConfig& config) { config.litShadows = each.litShadows & shadowMaps; };
+                spec.change = [&](TechniqueConfig& config) { config.aggregation.litShadows = each.litShadows & shadowMaps; };
                 const Plan plan = planFor(spec, fourSampleDevice());
                 for (const Pass& pass : plan.passes)
                     expectDefined(plan, pass, std::string(each.technique) + " " + pass.name);

@@ -69,7 +69,7 @@ TEST(GroupedPlan, DrawsThatCannotBeFetchedAddAGBuffer) {
 
 TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
     ViewSpec spec;
-    spec.change = [](AgaaConfig& config) { config.litShadows = 1; };
+    spec.change = [](TechniqueConfig& config) { config.aggregation.litShadows = 1; };
     const Plan lit = planFor(spec, fourSampleDevice());
     EXPECT_EQ(lit.generationTier, AGAA_TIER_GBUFFER);
     EXPECT_TRUE(has(lit.notes, "lit shadows"));
@@ -78,7 +78,7 @@ TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
     EXPECT_TRUE(has(lit.notes, "whole frames took 1.0"));
     spec.shadowMaps = 0; // an effect that the scene does not call for
     const Plan dark = planFor(spec, fourSampleDevice());
-    EXPECT_EQ(dark.config.litShadows, 0u);
+    EXPECT_EQ(dark.aggregation.litShadows, 0u);
     EXPECT_FALSE(has(dark.effects, "lit-aggregates"));
     EXPECT_TRUE(has(dark.notes, "does not declare"));
 }
@@ -86,7 +86,7 @@ TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
 TEST(GroupedPlan, EllipticLobesWantEachNormal) {
     for (const uint32_t ndf : {AGAA_NDF_LEAN, AGAA_NDF_SGGX}) {
         ViewSpec spec;
-        spec.change = [=](AgaaConfig& config) { config.ndf = ndf; };
+        spec.change = [=](TechniqueConfig& config) { config.ndf = ndf; };
         const Plan plan = planFor(spec, fourSampleDevice());
         EXPECT_EQ(plan.generationTier, AGAA_TIER_GBUFFER);
         EXPECT_TRUE(has(plan.notes, "elliptic lobes"));
@@ -98,7 +98,7 @@ TEST(GroupedPlan, EllipticLobesWantEachNormal) {
         EXPECT_EQ(dull.config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
         EXPECT_FALSE(has(dull.effects, "elliptic-lobes"));
         EXPECT_EQ(dull.generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
-        spec.change = [=](AgaaConfig& config) { // where nothing is aggregated, nothing is widened
+        spec.change = [=](TechniqueConfig& config) { // where nothing is aggregated, nothing is widened
             config.ndf = ndf;
             config.technique = "simple_complex";
         };
@@ -108,14 +108,14 @@ TEST(GroupedPlan, EllipticLobesWantEachNormal) {
 
 TEST(GroupedPlan, GlossPartsOnlyWhatShines) {
     ViewSpec spec;
-    spec.change = [](AgaaConfig& config) { config.glossWeight = 0.03f; };
+    spec.change = [](TechniqueConfig& config) { config.aggregation.glossWeight = 0.03f; };
     const Plan shiny = planFor(spec, fourSampleDevice());
     EXPECT_EQ(shiny.generationTier, AGAA_TIER_GBUFFER);
     EXPECT_TRUE(has(shiny.effects, "gloss-weight"));
     spec.facts &= ~AGAA_FACT_SPECULAR;
     const Plan dull = planFor(spec, fourSampleDevice());
     EXPECT_EQ(dull.generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
-    EXPECT_EQ(dull.config.glossWeight, 0.0f);
+    EXPECT_EQ(dull.aggregation.glossWeight, 0.0f);
     EXPECT_FALSE(has(dull.effects, "gloss-weight"));
 }
 
@@ -134,7 +134,7 @@ TEST(GroupedPlan, CustomDepthIsDrawnOnceIntoAGBuffer) {
 }
 
 TEST(GroupedPlan, TheTargetIsKnownBeforeItIsDrawn) {
-    AgaaConfig config = AGAA_CONFIG_INIT;
+    TechniqueConfig config;
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
     view.width = 100;
@@ -220,33 +220,43 @@ TEST(GroupedPlan, TheListFitsSharedMemory) {
 
 TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
     for (const char* name : {"paper", "fast", "balanced", "accurate"}) {
-        AgaaConfig config = AGAA_CONFIG_INIT;
+        TechniqueConfig config;
         config.technique = "ssaa";
         config.samples = 16;
         config.ndf = AGAA_NDF_SGGX;
         config.flags = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_NO_SHADOW_FILTER;
-        ASSERT_EQ(agaaApplyPreset(name, &config), AGAA_OK) << name;
+        ASSERT_EQ(config.applyPreset(name), AGAA_OK) << name;
         EXPECT_STREQ(config.technique, "agaa");
         EXPECT_EQ(config.samples, 16u);
         EXPECT_TRUE(config.flags & AGAA_CONFIG_COUNTERS);
         EXPECT_FALSE(config.flags & AGAA_CONFIG_NO_SHADOW_FILTER);
         ViewSpec spec;
-        spec.change = [&](AgaaConfig& c) { agaaApplyPreset(name, &c); };
+        spec.change = [&](TechniqueConfig& c) { c.applyPreset(name); };
         const Plan plan = planFor(spec, fourSampleDevice());
-        EXPECT_EQ(plan.generationTier == AGAA_TIER_GBUFFER, config.litShadows != 0) << name;
+        EXPECT_EQ(plan.generationTier == AGAA_TIER_GBUFFER, config.aggregation.litShadows != 0) << name;
         const bool grouped = std::string(name) == "balanced" || std::string(name) == "accurate";
-        EXPECT_EQ(config.litShadows != 0, grouped);
+        EXPECT_EQ(config.aggregation.litShadows != 0, grouped);
         EXPECT_EQ(config.ndf, uint32_t(grouped ? AGAA_NDF_LEAN : AGAA_NDF_TOKSVIG));
     }
-    AgaaConfig config = AGAA_CONFIG_INIT;
+    TechniqueConfig config;
     config.aggregates = 4;
-    const AgaaConfig before = config;
-    EXPECT_EQ(agaaApplyPreset("best", &config), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(agaaApplyPreset(nullptr, &config), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(std::memcmp(&config, &before, sizeof config), 0);
-    EXPECT_EQ(agaaApplyPreset("paper", nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    const TechniqueConfig before = config;
+    EXPECT_EQ(config.applyPreset("best"), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(config.applyPreset(nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    const auto expectUnchanged = [&] {
+        EXPECT_EQ(std::memcmp(&config.technique, &before.technique, sizeof(AgaaConfig) - offsetof(AgaaConfig, technique)), 0);
+        EXPECT_EQ(std::memcmp(&config.aggregation, &before.aggregation, sizeof config.aggregation), 0);
+    };
+    expectUnchanged();
+    EXPECT_EQ(agaaApplyPreset("paper", nullptr, &config.aggregation), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaApplyPreset("paper", &config, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    expectUnchanged();
+    config.aggregation.structSize = 1;
+    EXPECT_EQ(config.applyPreset("paper"), AGAA_ERROR_STRUCT);
+    config.aggregation.structSize = before.aggregation.structSize;
+    expectUnchanged();
     config.structSize = 1;
-    EXPECT_EQ(agaaApplyPreset("paper", &config), AGAA_ERROR_STRUCT);
+    EXPECT_EQ(config.applyPreset("paper"), AGAA_ERROR_STRUCT);
 }
 
 } // namespace

@@ -4,9 +4,13 @@
 #include "core/planner.h"
 #include "core/technique.h"
 
+#include "render/technique_config.h"
+
 #include <functional>
 
 namespace agaa::test {
+
+using harness::TechniqueConfig;
 
 struct ViewSpec {
     const char* technique = "agaa";
@@ -23,7 +27,7 @@ struct ViewSpec {
     uint32_t maxLights = 64;
     uint64_t viewFlags = 0;
     const void* chained = nullptr;                 // to the view
-    std::function<void(AgaaConfig&)> change = {}; // of what else there is
+    std::function<void(TechniqueConfig&)> change = {}; // of what else there is
 };
 
 // A device with 1 and 4 samples, as Mesa's software rasterisers.
@@ -39,7 +43,7 @@ inline AgaaDeviceCaps fourSampleDevice() {
 inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
     AgaaLayout layout{};
     agaaGetBuiltinLayout(spec.layout, &layout);
-    AgaaConfig config = AGAA_CONFIG_INIT;
+    TechniqueConfig config;
     config.technique = spec.technique;
     config.samples = spec.samples;
     config.aggregates = spec.aggregates;

@@ -73,7 +73,7 @@ TEST(Planner, UploadsAreReadInOneSegmentEach) {
 
 // AgaaFrameStatistics has room for AGAA_MAX_PASSES times, and none may be left out in silence.
 TEST(Planner, APlanHasNoMorePassesThanStatisticsHold) {
-    AgaaConfig config = AGAA_CONFIG_INIT;
+    TechniqueConfig config;
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
     view.width = view.height = 64;
@@ -297,9 +297,9 @@ TEST(Planner, EveryShaderOfEveryWayOfAgaaIsInTheLibrary) {
                         continue; // is refused
                     ViewSpec spec;
                     spec.samples = samples;
-                    spec.change = [&](AgaaConfig& config) {
+                    spec.change = [&](TechniqueConfig& config) {
                         if (*preset) {
-                            ASSERT_EQ(agaaApplyPreset(preset, &config), AGAA_OK);
+                            ASSERT_EQ(config.applyPreset(preset), AGAA_OK);
                         }
                         config.generationTier = tier;
                         config.flags |= flags;

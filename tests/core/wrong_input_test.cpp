@@ -1,6 +1,8 @@
 // Misuse through the C ABI: an error code, one sentence in the log, nothing changed.
 #include "agaa_vk.h"
 
+#include "render/technique_config.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +12,8 @@
 #include <vector>
 
 namespace {
+
+using harness::TechniqueConfig;
 
 struct LogLine {
     AgaaResult code;
@@ -21,7 +25,7 @@ void AGAA_CALL collect(void* user, uint32_t, AgaaResult code, const char* messag
 }
 
 struct Request {
-    AgaaConfig config = AGAA_CONFIG_INIT;
+    TechniqueConfig config;
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
     AgaaLayout layout{};
@@ -78,6 +82,21 @@ const Row rows[] = {
     {"optional struct in chain", AGAA_OK, [](Request& r) { r.config.pNext = &optionalStruct; }},
     {"unknown struct in chain", AGAA_ERROR_UNKNOWN_STRUCT,
      [](Request& r) { r.config.pNext = &unknownStruct; }},
+    {"settings of a wrong size", AGAA_ERROR_STRUCT, [](Request& r) { r.config.aggregation.structSize = 8; }},
+    {"settings twice", AGAA_ERROR_UNKNOWN_STRUCT,
+     [](Request& r) {
+         static AgaaAggregation more;
+         more = r.config.aggregation;
+         more.pNext = nullptr;
+         r.config.aggregation.pNext = &more;
+     }},
+    {"settings of another technique", AGAA_OK, [](Request& r) { r.config.technique = "ssaa"; }},
+    {"wrong settings of another technique", AGAA_ERROR_OUT_OF_RANGE,
+     [](Request& r) {
+         r.config.technique = "ssaa";
+         r.config.aggregation.seeds = 9;
+     }},
+    {"no settings", AGAA_OK, [](Request& r) { r.config.pNext = nullptr; }},
     {"unknown struct in view", AGAA_ERROR_UNKNOWN_STRUCT,
      [](Request& r) { r.view.pNext = &unknownStruct; }},
     {"null config", AGAA_ERROR_INVALID_ARGUMENT,
@@ -99,22 +118,22 @@ const Row rows[] = {
     {"cosine of 2", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.surfaceCosine = 2; }},
     {"negative distance", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.surfaceDistance = -1; }},
     {"material not a number", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.surfaceMaterial = NAN; }},
-    {"gloss weight", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.glossWeight = 17; }},
-    {"gloss weight that is none", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.glossWeight = NAN; }},
+    {"gloss weight", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregation.glossWeight = 17; }},
+    {"gloss weight that is none", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregation.glossWeight = NAN; }},
     {"gloss weight of another tier", AGAA_ERROR_UNSUPPORTED,
      [](Request& r) {
-         r.config.glossWeight = 0.5f;
+         r.config.aggregation.glossWeight = 0.5f;
          r.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
      }},
-    {"lit shadows", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.litShadows = 16; }},
+    {"lit shadows", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregation.litShadows = 16; }},
     {"lit shadows of another tier", AGAA_ERROR_UNSUPPORTED,
      [](Request& r) {
-         r.config.litShadows = 1;
+         r.config.aggregation.litShadows = 1;
          r.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
      }},
     {"lit shadows without materials at hand", AGAA_ERROR_UNSUPPORTED,
      [](Request& r) {
-         r.config.litShadows = 1;
+         r.config.aggregation.litShadows = 1;
          r.config.flags = AGAA_CONFIG_BUFFERED;
      }},
     {"ndf", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.ndf = AGAA_NDF_SGGX + 1; }},
@@ -143,25 +162,25 @@ const Row rows[] = {
      [](Request& r) { r.config.debugView = AGAA_DEBUG_VIEW_PRIMITIVES; }},
     {"c = 5", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregates = 5; }},
     {"HardCase21 k = 0", AGAA_ERROR_OUT_OF_RANGE,
-     [](Request& r) { r.config.characteristicLengthPerDistance = 0; }},
+     [](Request& r) { r.config.aggregation.characteristicLengthPerDistance = 0; }},
     {"HardCase21 k = -1", AGAA_ERROR_OUT_OF_RANGE,
-     [](Request& r) { r.config.characteristicLength = -1; }},
+     [](Request& r) { r.config.aggregation.characteristicLength = -1; }},
     {"HardCase21 k = NaN", AGAA_ERROR_OUT_OF_RANGE,
-     [](Request& r) { r.config.characteristicLength = NAN; }},
+     [](Request& r) { r.config.aggregation.characteristicLength = NAN; }},
     {"HardCase21 k = inf", AGAA_ERROR_OUT_OF_RANGE,
-     [](Request& r) { r.config.characteristicLength = INFINITY; }},
+     [](Request& r) { r.config.aggregation.characteristicLength = INFINITY; }},
     {"k per distance NaN", AGAA_ERROR_OUT_OF_RANGE,
-     [](Request& r) { r.config.characteristicLengthPerDistance = NAN; }},
+     [](Request& r) { r.config.aggregation.characteristicLengthPerDistance = NAN; }},
     {"HardCase21 k denormal", AGAA_OK,
      [](Request& r) {
-         r.config.characteristicLength = 1e-40f;
-         r.config.characteristicLengthPerDistance = 0;
+         r.config.aggregation.characteristicLength = 1e-40f;
+         r.config.aggregation.characteristicLengthPerDistance = 0;
      }},
-    {"t = NaN", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregateThreshold = NAN; }},
-    {"t < 0", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregateThreshold = -1; }},
+    {"t = NaN", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregation.aggregateThreshold = NAN; }},
+    {"t < 0", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregation.aggregateThreshold = -1; }},
     {"brdf", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.brdf = 9; }},
     {"ndf", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.ndf = 9; }},
-    {"seeds", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.seeds = 9; }},
+    {"seeds", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregation.seeds = 9; }},
     {"shadow taps", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.shadowTaps = 33; }},
     {"shading cost 0", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.shadingCost = 0; }},
     {"unknown flags", AGAA_ERROR_OUT_OF_RANGE,

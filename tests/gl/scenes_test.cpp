@@ -65,7 +65,7 @@ TEST_P(GlScenes, EverySampleCountsOnceAndVulkanAgrees) {
         s.config.aggregates = row.aggregates;
         s.config.generationTier = row.tier;
         if (*row.preset) {
-            ASSERT_EQ(agaaApplyPreset(row.preset, &s.config), AGAA_OK);
+            ASSERT_EQ(s.config.applyPreset(row.preset), AGAA_OK);
         }
         const RenderResult gl = sharedGlRenderer().render(s);
         const bool aggregates = std::string_view(row.technique) == "agaa" || std::string_view(row.technique) == "sbaa";

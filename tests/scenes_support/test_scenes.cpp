@@ -153,7 +153,7 @@ void expectImagesRepeat(Renderer& renderer, RenderSettings settings) {
         settings.config.technique = technique;
         expectRepeats(technique);
     }
-    ASSERT_EQ(agaaApplyPreset("accurate", &settings.config), AGAA_OK);
+    ASSERT_EQ(settings.config.applyPreset("accurate"), AGAA_OK);
     for (AgaaTier tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
         settings.config.generationTier = tier;
         expectRepeats(agaaTierName(tier));
@@ -185,7 +185,7 @@ void expectWaysAgree(Renderer& renderer, RenderSettings settings, const char* na
             expectLike("by id, some from a G-buffer", fused, mixed, 0.1, 0.0005);
         }
     }
-    ASSERT_EQ(agaaApplyPreset("accurate", &settings.config), AGAA_OK);
+    ASSERT_EQ(settings.config.applyPreset("accurate"), AGAA_OK);
     // Narrow lobes show where a normal is taken: at each sample by id, once a fragment in a G-buffer.
     for (const auto& [ndf, mostFar] : {std::pair{AGAA_NDF_TOKSVIG, 0.0015}, {AGAA_NDF_LEAN, 0.0021}}) {
         settings.config.ndf = ndf;

@@ -68,7 +68,7 @@ TYPED_TEST_P(DebugViewCases, LitIsTheShareOfLight) {
         ViewSettings settings;
         settings.config.technique = technique;
         settings.config.generationTier = tier;
-        settings.config.litShadows = litShadows;
+        settings.config.aggregation.litShadows = litShadows;
         settings.config.debugView = AGAA_DEBUG_VIEW_LIT;
         settings.facts.shadowMapCount = 1;
         settings.chained = &function;

@@ -211,8 +211,8 @@ TYPED_TEST_P(HardGeometryCases, HardCase25RoutedDuplicatesCountOnce) {
     for (const bool routes : {false, true}) {
         ViewSettings view;
         view.config.aggregates = 4;
-        view.config.characteristicLength = 0.02f;
-        view.config.characteristicLengthPerDistance = 0;
+        view.config.aggregation.characteristicLength = 0.02f;
+        view.config.aggregation.characteristicLengthPerDistance = 0;
         view.config.flags = AGAA_CONFIG_SPLIT_SURFACES | (routes ? AGAA_CONFIG_FIRST_SAMPLE_ROUTING : 0);
         const Shown r = this->render(view, scene, {sun()});
         EXPECT_GT(r.counters.shadingEvents, 2 * r.counters.shadedPixels) << "there are several aggregates";

@@ -86,8 +86,8 @@ TYPED_TEST_P(IdsCases, SplitSurfacesAreGroupedAsByTwoPasses) {
     const Shot shot{.triangles = leaningSurfaces(), .change = addAmbient};
     const auto rendered = [&](uint32_t tier, uint64_t flags) {
         ViewSettings settings = idsSettings(8, 2, tier, flags);
-        settings.config.characteristicLength = 0.02f;
-        settings.config.characteristicLengthPerDistance = 0;
+        settings.config.aggregation.characteristicLength = 0.02f;
+        settings.config.aggregation.characteristicLengthPerDistance = 0;
         return this->render(settings, shot);
     };
     const Shown twice = rendered(AGAA_TIER_AUTO, AGAA_CONFIG_SPLIT_SURFACES);
@@ -105,7 +105,7 @@ TYPED_TEST_P(IdsCases, SplitSurfacesAreGroupedAsByTwoPasses) {
 // As the preset asks for, without fine materials.
 inline ViewSettings accurateSettings(const char* technique, uint32_t tier) {
     ViewSettings settings = idsSettings(8, 4, tier);
-    agaaApplyPreset("accurate", &settings.config);
+    settings.config.applyPreset("accurate");
     settings.config.flags &= ~AGAA_CONFIG_FINE_MATERIALS;
     settings.config.technique = technique;
     return settings;
@@ -127,7 +127,7 @@ TYPED_TEST_P(IdsCases, OpposedShadingNormalsOfOnePlaneAreGrouped) {
         ViewSettings settings = accurateSettings(technique, tier);
         settings.width = settings.height = 24;
         settings.projection = pixelOrthographic(24, 24, 10);
-        settings.config.characteristicLength = 100; // normals alone
+        settings.config.aggregation.characteristicLength = 100; // normals alone
         return this->render(settings, shot);
     };
     const Shown truth = shown("ssaa", AGAA_TIER_AUTO);
@@ -147,7 +147,7 @@ TYPED_TEST_P(IdsCases, NormalsThatTurnWithinAPrimitiveAreGrouped) {
                     "m.normalDy = 60.0 * p.dy.x * vec3(cos(turn), 0.0, -sin(turn));\n";
     ViewSettings settings = accurateSettings("agaa", AGAA_TIER_IDS);
     const Shown grouped = this->render(settings, shot);
-    settings.config.glossWeight = 0;
+    settings.config.aggregation.glossWeight = 0;
     const Shown whole = this->render(settings, shot);
     EXPECT_GT(double(grouped.counters.shadingEvents), 1.3 * double(whole.counters.shadingEvents));
     EXPECT_EQ(grouped.counters.primitives, whole.counters.primitives);

@@ -4,10 +4,14 @@
 #include "log_lines.h"
 #include "triangles.h"
 
+#include "render/technique_config.h"
+
 #include <string>
 #include <vector>
 
 namespace agaa::test {
+
+using harness::TechniqueConfig;
 
 // A stretch of the list of triangles.
 struct Run {
@@ -25,7 +29,7 @@ struct Mistake {
 };
 
 struct ViewSettings {
-    AgaaConfig config = AGAA_CONFIG_INIT;
+    TechniqueConfig config;
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     uint32_t width = 48;
     uint32_t height = 32;

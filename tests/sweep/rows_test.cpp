@@ -57,7 +57,7 @@ TEST(SweepRows, SupersamplingIsThereAtEveryN) {
 TEST(SweepRows, PlansCanBeMade) {
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     for (const SweepRow& row : sweepRows(false)) {
-        AgaaConfig config = AGAA_CONFIG_INIT;
+        TechniqueConfig config;
         row.apply(config);
         AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
         view.width = 64;
@@ -91,27 +91,27 @@ TEST(SweepEffects, AreCalledForByScenesThatHaveThem) {
 }
 
 TEST(SweepEffects, AreSwitchedOffByWhatTheyName) {
-    std::map<std::string, AgaaConfig> off;
+    std::map<std::string, TechniqueConfig> off;
     for (const SweepEffect& effect : sweepEffects()) {
-        AgaaConfig config = AGAA_CONFIG_INIT;
+        TechniqueConfig config;
         effect.row.apply(config);
         if (effect.off)
             effect.off(config);
         EXPECT_TRUE(effect.off || effect.fact || effect.ofNormalMaps) << effect.name;
         off[effect.name] = config;
     }
-    AgaaConfig accurate = AGAA_CONFIG_INIT;
-    agaaApplyPreset("accurate", &accurate);
+    TechniqueConfig accurate;
+    accurate.applyPreset("accurate");
     EXPECT_TRUE(off["shadow-filter"].flags & AGAA_CONFIG_NO_SHADOW_FILTER);
     EXPECT_TRUE(off["filtered-diffuse"].flags & AGAA_CONFIG_NO_DIFFUSE_FILTER);
     EXPECT_EQ(off["ndf-widening"].ndf, uint32_t(AGAA_NDF_NONE));
-    EXPECT_EQ(off["lit-aggregates"].litShadows, 0u);
+    EXPECT_EQ(off["lit-aggregates"].aggregation.litShadows, 0u);
     EXPECT_EQ(off["lit-aggregates"].ndf, accurate.ndf);
     EXPECT_EQ(off["elliptic-lobes"].ndf, uint32_t(AGAA_NDF_TOKSVIG));
-    EXPECT_EQ(off["elliptic-lobes"].litShadows, accurate.litShadows);
-    EXPECT_EQ(off["gloss-weight"].glossWeight, 0.0f);
+    EXPECT_EQ(off["elliptic-lobes"].aggregation.litShadows, accurate.aggregation.litShadows);
+    EXPECT_EQ(off["gloss-weight"].aggregation.glossWeight, 0.0f);
     EXPECT_EQ(off["more-aggregates"].aggregates, 2u);
-    EXPECT_EQ(off["maximin-seeds"].seeds, uint32_t(AGAA_SEEDS_SUM_OF_SQUARES));
+    EXPECT_EQ(off["maximin-seeds"].aggregation.seeds, uint32_t(AGAA_SEEDS_SUM_OF_SQUARES));
     EXPECT_TRUE(off["fused"].flags & AGAA_CONFIG_BUFFERED);
     EXPECT_EQ(off["fused"].generationTier, uint32_t(AGAA_TIER_IDS));
 }

@@ -75,7 +75,7 @@ TEST_P(Accuracy, PresetsErrLessEach) {
         double share, events;
     };
     const auto measured = [&](const char* preset, AgaaTier tier) {
-        agaaApplyPreset(preset, &s.config);
+        s.config.applyPreset(preset);
         s.config.generationTier = tier;
         const RenderResult result = sharedRenderer().render(s);
         const AgaaCounters& c = result.statistics.back().counters;
@@ -116,7 +116,7 @@ TEST(PolishedTubes, EllipticLobesErrLessThanShadingEachSample) {
     };
     s.config.technique = "ssaa";
     const double ssaa = error("ssaa");
-    agaaApplyPreset("accurate", &s.config);
+    s.config.applyPreset("accurate");
     s.config.generationTier = AGAA_TIER_IDS;
     const double elliptic = error("accurate by id");
     s.config.ndf = AGAA_NDF_TOKSVIG;
@@ -164,7 +164,7 @@ TEST(TurningNormals, AccurateByIdHasNoFireflies) {
             sum += double(value);
         return sum;
     };
-    agaaApplyPreset("accurate", &s.config);
+    s.config.applyPreset("accurate");
     for (const AgaaTier tier : {AGAA_TIER_GBUFFER, AGAA_TIER_IDS}) {
         s.config.generationTier = tier;
         const Image image = sharedRenderer().render(s).image;

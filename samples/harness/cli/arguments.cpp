@@ -55,7 +55,7 @@ void checkCounts(const PlanArguments& arguments) {
                           std::to_string(most) + ".");
 }
 
-void setTier(AgaaConfig& config, const std::string& text, bool& isModel) {
+void setTier(TechniqueConfig& config, const std::string& text, bool& isModel) {
     if (text == "auto")
         return;
     if (text == "native") {
@@ -157,22 +157,22 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.ndf =
         choice(arguments.ndf, "--ndf",
                {{"none", AGAA_NDF_NONE}, {"toksvig", AGAA_NDF_TOKSVIG}, {"lean", AGAA_NDF_LEAN}, {"sggx", AGAA_NDF_SGGX}});
-    config.seeds = choice(
+    config.aggregation.seeds = choice(
         arguments.seeds, "--seeds",
         {{"maximin", AGAA_SEEDS_MAXIMIN}, {"sum-of-squares", AGAA_SEEDS_SUM_OF_SQUARES}});
-    config.characteristicLength = finite(arguments.k, "--k");
+    config.aggregation.characteristicLength = finite(arguments.k, "--k");
     if (arguments.kPerDistance)
-        config.characteristicLengthPerDistance = finite(*arguments.kPerDistance, "--k-per-distance");
+        config.aggregation.characteristicLengthPerDistance = finite(*arguments.kPerDistance, "--k-per-distance");
     if (arguments.threshold)
-        config.aggregateThreshold = finite(*arguments.threshold, "--threshold");
+        config.aggregation.aggregateThreshold = finite(*arguments.threshold, "--threshold");
     const std::vector<double> surface = parseNumbers(arguments.surface, 3, "--surface");
     config.surfaceCosine = float(surface[0]);
     config.surfaceDistance = float(surface[1]);
     config.surfaceMaterial = float(surface[2]);
     config.shadowTaps = arguments.shadowTaps;
     config.shadingCost = arguments.shadingCost;
-    config.glossWeight = finite(arguments.glossWeight, "--gloss-weight");
-    config.litShadows = arguments.lit ? 1 : 0; // scenes have one
+    config.aggregation.glossWeight = finite(arguments.glossWeight, "--gloss-weight");
+    config.aggregation.litShadows = arguments.lit ? 1 : 0; // scenes have one
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };
     flag(arguments.noStencil, AGAA_CONFIG_NO_STENCIL);
     flag(arguments.firstSampleRouting, AGAA_CONFIG_FIRST_SAMPLE_ROUTING);
@@ -195,7 +195,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
         setTier(config, tier, isModel);
     if (arguments.preset.empty())
         return;
-    if (agaaApplyPreset(arguments.preset.c_str(), &config) != AGAA_OK)
+    if (config.applyPreset(arguments.preset.c_str()) != AGAA_OK)
         throw BadArgument("--preset is \"" + arguments.preset + "\"; it can be paper, fast, balanced or accurate.");
     // The sample engine can fetch, and does where a preset is for that.
     if (arguments.preset != "paper" && config.generationTier == AGAA_TIER_AUTO)

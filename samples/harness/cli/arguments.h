@@ -63,7 +63,7 @@ struct PlanArguments {
 struct Configuration {
     AgaaLayout layout{};
     std::string technique; // that config points to
-    AgaaConfig config = AGAA_CONFIG_INIT;
+    TechniqueConfig config;
     bool isModel = false; // --tier native: the papers' model, on an ideal device
     Size size;
 

@@ -33,7 +33,7 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     if (!isLoaded_)
         throw std::runtime_error("No scene is loaded.");
     const AgaaSceneFacts facts = completeFacts(scene_, settings);
-    AgaaConfig config = settings.config;
+    TechniqueConfig config = settings.config;
     AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
     desc.width = settings.width;
     desc.height = settings.height;

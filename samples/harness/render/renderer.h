@@ -3,6 +3,7 @@
 #pragma once
 
 #include "agaa_sdk.h"
+#include "render/technique_config.h"
 #include "image/image.h"
 #include "scene/scene.h"
 
@@ -28,7 +29,7 @@ struct RendererOptions {
 };
 
 struct RenderSettings {
-    AgaaConfig config = AGAA_CONFIG_INIT;
+    TechniqueConfig config;
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT; // completed from the scene by the renderer
     uint32_t width = 640;
     uint32_t height = 360;

@@ -46,14 +46,25 @@ void addFetchFunction(Key& key, const AgaaFetchFunction& function) {
     key.add(function.flags);
 }
 
+// Whether the settings of aggregates are all that is chained.
+bool isAlone(const AgaaConfig& config) {
+    const auto* chained = static_cast<const AgaaStructHeader*>(config.pNext);
+    return !chained || (chained->sType == AGAA_STRUCTURE_TYPE_AGGREGATION && !chained->pNext);
+}
+
+AgaaAggregation aggregationOf(const AgaaConfig& config) {
+    return config.pNext ? *static_cast<const AgaaAggregation*>(config.pNext) : AgaaAggregation AGAA_AGGREGATION_INIT;
+}
+
 } // namespace
 
 std::string viewKey(const AgaaViewDesc& desc) {
     const AgaaConfig& config = *desc.config;
     const auto* chained = static_cast<const AgaaStructHeader*>(desc.pNext);
     const bool fetches = chained && chained->sType == AGAA_STRUCTURE_TYPE_FETCH_FUNCTION && !chained->pNext;
-    if ((chained && !fetches) || config.pNext || desc.facts->pNext || (config.layout && config.layout->pNext))
+    if ((chained && !fetches) || !isAlone(config) || desc.facts->pNext || (config.layout && config.layout->pNext))
         return {};
+    const AgaaAggregation aggregation = aggregationOf(config);
     Key key;
     if (fetches)
         addFetchFunction(key, *static_cast<const AgaaFetchFunction*>(desc.pNext));
@@ -62,13 +73,13 @@ std::string viewKey(const AgaaViewDesc& desc) {
     key.add(desc.flags);
     key.add(config.technique);
     for (const uint32_t value :
-         {config.samples, config.aggregates, config.brdf, config.ndf, config.seeds,
+         {config.samples, config.aggregates, config.brdf, config.ndf, aggregation.seeds,
           config.shadowTaps, config.visibilityTier, config.generationTier, config.shadingCost,
-          config.litShadows, config.debugView})
+          aggregation.litShadows, config.debugView})
         key.add(value);
-    for (const float value : {config.characteristicLength, config.characteristicLengthPerDistance,
-                              config.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,
-                              config.surfaceMaterial, config.glossWeight})
+    for (const float value : {aggregation.characteristicLength, aggregation.characteristicLengthPerDistance,
+                              aggregation.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,
+                              config.surfaceMaterial, aggregation.glossWeight})
         key.add(value);
     key.add(config.flags);
     key.add(uint32_t(config.layout != nullptr));

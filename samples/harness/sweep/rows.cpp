@@ -20,13 +20,13 @@ std::string SweepRow::name() const {
     return text.str();
 }
 
-void SweepRow::apply(AgaaConfig& config) const {
+void SweepRow::apply(TechniqueConfig& config) const {
     config.technique = technique.c_str();
     config.samples = samples;
     config.aggregates = std::max(aggregates, 1u);
     config.shadingCost = shadingCost;
     config.generationTier = generationTier;
-    if (!preset.empty() && agaaApplyPreset(preset.c_str(), &config) != AGAA_OK)
+    if (!preset.empty() && config.applyPreset(preset.c_str()) != AGAA_OK)
         throw std::invalid_argument("There is no preset \"" + preset + "\".");
 }
 
@@ -99,34 +99,34 @@ const std::vector<SweepEffect>& sweepEffects() {
     static const SweepRow accurate = {"agaa", 8, 4, 1, AGAA_TIER_GBUFFER, "accurate"};
     static const std::vector<SweepEffect> effects = {
         {.name = "shadow-filter",
-         .off = [](AgaaConfig& config) { config.flags |= AGAA_CONFIG_NO_SHADOW_FILTER; },
+         .off = [](TechniqueConfig& config) { config.flags |= AGAA_CONFIG_NO_SHADOW_FILTER; },
          .ofShadows = true},
-        {.name = "filtered-diffuse", .off = [](AgaaConfig& config) { config.flags |= AGAA_CONFIG_NO_DIFFUSE_FILTER; }},
+        {.name = "filtered-diffuse", .off = [](TechniqueConfig& config) { config.flags |= AGAA_CONFIG_NO_DIFFUSE_FILTER; }},
         {.name = "ndf-widening",
          .fact = AGAA_FACT_SPECULAR,
-         .off = [](AgaaConfig& config) { config.ndf = AGAA_NDF_NONE; }},
+         .off = [](TechniqueConfig& config) { config.ndf = AGAA_NDF_NONE; }},
         {.name = "specular", .fact = AGAA_FACT_SPECULAR},
         {.name = "emissive", .fact = AGAA_FACT_EMISSIVE},
         {.name = "ambient", .fact = AGAA_FACT_AMBIENT},
         {.name = "normal-maps", .ofNormalMaps = true},
         {.name = "lit-aggregates",
-         .off = [](AgaaConfig& config) { config.litShadows = 0; },
+         .off = [](TechniqueConfig& config) { config.aggregation.litShadows = 0; },
          .ofShadows = true,
          .row = accurate},
         {.name = "elliptic-lobes",
          .fact = AGAA_FACT_SPECULAR,
-         .off = [](AgaaConfig& config) { config.ndf = AGAA_NDF_TOKSVIG; },
+         .off = [](TechniqueConfig& config) { config.ndf = AGAA_NDF_TOKSVIG; },
          .row = accurate},
         {.name = "gloss-weight",
          .fact = AGAA_FACT_SPECULAR,
-         .off = [](AgaaConfig& config) { config.glossWeight = 0; },
+         .off = [](TechniqueConfig& config) { config.aggregation.glossWeight = 0; },
          .row = accurate},
-        {.name = "more-aggregates", .off = [](AgaaConfig& config) { config.aggregates = 2; }, .row = accurate},
+        {.name = "more-aggregates", .off = [](TechniqueConfig& config) { config.aggregates = 2; }, .row = accurate},
         {.name = "maximin-seeds",
-         .off = [](AgaaConfig& config) { config.seeds = AGAA_SEEDS_SUM_OF_SQUARES; },
+         .off = [](TechniqueConfig& config) { config.aggregation.seeds = AGAA_SEEDS_SUM_OF_SQUARES; },
          .row = accurate},
         {.name = "fused",
-         .off = [](AgaaConfig& config) { config.flags |= AGAA_CONFIG_BUFFERED; },
+         .off = [](TechniqueConfig& config) { config.flags |= AGAA_CONFIG_BUFFERED; },
          .row = {"agaa", 8, 2, 1, AGAA_TIER_IDS}},
     };
     return effects;

@@ -18,7 +18,7 @@ struct SweepRow {
 
     // Of files: "agaa-8-2", "agaa-8-accurate"; with the cost and the tier where they are not the usual.
     std::string name() const;
-    void apply(AgaaConfig& config) const; // technique points into the row
+    void apply(TechniqueConfig& config) const; // technique points into the row
 };
 std::vector<SweepRow> sweepRows(bool quick);
 // Rows of a full sweep by their names, in the order given; throws std::invalid_argument.
@@ -27,7 +27,7 @@ std::vector<SweepRow> namedSweepRows(const std::vector<std::string>& names);
 struct SweepEffect {
     const char* name;
     uint64_t fact = 0; // of the scene, that calls for it
-    void (*off)(AgaaConfig&) = nullptr; // switches it off; null: leaving out the fact, or the normal maps
+    void (*off)(TechniqueConfig&) = nullptr; // switches it off; null: leaving out the fact, or the normal maps
     bool ofShadows = false;    // called for by shadow maps
     bool ofNormalMaps = false; // called for by normal maps
     SweepRow row = {"agaa", 8, 2}; // that it is an effect of

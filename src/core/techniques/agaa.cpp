@@ -76,6 +76,7 @@ void build(PlanBuilder& b) {
 
 static constexpr const GenerationTier* tiers[] = {&idsTier, &postDepthTier, &perSampleTier, &gbufferTier,
                                                   &mixedSamplesTier};
-const Technique agaaTechnique = {"agaa", 32, 4, true, tiers, build};
+static constexpr const TechniqueSettings* settings[] = {&aggregationSettings};
+const Technique agaaTechnique = {"agaa", 32, 4, true, tiers, settings, build};
 
 } // namespace agaa

@@ -8,6 +8,8 @@
 
 namespace agaa {
 
+extern const TechniqueSettings aggregationSettings; // AgaaAggregation
+
 struct Prepass {
     ResourceId depth = noResource;
     ResourceId normals = noResource; // or ids

@@ -63,6 +63,7 @@ void build(PlanBuilder& b) {
 } // namespace
 
 static constexpr const GenerationTier* tiers[] = {&postDepthTier, &perSampleTier, &gbufferTier, &mixedSamplesTier};
-const Technique sbaaTechnique = {"sbaa", 32, 6, false, tiers, build};
+static constexpr const TechniqueSettings* settings[] = {&aggregationSettings};
+const Technique sbaaTechnique = {"sbaa", 32, 6, false, tiers, settings, build};
 
 } // namespace agaa

@@ -1,5 +1,7 @@
 #include "core/techniques/techniques.h"
 
+#include <algorithm>
+
 namespace agaa {
 
 const std::vector<const Technique*>& techniques() {
@@ -14,6 +16,15 @@ const Technique* findTechnique(std::string_view name) {
         if (name == technique->name)
             return technique;
     return nullptr;
+}
+
+std::vector<uint32_t> settingsTypes() {
+    std::vector<uint32_t> types;
+    for (const Technique* technique : techniques())
+        for (const TechniqueSettings* settings : technique->settings)
+            if (std::find(types.begin(), types.end(), settings->sType) == types.end())
+                types.push_back(settings->sType);
+    return types;
 }
 
 } // namespace agaa

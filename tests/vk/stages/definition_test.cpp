@@ -88,8 +88,8 @@ public:
             c.agaa_sampleStep[i] = agaa_depthQuantum(z, depth, double(p[4]), double(p[5]), orthographic, step);
         }
         const AgaaConfig& config = plan.config;
-        pixel.k = agaa_characteristicLength(double(config.characteristicLength),
-                                            double(config.characteristicLengthPerDistance),
+        pixel.k = agaa_characteristicLength(double(plan.aggregation.characteristicLength),
+                                            double(plan.aggregation.characteristicLengthPerDistance),
                                             orthographic ? 1 / std::abs(double(p[0])) : std::sqrt(nearest2));
         const double scale = orthographic ? 1.0 : nearestZ;
         pixel.width = double(config.surfaceDistance) * scale * 2 / (std::abs(double(p[0])) * plan.width);
@@ -151,8 +151,8 @@ Agreement compareWithOracle(StageContext& context, const ViewSettings& settings,
                                                                      pixel.width);
             const uint32_t count = one ? 1
                                        : pixel.clustering->agaa_defineAggregates(
-                                             n, pixel.covered, c, pixel.k, double(config.aggregateThreshold),
-                                             config.seeds);
+                                             n, pixel.covered, c, pixel.k, double(view.plan().aggregation.aggregateThreshold),
+                                             view.plan().aggregation.seeds);
             for (uint32_t i = 0; i < n && !one; ++i)
                 cpu.id[i] = pixel.clustering->agaa_sampleAggregate[i];
             ++found.pixels;
@@ -202,16 +202,16 @@ TEST(Definition, AgreesWhereSurfacesMayBeSplit) {
 TEST(Definition, AgreesForSeedsAsPrinted) {
     StageContext context;
     ViewSettings settings = settingsFor(8, 4);
-    settings.config.seeds = AGAA_SEEDS_SUM_OF_SQUARES;
+    settings.config.aggregation.seeds = AGAA_SEEDS_SUM_OF_SQUARES;
     expectOracle(context, settings, randomTriangles({.triangles = 400}, 22));
 }
 
 TEST(Definition, AgreesForAFixedLength) {
     StageContext context;
     ViewSettings settings = settingsFor(8, 3);
-    settings.config.characteristicLength = 0.1f;
-    settings.config.characteristicLengthPerDistance = 0;
-    settings.config.aggregateThreshold = 0.1f;
+    settings.config.aggregation.characteristicLength = 0.1f;
+    settings.config.aggregation.characteristicLengthPerDistance = 0;
+    settings.config.aggregation.aggregateThreshold = 0.1f;
     expectOracle(context, settings, randomTriangles({.triangles = 400}, 23));
 }
 
@@ -232,7 +232,7 @@ TEST(Definition, StepsInOrthographicViewsArePartedAlike) {
         for (const float gap : {2.0f, 5.0f}) { // k is 24, of which k sqrt(t) is 3.4
             ViewSettings settings = settingsFor(8, 2);
             settings.config.flags |= AGAA_CONFIG_SPLIT_SURFACES;
-            settings.config.characteristicLengthPerDistance = 1;
+            settings.config.aggregation.characteristicLengthPerDistance = 1;
             settings.projection = pixelOrthographic(48, 32, 10);
             settings.projection[3].x += 2 * eye / 48;
             Material material;

@@ -163,7 +163,7 @@ TEST(GBufferTier, ServesMaterialsThatWriteDepthAndDiscard) {
     StageContext context;
     ViewSettings settings = settingsFor(4, 4);
     settings.config.generationTier = AGAA_TIER_AUTO;
-    settings.config.aggregateThreshold = 0;
+    settings.config.aggregation.aggregateThreshold = 0;
     settings.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
     settings.shader = ViewSettings::Shader::OwnDepth;
     const Rendered aggregated = render(context, settings);

@@ -176,8 +176,8 @@ TEST(HostGBuffer, SamplesLieWhereTheHostSays) {
     const HostSamples host({glm::vec4(0)});
     ViewSettings settings = settingsFor("agaa", 4);
     settings.config.aggregates = 4;
-    settings.config.characteristicLengthPerDistance = 1e-6f;
-    settings.config.aggregateThreshold = 1e-3f;
+    settings.config.aggregation.characteristicLengthPerDistance = 1e-6f;
+    settings.config.aggregation.aggregateThreshold = 1e-3f;
     float positions[8] = {0.03f, 0.9f, 0.97f, 0.11f, 0.4f, 0.05f, 0.61f, 0.93f};
     // The plane z = -4 + y of view space, by the ray through each sample.
     const auto text = [&](const float* at) {

@@ -119,7 +119,7 @@ TEST(IdsLobes, CurvedPrimitivesShowWhatSmallFlatOnesShow) {
         ViewSettings settings = settingsFor(8, c, AGAA_TIER_IDS);
         settings.config.ndf = ndf;
         settings.config.flags |= flags;
-        settings.config.glossWeight = c > 1 ? 0.5f : 0;
+        settings.config.aggregation.glossWeight = c > 1 ? 0.5f : 0;
         return IdsView(context, settings, {.triangles = cut(whole, steps), .material = text.c_str()}).render();
     };
     const auto error = [](const harness::Image& a, const harness::Image& b) {

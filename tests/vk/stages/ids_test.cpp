@@ -178,7 +178,7 @@ TEST(Ids, LitMeansAreCloserToTheTruth) {
     const auto shaded = [&](const char* technique, uint32_t lit) {
         ViewSettings own = settings;
         own.config.technique = technique;
-        own.config.litShadows = lit;
+        own.config.aggregation.litShadows = lit;
         if (std::string(technique) == "ssaa") {
             own.config.generationTier = AGAA_TIER_AUTO;
             own.chained = &shadows;
@@ -218,10 +218,10 @@ TEST(Ids, GlossPartsWhatShinesNarrowly) {
             triangles[i].material.normal = glm::vec4(std::sin(tilt), 0, std::cos(tilt), alpha2);
         }
         ViewSettings settings = settingsFor(8, 4, tier);
-        settings.config.aggregateThreshold = 0.05f;
-        settings.config.characteristicLength = 1e6f; // normals alone
-        settings.config.characteristicLengthPerDistance = 0;
-        settings.config.glossWeight = weight;
+        settings.config.aggregation.aggregateThreshold = 0.05f;
+        settings.config.aggregation.characteristicLength = 1e6f; // normals alone
+        settings.config.aggregation.characteristicLengthPerDistance = 0;
+        settings.config.aggregation.glossWeight = weight;
         if (tier == AGAA_TIER_IDS) {
             IdsView ids(context, settings, {.triangles = triangles});
             ids.render();

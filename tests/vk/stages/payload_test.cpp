@@ -96,7 +96,7 @@ protected:
     void expectPayload(const PayloadRow& row, uint32_t c, const char* layoutName, uint64_t viewFlags, Size size) {
         AgaaLayout layout;
         agaaGetBuiltinLayout(layoutName, &layout);
-        AgaaConfig config = AGAA_CONFIG_INIT;
+        TechniqueConfig config;
         config.technique = row.technique;
         config.samples = row.samples;
         config.aggregates = c;

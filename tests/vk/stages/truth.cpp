@@ -13,7 +13,7 @@ Truth visibleTriangles(StageContext& context, const ViewSettings& like,
         if (layout.attributes[i].semantic == AGAA_SEMANTIC_DIFFUSE)
             layout.attributes[i].sampleBits = 8;
     ViewSettings settings = like;
-    settings.config = AGAA_CONFIG_INIT;
+    settings.config = {};
     settings.config.technique = "ssaa";
     settings.config.samples = like.config.samples;
     settings.config.visibilityTier = like.config.visibilityTier;
