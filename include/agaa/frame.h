@@ -54,7 +54,7 @@ typedef struct AgaaDrawTarget {
     void* commandBuffer;  /* backend's: VkCommandBuffer, inside rendering; null on OpenGL */
     uint64_t descriptorSet; /* backend's: VkDescriptorSet, bind at the index given at context creation */
     uint32_t framebuffer;   /* backend's: OpenGL's name, to be bound by the host */
-    uint32_t reserved;
+    uint32_t batch;         /* of a pass that is drawn in several, which one, from 0 */
 } AgaaDrawTarget;
 
 /* Draw the scene's opaque and alpha-masked geometry (AGAA_FETCH_NOT_ALL_DRAWS: see there). The target is cleared, or

@@ -59,13 +59,12 @@ AgaaResult writeDrawPasses(const Plan& plan, uint32_t* count, DrawPass* passes, 
             const Pass& pass = plan.passes[i];
             if (pass.kind != PassKind::HostDraw)
                 continue;
-            const Resource& depth = plan.resources[pass.depthTarget];
             DrawPass& out = *passes++;
             out.pass = pass.drawPass;
             out.stage = pass.stage;
             out.name = pass.name.c_str();
-            out.width = depth.width;
-            out.height = depth.height;
+            out.width = pass.width;
+            out.height = pass.height;
             out.scaleX = plan.scaleX;
             out.scaleY = plan.scaleY;
             out.state = pass.drawState;

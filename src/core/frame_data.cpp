@@ -8,7 +8,7 @@
 namespace agaa {
 
 FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
-                              const SamplePositions& positions) {
+                              const SamplePositions& positions, const CounterBuffer* newest) {
     FrameConstants out{};
     std::memcpy(out.view, frame.view, sizeof out.view);
     const float* p = frame.projection;
@@ -43,7 +43,10 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     out.surface[1] = plan.config.surfaceDistance;
     out.surface[2] = plan.config.surfaceMaterial;
     out.surface[3] = float(plan.samples);
-    out.dither[0] = frame.ditherFrame;
+    out.ditherFrame = frame.ditherFrame;
+    for (size_t i = 0; newest && i < plan.feedback.size(); ++i)
+        if (plan.feedback[i] != noCounter)
+            out.feedback[i] = newest->counts[plan.feedback[i]][0];
     for (size_t i = 0; i < positions.size(); ++i) {
         out.samples[i][0] = positions[i].x;
         out.samples[i][1] = positions[i].y;
@@ -80,12 +83,12 @@ static void writeLights(const AgaaFrame& frame, void* destination) {
 }
 
 void writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
-                 const SamplePositions& positions, void* destination) {
+                 const SamplePositions& positions, const CounterBuffer* newest, void* destination) {
     switch (content) {
     case UploadContent::None:
         break;
     case UploadContent::FrameConstants: {
-        const FrameConstants constants = frameConstants(plan, frame, positions);
+        const FrameConstants constants = frameConstants(plan, frame, positions, newest);
         std::memcpy(destination, &constants, sizeof constants);
         break;
     }

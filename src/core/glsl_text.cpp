@@ -9,15 +9,9 @@
 
 namespace agaa {
 
-void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
-                const std::string& hostCode) {
-    const bool isTable = path.ends_with(".inc"); // read once for each macro that its rows call
-    if (!seen.insert(path).second && !isTable)
-        return;
-    const std::string_view text = embeddedGlsl(path);
-    if (text.empty())
-        fail(AGAA_ERROR_INTERNAL, "the shader text " + path + " is not in the library.");
-    const std::string folder = path.substr(0, path.find('/') + 1);
+// Lines of a text in this folder, with what they include.
+static void appendLines(std::string& out, std::string_view text, const std::string& folder, std::set<std::string>& seen,
+                        const std::string& hostCode) {
     size_t begin = 0;
     while (begin < text.size()) {
         const size_t end = std::min(text.find('\n', begin), text.size());
@@ -37,6 +31,17 @@ void appendGlsl(std::string& out, const std::string& path, std::set<std::string>
         }
         begin = end + 1;
     }
+}
+
+void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
+                const std::string& hostCode) {
+    const bool isTable = path.ends_with(".inc"); // read once for each macro that its rows call
+    if (!seen.insert(path).second && !isTable)
+        return;
+    const std::string_view text = embeddedGlsl(path);
+    if (text.empty())
+        fail(AGAA_ERROR_INTERNAL, "the shader text " + path + " is not in the library.");
+    appendLines(out, text, path.substr(0, path.find('/') + 1), seen, hostCode);
 }
 
 // The macros of math/real.glsl, which the host may use for something else, are written out.
@@ -60,7 +65,10 @@ std::string coverageGlsl() {
 static std::string assemble(const Pass& pass, std::set<std::string> seen, const std::string& version,
                             const std::string& head) {
     std::string text;
-    appendGlsl(text, pass.file, seen, pass.hostCode);
+    if (pass.text.empty())
+        appendGlsl(text, pass.file, seen, pass.hostCode);
+    else
+        appendLines(text, pass.text, "passes/", seen, pass.hostCode);
     // #version stays first.
     const std::string_view line = "#version 450\n";
     const size_t at = text.find(line);

@@ -16,7 +16,8 @@ struct FrameConstants {
     float ambient[4];      // rgb, emissive range
     float background[4];
     float surface[4];      // one surface: least cosine, distance in pixels, difference of materials; n
-    uint32_t dither[4];    // AgaaFrame::ditherFrame, 0, 0, 0
+    uint32_t ditherFrame;  // AgaaFrame::ditherFrame
+    uint32_t feedback[3];  // counters of the newest finished frame, by Plan::feedback
     float samples[32][4];  // xy in the pixel, [0;1]
 };
 static_assert(sizeof(FrameConstants) == 64 + 32 + 16 * 6 + 512);

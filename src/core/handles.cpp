@@ -1,5 +1,7 @@
 #include "core/handles.h"
 
+#include <algorithm>
+
 #include <cstdlib>
 #include <cstring>
 
@@ -64,6 +66,15 @@ static AgaaCounters countersOf(const CounterBuffer& source) {
 #undef AGAA_COUNTER
 #undef AGAA_COUNTER_MAX
     return out;
+}
+
+std::optional<agaa::CounterBuffer> AgaaView_T::feedback(const AgaaFrame& frame) const {
+    const bool isAsked = std::any_of(plan.feedback.begin(), plan.feedback.end(),
+                                     [](uint32_t counter) { return counter != agaa::noCounter; });
+    const agaa::FrameSequence::Slot* newest = isAsked ? sequence.newest(frame.completedFrame) : nullptr;
+    if (!newest)
+        return std::nullopt;
+    return readCounters(sequence.indexOf(*newest));
 }
 
 AgaaResult AgaaView_T::statistics(uint64_t completedFrame, AgaaFrameStatistics& out) const {

@@ -6,6 +6,7 @@
 #include "core/gpu_layout.h"
 #include "core/plan.h"
 
+#include <optional>
 #include <vector>
 
 namespace agaa {
@@ -62,6 +63,9 @@ struct AgaaView_T {
     // Milliseconds of each pass; empty where they are not measured.
     virtual std::vector<double> readPassTimes(uint32_t slot) const = 0;
     virtual AgaaTimeSource timeSource() const = 0;
+
+    // Of the newest finished frame, where the plan's frame constants hold counters of it and there is one.
+    std::optional<agaa::CounterBuffer> feedback(const AgaaFrame& frame) const;
 
     AgaaContext_T& owner;
     const agaa::Plan plan;

@@ -219,7 +219,7 @@ uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dial
     mix(text.data(), text.size());
     for (ResourceId target : pass.colorTargets)
         mixValue(uint32_t(plan.resources[target].format));
-    mixValue(uint32_t(plan.resources[pass.depthTarget].format));
+    mixValue(pass.depthTarget != noResource ? uint32_t(plan.resources[pass.depthTarget].format) : 0u);
     return key;
 }
 

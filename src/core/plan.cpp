@@ -37,6 +37,31 @@ uint32_t Plan::geometryPasses() const {
     }));
 }
 
+std::pair<uint32_t, uint32_t> Plan::groups(const Dispatch& dispatch) const {
+    const auto divide = [](uint64_t count, uint64_t by) { return uint32_t((count + by - 1) / by); };
+    if (dispatch.kind == DispatchKind::Pixels)
+        return {divide(width, dispatch.groupSide), divide(height, dispatch.groupSide)};
+    const uint32_t groups = divide(dispatch.items, itemsPerGroup);
+    return {std::min(groups, groupsPerRow), divide(groups, groupsPerRow)};
+}
+
+std::vector<Step> Plan::steps() const {
+    std::vector<Step> list;
+    auto repeat = repeats.begin();
+    for (uint32_t i = 0; i < passes.size();) {
+        if (repeat == repeats.end() || i < repeat->firstPass) {
+            list.push_back({i++, 0, true, true});
+            continue;
+        }
+        for (uint32_t batch = 0; batch < repeat->times; ++batch)
+            for (uint32_t pass = repeat->firstPass; pass <= repeat->lastPass; ++pass)
+                list.push_back({pass, batch, batch == 0, batch + 1 == repeat->times});
+        i = repeat->lastPass + 1;
+        ++repeat;
+    }
+    return list;
+}
+
 ResourceId Plan::surface(const char* surfaceName) const {
     for (ResourceId id = 0; id < resources.size(); ++id)
         if (resources[id].isPerPixel() && resources[id].name == surfaceName)

@@ -38,6 +38,7 @@ using Constants = std::array<uint32_t, ConstantCount>;
 
 using ResourceId = uint32_t;
 inline constexpr ResourceId noResource = ~0u;
+inline constexpr uint32_t noCounter = ~0u;
 
 enum class ResourceKind {
     Image,        // per pixel
@@ -68,6 +69,7 @@ struct Resource {
     uint32_t firstPass = 0;  // lifetime, by index into Plan::passes
     uint32_t lastPass = 0;
     uint64_t segments = 0;   // of the passes that use it
+    bool outlivesFrame = false; // Buffer: keeps its contents from frame to frame, which are 0 before the first
 
     bool isPerPixel() const { return kind == ResourceKind::Image || kind == ResourceKind::Buffer; }
     bool isHosts() const { return kind == ResourceKind::Output || kind == ResourceKind::ShadowMap; }
@@ -81,14 +83,41 @@ enum class BindingType {
     ShadowTexture, // 2D array, compared
 };
 
+// How a Texture is sampled: clamped to its edge, at one level.
+enum class Filter { Nearest, Linear };
+
 struct Binding {
     uint32_t slot = 0;
     BindingType type = BindingType::Texture;
     ResourceId resource = noResource;
     bool writes = false;
+    Filter filter = Filter::Nearest;
 };
 
 enum class PassKind { HostDraw, Compute, Fill, Copy };
+
+// How many groups a compute pass has.
+enum class DispatchKind {
+    Pixels,   // a group for each square of groupSide pixels
+    Items,    // a group for each 64 items, in rows of groupsPerRow: row * groupsPerRow + column is the group
+    Indirect, // three words of an earlier pass say it; 0 skips the pass
+};
+inline constexpr uint32_t itemsPerGroup = 64, groupsPerRow = 32768;
+
+struct Dispatch {
+    DispatchKind kind = DispatchKind::Pixels;
+    uint32_t groupSide = 8; // 8 a tile; a multiple of it a region of tiles
+    uint64_t items = 0;
+    ResourceId arguments = noResource;
+    uint64_t argumentsOffset = 0; // bytes, a multiple of 4
+};
+
+// Of the targets that a draw clears.
+struct ClearValues {
+    std::array<std::array<float, 4>, 4> color{};
+    float depth = 1;
+    uint32_t stencil = 0;
+};
 
 struct Pass {
     std::string name;
@@ -98,9 +127,10 @@ struct Pass {
     std::vector<Binding> bindings;
     std::vector<std::string> extensions; // that the pass relies on
 
-    // Compute: 8 x 8 invocations a group.
-    uint32_t groupSide = 8; // pixels across and down that a group takes
+    // Compute: 64 invocations a group.
+    Dispatch dispatch;
     std::string shader; // permutation in the library
+    std::string text;   // GLSL in place of the library's shader, which is compiled with the view
     std::string hostCode; // GLSL of the host's: the pass is compiled with it, from these:
     std::string hostCodeOrigin; // the members that the text came in
     std::string hostCodeExtensions; // what goes before all else for it
@@ -112,13 +142,30 @@ struct Pass {
     AgaaDrawPassId drawPass = AGAA_DRAW_PASS_VISIBILITY;
     AgaaDrawState drawState{};
     std::vector<ResourceId> colorTargets;
-    ResourceId depthTarget = noResource;
-    bool clearsColor = false; // to 0
-    bool clearsDepth = false; // to far, stencil to 0
+    ResourceId depthTarget = noResource; // or none
+    bool clearsColor = false;
+    bool clearsDepth = false; // and the stencil
+    ClearValues clear;
+    uint32_t width = 0, height = 0; // of the targets
 
-    // Fill (with zero), Copy
+    // Fill, Copy
     ResourceId source = noResource;
     ResourceId destination = noResource;
+    uint32_t fillValue = 0; // of each word
+};
+
+// Passes that run several times, one after the other. Indirect passes of a group that has nothing left to do dispatch no
+// groups: that is how a buffer ends a repetition early.
+struct Repeat {
+    uint32_t firstPass = 0, lastPass = 0;
+    uint32_t times = 1;
+};
+
+// A pass as it runs. batch: of the repetitions of its group, from 0.
+struct Step {
+    uint32_t pass = 0;
+    uint32_t batch = 0;
+    bool isFirst = true, isLast = true; // of the pass's steps
 };
 
 // config and depthBits are those that run.
@@ -137,6 +184,10 @@ struct Plan : ViewSettings {
     Format depthFormat = Format::None; // of the target; None where the host draws
     std::vector<Resource> resources;
     std::vector<Pass> passes;
+    std::vector<Repeat> repeats; // in the order of passes; they do not overlap, and each lies in one segment
+    // Counters of the newest finished frame whose low words the frame constants hold (agaa_frame.feedback): indices of
+    // Counter, or noCounter.
+    std::array<uint32_t, 3> feedback{noCounter, noCounter, noCounter};
     uint32_t bytesPerAggregate = 0;
     bool runnable = true; // false: a model to be priced, not to be run
 
@@ -145,6 +196,8 @@ struct Plan : ViewSettings {
     uint64_t peakBytes() const;     // per-pixel payload with disjoint lifetimes aliased
     double bytesPerPixel() const { return double(totalBytes()) / (double(width) * height); }
     uint32_t geometryPasses() const;
+    std::vector<Step> steps() const; // in the order in which they run
+    std::pair<uint32_t, uint32_t> groups(const Dispatch& dispatch) const; // across and down; not of indirect ones
     ResourceId surface(const char* surfaceName) const; // per pixel; throws where there is none
 };
 

@@ -1,5 +1,6 @@
 #include "core/plan_builder.h"
 
+#include "core/access.h"
 #include "core/checked.h"
 #include "core/custom_glsl.h"
 #include "core/gpu_layout.h"
@@ -59,11 +60,8 @@ ResourceId PlanBuilder::image(std::string name, Format format, bool atTargetRate
     Resource r;
     r.name = std::move(name);
     r.format = format;
-    r.width = atTargetRate ? uint32_t(std::min<uint64_t>(uint64_t(plan.width) * plan.scaleX, ~0u))
-                           : plan.width;
-    r.height = atTargetRate
-                   ? uint32_t(std::min<uint64_t>(uint64_t(plan.height) * plan.scaleY, ~0u))
-                   : plan.height;
+    r.width = atTargetRate ? scaledWidth() : plan.width;
+    r.height = atTargetRate ? scaledHeight() : plan.height;
     r.samples = atTargetRate ? plan.hwSamples : 1;
     r.bytes = checkedMultiply(checkedMultiply(uint64_t(r.width) * r.height, r.samples),
                               bytesPerTexel(format));
@@ -120,6 +118,9 @@ Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId dr
     pass.drawPass = drawPass;
     pass.drawState.samples = plan.hwSamples;
     pass.drawState.colorWriteMask = 0xF;
+    pass.clear.depth = plan.reversedZ ? 0.0f : 1.0f;
+    pass.width = scaledWidth();
+    pass.height = scaledHeight();
     pass.constants = constants_;
     plan.passes.push_back(std::move(pass));
     bind(plan.passes.back(), host_slot::Frame, BindingType::UniformBuffer, frameConstants(segment));
@@ -167,31 +168,41 @@ Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string&
     return plan.passes.back();
 }
 
-Pass& PlanBuilder::fill(std::string name, AgaaStage stage, ResourceId destination,
-                        uint64_t segment) {
+Pass& PlanBuilder::fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment,
+                        uint32_t value) {
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
     pass.kind = PassKind::Fill;
     pass.segment = segment;
     pass.destination = destination;
+    pass.fillValue = value;
     plan.passes.push_back(std::move(pass));
     return plan.passes.back();
 }
 
-ResourceId PlanBuilder::deferredPixels() {
-    const uint64_t tiles = checkedMultiply((uint64_t(plan.width) + 7) / 8, (uint64_t(plan.height) + 7) / 8);
-    return add({.name = "deferred-pixels",
+ResourceId PlanBuilder::tileBuffer(std::string name, uint32_t side, uint64_t bytesPerTile) {
+    const auto tiles = [&](uint32_t pixels) { return (uint64_t(pixels) + side - 1) / side; };
+    return itemBuffer(std::move(name), checkedMultiply(tiles(plan.width), tiles(plan.height)), bytesPerTile);
+}
+
+ResourceId PlanBuilder::itemBuffer(std::string name, uint64_t items, uint64_t bytesPerItem) {
+    return add({.name = std::move(name),
                 .kind = ResourceKind::Buffer,
                 .format = Format::Buffer,
                 .width = plan.width,
                 .height = plan.height,
-                .bytes = checkedMultiply(tiles, 8)});
+                .bytes = checkedMultiply(items, bytesPerItem)});
 }
+
+uint32_t PlanBuilder::scaledWidth() const { return uint32_t(std::min<uint64_t>(uint64_t(plan.width) * plan.scaleX, ~0u)); }
+uint32_t PlanBuilder::scaledHeight() const { return uint32_t(std::min<uint64_t>(uint64_t(plan.height) * plan.scaleY, ~0u)); }
+
+ResourceId PlanBuilder::deferredPixels() { return tileBuffer("deferred-pixels", 8, 8); }
 
 // A group of the pass has so many tiles of 8 by 8 pixels across and down.
 static void takeTiles(Pass& pass, uint32_t side) {
-    pass.groupSide = 8 * side;
+    pass.dispatch.groupSide = 8 * side;
     pass.defines += format("#define AGAA_REGION_SIDE %uu\n", side);
 }
 
@@ -390,27 +401,36 @@ void PlanBuilder::findLifetimes() {
     }
     for (uint32_t i = 0; i < plan.passes.size(); ++i) {
         const auto use = [&](ResourceId id) {
-            if (id == noResource)
-                return;
             Resource& resource = plan.resources[id];
             resource.firstPass = std::min(resource.firstPass, i);
             resource.lastPass = std::max(resource.lastPass, i);
             resource.segments |= plan.passes[i].segment;
         };
-        const Pass& pass = plan.passes[i];
-        for (const Binding& binding : pass.bindings)
-            use(binding.resource);
-        for (ResourceId target : pass.colorTargets)
-            use(target);
-        use(pass.depthTarget);
-        use(pass.source);
-        use(pass.destination);
+        for (const Access& access : accessesOf(plan.passes[i]))
+            use(access.resource);
     }
     for (Resource& resource : plan.resources)
         if (resource.firstPass == ~0u) { // a model's surface that no pass of ours names
             resource.firstPass = 0;
             resource.lastPass = plan.passes.empty() ? 0 : uint32_t(plan.passes.size() - 1);
         }
+    keepAlive();
+}
+
+// What a repeated pass uses may not share memory with what its group uses before or after, nor what outlives a frame with
+// anything.
+void PlanBuilder::keepAlive() {
+    for (Resource& resource : plan.resources) {
+        for (const Repeat& repeat : plan.repeats)
+            if (resource.firstPass <= repeat.lastPass && resource.lastPass >= repeat.firstPass) {
+                resource.firstPass = std::min(resource.firstPass, repeat.firstPass);
+                resource.lastPass = std::max(resource.lastPass, repeat.lastPass);
+            }
+        if (resource.outlivesFrame) {
+            resource.firstPass = 0;
+            resource.lastPass = uint32_t(plan.passes.size() - 1);
+        }
+    }
 }
 
 void PlanBuilder::checkLimits() const {

@@ -28,6 +28,10 @@ public:
     // One texel a pixel, or with atTargetRate the scaled, multisampled target.
     ResourceId image(std::string name, Format format, bool atTargetRate);
     ResourceId pixelBuffer(std::string name, uint64_t bytesPerPixel);
+    // A record for each tile of side x side pixels, row by row.
+    ResourceId tileBuffer(std::string name, uint32_t side, uint64_t bytesPerTile);
+    // A pool: as many records as the technique says.
+    ResourceId itemBuffer(std::string name, uint64_t items, uint64_t bytesPerItem);
     ResourceId modelSurface(std::string name, Format format, uint32_t samples);
 
     // The depth target; needsStencil only where the plan tests it.
@@ -42,7 +46,8 @@ public:
     void deferPixels(Pass& pass, ResourceId deferred);
     void takeDeferred(Pass& pass, ResourceId deferred);
 
-    Pass& fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment);
+    // Each word of the buffer becomes the value.
+    Pass& fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment, uint32_t value = 0);
 
     void bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
               bool writes = false);
@@ -80,6 +85,9 @@ private:
     void listEffects(bool readsFolded); // whether the shading pass reads aggregates whose roughness is folded
     ResourceId frameConstants(uint64_t segment);
     void findLifetimes();
+    void keepAlive();
+    uint32_t scaledWidth() const; // of the target
+    uint32_t scaledHeight() const;
     ResourceId add(Resource resource);
 
     AgaaDeviceCaps caps_;

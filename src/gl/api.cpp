@@ -55,7 +55,8 @@ void describe(const gl::View& view, size_t index, AgaaGlDrawPass& out) {
         out.colorFormats[i] = i < pass.colorTargets.size()
                                   ? gl::internalFormat(plan.resources[pass.colorTargets[i]].format)
                                   : 0;
-    out.depthStencilFormat = gl::internalFormat(plan.resources[pass.depthTarget].format);
+    out.depthStencilFormat =
+        pass.depthTarget != noResource ? gl::internalFormat(plan.resources[pass.depthTarget].format) : GL_NONE;
     out.glslExtensions = objects.extensions.c_str();
     out.glslDeclarations = objects.declarations.c_str();
 }

@@ -123,6 +123,12 @@ Context::Context(const AgaaGlContextDesc& desc)
         gl.SamplerParameteri(shadowSampler, wrap, GL_CLAMP_TO_EDGE);
     gl.SamplerParameteri(shadowSampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     gl.SamplerParameteri(shadowSampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    gl.CreateSamplers(1, &linearSampler);
+    label(GL_SAMPLER, linearSampler, "agaa linear sampler");
+    for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl.SamplerParameteri(linearSampler, filter, GL_LINEAR);
+    for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        gl.SamplerParameteri(linearSampler, wrap, GL_CLAMP_TO_EDGE);
     gl.CreateSamplers(1, &texelSampler);
     label(GL_SAMPLER, texelSampler, "agaa texel sampler");
     for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -142,6 +148,7 @@ Context::Context(const AgaaGlContextDesc& desc)
 Context::~Context() {
     gl.DeleteSamplers(1, &shadowSampler);
     gl.DeleteSamplers(1, &texelSampler);
+    gl.DeleteSamplers(1, &linearSampler);
     gl.DeleteFramebuffers(1, &noTarget);
     gl.DeleteTextures(1, &noShadow);
 }

@@ -39,6 +39,7 @@ public:
     AgaaTimeSource timeSource = AGAA_TIME_DEVICE;
     uint32_t timestampBits = 64; // of the driver's counter
     GLuint shadowSampler = 0;
+    GLuint linearSampler = 0;
     GLuint texelSampler = 0; // for textures of the host, whose own filter may need mip levels
     GLuint noTarget = 0;     // framebuffer without images: what is fetched from must not be drawn into (4.5, 9.3.1)
     GLint mostDebugGroups = 0; // of the context's stack

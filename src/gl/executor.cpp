@@ -13,11 +13,12 @@
 namespace agaa::gl {
 
 void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
+    const std::optional<CounterBuffer> newest = feedback(frame);
     for (ResourceId id = 0; id < plan.resources.size(); ++id) {
         const Resource& resource = plan.resources[id];
         if (resource.content == UploadContent::None || !(resource.segments & frame.segments))
             continue;
-        writeUpload(plan, resource.content, frame, positions, upload_.data());
+        writeUpload(plan, resource.content, frame, positions, newest ? &*newest : nullptr, upload_.data());
         context.gl.NamedBufferSubData(resources->buffer(id, slot), 0, GLsizeiptr(resource.bytes),
                                       upload_.data());
     }
@@ -31,16 +32,14 @@ void View::clearTargets(const Pass& pass, GLuint framebuffer) {
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.DepthMask(GL_TRUE);
     gl.StencilMask(~0u);
-    const GLfloat zero[4] = {0, 0, 0, 0};
     for (size_t i = 0; pass.clearsColor && i < pass.colorTargets.size(); ++i)
-        gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, GLint(i), zero);
-    if (!pass.clearsDepth)
+        gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, GLint(i), pass.clear.color[i].data());
+    if (!pass.clearsDepth || pass.depthTarget == noResource)
         return;
-    const GLfloat far = plan.reversedZ ? 0.0f : 1.0f;
     if (hasStencil(plan.resources[pass.depthTarget].format))
-        gl.ClearNamedFramebufferfi(framebuffer, GL_DEPTH_STENCIL, 0, far, 0);
+        gl.ClearNamedFramebufferfi(framebuffer, GL_DEPTH_STENCIL, 0, pass.clear.depth, GLint(pass.clear.stencil));
     else
-        gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
+        gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &pass.clear.depth);
 }
 
 // A map's own texture. Only the frame's maps were checked: where it has this one not, another takes its place,
@@ -98,16 +97,15 @@ void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFra
     gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, GLuint(storageBuffer));
 }
 
-void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t index, uint32_t slot,
+void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                        HostState& state) {
-    const Pass& pass = plan.passes[index];
-    const PassObjects& objects = passes[index];
+    const Pass& pass = plan.passes[step.pass];
+    const PassObjects& objects = passes[step.pass];
     if (pass.clearsColor || pass.clearsDepth)
         clearTargets(pass, objects.framebuffer);
-    const Resource& depth = plan.resources[pass.depthTarget];
     const AgaaDrawTarget target = {uint32_t(pass.drawPass),
-                                   depth.width,
-                                   depth.height,
+                                   pass.width,
+                                   pass.height,
                                    plan.scaleX,
                                    plan.scaleY,
                                    pass.drawState,
@@ -115,7 +113,7 @@ void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_
                                    nullptr,
                                    0,
                                    objects.framebuffer,
-                                   0};
+                                   step.batch};
     state.restore();
     if (context.hostBindings)
         context.hostBindings->capture();
@@ -154,7 +152,9 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
             break;
         case BindingType::Texture:
             gl.BindTextureUnit(place, texture);
-            gl.BindSampler(place, output ? context.texelSampler : 0);
+            gl.BindSampler(place, binding.filter == Filter::Linear ? context.linearSampler
+                                  : output                             ? context.texelSampler
+                                                                       : 0);
             break;
         case BindingType::ShadowTexture:
             gl.BindTextureUnit(place, shadowTexture(resource, frame, glFrame));
@@ -168,7 +168,7 @@ void View::runTransfer(const Pass& pass, uint32_t slot) {
     const GladGLContext& gl = context.gl;
     if (pass.kind == PassKind::Fill)
         gl.ClearNamedBufferData(resources->buffer(pass.destination, slot), GL_R32UI, GL_RED_INTEGER,
-                                GL_UNSIGNED_INT, nullptr);
+                                GL_UNSIGNED_INT, &pass.fillValue);
     else
         gl.CopyNamedBufferSubData(resources->buffer(pass.source, slot),
                                   resources->buffer(pass.destination, slot), 0, 0,
@@ -181,19 +181,32 @@ static bool usesOutput(const Plan& plan, const Pass& pass) {
     });
 }
 
-void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t index, uint32_t slot,
+void View::dispatch(const Dispatch& dispatch, uint32_t slot) {
+    const GladGLContext& gl = context.gl;
+    if (dispatch.kind == DispatchKind::Indirect) {
+        gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, resources->buffer(dispatch.arguments, slot));
+        gl.DispatchComputeIndirect(GLintptr(dispatch.argumentsOffset));
+        return;
+    }
+    const auto [x, y] = plan.groups(dispatch);
+    gl.DispatchCompute(x, y, 1);
+}
+
+void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                    HostState& state) {
+    const size_t index = step.pass;
     const Pass& pass = plan.passes[index];
     const GladGLContext& gl = context.gl;
     if (const GLbitfield bits = barriers.before(plan, pass, context.dialect.storageImages))
         gl.MemoryBarrier(bits);
     // First, for what a draw stored before its callback failed needs barriers too.
     barriers.after(plan, pass);
-    if (clock)
+    // Of a pass that repeats, from its first beginning to its last end.
+    if (clock && step.isFirst)
         clock->begin(slot, index);
     switch (pass.kind) {
     case PassKind::HostDraw:
-        runHostDraw(frame, glFrame, index, slot, state);
+        runHostDraw(frame, glFrame, step, slot, state);
         break;
     case PassKind::Compute: {
         std::optional<OutputView> output;
@@ -202,8 +215,7 @@ void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t in
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.noTarget);
         gl.UseProgram(passes[index].program);
         bindForCompute(pass, frame, glFrame, slot);
-        gl.DispatchCompute((plan.width + pass.groupSide - 1) / pass.groupSide,
-                           (plan.height + pass.groupSide - 1) / pass.groupSide, 1);
+        dispatch(pass.dispatch, slot);
         break;
     }
     case PassKind::Fill:
@@ -211,7 +223,7 @@ void View::runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t in
         runTransfer(pass, slot);
         break;
     }
-    if (clock)
+    if (clock && step.isLast)
         clock->end(slot, index);
 }
 
@@ -237,13 +249,15 @@ void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_
                      HostState& state) {
     GLint groups = 0;
     context.gl.GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &groups);
-    for (size_t i = 0; i < plan.passes.size(); ++i)
-        if (plan.passes[i].segment & frame.segments) {
-            std::optional<DebugGroup> group;
-            if (groups < context.mostDebugGroups)
-                group.emplace(context.gl, "agaa " + plan.passes[i].name);
-            runPass(frame, glFrame, i, slot, state);
-        }
+    for (const Step& step : steps) {
+        const Pass& pass = plan.passes[step.pass];
+        if (!(pass.segment & frame.segments))
+            continue;
+        std::optional<DebugGroup> group;
+        if (groups < context.mostDebugGroups)
+            group.emplace(context.gl, "agaa " + pass.name);
+        runStep(frame, glFrame, step, slot, state);
+    }
     // The host may use what the segment left in any way.
     context.gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
 }

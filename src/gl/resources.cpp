@@ -84,6 +84,8 @@ void ViewResources::createBuffers(const Resource& resource, bool asImages, GpuRe
                                                                              : GL_DYNAMIC_COPY;
         gl.NamedBufferData(buffer, GLsizeiptr(resource.bytes), nullptr, usage);
         context_.label(GL_BUFFER, buffer, "agaa " + resource.name);
+        if (resource.outlivesFrame)
+            gl.ClearNamedBufferData(buffer, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
         if (resource.isPerPixel())
             payloadBytes_ += resource.bytes;
         if (!asImages)

@@ -9,7 +9,10 @@
 namespace agaa::gl {
 
 View::View(Context& owner, const ViewSettings& settings)
-    : AgaaView_T(owner, makePlan(settings, owner.caps, owner.framesInFlight)), context(owner),
+    : View(owner, makePlan(settings, owner.caps, owner.framesInFlight)) {}
+
+View::View(Context& owner, Plan framePlan)
+    : AgaaView_T(owner, std::move(framePlan)), context(owner), steps(plan.steps()),
       barriers(plan.resources.size()) {
     require(plan.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
             "set layouts of AgaaGBufferFunction, AgaaFetchFunction and AgaaShadowFunction are of Vulkan.");
@@ -69,9 +72,16 @@ void View::createFramebuffer(const Pass& pass, PassObjects& objects) {
         gl.NamedFramebufferTexture(objects.framebuffer, buffers.back(),
                                    (*resources)[pass.colorTargets[i]].texture, 0);
     }
-    gl.NamedFramebufferTexture(objects.framebuffer,
-                               depthAttachment(plan.resources[pass.depthTarget].format),
-                               (*resources)[pass.depthTarget].texture, 0);
+    if (pass.depthTarget != noResource)
+        gl.NamedFramebufferTexture(objects.framebuffer, depthAttachment(plan.resources[pass.depthTarget].format),
+                                   (*resources)[pass.depthTarget].texture, 0);
+    if (pass.depthTarget == noResource && buffers.empty()) {
+        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, GLint(pass.width));
+        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, GLint(pass.height));
+        const uint32_t samples = pass.drawState.samples;
+        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_SAMPLES, samples > 1 ? GLint(samples) : 0);
+        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_FIXED_SAMPLE_LOCATIONS, GL_TRUE);
+    }
     if (buffers.empty())
         buffers.push_back(GL_NONE);
     gl.NamedFramebufferDrawBuffers(objects.framebuffer, GLsizei(buffers.size()), buffers.data());

@@ -26,6 +26,7 @@ struct PassObjects {
 class View : public AgaaView_T {
 public:
     View(Context& owner, const ViewSettings& settings);
+    View(Context& owner, Plan plan);
     ~View() override;
 
     AgaaResult record(const AgaaFrame& frame, const AgaaGlFrame& glFrame);
@@ -37,6 +38,7 @@ public:
 
     Context& context;
     std::optional<ViewResources> resources;
+    const std::vector<Step> steps;
     std::vector<PassObjects> passes;
     std::optional<PassClock> clock;
     StoreBarriers barriers;
@@ -56,10 +58,10 @@ private:
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
     void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot,
                    HostState& state);
-    void runPass(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t pass, uint32_t slot,
-                 HostState& state);
-    void runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, size_t pass, uint32_t slot,
+    void runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot, HostState& state);
+    void runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                      HostState& state);
+    void dispatch(const Dispatch& dispatch, uint32_t slot);
     void clearTargets(const Pass& pass, GLuint framebuffer);
     void bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);
     void bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,

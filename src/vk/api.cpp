@@ -36,7 +36,8 @@ void describe(const vk::View& view, size_t index, AgaaVkDrawPass& out) {
         out.colorFormats[i] = i < pass.colorTargets.size()
                                   ? vk::vkFormat(plan.resources[pass.colorTargets[i]].format)
                                   : VK_FORMAT_UNDEFINED;
-    out.depthStencilFormat = vk::vkFormat(plan.resources[pass.depthTarget].format);
+    out.depthStencilFormat = pass.depthTarget != noResource ? vk::vkFormat(plan.resources[pass.depthTarget].format)
+                                                            : VK_FORMAT_UNDEFINED;
     out.renderPass = (uint64_t)host.renderPass;
     out.descriptorSetLayout = (uint64_t)view.passes[index].setLayout;
     out.glslExtensions = host.extensions.c_str();
@@ -49,9 +50,9 @@ VkImageLayout layoutAfter(const Plan& plan, ResourceId id, uint64_t segment) {
                       plan.passes[plan.resources[id].lastPass].segment > segment;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
     for (const Pass& pass : plan.passes)
-        for (const vk::ResourceAccess& each : vk::accessesOf(plan, pass))
-            if (kept && pass.segment <= segment && each.resource == id)
-                layout = each.access.layout;
+        for (const Access& access : accessesOf(pass))
+            if (kept && pass.segment <= segment && access.resource == id)
+                layout = vk::vkAccess(plan, access).layout;
     return layout;
 }
 

@@ -17,7 +17,7 @@ void BarrierTracker::beginFrame() {
     source_ = destination_ = 0;
 }
 
-void BarrierTracker::use(ResourceId id, const Access& access) {
+void BarrierTracker::use(ResourceId id, const VkAccess& access) {
     const Resource& resource = plan_.resources[id];
     if (resource.isHosts() || resource.kind == ResourceKind::UploadBuffer)
         return;
@@ -25,7 +25,7 @@ void BarrierTracker::use(ResourceId id, const Access& access) {
     const bool isImage = resource.kind == ResourceKind::Image;
     const bool relayout = isImage && state.last.layout != access.layout;
     // A write that some stage already sees is seen by that stage's later reads too.
-    const bool seen = !(access.stages & ~state.last.stages);
+    const bool seen = !(access.stages & ~state.last.stages) && !(access.reads & ~state.last.reads);
     if (state.used && !state.written && !access.writes && !relayout && seen)
         return;
     // The first use follows whatever used this memory before, in this frame or the one before it.
@@ -52,59 +52,54 @@ void BarrierTracker::use(ResourceId id, const Access& access) {
     if (!isImage || (!state.used && plan_.aliases))
         memory_.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, sourceAccess, access.reads | access.writes});
     const bool readAfterRead = state.used && !state.written && !access.writes && !relayout;
-    const VkPipelineStageFlags readers = readAfterRead ? state.last.stages : 0;
+    const VkAccess before = readAfterRead ? state.last : VkAccess{};
     state.used = true;
     state.written = access.writes != 0;
     state.last = access;
-    state.last.stages |= readers;
+    state.last.stages |= before.stages;
+    state.last.reads |= before.reads;
     if (access.writes || relayout) { // a layout transition writes, too
         state.writeStages = access.stages;
         state.writes = access.writes;
     }
 }
 
-std::vector<ResourceAccess> accessesOf(const Plan& plan, const Pass& pass) {
-    std::vector<ResourceAccess> list;
-    const bool host = pass.kind == PassKind::HostDraw;
-    const VkPipelineStageFlags shader = host ? VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT
-                                             : VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
-    for (const Binding& binding : pass.bindings) {
-        Access access{shader, VK_ACCESS_SHADER_READ_BIT, 0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-        if (binding.writes)
-            access.writes = VK_ACCESS_SHADER_WRITE_BIT;
-        if (binding.type == BindingType::StorageImage)
-            access.layout = VK_IMAGE_LAYOUT_GENERAL;
-        else if (isDepth(plan.resources[binding.resource].format))
-            access.layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
-        list.push_back({binding.resource, access});
+VkAccess vkAccess(const Plan& plan, const Access& access) {
+    const VkPipelineStageFlags shader = access.isDraw ? VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT
+                                                      : VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
+    switch (access.use) {
+    case Use::Uniform:
+        return {shader, VK_ACCESS_UNIFORM_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
+    case Use::StorageRead:
+        return {shader, VK_ACCESS_SHADER_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
+    case Use::StorageWrite:
+        return {shader, VK_ACCESS_SHADER_READ_BIT, VK_ACCESS_SHADER_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED};
+    case Use::Fetch:
+        return {shader, VK_ACCESS_SHADER_READ_BIT, 0,
+                isDepth(plan.resources[access.resource].format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
+                                                                : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    case Use::ImageWrite:
+        return {shader, VK_ACCESS_SHADER_READ_BIT, VK_ACCESS_SHADER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
+    case Use::Color:
+        return {VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_COLOR_ATTACHMENT_READ_BIT,
+                VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+    case Use::Depth: // store operations count as writes
+        return {VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT,
+                VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT, VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+                VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
+    case Use::CopyFrom:
+        return {VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
+    case Use::CopyTo:
+        return {VK_PIPELINE_STAGE_TRANSFER_BIT, 0, VK_ACCESS_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED};
+    case Use::Indirect:
+        break;
     }
-    for (ResourceId target : pass.colorTargets)
-        list.push_back({target,
-                        {VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
-                         VK_ACCESS_COLOR_ATTACHMENT_READ_BIT, VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT,
-                         VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}});
-    // The stencil is written where depth is only compared, and store operations count as writes.
-    if (pass.depthTarget != noResource)
-        list.push_back({pass.depthTarget,
-                        {VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT |
-                             VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT,
-                         VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
-                         VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
-                         VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL}});
-    if (pass.source != noResource)
-        list.push_back({pass.source,
-                        {VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT, 0,
-                         VK_IMAGE_LAYOUT_UNDEFINED}});
-    if (pass.destination != noResource)
-        list.push_back({pass.destination,
-                        {VK_PIPELINE_STAGE_TRANSFER_BIT, 0, VK_ACCESS_TRANSFER_WRITE_BIT,
-                         VK_IMAGE_LAYOUT_UNDEFINED}});
-    return list;
+    return {VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT, VK_ACCESS_INDIRECT_COMMAND_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
 }
 
 void BarrierTracker::usePass(const Pass& pass) {
-    for (const ResourceAccess& each : accessesOf(plan_, pass))
-        use(each.resource, each.access);
+    for (const Access& access : accessesOf(pass))
+        use(access.resource, vkAccess(plan_, access));
 }
 
 void BarrierTracker::useOutput(VkImage image, VkImageLayout from, VkImageLayout to, bool acquire) {

@@ -1,7 +1,7 @@
 // Barriers between passes, derived from what each pass does with each resource.
 #pragma once
 
-#include "core/plan.h"
+#include "core/access.h"
 #include "vk/context.h"
 #include "vk/resources.h"
 
@@ -9,20 +9,15 @@
 
 namespace agaa::vk {
 
-// How a pass touches a resource.
-struct Access {
+// How Vulkan sees an access.
+struct VkAccess {
     VkPipelineStageFlags stages = 0;
     VkAccessFlags reads = 0;
     VkAccessFlags writes = 0;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; // images
 };
 
-// What a pass does with each of its resources.
-struct ResourceAccess {
-    ResourceId resource;
-    Access access;
-};
-std::vector<ResourceAccess> accessesOf(const Plan& plan, const Pass& pass);
+VkAccess vkAccess(const Plan& plan, const Access& access);
 
 class BarrierTracker {
 public:
@@ -32,7 +27,7 @@ public:
     // another resource.
     void beginFrame();
     // Collects what a pass needs; record() emits it as one barrier.
-    void use(ResourceId id, const Access& access);
+    void use(ResourceId id, const VkAccess& access);
     void usePass(const Pass& pass);
     // The host's output around the shading segment.
     void useOutput(VkImage image, VkImageLayout from, VkImageLayout to, bool acquire);
@@ -41,7 +36,7 @@ public:
 private:
     struct State {
         bool used = false;
-        Access last; // the last write, or all reads since
+        VkAccess last; // the last write, or all reads since
         bool written = false;
         VkPipelineStageFlags writeStages = 0; // of the last write, which later reads elsewhere
         VkAccessFlags writes = 0;             // must still see

@@ -46,10 +46,10 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkContextDesc& 
     keep(dynamicRendering, AGAA_DEVICE_DYNAMIC_RENDERING);
 }
 
-static VkSampler createSampler(const Context& context, bool compare) {
+static VkSampler createSampler(const Context& context, VkFilter filter, bool compare) {
     VkSamplerCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-    info.magFilter = info.minFilter = compare ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+    info.magFilter = info.minFilter = filter;
     info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
     info.addressModeU = info.addressModeV = info.addressModeW =
         VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
@@ -123,9 +123,11 @@ Context::Context(const AgaaVkContextDesc& desc)
 Context::~Context() { destroyObjects(); }
 
 void Context::createObjects() {
-    texelSampler = createSampler(*this, false);
+    texelSampler = createSampler(*this, VK_FILTER_NEAREST, false);
     name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)texelSampler, "agaa texel sampler");
-    shadowSampler = createSampler(*this, true);
+    linearSampler = createSampler(*this, VK_FILTER_LINEAR, false);
+    name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)linearSampler, "agaa linear sampler");
+    shadowSampler = createSampler(*this, VK_FILTER_LINEAR, true);
     name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)shadowSampler, "agaa shadow sampler");
     if (pipelineCache)
         return;
@@ -139,6 +141,7 @@ void Context::createObjects() {
 
 void Context::destroyObjects() {
     vk.DestroySampler(device, texelSampler, nullptr);
+    vk.DestroySampler(device, linearSampler, nullptr);
     vk.DestroySampler(device, shadowSampler, nullptr);
     vk.DestroyPipelineCache(device, ownCache_, nullptr);
 }

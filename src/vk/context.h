@@ -31,6 +31,7 @@ public:
     float timestampPeriod = 0;    // nanoseconds a tick
     uint64_t timestampMask = 0;   // 0: the queue has no timestamps
     VkSampler texelSampler = VK_NULL_HANDLE;
+    VkSampler linearSampler = VK_NULL_HANDLE;
     VkSampler shadowSampler = VK_NULL_HANDLE;
 
 private:

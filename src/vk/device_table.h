@@ -28,6 +28,7 @@ namespace agaa::vk {
     X(CmdBindPipeline)                                                                             \
     X(CmdCopyBuffer)                                                                               \
     X(CmdDispatch)                                                                                 \
+    X(CmdDispatchIndirect)                                                                         \
     X(CmdEndRenderPass)                                                                            \
     X(CmdExecuteCommands)                                                                          \
     X(CmdFillBuffer)                                                                               \

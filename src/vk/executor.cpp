@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 namespace agaa::vk {
 
@@ -41,10 +42,12 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const
 }
 
 void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
+    const std::optional<CounterBuffer> newest = feedback(frame);
     for (ResourceId id = 0; id < plan.resources.size(); ++id) {
         const Resource& resource = plan.resources[id];
         if (resource.content != UploadContent::None && resource.segments & frame.segments)
-            writeUpload(plan, resource.content, frame, positions, (*resources)[id].mapped[slot]);
+            writeUpload(plan, resource.content, frame, positions, newest ? &*newest : nullptr,
+                        (*resources)[id].mapped[slot]);
     }
 }
 
@@ -114,8 +117,8 @@ void View::writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, 
                           (VkImageView)vkFrame.outputView, VK_IMAGE_LAYOUT_GENERAL);
                     break;
                 }
-                image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, context.texelSampler,
-                      gpu.fetchView,
+                image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                      binding.filter == Filter::Linear ? context.linearSampler : context.texelSampler, gpu.fetchView,
                       isDepth(resource.format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
                                                : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
                 break;
@@ -127,22 +130,25 @@ void View::writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, 
                                     nullptr);
 }
 
-AgaaResult View::callHost(const AgaaFrame& frame, size_t pass, uint32_t slot,
-                                VkCommandBuffer commands) {
-    const AgaaDrawTarget target = drawTarget(plan, plan.passes[pass], passes[pass].host, commands,
-                                             passes[pass].sets[slot]);
+AgaaResult View::callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands) {
+    AgaaDrawTarget target = drawTarget(plan, plan.passes[step.pass], passes[step.pass].host, commands,
+                                       passes[step.pass].sets[slot]);
+    target.batch = step.batch;
     return contained([&] { return frame.draw(frame.drawUser, &target); });
 }
 
 // Draw callbacks record into command buffers of ours first: one that fails leaves the host's untouched.
 AgaaResult View::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
-    for (size_t i = 0; i < plan.passes.size(); ++i) {
-        const Pass& pass = plan.passes[i];
-        if (pass.kind != PassKind::HostDraw || !(pass.segment & frame.segments))
+    size_t next = 0;
+    for (const Step& step : steps) {
+        const Pass& pass = plan.passes[step.pass];
+        if (pass.kind != PassKind::HostDraw)
             continue;
-        const VkCommandBuffer commands = slots[slot].secondaries[secondaryIndex(i)];
-        beginSecondary(context, plan, pass, passes[i].host, commands);
-        const AgaaResult result = callHost(frame, i, slot, commands);
+        const VkCommandBuffer commands = slots[slot].secondaries[next++];
+        if (!(pass.segment & frame.segments))
+            continue;
+        beginSecondary(context, plan, pass, passes[step.pass].host, commands);
+        const AgaaResult result = callHost(frame, step, slot, commands);
         check(context.vk.EndCommandBuffer(commands), "vkEndCommandBuffer");
         if (result != AGAA_OK)
             fail(AGAA_ERROR_CALLBACK,
@@ -160,20 +166,36 @@ void View::recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
     context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
                                      objects.pipelineLayout, 0, usesHostSet(plan.passes[pass]) ? 2 : 1, sets, 0,
                                      nullptr);
-    const uint32_t side = plan.passes[pass].groupSide;
-    context.vk.CmdDispatch(commands, (plan.width + side - 1) / side, (plan.height + side - 1) / side, 1);
+    const Dispatch& dispatch = plan.passes[pass].dispatch;
+    if (dispatch.kind == DispatchKind::Indirect) {
+        context.vk.CmdDispatchIndirect(commands, bufferOf(dispatch.arguments, slot), dispatch.argumentsOffset);
+        return;
+    }
+    const auto [x, y] = plan.groups(dispatch);
+    context.vk.CmdDispatch(commands, x, y, 1);
+}
+
+VkBuffer View::bufferOf(ResourceId id, uint32_t slot) const {
+    return (*resources)[id].buffers[plan.resources[id].copies > 1 ? slot : 0];
+}
+
+// What outlives a frame begins with 0.
+void View::clearLasting(VkCommandBuffer commands) {
+    for (ResourceId id = 0; id < plan.resources.size(); ++id)
+        if (plan.resources[id].outlivesFrame) {
+            barriers->use(id, vkAccess(plan, {id, Use::CopyTo, false}));
+            barriers->record(commands);
+            context.vk.CmdFillBuffer(commands, bufferOf(id, 0), 0, VK_WHOLE_SIZE, 0);
+        }
 }
 
 void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {
-    const auto buffer = [&](ResourceId id) {
-        return (*resources)[id].buffers[plan.resources[id].copies > 1 ? slot : 0];
-    };
     if (pass.kind == PassKind::Fill) {
-        context.vk.CmdFillBuffer(commands, buffer(pass.destination), 0, VK_WHOLE_SIZE, 0);
+        context.vk.CmdFillBuffer(commands, bufferOf(pass.destination, slot), 0, VK_WHOLE_SIZE, pass.fillValue);
         return;
     }
     const VkBufferCopy region{0, 0, plan.resources[pass.source].bytes};
-    context.vk.CmdCopyBuffer(commands, buffer(pass.source), buffer(pass.destination), 1, &region);
+    context.vk.CmdCopyBuffer(commands, bufferOf(pass.source, slot), bufferOf(pass.destination, slot), 1, &region);
     const VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr,
                                  VK_ACCESS_TRANSFER_WRITE_BIT, VK_ACCESS_HOST_READ_BIT};
     context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
@@ -181,8 +203,9 @@ void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer comma
                                   nullptr);
 }
 
-void View::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t index,
-                            uint32_t slot, VkCommandBuffer commands) {
+void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Step& step, size_t secondary,
+                      uint32_t slot, VkCommandBuffer commands) {
+    const size_t index = step.pass;
     const Pass& pass = plan.passes[index];
     const DeviceTable& vk = context.vk;
     if (vk.CmdBeginDebugUtilsLabelEXT) {
@@ -199,12 +222,13 @@ void View::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t
     const auto image = (VkImage)vkFrame.outputImage;
     if (output)
         barriers->useOutput(image,
-                            index == output->firstPass ? VkImageLayout(vkFrame.outputLayoutIn)
+                            index == output->firstPass && step.isFirst ? VkImageLayout(vkFrame.outputLayoutIn)
                                                        : VK_IMAGE_LAYOUT_GENERAL,
                             VK_IMAGE_LAYOUT_GENERAL, true);
     barriers->record(commands);
     const uint32_t query = uint32_t(2 * (slot * passes.size() + index));
-    if (queries)
+    // Of a pass that repeats, from its first beginning to its last end.
+    if (queries && step.isFirst)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query);
     AgaaResult result = AGAA_OK;
     switch (pass.kind) {
@@ -212,9 +236,9 @@ void View::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t
         beginHostRendering(context, plan, pass, passes[index].host, *resources, commands,
                            context.secondary);
         if (context.secondary)
-            vk.CmdExecuteCommands(commands, 1, &slots[slot].secondaries[secondaryIndex(index)]);
+            vk.CmdExecuteCommands(commands, 1, &slots[slot].secondaries[secondary]);
         else
-            result = callHost(frame, index, slot, commands);
+            result = callHost(frame, step, slot, commands);
         endHostRendering(context, commands);
         break;
     case PassKind::Compute:
@@ -225,9 +249,9 @@ void View::recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t
         recordTransfer(pass, slot, commands);
         break;
     }
-    if (queries)
+    if (queries && step.isLast)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query + 1);
-    if (output && index == output->lastPass) {
+    if (output && index == output->lastPass && step.isLast) {
         barriers->useOutput(image, VK_IMAGE_LAYOUT_GENERAL, VkImageLayout(vkFrame.outputLayoutOut),
                             false);
         barriers->record(commands);
@@ -248,9 +272,14 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint
     if (begins && queries)
         context.vk.CmdResetQueryPool(commands, queries, uint32_t(2 * slot * passes.size()),
                                      uint32_t(2 * passes.size()));
-    for (size_t i = 0; i < plan.passes.size(); ++i)
-        if (plan.passes[i].segment & frame.segments)
-            recordPass(frame, vkFrame, i, slot, commands);
+    if (begins && !isLastingCleared_)
+        clearLasting(commands);
+    size_t secondary = 0;
+    for (const Step& step : steps) {
+        if (plan.passes[step.pass].segment & frame.segments)
+            recordStep(frame, vkFrame, step, secondary, slot, commands);
+        secondary += plan.passes[step.pass].kind == PassKind::HostDraw;
+    }
 }
 
 AgaaResult View::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
@@ -267,16 +296,20 @@ AgaaResult View::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
     // Up to here nothing of the host's was touched.
     try {
         recordPasses(frame, vkFrame, slot, begins);
+        isLastingCleared_ = true;
     } catch (const Error& error) {
         // The host discards the command buffer: what it would have begun never runs, and a frame whose
         // earlier segments run cannot go on.
         sequence.failed(frame);
+        isLastingCleared_ = isLastingCleared_ && !begins;
         failPartial(error.message.c_str());
     } catch (const std::bad_alloc&) {
         sequence.failed(frame);
+        isLastingCleared_ = isLastingCleared_ && !begins;
         failPartial("host memory is exhausted; discard the command buffer.");
     } catch (...) {
         sequence.failed(frame);
+        isLastingCleared_ = isLastingCleared_ && !begins;
         failPartial("an unexpected internal failure; discard the command buffer.");
     }
     sequence.recorded(frame);

@@ -3,6 +3,7 @@
 #include "core/host_glsl.h"
 #include "vk/formats.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -10,10 +11,15 @@ namespace agaa::vk {
 
 namespace {
 
-VkClearValue clearValue(const Plan& plan, Format format) {
+VkClearValue depthClear(const Pass& pass) {
     VkClearValue value{};
-    if (isDepth(format))
-        value.depthStencil = {plan.reversedZ ? 0.0f : 1.0f, 0};
+    value.depthStencil = {pass.clear.depth, pass.clear.stencil};
+    return value;
+}
+
+VkClearValue colorClear(const Pass& pass, size_t target) {
+    VkClearValue value{};
+    std::copy_n(pass.clear.color[target].begin(), 4, value.color.float32);
     return value;
 }
 
@@ -48,13 +54,16 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     }
     const VkAttachmentReference depth{uint32_t(attachments.size()),
                                       VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
-    attachments.push_back(attachment(plan.resources[pass.depthTarget], pass.clearsDepth));
-    views.push_back(resources[pass.depthTarget].attachmentView);
+    const bool hasDepth = pass.depthTarget != noResource;
+    if (hasDepth) {
+        attachments.push_back(attachment(plan.resources[pass.depthTarget], pass.clearsDepth));
+        views.push_back(resources[pass.depthTarget].attachmentView);
+    }
     VkSubpassDescription subpass{};
     subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
     subpass.colorAttachmentCount = uint32_t(colors.size());
     subpass.pColorAttachments = colors.data();
-    subpass.pDepthStencilAttachment = &depth;
+    subpass.pDepthStencilAttachment = hasDepth ? &depth : nullptr;
     VkRenderPassCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO;
     info.attachmentCount = uint32_t(attachments.size());
@@ -69,26 +78,22 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     framebuffer.renderPass = objects.renderPass;
     framebuffer.attachmentCount = uint32_t(views.size());
     framebuffer.pAttachments = views.data();
-    framebuffer.width = plan.resources[pass.depthTarget].width;
-    framebuffer.height = plan.resources[pass.depthTarget].height;
+    framebuffer.width = pass.width;
+    framebuffer.height = pass.height;
     framebuffer.layers = 1;
     check(context.vk.CreateFramebuffer(context.device, &framebuffer, nullptr, &objects.framebuffer),
           "vkCreateFramebuffer");
     context.name(VK_OBJECT_TYPE_FRAMEBUFFER, (uint64_t)objects.framebuffer, "agaa " + pass.name);
 }
 
-VkRenderingAttachmentInfo renderingAttachment(const Plan& plan, const Pass& pass, ResourceId target,
-                                              const ViewResources& resources) {
-    const Format format = plan.resources[target].format;
+VkRenderingAttachmentInfo renderingAttachment(VkImageView view, VkImageLayout layout, bool clears, VkClearValue value) {
     VkRenderingAttachmentInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-    info.imageView = resources[target].attachmentView;
-    info.imageLayout = isDepth(format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
-                                       : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    const bool clears = isDepth(format) ? pass.clearsDepth : pass.clearsColor;
+    info.imageView = view;
+    info.imageLayout = layout;
     info.loadOp = clears ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
     info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-    info.clearValue = clearValue(plan, format);
+    info.clearValue = value;
     return info;
 }
 
@@ -115,13 +120,14 @@ void destroyHostPass(const Context& context, HostPassObjects& objects) {
 void beginHostRendering(const Context& context, const Plan& plan, const Pass& pass,
                         const HostPassObjects& objects, const ViewResources& resources,
                         VkCommandBuffer commands, bool secondary) {
-    const Resource& depthResource = plan.resources[pass.depthTarget];
-    const VkRect2D area{{0, 0}, {depthResource.width, depthResource.height}};
+    const VkRect2D area{{0, 0}, {pass.width, pass.height}};
+    const bool hasDepth = pass.depthTarget != noResource;
     if (!context.dynamicRendering) {
         std::vector<VkClearValue> clears;
-        for (ResourceId target : pass.colorTargets)
-            clears.push_back(clearValue(plan, plan.resources[target].format));
-        clears.push_back(clearValue(plan, depthResource.format));
+        for (size_t i = 0; i < pass.colorTargets.size(); ++i)
+            clears.push_back(colorClear(pass, i));
+        if (hasDepth)
+            clears.push_back(depthClear(pass));
         VkRenderPassBeginInfo info{};
         info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
         info.renderPass = objects.renderPass;
@@ -135,10 +141,14 @@ void beginHostRendering(const Context& context, const Plan& plan, const Pass& pa
         return;
     }
     std::vector<VkRenderingAttachmentInfo> colors;
-    for (ResourceId target : pass.colorTargets)
-        colors.push_back(renderingAttachment(plan, pass, target, resources));
-    const VkRenderingAttachmentInfo depth =
-        renderingAttachment(plan, pass, pass.depthTarget, resources);
+    for (size_t i = 0; i < pass.colorTargets.size(); ++i)
+        colors.push_back(renderingAttachment(resources[pass.colorTargets[i]].attachmentView,
+                                             VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, pass.clearsColor,
+                                             colorClear(pass, i)));
+    VkRenderingAttachmentInfo depth{};
+    if (hasDepth)
+        depth = renderingAttachment(resources[pass.depthTarget].attachmentView,
+                                    VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, pass.clearsDepth, depthClear(pass));
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
     info.flags = secondary ? VK_RENDERING_CONTENTS_SECONDARY_COMMAND_BUFFERS_BIT : 0;
@@ -146,8 +156,8 @@ void beginHostRendering(const Context& context, const Plan& plan, const Pass& pa
     info.layerCount = 1;
     info.colorAttachmentCount = uint32_t(colors.size());
     info.pColorAttachments = colors.data();
-    info.pDepthAttachment = &depth;
-    info.pStencilAttachment = hasStencil(depthResource.format) ? &depth : nullptr;
+    info.pDepthAttachment = hasDepth ? &depth : nullptr;
+    info.pStencilAttachment = hasDepth && hasStencil(plan.resources[pass.depthTarget].format) ? &depth : nullptr;
     context.vk.CmdBeginRendering(commands, &info);
 }
 
@@ -160,7 +170,7 @@ void endHostRendering(const Context& context, VkCommandBuffer commands) {
 
 void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
                     const HostPassObjects& objects, VkCommandBuffer commands) {
-    const Format depth = plan.resources[pass.depthTarget].format;
+    const Format depth = pass.depthTarget != noResource ? plan.resources[pass.depthTarget].format : Format::None;
     std::vector<VkFormat> colors;
     for (ResourceId target : pass.colorTargets)
         colors.push_back(vkFormat(plan.resources[target].format));
@@ -168,9 +178,9 @@ void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
     rendering.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_RENDERING_INFO;
     rendering.colorAttachmentCount = uint32_t(colors.size());
     rendering.pColorAttachmentFormats = colors.data();
-    rendering.depthAttachmentFormat = vkFormat(depth);
+    rendering.depthAttachmentFormat = depth == Format::None ? VK_FORMAT_UNDEFINED : vkFormat(depth);
     rendering.stencilAttachmentFormat = hasStencil(depth) ? vkFormat(depth) : VK_FORMAT_UNDEFINED;
-    rendering.rasterizationSamples = VkSampleCountFlagBits(plan.hwSamples);
+    rendering.rasterizationSamples = VkSampleCountFlagBits(pass.drawState.samples);
     VkCommandBufferInheritanceInfo inheritance{};
     inheritance.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_INFO;
     inheritance.pNext = context.dynamicRendering ? &rendering : nullptr;
@@ -186,8 +196,7 @@ void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
 
 AgaaDrawTarget drawTarget(const Plan& plan, const Pass& pass, const HostPassObjects& objects,
                           VkCommandBuffer commands, VkDescriptorSet set) {
-    const Resource& depth = plan.resources[pass.depthTarget];
-    return {uint32_t(pass.drawPass), depth.width,  depth.height, plan.scaleX, plan.scaleY,
+    return {uint32_t(pass.drawPass), pass.width, pass.height, plan.scaleX, plan.scaleY,
             pass.drawState,          objects.key, commands,     (uint64_t)set, 0, 0};
 }
 

@@ -1,5 +1,7 @@
 #include "vk/resources.h"
 
+#include "core/access.h"
+
 #include "core/checked.h"
 #include "vk/formats.h"
 
@@ -65,21 +67,39 @@ void ViewResources::create(const Plan& plan, std::vector<Request>& requests) {
 }
 
 // What passes do with a resource decides its usage.
-static VkImageUsageFlags imageUsage(const Plan& plan, ResourceId id) {
-    VkImageUsageFlags usage = 0;
-    for (const Pass& pass : plan.passes) {
-        for (const Binding& binding : pass.bindings)
-            if (binding.resource == id)
-                usage |= binding.type == BindingType::StorageImage ? VK_IMAGE_USAGE_STORAGE_BIT
-                                                                   : VK_IMAGE_USAGE_SAMPLED_BIT;
-        if (std::find(pass.colorTargets.begin(), pass.colorTargets.end(), id) !=
-            pass.colorTargets.end())
-            usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-        if (pass.depthTarget == id) // which hosts may read between segments
-            usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+static VkImageUsageFlags imageUsage(Use use) {
+    switch (use) {
+    case Use::ImageWrite:
+        return VK_IMAGE_USAGE_STORAGE_BIT;
+    case Use::Color:
+        return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    case Use::Depth: // which hosts may read between segments
+        return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    default:
+        return VK_IMAGE_USAGE_SAMPLED_BIT;
     }
-    if (plan.config.flags & AGAA_CONFIG_READBACK)
-        usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+}
+
+static VkBufferUsageFlags bufferUsage(Use use) {
+    switch (use) {
+    case Use::Uniform:
+        return VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
+    case Use::CopyTo:
+        return VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    case Use::CopyFrom:
+        return VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+    case Use::Indirect:
+        return VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+    default:
+        return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    }
+}
+
+template <typename Flags> static Flags usageOf(const Plan& plan, ResourceId id, Flags (*flagsOf)(Use), Flags readback) {
+    Flags usage = plan.config.flags & AGAA_CONFIG_READBACK ? readback : 0;
+    for (const Pass& pass : plan.passes)
+        for (const Access& access : accessesOf(pass))
+            usage |= access.resource == id ? flagsOf(access.use) : 0;
     return usage;
 }
 
@@ -94,7 +114,7 @@ void ViewResources::createImage(const Plan& plan, ResourceId id, std::vector<Req
     info.arrayLayers = resource.layers;
     info.samples = VkSampleCountFlagBits(resource.samples);
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
-    info.usage = imageUsage(plan, id);
+    info.usage = usageOf(plan, id, imageUsage, VkImageUsageFlags(VK_IMAGE_USAGE_TRANSFER_SRC_BIT));
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
     info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
     VkImageFormatProperties limits{};
@@ -121,31 +141,17 @@ void ViewResources::createImage(const Plan& plan, ResourceId id, std::vector<Req
     requests.push_back(request);
 }
 
-static VkBufferUsageFlags bufferUsage(const Plan& plan, ResourceId id) {
-    VkBufferUsageFlags usage = 0;
-    for (const Pass& pass : plan.passes) {
-        for (const Binding& binding : pass.bindings)
-            if (binding.resource == id)
-                usage |= binding.type == BindingType::UniformBuffer
-                             ? VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT
-                             : VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-        if (pass.destination == id)
-            usage |= VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-        if (pass.source == id)
-            usage |= VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
-    }
-    if (plan.config.flags & AGAA_CONFIG_READBACK)
-        usage |= VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
-    return usage;
-}
-
 void ViewResources::createBuffers(const Plan& plan, ResourceId id, std::vector<Request>& requests) {
     const Resource& resource = plan.resources[id];
     for (uint32_t copy = 0; copy < resource.copies; ++copy) {
         VkBufferCreateInfo info{};
         info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
         info.size = resource.bytes;
-        info.usage = bufferUsage(plan, id);
+        info.usage = usageOf(plan, id, bufferUsage, VkBufferUsageFlags(VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
+        if (resource.outlivesFrame) // cleared before the first frame
+            info.usage |= VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+        if (!info.usage) // of lights in a plan without lighting
+            info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
         info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
         VkBuffer buffer = VK_NULL_HANDLE;
         check(context_.vk.CreateBuffer(context_.device, &info, nullptr, &buffer), "vkCreateBuffer");

@@ -6,12 +6,16 @@
 #include "core/planner.h"
 #include "core/validate.h"
 
+#include <algorithm>
 #include <map>
 
 namespace agaa::vk {
 
 View::View(Context& device, const ViewSettings& settings)
-    : AgaaView_T(device, makePlan(settings, device.caps, device.framesInFlight)), context(device),
+    : View(device, makePlan(settings, device.caps, device.framesInFlight)) {}
+
+View::View(Context& device, Plan framePlan)
+    : AgaaView_T(device, std::move(framePlan)), context(device), steps(plan.steps()),
       positions(plan.samplePositions.empty()
                     ? samplePositions(standardPositions(plan.hwSamples), plan.scaleX, plan.scaleY)
                     : samplePositions(plan.samplePositions)) {
@@ -138,8 +142,9 @@ void View::createPipelines() {
         context.name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, (uint64_t)objects.pipelineLayout,
                      "agaa " + pass.name);
         std::vector<uint32_t> compiled;
-        if (!pass.hostCode.empty())
-            compiled = compileCompute(passGlsl(pass), pass.hostCodeOrigin.c_str());
+        if (!pass.text.empty() || !pass.hostCode.empty())
+            compiled = compileCompute(passGlsl(pass), pass.hostCode.empty() ? pass.name.c_str()
+                                                                            : pass.hostCodeOrigin.c_str());
         const std::span<const uint32_t> words =
             compiled.empty() ? embeddedSpirv(pass.shader) : compiled;
         if (words.empty())
@@ -171,8 +176,11 @@ void View::createPipelines() {
 
 void View::createSlots() {
     slots.resize(context.framesInFlight);
+    const auto draws = std::count_if(steps.begin(), steps.end(), [&](const Step& step) {
+        return plan.passes[step.pass].kind == PassKind::HostDraw;
+    });
     for (FrameSlot& slot : slots) {
-        if (!context.secondary || plan.geometryPasses() == 0)
+        if (!context.secondary || draws == 0)
             continue;
         VkCommandPoolCreateInfo pool{};
         pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
@@ -181,7 +189,7 @@ void View::createSlots() {
         check(context.vk.CreateCommandPool(context.device, &pool, nullptr, &slot.pool),
               "vkCreateCommandPool");
         context.name(VK_OBJECT_TYPE_COMMAND_POOL, (uint64_t)slot.pool, "agaa draw commands");
-        slot.secondaries.resize(plan.geometryPasses());
+        slot.secondaries.resize(size_t(draws));
         VkCommandBufferAllocateInfo allocate{};
         allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
         allocate.commandPool = slot.pool;
@@ -209,13 +217,6 @@ bool View::usesHostSet(const Pass& pass) const {
 
 bool View::timed() const {
     return (plan.config.flags & AGAA_CONFIG_TIMESTAMPS) && context.timestampMask != 0;
-}
-
-size_t View::secondaryIndex(size_t pass) const {
-    size_t index = 0;
-    for (size_t i = 0; i < pass; ++i)
-        index += plan.passes[i].kind == PassKind::HostDraw;
-    return index;
 }
 
 } // namespace agaa::vk

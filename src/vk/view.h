@@ -26,12 +26,13 @@ struct PassObjects {
 // What belongs to one frame in flight.
 struct FrameSlot {
     VkCommandPool pool = VK_NULL_HANDLE;
-    std::vector<VkCommandBuffer> secondaries; // one per host draw, in order
+    std::vector<VkCommandBuffer> secondaries; // one per step that is a host draw, in order
 };
 
 class View : public AgaaView_T {
 public:
     View(Context& owner, const ViewSettings& settings);
+    View(Context& owner, Plan plan);
     ~View() override;
 
     AgaaResult record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame);
@@ -43,6 +44,7 @@ public:
 
     Context& context;
     std::optional<ViewResources> resources;
+    const std::vector<Step> steps;
     std::vector<PassObjects> passes;
     std::vector<FrameSlot> slots;
     std::optional<BarrierTracker> barriers;
@@ -60,17 +62,20 @@ private:
     void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot,
                       bool begins);
     void writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot);
-    AgaaResult callHost(const AgaaFrame& frame, size_t pass, uint32_t slot,
-                        VkCommandBuffer commands);
+    AgaaResult callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands);
     AgaaResult recordSecondaries(const AgaaFrame& frame, uint32_t slot);
-    void recordPass(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, size_t pass,
-                          uint32_t slot, VkCommandBuffer commands);
+    // secondary: of the host draws among the steps.
+    void recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Step& step, size_t secondary,
+                    uint32_t slot, VkCommandBuffer commands);
     void recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
                        VkCommandBuffer commands);
     void recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands);
-    size_t secondaryIndex(size_t pass) const;
+    void clearLasting(VkCommandBuffer commands);
+    VkBuffer bufferOf(ResourceId id, uint32_t slot) const;
     bool usesHostSet(const Pass& pass) const; // set 1 is the host's
     bool timed() const;
+
+    bool isLastingCleared_ = false; // what outlives a frame was cleared
 };
 
 } // namespace agaa::vk

@@ -10,6 +10,13 @@ void addAmbient(AgaaFrame& frame) {
     frame.ambient[0] = frame.ambient[1] = frame.ambient[2] = 0.25f;
 }
 
+std::vector<float> withAlpha(std::span<const float> rgb) {
+    std::vector<float> rgba;
+    for (size_t i = 0; i < rgb.size(); i += 3)
+        rgba.insert(rgba.end(), {rgb[i], rgb[i + 1], rgb[i + 2], 1.0f});
+    return rgba;
+}
+
 size_t nonFinite(std::span<const float> rgb) {
     return size_t(std::ranges::count_if(rgb, [](float value) { return !std::isfinite(value); }));
 }

@@ -53,6 +53,7 @@ Shown showBy(View& view, const Shot& shot, const Render& render, const Rgb& rgb)
 
 // Ambient light of a quarter.
 void addAmbient(AgaaFrame& frame);
+std::vector<float> withAlpha(std::span<const float> rgb); // 1
 size_t nonFinite(std::span<const float> rgb);
 double sumOf(std::span<const float> rgb);
 

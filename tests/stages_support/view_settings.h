@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+namespace agaa {
+class PlanBuilder;
+}
+
 namespace agaa::test {
 
 using harness::TechniqueConfig;
@@ -49,6 +53,7 @@ struct ViewSettings {
     // GLSL statements in one line that change `AgaaSurfaceInput s` last; `position` is a plain fragment input.
     const char* surface = "";
     Mistake mistake;
+    void (*build)(PlanBuilder&) = nullptr; // of the plan, in place of the technique's
     uint32_t instances = 1; // each shifted by instanceStep against the one before, and a draw of its own
 };
 constexpr uint32_t drawNumber = 5; // of the first instance of all triangles

@@ -10,7 +10,7 @@ layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
     vec4 ambient;     // rgb, emissive range
     vec4 background;
     vec4 surface;     // one surface: least cosine, distance in pixels, difference of materials; n
-    uvec4 dither;     // AgaaFrame::ditherFrame, 0, 0, 0
+    uvec4 dither;     // AgaaFrame::ditherFrame, then counters of the newest finished frame (Plan::feedback)
     vec4 samplePosition[32]; // xy in the pixel
 } agaa_frame;
 

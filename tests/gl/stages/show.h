@@ -11,6 +11,7 @@ Shown show(StageContext& context, ViewSettings settings, const Shot& shot);
 struct OpenGLHost {
     using Context = StageContext;
     using View = StageView;
+    static std::vector<float> rgba(const View& view) { return view.image(); }
 };
 
 } // namespace agaa::test

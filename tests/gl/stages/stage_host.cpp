@@ -1,5 +1,10 @@
 #include "stage_host.h"
 
+#include "plan_view.h"
+
+// The library's own, for views of plans.
+#include "../../../src/gl/view.h"
+
 #include "gl/draw_state.h"
 
 #include <gtest/gtest.h>
@@ -123,7 +128,10 @@ StageView::StageView(StageContext& context, const ViewSettings& settings)
     gl_.TextureStorage2D(output_.get(), 1, GL_RGBA32F, GLsizei(settings.width),
                          GLsizei(settings.height));
     const AgaaViewDesc desc = viewDesc(settings_);
-    require(agaaGlCreateView(context.get(), &desc, &view_), context, "agaaGlCreateView");
+    if (settings.build)
+        view_ = makePlanView<agaa::gl::View, agaa::gl::Context>(context.get(), desc, settings.build);
+    else
+        require(agaaGlCreateView(context.get(), &desc, &view_), context, "agaaGlCreateView");
     uint32_t count = 0;
     agaaGlGetDrawPasses(view_, &count, nullptr);
     std::vector<AgaaGlDrawPass> passes(count, AgaaGlDrawPass AGAA_GL_DRAW_PASS_INIT);
@@ -208,6 +216,7 @@ AgaaResult AGAA_CALL StageView::onDraw(void* user, const AgaaDrawTarget* target)
 
 AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     ++drawCalls;
+    batches.push_back(target.batch);
     if (const auto result = drawResults.find(target.pass); result != drawResults.end())
         return result->second;
     const AgaaDrawState state = drawState(settings_, target.state, target.pass);

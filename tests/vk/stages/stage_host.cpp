@@ -1,5 +1,7 @@
 #include "stage_host.h"
 
+#include "plan_view.h"
+
 #include "surface_reader.h"
 
 #include "render/messages.h"
@@ -191,7 +193,10 @@ StageView::StageView(StageContext& context, const ViewSettings& settings)
     : context_(context), settings_(settings),
       output_(sharedDevice(), settings.width, settings.height), arena_(sharedDevice()) {
     const AgaaViewDesc desc = viewDesc(settings_);
-    require(agaaVkCreateView(context.get(), &desc, &view_), context, "agaaVkCreateView");
+    if (settings.build)
+        view_ = makePlanView<agaa::vk::View, agaa::vk::Context>(context.get(), desc, settings.build);
+    else
+        require(agaaVkCreateView(context.get(), &desc, &view_), context, "agaaVkCreateView");
 
     set_ = StorageSet(sharedDevice(), 2,
                       VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
@@ -303,6 +308,7 @@ AgaaResult AGAA_CALL StageView::onDraw(void* user, const AgaaDrawTarget* target)
 
 AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     ++drawCalls;
+    batches.push_back(target.batch);
     const auto result = drawResults.find(target.pass);
     if (result != drawResults.end())
         return result->second;

@@ -109,6 +109,7 @@ public:
     // Makes the draw callback of a pass return this; a pass that is called counts.
     std::map<uint32_t, AgaaResult> drawResults;
     uint32_t drawCalls = 0;
+    std::vector<uint32_t> batches; // of the calls
 
 private:
     static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);

@@ -1,0 +1,32 @@
+// What passes do with resources. Usage flags, barriers and layouts of all graphics APIs follow from it.
+#pragma once
+
+#include "core/plan.h"
+
+#include <vector>
+
+namespace agaa {
+
+enum class Use {
+    Uniform,     // block
+    StorageRead, // block
+    StorageWrite, // block, read and written
+    Fetch,       // texture
+    ImageWrite,  // image stores and loads
+    Color,       // target
+    Depth,       // target: the stencil is written where depth is only compared
+    CopyFrom,
+    CopyTo,      // or filled
+    Indirect,    // arguments of a dispatch
+};
+
+struct Access {
+    ResourceId resource = noResource;
+    Use use = Use::Uniform;
+    bool isDraw = false; // by fragments, else by compute shaders
+
+    bool stores() const { return use == Use::StorageWrite || use == Use::ImageWrite; } // of shaders
+};
+std::vector<Access> accessesOf(const Pass& pass);
+
+} // namespace agaa

@@ -1,0 +1,243 @@
+// What plans can say and executors do, by plans made for it. Each graphics API instantiates these.
+#pragma once
+
+#include "plan_view.h"
+#include "view_settings.h"
+
+#include "core/techniques/aggregation.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace agaa::test {
+
+constexpr uint32_t planWidth = 48, planHeight = 32, planPixels = planWidth * planHeight;
+
+// A compute pass of this body, with what all of them declare.
+inline Pass& planPass(PlanBuilder& b, const char* name, const std::string& declarations, const std::string& body) {
+    Pass& pass = b.compute(name, AGAA_STAGE_OTHER, "resolve", AGAA_SEGMENT_SHADING);
+    pass.text = "#version 450\nlayout(local_size_x = 64) in;\n#include \"passes/bindings.glsl\"\n"
+                "#include \"passes/constants.glsl\"\n#include \"passes/frame.glsl\"\n" + declarations +
+                "void main() {\n    uint item = (gl_WorkGroupID.y * 32768u + gl_WorkGroupID.x) * 64u + "
+                "gl_LocalInvocationIndex;\n" + body + "}\n";
+    b.bindCommon(pass);
+    return pass;
+}
+
+inline void dispatchItems(Pass& pass, uint64_t items) { pass.dispatch = {.kind = DispatchKind::Items, .items = items}; }
+
+constexpr const char* wordsText = "layout(std430, AGAA_AT_AGGREGATES) buffer Words { uint words[]; };\n";
+constexpr const char* argumentsText = "layout(std430, AGAA_AT_DEFERRED) buffer Arguments { uint arguments[]; };\n";
+
+// Shows color, a GLSL vec3 of `item`, a pixel.
+inline Pass& showPixels(PlanBuilder& b, const std::string& declarations, const std::string& color) {
+    Pass& pass = planPass(b, "show", declarations + "layout(AGAA_AT_OUTPUT) writeonly uniform image2D image;\n",
+                          "    if (item < 1536u)\n        imageStore(image, ivec2(item % 48u, item / 48u), vec4(" + color +
+                              ", 1.0));\n");
+    dispatchItems(pass, planPixels);
+    b.bind(pass, slot::Output, BindingType::StorageImage, b.output(), true);
+    return pass;
+}
+
+inline void bindWords(PlanBuilder& b, Pass& pass, ResourceId words, bool writes = false) {
+    b.bind(pass, slot::Aggregates, BindingType::StorageBuffer, words, writes);
+}
+
+template <class Host>
+class PlanCases : public testing::Test {
+protected:
+    // The images of so many frames, RGBA.
+    std::vector<std::vector<float>> render(void (*build)(PlanBuilder&), uint32_t frames = 1,
+                                           const std::vector<Triangle>& triangles = {}) {
+        ViewSettings settings;
+        settings.width = planWidth;
+        settings.height = planHeight;
+        settings.config.technique = "single";
+        settings.config.flags = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS;
+        settings.facts.shadowMapCount = 0;
+        settings.projection = pixelOrthographic(planWidth, planHeight, 10);
+        settings.build = build;
+        typename Host::View view(context, settings);
+        view.setTriangles(triangles);
+        std::vector<std::vector<float>> images;
+        for (uint32_t i = 0; i < frames; ++i) {
+            view.render(view.frame());
+            images.push_back(Host::rgba(view));
+        }
+        batches = view.batches;
+        return images;
+    }
+
+    typename Host::Context context;
+    std::vector<uint32_t> batches; // of the draw callbacks
+};
+TYPED_TEST_SUITE_P(PlanCases);
+
+// More groups than a row has.
+constexpr uint64_t manyItems = uint64_t(itemsPerGroup) * groupsPerRow + 200;
+
+TYPED_TEST_P(PlanCases, ItemsAreDispatchedInRows) {
+    const auto build = [](PlanBuilder& b) {
+        const ResourceId words = b.itemBuffer("words", manyItems, 4);
+        b.fill("fill", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING, 7);
+        const std::string count = std::to_string(manyItems) + "u";
+        Pass& number = planPass(b, "number", wordsText, "    if (item < " + count + ")\n        words[item] += item;\n");
+        dispatchItems(number, manyItems);
+        bindWords(b, number, words, true);
+        Pass& show = showPixels(b, wordsText, "vec3(words[item], words[" + count + " - 1u - item], 0.0)");
+        bindWords(b, show, words);
+    };
+    const auto images = this->render(build);
+    for (uint32_t i = 0; i < planPixels; ++i) {
+        ASSERT_EQ(images[0][4 * i], float(i + 7)) << i;
+        ASSERT_EQ(images[0][4 * i + 1], float(manyItems - 1 - i + 7)) << i;
+    }
+}
+
+TYPED_TEST_P(PlanCases, AnEarlierPassSaysHowManyGroups) {
+    const auto build = [](PlanBuilder& b) {
+        const ResourceId words = b.itemBuffer("words", planPixels, 4);
+        const ResourceId arguments = b.itemBuffer("arguments", 8, 4);
+        b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING);
+        Pass& say = planPass(b, "say", argumentsText,
+                             "    if (item < 8u)\n        arguments[item] = uint[](9u, 9u, 9u, 9u, 3u, 1u, 1u, 9u)[item];\n");
+        dispatchItems(say, 8);
+        b.bind(say, slot::Deferred, BindingType::StorageBuffer, arguments, true);
+        Pass& mark = planPass(b, "mark", wordsText, "    words[item] = item + 1u;\n");
+        mark.dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments, .argumentsOffset = 16};
+        bindWords(b, mark, words, true);
+        bindWords(b, showPixels(b, wordsText, "vec3(words[item])"), words);
+    };
+    const auto images = this->render(build);
+    for (uint32_t i = 0; i < planPixels; ++i)
+        ASSERT_EQ(images[0][4 * i], i < 3 * itemsPerGroup ? float(i + 1) : 0.0f) << i;
+}
+
+// A group of passes runs five times; what is left to do ends after three.
+TYPED_TEST_P(PlanCases, GroupsRepeatUntilABufferEndsThem) {
+    const auto build = [](PlanBuilder& b) {
+        const ResourceId words = b.itemBuffer("words", 4, 4);
+        const ResourceId arguments = b.itemBuffer("arguments", 3, 4);
+        b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING);
+        b.fill("one group", AGAA_STAGE_OTHER, arguments, AGAA_SEGMENT_SHADING, 1);
+        const auto first = uint32_t(b.plan.passes.size());
+        Pass& work = planPass(b, "work", wordsText, "    if (item == 0u)\n        ++words[0];\n");
+        work.dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments};
+        bindWords(b, work, words, true);
+        Pass& decide = planPass(b, "decide", std::string(wordsText) + argumentsText,
+                                "    if (item != 0u)\n        return;\n    ++words[1];\n"
+                                "    if (words[0] == 3u)\n        arguments[0] = 0u;\n");
+        dispatchItems(decide, 1);
+        bindWords(b, decide, words, true);
+        b.bind(decide, slot::Deferred, BindingType::StorageBuffer, arguments, true);
+        b.plan.repeats.push_back({first, first + 1, 5});
+        bindWords(b, showPixels(b, wordsText, "vec3(words[0], words[1], 0.0)"), words);
+    };
+    const auto images = this->render(build);
+    EXPECT_EQ(images[0][0], 3.0f);
+    EXPECT_EQ(images[0][1], 5.0f);
+}
+
+TYPED_TEST_P(PlanCases, BuffersOutliveFrames) {
+    const auto build = [](PlanBuilder& b) {
+        const ResourceId words = b.tileBuffer("words", 16, 4);
+        b.plan.resources[words].outlivesFrame = true;
+        Pass& count = planPass(b, "count", wordsText, "    if (item < 6u)\n        words[item] += item + 1u;\n");
+        dispatchItems(count, 6); // 48 x 32 pixels have six tiles of 16
+        bindWords(b, count, words, true);
+        bindWords(b, showPixels(b, wordsText, "vec3(words[item % 6u])"), words);
+    };
+    const auto images = this->render(build, 4);
+    for (uint32_t frame = 0; frame < 4; ++frame)
+        for (uint32_t i = 0; i < 6; ++i)
+            EXPECT_EQ(images[frame][4 * i], float((frame + 1) * (i + 1))) << frame << ' ' << i;
+}
+
+// The constants of a frame hold a counter of the newest finished one.
+TYPED_TEST_P(PlanCases, CountersComeBackInConstants) {
+    const auto build = [](PlanBuilder& b) {
+        b.plan.feedback[1] = AGAA_COUNT_EVENTS;
+        Pass& count = planPass(b, "count", "layout(std430, AGAA_AT_COUNTERS) buffer Counts { uint counts[]; };\n",
+                               "    if (item == 0u)\n        counts[" + std::to_string(2 * AGAA_COUNT_EVENTS) +
+                                   "] = agaa_frame.dither.z + 2u;\n");
+        dispatchItems(count, 1);
+        showPixels(b, "", "vec3(agaa_frame.dither.yzw)");
+        b.copyCounters();
+    };
+    const auto images = this->render(build, 3);
+    for (uint32_t frame = 0; frame < 3; ++frame) {
+        EXPECT_EQ(images[frame][0], 0.0f);
+        EXPECT_EQ(images[frame][1], float(2 * frame));
+        EXPECT_EQ(images[frame][2], 0.0f);
+    }
+}
+
+// A target without depth, cleared to a colour, drawn twice as batches and read through both samplers.
+TYPED_TEST_P(PlanCases, DrawsWithoutDepthAreClearedToColours) {
+    const auto build = [](PlanBuilder& b) {
+        const ResourceId color = b.image("color", Format::RGBA16, false);
+        const auto first = uint32_t(b.plan.passes.size());
+        Pass& draw = b.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_SHADING);
+        b.bindCommon(draw);
+        draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
+        draw.drawState.colorAttachmentCount = 1;
+        draw.colorTargets = {color};
+        draw.clearsColor = true;
+        draw.clear.color[0] = {0.25f, 0.5f, 0.75f, 1.0f};
+        setFields(draw.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.plan.layout).fields);
+        b.plan.repeats.push_back({first, first, 2});
+        const std::string textures = "layout(AGAA_AT_SURFACE0) uniform sampler2D nearest;\n"
+                                     "layout(AGAA_AT_SURFACE1) uniform sampler2D linear;\n";
+        // On the border between two texels the linear sampler mixes them.
+        const std::string at = "vec2(float(item % 48u), float(item / 48u) + 0.5) / vec2(48.0, 32.0)";
+        Pass& show = showPixels(b, textures, "vec3(textureLod(nearest, " + at + " + vec2(0.1 / 48.0, 0.0), 0.0).rg, "
+                                             "textureLod(linear, " + at + ", 0.0).r)");
+        b.bind(show, slot::Surface0, BindingType::Texture, color);
+        b.bind(show, slot::Surface1, BindingType::Texture, color);
+        show.bindings.back().filter = Filter::Linear;
+    };
+    Material material;
+    material.diffuse = {0.75f, 0.125f, 0.5f, 1.0f};
+    const auto images = this->render(build, 1, rectangle(0, 0, planWidth / 2, planHeight, 5, material));
+    EXPECT_EQ(this->batches, (std::vector<uint32_t>{0, 1}));
+    for (uint32_t i = 0; i < planPixels; ++i) {
+        const uint32_t x = i % planWidth;
+        const bool drawn = x < planWidth / 2;
+        ASSERT_NEAR(images[0][4 * i], drawn ? 0.75f : 0.25f, 1e-3f) << i;
+        ASSERT_NEAR(images[0][4 * i + 1], drawn ? 0.125f : 0.5f, 1e-3f) << i;
+        ASSERT_NEAR(images[0][4 * i + 2], x == planWidth / 2 ? 0.5f : drawn ? 0.75f : 0.25f, 3e-3f) << i;
+    }
+}
+
+// A draw without any target stores into a buffer.
+TYPED_TEST_P(PlanCases, DrawsWithoutTargetsStore) {
+    const auto build = [](PlanBuilder& b) {
+        Aggregation sums;
+        sums.layout = b.plan.layout;
+        sums.packing = packAggregate(sums.layout, 1);
+        sums.stride = sums.packing.words;
+        const ResourceId words = b.pixelBuffer("words", 4 * sums.stride);
+        b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING);
+        Pass& draw = b.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_AGGREGATE, AGAA_SEGMENT_SHADING);
+        b.bindCommon(draw);
+        draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
+        b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, words, true);
+        setRecord(draw, sums);
+        const Field& coverage = sums.packing.coverage;
+        const std::string word = "words[item * " + std::to_string(sums.stride) + "u + " + std::to_string(coverage.word) + "u]";
+        bindWords(b, showPixels(b, wordsText, "vec3(float(" + word + " >> " + std::to_string(coverage.shift) + "u & 1u))"),
+                  words);
+    };
+    const auto images = this->render(build, 1, rectangle(0, 0, planWidth / 2, planHeight, 5, Material{}));
+    EXPECT_EQ(this->batches, std::vector<uint32_t>{0});
+    for (uint32_t i = 0; i < planPixels; ++i)
+        ASSERT_EQ(images[0][4 * i], i % planWidth < planWidth / 2 ? 1.0f : 0.0f) << i;
+}
+
+REGISTER_TYPED_TEST_SUITE_P(PlanCases, ItemsAreDispatchedInRows, AnEarlierPassSaysHowManyGroups,
+                            GroupsRepeatUntilABufferEndsThem, BuffersOutliveFrames, CountersComeBackInConstants,
+                            DrawsWithoutDepthAreClearedToColours, DrawsWithoutTargetsStore);
+
+} // namespace agaa::test

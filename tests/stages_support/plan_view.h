@@ -1,0 +1,17 @@
+// Views of plans that no technique of the library makes.
+#pragma once
+
+#include "core/handles.h"
+#include "core/plan_builder.h"
+
+namespace agaa::test {
+
+// build: writes the plan of a view that desc describes.
+template <class View, class Context>
+AgaaView makePlanView(AgaaContext context, const AgaaViewDesc& desc, void (*build)(PlanBuilder&)) {
+    PlanBuilder builder(resolveView(&desc), context->caps, context->framesInFlight);
+    build(builder);
+    return construct<View>(context->allocator, static_cast<Context&>(*context), builder.finish());
+}
+
+} // namespace agaa::test
