@@ -50,6 +50,12 @@ def digest(data):
     return hashlib.sha256(data).hexdigest()[:16]
 
 
+def of_plan(arguments):
+    """Without options that `plan` does not take, and their values."""
+    kept = iter(arguments)
+    return [text for text in kept if text not in ("--backend", "--alpha-points", "--dither-frame") or next(kept) is None]
+
+
 def fingerprint(runs, work, backend, scene, options, size):
     name = " ".join([backend, scene, *map(str, options)])
     image = work / f"{digest(name.encode())}.exr"
@@ -58,7 +64,7 @@ def fingerprint(runs, work, backend, scene, options, size):
         report = runs.call("render", *arguments, "--exr", image)
     except SystemExit as refused:  # that is a result, too
         return name, {"refused": str(refused).split(": ", 2)[-1]}
-    plan = runs.call("plan", *(option for option in arguments if option not in ("--backend", backend)))
+    plan = runs.call("plan", *of_plan(arguments))
     facts = {key: report[key] for key in ("bytesPerPixel", "memoryBytes", "peakBytes", "tiers", "geometryPasses",
                                           "counters", "apiMessages")}
     facts["passes"] = [one["name"] for one in report["passes"]]

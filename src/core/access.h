@@ -25,6 +25,7 @@ struct Access {
     Use use = Use::Uniform;
     bool isDraw = false; // by fragments, else by compute shaders
 
+    bool writes() const { return use == Use::Color || use == Use::Depth || use == Use::CopyTo || stores(); }
     bool stores() const { return use == Use::StorageWrite || use == Use::ImageWrite; } // of shaders
 };
 std::vector<Access> accessesOf(const Pass& pass);

@@ -1,5 +1,6 @@
 // A plan as JSON text. Written by hand: the library links no JSON package, and plans hold only names of
 // its own, numbers and sentences.
+#include "core/access.h"
 #include "core/names.h"
 #include "core/plan.h"
 
@@ -133,7 +134,8 @@ void writeResource(Writer& w, const Resource& r) {
     w.close('}');
 }
 
-void writePass(Writer& w, const Plan& plan, const Pass& pass) {
+void writePass(Writer& w, const Plan& plan, size_t index) {
+    const Pass& pass = plan.passes[index];
     w.open('{');
     w.field("name", pass.name);
     w.field("stage", stageName(pass.stage));
@@ -141,26 +143,21 @@ void writePass(Writer& w, const Plan& plan, const Pass& pass) {
     w.field("segment", pass.segment);
     if (!pass.shader.empty())
         w.field("shader", pass.shader);
-    w.key("reads");
-    w.open('[');
-    for (const Binding& binding : pass.bindings)
-        if (!binding.writes)
-            w.value(plan.resources[binding.resource].name);
-    if (pass.source != noResource)
-        w.value(plan.resources[pass.source].name);
-    w.close(']');
-    w.key("writes");
-    w.open('[');
-    for (const Binding& binding : pass.bindings)
-        if (binding.writes)
-            w.value(plan.resources[binding.resource].name);
-    for (ResourceId target : pass.colorTargets)
-        w.value(plan.resources[target].name);
-    if (pass.depthTarget != noResource)
-        w.value(plan.resources[pass.depthTarget].name);
-    if (pass.destination != noResource)
-        w.value(plan.resources[pass.destination].name);
-    w.close(']');
+    if (pass.dispatch.kind == DispatchKind::Items)
+        w.field("items", pass.dispatch.items);
+    if (pass.dispatch.kind == DispatchKind::Indirect)
+        w.field("groupsFrom", plan.resources[pass.dispatch.arguments].name);
+    for (const Repeat& repeat : plan.repeats)
+        if (index >= repeat.firstPass && index <= repeat.lastPass)
+            w.field("times", repeat.times);
+    for (const bool writes : {false, true}) {
+        w.key(writes ? "writes" : "reads");
+        w.open('[');
+        for (const Access& access : accessesOf(pass))
+            if (access.writes() == writes)
+                w.value(plan.resources[access.resource].name);
+        w.close(']');
+    }
     w.strings("extensions", pass.extensions);
     if (pass.kind == PassKind::HostDraw) {
         w.field("stencilTest", pass.drawState.stencilTest != 0);
@@ -207,8 +204,8 @@ std::string planToJson(const Plan& plan) {
     w.close(']');
     w.key("passes");
     w.open('[');
-    for (const Pass& pass : plan.passes)
-        writePass(w, plan, pass);
+    for (size_t i = 0; i < plan.passes.size(); ++i)
+        writePass(w, plan, i);
     w.close(']');
     w.close('}');
     return w.text;
