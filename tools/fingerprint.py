@@ -90,6 +90,7 @@ def main():
     parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
     parser.add_argument("--size", default="96x64")
     parser.add_argument("--backend", action="append", choices=["vk", "gl"], help="repeatable; none: both")
+    parser.add_argument("--scene", action="append", help=f"repeatable; none: {', '.join(SCENES)}")
     parser.add_argument("--out", type=pathlib.Path, help="where the fingerprints go, as JSON")
     parser.add_argument("--against", type=pathlib.Path, help="fingerprints of another build")
     arguments = parser.parse_args()
@@ -97,7 +98,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         runs = Runs("fingerprint", arguments.harness, work, {})
-        tasks = [(backend, scene, options) for backend in arguments.backend or ["vk", "gl"] for scene in SCENES
+        tasks = [(backend, scene, options) for backend in arguments.backend or ["vk", "gl"] for scene in arguments.scene or SCENES
                  for options in configurations()]
         found = {}
         with ThreadPoolExecutor(2) as pool:

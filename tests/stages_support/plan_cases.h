@@ -5,6 +5,7 @@
 #include "view_settings.h"
 
 #include "core/techniques/aggregation.h"
+#include "core/techniques/gbuffer.h"
 
 #include <gtest/gtest.h>
 
@@ -50,11 +51,13 @@ class PlanCases : public testing::Test {
 protected:
     // The images of so many frames, RGBA.
     std::vector<std::vector<float>> render(void (*build)(PlanBuilder&), uint32_t frames = 1,
-                                           const std::vector<Triangle>& triangles = {}) {
+                                           const std::vector<Triangle>& triangles = {}, const char* technique = "single",
+                                           uint32_t samples = 1) {
         ViewSettings settings;
         settings.width = planWidth;
         settings.height = planHeight;
-        settings.config.technique = "single";
+        settings.config.technique = technique;
+        settings.config.samples = samples;
         settings.config.flags = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS;
         settings.facts.shadowMapCount = 0;
         settings.projection = pixelOrthographic(planWidth, planHeight, 10);
@@ -236,8 +239,41 @@ TYPED_TEST_P(PlanCases, DrawsWithoutTargetsStore) {
         ASSERT_EQ(images[0][4 * i], i % planWidth < planWidth / 2 ? 1.0f : 0.0f) << i;
 }
 
+// What a new technique takes (docs/extending.md): a G-buffer, of which one sample of each pixel is shown.
+TYPED_TEST_P(PlanCases, ATechniqueIsAFileAndAShader) {
+    const auto build = [](PlanBuilder& b) {
+        const GBuffer gbuffer = makeGBuffer(b);
+        Pass& shade = planPass(b, "shade one sample",
+                               "#include \"passes/target.glsl\"\n#include \"passes/gbuffer.glsl\"\n"
+                               "layout(AGAA_AT_OUTPUT) writeonly uniform image2D image;\n",
+                               "    if (item >= 1536u)\n        return;\n"
+                               "    uvec2 pixel = uvec2(item % 48u, item / 48u);\n"
+                               "    uint i = item * 2654435761u >> 16u & 3u;\n"
+                               "    vec3 color = agaa_fetchSample(pixel, i) ? agaa_fetchedDiffuse() : vec3(0.25);\n"
+                               "    imageStore(image, ivec2(pixel), vec4(color, 1.0));\n");
+        dispatchItems(shade, planPixels);
+        gbuffer.bind(b, shade);
+        b.bind(shade, slot::Output, BindingType::StorageImage, b.output(), true);
+        b.copyCounters();
+    };
+    Material material;
+    material.diffuse = {0.75f, 0.125f, 0.5f, 1.0f};
+    const auto images = this->render(build, 1, rectangle(0, 0, 24.5f, planHeight, 5, material), "ssaa", 4);
+    uint32_t drawn = 0; // of the column that the edge halves
+    for (uint32_t i = 0; i < planPixels; ++i) {
+        const uint32_t x = i % planWidth;
+        const bool isDrawn = images[0][4 * i] > 0.5f;
+        ASSERT_NEAR(images[0][4 * i], isDrawn ? 0.75f : 0.25f, 1e-3f) << i;
+        ASSERT_TRUE(x == 24 || isDrawn == (x < 24)) << i;
+        drawn += x == 24 && isDrawn;
+    }
+    EXPECT_GT(drawn, planHeight / 4);
+    EXPECT_LT(drawn, planHeight * 3 / 4);
+}
+
 REGISTER_TYPED_TEST_SUITE_P(PlanCases, ItemsAreDispatchedInRows, AnEarlierPassSaysHowManyGroups,
                             GroupsRepeatUntilABufferEndsThem, BuffersOutliveFrames, CountersComeBackInConstants,
-                            DrawsWithoutDepthAreClearedToColours, DrawsWithoutTargetsStore);
+                            DrawsWithoutDepthAreClearedToColours, DrawsWithoutTargetsStore,
+                            ATechniqueIsAFileAndAShader);
 
 } // namespace agaa::test
