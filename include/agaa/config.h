@@ -54,8 +54,9 @@ typedef struct AgaaLayoutAttribute {
     float range;            /* [1e-6;65504]: the value that full scale stands for; 1 except EMISSIVE and CUSTOM */
     uint32_t filter;        /* AgaaFilter of CUSTOM; 0 of others */
     const char* name;       /* CUSTOM: the member of AgaaSurfaceInput, AgaaMaterial and AgaaAggregate, a float or a vec of
-                               `channels`. An identifier of GLSL of up to 31 letters, digits and underscores, unlike the
-                               members that those structs have. Read during the call only. Null of others */
+                               `channels`. 1 to 31 letters, digits and single underscores. Begins with a letter, not with
+                               gl_, agaa or AGAA. Not a keyword of GLSL, nor a member that those structs have. Read
+                               during the call only. Null of others */
 } AgaaLayoutAttribute;
 
 #define AGAA_MAX_LAYOUT_ATTRIBUTES 13
@@ -231,6 +232,7 @@ typedef struct AgaaAggregation {
  *
  * Errors       AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, or the name is not known
  *              AGAA_ERROR_STRUCT             a struct was not initialised
+ *              AGAA_ERROR_UNKNOWN_STRUCT     a chain holds an unknown struct, or one twice, or does not end
  *              Both structs then keep all their values. */
 AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config, AgaaAggregation* aggregation);
 

@@ -12,7 +12,7 @@ enum class Use {
     StorageRead, // block
     StorageWrite, // block, read and written
     Fetch,       // texture
-    ImageWrite,  // image stores and loads
+    ImageWrite,  // image stores
     Color,       // target
     Depth,       // target: the stencil is written where depth is only compared
     CopyFrom,

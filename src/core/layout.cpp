@@ -46,7 +46,7 @@ AgaaLayout builtinLayout(const char* name) {
 
 static const char* semanticName(uint32_t semantic) {
     static constexpr const char* names[] = {
-#define AGAA_ATTRIBUTE(semantic, name) name,
+#define AGAA_ATTRIBUTE(semantic, name) #name,
 #define AGAA_CHANNEL(index, name, field, source, attribute, member)
 #include "shaders/passes/channels.inc"
     };
@@ -103,11 +103,28 @@ static void checkAttribute(const AgaaLayoutAttribute& a) {
         bad("aggregateBits is neither 0 (fill 16-bit sums) nor in [6;16]");
 }
 
+// Words that mean something else where the name is used: keywords of GLSL, reserved words, macros of src/shaders/math.
+static bool isWordOfGlsl(std::string_view name) {
+    static constexpr std::string_view words[] = {
+        "active", "asm", "atomic_uint", "attribute", "bool", "break", "buffer", "bvec2", "bvec3", "bvec4", "case",
+        "cast", "centroid", "class", "coherent", "common", "const", "continue", "default", "discard", "do", "double",
+        "dvec2", "dvec3", "dvec4", "else", "enum", "extern", "external", "false", "filter", "fixed", "flat", "float",
+        "for", "fvec2", "fvec3", "fvec4", "goto", "half", "highp", "hvec2", "hvec3", "hvec4", "if", "in", "inline",
+        "inout", "input", "int", "interface", "invariant", "ivec2", "ivec3", "ivec4", "layout", "long", "lowp", "mat2",
+        "mat3", "mat4", "mediump", "namespace", "noinline", "noperspective", "out", "output", "partition", "patch",
+        "precise", "precision", "public", "readonly", "resource", "restrict", "return", "sample", "shared", "short",
+        "sizeof", "smooth", "static", "struct", "subroutine", "superp", "switch", "template", "this", "true", "typedef",
+        "uint", "uniform", "union", "unsigned", "using", "uvec2", "uvec3", "uvec4", "varying", "vec2", "vec3", "vec4",
+        "void", "volatile", "while", "writeonly", "real", "rvec2", "rvec3", "rvec4", "OUT", "INOUT", "PRECISE"};
+    return std::find(std::begin(words), std::end(words), name) != std::end(words);
+}
+
 static bool isIdentifier(std::string_view name) {
     const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const auto isOther = [&](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; };
     return !name.empty() && name.size() <= 31 && isLetter(name[0]) && std::all_of(name.begin(), name.end(), isOther) &&
-           name.find("__") == std::string_view::npos && !name.starts_with("gl_") && !name.starts_with("agaa");
+           name.find("__") == std::string_view::npos && !name.starts_with("gl_") && !name.starts_with("agaa") &&
+           !name.starts_with("AGAA") && !isWordOfGlsl(name);
 }
 
 // Adds an attribute of the host's own, after it was checked by itself.
@@ -120,7 +137,7 @@ static void addCustom(Layout& layout, AgaaLayoutAttribute attribute) {
     if (!isIdentifier(name))
         fail(AGAA_ERROR_LAYOUT,
              format("custom layout attribute \"%s\": a name has 1 to 31 letters, digits and single underscores, begins "
-                    "with a letter, and not with gl_ or agaa.",
+                    "with a letter, not with gl_, agaa or AGAA, and is no word of GLSL.",
                     name.c_str()));
     const bool isTaken = std::find(std::begin(members), std::end(members), name) != std::end(members) ||
                          std::any_of(layout.customs.begin(), layout.customs.end(),

@@ -47,6 +47,7 @@ PlanBuilder::PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, u
 }
 
 void setFields(Constants& constants, Constant first, const Fields& fields) {
+    static_assert(uint32_t(AGAA_SOURCE_DIFFUSE_R) == uint32_t(AGAA_FIELD_DIFFUSE_R) + uint32_t(ChannelCount), "ranges of constants.inc");
     for (uint32_t i = 0; i < ChannelCount; ++i)
         constants[first + i] = fields[i].constant();
 }
@@ -274,9 +275,13 @@ void PlanBuilder::bindHostGBuffer(Pass& pass) {
 uint32_t PlanBuilder::listLength() const {
     // What a listed primitive takes of shared memory by the rules of std430, and what else does.
     constexpr uint32_t others = 8704;
-    uint32_t listed = 124;
-    for (const CustomAttribute& custom : plan.layout.customs)
-        listed += custom.attribute.channels == 1 ? 4 : 16;
+    // Its material comes to 92 bytes, the host's own attributes follow; 28 are beside it.
+    uint64_t material = 92;
+    for (const CustomAttribute& custom : plan.layout.customs) {
+        const uint32_t channels = custom.attribute.channels;
+        material = alignUp(material, channels == 1 ? 4 : channels == 2 ? 8 : 16) + 4 * channels;
+    }
+    const auto listed = uint32_t(28 + alignUp(material, 16));
     const uint32_t room = (std::max(caps_.maxSharedBytes, others) - others) / listed;
     return std::clamp(room / 32 * 32, 32u, caps_.flags & AGAA_DEVICE_SOFTWARE ? 256u : 64u);
 }
@@ -421,6 +426,8 @@ void PlanBuilder::findLifetimes() {
 // anything.
 void PlanBuilder::keepAlive() {
     for (Resource& resource : plan.resources) {
+        if (resource.isHosts()) // its first and last use say when the executor takes it and gives it back
+            continue;
         for (const Repeat& repeat : plan.repeats)
             if (resource.firstPass <= repeat.lastPass && resource.lastPass >= repeat.firstPass) {
                 resource.firstPass = std::min(resource.firstPass, repeat.firstPass);

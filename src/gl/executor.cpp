@@ -164,11 +164,21 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
     }
 }
 
+// glClearNamedBufferData would read a value by the host's state of unpacking pixels; with none it writes 0.
+static void fillBuffer(const GladGLContext& gl, GLuint buffer, uint64_t bytes, uint32_t value) {
+    if (value == 0) {
+        gl.ClearNamedBufferData(buffer, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+        return;
+    }
+    gl.NamedBufferSubData(buffer, 0, sizeof value, &value);
+    for (uint64_t done = sizeof value; done < bytes; done *= 2)
+        gl.CopyNamedBufferSubData(buffer, buffer, 0, GLintptr(done), GLsizeiptr(std::min(done, bytes - done)));
+}
+
 void View::runTransfer(const Pass& pass, uint32_t slot) {
     const GladGLContext& gl = context.gl;
     if (pass.kind == PassKind::Fill)
-        gl.ClearNamedBufferData(resources->buffer(pass.destination, slot), GL_R32UI, GL_RED_INTEGER,
-                                GL_UNSIGNED_INT, &pass.fillValue);
+        fillBuffer(gl, resources->buffer(pass.destination, slot), plan.resources[pass.destination].bytes, pass.fillValue);
     else
         gl.CopyNamedBufferSubData(resources->buffer(pass.source, slot),
                                   resources->buffer(pass.destination, slot), 0, 0,

@@ -11,6 +11,7 @@ PassClock::PassClock(const Context& context, size_t passCount, uint32_t slotCoun
         context.gl.CreateQueries(GL_TIMESTAMP, GLsizei(queries_.size()), queries_.data());
     } else {
         times_.resize(passCount * slotCount);
+        begins_.resize(passCount);
     }
 }
 
@@ -24,7 +25,7 @@ void PassClock::begin(uint32_t slot, size_t pass) {
         return;
     }
     context_.gl.Finish();
-    begin_ = std::chrono::steady_clock::now();
+    begins_[pass] = std::chrono::steady_clock::now();
 }
 
 void PassClock::end(uint32_t slot, size_t pass) {
@@ -34,7 +35,7 @@ void PassClock::end(uint32_t slot, size_t pass) {
     }
     context_.gl.Finish();
     times_[index(slot, pass)] =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begins_[pass]).count();
 }
 
 std::vector<double> PassClock::milliseconds(uint32_t slot) const {

@@ -34,7 +34,7 @@ private:
     size_t passCount_;
     std::vector<GLuint> queries_; // two a pass and slot
     std::vector<double> times_;
-    std::chrono::steady_clock::time_point begin_;
+    std::vector<std::chrono::steady_clock::time_point> begins_; // by pass: passes that repeat take turns
 };
 
 } // namespace agaa::gl

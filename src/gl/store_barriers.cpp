@@ -32,18 +32,26 @@ GLbitfield StoreBarriers::before(const Plan& plan, const Pass& pass, bool drawsU
     for (const Access& access : accessesOf(pass)) {
         const GLbitfield bit = barrierBit(access, drawsUseImages);
         const State& state = states_[access.resource];
-        if (!plan.resources[access.resource].isHosts() && state.stored && !(state.visible & bit))
+        if (plan.resources[access.resource].isHosts())
+            continue;
+        if ((state.stored && !(state.visible & bit)) || (state.read && access.stores()))
             bits |= bit;
     }
-    for (State& state : states_)
+    for (State& state : states_) {
         state.visible |= bits;
+        state.read = state.read && !bits;
+    }
     return bits;
 }
 
 void StoreBarriers::after(const Plan& plan, const Pass& pass) {
-    for (const Access& access : accessesOf(pass))
+    const std::vector<Access> accesses = accessesOf(pass);
+    for (const Access& access : accesses)
+        if (access.use == Use::StorageRead || access.use == Use::Fetch || access.use == Use::Indirect)
+            states_[access.resource].read = true;
+    for (const Access& access : accesses)
         if (access.stores() && !plan.resources[access.resource].isHosts())
-            states_[access.resource] = {true, 0};
+            states_[access.resource] = {true, false, 0};
 }
 
 } // namespace agaa::gl

@@ -22,7 +22,8 @@ public:
 private:
     struct State {
         bool stored = false;
-        GLbitfield visible = 0; // barriers issued since
+        bool read = false;      // by a shader, since the last barrier: stores must not overtake it
+        GLbitfield visible = 0; // barriers issued since the last store
     };
     std::vector<State> states_;
 };

@@ -2,6 +2,8 @@
 
 #include "vk/formats.h"
 
+#include <algorithm>
+
 namespace agaa::vk {
 
 BarrierTracker::BarrierTracker(const Context& context, const Plan& plan,
@@ -24,8 +26,10 @@ void BarrierTracker::use(ResourceId id, const VkAccess& access) {
     State& state = states_[id];
     const bool isImage = resource.kind == ResourceKind::Image;
     const bool relayout = isImage && state.last.layout != access.layout;
-    // A write that some stage already sees is seen by that stage's later reads too.
-    const bool seen = !(access.stages & ~state.last.stages) && !(access.reads & ~state.last.reads);
+    // A write that a stage already sees is seen by that stage's later reads of the same kind, too.
+    const bool seen = std::any_of(state.seenBy.begin(), state.seenBy.end(), [&](const VkAccess& other) {
+        return !(access.stages & ~other.stages) && !(access.reads & ~other.reads);
+    });
     if (state.used && !state.written && !access.writes && !relayout && seen)
         return;
     // The first use follows whatever used this memory before, in this frame or the one before it.
@@ -57,7 +61,9 @@ void BarrierTracker::use(ResourceId id, const VkAccess& access) {
     state.written = access.writes != 0;
     state.last = access;
     state.last.stages |= before.stages;
-    state.last.reads |= before.reads;
+    if (access.writes || relayout)
+        state.seenBy.clear();
+    state.seenBy.push_back(access);
     if (access.writes || relayout) { // a layout transition writes, too
         state.writeStages = access.stages;
         state.writes = access.writes;
@@ -98,8 +104,12 @@ VkAccess vkAccess(const Plan& plan, const Access& access) {
 }
 
 void BarrierTracker::usePass(const Pass& pass) {
-    for (const Access& access : accessesOf(pass))
-        use(access.resource, vkAccess(plan_, access));
+    // Writes last: they are what later passes wait for.
+    const std::vector<Access> accesses = accessesOf(pass);
+    for (const bool writes : {false, true})
+        for (const Access& access : accesses)
+            if (access.writes() == writes)
+                use(access.resource, vkAccess(plan_, access));
 }
 
 void BarrierTracker::useOutput(VkImage image, VkImageLayout from, VkImageLayout to, bool acquire) {

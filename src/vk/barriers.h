@@ -40,6 +40,7 @@ private:
         bool written = false;
         VkPipelineStageFlags writeStages = 0; // of the last write, which later reads elsewhere
         VkAccessFlags writes = 0;             // must still see
+        std::vector<VkAccess> seenBy;         // reads that wait for the last write
     };
     const Context& context_;
     const Plan& plan_;

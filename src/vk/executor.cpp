@@ -189,6 +189,12 @@ void View::clearLasting(VkCommandBuffer commands) {
         }
 }
 
+// The commands that cleared are discarded with their frame.
+void View::forgetClear(const AgaaFrame& frame) {
+    if (clearedIn_ == frame.frameIndex)
+        clearedIn_ = 0;
+}
+
 void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {
     if (pass.kind == PassKind::Fill) {
         context.vk.CmdFillBuffer(commands, bufferOf(pass.destination, slot), 0, VK_WHOLE_SIZE, pass.fillValue);
@@ -272,8 +278,10 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint
     if (begins && queries)
         context.vk.CmdResetQueryPool(commands, queries, uint32_t(2 * slot * passes.size()),
                                      uint32_t(2 * passes.size()));
-    if (begins && !isLastingCleared_)
+    if (begins && clearedIn_ == 0) {
         clearLasting(commands);
+        clearedIn_ = frame.frameIndex;
+    }
     size_t secondary = 0;
     for (const Step& step : steps) {
         if (plan.passes[step.pass].segment & frame.segments)
@@ -296,20 +304,19 @@ AgaaResult View::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
     // Up to here nothing of the host's was touched.
     try {
         recordPasses(frame, vkFrame, slot, begins);
-        isLastingCleared_ = true;
     } catch (const Error& error) {
         // The host discards the command buffer: what it would have begun never runs, and a frame whose
         // earlier segments run cannot go on.
         sequence.failed(frame);
-        isLastingCleared_ = isLastingCleared_ && !begins;
+        forgetClear(frame);
         failPartial(error.message.c_str());
     } catch (const std::bad_alloc&) {
         sequence.failed(frame);
-        isLastingCleared_ = isLastingCleared_ && !begins;
+        forgetClear(frame);
         failPartial("host memory is exhausted; discard the command buffer.");
     } catch (...) {
         sequence.failed(frame);
-        isLastingCleared_ = isLastingCleared_ && !begins;
+        forgetClear(frame);
         failPartial("an unexpected internal failure; discard the command buffer.");
     }
     sequence.recorded(frame);

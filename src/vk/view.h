@@ -71,11 +71,12 @@ private:
                        VkCommandBuffer commands);
     void recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands);
     void clearLasting(VkCommandBuffer commands);
+    void forgetClear(const AgaaFrame& frame);
     VkBuffer bufferOf(ResourceId id, uint32_t slot) const;
     bool usesHostSet(const Pass& pass) const; // set 1 is the host's
     bool timed() const;
 
-    bool isLastingCleared_ = false; // what outlives a frame was cleared
+    uint64_t clearedIn_ = 0; // the frame that cleared what outlives frames; 0: none yet
 };
 
 } // namespace agaa::vk

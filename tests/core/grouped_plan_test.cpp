@@ -216,6 +216,19 @@ TEST(GroupedPlan, TheListFitsSharedMemory) {
     EXPECT_EQ(lengthOn(0), 32u) << "a pixel's primitives at 32 samples";
     EXPECT_EQ(lengthOn(16384, 0), 32u);
     EXPECT_EQ(lengthOn(49152, 0), 64u) << "leaves room for other groups";
+    // Six numbers of the host's own: 156 bytes each.
+    spec.change = [](TechniqueConfig& config) {
+        static AgaaLayout layout;
+        static const char* const names[] = {"a", "b", "c", "d", "e", "f"};
+        layout = *config.layout;
+        layout.attributeCount = 4;
+        for (const char* name : names)
+            layout.attributes[layout.attributeCount++] = {
+                AGAA_SEMANTIC_CUSTOM, 1, 16, 0, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, name};
+        config.layout = &layout;
+    };
+    EXPECT_EQ(lengthOn(8704 + 160 * 156), 160u);
+    EXPECT_EQ(lengthOn(8704 + 160 * 156 - 1), 128u);
 }
 
 TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
@@ -251,6 +264,10 @@ TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
     EXPECT_EQ(agaaApplyPreset("paper", nullptr, &config.aggregation), AGAA_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(agaaApplyPreset("paper", &config, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
     expectUnchanged();
+    static const AgaaStructHeader unknown = {77, sizeof(AgaaStructHeader), nullptr};
+    config.aggregation.pNext = &unknown;
+    EXPECT_EQ(config.applyPreset("paper"), AGAA_ERROR_UNKNOWN_STRUCT);
+    config.aggregation.pNext = nullptr;
     config.aggregation.structSize = 1;
     EXPECT_EQ(config.applyPreset("paper"), AGAA_ERROR_STRUCT);
     config.aggregation.structSize = before.aggregation.structSize;

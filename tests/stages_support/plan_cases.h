@@ -143,6 +143,30 @@ TYPED_TEST_P(PlanCases, GroupsRepeatUntilABufferEndsThem) {
     EXPECT_EQ(images[0][1], 5.0f);
 }
 
+// One pass that ends its own repetition, and shows how often it ran.
+TYPED_TEST_P(PlanCases, PassesEndThemselves) {
+    const auto build = [](PlanBuilder& b) {
+        const ResourceId words = b.itemBuffer("words", 1, 4);
+        const ResourceId arguments = b.itemBuffer("arguments", 3, 4);
+        b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING);
+        b.fill("one group", AGAA_STAGE_OTHER, arguments, AGAA_SEGMENT_SHADING, 1);
+        const auto first = uint32_t(b.plan.passes.size());
+        Pass& before = planPass(b, "before", wordsText, "    if (item == 0u)\n        ++words[0];\n");
+        dispatchItems(before, 1);
+        bindWords(b, before, words, true);
+        Pass& work = planPass(b, "work", std::string(wordsText) + argumentsText +
+                                             "layout(AGAA_AT_OUTPUT) writeonly uniform image2D image;\n",
+                              "    if (item != 0u)\n        return;\n    if (words[0] == 3u)\n        arguments[0] = 0u;\n"
+                              "    imageStore(image, ivec2(0), vec4(words[0]));\n");
+        work.dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments};
+        bindWords(b, work, words);
+        b.bind(work, slot::Deferred, BindingType::StorageBuffer, arguments, true);
+        b.bind(work, slot::Output, BindingType::StorageImage, b.output(), true);
+        b.plan.repeats.push_back({first, first + 1, 5});
+    };
+    EXPECT_EQ(this->render(build)[0][0], 3.0f);
+}
+
 TYPED_TEST_P(PlanCases, BuffersOutliveFrames) {
     const auto build = [](PlanBuilder& b) {
         const ResourceId words = b.tileBuffer("words", 16, 4);
@@ -274,6 +298,6 @@ TYPED_TEST_P(PlanCases, ATechniqueIsAFileAndAShader) {
 REGISTER_TYPED_TEST_SUITE_P(PlanCases, ItemsAreDispatchedInRows, AnEarlierPassSaysHowManyGroups,
                             GroupsRepeatUntilABufferEndsThem, BuffersOutliveFrames, CountersComeBackInConstants,
                             DrawsWithoutDepthAreClearedToColours, DrawsWithoutTargetsStore,
-                            ATechniqueIsAFileAndAShader);
+                            ATechniqueIsAFileAndAShader, PassesEndThemselves);
 
 } // namespace agaa::test

@@ -5,7 +5,13 @@
 #include "passes/stored.glsl"
 
 #ifndef AGAA_MAX_WORDS
-#define AGAA_MAX_WORDS 22 // a word for each channel and the coverage at most
+// A word for each channel and the coverage at most.
+const uint agaa_maxWords = 1u
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) + 1u
+#include "channels.inc"
+    ;
+#define AGAA_MAX_WORDS agaa_maxWords
 #endif
 uint agaa_packed[AGAA_MAX_WORDS]; // of one fragment, by agaa_packSurface()
 
