@@ -1,4 +1,4 @@
-// Named settings, chosen among those that tools/presets.py measures; docs/choosing.md has what they cost.
+// Named settings, chosen among those that benchmark/presets.py measures; docs/choosing.md has what they cost.
 #include "core/presets.h"
 
 namespace agaa {

@@ -75,7 +75,7 @@ class Guides(unittest.TestCase):
             self.assertEqual(sorted(names - declared), [])
 
     def test_scripts_run_by_their_name(self):
-        scripts = [path for folder in ("tools", "scripts") for path in (ROOT / folder).rglob("*")
+        scripts = [path for folder in ("benchmark", "tools", "scripts") for path in (ROOT / folder).rglob("*")
                    if path.is_file() and path.read_bytes().startswith(b"#!")]
         self.assertTrue(scripts)
         for path in scripts:
@@ -83,7 +83,7 @@ class Guides(unittest.TestCase):
 
     def test_files_exist(self):
         for document in DOCUMENTS:
-            for path in re.findall(r"`((?:samples|docs|src|tools|tests)/[\w./-]+)`", document.read_text()):
+            for path in re.findall(r"`((?:benchmark|samples|docs|src|tools|tests)/[\w./-]+)`", document.read_text()):
                 self.assertTrue((ROOT / path).exists(), path)
 
 

@@ -3,7 +3,7 @@
 
 #include "image/metrics.h"
 #include "scene/gltf.h"
-#include "sweep/reference.h"
+#include "render/reference.h"
 
 #include <gtest/gtest.h>
 

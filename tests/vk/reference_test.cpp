@@ -1,7 +1,7 @@
 // Reference images against coverage that is known: everything else is judged by them.
 #include "support.h"
 
-#include "sweep/reference.h"
+#include "render/reference.h"
 
 #include <gtest/gtest.h>
 

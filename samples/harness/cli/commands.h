@@ -49,19 +49,6 @@ struct CompareArguments {
     double gain = 4;
 };
 
-struct SweepArguments {
-    std::vector<std::string> scenes = {"bamboo", "foliage", "furball", "metal", "city"}; // or "scene@camera"
-    std::vector<std::string> backends = {"vk"};
-    std::string out = "sweep";
-    std::string size = "640x360";
-    std::vector<std::string> plain; // scenes whose effects are also measured where nothing calls for them
-    std::vector<std::string> rows; // none: all
-    bool quick = false;
-    bool noAblation = false;
-    uint32_t jpegQuality = 0; // 0: PNG
-    uint32_t rounds = 0; // 0: the usual number
-};
-
 void runCaps(const DeviceArguments& arguments, bool json);
 void runMemory(const PlanArguments& plan, const DeviceArguments& device, bool json);
 // sceneGiven: facts are those of the scene, else all.
@@ -70,7 +57,6 @@ void runScenes(bool json);
 void runRender(const RenderArguments& arguments, bool json);
 void runReference(const RenderArguments& arguments, bool json);
 void runCompare(const CompareArguments& arguments, bool json);
-void runSweep(const SweepArguments& arguments, bool json);
 
 // Takes an effect out of what the scene calls for, so that the plan drops it. BadArgument for other names.
 void leaveOut(const std::string& effect, AgaaSceneFacts& facts);

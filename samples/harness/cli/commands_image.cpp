@@ -2,7 +2,7 @@
 #include "cli/commands.h"
 
 #include "image/metrics.h"
-#include "sweep/reference.h"
+#include "render/reference.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 // render: frames through the SDK, with times, counters and bytes.
 #include "cli/commands.h"
-#include "sweep/quantiles.h"
+#include "render/quantiles.h"
 
 #include "image/image.h"
 

@@ -1,7 +1,7 @@
 #include "cli/layout_file.h"
 
 #include "cli/arguments.h"
-#include "sweep/reference.h"
+#include "render/reference.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,9 @@
 // agaa-harness: the sample engine's command line.
 #include "cli/commands.h"
 #include "render/messages.h"
+#ifdef AGAA_BENCHMARK
+#include "sweep/command.h"
+#endif
 
 #include <CLI/CLI.hpp>
 
@@ -142,23 +145,11 @@ int run(int argc, char** argv) {
     compare->add_option("--difference", compareArguments.difference, "PNG of |a-b|");
     compare->add_option("--gain", compareArguments.gain, "of the difference image");
 
+#ifdef AGAA_BENCHMARK
     SweepArguments sweepArguments;
     CLI::App* sweep = command("sweep", "techniques beside each other: results.json and report.html");
-    sweep->add_option("--scene", sweepArguments.scenes,
-                      "built-in scenes, .gltf or .glb; @ex,ey,ez,tx,ty,tz,fovDegrees after it sets the camera");
-    sweep->add_option("--plain", sweepArguments.plain,
-                      "also what effects cost where nothing calls for them: such a scene without highlights, emission, "
-                      "ambient light, shadows and normal maps; repeatable");
-    sweep->add_option("--backend", sweepArguments.backends, "vk, gl");
-    sweep->add_option("--out", sweepArguments.out, "folder; a sweep that it holds is gone on with");
-    sweep->add_option("--size", sweepArguments.size, "WxH");
-    sweep->add_option("--row", sweepArguments.rows, "only these of a full sweep, such as agaa-8-2; repeatable");
-    sweep->add_option("--rounds", sweepArguments.rounds, "frames of each row, which take turns: 7; 101 suits a GPU")
-        ->check(CLI::Range(1u, 10000u));
-    sweep->add_flag("--no-ablation", sweepArguments.noAblation, "not what each effect costs and removes");
-    sweep->add_option("--jpeg", sweepArguments.jpegQuality, "images as JPEG of this quality, 1 to 100, not as PNG")
-        ->check(CLI::Range(1u, 100u));
-    sweep->add_flag("--quick", sweepArguments.quick, "two scenes, few rows, 320x180: minutes, not hours");
+    addSweepOptions(*sweep, sweepArguments);
+#endif
 
     try {
         app.parse(argc, argv);
@@ -181,13 +172,11 @@ int run(int argc, char** argv) {
         runRender(renderArguments, json);
     else if (*reference)
         runReference(referenceArguments, json);
-    else if (*sweep) {
-        if (sweepArguments.quick && sweep->count("--scene") == 0)
-            sweepArguments.scenes = {"bamboo", "metal"};
-        if (sweepArguments.quick && sweep->count("--size") == 0)
-            sweepArguments.size = "320x180";
+#ifdef AGAA_BENCHMARK
+    else if (*sweep)
         runSweep(sweepArguments, json);
-    } else
+#endif
+    else
         runCompare(compareArguments, json);
     return tellLeftovers();
 }

@@ -65,7 +65,7 @@ const saved = (n, technique, c) => (scene) => {
 const memoryCause = (n) => () => "bytes as allocated: without the paper's formats and mixed samples, records of surfaces and "
     + `aggregates are words of a buffer; by the paper's layouts ${percent(1 - paperBytes.agaa(n, 2) / paperBytes.sbaa(n, 2))}`;
 const errorCause = () => "one lobe, round and wide, stands for all normals of an aggregate, where sbaa keeps exact ones: on most of the "
-    + "scenes where it happens on lavapipe it does not without specular light (docs/results/lavapipe/causes.md, by tools/causes.py)";
+    + "scenes where it happens on lavapipe it does not without specular light (docs/results/lavapipe/causes.md, by benchmark/causes.py)";
 const eventsCause = () => `nearly all pixels of the paper's scene are complex: ${paperFigures.agaa.events.simpleComplex} events of 8`;
 
 function showClaims(backend) {

@@ -1,10 +1,12 @@
-// sweep: techniques beside each other over scenes and backends; see docs/sweep.md.
-#include "cli/commands.h"
+#include "sweep/command.h"
 
 #include "build_name.h"
 
+#include "cli/commands.h"
 #include "scene/builtin.h"
 #include "sweep/scene_sweep.h"
+
+#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -229,9 +231,36 @@ void checkScenes(const std::string& option, const std::vector<std::string>& scen
     }
 }
 
+void setDefaults(SweepArguments& arguments) {
+    if (arguments.scenes.empty())
+        arguments.scenes = arguments.quick ? std::vector<std::string>{"bamboo", "metal"}
+                                           : std::vector<std::string>{"bamboo", "foliage", "furball", "metal", "city"};
+    if (arguments.size.empty())
+        arguments.size = arguments.quick ? "320x180" : "640x360";
+}
+
 } // namespace
 
-void runSweep(const SweepArguments& arguments, bool asJson) {
+void addSweepOptions(CLI::App& command, SweepArguments& arguments) {
+    command.add_option("--scene", arguments.scenes,
+                      "built-in scenes, .gltf or .glb; @ex,ey,ez,tx,ty,tz,fovDegrees after it sets the camera");
+    command.add_option("--plain", arguments.plain,
+                      "also what effects cost where nothing calls for them: such a scene without highlights, emission, "
+                      "ambient light, shadows and normal maps; repeatable");
+    command.add_option("--backend", arguments.backends, "vk, gl");
+    command.add_option("--out", arguments.out, "folder; a sweep that it holds is gone on with");
+    command.add_option("--size", arguments.size, "WxH");
+    command.add_option("--row", arguments.rows, "only these of a full sweep, such as agaa-8-2; repeatable");
+    command.add_option("--rounds", arguments.rounds, "frames of each row, which take turns: 7; 101 suits a GPU")
+        ->check(CLI::Range(1u, 10000u));
+    command.add_flag("--no-ablation", arguments.noAblation, "not what each effect costs and removes");
+    command.add_option("--jpeg", arguments.jpegQuality, "images as JPEG of this quality, 1 to 100, not as PNG")
+        ->check(CLI::Range(1u, 100u));
+    command.add_flag("--quick", arguments.quick, "two scenes, few rows, 320x180: minutes, not hours");
+}
+
+void runSweep(SweepArguments arguments, bool asJson) {
+    setDefaults(arguments);
     for (const std::string& backend : arguments.backends)
         requireBackend(backend);
     parseSize(arguments.size);

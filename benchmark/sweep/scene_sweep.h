@@ -1,7 +1,7 @@
 // One scene on one backend: rows in turns, errors, temporal errors, ablation. docs/sweep.md has the result.
 #pragma once
 
-#include "sweep/reference.h"
+#include "render/reference.h"
 #include "sweep/rows.h"
 #include "sweep/temporal.h"
 

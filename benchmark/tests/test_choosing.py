@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of tools/report/choosing.py: that it picks what the results say."""
+"""Tests of benchmark/report/choosing.py: that it picks what the results say."""
 
 import json
 import subprocess
@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-TOOL = ROOT / "tools" / "report" / "choosing.py"
+TOOL = ROOT / "benchmark" / "report" / "choosing.py"
 sys.path.insert(0, str(TOOL.parent))
 import choosing
 import choosing_presets

@@ -1,6 +1,6 @@
 #include "sweep/scene_sweep.h"
 
-#include "sweep/quantiles.h"
+#include "render/quantiles.h"
 
 #include <algorithm>
 #include <cmath>

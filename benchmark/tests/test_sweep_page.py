@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of the page that tools/report/sweep_report.py writes, in headless Chromium.
+"""Tests of the page that benchmark/report/sweep_report.py writes, in headless Chromium.
 
 With --keep DIR, leaves the page and pictures of it there, to be looked at.
 """

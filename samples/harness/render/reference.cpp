@@ -1,4 +1,4 @@
-#include "sweep/reference.h"
+#include "render/reference.h"
 
 #include "image/tonemap.h"
 

@@ -72,7 +72,7 @@ def main():
         if code := subprocess.run(common + own).returncode:
             sys.exit(code)
         merge(folders, arguments.out)
-    subprocess.run([sys.executable, ROOT / "tools/report/sweep_report.py", arguments.out / "results.json",
+    subprocess.run([sys.executable, ROOT / "benchmark/report/sweep_report.py", arguments.out / "results.json",
                     arguments.out / "report.html"], check=True)
     print(f"full_sweep: {(time.monotonic() - begin) / 60:.0f} minutes")
 

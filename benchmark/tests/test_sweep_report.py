@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of tools/report/sweep_report.py: what the file that it writes holds."""
+"""Tests of benchmark/report/sweep_report.py: what the file that it writes holds."""
 
 import base64
 import copy
@@ -10,7 +10,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmark" / "report"))
 import sweep_images
 from sweep_results import make_results, run_tool, write_png, write_results
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of tools/report/speed.py: ratios of the same turn, and how far they can be trusted."""
+"""Tests of benchmark/report/speed.py: ratios of the same turn, and how far they can be trusted."""
 
 import subprocess
 import sys
@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-TOOL = ROOT / "tools" / "report" / "speed.py"
+TOOL = ROOT / "benchmark" / "report" / "speed.py"
 sys.path.insert(0, str(TOOL.parent))
 import paired
 import speed

@@ -1,5 +1,5 @@
 // Bounds of a median against all ways in which measurements can lie below and above it.
-#include "sweep/quantiles.h"
+#include "render/quantiles.h"
 
 #include <gtest/gtest.h>
 

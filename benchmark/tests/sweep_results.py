@@ -8,7 +8,7 @@ import sys
 import zlib
 from pathlib import Path
 
-TOOL = Path(__file__).resolve().parents[2] / "tools" / "report" / "sweep_report.py"
+TOOL = Path(__file__).resolve().parents[2] / "benchmark" / "report" / "sweep_report.py"
 WIDTH, HEIGHT = 96, 54
 
 
