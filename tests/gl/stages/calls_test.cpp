@@ -27,7 +27,7 @@ TEST(GlCalls, AFailureIsFollowedByBarriers) {
     Replaced replaced;
     replace(replaced, "glMemoryBarrier", memoryBarrier);
     replace(replaced, "glClearNamedBufferData", clearBuffer);
-    Bench bench(contextDesc(replaced));
+    Bench bench(benchSettings(), contextDesc(replaced));
     bench.picture();
     for (const uint32_t pass : {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE}) {
         bench.view.drawResults[pass] = AGAA_ERROR_DEVICE;
@@ -63,7 +63,7 @@ TEST(GlCalls, NothingIsFetchedFromTheBoundFramebuffer) {
     for (const AgaaGlStatePolicy policy : {AGAA_GL_STATE_RESTORE, AGAA_GL_STATE_NONE}) {
         AgaaGlContextDesc desc = contextDesc(replaced);
         desc.statePolicy = policy;
-        Bench bench(desc);
+        Bench bench(benchSettings(), desc);
         dispatches = fedBack = 0;
         bench.picture();
         EXPECT_GT(dispatches, 1u);
@@ -103,26 +103,6 @@ TEST(GlCalls, SupersamplingIsNotTakenForSamples) {
     }
 }
 
-GLuint deletedTexture() {
-    GLuint name = 0;
-    real().CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
-    real().DeleteTextures(1, &name);
-    return name;
-}
-
-// Slots of AgaaGlFrame that AgaaFrame has no shadow for may hold anything.
-TEST(GlCalls, OnlyTheFramesShadowMapsAreUsed) {
-    ViewSettings settings = benchSettings();
-    settings.facts.shadowMapCount = 2;
-    Bench bench(contextDesc(), sharedEgl(), settings);
-    const std::vector<float> expected = bench.picture();
-    AgaaGlFrame glFrame = bench.glFrame();
-    glFrame.shadowTextures[1] = deletedTexture();
-    bench.view.render(bench.frame(), glFrame);
-    EXPECT_EQ(sharedEgl().takeMessages(), "");
-    EXPECT_EQ(bench.view.image(), expected);
-}
-
 TEST(GlCalls, ASlotThatAFunctionAnswersForIsNotUsed) {
     AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
     function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }";
@@ -130,10 +110,10 @@ TEST(GlCalls, ASlotThatAFunctionAnswersForIsNotUsed) {
     ViewSettings settings = benchSettings();
     settings.facts.shadowMapCount = 2;
     settings.chained = &function;
-    Bench bench(contextDesc(), sharedEgl(), settings);
+    Bench bench(settings);
     bench.shadow = AgaaShadow{};
     AgaaGlFrame glFrame = bench.glFrame();
-    glFrame.shadowTextures[0] = deletedTexture();
+    glFrame.shadowTextures[0] = deletedTexture(sharedEgl().gl());
     bench.view.render(bench.frame(), glFrame);
     EXPECT_EQ(sharedEgl().takeMessages(), "");
 }

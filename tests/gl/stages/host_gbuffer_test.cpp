@@ -58,7 +58,7 @@ TEST(GlHostGBuffer, ShowsWhatTheLibrarysOwnShows) {
             settings.config.samples = n;
             if (technique == std::string("agaa") || technique == std::string("sbaa"))
                 settings.config.generationTier = AGAA_TIER_GBUFFER;
-            Bench drawn(contextDesc(), sharedEgl(), settings);
+            Bench drawn(settings);
             const std::vector<float> expected = drawn.picture();
             uint32_t unit = firstUnit;
             for (const char* name : {"gbuffer-0", "gbuffer-1", "gbuffer-2", "gbuffer-3", "depth"}) {
@@ -73,7 +73,7 @@ TEST(GlHostGBuffer, ShowsWhatTheLibrarysOwnShows) {
             function.depthBits = 24;
             ViewSettings own = settings;
             own.chained = &function;
-            Bench bench(contextDesc(), sharedEgl(), own);
+            Bench bench(own);
             AgaaFrame frame = bench.frame();
             frame.draw = nullptr;
             bench.view.render(frame, bench.glFrame());

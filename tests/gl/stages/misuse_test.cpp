@@ -197,7 +197,7 @@ TEST(GlLifetime, HandlesLiveInTheHostsMemory) {
     desc.free = HostMemory::free;
     desc.allocateUser = &memory;
     {
-        Bench bench(desc);
+        Bench bench(benchSettings(), desc);
         EXPECT_EQ(memory.blocks.size(), 2u);
         EXPECT_TRUE(memory.blocks.contains(bench.view.get()));
         bench.picture();
@@ -245,7 +245,7 @@ TEST(GlLifetime, ViewsAndContextsDoNotDisturbEachOther) {
     bench.light.shadowMap = 0;
     {
         EglContext egl(leastContext);
-        Bench beside(contextDesc(), egl);
+        Bench beside(benchSettings(), contextDesc(), egl);
         EXPECT_EQ(beside.picture(), expected);
         sharedEgl().makeCurrent();
         EXPECT_EQ(bench.picture(), expected);

@@ -295,7 +295,7 @@ TEST(GlLeaks, FramesAndFailuresLeaveNothing) {
     {
         ViewSettings settings = benchSettings();
         settings.config.flags |= AGAA_CONFIG_TIMESTAMPS;
-        Bench bench(desc, sharedEgl(), settings);
+        Bench bench(settings, desc);
         bench.picture();
         const auto alive = created.objects;
         bench.picture();

@@ -20,7 +20,7 @@ float agaaHostShadow(uint shadow, vec3 position) {
 
 // All points lie at 0.25 of a map of this depth: lit where it is not less.
 std::vector<float> byMap(const ViewSettings& settings, float depth) {
-    Bench bench(contextDesc(), sharedEgl(), settings);
+    Bench bench(settings);
     bench.map = shadowMap(sharedEgl().gl(), depth);
     return bench.picture();
 }
@@ -39,7 +39,7 @@ std::vector<float> byFunction(ViewSettings settings, float depth) {
     gl.NamedBufferData(block.get(), sizeof threshold, threshold, GL_STATIC_DRAW);
     gl.BindTextureUnit(functionUnit, map.get());
     gl.BindBufferBase(GL_UNIFORM_BUFFER, functionBlock, block.get());
-    Bench bench(contextDesc(), sharedEgl(), settings);
+    Bench bench(settings);
     bench.shadow = AgaaShadow{};
     const std::vector<float> picture = bench.picture();
     gl.BindTextureUnit(functionUnit, 0);
@@ -69,7 +69,7 @@ TEST(GlFrames, CompositeOverTheOutput) {
     ViewSettings settings = benchSettings();
     const auto render = [&](bool composite) {
         settings.flags = composite ? AGAA_VIEW_COMPOSITE : 0;
-        Bench bench(contextDesc(), sharedEgl(), settings);
+        Bench bench(settings);
         const float below[4] = {0.25f, 0.5f, 2.0f, 1};
         const harness::gl::Framebuffer target = harness::gl::createFramebuffer(gl);
         gl.NamedFramebufferTexture(target.get(), GL_COLOR_ATTACHMENT0, bench.view.output().get(), 0);
@@ -93,7 +93,7 @@ TEST(GlFrames, CompositeOverATextureWithoutMipLevels) {
     const GladGLContext& gl = sharedEgl().gl();
     ViewSettings settings = benchSettings();
     settings.flags = AGAA_VIEW_COMPOSITE;
-    Bench bench(contextDesc(), sharedEgl(), settings);
+    Bench bench(settings);
     const auto count = GLsizei(4 * settings.width * settings.height);
     const std::vector<float> below(size_t(count), 0.5f);
     const auto render = [&](GLuint output) {
@@ -131,7 +131,7 @@ TEST(GlFrames, OutputsMayHaveABaseLevelAndSwizzle) {
     constexpr std::array<GLint, 4> mixed = {GL_ZERO, GL_ALPHA, GL_RED, GL_ONE};
     for (const char* technique : {"ssaa", "agaa", "fxaa"}) {
         settings.config.technique = technique;
-        Bench bench(contextDesc(), sharedEgl(), settings);
+        Bench bench(settings);
         const auto render = [&](GLint baseLevel, const std::array<GLint, 4>& swizzle, float background) {
             const harness::gl::Texture output = harness::gl::createTexture(gl, GL_TEXTURE_2D);
             gl.TextureStorage2D(output.get(), 2, GL_RGBA32F, width, height);
@@ -182,7 +182,7 @@ TEST(GlFrames, EitherDepthAndClipConventionAgrees) {
     const auto render = [&](uint64_t flags, const glm::mat4& projection) {
         settings.flags = flags;
         settings.projection = projection;
-        Bench bench(contextDesc(), sharedEgl(), settings);
+        Bench bench(settings);
         // Near the triangles, so that places which depth tells wrongly are lit wrongly.
         bench.light.type = AGAA_LIGHT_POINT;
         bench.light.position[2] = -2;

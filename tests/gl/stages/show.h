@@ -11,7 +11,29 @@ Shown show(StageContext& context, ViewSettings settings, const Shot& shot);
 struct OpenGLHost {
     using Context = StageContext;
     using View = StageView;
+    using Options = AgaaGlContextDesc;
+    using Frame = AgaaGlFrame;
+    using DrawPass = AgaaGlDrawPass;
+    using Surface = AgaaGlSurface;
+    using ShadowMap = harness::gl::Texture;
+    static constexpr auto createView = agaaGlCreateView;
+    static constexpr auto recordFrame = agaaGlRecordFrame;
+    static constexpr auto getDrawPasses = agaaGlGetDrawPasses;
+    static constexpr auto getSurface = agaaGlGetSurface;
+    static constexpr DrawPass drawPass = AGAA_GL_DRAW_PASS_INIT;
+    static constexpr Surface surface = AGAA_GL_SURFACE_INIT;
+
     static std::vector<float> rgba(const View& view) { return view.image(); }
+    static ShadowMap shadowMap(const Context& context, float depth) { return test::shadowMap(context.egl().gl(), depth); }
+    static void setShadowMap(Frame& frame, const ShadowMap& map) { frame.shadowTextures[0] = map.get(); }
+    template <class Work>
+    static void run(const View& view, const Work& work) {
+        Frame frame = view.glFrame();
+        work(frame);
+        sharedEgl().gl().Finish();
+    }
+    // Of the driver, which may tell of what the library refuses, too.
+    static void forgetMessages() { sharedEgl().takeMessages(); }
 };
 
 } // namespace agaa::test

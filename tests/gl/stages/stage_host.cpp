@@ -2,9 +2,6 @@
 
 #include "plan_view.h"
 
-// The library's own, for views of plans.
-#include "../../../src/gl/view.h"
-
 #include "gl/draw_state.h"
 
 #include <gtest/gtest.h>
@@ -119,6 +116,13 @@ Texture shadowMap(const GladGLContext& gl, float depth) {
     gl.DepthMask(GL_TRUE); // clears obey it
     gl.ClearNamedFramebufferfv(framebuffer.get(), GL_DEPTH, 0, &depth);
     return map;
+}
+
+GLuint deletedTexture(const GladGLContext& gl) {
+    GLuint name = 0;
+    gl.CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
+    gl.DeleteTextures(1, &name);
+    return name;
 }
 
 StageView::StageView(StageContext& context, const ViewSettings& settings)

@@ -7,6 +7,8 @@
 
 #include "gl/objects.h"
 #include "gl/program.h"
+// The library's own, for looking inside.
+#include "../../../src/gl/view.h"
 
 #include <map>
 
@@ -43,6 +45,8 @@ private:
 
 // A depth map of one layer, everywhere as deep.
 harness::gl::Texture shadowMap(const GladGLContext& gl, float depth);
+// The name of a map that is no more.
+GLuint deletedTexture(const GladGLContext& gl);
 
 class StageView {
 public:
@@ -63,6 +67,8 @@ public:
     AgaaFrameStatistics statistics() const;
     AgaaView get() const { return view_; }
     uint64_t frameIndex() const { return frameIndex_; }
+    const agaa::Plan& plan() const { return view_->plan; }
+    const agaa::gl::View& executor() const { return static_cast<const agaa::gl::View&>(*view_); }
     const harness::gl::Texture& output() const { return output_; }
     // 23 floats a vertex: its position, the vectors of its Material.
     GLuint vertices() const { return vertices_.get(); }

@@ -11,7 +11,30 @@ Shown show(StageContext& context, ViewSettings settings, const Shot& shot);
 struct VulkanHost {
     using Context = StageContext;
     using View = StageView;
+    using Options = HostOptions;
+    using Frame = AgaaVkFrame;
+    using DrawPass = AgaaVkDrawPass;
+    using Surface = AgaaVkSurface;
+    using ShadowMap = ShadowLayers;
+    static constexpr auto createView = agaaVkCreateView;
+    static constexpr auto recordFrame = agaaVkRecordFrame;
+    static constexpr auto getDrawPasses = agaaVkGetDrawPasses;
+    static constexpr auto getSurface = agaaVkGetSurface;
+    static constexpr DrawPass drawPass = AGAA_VK_DRAW_PASS_INIT;
+    static constexpr Surface surface = AGAA_VK_SURFACE_INIT;
+
     static std::vector<float> rgba(const View& view) { return withAlpha(view.image().rgb); }
+    static ShadowMap shadowMap(const Context&, float depth) { return ShadowMap({depth}, 4); }
+    static void setShadowMap(Frame& frame, const ShadowMap& map) { frame.shadowViews[0] = map.view(); }
+    template <class Work>
+    static void run(View& view, const Work& work) {
+        sharedDevice().runCommands([&](VkCommandBuffer commands) {
+            Frame frame = view.vkFrame(commands);
+            work(frame);
+        });
+    }
+    // Messages fail the tests whose contexts they come from.
+    static void forgetMessages() {}
 };
 
 // By render passes, and callbacks that record into the host's command buffer.

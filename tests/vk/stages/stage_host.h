@@ -99,6 +99,7 @@ public:
     VkBuffer vertices() const { return vertices_.buffer.get(); }
     VkBuffer materials() const { return materials_.buffer.get(); }
 
+    agaa::ResourceId find(const std::string& name) const; // in the plan
     // A surface by its name in the plan, texel by texel, sample by sample; floats as their bits.
     std::vector<glm::uvec4> readSurface(const std::string& name) const;
     // The words of a buffer.
@@ -115,7 +116,6 @@ private:
     static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);
     AgaaResult draw(const AgaaDrawTarget& target);
     void makePipelines();
-    agaa::ResourceId find(const std::string& name) const;
 
     struct PassPipelines {
         harness::vk::PipelineLayout layout;
