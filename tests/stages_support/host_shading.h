@@ -42,7 +42,7 @@ private:
     std::map<uint32_t, std::vector<float>> parts_; // by n
 };
 
-// sdk: the image of the SDK's own shading, of this many channels; host: the shader's, RGBA.
-void expectShadedAlike(const std::vector<float>& sdk, size_t channels, std::span<const float> host);
+// RGBA: the image of the SDK's own shading, and the shader's.
+void expectShadedAlike(const std::vector<float>& sdk, const std::vector<float>& host);
 
 } // namespace agaa::test

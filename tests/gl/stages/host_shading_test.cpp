@@ -1,8 +1,8 @@
-// A host that shades the aggregates itself, by the text that reads them, against the SDK's own shading.
-#include "host_shading.h"
-#include "stage_host.h"
+// A host's own shading of aggregates on OpenGL.
+#include "host_shading_cases.h"
+#include "show.h"
 
-#include <gtest/gtest.h>
+#include <limits>
 
 namespace agaa::test {
 namespace {
@@ -25,70 +25,58 @@ GLuint computeProgram(const GladGLContext& gl, const std::string& text) {
     return program;
 }
 
-std::vector<float> shadedByHost(StageContext& context, const ViewSettings& settings, StageView& view,
-                                const char* light = ambientLight) {
-    const GladGLContext& gl = context.egl().gl();
-    AgaaGlSurface surface = AGAA_GL_SURFACE_INIT;
-    EXPECT_EQ(agaaGlGetSurface(view.get(), "aggregates", &surface), AGAA_OK);
-    const GLuint program = computeProgram(gl, hostShadingText(viewDesc(settings), context.caps(), declarations, light));
-    const harness::gl::Texture image = harness::gl::createTexture(gl, GL_TEXTURE_2D);
-    gl.TextureStorage2D(image.get(), 1, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height));
-    gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    gl.UseProgram(program);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, surface.buffer);
-    gl.BindImageTexture(0, image.get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-    gl.DispatchCompute((settings.width + 7) / 8, (settings.height + 7) / 8, 1);
-    gl.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    std::vector<float> rgba(size_t(settings.width) * settings.height * 4);
-    gl.GetTextureImage(image.get(), 0, GL_RGBA, GL_FLOAT, GLsizei(rgba.size() * sizeof(float)), rgba.data());
-    gl.UseProgram(0);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, 0);
-    gl.BindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R8);
-    gl.DeleteProgram(program);
-    return rgba;
-}
-
-TEST(GlHostShading, ReadsWhatTheSdkShades) {
-    StageContext context;
-    forHostShading(AGAA_TIER_PER_SAMPLE, [&](ViewSettings settings) {
-        settings.config.flags |= AGAA_CONFIG_READBACK;
-        StageView view(context, settings);
-        view.setTriangles(hostShadingScene());
-        AgaaFrame frame = view.frame();
-        lightForHost(frame);
-        view.render(frame);
-        expectShadedAlike(view.image(), 4, shadedByHost(context, settings, view));
-    });
-}
-
-TEST(GlHostShading, ReadsAttributesOfItsOwn) {
-    StageContext context;
-    CustomImages images;
-    forCustomAttributes({AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER}, [&](const ViewSettings& settings) {
-        StageView view(context, settings);
-        view.setTriangles(hostShadingScene());
-        view.render(view.frame());
-        images.add(settings, shadedByHost(context, settings, view, customLight));
-    });
-}
-
-TEST(GlHostShading, IsRefusedWhereNothingIsKept) {
-    StageContext context;
-    for (const char* technique : {"ssaa", "sbaa", "agaa"}) {
-        ViewSettings settings;
-        settings.config.technique = technique;
-        settings.config.generationTier = technique == std::string("agaa") ? AGAA_TIER_GBUFFER : AGAA_TIER_AUTO;
-        const AgaaViewDesc desc = viewDesc(settings);
-        std::vector<LogLine> lines;
-        AgaaLog log = AGAA_LOG_INIT;
-        log.callback = collectLines;
-        log.user = &lines;
-        size_t size = 0;
-        EXPECT_EQ(agaaGetAggregateGlsl(&desc, &context.caps(), &log, &size, nullptr), AGAA_ERROR_UNSUPPORTED);
-        ASSERT_EQ(lines.size(), 1u);
-        EXPECT_NE(lines[0].text.find("no aggregates in memory"), std::string::npos);
+class HostPass {
+public:
+    HostPass(StageContext& context, const ViewSettings& settings, StageView& view, const char* light)
+        : gl_(context.egl().gl()), settings_(settings), image_(harness::gl::createTexture(gl_, GL_TEXTURE_2D)),
+          program_(computeProgram(gl_, hostShadingText(viewDesc(settings), context.caps(), declarations, light))) {
+        EXPECT_EQ(agaaGlGetSurface(view.get(), "aggregates", &aggregates_), AGAA_OK);
+        gl_.TextureStorage2D(image_.get(), 1, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height));
     }
-}
+    ~HostPass() { gl_.DeleteProgram(program_); }
+    HostPass(const HostPass&) = delete;
+    HostPass& operator=(const HostPass&) = delete;
+
+    void record(const AgaaGlFrame&) const {
+        gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        gl_.UseProgram(program_);
+        gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, aggregates_.buffer);
+        gl_.BindImageTexture(0, image_.get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+        gl_.DispatchCompute((settings_.width + 7) / 8, (settings_.height + 7) / 8, 1);
+        gl_.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+        gl_.UseProgram(0);
+        gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, 0);
+        gl_.BindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R8);
+    }
+
+    void clear() const {
+        const std::vector<float> nothing(size_t(settings_.width) * settings_.height * 4,
+                                         std::numeric_limits<float>::quiet_NaN());
+        gl_.TextureSubImage2D(image_.get(), 0, 0, 0, GLsizei(settings_.width), GLsizei(settings_.height), GL_RGBA,
+                              GL_FLOAT, nothing.data());
+    }
+    std::vector<float> rgba() const {
+        std::vector<float> texels(size_t(settings_.width) * settings_.height * 4);
+        gl_.GetTextureImage(image_.get(), 0, GL_RGBA, GL_FLOAT, GLsizei(texels.size() * sizeof(float)), texels.data());
+        return texels;
+    }
+
+private:
+    const GladGLContext& gl_;
+    const ViewSettings& settings_;
+    harness::gl::Texture image_;
+    GLuint program_;
+    AgaaGlSurface aggregates_ = AGAA_GL_SURFACE_INIT;
+};
+
+struct ShadingHost : OpenGLHost {
+    static constexpr uint32_t drawnTier = AGAA_TIER_PER_SAMPLE;
+    static constexpr uint64_t readback = AGAA_CONFIG_READBACK;
+    static constexpr uint32_t idsSamples = 8; // drivers are slow to compile the tier's passes
+    using Pass = HostPass;
+    using Ids = IdsView;
+};
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HostShadingCases, ShadingHost);
 
 } // namespace
 } // namespace agaa::test

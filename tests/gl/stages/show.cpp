@@ -29,26 +29,36 @@ static std::vector<float> rgbOf(const std::vector<float>& rgba) {
     return rgb;
 }
 
+IdsView::IdsView(StageContext& context, ViewSettings settings, const Shot& shot)
+    : text_(fetchText(settings, storageText, shot.material)), function_(fetchFunction(settings, text_, shot)) {
+    settings.chained = &function_;
+    view_ = std::make_unique<StageView>(context, settings);
+    view_->setTriangles(shot.triangles);
+}
+
+IdsView::~IdsView() { sharedEgl().gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, functionBlock, 0); }
+
+void IdsView::bind(AgaaGlFrame&) const {
+    sharedEgl().gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, functionBlock, view_->vertices());
+}
+
 Shown show(StageContext& context, ViewSettings settings, const Shot& shot) {
-    const GladGLContext& gl = context.egl().gl();
     settings.config.flags |= AGAA_CONFIG_COUNTERS;
-    const bool fetches = settings.config.generationTier == AGAA_TIER_IDS;
-    std::string text;
-    AgaaFetchFunction function;
-    if (fetches) {
-        text = fetchText(settings, storageText, shot.material);
-        function = fetchFunction(settings, text, shot);
-        settings.chained = &function;
+    const auto shownBy = [&](StageView& view, const auto& bind) {
+        const auto render = [&](const AgaaFrame& frame) {
+            AgaaGlFrame glFrame = view.glFrame();
+            bind(glFrame);
+            view.render(frame, glFrame);
+        };
+        return showBy(view, shot, render, [&] { return rgbOf(view.image()); });
+    };
+    if (settings.config.generationTier == AGAA_TIER_IDS) {
+        IdsView ids(context, settings, shot);
+        return shownBy(ids.view(), [&](AgaaGlFrame& frame) { ids.bind(frame); });
     }
     StageView view(context, settings);
     view.setTriangles(shot.triangles);
-    const auto render = [&](const AgaaFrame& frame) {
-        if (fetches)
-            gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, functionBlock, view.vertices());
-        view.render(frame);
-        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, functionBlock, 0);
-    };
-    return showBy(view, shot, render, [&] { return rgbOf(view.image()); });
+    return shownBy(view, [](AgaaGlFrame&) {});
 }
 
 } // namespace agaa::test

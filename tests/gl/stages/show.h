@@ -4,7 +4,23 @@
 #include "shown.h"
 #include "stage_host.h"
 
+#include <memory>
+
 namespace agaa::test {
+
+// A view of the tier ids, whose function fetches from the view's own vertices.
+class IdsView {
+public:
+    IdsView(StageContext& context, ViewSettings settings, const Shot& shot);
+    ~IdsView();
+    StageView& view() { return *view_; }
+    void bind(AgaaGlFrame&) const;
+
+private:
+    std::string text_;
+    AgaaFetchFunction function_;
+    std::unique_ptr<StageView> view_;
+};
 
 Shown show(StageContext& context, ViewSettings settings, const Shot& shot);
 
@@ -24,7 +40,9 @@ struct OpenGLHost {
     static constexpr Surface surface = AGAA_GL_SURFACE_INIT;
 
     static std::vector<float> rgba(const View& view) { return view.image(); }
-    static ShadowMap shadowMap(const Context& context, float depth) { return test::shadowMap(context.egl().gl(), depth); }
+    static ShadowMap shadowMap(const Context& context, float depth) {
+        return test::shadowMap(context.egl().gl(), depth);
+    }
     static void setShadowMap(Frame& frame, const ShadowMap& map) { frame.shadowTextures[0] = map.get(); }
     template <class Work>
     static void run(const View& view, const Work& work) {

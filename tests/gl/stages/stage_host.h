@@ -69,6 +69,7 @@ public:
     uint64_t frameIndex() const { return frameIndex_; }
     const agaa::Plan& plan() const { return view_->plan; }
     const agaa::gl::View& executor() const { return static_cast<const agaa::gl::View&>(*view_); }
+    const ViewSettings& settings() const { return settings_; }
     const harness::gl::Texture& output() const { return output_; }
     // 23 floats a vertex: its position, the vectors of its Material.
     GLuint vertices() const { return vertices_.get(); }
