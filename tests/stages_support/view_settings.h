@@ -61,6 +61,17 @@ constexpr const char* instanceStep = "vec3(0.75, 0.5, -1.0)"; // GLSL
 
 // Points to the settings.
 AgaaViewDesc viewDesc(const ViewSettings& settings);
+// Making a view of these settings fails with this code and one sentence, which is returned. what: told in failures.
+template <class Context>
+std::string expectRefused(Context& context, const ViewSettings& settings, AgaaResult code, const char* what) {
+    const AgaaViewDesc desc = viewDesc(settings);
+    AgaaView view = nullptr;
+    context.lines.clear();
+    EXPECT_EQ(context.createView(desc, view), code) << what;
+    EXPECT_EQ(view, nullptr) << what;
+    expectOneSentence(context.lines, code, what);
+    return context.lines.empty() ? std::string() : context.lines[0].text;
+}
 // The frame after frameIndex, which is waited for. Draw callback, lights and shadows are the caller's.
 AgaaFrame nextFrame(const ViewSettings& settings, uint64_t& frameIndex);
 // The calls that record a frame.

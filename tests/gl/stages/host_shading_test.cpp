@@ -1,4 +1,5 @@
 // A host's own shading of aggregates on OpenGL.
+#include "compute_pass.h"
 #include "host_shading_cases.h"
 #include "show.h"
 
@@ -14,37 +15,19 @@ layout(rgba32f, binding = 0) writeonly uniform image2D image;
 void show(uvec2 pixel, vec3 color) { imageStore(image, ivec2(pixel), vec4(color, 1.0)); }
 )";
 
-GLuint computeProgram(const GladGLContext& gl, const std::string& text) {
-    const char* source = text.c_str();
-    const GLuint program = gl.CreateShaderProgramv(GL_COMPUTE_SHADER, 1, &source);
-    char log[2048] = "";
-    gl.GetProgramInfoLog(program, sizeof log, nullptr, log);
-    GLint linked = 0;
-    gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
-    EXPECT_TRUE(linked) << log;
-    return program;
-}
-
 class HostPass {
 public:
     HostPass(StageContext& context, const ViewSettings& settings, StageView& view, const char* light)
         : gl_(context.egl().gl()), settings_(settings), image_(harness::gl::createTexture(gl_, GL_TEXTURE_2D)),
-          program_(computeProgram(gl_, hostShadingText(viewDesc(settings), context.caps(), declarations, light))) {
+          pass_(gl_, hostShadingText(viewDesc(settings), context.caps(), declarations, light)) {
         EXPECT_EQ(agaaGlGetSurface(view.get(), "aggregates", &aggregates_), AGAA_OK);
         gl_.TextureStorage2D(image_.get(), 1, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height));
     }
-    ~HostPass() { gl_.DeleteProgram(program_); }
-    HostPass(const HostPass&) = delete;
-    HostPass& operator=(const HostPass&) = delete;
 
     void record(const AgaaGlFrame&) const {
-        gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-        gl_.UseProgram(program_);
         gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, aggregates_.buffer);
         gl_.BindImageTexture(0, image_.get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-        gl_.DispatchCompute((settings_.width + 7) / 8, (settings_.height + 7) / 8, 1);
-        gl_.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-        gl_.UseProgram(0);
+        pass_.run(settings_.width, settings_.height);
         gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, 0);
         gl_.BindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R8);
     }
@@ -65,7 +48,7 @@ private:
     const GladGLContext& gl_;
     const ViewSettings& settings_;
     harness::gl::Texture image_;
-    GLuint program_;
+    ComputePass pass_;
     AgaaGlSurface aggregates_ = AGAA_GL_SURFACE_INIT;
 };
 

@@ -2,7 +2,6 @@
 #include "bench.h"
 #include "recording_cases.h"
 
-#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
@@ -64,9 +63,7 @@ struct RecordingHost : OpenGLHost {
     }
 
     static void setCounter(const StageView& view, const AgaaGlFrame&, size_t offset, GLuint value) {
-        const auto& resources = view.plan().resources;
-        const auto counters = std::ranges::find(resources, std::string("counters"), &Resource::name);
-        const GLuint buffer = view.executor().resources->buffer(ResourceId(counters - resources.begin()), 0);
+        const GLuint buffer = view.executor().resources->buffer(findResource(view.plan(), "counters"), 0);
         sharedEgl().gl().ClearNamedBufferSubData(buffer, GL_R32UI, GLintptr(offset), sizeof value, GL_RED_INTEGER,
                                                  GL_UNSIGNED_INT, &value);
     }

@@ -7,6 +7,7 @@
 #include "hard_material_cases.h"
 #include "ids_cases.h"
 #include "plan_cases.h"
+#include "shadow_function_cases.h"
 #include "validation_cases.h"
 
 namespace agaa::test {
@@ -19,6 +20,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CoverageCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, IdsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DebugViewCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ShadowFunctionCases, OpenGLHost);
 
 } // namespace
 } // namespace agaa::test

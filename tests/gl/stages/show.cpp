@@ -42,6 +42,17 @@ void IdsView::bind(AgaaGlFrame&) const {
     sharedEgl().gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, functionBlock, view_->vertices());
 }
 
+FunctionBuffer::FunctionBuffer(const std::vector<glm::vec4>& data)
+    : buffer_(harness::gl::createBuffer(sharedEgl().gl())) {
+    sharedEgl().gl().NamedBufferData(buffer_.get(), GLsizeiptr(data.size() * sizeof data[0]), data.data(), GL_STATIC_DRAW);
+}
+
+FunctionBuffer::~FunctionBuffer() { sharedEgl().gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, functionBlock, 0); }
+
+void FunctionBuffer::bind(AgaaGlFrame&) const {
+    sharedEgl().gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, functionBlock, buffer_.get());
+}
+
 Shown show(StageContext& context, ViewSettings settings, const Shot& shot) {
     settings.config.flags |= AGAA_CONFIG_COUNTERS;
     const auto shownBy = [&](StageView& view, const auto& bind) {

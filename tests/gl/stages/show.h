@@ -22,6 +22,19 @@ private:
     std::unique_ptr<StageView> view_;
 };
 
+// A storage buffer that a function of the host's reads.
+class FunctionBuffer {
+public:
+    static constexpr const char* place = "binding = 6"; // beyond what frames touch
+    explicit FunctionBuffer(const std::vector<glm::vec4>& data);
+    ~FunctionBuffer();
+    uint64_t layout() const { return 0; }
+    void bind(AgaaGlFrame&) const;
+
+private:
+    harness::gl::Buffer buffer_;
+};
+
 Shown show(StageContext& context, ViewSettings settings, const Shot& shot);
 
 struct OpenGLHost {
@@ -32,7 +45,7 @@ struct OpenGLHost {
     using DrawPass = AgaaGlDrawPass;
     using Surface = AgaaGlSurface;
     using ShadowMap = harness::gl::Texture;
-    static constexpr auto createView = agaaGlCreateView;
+    using FunctionData = FunctionBuffer;
     static constexpr auto recordFrame = agaaGlRecordFrame;
     static constexpr auto getDrawPasses = agaaGlGetDrawPasses;
     static constexpr auto getSurface = agaaGlGetSurface;

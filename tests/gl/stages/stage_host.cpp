@@ -1,5 +1,6 @@
 #include "stage_host.h"
 
+#include "compute_pass.h"
 #include "plan_view.h"
 
 #include "gl/draw_state.h"
@@ -212,6 +213,31 @@ AgaaFrameStatistics StageView::statistics() const {
     require(agaaGetFrameStatistics(view_, frameIndex_, &statistics), context_,
             "agaaGetFrameStatistics");
     return statistics;
+}
+
+std::vector<glm::uvec4> StageView::readSurface(const std::string& name) const {
+    const Resource& resource = plan().resources[findResource(plan(), name)];
+    AgaaGlSurface surface = AGAA_GL_SURFACE_INIT;
+    require(agaaGlGetSurface(view_, name.c_str(), &surface), context_, "agaaGlGetSurface");
+    std::vector<glm::uvec4> texels(size_t(resource.width) * resource.height * resource.samples);
+    const auto bytes = GLsizeiptr(texels.size() * sizeof texels[0]);
+    const Buffer out = createBuffer(gl_);
+    gl_.NamedBufferData(out.get(), bytes, nullptr, GL_STATIC_READ);
+    gl_.BindTextureUnit(0, surface.texture);
+    gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, out.get());
+    ComputePass(gl_, versionLine(glslVersion(gl_)) + surfaceText(resource)).run(resource.width, resource.height);
+    gl_.BindTextureUnit(0, 0);
+    gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, 0);
+    gl_.GetNamedBufferSubData(out.get(), 0, bytes, texels.data());
+    return texels;
+}
+
+std::vector<uint32_t> StageView::readBuffer(const std::string& name) const {
+    const ResourceId id = findResource(plan(), name);
+    std::vector<uint32_t> words(plan().resources[id].bytes / 4);
+    gl_.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl_.GetNamedBufferSubData(executor().resources->buffer(id, 0), 0, GLsizeiptr(4 * words.size()), words.data());
+    return words;
 }
 
 AgaaResult AGAA_CALL StageView::onDraw(void* user, const AgaaDrawTarget* target) {

@@ -3,6 +3,7 @@
 
 #include "agaa_gl.h"
 #include "egl_context.h"
+#include "surfaces.h"
 #include "view_settings.h"
 
 #include "gl/objects.h"
@@ -32,6 +33,9 @@ public:
 
     AgaaContext get() const { return context_; }
     const AgaaDeviceCaps& caps() const { return caps_; }
+    AgaaResult createView(const AgaaViewDesc& desc, AgaaView& view) const {
+        return agaaGlCreateView(context_, &desc, &view);
+    }
     EglContext& egl() const { return egl_; }
     // Destroys it before its time.
     void destroy();
@@ -69,6 +73,11 @@ public:
     uint64_t frameIndex() const { return frameIndex_; }
     const agaa::Plan& plan() const { return view_->plan; }
     const agaa::gl::View& executor() const { return static_cast<const agaa::gl::View&>(*view_); }
+    const SamplePositions& positions() const { return executor().positions; }
+    // A surface by its name in the plan, texel by texel, sample by sample; floats as their bits.
+    std::vector<glm::uvec4> readSurface(const std::string& name) const;
+    // The words of a buffer.
+    std::vector<uint32_t> readBuffer(const std::string& name) const;
     const ViewSettings& settings() const { return settings_; }
     const harness::gl::Texture& output() const { return output_; }
     // 23 floats a vertex: its position, the vectors of its Material.

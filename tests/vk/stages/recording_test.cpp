@@ -32,7 +32,7 @@ struct RecordingHost : VulkanHost {
 
     static void setCounter(const StageView& view, const AgaaVkFrame& frame, size_t offset, uint32_t value) {
         const auto commands = static_cast<VkCommandBuffer>(frame.commandBuffer);
-        const VkBuffer buffer = (*view.executor().resources)[view.find("counters")].buffers[0];
+        const VkBuffer buffer = (*view.executor().resources)[findResource(view.plan(), "counters")].buffers[0];
         const VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_MEMORY_WRITE_BIT,
                                       VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT};
         const auto wait = [&] {

@@ -1,5 +1,6 @@
 // Shading: the image against the same lighting in double, from the surfaces that the GPU shaded.
 #include "shading_oracle.h"
+#include "stage_host.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include "hard_material_cases.h"
 #include "ids_cases.h"
 #include "plan_cases.h"
+#include "shadow_function_cases.h"
 #include "validation_cases.h"
 
 namespace agaa::test {
@@ -20,6 +21,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CoverageCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, IdsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DebugViewCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ShadowFunctionCases, VulkanHost);
 
 } // namespace
 } // namespace agaa::test

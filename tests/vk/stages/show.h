@@ -6,6 +6,20 @@
 
 namespace agaa::test {
 
+// A storage buffer that a function of the host's reads.
+class FunctionBuffer {
+public:
+    static constexpr const char* place = "set = 1, binding = 0";
+    explicit FunctionBuffer(const std::vector<glm::vec4>& data);
+    uint64_t layout() const { return (uint64_t)set_.layout(); }
+    void bind(AgaaVkFrame& frame) const { frame.functionSet = (uint64_t)set_.get(); }
+
+private:
+    harness::vk::Arena arena_;
+    harness::vk::BufferResource buffer_;
+    StorageSet set_;
+};
+
 Shown show(StageContext& context, ViewSettings settings, const Shot& shot);
 
 struct VulkanHost {
@@ -16,7 +30,7 @@ struct VulkanHost {
     using DrawPass = AgaaVkDrawPass;
     using Surface = AgaaVkSurface;
     using ShadowMap = ShadowLayers;
-    static constexpr auto createView = agaaVkCreateView;
+    using FunctionData = FunctionBuffer;
     static constexpr auto recordFrame = agaaVkRecordFrame;
     static constexpr auto getDrawPasses = agaaVkGetDrawPasses;
     static constexpr auto getSurface = agaaVkGetSurface;

@@ -150,16 +150,6 @@ StageContext::~StageContext() {
         ADD_FAILURE() << message.id << ": " << message.text;
 }
 
-std::string expectRefused(StageContext& context, const ViewSettings& settings, AgaaResult code, const char* what) {
-    const AgaaViewDesc desc = viewDesc(settings);
-    AgaaView view = nullptr;
-    context.lines.clear();
-    EXPECT_EQ(agaaVkCreateView(context.get(), &desc, &view), code) << what;
-    EXPECT_EQ(view, nullptr) << what;
-    expectOneSentence(context.lines, code, what);
-    return context.lines.empty() ? std::string() : context.lines[0].text;
-}
-
 ShadowLayers::ShadowLayers(const std::vector<float>& layers, uint32_t size)
     : arena_(sharedDevice()) {
     VkImageCreateInfo info{};
@@ -329,30 +319,15 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     return AGAA_OK;
 }
 
-ResourceId StageView::find(const std::string& name) const {
-    for (ResourceId id = 0; id < plan().resources.size(); ++id)
-        if (plan().resources[id].name == name)
-            return id;
-    throw std::runtime_error("The plan has no resource \"" + name + "\".");
-}
-
 std::vector<glm::uvec4> StageView::readSurface(const std::string& name) const {
-    const ResourceId id = find(name);
+    const ResourceId id = findResource(plan(), name);
     return readTexels(sharedDevice(), plan().resources[id], (*executor().resources)[id].fetchView);
 }
 
 std::vector<uint32_t> StageView::readBuffer(const std::string& name) const {
-    const ResourceId id = find(name);
+    const ResourceId id = findResource(plan(), name);
     return readWords(sharedDevice(), (*executor().resources)[id].buffers[0],
                      plan().resources[id].bytes);
-}
-
-size_t StageView::sampleIndex(uint32_t x, uint32_t y, uint32_t i) const {
-    const Plan& p = plan();
-    const uint32_t group = i / p.hwSamples;
-    const size_t texelX = size_t(x) * p.scaleX + group % p.scaleX;
-    const size_t texelY = size_t(y) * p.scaleY + group / p.scaleX;
-    return (texelY * (size_t(p.width) * p.scaleX) + texelX) * p.hwSamples + i % p.hwSamples;
 }
 
 } // namespace agaa::test

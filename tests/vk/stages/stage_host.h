@@ -4,6 +4,7 @@
 
 #include "agaa_vk.h"
 #include "storage_set.h"
+#include "surfaces.h"
 #include "view_settings.h"
 
 #include "vk/arena.h"
@@ -45,6 +46,9 @@ public:
 
     AgaaContext get() const { return context_; }
     const AgaaDeviceCaps& caps() const { return caps_; }
+    AgaaResult createView(const AgaaViewDesc& desc, AgaaView& view) const {
+        return agaaVkCreateView(context_, &desc, &view);
+    }
     std::vector<LogLine> lines; // errors that the SDK logged
     uint32_t warnings = 0;
 
@@ -52,9 +56,6 @@ private:
     AgaaContext context_ = nullptr;
     AgaaDeviceCaps caps_ = AGAA_DEVICE_CAPS_INIT;
 };
-
-// Making a view of these settings fails with this code and one sentence, which is returned. what: told in failures.
-std::string expectRefused(StageContext& context, const ViewSettings& settings, AgaaResult code, const char* what);
 
 // Depth array images for AgaaVkFrame::shadowViews, each layer filled with one value.
 class ShadowLayers {
@@ -99,13 +100,12 @@ public:
     VkBuffer vertices() const { return vertices_.buffer.get(); }
     VkBuffer materials() const { return materials_.buffer.get(); }
 
-    agaa::ResourceId find(const std::string& name) const; // in the plan
     // A surface by its name in the plan, texel by texel, sample by sample; floats as their bits.
     std::vector<glm::uvec4> readSurface(const std::string& name) const;
     // The words of a buffer.
     std::vector<uint32_t> readBuffer(const std::string& name) const;
     // Index of sample i of a pixel in what readSurface returns.
-    size_t sampleIndex(uint32_t x, uint32_t y, uint32_t i) const;
+    size_t sampleIndex(uint32_t x, uint32_t y, uint32_t i) const { return test::sampleIndex(plan(), x, y, i); }
 
     // Makes the draw callback of a pass return this; a pass that is called counts.
     std::map<uint32_t, AgaaResult> drawResults;

@@ -1,6 +1,7 @@
 #include "surface_reader.h"
 
 #include "compute_pass.h"
+#include "surfaces.h"
 
 #include "vk/arena.h"
 
@@ -11,27 +12,6 @@ using namespace harness::vk;
 namespace agaa::test {
 
 namespace {
-
-std::string shaderText(const Resource& resource) {
-    const bool isUint = resource.format == Format::R8U || resource.format == Format::R16U ||
-                        resource.format == Format::R32U || resource.format == Format::RG32U;
-    std::string text = "#version 450\nlayout(local_size_x = 8, local_size_y = 8) in;\n";
-    text += std::string("layout(binding = 0) uniform ") + (isUint ? "u" : "") + "sampler2D" +
-            (resource.samples > 1 ? "MS" : "") + " surface;\n";
-    text += "layout(std430, binding = 1) writeonly buffer Out { uvec4 texels[]; };\n";
-    text += "const uint samples = " + std::to_string(resource.samples) + "u;\n";
-    text += "const uvec2 size = uvec2(" + std::to_string(resource.width) + "u, " +
-            std::to_string(resource.height) + "u);\n";
-    text += R"(void main() {
-    uvec2 p = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(p, size)))
-        return;
-    for (uint s = 0u; s < samples; ++s)
-        texels[(p.y * size.x + p.x) * samples + s] = )";
-    const std::string fetch =
-        std::string("texelFetch(surface, ivec2(p), ") + (resource.samples > 1 ? "int(s))" : "0)");
-    return text + (isUint ? fetch : "floatBitsToUint(" + fetch + ")") + ";\n}\n";
-}
 
 void everythingBefore(VkCommandBuffer commands) {
     VkMemoryBarrier barrier{};
@@ -107,7 +87,7 @@ std::vector<glm::uvec4> readTexels(const Device& device, const Resource& resourc
     }
     vkUpdateDescriptorSets(device.get(), 2, writes, 0, nullptr);
 
-    const ComputePass pass(device, setLayout.get(), shaderText(resource), resource.name);
+    const ComputePass pass(device, setLayout.get(), "#version 450\n" + surfaceText(resource), resource.name);
     device.runCommands([&](VkCommandBuffer commands) {
         everythingBefore(commands);
         pass.record(commands, set, resource.width, resource.height);

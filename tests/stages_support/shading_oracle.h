@@ -1,11 +1,14 @@
 // Lighting of surfaces read back from the GPU, in double.
 #pragma once
 
-#include "stage_host.h"
+#include "surfaces.h"
 
 #include "core/frame_data.h"
 
+#include <glm/glm.hpp>
+
 #include <functional>
+#include <vector>
 
 namespace agaa::test {
 
@@ -15,7 +18,16 @@ using Visibility = std::function<double(uint32_t map, const glm::dvec3& position
 
 class ShadingOracle {
 public:
-    ShadingOracle(StageView& view, const AgaaFrame& frame, Visibility visibility);
+    // view: a host's, which lives as long and has rendered the frame with AGAA_CONFIG_READBACK.
+    template <class View>
+    ShadingOracle(const View& view, const AgaaFrame& frame, Visibility visibility)
+        : plan_(view.plan()), frame_(frame), constants_(frameConstants(view.plan(), frame, view.positions())),
+          visibility_(std::move(visibility)), depth_(view.readSurface("depth")) {
+        if (plan_.aggregates)
+            words_ = view.readBuffer("aggregates");
+        for (size_t i = 0; i < packGBuffer(plan_.layout).attachments.size() && !plan_.aggregates; ++i)
+            gbuffer_.push_back(view.readSurface("gbuffer-" + std::to_string(i)));
+    }
 
     // The pixel's colour, or NaN where the oracle will not say.
     glm::dvec3 pixel(uint32_t x, uint32_t y) const;
@@ -38,7 +50,7 @@ private:
     glm::dvec3 perSamplePixel(uint32_t x, uint32_t y) const;
     glm::dvec3 aggregatedPixel(uint32_t x, uint32_t y) const;
 
-    StageView& view_;
+    const Plan& plan_;
     AgaaFrame frame_;
     FrameConstants constants_;
     Visibility visibility_;

@@ -10,30 +10,18 @@ namespace agaa::test {
 
 using math_d::agaa_Surface;
 
-ShadingOracle::ShadingOracle(StageView& view, const AgaaFrame& frame, Visibility visibility)
-    : view_(view), frame_(frame), constants_(frameConstants(view.plan(), frame, view.positions())),
-      visibility_(std::move(visibility)), depth_(view.readSurface("depth")) {
-    if (view.plan().aggregates) {
-        words_ = view.readBuffer("aggregates");
-    } else {
-        for (size_t i = 0; i < packGBuffer(view.plan().layout).attachments.size(); ++i)
-            gbuffer_.push_back(view.readSurface("gbuffer-" + std::to_string(i)));
-    }
-}
-
 glm::dvec3 ShadingOracle::pixel(uint32_t x, uint32_t y) const {
-    return view_.plan().aggregates ? aggregatedPixel(x, y) : perSamplePixel(x, y);
+    return plan_.aggregates ? aggregatedPixel(x, y) : perSamplePixel(x, y);
 }
 
 glm::dvec3 ShadingOracle::position(uint32_t x, uint32_t y, uint32_t i) const {
     using namespace math_d;
-    const Plan& plan = view_.plan();
     const float* p = constants_.projection;
     const double depth =
-        double(std::bit_cast<float>(depth_[view_.sampleIndex(x, y, i)].x));
+        double(std::bit_cast<float>(depth_[sampleIndex(plan_, x, y, i)].x));
     const uint orthographic = p[6] != 0.0f;
-    const rvec2 ndc((x + double(constants_.samples[i][0])) / plan.width * 2 - 1,
-                    (y + double(constants_.samples[i][1])) / plan.height * 2 - 1);
+    const rvec2 ndc((x + double(constants_.samples[i][0])) / plan_.width * 2 - 1,
+                    (y + double(constants_.samples[i][1])) / plan_.height * 2 - 1);
     const rvec3 v = agaa_viewPosition(
         ndc, agaa_viewZFromDepth(depth, double(p[4]), double(p[5]), orthographic), double(p[0]),
         double(p[1]), double(p[2]), double(p[3]), orthographic);
@@ -51,9 +39,8 @@ static glm::dvec3 towardsEye(const glm::dvec3& position, const FrameConstants& c
 // The layout's description in words: integer sums of codes, each of so many bits.
 ShadingOracle::Shaded ShadingOracle::aggregate(const uint32_t* words, uint32_t count,
                                                const glm::dvec3& toEye) const {
-    const Plan& plan = view_.plan();
-    const AggregatePacking packing = packAggregate(plan.layout, plan.samples);
-    const uint32_t growth = uint32_t(std::bit_width(plan.samples) - 1);
+    const AggregatePacking packing = packAggregate(plan_.layout, plan_.samples);
+    const uint32_t growth = uint32_t(std::bit_width(plan_.samples) - 1);
     const auto sumOf = [&](const Field& f) {
         return double(uint64_t(words[f.word]) >> f.shift & ((uint64_t(1) << (f.bits + growth)) - 1));
     };
@@ -78,25 +65,24 @@ ShadingOracle::Shaded ShadingOracle::aggregate(const uint32_t* words, uint32_t c
     s.meanLength = math_d::agaa_varianceFloor(
         length, math_d::agaa_storedLengthBound(1, packing.fields[ChannelNormalX].bits));
     s.specular = mean3(ChannelSpecularR);
-    if (plan.layout.specularIsYCbCr())
+    if (plan_.layout.specularIsYCbCr())
         s.specular = glm::max(math_d::agaa_yCbCrToRgb(s.specular), glm::dvec3(0));
-    if (plan.layout.foldsRoughness()) {
+    if (plan_.layout.foldsRoughness()) {
         s.alpha2 = math_d::agaa_alpha2FromFoldedLength(length);
         s.meanLength = 1;
     } else {
         const double own = packing.fields[ChannelRoughness].bits ? mean(ChannelRoughness) : 1.0;
-        s.alpha2 = plan.config.ndf ? math_d::agaa_toksvigAlpha2(own, s.meanLength) : own;
+        s.alpha2 = plan_.config.ndf ? math_d::agaa_toksvigAlpha2(own, s.meanLength) : own;
     }
-    const double range = double(plan.layout.emissiveRange());
+    const double range = double(plan_.layout.emissiveRange());
     s.emissive = range * mean3(ChannelEmissiveR);
-    if (plan.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
+    if (plan_.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
         s.emissive = range * mean(ChannelEmissiveR) * s.diffuse;
     return s;
 }
 
 ShadingOracle::Shaded ShadingOracle::sample(size_t index) const {
-    const Plan& plan = view_.plan();
-    const GBufferPacking packing = packGBuffer(plan.layout);
+    const GBufferPacking packing = packGBuffer(plan_.layout);
     const auto value = [&](uint32_t channel) {
         const Field& f = packing.fields[channel];
         return f.bits ? double(std::bit_cast<float>(gbuffer_[f.word][index][int(f.shift)])) : 0.0;
@@ -110,9 +96,9 @@ ShadingOracle::Shaded ShadingOracle::sample(size_t index) const {
     s.normal = math_d::agaa_decodeOct({value(ChannelNormalX), value(ChannelNormalY)},
                                       packing.fields[ChannelNormalX].bits);
     s.alpha2 = packing.fields[ChannelRoughness].bits ? value(ChannelRoughness) : 1.0;
-    const double range = double(plan.layout.emissiveRange());
+    const double range = double(plan_.layout.emissiveRange());
     s.emissive = range * value3(ChannelEmissiveR);
-    if (plan.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
+    if (plan_.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
         s.emissive = range * value(ChannelEmissiveR) * s.diffuse;
     return s;
 }
@@ -120,7 +106,7 @@ ShadingOracle::Shaded ShadingOracle::sample(size_t index) const {
 glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
                                 const std::vector<double>& visibility) const {
     const glm::dvec3 toEye = towardsEye(position, constants_);
-    const AgaaConfig& config = view_.plan().config;
+    const AgaaConfig& config = plan_.config;
     const agaa_Surface surface{s.diffuse, s.specular, s.emissive, s.normal, s.meanLength, s.alpha2,
                                0,         glm::dvec3(0)};
     const uint32_t filterDiffuse = !(config.flags & AGAA_CONFIG_NO_DIFFUSE_FILTER);
@@ -147,7 +133,7 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
         if (intensity <= 0)
             continue;
         const glm::dvec3 brdf =
-            view_.plan().layout.has(AGAA_SEMANTIC_SPECULAR)
+            plan_.layout.has(AGAA_SEMANTIC_SPECULAR)
                 ? math_d::agaa_shade(surface, toEye, toLight, config.brdf, filterDiffuse, 0u)
                 : math_d::agaa_shadeDiffuse(surface, toLight, filterDiffuse);
         sum += brdf * glm::dvec3(light.color[0], light.color[1], light.color[2]) * intensity;
@@ -156,13 +142,12 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
 }
 
 glm::dvec3 ShadingOracle::perSamplePixel(uint32_t x, uint32_t y) const {
-    const Plan& plan = view_.plan();
-    const GBufferPacking packing = packGBuffer(plan.layout);
+    const GBufferPacking packing = packGBuffer(plan_.layout);
     const Field& normal = packing.fields[ChannelNormalX];
     glm::dvec3 sum(0);
     uint32_t covered = 0;
-    for (uint32_t i = 0; i < plan.samples; ++i) {
-        const size_t index = view_.sampleIndex(x, y, i);
+    for (uint32_t i = 0; i < plan_.samples; ++i) {
+        const size_t index = sampleIndex(plan_, x, y, i);
         if (gbuffer_[normal.word][index][int(normal.shift)] == 0)
             continue;
         ++covered;
@@ -176,12 +161,12 @@ glm::dvec3 ShadingOracle::perSamplePixel(uint32_t x, uint32_t y) const {
     }
     events_ += covered;
     const glm::dvec3 background(frame_.background[0], frame_.background[1], frame_.background[2]);
-    return (sum + background * double(plan.samples - covered)) / double(plan.samples);
+    return (sum + background * double(plan_.samples - covered)) / double(plan_.samples);
 }
 
 std::pair<glm::dvec3, std::vector<glm::dvec3>> ShadingOracle::shadowTapsOf(
     const std::vector<glm::dvec3>& samples) const {
-    const AgaaConfig& config = view_.plan().config;
+    const AgaaConfig& config = plan_.config;
     const bool alongDepth = config.flags & AGAA_CONFIG_SHADOW_ALONG_DEPTH;
     const size_t count = samples.size();
     const size_t most = alongDepth ? count : config.shadowTaps ? config.shadowTaps : 8;
@@ -216,22 +201,21 @@ std::pair<glm::dvec3, std::vector<glm::dvec3>> ShadingOracle::shadowTapsOf(
 }
 
 glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
-    const Plan& plan = view_.plan();
-    const AggregatePacking packing = packAggregate(plan.layout, plan.samples);
+    const AggregatePacking packing = packAggregate(plan_.layout, plan_.samples);
     glm::dvec3 sum(0);
     uint32_t covered = 0;
-    for (uint32_t a = 0; a < plan.aggregates; ++a) {
+    for (uint32_t a = 0; a < plan_.aggregates; ++a) {
         const uint32_t* words =
-            &words_[((size_t(y) * plan.width + x) * plan.aggregates + a) * packing.words];
+            &words_[((size_t(y) * plan_.width + x) * plan_.aggregates + a) * packing.words];
         const uint64_t field = words[packing.coverage.word] >> packing.coverage.shift;
-        const uint32_t mask = uint32_t(field & ((uint64_t(1) << plan.samples) - 1));
+        const uint32_t mask = uint32_t(field & ((uint64_t(1) << plan_.samples) - 1));
         if (!mask)
             continue;
         ++events_;
         const uint32_t count = uint32_t(std::popcount(mask));
         covered += count;
         std::vector<glm::dvec3> places;
-        for (uint32_t i = 0; i < plan.samples; ++i)
+        for (uint32_t i = 0; i < plan_.samples; ++i)
             if (mask >> i & 1)
                 places.push_back(position(x, y, i));
         const auto [mean, taps] = shadowTapsOf(places);
@@ -247,7 +231,7 @@ glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
                light(aggregate(words, count, towardsEye(mean, constants_)), mean, visibility);
     }
     const glm::dvec3 background(frame_.background[0], frame_.background[1], frame_.background[2]);
-    return (sum + background * double(plan.samples - covered)) / double(plan.samples);
+    return (sum + background * double(plan_.samples - covered)) / double(plan_.samples);
 }
 
 } // namespace agaa::test
