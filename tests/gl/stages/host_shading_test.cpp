@@ -55,7 +55,6 @@ private:
 struct ShadingHost : OpenGLHost {
     static constexpr uint32_t drawnTier = AGAA_TIER_PER_SAMPLE;
     static constexpr uint64_t readback = AGAA_CONFIG_READBACK;
-    static constexpr uint32_t idsSamples = 8; // drivers are slow to compile the tier's passes
     using Pass = HostPass;
     using Ids = IdsView;
 };

@@ -73,7 +73,6 @@ private:
 struct ShadingHost : VulkanHost {
     static constexpr uint32_t drawnTier = AGAA_TIER_POST_DEPTH_ATOMICS;
     static constexpr uint64_t readback = 0;
-    static constexpr uint32_t idsSamples = 0; // all
     using Pass = HostPass;
     using Ids = IdsView;
 };

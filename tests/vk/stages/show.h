@@ -36,6 +36,7 @@ struct VulkanHost {
     static constexpr auto getSurface = agaaVkGetSurface;
     static constexpr DrawPass drawPass = AGAA_VK_DRAW_PASS_INIT;
     static constexpr Surface surface = AGAA_VK_SURFACE_INIT;
+    static constexpr bool runsAll = true;
 
     static std::vector<float> rgba(const View& view) { return withAlpha(view.image().rgb); }
     static ShadowMap shadowMap(const Context&, float depth) { return ShadowMap({depth}, 4); }

@@ -1,0 +1,244 @@
+// A G-buffer of the host's own, read by a function of the host's, against the one that the library lays out. Each
+// graphics API instantiates these for its host, with Samples(drawn): what a view drew, its text as the function reads
+// it, layout() and bind(frame).
+#pragma once
+
+#include "host_bench.h"
+#include "shown.h"
+
+#include "core/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace agaa::test {
+
+struct GBufferRow {
+    const char* technique;
+    uint32_t samples;
+};
+
+template <class Host>
+class HostGBufferCases : public testing::Test {
+protected:
+    using View = typename Host::View;
+
+    static ViewSettings settingsFor(const char* technique, uint32_t n, const AgaaLayout* layout = nullptr) {
+        ViewSettings settings;
+        settings.config.technique = technique;
+        settings.config.samples = n;
+        settings.config.layout = layout;
+        settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_COUNTERS;
+        if (std::string(technique) == "agaa" || std::string(technique) == "sbaa")
+            settings.config.generationTier = AGAA_TIER_GBUFFER;
+        return settings;
+    }
+
+    // In light through a map that casts no shadow.
+    std::vector<float> render(View& view, bool byFunction, const typename Host::Samples* samples = nullptr) {
+        AgaaLight light = sun();
+        light.shadowMap = 0;
+        const AgaaShadow shadow = shadowAt(0.25f);
+        const typename Host::ShadowMap map = Host::shadowMap(context, 0.5f);
+        AgaaFrame frame = view.frame();
+        frame.lights = &light;
+        frame.lightCount = 1;
+        frame.shadows = &shadow;
+        frame.shadowCount = 1;
+        frame.background[2] = 0.5f;
+        addAmbient(frame);
+        if (byFunction)
+            frame.draw = nullptr;
+        Host::run(view, [&](typename Host::Frame& native) {
+            Host::setShadowMap(native, map);
+            if (samples)
+                samples->bind(native);
+            EXPECT_EQ(Host::recordFrame(view.get(), &frame, &native), AGAA_OK);
+        });
+        return Host::rgba(view);
+    }
+
+    void expectSamePicture(const ViewSettings& settings) {
+        View drawn(context, settings);
+        drawn.setTriangles(randomTriangles({.triangles = 300, .duplicates = 0.1f, .masked = 0.2f}, 61));
+        const std::vector<float> expected = render(drawn, false);
+        const typename Host::Samples samples(drawn);
+        const std::string text = samples.text();
+        AgaaGBufferFunction function = AGAA_GBUFFER_FUNCTION_INIT;
+        function.glsl = text.c_str();
+        function.descriptorSetLayout = samples.layout();
+        function.depthBits = drawn.plan().depthBits;
+        ViewSettings own = settings;
+        own.chained = &function;
+        View view(context, own);
+        EXPECT_EQ(view.plan().geometryPasses(), 0u);
+        const std::vector<float> image = render(view, true, &samples);
+        EXPECT_EQ(view.drawCalls, 0u);
+        size_t different = 0, lit = 0;
+        const size_t values = image.size() / 4 * 3;
+        for (size_t i = 0; i < image.size(); ++i) {
+            different += !(std::fabs(image[i] - expected[i]) <= 1e-3f * (1 + std::fabs(expected[i])));
+            lit += i % 4 < 3 && expected[i] > 0.6f;
+        }
+        EXPECT_GT(lit, values / 20);
+        // Seeds and thresholds where last bits decide.
+        EXPECT_LE(different, values / 500);
+        const AgaaCounters a = drawn.statistics().counters, b = view.statistics().counters;
+        EXPECT_GT(a.visible, 0u);
+        EXPECT_EQ(a.visible, b.visible);
+        EXPECT_EQ(a.once, b.once);
+        EXPECT_EQ(b.uncovered + b.overlapping + b.misplaced, 0u);
+        EXPECT_NEAR(double(a.shadingEvents), double(b.shadingEvents), 2e-3 * double(a.shadingEvents));
+    }
+
+    typename Host::Context context;
+};
+TYPED_TEST_SUITE_P(HostGBufferCases);
+
+TYPED_TEST_P(HostGBufferCases, ShowsWhatTheLibrarysOwnShows) {
+    for (const auto& [technique, n] : TypeParam::rows) {
+        SCOPED_TRACE(std::string(technique) + " n=" + std::to_string(n));
+        this->expectSamePicture(this->settingsFor(technique, n));
+    }
+}
+
+TYPED_TEST_P(HostGBufferCases, FillsEveryLayout) {
+    AgaaLayout layout;
+    agaaGetBuiltinLayout("paper16", &layout);
+    this->expectSamePicture(this->settingsFor("agaa", 8, &layout));
+    ViewSettings reversed = this->settingsFor("agaa", 8);
+    reversed.flags = AGAA_VIEW_REVERSED_Z;
+    reversed.projection = reversedInfinite(60, 1.5f, 0.1f);
+    this->expectSamePicture(reversed);
+}
+
+// A host whose sample positions are none of a rasteriser's: a plane's depth at them must give the plane back, so
+// that all its samples are one aggregate and none is parted by k.
+TYPED_TEST_P(HostGBufferCases, SamplesLieWhereTheHostSays) {
+    ViewSettings settings = this->settingsFor("agaa", 4);
+    settings.config.aggregates = 4;
+    settings.config.aggregation.characteristicLengthPerDistance = 1e-6f;
+    settings.config.aggregation.aggregateThreshold = 1e-3f;
+    float positions[8] = {0.03f, 0.9f, 0.97f, 0.11f, 0.4f, 0.05f, 0.61f, 0.93f};
+    // The plane z = -4 + y of view space, by the ray through each sample.
+    const auto text = [&](const float* at) {
+        std::string list;
+        for (int i = 0; i < 8; ++i)
+            list += (i ? ", " : "") + std::to_string(at[i]);
+        return "const float at[8] = float[8](" + list + R"();
+bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) {
+    vec2 ndc = (vec2(pixel) + vec2(at[2u * i], at[2u * i + 1u])) / vec2(48.0, 32.0) * 2.0 - 1.0;
+    vec2 ray = ndc / vec2()" + std::to_string(settings.projection[0][0]) + ", " +
+               std::to_string(settings.projection[1][1]) + R"();
+    float z = -4.0 / (1.0 + ray.y); // p = -z (ray, -1)
+    depth = ()" + std::to_string(settings.projection[2][2]) + " * z + (" +
+               std::to_string(settings.projection[3][2]) + R"()) / -z;
+    m.normal = normalize(vec3(0.0, -1.0, 1.0));
+    return true;
+}
+)";
+    };
+    const auto eventsPerPixel = [&](const float* drawnAt, const float* saidAt) {
+        const std::string glsl = text(drawnAt);
+        AgaaGBufferFunction function = AGAA_GBUFFER_FUNCTION_INIT;
+        function.glsl = glsl.c_str();
+        function.samplePositions = saidAt;
+        settings.chained = &function;
+        typename TypeParam::View view(this->context, settings);
+        this->render(view, true);
+        const AgaaCounters c = view.statistics().counters;
+        EXPECT_EQ(c.shadedPixels, 48u * 32u);
+        return double(c.shadingEvents) / double(c.shadedPixels);
+    };
+    EXPECT_LT(eventsPerPixel(positions, positions), 1.01);
+    float others[8] = {0.97f, 0.1f, 0.03f, 0.89f, 0.6f, 0.95f, 0.39f, 0.07f};
+    EXPECT_GT(eventsPerPixel(positions, others), 1.5) << "places matter";
+}
+
+TYPED_TEST_P(HostGBufferCases, WhatIsNotFiniteIsContained) {
+    for (const char* bad : {"0.0 / (m.alpha2 - m.alpha2)", "1.0 / (m.alpha2 - m.alpha2)", "-1e30", "1e30"})
+        for (const char* technique : {"agaa", "simple_complex"}) {
+            if (!TypeParam::runsAll && technique != std::string("agaa"))
+                continue;
+            const std::string text =
+                "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) {\n"
+                "    float bad = " + std::string(bad) + ";\n    depth = bad;\n"
+                "    m = AgaaMaterial(vec3(bad), vec3(bad), vec3(bad), vec3(bad), bad, vec3(bad), vec3(bad));\n"
+                "    return true;\n}\n";
+            AgaaGBufferFunction function = AGAA_GBUFFER_FUNCTION_INIT;
+            function.glsl = text.c_str();
+            ViewSettings settings = this->settingsFor(technique, 4);
+            settings.chained = &function;
+            typename TypeParam::View view(this->context, settings);
+            for (float value : this->render(view, true)) {
+                ASSERT_TRUE(std::isfinite(value)) << bad << ' ' << technique;
+                ASSERT_GE(value, 0.0f);
+            }
+        }
+}
+
+TYPED_TEST_P(HostGBufferCases, BadOnesAreRefusedInASentence) {
+    constexpr const char* good =
+        "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }";
+    struct Row {
+        const char* what;
+        AgaaResult code;
+        std::function<void(AgaaGBufferFunction&, ViewSettings&)> spoil;
+        const char* contained = "";
+    };
+    static AgaaShadowFunction shadows = AGAA_SHADOW_FUNCTION_INIT;
+    static AgaaGBufferFunction second = AGAA_GBUFFER_FUNCTION_INIT;
+    static float positions[16];
+    shadows.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }";
+    shadows.shadows = 1;
+    shadows.descriptorSetLayout = 1;
+    const Row rows[] = {
+        {"no text", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glsl = nullptr; }},
+        {"does not compile", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glsl = "float x = ;"; },
+         "AgaaGBufferFunction::glsl"},
+        {"no function", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glsl = "float other;"; }},
+        {"depth bits", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&) { f.depthBits = 32; }},
+        {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&) { f.reserved = 1; }},
+        {"size", AGAA_ERROR_STRUCT, [](auto& f, auto&) { f.structSize = 8; }},
+        {"twice", AGAA_ERROR_UNKNOWN_STRUCT, [](auto& f, auto&) { f.pNext = &second; }},
+        {"a place outside", AGAA_ERROR_OUT_OF_RANGE,
+         [](auto& f, auto&) {
+             positions[5] = 1.0f;
+             f.samplePositions = positions;
+         }},
+        {"a place that is none", AGAA_ERROR_OUT_OF_RANGE,
+         [](auto& f, auto&) {
+             positions[5] = std::numeric_limits<float>::quiet_NaN();
+             f.samplePositions = positions;
+         }},
+        {"extensions", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&) { f.glslExtensions = "float x;"; }},
+        {"another tier", AGAA_ERROR_UNSUPPORTED,
+         [](auto&, auto& s) { s.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS; }},
+        {"a technique that draws", AGAA_ERROR_UNSUPPORTED,
+         [](auto&, auto& s) { s.config.technique = "msaa"; }},
+        {"two set layouts", AGAA_ERROR_INVALID_ARGUMENT,
+         [](auto& f, auto& s) {
+             s.facts.shadowMapCount = 1;
+             f.descriptorSetLayout = 2;
+             f.pNext = &shadows;
+         }},
+    };
+    for (const Row& row : rows) {
+        AgaaGBufferFunction function = AGAA_GBUFFER_FUNCTION_INIT;
+        function.glsl = good;
+        ViewSettings settings = this->settingsFor("agaa", 8);
+        row.spoil(function, settings);
+        settings.chained = &function;
+        const std::string text = expectRefused(this->context, settings, row.code, row.what);
+        EXPECT_NE(text.find(row.contained), std::string::npos) << text;
+    }
+    TypeParam::forgetMessages(); // of the compiler
+}
+
+REGISTER_TYPED_TEST_SUITE_P(HostGBufferCases, ShowsWhatTheLibrarysOwnShows, FillsEveryLayout,
+                            SamplesLieWhereTheHostSays, WhatIsNotFiniteIsContained, BadOnesAreRefusedInASentence);
+
+} // namespace agaa::test
