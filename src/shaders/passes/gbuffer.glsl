@@ -71,6 +71,14 @@ bool agaa_isCovered(uvec2 pixel, uint i) {
     return texel[AGAA_SOURCE_NORMAL_X >> 8u & 0xFFu] != 0.0;
 }
 
+// Whether two samples have the same values: those of a texel that one fragment covered.
+bool agaa_areAlike(uvec2 pixel, uint a, uint b) {
+    return AGAA_FETCH(agaa_gbuffer0, pixel, a) == AGAA_FETCH(agaa_gbuffer0, pixel, b) &&
+           AGAA_FETCH(agaa_gbuffer1, pixel, a) == AGAA_FETCH(agaa_gbuffer1, pixel, b) &&
+           AGAA_FETCH(agaa_gbuffer2, pixel, a) == AGAA_FETCH(agaa_gbuffer2, pixel, b) &&
+           AGAA_FETCH(agaa_gbuffer3, pixel, a) == AGAA_FETCH(agaa_gbuffer3, pixel, b);
+}
+
 vec2 agaa_normalCode() { return agaa_fetched.normal.xy; }
 
 // Emission as stored: in shares of the layout's range, or of range times diffuse.

@@ -45,16 +45,34 @@ uint agaa_loadIds(uvec2 pixel) {
     return covered;
 }
 
-// Returns how many entries these samples take: primitives, once for each group of samples that share a material, and
-// samples of unfetched draws one by one. shown: of fetched primitives.
-uint agaa_findPrimitives(uint covered, out uint shown) {
+#ifdef AGAA_SOME_UNFETCHED
+// Of `left`, the first of which is `first`, those that are alike: one by one a pixel would have up to n entries, and a
+// group take its pixels in as many turns.
+uint agaa_alikeUnfetched(uvec2 pixel, uint first, uint left) {
+    uint end = min((first / AGAA_HW_SAMPLES + 1u) * AGAA_HW_SAMPLES, agaa_sampleCount());
+    uint alike = 1u << first;
+    for (uint i = first + 1u; i < end; ++i)
+        if ((left >> i & 1u) != 0u && !agaa_isFetched(agaa_sampleIds[i]) && agaa_areAlike(pixel, first, i))
+            alike |= 1u << i;
+    return alike;
+}
+#else
+uint agaa_alikeUnfetched(uvec2 pixel, uint first, uint left) { return 1u << first; }
+#endif
+
+// Returns how many entries these samples take: primitives, once for each group of samples that share a material, and of
+// unfetched draws samples that are alike. shown: of fetched primitives.
+uint agaa_findPrimitives(uvec2 pixel, uint covered, out uint shown) {
     uint count = 0u;
     shown = 0u;
     for (uint left = covered; left != 0u; ++count) {
         uint first = uint(findLSB(left));
         uint id = agaa_sampleIds[first];
-        uint alike = left & (~left + 1u);
-        if (agaa_isFetched(id)) {
+        uint alike;
+        if (!agaa_isFetched(id)) {
+            alike = agaa_alikeUnfetched(pixel, first, left);
+        } else {
+            alike = left & (~left + 1u);
             uint i = 0u;
             do
                 alike |= agaa_sampleIds[i] == id ? 1u << i : 0u;
@@ -181,7 +199,7 @@ void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered);
 // Each pixel with geometry is taken once. Called by all lanes, `covered` being 0 of those that have no pixel.
 void agaa_takeAll(uvec2 pixel, uint covered) {
     const uint lane = gl_LocalInvocationIndex;
-    uint primitives = agaa_findPrimitives(covered, agaa_shownPrimitives);
+    uint primitives = agaa_findPrimitives(pixel, covered, agaa_shownPrimitives);
     agaa_count(AGAA_COUNT_PRIMITIVES, agaa_shownPrimitives);
     bool waits = covered != 0u;
     for (;;) {
