@@ -90,7 +90,8 @@ typedef enum AgaaGlBinding {
     AGAA_GL_BINDING_SHADOW1 = 6,
     AGAA_GL_BINDING_SHADOW2 = 7,
     AGAA_GL_BINDING_SHADOW3 = 8,
-    AGAA_GL_BINDING_COUNT = 9,
+    AGAA_GL_BINDING_FRAGMENTS = 9, /* as AGAA_GL_BINDING_AGGREGATES */
+    AGAA_GL_BINDING_COUNT = 10,
     AGAA_GL_BINDING_MAX_ENUM = 0x7FFFFFFF
 } AgaaGlBinding;
 #define AGAA_GL_MAX_BINDINGS 17
@@ -124,7 +125,7 @@ typedef struct AgaaGlContextDesc {
 #define AGAA_GL_CONTEXT_DESC_INIT                                                                   \
     {AGAA_STRUCTURE_TYPE_GL_CONTEXT, (uint32_t)sizeof(AgaaGlContextDesc), NULL, NULL, NULL, 450,       \
      AGAA_GL_STORAGE_BUFFERS, AGAA_GL_OUTPUTS_SDK, AGAA_GL_STATE_RESTORE, NULL, NULL, NULL,            \
-     {0, 0, 0, 1, 2, 1, 2, 3, 4, 0, 0, 0, 0, 0, 0, 0, 0}, 2, NULL, NULL, NULL, NULL}
+     {0, 0, 0, 1, 2, 1, 2, 3, 4, 3, 0, 0, 0, 0, 0, 0, 0}, 2, NULL, NULL, NULL, NULL}
 
 /* headerVersion: pass AGAA_HEADER_VERSION. Probes whether the driver's timer queries are right, which takes
  * some milliseconds. The host's state is left as it was; errors that were pending are told to the log. Not to be
@@ -167,10 +168,13 @@ typedef struct AgaaGlDrawPass {
     uint32_t depthStencilFormat; /* internal format */
     const char* glslExtensions;   /* owned by the view */
     const char* glslDeclarations; /* owned by the view */
+    /* Null: the pass needs no geometry shader. Otherwise the host's has this text between glslExtensions and its own
+     * code, which calls the functions that the text names. Owned by the view */
+    const char* glslGeometry;
 } AgaaGlDrawPass;
 #define AGAA_GL_DRAW_PASS_INIT                                                                      \
     {AGAA_STRUCTURE_TYPE_GL_DRAW_PASS, (uint32_t)sizeof(AgaaGlDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, \
-     0, 0, {0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, NULL, NULL}
+     0, 0, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, NULL, NULL, NULL}
 
 /* Two-call: with passes null, writes the count; otherwise every element must be initialised, or the call is
  * AGAA_ERROR_STRUCT. AGAA_ERROR_BUFFER_TOO_SMALL where *count is less than there are; AGAA_ERROR_INVALID_ARGUMENT

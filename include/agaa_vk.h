@@ -132,10 +132,13 @@ typedef struct AgaaVkDrawPass {
     uint64_t descriptorSetLayout; /* VkDescriptorSetLayout of the SDK's set, the view's */
     const char* glslExtensions;   /* owned by the view */
     const char* glslDeclarations; /* owned by the view */
+    /* Null: the pass needs no geometry shader. Otherwise the host's has this text between glslExtensions and its own
+     * code, which calls the functions that the text names. Owned by the view */
+    const char* glslGeometry;
 } AgaaVkDrawPass;
 #define AGAA_VK_DRAW_PASS_INIT                                                                      \
     {AGAA_STRUCTURE_TYPE_VK_DRAW_PASS, (uint32_t)sizeof(AgaaVkDrawPass), NULL, 0, 0, NULL, 0, 0, 0,  \
-     0, 0, {0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0, 0, NULL, NULL}
+     0, 0, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0, 0, NULL, NULL, NULL}
 
 /* Two-call: with passes null, writes the count; otherwise every element must be initialised, or the call is
  * AGAA_ERROR_STRUCT. AGAA_ERROR_BUFFER_TOO_SMALL where *count is less than there are; AGAA_ERROR_INVALID_ARGUMENT

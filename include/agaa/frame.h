@@ -43,6 +43,8 @@ typedef struct AgaaDrawState {
     uint32_t sampleShading;  /* 1: one invocation per sample (minSampleShading 1) */
     uint32_t keepFirst;      /* 1: blend all attachments, colour and alpha alike: source factor ONE_MINUS_DST_ALPHA,
                               * destination factor ONE, operation ADD. A sample keeps what was drawn into it first */
+    uint32_t conservative;   /* 1: conservative rasterisation, overestimating: a pixel that a triangle touches has a
+                              * fragment (VK_EXT_conservative_rasterization, GL_NV_conservative_raster) */
 } AgaaDrawState;
 
 typedef struct AgaaDrawTarget {

@@ -83,10 +83,11 @@ AGAA_API AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t com
 /* ---- validation for integrators ----------------------------------------------------------------- */
 
 typedef struct AgaaInvalidPixel {
-    uint32_t x, y;    /* pixel */
-    uint32_t visible; /* bit i: sample i shows geometry after the prepass */
-    uint32_t uncovered;   /* of these, never accumulated */
-    uint32_t overlapping; /* accumulated by two aggregates, or where nothing is visible */
+    uint32_t x, y; /* pixel */
+    /* Sample i is bit i % 32 of word i / 32. */
+    uint32_t visible[4];     /* samples that show geometry after the prepass */
+    uint32_t uncovered[4];   /* of these, never accumulated */
+    uint32_t overlapping[4]; /* accumulated by two aggregates, or where nothing is visible */
 } AgaaInvalidPixel;
 
 #define AGAA_MAX_INVALID_PIXELS 8
@@ -110,7 +111,7 @@ typedef struct AgaaFrameValidation {
 } AgaaFrameValidation;
 #define AGAA_FRAME_VALIDATION_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_VALIDATION, (uint32_t)sizeof(AgaaFrameValidation), NULL, 0, 0, 0, 0, 0, \
-     0, 0, 0, 0, 0, {{0, 0, 0, 0, 0}}, {0}, 0}
+     0, 0, 0, 0, 0, {{0, 0, {0}, {0}, {0}}}, {0}, 0}
 
 /* Of the frame that agaaGetFrameStatistics would tell of; the same holds for its context. AGAA_NOT_READY where there is
  * none, AGAA_ERROR_WRONG_ORDER for views without AGAA_CONFIG_COUNTERS. */

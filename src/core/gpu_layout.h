@@ -18,9 +18,9 @@ struct FrameConstants {
     float surface[4];      // one surface: least cosine, distance in pixels, difference of materials; n
     uint32_t ditherFrame;  // AgaaFrame::ditherFrame
     uint32_t feedback[3];  // counters of the newest finished frame, by Plan::feedback
-    float samples[32][4];  // xy in the pixel, [0;1]
+    float samples[128][2]; // xy in the pixel, [0;1]
 };
-static_assert(sizeof(FrameConstants) == 64 + 32 + 16 * 6 + 512);
+static_assert(sizeof(FrameConstants) == 64 + 32 + 16 * 6 + 1024);
 
 struct GpuShadow {
     float matrices[AGAA_MAX_SHADOW_LAYERS][16];
@@ -58,8 +58,9 @@ struct CounterBuffer {
     uint32_t counts[counterCount][2]; // by Counter; low word first
     uint32_t invalidPixels;           // found; the first of them follow
     uint32_t padding;
-    uint32_t pixels[AGAA_MAX_INVALID_PIXELS][8]; // AgaaInvalidPixel, padded
+    uint32_t pixels[AGAA_MAX_INVALID_PIXELS][14]; // AgaaInvalidPixel
 };
-static_assert(sizeof(CounterBuffer) == 4 * (2 * counterCount + 2 + 8 * AGAA_MAX_INVALID_PIXELS));
+static_assert(sizeof(CounterBuffer) == 4 * (2 * counterCount + 2 + 14 * AGAA_MAX_INVALID_PIXELS));
+static_assert(sizeof(AgaaInvalidPixel) == sizeof(CounterBuffer::pixels[0]));
 
 } // namespace agaa

@@ -172,10 +172,9 @@ AgaaResult AgaaView_T::validation(uint64_t completedFrame, AgaaFrameValidation& 
                   !isMisplaced(out);
     out.pixelCount = std::min<uint32_t>(buffer.invalidPixels, AGAA_MAX_INVALID_PIXELS);
     for (uint32_t i = 0; i < AGAA_MAX_INVALID_PIXELS; ++i) {
-        const uint32_t* words = buffer.pixels[i];
         out.pixels[i] = {};
         if (i < out.pixelCount)
-            out.pixels[i] = {words[0], words[1], words[2], words[3], words[4]};
+            std::memcpy(&out.pixels[i], buffer.pixels[i], sizeof out.pixels[i]);
     }
     std::strncpy(out.explanation, explain(out, plan.geometryPasses()), sizeof out.explanation - 1);
     out.explanation[sizeof out.explanation - 1] = 0;

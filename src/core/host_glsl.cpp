@@ -181,6 +181,8 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
                              "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "math/records.glsl", "passes/stored.glsl", "host/surface.glsl",
                              "host/counters.glsl", "host/placement.glsl"})
         appendGlsl(out, path, seen);
+    if (!pass.text.empty())
+        return out + pass.text;
     switch (pass.drawPass) {
     case AGAA_DRAW_PASS_VISIBILITY:
         appendGlsl(out, "host/visibility.glsl", seen);
@@ -205,6 +207,15 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
     return out;
 }
 
+std::string hostGeometry(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    if (pass.geometryText.empty())
+        return {};
+    std::set<std::string> seen;
+    std::string out = defines(plan, pass, dialect) + places(dialect);
+    appendGlsl(out, "passes/frame.glsl", seen);
+    return out + pass.geometryText;
+}
+
 uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
     // FNV-1a over everything a host's shaders and pipelines depend on.
     uint64_t key = 1469598103934665603ull;
@@ -215,7 +226,7 @@ uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dial
     const auto mixValue = [&](auto value) { mix(&value, sizeof value); };
     mixValue(uint32_t(pass.drawPass));
     mix(&pass.drawState, sizeof pass.drawState);
-    const std::string text = hostExtensions(pass, dialect) + hostDeclarations(plan, pass, dialect);
+    const std::string text = hostExtensions(pass, dialect) + hostDeclarations(plan, pass, dialect) + hostGeometry(plan, pass, dialect);
     mix(text.data(), text.size());
     for (ResourceId target : pass.colorTargets)
         mixValue(uint32_t(plan.resources[target].format));

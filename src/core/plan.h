@@ -126,11 +126,13 @@ struct Pass {
     uint64_t segment = AGAA_SEGMENT_SHADING;
     std::vector<Binding> bindings;
     std::vector<std::string> extensions; // that the pass relies on
+    // GLSL in place of the library's: a compute shader that is compiled with the view, or of a HostDraw a text that
+    // defines agaa_emit().
+    std::string text;
 
     // Compute: 64 invocations a group.
     Dispatch dispatch;
     std::string shader; // permutation in the library
-    std::string text;   // GLSL in place of the library's shader, which is compiled with the view
     std::string hostCode; // GLSL of the host's: the pass is compiled with it, from these:
     std::string hostCodeOrigin; // the members that the text came in
     std::string hostCodeExtensions; // what goes before all else for it
@@ -146,6 +148,7 @@ struct Pass {
     bool clearsColor = false;
     bool clearsDepth = false; // and the stencil
     ClearValues clear;
+    std::string geometryText; // GLSL for the host's geometry shader, which reads the frame constants alone
     uint32_t width = 0, height = 0; // of the targets
 
     // Fill, Copy

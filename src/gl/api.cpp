@@ -59,6 +59,7 @@ void describe(const gl::View& view, size_t index, AgaaGlDrawPass& out) {
         pass.depthTarget != noResource ? gl::internalFormat(plan.resources[pass.depthTarget].format) : GL_NONE;
     out.glslExtensions = objects.extensions.c_str();
     out.glslDeclarations = objects.declarations.c_str();
+    out.glslGeometry = objects.geometry.empty() ? nullptr : objects.geometry.c_str();
 }
 
 void describe(const gl::View& view, ResourceId id, AgaaGlSurface& out) {

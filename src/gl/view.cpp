@@ -58,6 +58,7 @@ void View::createPasses() {
             objects.key = hostPassKey(plan, pass, context.dialect);
             objects.extensions = hostExtensions(pass, context.dialect);
             objects.declarations = hostDeclarations(plan, pass, context.dialect);
+            objects.geometry = hostGeometry(plan, pass, context.dialect);
         }
     }
 }

@@ -21,6 +21,7 @@ struct PassObjects {
     uint64_t key = 0;
     std::string extensions;   // GLSL
     std::string declarations; // GLSL
+    std::string geometry;     // GLSL, or empty
 };
 
 class View : public AgaaView_T {

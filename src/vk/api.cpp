@@ -42,6 +42,7 @@ void describe(const vk::View& view, size_t index, AgaaVkDrawPass& out) {
     out.descriptorSetLayout = (uint64_t)view.passes[index].setLayout;
     out.glslExtensions = host.extensions.c_str();
     out.glslDeclarations = host.declarations.c_str();
+    out.glslGeometry = host.geometry.empty() ? nullptr : host.geometry.c_str();
 }
 
 // Where contents live on after a segment: in the layout of the last pass up to its end.

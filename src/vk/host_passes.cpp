@@ -106,6 +106,7 @@ void createHostPass(const Context& context, const Plan& plan, const Pass& pass,
     dialect.descriptorSet = context.descriptorSet;
     objects.extensions = hostExtensions(pass, dialect);
     objects.declarations = hostDeclarations(plan, pass, dialect);
+    objects.geometry = hostGeometry(plan, pass, dialect);
     if (!context.dynamicRendering)
         createRenderPass(context, plan, pass, resources, objects);
 }

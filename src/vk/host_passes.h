@@ -13,6 +13,7 @@ struct HostPassObjects {
     uint64_t key = 0;
     std::string extensions;   // GLSL
     std::string declarations; // GLSL
+    std::string geometry;     // GLSL, or empty
     VkRenderPass renderPass = VK_NULL_HANDLE; // null with dynamic rendering
     VkFramebuffer framebuffer = VK_NULL_HANDLE;
 };

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -70,11 +71,16 @@ protected:
             images.push_back(Host::rgba(view));
         }
         batches = view.batches;
+        if (validates) {
+            EXPECT_EQ(agaaValidateFrame(view.get(), frames, &validation), AGAA_OK);
+        }
         return images;
     }
 
     typename Host::Context context;
     std::vector<uint32_t> batches; // of the draw callbacks
+    bool validates = false;
+    AgaaFrameValidation validation = AGAA_FRAME_VALIDATION_INIT; // of the last frame
 };
 TYPED_TEST_SUITE_P(PlanCases);
 
@@ -263,6 +269,66 @@ TYPED_TEST_P(PlanCases, DrawsWithoutTargetsStore) {
         ASSERT_EQ(images[0][4 * i], i % planWidth < planWidth / 2 ? 1.0f : 0.0f) << i;
 }
 
+// A draw with text and a geometry stage of the plan's own, which moves the rectangle to the right by 16 pixels, counts
+// fragments in a buffer of its own.
+TYPED_TEST_P(PlanCases, DrawsHaveTextAndBuffersOfTheirOwn) {
+    const auto build = [](PlanBuilder& b) {
+        const ResourceId words = b.pixelBuffer("words", 4);
+        b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING, 5);
+        Pass& draw = b.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_SHADING);
+        b.bindCommon(draw);
+        draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
+        draw.text = "layout(std430, AGAA_AT_FRAGMENTS) buffer Words { uint words[]; };\n"
+                    "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
+                    "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], uint(s.diffuse.x * 8.0));\n}\n";
+        draw.geometryText = "vec4 agaa_place(vec4 clip) {\n"
+                            "    return clip + vec4(32.0 / float(agaa_frame.size.x) * clip.w, 0.0, 0.0, 0.0);\n}\n";
+        b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
+        bindWords(b, showPixels(b, wordsText, "vec3(words[item])"), words);
+    };
+    Material material;
+    material.diffuse = {0.5f, 0.5f, 0.5f, 1.0f};
+    std::vector<Triangle> twice = rectangle(0, 0, planWidth / 2, planHeight, 5, material);
+    twice.insert(twice.end(), twice.begin(), twice.begin() + 2);
+    const auto images = this->render(build, 1, twice);
+    for (uint32_t i = 0; i < planPixels; ++i) {
+        const uint32_t x = i % planWidth;
+        ASSERT_EQ(images[0][4 * i], x >= 16 && x < 40 ? 13.0f : 5.0f) << i;
+    }
+}
+
+// Masks of 128 samples: locations, events and the report of invalid pixels.
+TYPED_TEST_P(PlanCases, MasksHaveRoomFor128Samples) {
+    const auto build = [](PlanBuilder& b) {
+        Pass& shade = planPass(b, "shade", "#define AGAA_COUNTING 1\n#define AGAA_EVENT_WORDS 4\n#define AGAA_MAX_EVENTS 4u\n"
+                                           "#include \"passes/target.glsl\"\n#include \"passes/counters.glsl\"\n"
+                                           "#include \"passes/events.glsl\"\n"
+                                           "vec3 agaa_shadeEvent(uint lane, uint which) {\n"
+                                           "    return vec3(lane, which & 127u, which >> 7u);\n}\n",
+                               "    agaa_countBegin();\n"
+                               "    uvec2 pixel = uvec2(item % 48u, item / 48u);\n"
+                               "    agaa_PixelWork work = agaa_pixelWork(1u, 128u, 3u);\n"
+                               "    work.events[1] = 1u << (item & 31u);\n    work.events[3] = 0x80000001u;\n"
+                               "    agaa_writeOutput(pixel, agaa_shadeWork(work) + vec3(0.0, 0.0, agaa_eventsOf(work)), AGAA_SAMPLES);\n"
+                               "    if (item == 49u)\n"
+                               "        agaa_reportPixel(pixel, uvec4(1u, 2u, 3u, 4u), uvec4(5u, 6u, 7u, 8u), uvec4(9u, 10u, 11u, 12u));\n"
+                               "    agaa_countEnd();\n");
+        dispatchItems(shade, planPixels);
+        b.bindOutput(shade);
+        b.copyCounters();
+    };
+    this->validates = true;
+    const auto images = this->render(build);
+    const AgaaInvalidPixel expected = {1, 1, {1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
+    EXPECT_EQ(this->validation.invalidPixels, 1u);
+    EXPECT_EQ(std::memcmp(&this->validation.pixels[0], &expected, sizeof expected), 0);
+    for (uint32_t i = 0; i < planPixels; ++i) {
+        ASSERT_EQ(images[0][4 * i], float(4 * (i % 64))) << i;
+        ASSERT_EQ(images[0][4 * i + 1], float(0 + 32 + i % 32 + 96 + 127)) << i;
+        ASSERT_EQ(images[0][4 * i + 2], float(4 + 4)) << i;
+    }
+}
+
 // What a new technique takes (docs/extending.md): a G-buffer, of which one sample of each pixel is shown.
 TYPED_TEST_P(PlanCases, ATechniqueIsAFileAndAShader) {
     const auto build = [](PlanBuilder& b) {
@@ -298,6 +364,7 @@ TYPED_TEST_P(PlanCases, ATechniqueIsAFileAndAShader) {
 REGISTER_TYPED_TEST_SUITE_P(PlanCases, ItemsAreDispatchedInRows, AnEarlierPassSaysHowManyGroups,
                             GroupsRepeatUntilABufferEndsThem, BuffersOutliveFrames, CountersComeBackInConstants,
                             DrawsWithoutDepthAreClearedToColours, DrawsWithoutTargetsStore,
-                            ATechniqueIsAFileAndAShader, PassesEndThemselves);
+                            ATechniqueIsAFileAndAShader, PassesEndThemselves,
+                            DrawsHaveTextAndBuffersOfTheirOwn, MasksHaveRoomFor128Samples);
 
 } // namespace agaa::test

@@ -41,6 +41,9 @@ void setDrawState(const GladGLContext& gl, const AgaaDrawState& state) {
     gl.BlendEquation(GL_FUNC_ADD);
     (state.sampleShading ? gl.Enable : gl.Disable)(GL_SAMPLE_SHADING);
     gl.MinSampleShading(1);
+    constexpr GLenum conservativeRasterization = 0x9346; // of GL_NV_conservative_raster
+    if (state.conservative)
+        gl.Enable(conservativeRasterization);
 }
 
 void setStencilTest(const GladGLContext& gl, bool on) {

@@ -31,7 +31,7 @@ GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& text,
 } // namespace
 
 Program::Program(const GladGLContext& gl, const std::string& vertex, const std::string& fragment,
-                 const std::string& name)
+                 const std::string& name, const std::string& geometry)
     : gl_(&gl), program_(gl.CreateProgram()) {
     try {
         const auto attach = [&](GLenum stage, const std::string& text) {
@@ -42,6 +42,8 @@ Program::Program(const GladGLContext& gl, const std::string& vertex, const std::
         attach(GL_VERTEX_SHADER, vertex);
         if (!fragment.empty())
             attach(GL_FRAGMENT_SHADER, fragment);
+        if (!geometry.empty())
+            attach(GL_GEOMETRY_SHADER, geometry);
         gl.LinkProgram(program_);
         GLint done = GL_FALSE;
         gl.GetProgramiv(program_, GL_LINK_STATUS, &done);

@@ -10,9 +10,9 @@ namespace harness::gl {
 class Program {
 public:
     Program() = default;
-    // fragment may be empty. Throws std::runtime_error with the driver's messages.
+    // fragment and geometry may be empty. Throws std::runtime_error with the driver's messages.
     Program(const GladGLContext& gl, const std::string& vertex, const std::string& fragment,
-            const std::string& name);
+            const std::string& name, const std::string& geometry = {});
     ~Program();
     Program(Program&& other) noexcept;
     Program& operator=(Program&& other) noexcept;

@@ -11,7 +11,7 @@ namespace harness::gl {
 using GlSdkView = SdkView<AgaaGlDrawPass>;
 
 // Where the engine lets the SDK bind: beside its own camera and materials.
-constexpr uint32_t sdkBindings[AGAA_GL_BINDING_COUNT] = {0, 4, 2, 3, 5, 5, 6, 7, 8}; // by AgaaGlBinding
+constexpr uint32_t sdkBindings[AGAA_GL_BINDING_COUNT] = {0, 4, 2, 3, 5, 5, 6, 7, 8, 6}; // by AgaaGlBinding
 
 class SdkContext {
 public:

@@ -48,6 +48,7 @@ std::vector<uint32_t> compileGlsl(ShaderStage stage, const std::string& source,
                                   const std::string& name) {
     static const Glslang library;
     const EShLanguage language = stage == ShaderStage::Vertex     ? EShLangVertex
+                                 : stage == ShaderStage::Geometry ? EShLangGeometry
                                  : stage == ShaderStage::Fragment ? EShLangFragment
                                                                   : EShLangCompute;
     const auto messages = EShMessages(EShMsgSpvRules | EShMsgVulkanRules);

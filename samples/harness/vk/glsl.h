@@ -7,7 +7,7 @@
 
 namespace harness::vk {
 
-enum class ShaderStage { Vertex, Fragment, Compute };
+enum class ShaderStage { Vertex, Geometry, Fragment, Compute };
 
 // Throws std::runtime_error with the compiler's messages and the lines they name. `name` is told in
 // the error.

@@ -55,6 +55,11 @@ PipelineState::PipelineState(const AgaaVkDrawPass& pass, bool isMasked)
     multisample.rasterizationSamples = VkSampleCountFlagBits(wanted.samples);
     multisample.sampleShadingEnable = wanted.sampleShading != 0;
     multisample.minSampleShading = 1;
+    if (wanted.conservative) {
+        conservative.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_CONSERVATIVE_STATE_CREATE_INFO_EXT;
+        conservative.conservativeRasterizationMode = VK_CONSERVATIVE_RASTERIZATION_MODE_OVERESTIMATE_EXT;
+        rasterization.pNext = &conservative;
+    }
     depthStencil.depthTestEnable = VK_TRUE;
     depthStencil.depthWriteEnable = wanted.depthWrite != 0;
     depthStencil.depthCompareOp = compareOp(wanted.depthCompare);
@@ -90,7 +95,7 @@ PipelineState::PipelineState(const AgaaVkDrawPass& pass, bool isMasked)
 
 Pipeline PipelineState::create(const Device& device, VkShaderModule vertex, VkShaderModule fragment,
                                VkPipelineLayout layout, VkRenderPass renderPass, const void* next) {
-    VkPipelineShaderStageCreateInfo stages[2]{};
+    VkPipelineShaderStageCreateInfo stages[3]{};
     stages[0].sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
     stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
     stages[0].module = vertex;
@@ -101,6 +106,12 @@ Pipeline PipelineState::create(const Device& device, VkShaderModule vertex, VkSh
     const VkSpecializationMapEntry entry{0, 0, sizeof fragmentConstant};
     const VkSpecializationInfo constants{1, &entry, sizeof fragmentConstant, &fragmentConstant};
     stages[1].pSpecializationInfo = &constants;
+    uint32_t stageCount = fragment == VK_NULL_HANDLE ? 1 : 2;
+    if (geometry != VK_NULL_HANDLE) {
+        stages[stageCount] = stages[0];
+        stages[stageCount].stage = VK_SHADER_STAGE_GEOMETRY_BIT;
+        stages[stageCount++].module = geometry;
+    }
 
     const VertexInput vertexInput(vertexLocations);
     VkPipelineInputAssemblyStateCreateInfo assembly{};
@@ -123,7 +134,7 @@ Pipeline PipelineState::create(const Device& device, VkShaderModule vertex, VkSh
     VkGraphicsPipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
     info.pNext = next;
-    info.stageCount = fragment == VK_NULL_HANDLE ? 1 : 2;
+    info.stageCount = stageCount;
     info.pStages = stages;
     info.pVertexInputState = &vertexInput.state;
     info.pInputAssemblyState = &assembly;

@@ -29,7 +29,9 @@ public:
 
     uint32_t fragmentConstant = 0;   // specialisation constant 0 of the fragment shader
     uint32_t vertexLocations = 0x1F; // bits of the attributes that the vertex shader reads
+    VkShaderModule geometry = VK_NULL_HANDLE; // may be null
     VkPipelineRasterizationStateCreateInfo rasterization{};
+    VkPipelineRasterizationConservativeStateCreateInfoEXT conservative{};
     VkPipelineMultisampleStateCreateInfo multisample{};
     VkPipelineDepthStencilStateCreateInfo depthStencil{};
     std::vector<VkPipelineColorBlendAttachmentState> blends;

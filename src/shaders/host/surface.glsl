@@ -101,7 +101,7 @@ vec2 agaa_alphaPoint(uint k) {
 // From the texel's centre to its sample i, in texels.
 vec2 agaa_sampleOffset(uint i) {
     uvec2 texel = uvec2(gl_FragCoord.xy) % uvec2(AGAA_SCALE_X, AGAA_SCALE_Y);
-    vec2 position = agaa_frame.samplePosition[agaa_hostGroup() * AGAA_HW_SAMPLES + i].xy;
+    vec2 position = agaa_sampleLocation(agaa_hostGroup() * AGAA_HW_SAMPLES + i);
     return position * vec2(AGAA_SCALE_X, AGAA_SCALE_Y) - vec2(texel) - 0.5;
 }
 

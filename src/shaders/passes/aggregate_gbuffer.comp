@@ -39,7 +39,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     agaa_countEvents(count);
     agaa_count(AGAA_COUNT_AGGREGATES, count);
     agaa_count(AGAA_COUNT_PIXELS, min(count, 1u));
-    return agaa_PixelWork((1u << count) - 1u, 0u, covered);
+    return agaa_pixelWork((1u << count) - 1u, 0u, covered);
 }
 
 agaa_Means agaa_meansOf(uvec2 pixel, uint mask) {

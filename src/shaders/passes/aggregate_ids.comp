@@ -48,7 +48,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
 }
 
 void agaa_takePixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered) {
-    agaa_PixelWork work = agaa_PixelWork(0u, 0u, 0u);
+    agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
     if (isHeld)
         work = agaa_countedWork(pixel, agaa_aggregateCount[gl_LocalInvocationIndex], covered, uncovered);
     vec3 color = agaa_shadeWork(work);

@@ -13,7 +13,7 @@ layout(std430, AGAA_AT_COUNTERS) coherent buffer agaa_CounterBlock {
     uint words[2u * AGAA_COUNTS];
     uint invalidPixelCount; // with uncovered or overlapping samples
     uint padding;
-    uint invalidPixels[8][8]; // x, y, visible, uncovered, overlapping of the first
+    uint invalidPixels[8][14]; // x, y, masks of four words: visible, uncovered, overlapping of the first
 } agaa_counterBuffer;
 
 shared uint agaa_groupCounts[AGAA_COUNTS];
@@ -33,15 +33,20 @@ void agaa_countEvents(uint count) {
     agaa_ownCounts[AGAA_COUNT_MAX_EVENTS] = max(agaa_ownCounts[AGAA_COUNT_MAX_EVENTS], count);
 }
 // The geometry passes disagree about these samples of the pixel.
-void agaa_reportPixel(uvec2 pixel, uint visible, uint uncovered, uint overlapping) {
+void agaa_reportPixel(uvec2 pixel, uvec4 visible, uvec4 uncovered, uvec4 overlapping) {
     uint place = atomicAdd(agaa_counterBuffer.invalidPixelCount, 1u);
     if (place >= 8u)
         return;
     agaa_counterBuffer.invalidPixels[place][0] = pixel.x;
     agaa_counterBuffer.invalidPixels[place][1] = pixel.y;
-    agaa_counterBuffer.invalidPixels[place][2] = visible;
-    agaa_counterBuffer.invalidPixels[place][3] = uncovered;
-    agaa_counterBuffer.invalidPixels[place][4] = overlapping;
+    for (uint word = 0u; word < 4u; ++word) {
+        agaa_counterBuffer.invalidPixels[place][2u + word] = visible[word];
+        agaa_counterBuffer.invalidPixels[place][6u + word] = uncovered[word];
+        agaa_counterBuffer.invalidPixels[place][10u + word] = overlapping[word];
+    }
+}
+void agaa_reportPixel(uvec2 pixel, uint visible, uint uncovered, uint overlapping) {
+    agaa_reportPixel(pixel, uvec4(visible, 0u, 0u, 0u), uvec4(uncovered, 0u, 0u, 0u), uvec4(overlapping, 0u, 0u, 0u));
 }
 void agaa_countEnd() {
     for (uint i = 0u; i < AGAA_COUNT_MAX_EVENTS; ++i)

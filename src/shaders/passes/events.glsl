@@ -20,10 +20,11 @@ vec3 agaa_shadeWork(agaa_PixelWork work) {
         agaa_eventCount = 0u;
     barrier();
     // Where a pixel's events come to lie differs from run to run, their sum does not.
-    uint first = atomicAdd(agaa_eventCount, uint(bitCount(work.events)));
+    uint first = atomicAdd(agaa_eventCount, agaa_eventsOf(work));
     uint end = first;
-    for (uint left = work.events; left != 0u; left &= left - 1u)
-        agaa_events[end++] = lane | (uint(findLSB(left)) | work.kind) << 8u;
+    for (uint word = 0u; word < uint(AGAA_EVENT_WORDS); ++word)
+        for (uint left = work.events[word]; left != 0u; left &= left - 1u)
+            agaa_events[end++] = lane | (32u * word + uint(findLSB(left)) | work.kind) << 8u;
     barrier();
     uint count = agaa_eventCount;
     vec3 color = vec3(0.0);

@@ -86,7 +86,7 @@ uint agaa_materialGroup(uint i) {
 uint agaa_coveredOfTexel(AgaaPrimitive p, uint group, uint known) {
     uint covered = 1u << known;
     for (uint i = group * AGAA_MATERIAL_SAMPLES; i < (group + 1u) * AGAA_MATERIAL_SAMPLES; ++i) {
-        vec2 away = agaa_frame.samplePosition[i].xy - agaa_frame.samplePosition[known].xy;
+        vec2 away = agaa_sampleLocation(i) - agaa_sampleLocation(known);
         vec3 at = p.at + p.dx * away.x + p.dy * away.y;
         covered |= min(at.x, min(at.y, at.z)) > 0.0 ? 1u << i : 0u;
     }
@@ -100,12 +100,12 @@ AgaaMaterial agaa_fetchFineMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) 
     uint group = first / AGAA_MATERIAL_SAMPLES;
     uint covered = samples;
     if (uint(bitCount(samples)) < AGAA_MATERIAL_SAMPLES) {
-        agaa_moveTo(p, pixel, agaa_frame.samplePosition[first].xy);
+        agaa_moveTo(p, pixel, agaa_sampleLocation(first));
         covered = agaa_coveredOfTexel(p, group, first);
     }
     vec2 centre = (vec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X) + 0.5) / vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
     bool isWhole = uint(bitCount(covered)) == AGAA_MATERIAL_SAMPLES;
-    agaa_moveTo(p, pixel, isWhole ? centre : agaa_frame.samplePosition[findLSB(covered)].xy);
+    agaa_moveTo(p, pixel, isWhole ? centre : agaa_sampleLocation(findLSB(covered)));
     AgaaMaterial m = agaa_fetchMaterialThere(p);
     m.normalDx = m.normalDy = vec3(0.0);
     return m;
@@ -119,7 +119,7 @@ AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
     uint i = 0u;
     do {
         if ((samples >> i & 1u) != 0u)
-            middle += agaa_frame.samplePosition[i].xy;
+            middle += agaa_sampleLocation(i);
     } while (++i < agaa_sampleCount());
     middle /= float(bitCount(samples));
     agaa_moveTo(p, pixel, middle);
@@ -132,7 +132,7 @@ bool agaa_isCurvedMaterial(AgaaMaterial m) { return m.normalDx != vec3(0.0) || m
 
 // At sample i.
 vec3 agaa_materialNormal(AgaaMaterial m, uint i) {
-    vec2 place = agaa_frame.samplePosition[i].xy;
+    vec2 place = agaa_sampleLocation(i);
     vec3 n = m.normal + place.x * m.normalDx + place.y * m.normalDy;
     return n * inversesqrt(max(dot(n, n), 1e-6));
 }

@@ -11,8 +11,13 @@ layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
     vec4 background;
     vec4 surface;     // one surface: least cosine, distance in pixels, difference of materials; n
     uvec4 dither;     // AgaaFrame::ditherFrame, then counters of the newest finished frame (Plan::feedback)
-    vec4 samplePosition[32]; // xy in the pixel
+    vec4 sampleLocations[64]; // of two samples each: xy, zw in the pixel
 } agaa_frame;
+
+vec2 agaa_sampleLocation(uint i) {
+    vec4 two = agaa_frame.sampleLocations[i >> 1u];
+    return (i & 1u) != 0u ? two.zw : two.xy;
+}
 
 // n, as a value that compilers do not know: with a constant they unroll loops within loops.
 uint agaa_sampleCount() { return uint(agaa_frame.surface.w); }

@@ -25,7 +25,7 @@ agaa_Places agaa_placesOf(uint samples, float scale, bool isLit) {
     for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
         uint i = uint(findLSB(rest));
         float weight = scale * agaa_weightOf(i, isLit);
-        vec2 place = agaa_frame.samplePosition[i].xy;
+        vec2 place = agaa_sampleLocation(i);
         p.weight += weight;
         p.sum += weight * place;
         p.products += weight * vec3(place * place, place.x * place.y);
@@ -81,6 +81,6 @@ agaa_PixelWork agaa_countedWork(uvec2 pixel, uint count, uint covered, uint unco
     agaa_countEvents(count);
     agaa_count(AGAA_COUNT_AGGREGATES, count);
     agaa_count(AGAA_COUNT_PIXELS, min(count, 1u));
-    return agaa_PixelWork((1u << count) - 1u, 0u, samples);
+    return agaa_pixelWork((1u << count) - 1u, 0u, samples);
 }
 #endif

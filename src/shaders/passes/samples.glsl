@@ -69,7 +69,7 @@ void agaa_addSample(inout agaa_PixelSamples samples, uvec2 pixel, uint i, vec3 n
     samples.covered |= 1u << i;
     float depth = agaa_depthOf(pixel, i);
     vec3 position = agaa_sampleViewPosition(pixel, i, depth);
-    uvec2 place = uvec2(agaa_frame.samplePosition[i].xy * 128.0);
+    uvec2 place = uvec2(agaa_sampleLocation(i) * 128.0);
     float quantum = agaa_frame.projection1.w;
     quantum = quantum < 0.0 ? -quantum * depth : quantum; // float formats: relative
     float depthStep = agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x, agaa_frame.projection1.y,

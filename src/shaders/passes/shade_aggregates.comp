@@ -39,13 +39,13 @@ layout(std430, AGAA_AT_AGGREGATES) readonly buffer agaa_AggregateBlock {
 #include "passes/stored_aggregate.glsl"
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
-    agaa_PixelWork work = agaa_PixelWork(0u, 0u, 0u);
+    agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
     uint coveredMask = 0u;
     uint twice = 0u;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a) {
         agaa_selectAggregate(pixel, a);
         uint mask = agaa_coverage();
-        work.events |= mask != 0u ? 1u << a : 0u;
+        work.events[0] |= mask != 0u ? 1u << a : 0u;
         work.covered += uint(bitCount(mask));
         twice |= coveredMask & mask;
         coveredMask |= mask;
@@ -64,9 +64,9 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     uint overlapping = twice | (coveredMask & ~visible);
     if ((uncovered | overlapping) != 0u)
         agaa_reportPixel(pixel, visible, uncovered, overlapping);
-    agaa_countEvents(uint(bitCount(work.events)));
-    agaa_count(AGAA_COUNT_AGGREGATES, uint(bitCount(work.events)));
-    agaa_count(AGAA_COUNT_PIXELS, work.events != 0u ? 1u : 0u);
+    agaa_countEvents(agaa_eventsOf(work));
+    agaa_count(AGAA_COUNT_AGGREGATES, agaa_eventsOf(work));
+    agaa_count(AGAA_COUNT_PIXELS, work.events[0] != 0u ? 1u : 0u);
 #endif
     return work;
 }

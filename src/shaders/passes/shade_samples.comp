@@ -37,14 +37,14 @@ vec3 agaa_samplePosition(uvec2 pixel, uint i) {
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
     uint mask = agaa_coveredSamples(pixel);
     uint covered = uint(bitCount(mask));
-    agaa_PixelWork work = agaa_PixelWork(mask, 0u, covered);
+    agaa_PixelWork work = agaa_pixelWork(mask, 0u, covered);
 #if AGAA_CLASSIFIED
     if (covered > 1u && !agaa_isComplex(pixel, mask))
-        work = agaa_PixelWork(mask & (~mask + 1u), agaa_wholePixel, covered);
+        work = agaa_pixelWork(mask & (~mask + 1u), agaa_wholePixel, covered);
 #endif
     agaa_count(AGAA_COUNT_VISIBLE, covered);
     agaa_count(AGAA_COUNT_ONCE, covered);
-    agaa_countEvents(uint(bitCount(work.events)));
+    agaa_countEvents(agaa_eventsOf(work));
     agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
     return work;
 }

@@ -92,7 +92,7 @@ void agaa_sortTile(uvec2 tile) {
     } while (++i < agaa_sampleCount());
     isOne = isOne && !(agaa_splitsSurfaces() && bitCount(samples) > 1);
     if (samples == 0u && isInside)
-        agaa_writePixel(pixel, agaa_PixelWork(0u, 0u, 0u), vec3(0.0));
+        agaa_writePixel(pixel, agaa_pixelWork(0u, 0u, 0u), vec3(0.0));
     if (samples != 0u && isOne) {
         uint place = atomicAdd(agaa_singleCount, 1u);
         agaa_singlePixel[place] = pixel.x | pixel.y << 16u;

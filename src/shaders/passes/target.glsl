@@ -20,7 +20,7 @@ float agaa_sampleViewZ(float depth) {
 }
 
 vec3 agaa_sampleViewPosition(uvec2 pixel, uint i, float depth) {
-    vec2 ndc = (vec2(pixel) + agaa_frame.samplePosition[i].xy) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
+    vec2 ndc = (vec2(pixel) + agaa_sampleLocation(i)) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
     return agaa_viewPosition(ndc, agaa_sampleViewZ(depth), agaa_frame.projection0.x,
                              agaa_frame.projection0.y, agaa_frame.projection0.z,
                              agaa_frame.projection0.w, agaa_isOrthographic());

@@ -35,6 +35,27 @@ void main() {
 }
 )";
 
+// Of passes with geometryText, which moves each corner by its agaa_place().
+constexpr const char* geometryText = R"(
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+layout(location = 0) in vec3 positions[];
+layout(location = 1) flat in vec4 materials[][5];
+layout(location = 6) flat in uvec2 draws[];
+layout(location = 0) out vec3 position;
+layout(location = 1) flat out vec4 constants[5];
+layout(location = 6) flat out uvec2 drawn;
+void main() {
+    for (int i = 0; i < 3; ++i) {
+        position = positions[i];
+        constants = materials[i];
+        drawn = draws[i];
+        gl_Position = agaa_place(gl_in[i].gl_Position);
+        EmitVertex();
+    }
+}
+)";
+
 constexpr const char* fragmentText = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) flat in vec4 constants[5];
@@ -161,7 +182,8 @@ StageView::~StageView() {
 Program StageView::program(const AgaaGlDrawPass& pass, bool isMasked) const {
     const std::string version = versionLine(glslVersion(gl_)), defines = shaderDefines(settings_, pass.pass, isMasked);
     return Program(gl_, version + defines + vertexText,
-                   version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText, pass.name);
+                   version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText, pass.name,
+                   pass.glslGeometry ? version + pass.glslExtensions + pass.glslGeometry + geometryText : "");
 }
 
 void StageView::setTriangles(const std::vector<Triangle>& triangles) {

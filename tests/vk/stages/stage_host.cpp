@@ -36,6 +36,30 @@ void main() {
 }
 )";
 
+// Of passes with geometryText, which moves each corner by its agaa_place().
+constexpr const char* geometryText = R"(
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+layout(location = 0) in vec3 positions[];
+layout(location = 1) flat in uint triangles[];
+layout(location = 2) in vec2 uvs[];
+layout(location = 3) flat in uint instances[];
+layout(location = 0) out vec3 position;
+layout(location = 1) flat out uint triangle;
+layout(location = 2) out vec2 uv;
+layout(location = 3) flat out uint instance;
+void main() {
+    for (int i = 0; i < 3; ++i) {
+        position = positions[i];
+        triangle = triangles[i];
+        uv = uvs[i];
+        instance = instances[i];
+        gl_Position = agaa_place(gl_in[i].gl_Position);
+        EmitVertex();
+    }
+}
+)";
+
 constexpr const char* fragmentText = R"(
 struct Material { vec4 diffuse, specular, emissive, normal, geometricNormal; };
 layout(std430, set = 1, binding = 1) readonly buffer Materials { Material data[]; } materials;
@@ -224,6 +248,11 @@ void StageView::makePipelines() {
             made.fragments[masked] = makeShader(device, ShaderStage::Fragment, text, pass.name);
             PipelineState state(pass, masked != 0);
             state.vertexLocations = 0;
+            if (pass.glslGeometry && !made.geometry)
+                made.geometry = makeShader(device, ShaderStage::Geometry,
+                                           std::string("#version 450\n") + pass.glslExtensions + pass.glslGeometry + geometryText,
+                                           pass.name);
+            state.geometry = made.geometry.get();
             const auto renderPass = (VkRenderPass)pass.renderPass;
             made.pipelines[masked] = state.create(
                 device, vertex_.get(), made.fragments[masked].get(), made.layout.get(), renderPass,

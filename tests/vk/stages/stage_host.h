@@ -119,7 +119,7 @@ private:
 
     struct PassPipelines {
         harness::vk::PipelineLayout layout;
-        harness::vk::ShaderModule fragments[2];
+        harness::vk::ShaderModule fragments[2], geometry;
         harness::vk::Pipeline pipelines[2]; // opaque, masked
     };
 
