@@ -1,7 +1,6 @@
-// The plan's bytes against what is really created, recomputed from the intercepted create calls; and everything
-// created is deleted.
+// What OpenGL's create calls are asked for, and that everything created is deleted.
 #include "bench.h"
-#include "prediction.h"
+#include "payload_cases.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -23,12 +22,8 @@ void operator delete(void* block, size_t) noexcept { std::free(block); }
 namespace agaa::test {
 namespace {
 
-struct Created {
-    uint64_t textureBytes = 0;
-    std::map<uint64_t, uint32_t> bufferSizes; // bytes -> how many
-    std::multiset<std::pair<std::string, GLuint>> objects; // kind and name, of those alive
-};
 Created created;
+std::multiset<std::pair<std::string, GLuint>> alive; // kind and name
 
 // From the OpenGL specification, not from the library.
 uint64_t bytesOf(GLenum format) {
@@ -64,13 +59,13 @@ const GladGLContext& real() { return sharedEgl().gl(); }
 void GLAD_API_PTR textureStorage(GLuint texture, GLsizei levels, GLenum format, GLsizei width,
                                  GLsizei height) {
     EXPECT_EQ(levels, 1);
-    created.textureBytes += uint64_t(width) * uint64_t(height) * bytesOf(format);
+    created.imageBytes += uint64_t(width) * uint64_t(height) * bytesOf(format);
     real().TextureStorage2D(texture, levels, format, width, height);
 }
 
 void GLAD_API_PTR textureStorageMultisample(GLuint texture, GLsizei samples, GLenum format,
                                             GLsizei width, GLsizei height, GLboolean fixed) {
-    created.textureBytes += uint64_t(width) * uint64_t(height) * uint64_t(samples) * bytesOf(format);
+    created.imageBytes += uint64_t(width) * uint64_t(height) * uint64_t(samples) * bytesOf(format);
     real().TextureStorage2DMultisample(texture, samples, format, width, height, fixed);
 }
 
@@ -81,15 +76,15 @@ void GLAD_API_PTR bufferData(GLuint buffer, GLsizeiptr size, const void* data, G
 
 void born(const char* kind, GLsizei count, const GLuint* names) {
     for (GLsizei i = 0; i < count; ++i)
-        created.objects.emplace(kind, names[i]);
+        alive.emplace(kind, names[i]);
 }
 
 void gone(const char* kind, GLsizei count, const GLuint* names) {
     for (GLsizei i = 0; i < count; ++i) {
-        const auto found = created.objects.find({kind, names[i]});
-        EXPECT_TRUE(names[i] == 0 || found != created.objects.end()) << kind << " " << names[i];
-        if (found != created.objects.end())
-            created.objects.erase(found);
+        const auto found = alive.find({kind, names[i]});
+        EXPECT_TRUE(names[i] == 0 || found != alive.end()) << kind << " " << names[i];
+        if (found != alive.end())
+            alive.erase(found);
     }
 }
 
@@ -176,94 +171,29 @@ AgaaGlFunction AGAA_CALL interceptingProcAddr(void* user, const char* name) {
 
 AgaaGlContextDesc interceptedDesc() {
     created = {};
+    alive.clear();
     AgaaGlContextDesc desc = contextDesc();
     desc.getProcAddr = interceptingProcAddr;
     return desc;
 }
 
-class GlPayload : public testing::Test {
-protected:
-    GlPayload() : context_(interceptedDesc()) {}
-    ~GlPayload() override {
-        context_.destroy();
-        EXPECT_TRUE(created.objects.empty()) << created.objects.begin()->first;
+// Everything created is deleted.
+struct InterceptedContext : StageContext {
+    InterceptedContext() : StageContext(interceptedDesc()) {}
+    ~InterceptedContext() {
+        destroy();
+        EXPECT_TRUE(alive.empty()) << alive.begin()->first;
     }
-
-    void expectPayload(const ViewSettings& settings) {
-        const AgaaViewDesc desc = viewDesc(settings);
-        const Prediction predicted = predict(desc, context_.caps());
-        created.textureBytes = 0;
-        created.bufferSizes.clear();
-        AgaaView view = nullptr;
-        ASSERT_EQ(agaaGlCreateView(context_.get(), &desc, &view), 0) << context_.lines.back().text;
-        const uint64_t bufferBytes = takePixelBuffers(predicted, created.bufferSizes);
-        EXPECT_EQ(created.textureBytes + bufferBytes, predicted.report.totalBytes)
-            << settings.config.technique << " n=" << settings.config.samples
-            << " c=" << settings.config.aggregates << " " << agaaTierName(settings.config.generationTier) << " "
-            << settings.config.flags << " " << settings.width << "x" << settings.height;
-        EXPECT_EQ(predicted.report.peakBytes, predicted.report.totalBytes) << "surfaces cannot share memory";
-        AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
-        EXPECT_EQ(agaaGetFrameStatistics(view, 1, &statistics), AGAA_NOT_READY);
-        EXPECT_EQ(statistics.payloadBytes, predicted.report.totalBytes);
-        EXPECT_EQ(statistics.peakBytes, predicted.report.totalBytes);
-        agaaDestroyView(view);
-        ++checked_;
-    }
-
-    StageContext context_;
-    size_t checked_ = 0;
+    static Created& created() { return test::created; }
 };
 
-ViewSettings settingsOf(const char* technique, uint32_t n, uint32_t c, uint32_t width, uint32_t height) {
-    ViewSettings settings;
-    settings.config.technique = technique;
-    settings.config.samples = n;
-    settings.config.aggregates = c;
-    settings.width = width;
-    settings.height = height;
-    return settings;
-}
-
-TEST_F(GlPayload, IsWhatTheQueryPredicts) {
-    constexpr std::pair<uint32_t, uint32_t> sizes[] = {{1, 1}, {17, 5}, {131, 67}};
-    for (const char* layoutName : {"paper16", "precise"}) {
-        AgaaLayout layout;
-        agaaGetBuiltinLayout(layoutName, &layout);
-        const auto expect = [&](ViewSettings settings) {
-            settings.config.layout = &layout;
-            expectPayload(settings);
-        };
-        size_t turn = 0; // sizes take turns: each view compiles its passes
-        for (uint32_t n : {1u, 2u, 4u, 8u, 16u, 32u}) {
-            for (uint32_t c = 1; c <= 4; ++c) {
-                const auto [width, height] = sizes[turn++ % std::size(sizes)];
-                expect(settingsOf("agaa", n, c, width, height));
-            }
-            const auto [width, height] = sizes[turn++ % std::size(sizes)];
-            expect(settingsOf("ssaa", n, 1, width, height));
-        }
-        for (const auto& [width, height] : sizes)
-            expect(settingsOf("single", 1, 1, width, height));
-    }
-    for (uint32_t tier : {AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER})
-        for (uint32_t n : {4u, 8u}) {
-            ViewSettings settings = settingsOf("agaa", n, 2, 17, 5);
-            settings.config.generationTier = tier;
-            expectPayload(settings);
-            settings.flags = AGAA_VIEW_REVERSED_Z;
-            settings.config.flags = AGAA_CONFIG_NO_STENCIL;
-            expectPayload(settings);
-        }
-    for (const PayloadRow& row : payloadRows()) {
-        ViewSettings settings = settingsOf(row.technique, row.samples, 2, 131, 67);
-        settings.config.generationTier = row.tier;
-        settings.config.flags = row.configFlags;
-        const AgaaFetchFunction fetch = emptyFetch(row.fetchFlags);
-        settings.chained = row.tier == AGAA_TIER_IDS ? &fetch : nullptr;
-        expectPayload(settings);
-    }
-    EXPECT_EQ(checked_, 74u + payloadRows().size());
-}
+struct PayloadHost : OpenGLHost {
+    using Context = InterceptedContext;
+    static constexpr bool sharesMemory = false;
+    static constexpr PayloadSize sizes[] = {{1, 1}, {17, 5}, {131, 67}};
+    static constexpr uint32_t turns = 1;
+};
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PayloadCases, PayloadHost);
 
 // The memory that uploads are written in is of the size of a buffer of theirs.
 TEST(GlLeaks, ViewsWithoutMemoryLeaveNothing) {
@@ -273,7 +203,7 @@ TEST(GlLeaks, ViewsWithoutMemoryLeaveNothing) {
     AgaaView view = nullptr;
     ASSERT_EQ(agaaGlCreateView(context.get(), &desc, &view), AGAA_OK);
     agaaDestroyView(view);
-    const auto alive = created.objects;
+    const auto before = alive;
     const auto sizes = created.bufferSizes;
     uint32_t refused = 0;
     for (const auto& [size, count] : sizes) {
@@ -283,7 +213,7 @@ TEST(GlLeaks, ViewsWithoutMemoryLeaveNothing) {
         missingSize = 0;
         refused += result == AGAA_ERROR_OUT_OF_MEMORY;
         agaaDestroyView(view);
-        EXPECT_EQ(created.objects, alive) << size << " bytes";
+        EXPECT_EQ(alive, before) << size << " bytes";
     }
     EXPECT_GE(refused, 1u);
 }
@@ -297,18 +227,18 @@ TEST(GlLeaks, FramesAndFailuresLeaveNothing) {
         settings.config.flags |= AGAA_CONFIG_TIMESTAMPS;
         Bench bench(settings, desc);
         bench.picture();
-        const auto alive = created.objects;
+        const auto before = alive;
         bench.picture();
-        EXPECT_EQ(created.objects, alive);
+        EXPECT_EQ(alive, before);
         AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
         function.glsl = "float x = ;";
         function.shadows = 1;
         settings.chained = &function;
         EXPECT_THROW(StageView(bench.context, settings), std::runtime_error);
-        EXPECT_EQ(created.objects, alive);
+        EXPECT_EQ(alive, before);
         sharedEgl().takeMessages(); // of the function
     }
-    EXPECT_TRUE(created.objects.empty());
+    EXPECT_TRUE(alive.empty());
 }
 
 } // namespace

@@ -1,18 +1,12 @@
-// The plan's bytes against what is really created, recomputed from the intercepted create calls.
-#include "prediction.h"
-#include "stage_host.h"
-
-#include <gtest/gtest.h>
+// What Vulkan's create calls are asked for.
+#include "payload_cases.h"
+#include "show.h"
 
 #include <cstring>
 
 namespace agaa::test {
 namespace {
 
-struct Created {
-    uint64_t imageBytes = 0;
-    std::map<uint64_t, uint32_t> bufferSizes; // bytes -> how many
-};
 Created created;
 PFN_vkGetDeviceProcAddr realGetDeviceProcAddr = nullptr;
 PFN_vkCreateImage realCreateImage = nullptr;
@@ -84,74 +78,18 @@ AgaaVkFunction AGAA_CALL interceptingProcAddr(void* instance, const char* name) 
     return real;
 }
 
-struct Size {
-    uint32_t width, height;
-};
-constexpr Size sizes[] = {{1, 1}, {3, 7}, {17, 5}, {131, 67}, {4097, 3}};
-
-class PayloadTest : public testing::Test {
-protected:
-    PayloadTest() : context_({.getProcAddr = interceptingProcAddr}) {}
-
-    void expectPayload(const PayloadRow& row, uint32_t c, const char* layoutName, uint64_t viewFlags, Size size) {
-        AgaaLayout layout;
-        agaaGetBuiltinLayout(layoutName, &layout);
-        TechniqueConfig config;
-        config.technique = row.technique;
-        config.samples = row.samples;
-        config.aggregates = c;
-        config.generationTier = row.tier;
-        config.flags = row.configFlags;
-        config.layout = &layout;
-        const AgaaFetchFunction fetch = emptyFetch(row.fetchFlags);
-        AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
-        AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
-        desc.width = size.width;
-        desc.height = size.height;
-        desc.config = &config;
-        desc.facts = &facts;
-        desc.flags = viewFlags;
-        desc.pNext = row.tier == AGAA_TIER_IDS ? &fetch : nullptr;
-        const Prediction predicted = predict(desc, context_.caps());
-        created = {};
-        AgaaView view = nullptr;
-        ASSERT_EQ(agaaVkCreateView(context_.get(), &desc, &view), 0)
-            << context_.lines.back().text;
-        const uint64_t bufferBytes = takePixelBuffers(predicted, created.bufferSizes);
-        EXPECT_EQ(created.imageBytes + bufferBytes, predicted.report.totalBytes)
-            << row.technique << " n=" << row.samples << " c=" << c << " " << agaaTierName(row.tier) << " "
-            << row.configFlags << " " << layoutName << " " << size.width << "x" << size.height;
-        agaaDestroyView(view);
-        ++checked_;
-    }
-
-    StageContext context_;
-    size_t checked_ = 0;
+struct InterceptedContext : StageContext {
+    InterceptedContext() : StageContext({.getProcAddr = interceptingProcAddr}) {}
+    static Created& created() { return test::created; }
 };
 
-TEST_F(PayloadTest, IsWhatTheQueryPredicts) {
-    size_t next = 0; // sizes take turns
-    const auto sizeFor = [&](uint32_t n) {
-        const size_t count = n > 8 ? std::size(sizes) - 1 : std::size(sizes); // the last is wider than images then are
-        return sizes[next++ % count];
-    };
-    for (const char* layout : {"paper16", "precise"})
-        for (uint32_t n : {1u, 2u, 4u, 8u, 16u, 32u}) {
-            for (int i = 0; i < 2; ++i)
-                expectPayload({"ssaa", n}, 1, layout, 0, sizeFor(n));
-            for (uint32_t c = 1; c <= 4; ++c)
-                for (int i = 0; i < 2; ++i)
-                    expectPayload({"agaa", n}, c, layout, 0, sizeFor(n));
-        }
-    for (uint32_t n : {1u, 8u, 32u})
-        expectPayload({"agaa", n}, 2, "precise", AGAA_VIEW_REVERSED_Z, {17, 5});
-    for (const Size& size : sizes)
-        expectPayload({"single", 1}, 1, "precise", 0, size);
-    size_t turn = 0; // layouts take turns: functions are compiled for each view
-    for (const PayloadRow& row : payloadRows())
-        expectPayload(row, 2, turn++ % 2 ? "paper16" : "precise", 0, {131, 67});
-    EXPECT_EQ(checked_, 120u + 3 + std::size(sizes) + payloadRows().size());
-}
+struct PayloadHost : VulkanHost {
+    using Context = InterceptedContext;
+    static constexpr bool sharesMemory = true;
+    static constexpr PayloadSize sizes[] = {{1, 1}, {3, 7}, {17, 5}, {131, 67}, {4097, 3}};
+    static constexpr uint32_t turns = 2; // of each configuration
+};
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PayloadCases, PayloadHost);
 
 } // namespace
 } // namespace agaa::test
