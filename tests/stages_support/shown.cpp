@@ -17,6 +17,13 @@ std::vector<float> withAlpha(std::span<const float> rgb) {
     return rgba;
 }
 
+std::vector<float> withoutAlpha(std::span<const float> rgba) {
+    std::vector<float> rgb;
+    for (size_t i = 0; i < rgba.size(); i += 4)
+        rgb.insert(rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
+    return rgb;
+}
+
 size_t nonFinite(std::span<const float> rgb) {
     return size_t(std::ranges::count_if(rgb, [](float value) { return !std::isfinite(value); }));
 }

@@ -5,8 +5,8 @@
 #include "view_settings.h"
 
 #include <functional>
+#include <optional>
 #include <span>
-#include <stdexcept>
 
 namespace agaa::test {
 
@@ -29,31 +29,42 @@ struct Shown {
     uint32_t geometryPasses = 0;
 };
 
-// Each API's host has
-//   Shown show(StageContext& context, ViewSettings settings, const Shot& shot);
-// with counters, and by functions where settings ask for the tier ids. It renders by this, which
-// wants of it render(frame) and rgb().
-template <class View, class Render, class Rgb>
-Shown showBy(View& view, const Shot& shot, const Render& render, const Rgb& rgb) {
+std::vector<float> withAlpha(std::span<const float> rgb); // 1
+std::vector<float> withoutAlpha(std::span<const float> rgba);
+
+// The host's show(context, settings, shot), with counters, and by functions where settings ask for the tier ids: views
+// of a type Ids.
+template <class Host>
+Shown showBy(typename Host::Context& context, ViewSettings settings, const Shot& shot) {
+    settings.config.flags |= AGAA_CONFIG_COUNTERS;
+    std::optional<typename Host::Ids> ids;
+    std::optional<typename Host::View> own;
+    if (settings.config.generationTier == AGAA_TIER_IDS)
+        ids.emplace(context, settings, shot);
+    else
+        own.emplace(context, settings).setTriangles(shot.triangles);
+    typename Host::View& view = ids ? ids->view() : *own;
     AgaaFrame frame = view.frame();
     frame.lights = shot.lights.data();
     frame.lightCount = uint32_t(shot.lights.size());
     if (shot.change)
         shot.change(frame);
-    render(frame);
+    Host::run(view, [&](typename Host::Frame& native) {
+        if (ids)
+            ids->bind(native);
+        EXPECT_EQ(Host::recordFrame(view.get(), &frame, &native), AGAA_OK);
+    });
     const AgaaFrameStatistics statistics = view.statistics();
     Shown shown;
-    shown.rgb = rgb();
+    shown.rgb = withoutAlpha(Host::rgba(view));
     shown.counters = statistics.counters;
     shown.geometryPasses = statistics.geometryPasses;
-    if (agaaValidateFrame(view.get(), frame.frameIndex, &shown.validation) != AGAA_OK)
-        throw std::runtime_error("agaaValidateFrame");
+    EXPECT_EQ(agaaValidateFrame(view.get(), frame.frameIndex, &shown.validation), AGAA_OK);
     return shown;
 }
 
 // Ambient light of a quarter.
 void addAmbient(AgaaFrame& frame);
-std::vector<float> withAlpha(std::span<const float> rgb); // 1
 size_t nonFinite(std::span<const float> rgb);
 double sumOf(std::span<const float> rgb);
 

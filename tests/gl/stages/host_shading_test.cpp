@@ -56,7 +56,6 @@ struct ShadingHost : OpenGLHost {
     static constexpr uint32_t drawnTier = AGAA_TIER_PER_SAMPLE;
     static constexpr uint64_t readback = AGAA_CONFIG_READBACK;
     using Pass = HostPass;
-    using Ids = IdsView;
 };
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HostShadingCases, ShadingHost);
 

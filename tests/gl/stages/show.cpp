@@ -22,13 +22,6 @@ HostMaterial hostMaterial(uint primitive) {
 }
 )";
 
-static std::vector<float> rgbOf(const std::vector<float>& rgba) {
-    std::vector<float> rgb;
-    for (size_t i = 0; i < rgba.size(); i += 4)
-        rgb.insert(rgb.end(), &rgba[i], &rgba[i] + 3);
-    return rgb;
-}
-
 IdsView::IdsView(StageContext& context, ViewSettings settings, const Shot& shot)
     : text_(fetchText(settings, storageText, shot.material)), function_(fetchFunction(settings, text_, shot)) {
     settings.chained = &function_;
@@ -53,23 +46,8 @@ void FunctionBuffer::bind(AgaaGlFrame&) const {
     sharedEgl().gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, functionBlock, buffer_.get());
 }
 
-Shown show(StageContext& context, ViewSettings settings, const Shot& shot) {
-    settings.config.flags |= AGAA_CONFIG_COUNTERS;
-    const auto shownBy = [&](StageView& view, const auto& bind) {
-        const auto render = [&](const AgaaFrame& frame) {
-            AgaaGlFrame glFrame = view.glFrame();
-            bind(glFrame);
-            view.render(frame, glFrame);
-        };
-        return showBy(view, shot, render, [&] { return rgbOf(view.image()); });
-    };
-    if (settings.config.generationTier == AGAA_TIER_IDS) {
-        IdsView ids(context, settings, shot);
-        return shownBy(ids.view(), [&](AgaaGlFrame& frame) { ids.bind(frame); });
-    }
-    StageView view(context, settings);
-    view.setTriangles(shot.triangles);
-    return shownBy(view, [](AgaaGlFrame&) {});
+Shown show(StageContext& context, const ViewSettings& settings, const Shot& shot) {
+    return showBy<OpenGLHost>(context, settings, shot);
 }
 
 } // namespace agaa::test

@@ -35,7 +35,7 @@ private:
     harness::gl::Buffer buffer_;
 };
 
-Shown show(StageContext& context, ViewSettings settings, const Shot& shot);
+Shown show(StageContext& context, const ViewSettings& settings, const Shot& shot);
 
 struct OpenGLHost {
     using Context = StageContext;
@@ -46,6 +46,8 @@ struct OpenGLHost {
     using Surface = AgaaGlSurface;
     using ShadowMap = harness::gl::Texture;
     using FunctionData = FunctionBuffer;
+    using Ids = IdsView;
+    static constexpr auto createView = agaaGlCreateView;
     static constexpr auto recordFrame = agaaGlRecordFrame;
     static constexpr auto getDrawPasses = agaaGlGetDrawPasses;
     static constexpr auto getSurface = agaaGlGetSurface;
@@ -55,6 +57,13 @@ struct OpenGLHost {
     // Of configurations that differ little some are left to Vulkan: drivers are slow to compile each view's passes.
     static constexpr bool runsAll = false;
 
+    // Of a context that change(desc) changes.
+    template <class Change>
+    static AgaaGlContextDesc changed(const Change& change) {
+        AgaaGlContextDesc desc = contextDesc();
+        change(desc);
+        return desc;
+    }
     static std::vector<float> rgba(const View& view) { return view.image(); }
     static ShadowMap shadowMap(const Context& context, float depth) {
         return test::shadowMap(context.egl().gl(), depth);

@@ -1,7 +1,6 @@
 // A host's own shading of aggregates on Vulkan; synchronisation validation sees both passes.
 #include "compute_pass.h"
 #include "host_shading_cases.h"
-#include "ids_view.h"
 #include "show.h"
 
 #include <cstring>
@@ -74,7 +73,6 @@ struct ShadingHost : VulkanHost {
     static constexpr uint32_t drawnTier = AGAA_TIER_POST_DEPTH_ATOMICS;
     static constexpr uint64_t readback = 0;
     using Pass = HostPass;
-    using Ids = IdsView;
 };
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HostShadingCases, ShadingHost);
 

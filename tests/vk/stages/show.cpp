@@ -1,7 +1,5 @@
 #include "show.h"
 
-#include "ids_view.h"
-
 #include <cstring>
 
 namespace agaa::test {
@@ -13,19 +11,8 @@ FunctionBuffer::FunctionBuffer(const std::vector<glm::vec4>& data)
     set_.write({buffer_.buffer.get()});
 }
 
-Shown show(StageContext& context, ViewSettings settings, const Shot& shot) {
-    settings.config.flags |= AGAA_CONFIG_COUNTERS;
-    if (settings.config.generationTier == AGAA_TIER_IDS) {
-        IdsView ids(context, settings, shot);
-        return showBy(
-            ids.view(), shot, [&](const AgaaFrame& frame) { ids.render(frame); },
-            [&] { return ids.view().image().rgb; });
-    }
-    StageView view(context, settings);
-    view.setTriangles(shot.triangles);
-    return showBy(
-        view, shot, [&](const AgaaFrame& frame) { view.render(frame); },
-        [&] { return view.image().rgb; });
+Shown show(StageContext& context, const ViewSettings& settings, const Shot& shot) {
+    return showBy<VulkanHost>(context, settings, shot);
 }
 
 } // namespace agaa::test

@@ -1,8 +1,7 @@
 // Shots by the Vulkan host.
 #pragma once
 
-#include "shown.h"
-#include "stage_host.h"
+#include "ids_view.h"
 
 namespace agaa::test {
 
@@ -20,7 +19,7 @@ private:
     StorageSet set_;
 };
 
-Shown show(StageContext& context, ViewSettings settings, const Shot& shot);
+Shown show(StageContext& context, const ViewSettings& settings, const Shot& shot);
 
 struct VulkanHost {
     using Context = StageContext;
@@ -31,6 +30,8 @@ struct VulkanHost {
     using Surface = AgaaVkSurface;
     using ShadowMap = ShadowLayers;
     using FunctionData = FunctionBuffer;
+    using Ids = IdsView;
+    static constexpr auto createView = agaaVkCreateView;
     static constexpr auto recordFrame = agaaVkRecordFrame;
     static constexpr auto getDrawPasses = agaaVkGetDrawPasses;
     static constexpr auto getSurface = agaaVkGetSurface;
@@ -38,6 +39,9 @@ struct VulkanHost {
     static constexpr Surface surface = AGAA_VK_SURFACE_INIT;
     static constexpr bool runsAll = true;
 
+    // Of a context that change(desc) changes.
+    template <class Change>
+    static HostOptions changed(const Change& change) { return {.change = change}; }
     static std::vector<float> rgba(const View& view) { return withAlpha(view.image().rgb); }
     static ShadowMap shadowMap(const Context&, float depth) { return ShadowMap({depth}, 4); }
     static void setShadowMap(Frame& frame, const ShadowMap& map) { frame.shadowViews[0] = map.view(); }
