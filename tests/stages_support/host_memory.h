@@ -14,6 +14,12 @@ struct HostMemory {
     std::set<void*> blocks;
     size_t calls = 0;
 
+    template <class Desc>
+    void useFor(Desc& context) {
+        context.allocate = allocate;
+        context.free = free;
+        context.allocateUser = this;
+    }
     static void* AGAA_CALL allocate(void* user, size_t size, size_t alignment) {
         auto& memory = *static_cast<HostMemory*>(user);
         ++memory.calls;

@@ -23,6 +23,11 @@ struct NativeMisuse {
     std::function<void(AgaaFrame&, Frame&)> spoil;
 };
 
+template <class Host>
+typename Host::Options inFlight(uint32_t frames) {
+    return Host::changed([=](auto& desc) { desc.framesInFlight = frames; });
+}
+
 inline AgaaResult AGAA_CALL throwingDraw(void*, const AgaaDrawTarget*) { throw std::runtime_error("from a draw"); }
 
 template <class Host>
@@ -149,7 +154,7 @@ TYPED_TEST_P(RecordingCases, ACallbackThatThrowsHasFailed) {
 }
 
 TYPED_TEST_P(RecordingCases, FramesAndSegmentsHaveAnOrder) {
-    BenchOf<TypeParam> bench(benchSettings(), TypeParam::inFlight(2));
+    BenchOf<TypeParam> bench(benchSettings(), inFlight<TypeParam>(2));
     const std::vector<float> expected = bench.picture();
     bench.run([&](const auto& native) {
         const auto expect = [&](AgaaFrame frame, uint64_t segments, AgaaResult result, const char* what) {
@@ -200,7 +205,7 @@ TYPED_TEST_P(RecordingCases, FramesAndSegmentsHaveAnOrder) {
 // The slots of frames in flight, and the statistics that they keep.
 TYPED_TEST_P(RecordingCases, FramesInFlightAreARing) {
     for (const uint32_t slots : {1u, 3u, 8u}) {
-        BenchOf<TypeParam> bench(benchSettings(), TypeParam::inFlight(slots));
+        BenchOf<TypeParam> bench(benchSettings(), inFlight<TypeParam>(slots));
         const auto record = [&](uint64_t completed) {
             AgaaFrame frame = bench.frame();
             frame.completedFrame = completed;

@@ -1,7 +1,6 @@
 // Misuse of contexts and views on OpenGL, their memory and their order.
 #include "bench.h"
 #include "context_misuse.h"
-#include "host_memory.h"
 
 #include "agaa_vk.h"
 
@@ -102,54 +101,29 @@ bool hasExtension(const GladGLContext& gl, const std::string& name) {
     return false;
 }
 
-TEST(GlMisuse, ViewsAreRefusedInASentence) {
+TEST(GlMisuse, FunctionsOfViewsAreRefusedInASentence) {
     StageContext context;
     AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
     function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }";
     function.shadows = 1;
-    AgaaShadowFunction other = function;
-    const auto expect = [&](const AgaaViewDesc* desc, AgaaResult result, const char* what) {
-        AgaaView view = nullptr;
-        context.lines.clear();
-        EXPECT_EQ(agaaGlCreateView(context.get(), desc, &view), result) << what;
-        if (result != AGAA_OK)
-            expectOneSentence(context.lines, result, what);
-        agaaDestroyView(view);
-    };
-    const ViewSettings settings = benchSettings();
-    AgaaViewDesc desc = viewDesc(settings);
-    expect(&desc, AGAA_OK, "right");
-    expect(nullptr, AGAA_ERROR_INVALID_ARGUMENT, "null");
-    desc.pNext = &unknownStruct;
-    expect(&desc, AGAA_ERROR_UNKNOWN_STRUCT, "unknown struct");
-    desc.pNext = &other;
-    other.descriptorSetLayout = 5;
-    expect(&desc, AGAA_ERROR_INVALID_ARGUMENT, "a set layout of Vulkan's");
-    for (const char* text : {"float x = ;", "float other;"}) {
-        other = function;
-        other.glsl = text;
-        expect(&desc, AGAA_ERROR_INVALID_ARGUMENT, text);
-    }
+    ViewSettings settings = benchSettings();
+    settings.chained = &function;
+    EXPECT_NO_THROW(StageView(context, settings)) << "a function";
+    function.descriptorSetLayout = 5;
+    expectRefused(context, settings, AGAA_ERROR_INVALID_ARGUMENT, "a set layout of Vulkan's");
+    function.descriptorSetLayout = 0;
+    function.glsl = "float x = ;";
+    expectRefused(context, settings, AGAA_ERROR_INVALID_ARGUMENT, function.glsl);
+    EXPECT_NE(sharedEgl().takeMessages(), "") << "the driver tells of it too";
     if (hasExtension(sharedEgl().gl(), "GL_ARB_shader_group_vote")) {
-        other = function;
-        other.glsl = "float agaaHostShadow(uint shadow, vec3 p) { return anyInvocationARB(true) ? 1.0 : 0.0; }";
-        expect(&desc, AGAA_ERROR_INVALID_ARGUMENT, "without the extension");
-        other.glslExtensions = "#extension GL_ARB_shader_group_vote : require";
-        expect(&desc, AGAA_OK, "with the extension");
+        function.glsl = "float agaaHostShadow(uint shadow, vec3 p) { return anyInvocationARB(true) ? 1.0 : 0.0; }";
+        expectRefused(context, settings, AGAA_ERROR_INVALID_ARGUMENT, "without the extension");
+        function.glslExtensions = "#extension GL_ARB_shader_group_vote : require";
+        EXPECT_NO_THROW(StageView(context, settings)) << "with the extension";
+        sharedEgl().takeMessages();
     } else {
         std::printf("Extensions of the host's code are not tried: no GL_ARB_shader_group_vote.\n");
     }
-    EXPECT_NE(sharedEgl().takeMessages(), "") << "the driver tells of them too";
-    desc.pNext = &function;
-    expect(&desc, AGAA_OK, "a function");
-    desc = viewDesc(settings);
-    desc.width = 0;
-    expect(&desc, AGAA_ERROR_OUT_OF_RANGE, "no pixels");
-    desc.width = 1u << 20;
-    expect(&desc, AGAA_ERROR_TOO_LARGE, "too wide");
-    context.lines.clear();
-    EXPECT_EQ(agaaGlCreateView(context.get(), &desc, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
-    expectOneSentence(context.lines, AGAA_ERROR_INVALID_ARGUMENT, "no place for the view");
 }
 
 TEST(GlMisuse, HandlesOfAnotherBackendAreRefused) {
@@ -188,40 +162,6 @@ TEST(GlMisuse, HandlesOfVulkanAreRefused) {
     AgaaView view = nullptr;
     EXPECT_EQ(agaaGlCreateView(&vulkan, &desc, &view), AGAA_ERROR_INVALID_ARGUMENT);
     expectOneSentence(lines, AGAA_ERROR_INVALID_ARGUMENT, "view");
-}
-
-TEST(GlLifetime, HandlesLiveInTheHostsMemory) {
-    HostMemory memory;
-    AgaaGlContextDesc desc = contextDesc();
-    desc.allocate = HostMemory::allocate;
-    desc.free = HostMemory::free;
-    desc.allocateUser = &memory;
-    {
-        Bench bench(benchSettings(), desc);
-        EXPECT_EQ(memory.blocks.size(), 2u);
-        EXPECT_TRUE(memory.blocks.contains(bench.view.get()));
-        bench.picture();
-        ViewSettings tooLarge = benchSettings();
-        tooLarge.width = 1u << 20;
-        const AgaaViewDesc refused = viewDesc(tooLarge);
-        AgaaView none = nullptr;
-        EXPECT_LT(agaaGlCreateView(bench.context.get(), &refused, &none), 0);
-        EXPECT_EQ(memory.blocks.size(), 2u) << "what a failure had is given back";
-    }
-    EXPECT_GE(memory.calls, 2u);
-    EXPECT_TRUE(memory.blocks.empty());
-}
-
-TEST(GlLifetime, ViewsGoBeforeTheirContext) {
-    Bench bench;
-    const std::vector<float> expected = bench.picture();
-    bench.context.lines.clear();
-    const AgaaContext context = bench.context.get();
-    agaaDestroyContext(context); // too early: kept
-    expectOneSentence(bench.context.lines, AGAA_ERROR_WRONG_ORDER, "too early");
-    EXPECT_EQ(bench.picture(), expected);
-    agaaDestroyView(nullptr);
-    agaaDestroyContext(nullptr);
 }
 
 // Two views of one context, and another OpenGL context beside it.

@@ -32,16 +32,9 @@ NativeMisuse<AgaaGlFrame> badMap(const char* what, GLenum target, GLenum format)
 
 struct RecordingHost : OpenGLHost {
     static constexpr bool driverTellsBytes = false;
-    static AgaaGlContextDesc inFlight(uint32_t frames) {
-        AgaaGlContextDesc desc = contextDesc();
-        desc.framesInFlight = frames;
-        return desc;
-    }
     static std::vector<AgaaGlContextDesc> storages() {
-        std::vector<AgaaGlContextDesc> descs(2, contextDesc());
-        descs[0].storage = AGAA_GL_STORAGE_BUFFERS;
-        descs[1].storage = AGAA_GL_STORAGE_IMAGES;
-        return descs;
+        return {changed([](auto& desc) { desc.storage = AGAA_GL_STORAGE_BUFFERS; }),
+                changed([](auto& desc) { desc.storage = AGAA_GL_STORAGE_IMAGES; })};
     }
     static void spoilSecondMap(AgaaGlFrame& frame) { frame.shadowTextures[1] = deletedTexture(sharedEgl().gl()); }
 

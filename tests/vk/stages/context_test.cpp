@@ -1,21 +1,11 @@
-// Contexts and views of Vulkan: what is refused, in whose memory they live, and in which order they go.
+// Contexts of Vulkan that are refused, and what they cannot do.
 #include "context_misuse.h"
-#include "host_memory.h"
-#include "ids_view.h"
+#include "stage_host.h"
 
 #include <gtest/gtest.h>
 
 namespace agaa::test {
 namespace {
-
-ViewSettings pictureSettings() {
-    ViewSettings settings;
-    settings.config.samples = 4;
-    settings.facts.shadowMapCount = 0;
-    return settings;
-}
-
-std::vector<float> picture(StageView& view) { return drawn(view, randomTriangles({.triangles = 20}, 41)).rgb; }
 
 TEST(VkMisuse, ContextsAreRefusedInASentence) {
     static const VkPhysicalDeviceFeatures2 noFeatures{};
@@ -80,55 +70,16 @@ TEST(VkMisuse, WhatWasNotEnabledIsNotThere) {
                              AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_DYNAMIC_RENDERING;
     EXPECT_NE(all.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, 0u);
     EXPECT_EQ(least.flags, all.flags & ~dropped);
-    ViewSettings settings = pictureSettings();
+    ViewSettings settings;
     settings.config.flags = AGAA_CONFIG_COUNTERS;
     expectRefused(context, settings, AGAA_ERROR_UNSUPPORTED, "counters without atomics");
 }
 
-TEST(VkMisuse, ViewsAreRefusedInASentence) {
+TEST(VkMisuse, OpenGLsClipSpaceIsRefused) {
     StageContext context;
-    ViewSettings settings = pictureSettings();
+    ViewSettings settings;
     settings.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
     expectRefused(context, settings, AGAA_ERROR_UNSUPPORTED, "OpenGL's clip space");
-    settings = pictureSettings();
-    settings.width = 0;
-    expectRefused(context, settings, AGAA_ERROR_OUT_OF_RANGE, "no pixels");
-    settings.width = 1u << 20;
-    expectRefused(context, settings, AGAA_ERROR_TOO_LARGE, "too wide");
-    settings = pictureSettings();
-    settings.chained = &unknownStruct;
-    expectRefused(context, settings, AGAA_ERROR_UNKNOWN_STRUCT, "unknown struct");
-}
-
-TEST(VkLifetime, HandlesLiveInTheHostsMemory) {
-    HostMemory memory;
-    {
-        StageContext context({.change = [&](auto& desc) {
-            desc.allocate = HostMemory::allocate;
-            desc.free = HostMemory::free;
-            desc.allocateUser = &memory;
-        }});
-        StageView view(context, pictureSettings());
-        EXPECT_EQ(memory.blocks.size(), 2u);
-        EXPECT_TRUE(memory.blocks.contains(view.get()));
-        picture(view);
-        ViewSettings tooLarge = pictureSettings();
-        tooLarge.width = 1u << 20;
-        expectRefused(context, tooLarge, AGAA_ERROR_TOO_LARGE, "too wide");
-        EXPECT_EQ(memory.blocks.size(), 2u) << "what a failure had is given back";
-    }
-    EXPECT_EQ(memory.calls, 3u);
-    EXPECT_TRUE(memory.blocks.empty());
-}
-
-TEST(VkLifetime, ViewsGoBeforeTheirContext) {
-    StageContext context;
-    StageView view(context, pictureSettings());
-    const std::vector<float> expected = picture(view);
-    context.lines.clear();
-    agaaDestroyContext(context.get()); // too early: kept
-    expectOneSentence(context.lines, AGAA_ERROR_WRONG_ORDER, "too early");
-    EXPECT_EQ(picture(view), expected);
 }
 
 } // namespace

@@ -10,7 +10,6 @@ namespace {
 
 struct RecordingHost : VulkanHost {
     static constexpr bool driverTellsBytes = true;
-    static HostOptions inFlight(uint32_t frames) { return {.framesInFlight = frames}; }
     static std::vector<HostOptions> storages() { return {HostOptions{}}; }
     static void spoilSecondMap(AgaaVkFrame& frame) { frame.shadowViews[1] = ~uint64_t{0} - 5; } // no view
 
