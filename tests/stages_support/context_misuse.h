@@ -2,6 +2,7 @@
 #pragma once
 
 #include "frame_misuse.h"
+#include "log_lines.h"
 
 #include <functional>
 #include <vector>
@@ -35,6 +36,36 @@ std::vector<ContextMisuse<Desc>> contextMisuses(std::vector<ContextMisuse<Desc>>
     };
     rows.insert(rows.end(), own.begin(), own.end());
     return rows;
+}
+
+// By the API's function, from a description that it takes.
+template <class Desc>
+void expectContextsRefused(AgaaResult (*create)(uint32_t, const Desc*, AgaaContext*), const Desc& right,
+                           const std::vector<ContextMisuse<Desc>>& rows) {
+    AgaaContext context = nullptr;
+    for (const ContextMisuse<Desc>& row : rows) {
+        Desc desc = right;
+        row.spoil(desc);
+        std::vector<LogLine> lines;
+        const AgaaLog log = logInto(lines);
+        desc.log = &log;
+        EXPECT_EQ(create(AGAA_HEADER_VERSION, &desc, &context), row.expected) << row.what;
+        EXPECT_EQ(context, nullptr) << row.what;
+        expectOneSentence(lines, row.expected, row.what);
+    }
+    // Where a log would be is not known.
+    EXPECT_EQ(create(AGAA_HEADER_VERSION, nullptr, &context), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(create(AGAA_HEADER_VERSION, &right, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(create(77u << 22, &right, &context), AGAA_ERROR_VERSION);
+    Desc desc = right;
+    desc.structSize -= 8;
+    EXPECT_EQ(create(AGAA_HEADER_VERSION, &desc, &context), AGAA_ERROR_STRUCT);
+    desc = right;
+    AgaaLog log = AGAA_LOG_INIT;
+    log.structSize = 0;
+    desc.log = &log;
+    EXPECT_EQ(create(AGAA_HEADER_VERSION, &desc, &context), AGAA_ERROR_STRUCT);
+    EXPECT_EQ(context, nullptr);
 }
 
 } // namespace agaa::test

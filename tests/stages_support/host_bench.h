@@ -44,10 +44,7 @@ struct BenchOf {
     }
     AgaaFrame frame() {
         AgaaFrame f = view.frame();
-        f.lights = &light;
-        f.lightCount = 1;
-        f.shadows = &shadow;
-        f.shadowCount = 1;
+        setLight(f, light, &shadow);
         return f;
     }
     // Runs what work(native) records.

@@ -44,10 +44,7 @@ protected:
         const AgaaShadow shadow = shadowAt(0.25f);
         const typename Host::ShadowMap map = Host::shadowMap(context, 0.5f);
         AgaaFrame frame = view.frame();
-        frame.lights = &light;
-        frame.lightCount = 1;
-        frame.shadows = &shadow;
-        frame.shadowCount = 1;
+        setLight(frame, light, &shadow);
         frame.background[2] = 0.5f;
         addAmbient(frame);
         if (byFunction)

@@ -116,10 +116,7 @@ protected:
         light.color[0] = 4;
         const AgaaShadow shadow{};
         AgaaFrame frame = view.frame();
-        frame.lights = &light;
-        frame.lightCount = 1;
-        frame.shadows = &shadow;
-        frame.shadowCount = 1;
+        setLight(frame, light, &shadow);
         view.render(frame);
         return Host::rgba(view);
     }

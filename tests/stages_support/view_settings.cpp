@@ -85,4 +85,11 @@ AgaaLight sun() {
     return light;
 }
 
+void setLight(AgaaFrame& frame, const AgaaLight& light, const AgaaShadow* shadow) {
+    frame.lights = &light;
+    frame.lightCount = 1;
+    frame.shadows = shadow;
+    frame.shadowCount = shadow ? 1 : 0;
+}
+
 } // namespace agaa::test

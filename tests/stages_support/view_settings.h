@@ -87,5 +87,7 @@ std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMa
 
 // Directional, along -z, without shadow.
 AgaaLight sun();
+// One light, and one shadow where there is one. They stay where they are.
+void setLight(AgaaFrame& frame, const AgaaLight& light, const AgaaShadow* shadow = nullptr);
 
 } // namespace agaa::test

@@ -29,28 +29,7 @@ TEST(VkMisuse, ContextsAreRefusedInASentence) {
         {"descriptor set", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.descriptorSet = 8; }},
         {"the other reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.reserved2 = 1; }},
     });
-    for (const auto& row : rows) {
-        AgaaVkContextDesc desc = contextDesc();
-        row.spoil(desc);
-        std::vector<LogLine> lines;
-        const AgaaLog log = logInto(lines);
-        desc.log = &log;
-        AgaaContext context = nullptr;
-        EXPECT_EQ(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context), row.expected) << row.what;
-        EXPECT_EQ(context, nullptr) << row.what;
-        expectOneSentence(lines, row.expected, row.what);
-    }
-    // Where a log would be is not known.
-    AgaaVkContextDesc desc = contextDesc();
-    desc.structSize -= 8;
-    AgaaContext context = nullptr;
-    EXPECT_EQ(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context), AGAA_ERROR_STRUCT);
-    desc = contextDesc();
-    AgaaLog log = AGAA_LOG_INIT;
-    log.structSize = 0;
-    desc.log = &log;
-    EXPECT_EQ(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context), AGAA_ERROR_STRUCT);
-    EXPECT_EQ(context, nullptr);
+    expectContextsRefused(agaaVkCreateContext, contextDesc(), rows);
 }
 
 // What the host did not enable is not used, though the device has it.

@@ -144,8 +144,7 @@ Rendered render(StageContext& context, const ViewSettings& settings) {
     view.setTriangles(randomTriangles({.triangles = 300}, 62));
     AgaaFrame frame = view.frame();
     const AgaaLight light = sun();
-    frame.lights = &light;
-    frame.lightCount = 1;
+    setLight(frame, light);
     view.render(frame);
     return {view.image(), view.statistics().counters};
 }

@@ -29,8 +29,7 @@ std::vector<float> pixels(const HostOptions& options, const ViewSettings& settin
     const AgaaLight light = sun();
     for (uint32_t i = 0; i < frames; ++i) {
         AgaaFrame frame = view.frame();
-        frame.lights = &light;
-        frame.lightCount = 1;
+        setLight(frame, light);
         view.render(frame, nullptr, splitSegments);
     }
     return view.image().rgb;
@@ -188,8 +187,7 @@ TEST_P(HostsTest, CompositesOverTheOutput) {
         const float below[4] = {0.25f, 0.5f, 2.0f, 1};
         for (int i = 0; i < 4; ++i)
             frame.background[i] = composite ? 0 : below[i];
-        frame.lights = &light;
-        frame.lightCount = 1;
+        setLight(frame, light);
         view.render(frame, [&](AgaaVkFrame& vk) { vk.outputLayoutIn = layoutIn; });
     };
     const auto scene = randomTriangles({.triangles = 50}, 16);
@@ -226,8 +224,7 @@ TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
     const auto readable = use(VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);
     const AgaaLight light = sun();
     AgaaFrame frame = view.frame();
-    frame.lights = &light;
-    frame.lightCount = 1;
+    setLight(frame, light);
     const auto record = [&](uint64_t segments) {
         sharedDevice().runCommands([&](VkCommandBuffer commands) {
             AgaaVkFrame vk = view.vkFrame(commands);
@@ -249,8 +246,7 @@ TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
         StageView whole(context, settings);
         whole.setTriangles(randomTriangles({.triangles = 200}, 13));
         AgaaFrame again = whole.frame();
-        again.lights = &light;
-        again.lightCount = 1;
+        setLight(again, light);
         whole.render(again);
         return whole.image().rgb;
     }());
@@ -274,8 +270,7 @@ TEST_P(HostsTest, ShufflingChangesOnlyPixelsOfTies) {
         view.setTriangles(triangles);
         const AgaaLight light = sun();
         AgaaFrame frame = view.frame();
-        frame.lights = &light;
-        frame.lightCount = 1;
+        setLight(frame, light);
         view.render(frame);
         return view.image().rgb;
     };

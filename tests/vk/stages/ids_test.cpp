@@ -185,10 +185,7 @@ TEST(Ids, LitMeansAreCloserToTheTruth) {
             StageView view(context, own);
             view.setTriangles(triangles);
             AgaaFrame frame = view.frame();
-            frame.lights = &light;
-            frame.lightCount = 1;
-            frame.shadows = &shadow;
-            frame.shadowCount = 1;
+            setLight(frame, light, &shadow);
             view.render(frame);
             return view.image();
         }

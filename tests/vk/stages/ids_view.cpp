@@ -38,10 +38,7 @@ void IdsView::render(const AgaaFrame& frame) {
 
 harness::Image IdsView::render(const AgaaLight& light, const AgaaShadow* shadow) {
     AgaaFrame frame = view_->frame();
-    frame.lights = &light;
-    frame.lightCount = 1;
-    frame.shadows = shadow;
-    frame.shadowCount = shadow ? 1 : 0;
+    setLight(frame, light, shadow);
     addAmbient(frame);
     render(frame);
     return view_->image();
@@ -51,8 +48,7 @@ harness::Image drawn(StageView& view, const std::vector<Triangle>& triangles) {
     view.setTriangles(triangles);
     const AgaaLight light = sun();
     AgaaFrame frame = view.frame();
-    frame.lights = &light;
-    frame.lightCount = 1;
+    setLight(frame, light);
     addAmbient(frame);
     view.render(frame);
     return view.image();
