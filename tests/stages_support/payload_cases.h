@@ -93,8 +93,7 @@ TYPED_TEST_P(PayloadCases, IsWhatTheQueryPredicts) {
     size_t turn = 0; // layouts take turns: functions are compiled for each view
     for (const PayloadRow& row : payloadRows())
         this->expectPayload(row, 2, TypeParam::runsAll && turn++ % 2 ? "paper16" : "precise", {131, 67});
-    EXPECT_EQ(this->checked,
-              60u * TypeParam::turns + 2 * std::size(TypeParam::sizes) + 11 + payloadRows().size());
+    EXPECT_EQ(this->checked, 60u * TypeParam::turns + 2 * std::size(TypeParam::sizes) + 11 + payloadRows().size());
 }
 
 REGISTER_TYPED_TEST_SUITE_P(PayloadCases, IsWhatTheQueryPredicts);

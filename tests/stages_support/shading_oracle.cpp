@@ -17,14 +17,12 @@ glm::dvec3 ShadingOracle::pixel(uint32_t x, uint32_t y) const {
 glm::dvec3 ShadingOracle::position(uint32_t x, uint32_t y, uint32_t i) const {
     using namespace math_d;
     const float* p = constants_.projection;
-    const double depth =
-        double(std::bit_cast<float>(depth_[sampleIndex(plan_, x, y, i)].x));
+    const double depth = double(std::bit_cast<float>(depth_[sampleIndex(plan_, x, y, i)].x));
     const uint orthographic = p[6] != 0.0f;
     const rvec2 ndc((x + double(constants_.samples[i][0])) / plan_.width * 2 - 1,
                     (y + double(constants_.samples[i][1])) / plan_.height * 2 - 1);
-    const rvec3 v = agaa_viewPosition(
-        ndc, agaa_viewZFromDepth(depth, double(p[4]), double(p[5]), orthographic), double(p[0]),
-        double(p[1]), double(p[2]), double(p[3]), orthographic);
+    const rvec3 v = agaa_viewPosition(ndc, agaa_viewZFromDepth(depth, double(p[4]), double(p[5]), orthographic),
+                                      double(p[0]), double(p[1]), double(p[2]), double(p[3]), orthographic);
     glm::mat4 view;
     std::memcpy(&view, frame_.view, sizeof view);
     return glm::transpose(glm::dmat3(glm::mat3(view))) * v;
@@ -37,8 +35,7 @@ static glm::dvec3 towardsEye(const glm::dvec3& position, const FrameConstants& c
 }
 
 // The layout's description in words: integer sums of codes, each of so many bits.
-ShadingOracle::Shaded ShadingOracle::aggregate(const uint32_t* words, uint32_t count,
-                                               const glm::dvec3& toEye) const {
+ShadingOracle::Shaded ShadingOracle::aggregate(const uint32_t* words, uint32_t count, const glm::dvec3& toEye) const {
     const AggregatePacking packing = packAggregate(plan_.layout, plan_.samples);
     const uint32_t growth = uint32_t(std::bit_width(plan_.samples) - 1);
     const auto sumOf = [&](const Field& f) {
@@ -54,16 +51,14 @@ ShadingOracle::Shaded ShadingOracle::aggregate(const uint32_t* words, uint32_t c
         const double middle = double(1u << (f.bits - 1));
         return (sumOf(f) / double(count) - middle) / (middle - 1);
     };
-    const auto mean3 = [&](uint32_t first) {
-        return glm::dvec3(mean(first), mean(first + 1), mean(first + 2));
-    };
+    const auto mean3 = [&](uint32_t first) { return glm::dvec3(mean(first), mean(first + 1), mean(first + 2)); };
     Shaded s;
     s.diffuse = mean3(ChannelDiffuseR);
     const glm::dvec3 normal(signedMean(ChannelNormalX), signedMean(ChannelNormalY), signedMean(ChannelNormalZ));
     double length = 0;
     math_d::agaa_meanDirection(normal, toEye, s.normal, length);
-    s.meanLength = math_d::agaa_varianceFloor(
-        length, math_d::agaa_storedLengthBound(1, packing.fields[ChannelNormalX].bits));
+    s.meanLength =
+        math_d::agaa_varianceFloor(length, math_d::agaa_storedLengthBound(1, packing.fields[ChannelNormalX].bits));
     s.specular = mean3(ChannelSpecularR);
     if (plan_.layout.specularIsYCbCr())
         s.specular = glm::max(math_d::agaa_yCbCrToRgb(s.specular), glm::dvec3(0));
@@ -87,14 +82,12 @@ ShadingOracle::Shaded ShadingOracle::sample(size_t index) const {
         const Field& f = packing.fields[channel];
         return f.bits ? double(std::bit_cast<float>(gbuffer_[f.word][index][int(f.shift)])) : 0.0;
     };
-    const auto value3 = [&](uint32_t first) {
-        return glm::dvec3(value(first), value(first + 1), value(first + 2));
-    };
+    const auto value3 = [&](uint32_t first) { return glm::dvec3(value(first), value(first + 1), value(first + 2)); };
     Shaded s;
     s.diffuse = value3(ChannelDiffuseR);
     s.specular = value3(ChannelSpecularR);
-    s.normal = math_d::agaa_decodeOct({value(ChannelNormalX), value(ChannelNormalY)},
-                                      packing.fields[ChannelNormalX].bits);
+    s.normal =
+        math_d::agaa_decodeOct({value(ChannelNormalX), value(ChannelNormalY)}, packing.fields[ChannelNormalX].bits);
     s.alpha2 = packing.fields[ChannelRoughness].bits ? value(ChannelRoughness) : 1.0;
     const double range = double(plan_.layout.emissiveRange());
     s.emissive = range * value3(ChannelEmissiveR);
@@ -107,8 +100,7 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
                                 const std::vector<double>& visibility) const {
     const glm::dvec3 toEye = towardsEye(position, constants_);
     const AgaaConfig& config = plan_.config;
-    const agaa_Surface surface{s.diffuse, s.specular, s.emissive, s.normal, s.meanLength, s.alpha2,
-                               0,         glm::dvec3(0)};
+    const agaa_Surface surface{s.diffuse, s.specular, s.emissive, s.normal, s.meanLength, s.alpha2, 0, glm::dvec3(0)};
     const uint32_t filterDiffuse = !(config.flags & AGAA_CONFIG_NO_DIFFUSE_FILTER);
     glm::dvec3 sum = s.emissive;
     for (int i = 0; i < 3; ++i)
@@ -119,23 +111,21 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
         glm::dvec3 toLight = -direction;
         double intensity = 1;
         if (light.type != AGAA_LIGHT_DIRECTIONAL) {
-            const glm::dvec3 d =
-                glm::dvec3(light.position[0], light.position[1], light.position[2]) - position;
-            intensity = math_d::agaa_pointAttenuation(glm::dot(d, d), double(light.range),
-                                                      double(light.radius * light.radius));
+            const glm::dvec3 d = glm::dvec3(light.position[0], light.position[1], light.position[2]) - position;
+            intensity =
+                math_d::agaa_pointAttenuation(glm::dot(d, d), double(light.range), double(light.radius * light.radius));
             toLight = glm::normalize(d);
             if (light.type == AGAA_LIGHT_SPOT)
-                intensity *= math_d::agaa_spotCone(glm::dot(-toLight, direction),
-                                                   double(light.cosInner), double(light.cosOuter));
+                intensity *= math_d::agaa_spotCone(glm::dot(-toLight, direction), double(light.cosInner),
+                                                   double(light.cosOuter));
         }
         if (light.shadowMap != AGAA_NO_SHADOW)
             intensity *= visibility[light.shadowMap];
         if (intensity <= 0)
             continue;
-        const glm::dvec3 brdf =
-            plan_.layout.has(AGAA_SEMANTIC_SPECULAR)
-                ? math_d::agaa_shade(surface, toEye, toLight, config.brdf, filterDiffuse, 0u)
-                : math_d::agaa_shadeDiffuse(surface, toLight, filterDiffuse);
+        const glm::dvec3 brdf = plan_.layout.has(AGAA_SEMANTIC_SPECULAR)
+                                    ? math_d::agaa_shade(surface, toEye, toLight, config.brdf, filterDiffuse, 0u)
+                                    : math_d::agaa_shadeDiffuse(surface, toLight, filterDiffuse);
         sum += brdf * glm::dvec3(light.color[0], light.color[1], light.color[2]) * intensity;
     }
     return sum;
@@ -164,8 +154,8 @@ glm::dvec3 ShadingOracle::perSamplePixel(uint32_t x, uint32_t y) const {
     return (sum + background * double(plan_.samples - covered)) / double(plan_.samples);
 }
 
-std::pair<glm::dvec3, std::vector<glm::dvec3>> ShadingOracle::shadowTapsOf(
-    const std::vector<glm::dvec3>& samples) const {
+std::pair<glm::dvec3, std::vector<glm::dvec3>>
+ShadingOracle::shadowTapsOf(const std::vector<glm::dvec3>& samples) const {
     const AgaaConfig& config = plan_.config;
     const bool alongDepth = config.flags & AGAA_CONFIG_SHADOW_ALONG_DEPTH;
     const size_t count = samples.size();
@@ -205,8 +195,7 @@ glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
     glm::dvec3 sum(0);
     uint32_t covered = 0;
     for (uint32_t a = 0; a < plan_.aggregates; ++a) {
-        const uint32_t* words =
-            &words_[((size_t(y) * plan_.width + x) * plan_.aggregates + a) * packing.words];
+        const uint32_t* words = &words_[((size_t(y) * plan_.width + x) * plan_.aggregates + a) * packing.words];
         const uint64_t field = words[packing.coverage.word] >> packing.coverage.shift;
         const uint32_t mask = uint32_t(field & ((uint64_t(1) << plan_.samples) - 1));
         if (!mask)
@@ -227,8 +216,7 @@ glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
             visibility.push_back(lit);
             shadowTaps_ += taps.size();
         }
-        sum += double(count) *
-               light(aggregate(words, count, towardsEye(mean, constants_)), mean, visibility);
+        sum += double(count) * light(aggregate(words, count, towardsEye(mean, constants_)), mean, visibility);
     }
     const glm::dvec3 background(frame_.background[0], frame_.background[1], frame_.background[2]);
     return (sum + background * double(plan_.samples - covered)) / double(plan_.samples);

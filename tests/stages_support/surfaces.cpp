@@ -27,16 +27,15 @@ std::string surfaceText(const Resource& resource) {
             (resource.samples > 1 ? "MS" : "") + " surface;\n";
     text += "layout(std430, binding = 1) writeonly buffer Out { uvec4 texels[]; };\n";
     text += "const uint samples = " + std::to_string(resource.samples) + "u;\n";
-    text += "const uvec2 size = uvec2(" + std::to_string(resource.width) + "u, " +
-            std::to_string(resource.height) + "u);\n";
+    text += "const uvec2 size = uvec2(" + std::to_string(resource.width) + "u, " + std::to_string(resource.height) +
+            "u);\n";
     text += R"(void main() {
     uvec2 p = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(p, size)))
         return;
     for (uint s = 0u; s < samples; ++s)
         texels[(p.y * size.x + p.x) * samples + s] = )";
-    const std::string fetch =
-        std::string("texelFetch(surface, ivec2(p), ") + (resource.samples > 1 ? "int(s))" : "0)");
+    const std::string fetch = std::string("texelFetch(surface, ivec2(p), ") + (resource.samples > 1 ? "int(s))" : "0)");
     return text + (isUint ? fetch : "floatBitsToUint(" + fetch + ")") + ";\n}\n";
 }
 

@@ -20,7 +20,8 @@ Texture texture(GLenum target, GLenum format, GLsizei width, GLsizei height) {
     return made;
 }
 
-NativeMisuse<AgaaGlFrame> badOutput(const char* what, AgaaResult expected, GLenum target, GLenum format, GLsizei width = 48) {
+NativeMisuse<AgaaGlFrame> badOutput(const char* what, AgaaResult expected, GLenum target, GLenum format,
+                                    GLsizei width = 48) {
     const auto made = std::make_shared<Texture>(texture(target, format, width, 32));
     return {what, expected, [made](auto&, auto& gl) { gl.outputTexture = made->get(); }};
 }
@@ -72,8 +73,7 @@ TEST(GlRecording, ErrorsOfTheHostAreTold) {
     sharedEgl().gl().Enable(GL_TEXTURE0);
     EXPECT_EQ(bench.record(bench.frame(), glFrame), AGAA_ERROR_INVALID_ARGUMENT);
     ASSERT_EQ(bench.context.lines.size(), 2u);
-    EXPECT_NE(bench.context.lines[0].text.find("0x0500"), std::string::npos)
-        << bench.context.lines[0].text;
+    EXPECT_NE(bench.context.lines[0].text.find("0x0500"), std::string::npos) << bench.context.lines[0].text;
     EXPECT_EQ(sharedEgl().gl().GetError(), GLenum{GL_NO_ERROR});
     sharedEgl().takeMessages();
     EXPECT_EQ(bench.record(bench.frame(), glFrame), AGAA_ERROR_INVALID_ARGUMENT);

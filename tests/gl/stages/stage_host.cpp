@@ -148,11 +148,9 @@ GLuint deletedTexture(const GladGLContext& gl) {
 }
 
 StageView::StageView(StageContext& context, const ViewSettings& settings)
-    : context_(context), gl_(context.egl().gl()), settings_(settings),
-      output_(createTexture(gl_, GL_TEXTURE_2D)), vertexArray_(createVertexArray(gl_)),
-      vertices_(createBuffer(gl_)) {
-    gl_.TextureStorage2D(output_.get(), 1, GL_RGBA32F, GLsizei(settings.width),
-                         GLsizei(settings.height));
+    : context_(context), gl_(context.egl().gl()), settings_(settings), output_(createTexture(gl_, GL_TEXTURE_2D)),
+      vertexArray_(createVertexArray(gl_)), vertices_(createBuffer(gl_)) {
+    gl_.TextureStorage2D(output_.get(), 1, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height));
     const AgaaViewDesc desc = viewDesc(settings_);
     if (settings.build)
         view_ = makePlanView<agaa::gl::View, agaa::gl::Context>(context.get(), desc, settings.build);
@@ -191,11 +189,9 @@ void StageView::setTriangles(const std::vector<Triangle>& triangles) {
     for (size_t i = 0; i < triangles.size(); ++i)
         for (const glm::vec3& position : triangles[i].position) {
             vertices.push_back({position, triangles[i].material});
-            vertices.back().material.geometricNormal.w =
-                float(triangles[i].seed ? triangles[i].seed : uint32_t(i));
+            vertices.back().material.geometricNormal.w = float(triangles[i].seed ? triangles[i].seed : uint32_t(i));
         }
-    gl_.NamedBufferData(vertices_.get(), GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(),
-                        GL_STATIC_DRAW);
+    gl_.NamedBufferData(vertices_.get(), GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(), GL_STATIC_DRAW);
     for (uint32_t pass :
          {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER, AGAA_DRAW_PASS_FORWARD})
         runs_[pass] = drawRuns(settings_, triangles, pass);
@@ -225,15 +221,13 @@ void StageView::render(const AgaaFrame& wanted, const AgaaGlFrame& glFrame, bool
 
 std::vector<float> StageView::image() const {
     std::vector<float> texels(size_t(4) * settings_.width * settings_.height);
-    gl_.GetTextureImage(output_.get(), 0, GL_RGBA, GL_FLOAT, GLsizei(texels.size() * sizeof(float)),
-                        texels.data());
+    gl_.GetTextureImage(output_.get(), 0, GL_RGBA, GL_FLOAT, GLsizei(texels.size() * sizeof(float)), texels.data());
     return texels;
 }
 
 AgaaFrameStatistics StageView::statistics() const {
     AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
-    require(agaaGetFrameStatistics(view_, frameIndex_, &statistics), context_,
-            "agaaGetFrameStatistics");
+    require(agaaGetFrameStatistics(view_, frameIndex_, &statistics), context_, "agaaGetFrameStatistics");
     return statistics;
 }
 
@@ -276,9 +270,8 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     setTarget(gl_, target.width, target.height);
     setDrawState(gl_, state);
     gl_.Disable(GL_CULL_FACE);
-    gl_.ClipControl(GL_LOWER_LEFT, settings_.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE
-                                       ? GL_NEGATIVE_ONE_TO_ONE
-                                       : GL_ZERO_TO_ONE);
+    gl_.ClipControl(GL_LOWER_LEFT,
+                    settings_.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE ? GL_NEGATIVE_ONE_TO_ONE : GL_ZERO_TO_ONE);
     gl_.BindVertexArray(vertexArray_.get());
     const Programs& programs = programs_.at(target.pipelineKey);
     const glm::mat4 clip = clipMatrix(settings_, target.pass);

@@ -64,9 +64,7 @@ public:
     AgaaGlFrame glFrame() const;
     // Records by one call, or a call a segment. Throws where the SDK refuses.
     void render(const AgaaFrame& frame, const AgaaGlFrame& glFrame, bool splitSegments = false);
-    void render(const AgaaFrame& wanted, bool splitSegments = false) {
-        render(wanted, glFrame(), splitSegments);
-    }
+    void render(const AgaaFrame& wanted, bool splitSegments = false) { render(wanted, glFrame(), splitSegments); }
     std::vector<float> image() const; // RGBA
     AgaaFrameStatistics statistics() const;
     AgaaView get() const { return view_; }
@@ -103,7 +101,7 @@ private:
     struct Programs {
         harness::gl::Program opaque, masked;
     };
-    std::map<uint64_t, Programs> programs_;        // by pipeline key
+    std::map<uint64_t, Programs> programs_;     // by pipeline key
     std::map<uint32_t, std::vector<Run>> runs_; // by AgaaDrawPassId
 };
 

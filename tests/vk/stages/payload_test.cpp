@@ -43,15 +43,14 @@ uint64_t bytesOf(VkFormat format) {
 
 VKAPI_ATTR VkResult VKAPI_CALL createImage(VkDevice device, const VkImageCreateInfo* info,
                                            const VkAllocationCallbacks* allocator, VkImage* image) {
-    created.imageBytes += uint64_t(info->extent.width) * info->extent.height * info->extent.depth *
-                          info->arrayLayers * uint64_t(info->samples) * bytesOf(info->format);
+    created.imageBytes += uint64_t(info->extent.width) * info->extent.height * info->extent.depth * info->arrayLayers *
+                          uint64_t(info->samples) * bytesOf(info->format);
     EXPECT_EQ(info->mipLevels, 1u);
     return realCreateImage(device, info, allocator, image);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createBuffer(VkDevice device, const VkBufferCreateInfo* info,
-                                            const VkAllocationCallbacks* allocator,
-                                            VkBuffer* buffer) {
+                                            const VkAllocationCallbacks* allocator, VkBuffer* buffer) {
     ++created.bufferSizes[info->size];
     return realCreateBuffer(device, info, allocator, buffer);
 }

@@ -79,16 +79,15 @@ std::vector<AgaaShadow> shadows() {
 }
 
 // As the host's contract says: the first layer whose clip volume holds the point.
-Visibility visibility(const std::vector<AgaaShadow>& maps,
-                      const std::vector<std::vector<float>>& depths) {
+Visibility visibility(const std::vector<AgaaShadow>& maps, const std::vector<std::vector<float>>& depths) {
     return [&maps, depths](uint32_t map, const glm::dvec3& p) {
         const double unsure = std::numeric_limits<double>::quiet_NaN();
         for (uint32_t layer = 0; layer < maps[map].layerCount; ++layer) {
             glm::mat4 m;
             std::copy_n(maps[map].matrices[layer], 16, &m[0][0]);
             const glm::dvec4 clip = glm::dmat4(m) * glm::dvec4(p, 1);
-            const double margins[] = {clip.w, clip.w - std::fabs(clip.x),
-                                      clip.w - std::fabs(clip.y), clip.z, clip.w - clip.z};
+            const double margins[] = {clip.w, clip.w - std::fabs(clip.x), clip.w - std::fabs(clip.y), clip.z,
+                                      clip.w - clip.z};
             bool inside = true;
             for (double margin : margins) {
                 inside &= margin > 0;
@@ -97,8 +96,7 @@ Visibility visibility(const std::vector<AgaaShadow>& maps,
             }
             if (!inside)
                 continue;
-            const double difference =
-                clip.z / clip.w - double(maps[map].depthBias) - double(depths[map][layer]);
+            const double difference = clip.z / clip.w - double(maps[map].depthBias) - double(depths[map][layer]);
             return std::fabs(difference) < 1e-5 ? unsure : difference <= 0 ? 1.0 : 0.0;
         }
         return 1.0;
@@ -119,9 +117,8 @@ struct Case {
 };
 
 void expectOracle(const Case& c, std::vector<Triangle> scene) {
-    SCOPED_TRACE(std::string(c.technique) + " n=" + std::to_string(c.samples) +
-                 " c=" + std::to_string(c.aggregates) + " brdf " + std::to_string(c.brdf) + " " +
-                 c.layout + " flags " + std::to_string(c.flags));
+    SCOPED_TRACE(std::string(c.technique) + " n=" + std::to_string(c.samples) + " c=" + std::to_string(c.aggregates) +
+                 " brdf " + std::to_string(c.brdf) + " " + c.layout + " flags " + std::to_string(c.flags));
     StageContext context;
     AgaaLayout layout;
     agaaGetBuiltinLayout(c.layout, &layout);
@@ -143,8 +140,7 @@ void expectOracle(const Case& c, std::vector<Triangle> scene) {
         for (glm::vec3& p : t.position)
             p = inverse * p;
         t.material.normal = glm::vec4(inverse * glm::vec3(t.material.normal), t.material.normal.w);
-        t.material.geometricNormal =
-            glm::vec4(inverse * glm::vec3(t.material.geometricNormal), 0);
+        t.material.geometricNormal = glm::vec4(inverse * glm::vec3(t.material.geometricNormal), 0);
     }
     const auto list = lights(c.shadowed);
     const auto maps = shadows();
@@ -180,10 +176,8 @@ void expectOracle(const Case& c, std::vector<Triangle> scene) {
                 continue;
             ++sure;
             for (int i = 0; i < 3; ++i) {
-                const double value =
-                    double(image.rgb[3 * (size_t(y) * image.width + x) + size_t(i)]);
-                const double error =
-                    std::fabs(value - expected[i]) / (std::fabs(expected[i]) + 0.01);
+                const double value = double(image.rgb[3 * (size_t(y) * image.width + x) + size_t(i)]);
+                const double error = std::fabs(value - expected[i]) / (std::fabs(expected[i]) + 0.01);
                 worst = std::max(worst, error);
                 wrong += !(error < 1e-4);
             }
@@ -193,8 +187,7 @@ void expectOracle(const Case& c, std::vector<Triangle> scene) {
     const AgaaCounters counters = view.statistics().counters;
     EXPECT_EQ(counters.shadingEvents, oracle.events());
     EXPECT_EQ(counters.shadowTaps, oracle.shadowTaps());
-    std::printf("%s n=%u c=%u: largest relative error %.1e\n", c.technique, c.samples,
-                c.aggregates, worst);
+    std::printf("%s n=%u c=%u: largest relative error %.1e\n", c.technique, c.samples, c.aggregates, worst);
 }
 
 // Few emit light, lest it hide the lighting; normals face the eye, as most do.
@@ -229,8 +222,7 @@ TEST(Shading, AgreesForBothLobesLayoutsAndFilters) {
         for (const char* layout : {"precise", "paper16"})
             expectOracle({.brdf = brdf, .layout = layout}, scene(33));
     expectOracle({.ndf = AGAA_NDF_NONE}, scene(33));
-    for (uint64_t flag :
-         {AGAA_CONFIG_NO_DIFFUSE_FILTER, AGAA_CONFIG_NO_SHADOW_FILTER, AGAA_CONFIG_SHADOW_ALONG_DEPTH})
+    for (uint64_t flag : {AGAA_CONFIG_NO_DIFFUSE_FILTER, AGAA_CONFIG_NO_SHADOW_FILTER, AGAA_CONFIG_SHADOW_ALONG_DEPTH})
         expectOracle({.flags = flag}, scene(33));
     for (uint32_t taps : {1u, 3u, 32u})
         expectOracle({.samples = 16, .shadowTaps = taps}, scene(33));

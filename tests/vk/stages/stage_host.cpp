@@ -144,10 +144,8 @@ AgaaVkContextDesc contextDesc(const HostOptions& options) {
     desc.getProcAddr = options.getProcAddr;
     desc.enabledExtensions = device.extensions().data();
     desc.enabledExtensionCount = uint32_t(device.extensions().size());
-    desc.rendering =
-        options.renderPass ? AGAA_VK_RENDERING_RENDER_PASS : AGAA_VK_RENDERING_AUTO;
-    desc.recording =
-        options.inlineRecording ? AGAA_VK_RECORDING_INLINE : AGAA_VK_RECORDING_SECONDARY;
+    desc.rendering = options.renderPass ? AGAA_VK_RENDERING_RENDER_PASS : AGAA_VK_RENDERING_AUTO;
+    desc.recording = options.inlineRecording ? AGAA_VK_RECORDING_INLINE : AGAA_VK_RECORDING_SECONDARY;
     desc.framesInFlight = options.framesInFlight;
     return desc;
 }
@@ -157,15 +155,13 @@ StageContext::StageContext(const HostOptions& options) {
     AgaaLog log = AGAA_LOG_INIT;
     log.callback = onLog;
     log.user = this;
-    require(agaaVkGetDeviceCaps(device.instance(), device.physicalDevice(), Device::getProcAddr,
-                                &log, &caps_),
-            *this, "agaaVkGetDeviceCaps");
+    require(agaaVkGetDeviceCaps(device.instance(), device.physicalDevice(), Device::getProcAddr, &log, &caps_), *this,
+            "agaaVkGetDeviceCaps");
     AgaaVkContextDesc desc = contextDesc(options);
     desc.log = &log;
     if (options.change)
         options.change(desc);
-    require(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context_), *this,
-            "agaaVkCreateContext");
+    require(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context_), *this, "agaaVkCreateContext");
 }
 
 StageContext::~StageContext() {
@@ -174,8 +170,7 @@ StageContext::~StageContext() {
         ADD_FAILURE() << message.id << ": " << message.text;
 }
 
-ShadowLayers::ShadowLayers(const std::vector<float>& layers, uint32_t size)
-    : arena_(sharedDevice()) {
+ShadowLayers::ShadowLayers(const std::vector<float>& layers, uint32_t size) : arena_(sharedDevice()) {
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
     info.imageType = VK_IMAGE_TYPE_2D;
@@ -196,24 +191,23 @@ ShadowLayers::ShadowLayers(const std::vector<float>& layers, uint32_t size)
         for (uint32_t layer = 0; layer < layers.size(); ++layer) {
             const VkClearDepthStencilValue value{layers[layer], 0};
             const VkImageSubresourceRange range{VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, layer, 1};
-            vkCmdClearDepthStencilImage(commands, image_.image.get(),
-                                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &range);
+            vkCmdClearDepthStencilImage(commands, image_.image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1,
+                                        &range);
         }
         imageBarrier(commands, image_.image.get(), VK_IMAGE_ASPECT_DEPTH_BIT, cleared, read);
     });
 }
 
 StageView::StageView(StageContext& context, const ViewSettings& settings)
-    : context_(context), settings_(settings),
-      output_(sharedDevice(), settings.width, settings.height), arena_(sharedDevice()) {
+    : context_(context), settings_(settings), output_(sharedDevice(), settings.width, settings.height),
+      arena_(sharedDevice()) {
     const AgaaViewDesc desc = viewDesc(settings_);
     if (settings.build)
         view_ = makePlanView<agaa::vk::View, agaa::vk::Context>(context.get(), desc, settings.build);
     else
         require(agaaVkCreateView(context.get(), &desc, &view_), context, "agaaVkCreateView");
 
-    set_ = StorageSet(sharedDevice(), 2,
-                      VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
+    set_ = StorageSet(sharedDevice(), 2, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
     makePipelines();
 }
 
@@ -221,7 +215,8 @@ StageView::~StageView() { agaaDestroyView(view_); }
 
 void StageView::makePipelines() {
     Device& device = sharedDevice();
-    const std::string vertex = "#version 450\n" + shaderDefines(settings_, AGAA_DRAW_PASS_VISIBILITY, false) + vertexText;
+    const std::string vertex =
+        "#version 450\n" + shaderDefines(settings_, AGAA_DRAW_PASS_VISIBILITY, false) + vertexText;
     vertex_ = makeShader(device, ShaderStage::Vertex, vertex, "triangles.vert");
     uint32_t count = 0;
     agaaVkGetDrawPasses(view_, &count, nullptr);
@@ -230,8 +225,7 @@ void StageView::makePipelines() {
     for (AgaaVkDrawPass& pass : passes) {
         pass.state = drawState(settings_, pass.state, pass.pass);
         PassPipelines& made = passes_[pass.pipelineKey];
-        const VkDescriptorSetLayout layouts[] = {(VkDescriptorSetLayout)pass.descriptorSetLayout,
-                                                 set_.layout()};
+        const VkDescriptorSetLayout layouts[] = {(VkDescriptorSetLayout)pass.descriptorSetLayout, set_.layout()};
         const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(glm::mat4)};
         VkPipelineLayoutCreateInfo layout{};
         layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
@@ -239,12 +233,11 @@ void StageView::makePipelines() {
         layout.pSetLayouts = layouts;
         layout.pushConstantRangeCount = 1;
         layout.pPushConstantRanges = &push;
-        made.layout = make<PipelineLayout>(device.get(), vkCreatePipelineLayout, layout,
-                                           "create a pipeline layout");
+        made.layout = make<PipelineLayout>(device.get(), vkCreatePipelineLayout, layout, "create a pipeline layout");
         for (int masked : {0, 1}) {
             const std::string text = std::string("#version 450\n") + pass.glslExtensions +
-                                     shaderDefines(settings_, pass.pass, masked != 0) +
-                                     pass.glslDeclarations + fragmentText;
+                                     shaderDefines(settings_, pass.pass, masked != 0) + pass.glslDeclarations +
+                                     fragmentText;
             made.fragments[masked] = makeShader(device, ShaderStage::Fragment, text, pass.name);
             PipelineState state(pass, masked != 0);
             state.vertexLocations = 0;
@@ -254,26 +247,24 @@ void StageView::makePipelines() {
                                            pass.name);
             state.geometry = made.geometry.get();
             const auto renderPass = (VkRenderPass)pass.renderPass;
-            made.pipelines[masked] = state.create(
-                device, vertex_.get(), made.fragments[masked].get(), made.layout.get(), renderPass,
-                renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
+            made.pipelines[masked] =
+                state.create(device, vertex_.get(), made.fragments[masked].get(), made.layout.get(), renderPass,
+                             renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
         }
     }
 }
 
 void StageView::setTriangles(const std::vector<Triangle>& triangles) {
     const size_t count = std::max<size_t>(triangles.size(), 1);
-    vertices_ = arena_.hostBuffer(count * 3 * 2 * sizeof(glm::vec4),
-                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    vertices_ = arena_.hostBuffer(count * 3 * 2 * sizeof(glm::vec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     materials_ = arena_.hostBuffer(count * sizeof(Material), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    for (uint32_t pass : {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER,
-                          AGAA_DRAW_PASS_FORWARD})
+    for (uint32_t pass :
+         {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER, AGAA_DRAW_PASS_FORWARD})
         runs_[pass] = drawRuns(settings_, triangles, pass);
     for (uint32_t i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];
         for (uint32_t corner = 0; corner < 3; ++corner) {
-            const glm::vec4 data[2] = {glm::vec4(t.position[corner], 0),
-                                       glm::vec4(t.uv[corner], 0, 0)};
+            const glm::vec4 data[2] = {glm::vec4(t.position[corner], 0), glm::vec4(t.uv[corner], 0, 0)};
             std::memcpy(vertices_.mapped + (3 * i + corner) * sizeof data, data, sizeof data);
         }
         Material material = t.material;
@@ -300,8 +291,7 @@ AgaaVkFrame StageView::vkFrame(VkCommandBuffer commands) {
     return frame;
 }
 
-void StageView::render(const AgaaFrame& wanted, const std::function<void(AgaaVkFrame&)>& change,
-                       bool splitSegments) {
+void StageView::render(const AgaaFrame& wanted, const std::function<void(AgaaVkFrame&)>& change, bool splitSegments) {
     sharedDevice().runCommands([&](VkCommandBuffer commands) {
         AgaaVkFrame vk = vkFrame(commands);
         if (change)
@@ -316,8 +306,7 @@ void StageView::render(const AgaaFrame& wanted, const std::function<void(AgaaVkF
 
 AgaaFrameStatistics StageView::statistics() const {
     AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
-    require(agaaGetFrameStatistics(view_, frameIndex_, &statistics), context_,
-            "agaaGetFrameStatistics");
+    require(agaaGetFrameStatistics(view_, frameIndex_, &statistics), context_, "agaaGetFrameStatistics");
     return statistics;
 }
 
@@ -335,14 +324,11 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     const PassPipelines& pass = passes_.at(target.pipelineKey);
     setViewport(commands, target.width, target.height);
     const VkDescriptorSet sets[] = {(VkDescriptorSet)target.descriptorSet, set_.get()};
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.layout.get(), 0, 2,
-                            sets, 0, nullptr);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.layout.get(), 0, 2, sets, 0, nullptr);
     const glm::mat4 clip = clipMatrix(settings_, target.pass);
-    vkCmdPushConstants(commands, pass.layout.get(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof clip,
-                       &clip);
+    vkCmdPushConstants(commands, pass.layout.get(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof clip, &clip);
     for (const Run& run : runs_.at(target.pass)) {
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                          pass.pipelines[run.isMasked].get());
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.pipelines[run.isMasked].get());
         vkCmdDraw(commands, 3 * run.count, settings_.instances, 3 * run.first, 0);
     }
     return AGAA_OK;
@@ -355,8 +341,7 @@ std::vector<glm::uvec4> StageView::readSurface(const std::string& name) const {
 
 std::vector<uint32_t> StageView::readBuffer(const std::string& name) const {
     const ResourceId id = findResource(plan(), name);
-    return readWords(sharedDevice(), (*executor().resources)[id].buffers[0],
-                     plan().resources[id].bytes);
+    return readWords(sharedDevice(), (*executor().resources)[id].buffers[0], plan().resources[id].bytes);
 }
 
 } // namespace agaa::test

@@ -82,8 +82,7 @@ public:
     AgaaVkFrame vkFrame(VkCommandBuffer commands);
 
     // Records by one call, or a call a segment, runs and waits. Throws where the SDK refuses.
-    void render(const AgaaFrame& frame,
-                const std::function<void(AgaaVkFrame&)>& change = nullptr,
+    void render(const AgaaFrame& frame, const std::function<void(AgaaVkFrame&)>& change = nullptr,
                 bool splitSegments = false);
     // The image just rendered.
     harness::Image image() const { return output_.read(); }
@@ -132,7 +131,7 @@ private:
     harness::vk::BufferResource vertices_, materials_;
     StorageSet set_;
     harness::vk::ShaderModule vertex_;
-    std::map<uint64_t, PassPipelines> passes_; // by pipeline key
+    std::map<uint64_t, PassPipelines> passes_;  // by pipeline key
     std::map<uint32_t, std::vector<Run>> runs_; // by AgaaDrawPassId
 };
 

@@ -18,9 +18,8 @@ void everythingBefore(VkCommandBuffer commands) {
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
     barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
     barrier.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT;
-    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
-                         VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &barrier, 0, nullptr, 0,
-                         nullptr);
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1,
+                         &barrier, 0, nullptr, 0, nullptr);
 }
 
 void toHost(VkCommandBuffer commands) {
@@ -28,22 +27,19 @@ void toHost(VkCommandBuffer commands) {
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
     barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
     barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
-    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT,
-                         0, 1, &barrier, 0, nullptr, 0, nullptr);
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0,
+                         nullptr, 0, nullptr);
 }
 
 } // namespace
 
-std::vector<glm::uvec4> readTexels(const Device& device, const Resource& resource,
-                                   VkImageView view) {
+std::vector<glm::uvec4> readTexels(const Device& device, const Resource& resource, VkImageView view) {
     const size_t count = size_t(resource.width) * resource.height * resource.samples;
     Arena arena(device);
-    const BufferResource out = arena.hostBuffer(count * sizeof(glm::uvec4),
-                                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, true);
+    const BufferResource out = arena.hostBuffer(count * sizeof(glm::uvec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, true);
     VkSamplerCreateInfo samplerInfo{};
     samplerInfo.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-    const Sampler sampler =
-        make<Sampler>(device.get(), vkCreateSampler, samplerInfo, "create a sampler");
+    const Sampler sampler = make<Sampler>(device.get(), vkCreateSampler, samplerInfo, "create a sampler");
     const VkDescriptorSetLayoutBinding bindings[] = {
         {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr},
         {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr}};
@@ -51,8 +47,8 @@ std::vector<glm::uvec4> readTexels(const Device& device, const Resource& resourc
     setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     setInfo.bindingCount = 2;
     setInfo.pBindings = bindings;
-    const auto setLayout = make<DescriptorSetLayout>(device.get(), vkCreateDescriptorSetLayout,
-                                                     setInfo, "create a set layout");
+    const auto setLayout =
+        make<DescriptorSetLayout>(device.get(), vkCreateDescriptorSetLayout, setInfo, "create a set layout");
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1},
                                           {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1}};
     VkDescriptorPoolCreateInfo poolInfo{};
@@ -60,8 +56,7 @@ std::vector<glm::uvec4> readTexels(const Device& device, const Resource& resourc
     poolInfo.maxSets = 1;
     poolInfo.poolSizeCount = 2;
     poolInfo.pPoolSizes = sizes;
-    const auto pool =
-        make<DescriptorPool>(device.get(), vkCreateDescriptorPool, poolInfo, "create a pool");
+    const auto pool = make<DescriptorPool>(device.get(), vkCreateDescriptorPool, poolInfo, "create a pool");
     const VkDescriptorSetLayout layouts[] = {setLayout.get()};
     VkDescriptorSetAllocateInfo allocate{};
     allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
@@ -71,9 +66,8 @@ std::vector<glm::uvec4> readTexels(const Device& device, const Resource& resourc
     VkDescriptorSet set = VK_NULL_HANDLE;
     check(vkAllocateDescriptorSets(device.get(), &allocate, &set), "allocate a set");
     const VkDescriptorImageInfo image{sampler.get(), view,
-                                      isDepth(resource.format)
-                                          ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
-                                          : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+                                      isDepth(resource.format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
+                                                               : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     const VkDescriptorBufferInfo buffer{out.buffer.get(), 0, VK_WHOLE_SIZE};
     VkWriteDescriptorSet writes[2]{};
     for (uint32_t i = 0; i < 2; ++i) {

@@ -11,9 +11,7 @@
 namespace agaa::test {
 
 // Rows of texels, of each its samples in order; floats as their bits.
-std::vector<glm::uvec4> readTexels(const harness::vk::Device& device, const Resource& resource,
-                                   VkImageView view);
-std::vector<uint32_t> readWords(const harness::vk::Device& device, VkBuffer buffer,
-                                uint64_t bytes);
+std::vector<glm::uvec4> readTexels(const harness::vk::Device& device, const Resource& resource, VkImageView view);
+std::vector<uint32_t> readWords(const harness::vk::Device& device, VkBuffer buffer, uint64_t bytes);
 
 } // namespace agaa::test
