@@ -32,19 +32,21 @@ protected:
         settings.config.samples = n;
         settings.config.layout = layout;
         settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_COUNTERS;
+        settings.facts.shadowMapCount = Host::shadowMaps;
         if (std::string(technique) == "agaa" || std::string(technique) == "sbaa")
             settings.config.generationTier = AGAA_TIER_GBUFFER;
         return settings;
     }
 
-    // In light through a map that casts no shadow.
+    // In light through a map that casts no shadow, where there is one.
     std::vector<float> render(View& view, bool byFunction, const typename Host::Samples* samples = nullptr) {
         AgaaLight light = sun();
-        light.shadowMap = 0;
+        const bool isMapped = view.settings().facts.shadowMapCount > 0;
+        light.shadowMap = isMapped ? 0 : AGAA_NO_SHADOW;
         const AgaaShadow shadow = shadowAt(0.25f);
         const typename Host::ShadowMap map = Host::shadowMap(context, 0.5f);
         AgaaFrame frame = view.frame();
-        setLight(frame, light, &shadow);
+        setLight(frame, light, isMapped ? &shadow : nullptr);
         frame.background[2] = 0.5f;
         addAmbient(frame);
         if (byFunction)
@@ -107,6 +109,7 @@ TYPED_TEST_P(HostGBufferCases, FillsEveryLayout) {
     agaaGetBuiltinLayout("paper16", &layout);
     this->expectSamePicture(this->settingsFor("agaa", 8, &layout));
     ViewSettings reversed = this->settingsFor("agaa", 8);
+    reversed.facts.shadowMapCount = 1 - TypeParam::shadowMaps;
     reversed.flags = AGAA_VIEW_REVERSED_Z;
     reversed.projection = reversedInfinite(60, 1.5f, 0.1f);
     this->expectSamePicture(reversed);

@@ -73,6 +73,7 @@ private:
 
 struct GBufferHost : OpenGLHost {
     using Samples = TextureSamples;
+    static constexpr uint32_t shadowMaps = 1;
     static constexpr GBufferRow rows[] = {{"single", 1},         {"ssaa", 4}, {"ssaa", 8}, {"simple_complex", 4},
                                           {"simple_complex", 8}, {"sbaa", 4}, {"sbaa", 8}, {"agaa", 4},
                                           {"agaa", 8}};

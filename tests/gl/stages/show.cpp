@@ -46,8 +46,4 @@ void FunctionBuffer::bind(AgaaGlFrame&) const {
     sharedEgl().gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, functionBlock, buffer_.get());
 }
 
-Shown show(StageContext& context, const ViewSettings& settings, const Shot& shot) {
-    return showBy<OpenGLHost>(context, settings, shot);
-}
-
 } // namespace agaa::test

@@ -35,8 +35,6 @@ private:
     harness::gl::Buffer buffer_;
 };
 
-Shown show(StageContext& context, const ViewSettings& settings, const Shot& shot);
-
 struct OpenGLHost {
     using Context = StageContext;
     using View = StageView;
@@ -78,5 +76,9 @@ struct OpenGLHost {
     // Of the driver, which may tell of what the library refuses, too.
     static void forgetMessages() { sharedEgl().takeMessages(); }
 };
+
+inline Shown show(StageContext& context, const ViewSettings& settings, const Shot& shot) {
+    return showBy<OpenGLHost>(context, settings, shot);
+}
 
 } // namespace agaa::test

@@ -79,6 +79,7 @@ private:
 
 struct GBufferHost : VulkanHost {
     using Samples = BufferSamples;
+    static constexpr uint32_t shadowMaps = 0;
     static constexpr GBufferRow rows[] = {{"single", 1}, {"fxaa", 1}, {"ssaa", 4}, {"sbaa", 8}, {"simple_complex", 4},
                                           {"agaa", 1},   {"agaa", 4}, {"agaa", 8}, {"agaa", 32}};
 };

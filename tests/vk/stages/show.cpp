@@ -11,8 +11,4 @@ FunctionBuffer::FunctionBuffer(const std::vector<glm::vec4>& data)
     set_.write({buffer_.buffer.get()});
 }
 
-Shown show(StageContext& context, const ViewSettings& settings, const Shot& shot) {
-    return showBy<VulkanHost>(context, settings, shot);
-}
-
 } // namespace agaa::test

@@ -19,8 +19,6 @@ private:
     StorageSet set_;
 };
 
-Shown show(StageContext& context, const ViewSettings& settings, const Shot& shot);
-
 struct VulkanHost {
     using Context = StageContext;
     using View = StageView;
@@ -55,6 +53,10 @@ struct VulkanHost {
     // Messages fail the tests whose contexts they come from.
     static void forgetMessages() {}
 };
+
+inline Shown show(StageContext& context, const ViewSettings& settings, const Shot& shot) {
+    return showBy<VulkanHost>(context, settings, shot);
+}
 
 // By render passes, and callbacks that record into the host's command buffer.
 struct RenderPassContext : StageContext {
