@@ -38,5 +38,5 @@ configure_file(cmake/agaa.pc.in ${PROJECT_BINARY_DIR}/agaa.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/agaa.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 install(FILES LICENSE NOTICES.md README.md docs/integration.md docs/shader-interface.md docs/choosing.md docs/memory.md
-  docs/sweep.md docs/state.md docs/troubleshooting.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  docs/sweep.md docs/state.md docs/troubleshooting.md docs/abi.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY samples/minimal DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

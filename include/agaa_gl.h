@@ -1,9 +1,8 @@
-/* AGAA SDK on OpenGL. Includes no OpenGL header: object names, formats and enums are uint32_t with
- * OpenGL's own values.
+/* AGAA SDK on OpenGL. Includes no OpenGL header: object names, formats and enumerations are uint32_t with OpenGL's values.
  * SPDX-License-Identifier: MIT
  *
- * Threading  Every function but agaaGlGetRequirements needs a GL context to be current in the calling thread:
- *            for an AgaaContext or AgaaView, the one that it was made in.
+ * OpenGL   Every function except agaaGlGetRequirements needs a current context: for a given AgaaContext or AgaaView, the one
+ *          in which it was created.
  */
 #ifndef AGAA_GL_H
 #define AGAA_GL_H
@@ -15,78 +14,92 @@ extern "C" {
 #endif
 
 typedef void (*AgaaGlFunction)(void);
-/* As eglGetProcAddress or glXGetProcAddress, with the host's pointer before the name. Must return functions of
- * OpenGL 1.x as well, which wglGetProcAddress alone does not. Called inside agaaGlGetDeviceCaps and
- * agaaGlCreateContext only. */
+/* eglGetProcAddress or glXGetProcAddress, with the host's pointer before the name. It must also return functions of OpenGL
+ * 1.x, which wglGetProcAddress does not. The SDK calls it in agaaGlGetDeviceCaps and agaaGlCreateContext only. */
 typedef AgaaGlFunction(AGAA_CALL* AgaaGlGetProcAddr)(void* user, const char* name);
 
 /* ---- before a context exists ------------------------------------------------------------------ */
 
-/* What a GL context must and should offer. Names have static storage. */
+/* What an OpenGL context must have, and what improves the SDK. Names have static storage. */
 typedef struct AgaaGlRequirements {
     uint32_t sType;
     uint32_t structSize;
-    const void* pNext;
-    uint32_t majorVersion; /* core or compatibility profile; 4.3 */
+    const void* pNext;     /* null */
+    uint32_t majorVersion; /* 4.3, core or compatibility profile, with the required extensions */
     uint32_t minorVersion;
-    uint32_t completeMajorVersion; /* that needs none of the required extensions; 4.5 */
+    uint32_t completeMajorVersion; /* 4.5, which needs none of the required extensions */
     uint32_t completeMinorVersion;
-    uint32_t requiredExtensionCount; /* what the version lacks */
-    const char* const* requiredExtensions;
+    uint32_t requiredExtensionCount;
     uint32_t optionalExtensionCount;
+    const char* const* requiredExtensions;
     const char* const* optionalExtensions;
 } AgaaGlRequirements;
 #define AGAA_GL_REQUIREMENTS_INIT                                                                   \
-    {AGAA_STRUCTURE_TYPE_GL_REQUIREMENTS, (uint32_t)sizeof(AgaaGlRequirements), NULL, 0, 0, 0, 0, 0,   \
-     NULL, 0, NULL}
+    {AGAA_STRUCTURE_TYPE_GL_REQUIREMENTS, (uint32_t)sizeof(AgaaGlRequirements), NULL, 0, 0, 0, 0, 0, 0, NULL, NULL}
+AGAA_API void AGAA_CALL agaaInitGlRequirements(AgaaGlRequirements* outRequirements, size_t structSize);
+
+/* Lists what a context needs.
+ *
+ * outRequirements   Initialised; unchanged on failure.
+ *
+ * Errors            AGAA_ERROR_INVALID_ARGUMENT   outRequirements is null
+ *                   AGAA_ERROR_STRUCT             outRequirements is not initialised
+ * Threads           Any. No context needs to be current. */
 AGAA_API AgaaResult AGAA_CALL agaaGlGetRequirements(AgaaGlRequirements* outRequirements);
 
-/* Capabilities of the current context, to be passed to the queries of agaa_sdk.h. log may be null. For
- * AGAA_GL_STORAGE_IMAGES, whose limits are others, ask agaaGlGetContextCaps. AGAA_ERROR_UNSUPPORTED where no
- * context is current or it is too old. */
-AGAA_API AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* getProcUser,
-                                                  const AgaaLog* log, AgaaDeviceCaps* outCaps);
+/* Gets the capabilities of the current context, for the queries of agaa_sdk.h. With AGAA_GL_STORAGE_IMAGES the limits differ:
+ * use agaaGlGetContextCaps.
+ *
+ * log       May be null.
+ * outCaps   Initialised; unchanged on failure.
+ *
+ * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
+ *           AGAA_ERROR_STRUCT             outCaps is not initialised
+ *           AGAA_ERROR_UNSUPPORTED        no context is current, or it is too old
+ * Threads   The thread in which the context is current. */
+AGAA_API AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* getProcUser, const AgaaLog* log,
+                                                  AgaaDeviceCaps* outCaps);
 
 /* ---- context ----------------------------------------------------------------------------------- */
 
-/* What becomes of the host's state. docs/state.md lists the states that RESTORE keeps. */
+/* How the SDK treats the host's state. docs/state.md lists the states that RESTORE keeps. */
 typedef enum AgaaGlStatePolicy {
-    /* Every state of the list is read on entry and set again before each draw callback and at return, also
-     * when a callback or the frame fails. A program that the host has deleted while it is in use is lost: OpenGL
-     * drops it when another is used. */
+    /* The SDK reads every state of the list on entry, and sets it again before each draw callback and before it returns, even
+     * if a callback or the frame fails. A program that the host deleted while it is in use is lost, because OpenGL deletes it
+     * when another one is used. */
     AGAA_GL_STATE_RESTORE = 0,
-    /* pushState is called on entry and after each draw callback, popState before each draw callback and at
-     * return: for hosts that can save and restore more cheaply than by glGet. Where the last popState fails
-     * the frame is AGAA_ERROR_CALLBACK, though its output was written. */
+    /* The SDK calls pushState on entry and after each draw callback, and popState before each draw callback and before it
+     * returns: for hosts that save state more cheaply than with glGet. If the last popState fails, the frame fails with
+     * AGAA_ERROR_CALLBACK although its output is written. */
     AGAA_GL_STATE_CALLBACKS = 1,
-    /* Nothing is saved: the host sets what it needs. */
+    /* The SDK saves nothing. The host sets the state that it needs. */
     AGAA_GL_STATE_NONE = 2,
     AGAA_GL_STATE_MAX_ENUM = 0x7FFFFFFF
 } AgaaGlStatePolicy;
 
-/* How the host's fragment shaders reach buffers that they add to. */
+/* How the host's fragment shaders access the buffers that they write. */
 typedef enum AgaaGlStorage {
     AGAA_GL_STORAGE_BUFFERS = 0, /* shader storage blocks */
-    AGAA_GL_STORAGE_IMAGES = 1,  /* buffer images: for engines that choke on storage blocks */
+    AGAA_GL_STORAGE_IMAGES = 1,  /* buffer images, for engines that do not support storage blocks */
     AGAA_GL_STORAGE_MAX_ENUM = 0x7FFFFFFF
 } AgaaGlStorage;
 
-/* Who declares the fragment shader's outputs. */
+/* Who declares the outputs of the fragment shader. */
 typedef enum AgaaGlOutputs {
     AGAA_GL_OUTPUTS_SDK = 0,  /* agaa_out0 … are outputs at locations 0 … */
     AGAA_GL_OUTPUTS_HOST = 1, /* agaa_out0 … are variables that the host copies to its outputs after agaa_emit() */
     AGAA_GL_OUTPUTS_MAX_ENUM = 0x7FFFFFFF
 } AgaaGlOutputs;
 
-/* The SDK's resources that the host's fragment shaders reach, and the kind of each binding. */
+/* The SDK's resources in the host's fragment shaders, and the kind of binding point of each. */
 typedef enum AgaaGlBinding {
     AGAA_GL_BINDING_FRAME = 0,      /* uniform buffer */
     AGAA_GL_BINDING_METADATA = 1,   /* texture unit */
     AGAA_GL_BINDING_AGGREGATES = 2, /* shader storage buffer; image unit with AGAA_GL_STORAGE_IMAGES */
     AGAA_GL_BINDING_COUNTERS = 3,   /* as AGAA_GL_BINDING_AGGREGATES */
     AGAA_GL_BINDING_LIGHTS = 4,     /* shader storage buffer; uniform buffer with AGAA_GL_STORAGE_IMAGES */
-    AGAA_GL_BINDING_SHADOW0 = 5,    /* texture units of the shadow maps; SHADOW0 also holds the prepass's normals in
-                                       AGAA_DRAW_PASS_AGGREGATE of views without AGAA_VIEW_REVERSED_Z */
+    AGAA_GL_BINDING_SHADOW0 = 5,    /* texture units of the shadow maps. In AGAA_DRAW_PASS_AGGREGATE of views without
+                                       AGAA_VIEW_REVERSED_Z, SHADOW0 holds the normals of the prepass */
     AGAA_GL_BINDING_SHADOW1 = 6,
     AGAA_GL_BINDING_SHADOW2 = 7,
     AGAA_GL_BINDING_SHADOW3 = 8,
@@ -94,146 +107,137 @@ typedef enum AgaaGlBinding {
     AGAA_GL_BINDING_COUNT = 10,
     AGAA_GL_BINDING_MAX_ENUM = 0x7FFFFFFF
 } AgaaGlBinding;
-#define AGAA_GL_MAX_BINDINGS 17
+#define AGAA_GL_MAX_BINDINGS 18
 
-/* Must not throw and must not call the SDK. Anything but AGAA_OK makes the frame AGAA_ERROR_CALLBACK. */
+/* Saves or restores the host's state. It must not throw and must not call the SDK. If it returns anything but AGAA_OK, the
+ * frame fails with AGAA_ERROR_CALLBACK. */
 typedef AgaaResult(AGAA_CALL* AgaaGlStateCallback)(void* user);
 
-typedef struct AgaaGlContextDesc {
+/* The host's OpenGL context. Chain it to AgaaContextDesc. */
+typedef struct AgaaGlDeviceDesc {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
     AgaaGlGetProcAddr getProcAddr;
     void* getProcUser;
-    uint32_t glslVersion; /* of the host's fragment shaders: 330 to 460, as in their #version line */
+    uint32_t glslVersion; /* of the host's fragment shaders, as in their #version line: 330, 400, 410, … 460 */
     uint32_t storage;     /* AgaaGlStorage */
     uint32_t outputs;     /* AgaaGlOutputs */
     uint32_t statePolicy; /* AgaaGlStatePolicy */
-    AgaaGlStateCallback pushState; /* both with AGAA_GL_STATE_CALLBACKS; otherwise not called, may be null */
+    AgaaGlStateCallback pushState; /* both are needed with AGAA_GL_STATE_CALLBACKS; otherwise they are not called */
     AgaaGlStateCallback popState;
     void* stateUser;
-    /* By AgaaGlBinding: where the SDK binds resources of the host's shaders during draw callbacks. Bindings of one kind
-     * must differ; elements from AGAA_GL_BINDING_COUNT on must be 0. The host's own bindings are restored after the
-     * callback, except with AGAA_GL_STATE_NONE. */
+    /* Binding points during draw callbacks, by AgaaGlBinding. Binding points of one kind must differ. Elements from
+     * AGAA_GL_BINDING_COUNT on must be 0. After the callback the SDK restores the host's bindings, except with
+     * AGAA_GL_STATE_NONE. */
     uint32_t bindings[AGAA_GL_MAX_BINDINGS];
-    uint32_t framesInFlight; /* [1;8]: as of AgaaVkContextDesc */
-    const AgaaLog* log;      /* may be null; copied */
-    AgaaAllocateCallback allocate; /* may be null */
-    AgaaFreeCallback free;
-    void* allocateUser;
-} AgaaGlContextDesc;
-#define AGAA_GL_CONTEXT_DESC_INIT                                                                   \
-    {AGAA_STRUCTURE_TYPE_GL_CONTEXT, (uint32_t)sizeof(AgaaGlContextDesc), NULL, NULL, NULL, 450,       \
+} AgaaGlDeviceDesc;
+#define AGAA_GL_DEVICE_DESC_INIT                                                                    \
+    {AGAA_STRUCTURE_TYPE_GL_DEVICE_DESC, (uint32_t)sizeof(AgaaGlDeviceDesc), NULL, NULL, NULL, 450,    \
      AGAA_GL_STORAGE_BUFFERS, AGAA_GL_OUTPUTS_SDK, AGAA_GL_STATE_RESTORE, NULL, NULL, NULL,            \
-     {0, 0, 0, 1, 2, 1, 2, 3, 4, 3, 0, 0, 0, 0, 0, 0, 0}, 2, NULL, NULL, NULL, NULL}
+     {0, 0, 0, 1, 2, 1, 2, 3, 4, 3, 0, 0, 0, 0, 0, 0, 0, 0}}
+AGAA_API void AGAA_CALL agaaInitGlDeviceDesc(AgaaGlDeviceDesc* outDesc, size_t structSize);
 
-/* headerVersion: pass AGAA_HEADER_VERSION. Probes whether the driver's timer queries are right, which takes
- * some milliseconds. The host's state is left as it was; errors that were pending are told to the log. Not to be
- * called with transform feedback that is not paused, conditional rendering, a query of GL_TIME_ELAPSED or rectangles of
- * GL_EXT_window_rectangles active. */
-AGAA_API AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion,
-                                                  const AgaaGlContextDesc* desc,
+/* Creates a context in the current OpenGL context. The SDK tests the driver's timer queries, which takes some milliseconds.
+ *
+ * headerVersion   AGAA_HEADER_VERSION.
+ * desc            With an AgaaGlDeviceDesc chained.
+ * outContext      Receives the context; unchanged on failure. Destroy it with agaaDestroyContext.
+ *
+ * Errors          AGAA_ERROR_VERSION            header and library have different major or minor versions
+ *                 AGAA_ERROR_INVALID_ARGUMENT   no device is chained, getProcAddr or a needed callback is null, only one of
+ *                                               two callbacks is set, or two bindings of one kind are equal
+ *                 AGAA_ERROR_OUT_OF_RANGE       a member is out of its range or exceeds a limit of the context
+ *                 AGAA_ERROR_UNSUPPORTED        no OpenGL context is current, or it is too old
+ *                 AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
+ * Threads         The thread in which the OpenGL context is current.
+ * OpenGL          All state is restored before the call returns. The log reports errors of earlier calls that were pending.
+ *                 None of these may be active: transform feedback that is not paused, conditional rendering, a query of
+ *                 GL_TIME_ELAPSED, rectangles of GL_EXT_window_rectangles. */
+AGAA_API AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion, const AgaaContextDesc* desc,
                                                   AgaaContext* outContext);
 
-/* Those of the context, with the limits of AgaaGlContextDesc::storage. AGAA_ERROR_INVALID_ARGUMENT for null and
- * for contexts of Vulkan, AGAA_ERROR_STRUCT where outCaps is not initialised. */
+/* Gets what the context can do, with the limits of AgaaGlDeviceDesc::storage.
+ *
+ * outCaps   Initialised; unchanged on failure.
+ *
+ * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, or the context is a Vulkan context
+ *           AGAA_ERROR_STRUCT             outCaps is not initialised
+ * Threads   The thread in which the OpenGL context is current. */
 AGAA_API AgaaResult AGAA_CALL agaaGlGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps);
 
-/* Allocates the view's surfaces and compiles its passes. desc and what it points to are needed until the call
- * returns. The view is the host's to destroy, before its context. AGAA_ERROR_UNSUPPORTED, _TOO_LARGE or _LAYOUT
- * where the device or the library cannot, _OUT_OF_MEMORY or _DEVICE where the driver refuses; what was made is
- * given back, and *outView is not written. The host's state is left as it was; errors that were pending are told
- * to the log. */
-AGAA_API AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* desc,
-                                               AgaaView* outView);
+/* Creates a view: the surfaces and programs for one camera at one size.
+ *
+ * desc      Read during the call only, with all that it points to.
+ * outView   Receives the view; unchanged on failure. Destroy it with agaaDestroyView, before its context.
+ *
+ * Errors    Those of agaaVkCreateView, with OpenGL in place of Vulkan.
+ * Threads   The thread in which the OpenGL context is current.
+ * OpenGL    All state is restored before the call returns. The log reports errors of earlier calls that were pending. */
+AGAA_API AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* desc, AgaaView* outView);
 
-/* ---- host draw passes --------------------------------------------------------------------------- */
+/* ---- draw passes and surfaces ----------------------------------------------------------------- */
 
-/* A host fragment shader is: its #version line, extensions, declarations, the host's own code, which fills
- * an AgaaSurfaceInput and calls agaa_emit() once. Compile the same text for each pass; for alpha-masked materials
- * `#define AGAA_ALPHA_MASKED 1` stands before the declarations. */
+/* The target of a draw pass on OpenGL. Chain it to AgaaDrawPass. */
 typedef struct AgaaGlDrawPass {
     uint32_t sType;
     uint32_t structSize;
-    const void* pNext;
-    uint32_t pass;  /* AgaaDrawPassId */
-    uint32_t stage; /* AgaaStage */
-    const char* name;     /* owned by the view */
-    uint64_t pipelineKey; /* as AgaaDrawTarget::pipelineKey */
-    uint32_t framebuffer; /* the view's; complete, of the format and size below */
-    uint32_t width, height;  /* texels of the target: pixels times the scale */
-    uint32_t scaleX, scaleY; /* sub-pixels a pixel */
-    AgaaDrawState state;
-    uint32_t colorFormats[4];    /* internal formats; state.colorAttachmentCount are used */
-    uint32_t depthStencilFormat; /* internal format */
-    const char* glslExtensions;   /* owned by the view */
-    const char* glslDeclarations; /* owned by the view */
-    /* Null: the pass needs no geometry shader. Otherwise the host's has this text between glslExtensions and its own
-     * code, which calls the functions that the text names. Owned by the view */
-    const char* glslGeometry;
+    void* pNext;
+    uint32_t colorFormats[8];    /* internal formats, of the first AgaaDrawState::colorAttachmentCount */
+    uint32_t depthStencilFormat; /* internal format; 0 without a depth attachment */
+    uint32_t framebuffer;        /* the view's; complete */
 } AgaaGlDrawPass;
 #define AGAA_GL_DRAW_PASS_INIT                                                                      \
-    {AGAA_STRUCTURE_TYPE_GL_DRAW_PASS, (uint32_t)sizeof(AgaaGlDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, \
-     0, 0, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, NULL, NULL, NULL}
+    {AGAA_STRUCTURE_TYPE_GL_DRAW_PASS, (uint32_t)sizeof(AgaaGlDrawPass), NULL, {0, 0, 0, 0, 0, 0, 0, 0}, 0, 0}
+AGAA_API void AGAA_CALL agaaInitGlDrawPass(AgaaGlDrawPass* outPass, size_t structSize);
 
-/* Two-call: with passes null, writes the count; otherwise every element must be initialised, or the call is
- * AGAA_ERROR_STRUCT. AGAA_ERROR_BUFFER_TOO_SMALL where *count is less than there are; AGAA_ERROR_INVALID_ARGUMENT
- * for null and for views of Vulkan. */
-AGAA_API AgaaResult AGAA_CALL agaaGlGetDrawPasses(AgaaView view, uint32_t* count,
-                                                  AgaaGlDrawPass* passes);
-
-/* A surface of a view, for hosts that use it between segments or copy it. Owned by the view. */
+/* The objects of a surface on OpenGL. Chain it to AgaaSurface in agaaGetSurface. */
 typedef struct AgaaGlSurface {
     uint32_t sType;
     uint32_t structSize;
-    const void* pNext;
-    uint32_t texture; /* TEXTURE_2D, or TEXTURE_2D_MULTISAMPLE with samples > 1; or 0 */
+    void* pNext;
+    uint32_t texture; /* TEXTURE_2D, or TEXTURE_2D_MULTISAMPLE with more than one sample; or 0 */
     uint32_t buffer;  /* or 0 */
-    uint64_t bytes;
-    uint32_t format; /* internal format */
-    uint32_t width, height, samples; /* texels: scaleX x scaleY a pixel */
-    uint32_t scaleX, scaleY;
+    uint32_t format;  /* internal format; 0 for buffers */
     uint32_t reserved;
 } AgaaGlSurface;
-#define AGAA_GL_SURFACE_INIT                                                                        \
-    {AGAA_STRUCTURE_TYPE_GL_SURFACE, (uint32_t)sizeof(AgaaGlSurface), NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
-
-/* name: as in agaaQueryMemory; "depth" is of every view that draws, "aggregates" of those that
- * agaaGetAggregateGlsl is for. Others may change with the version. AGAA_ERROR_INVALID_ARGUMENT for names that the view
- * does not have. */
-AGAA_API AgaaResult AGAA_CALL agaaGlGetSurface(AgaaView view, const char* name,
-                                               AgaaGlSurface* outSurface);
+#define AGAA_GL_SURFACE_INIT {AGAA_STRUCTURE_TYPE_GL_SURFACE, (uint32_t)sizeof(AgaaGlSurface), NULL, 0, 0, 0, 0}
+AGAA_API void AGAA_CALL agaaInitGlSurface(AgaaGlSurface* outSurface, size_t structSize);
 
 /* ---- frames ------------------------------------------------------------------------------------- */
 
 typedef struct AgaaGlFrame {
     uint32_t sType;
     uint32_t structSize;
-    const void* pNext;
-    /* TEXTURE_2D of the view's size, level 0, of a format that image stores take, RGBA16F or RGBA32F by
-     * choice. Needed by the shading segment. Row 0 is where the projection puts y = -1. */
+    const void* pNext; /* null */
+    /* The output: level 0 of a TEXTURE_2D with the size of the view, in a format that supports image stores; RGBA16F is
+     * recommended. The shading segment needs it. Row 0 is where the projection places y = -1. */
     uint32_t outputTexture;
-    /* TEXTURE_2D_ARRAY with depth, one per AgaaFrame::shadows that no AgaaShadowFunction answers for. Others
-     * are not looked at: a frame without shadows needs none. */
+    /* One TEXTURE_2D_ARRAY with depth per AgaaFrame::shadows that no AgaaShadowFunction answers for. Other elements are not
+     * read; a frame without shadows needs none. */
     uint32_t shadowTextures[AGAA_MAX_SHADOW_MAPS];
     uint32_t reserved; /* 0 */
 } AgaaGlFrame;
-#define AGAA_GL_FRAME_INIT                                                                          \
-    {AGAA_STRUCTURE_TYPE_GL_FRAME, (uint32_t)sizeof(AgaaGlFrame), NULL, 0, {0, 0, 0, 0}, 0}
+#define AGAA_GL_FRAME_INIT {AGAA_STRUCTURE_TYPE_GL_FRAME, (uint32_t)sizeof(AgaaGlFrame), NULL, 0, {0, 0, 0, 0}, 0}
+AGAA_API void AGAA_CALL agaaInitGlFrame(AgaaGlFrame* outFrame, size_t structSize);
 
-/* Runs the frame's segments in the current context. Draw callbacks find the host's state as it was on
- * entry, but for the bindings named in AgaaGlContextDesc; they bind AgaaDrawTarget::framebuffer and set
- * viewport and AgaaDrawState themselves. A callback that fails is AGAA_ERROR_CALLBACK: the output is
- * untouched, but passes before it have run. A frame is AGAA_ERROR_WRONG_ORDER too early (framesInFlight), with a
- * frameIndex that does not increase, or with segments missing or repeated; with another camera than its earlier
- * segments AGAA_ERROR_OUT_OF_RANGE. Active transform feedback that is not paused is AGAA_ERROR_WRONG_ORDER. Not to be
- * called with conditional rendering, a query of GL_TIME_ELAPSED or rectangles of GL_EXT_window_rectangles active.
- * Other errors of OpenGL's are not looked for: they are left to the host's glGetError. Functions of the host's
- * (AgaaGBufferFunction, AgaaFetchFunction, AgaaShadowFunction) find their resources as bound on entry, or where the
- * host draws, when the last draw callback returns: texture units from 17 and other binding points from 4 are left
- * alone, but for the places named in AgaaGlContextDesc. */
-AGAA_API AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame,
-                                                const AgaaGlFrame* glFrame);
+/* Runs the segments of a frame in the current context.
+ *
+ * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer or a texture that the frame needs is null, or the view is a Vulkan view
+ *           AGAA_ERROR_STRUCT             a struct is not initialised
+ *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, or the camera differs from that of the first segment
+ *           AGAA_ERROR_WRONG_ORDER        framesInFlight frames are unfinished, the frame index does not increase, a segment
+ *                                         is missing or repeated, or transform feedback is active and not paused
+ *           AGAA_ERROR_UNSUPPORTED        the output's format does not support image stores
+ *           AGAA_ERROR_CALLBACK           a callback failed. The output is unchanged; earlier passes have run
+ *           AGAA_ERROR_OUT_OF_MEMORY, AGAA_ERROR_DEVICE   an OpenGL function failed
+ * Threads   The thread in which the OpenGL context is current.
+ * OpenGL    AgaaGlDeviceDesc::statePolicy governs the state. None of these may be active: conditional rendering, a query of
+ *           GL_TIME_ELAPSED, rectangles of GL_EXT_window_rectangles. The SDK does not look for other OpenGL errors: they
+ *           remain for the host's glGetError. Functions of the host (agaa/functions.h) find their resources as bound on entry
+ *           or, if the host draws, when the last draw callback returns. The SDK does not use texture units from 17 and other
+ *           binding points from 4, except for those named in AgaaGlDeviceDesc. */
+AGAA_API AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame, const AgaaGlFrame* glFrame);
 
 #ifdef __cplusplus
 }

@@ -1,20 +1,28 @@
-/* AGAA SDK: anti-aliasing for deferred shading without history.
+/* AGAA SDK: anti-aliasing for deferred shading without temporal history.
  * SPDX-License-Identifier: MIT
  *
- * Pure C99. Sources named below: "AGAA" is Crassin et al., Aggregate G-Buffer Anti-Aliasing, TVCG 2016.
+ * Pure C99. "AGAA" in comments is Crassin et al., Aggregate G-Buffer Anti-Aliasing, TVCG 2016.
  *
  * Conventions
- *   Errors     Every function that can fail returns an AgaaResult: 0 ok, > 0 not an error, < 0 an error.
- *              Functions that are given a context, a view or a log also tell the error through the log
- *              callback, in one sentence; others, and calls with a null handle or a log that was not initialised,
- *              return the code alone.
- *              A call that fails validation has recorded and changed nothing.
- *   Lifetime   Pointers in parameters need to live until the call returns, unless stated otherwise.
- *   Threading  Functions without a handle may be called from any thread. Calls that share a context
- *              must not overlap in time.
- *   Spaces     Shading space: the host's axes with the origin at the eye ("camera-relative world").
- *              View space: right-handed, x right, y up, looking down -z. Matrices are column-major.
- *              Colours are linear. Lengths are in the host's unit.
+ *   Results    Functions that can fail return an AgaaResult: 0 is success, > 0 is no error, < 0 is an error.
+ *   Errors     If a function has a context, a view or a log, it also reports the error through the log callback, in one
+ *              sentence. Functions without these, calls with a null handle, and calls with a log that is not initialised
+ *              return the code only. Unless a comment says otherwise, a call that fails has recorded and changed nothing.
+ *              Every function that takes a struct may return, beside the errors that its comment lists:
+ *              AGAA_ERROR_INVALID_ARGUMENT   a required pointer is null
+ *              AGAA_ERROR_STRUCT             a struct is not initialised
+ *              AGAA_ERROR_VERSION            a struct has data that this library does not know
+ *              AGAA_ERROR_UNKNOWN_STRUCT     a chain holds an unknown struct, a struct twice, or does not end
+ *              AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, an enumeration or a flag has an unknown value, or
+ *                                            a reserved member is not 0
+ *              AGAA_ERROR_OUT_OF_MEMORY      host memory could not be allocated
+ *              AGAA_ERROR_INTERNAL           an error of the library itself
+ *   Lifetime   Pointers in parameters must be valid until the call returns, unless a comment says otherwise.
+ *   Threads    Functions without a handle may be called from any thread at any time. Calls that share a context must not
+ *              overlap in time.
+ *   Spaces     Shading space has the axes of the host and its origin at the eye ("camera-relative world"). View space is
+ *              right-handed: x right, y up, looking along -z. Matrices are column-major. Colours are linear. Lengths are in
+ *              the unit of the host.
  */
 #ifndef AGAA_SDK_H
 #define AGAA_SDK_H

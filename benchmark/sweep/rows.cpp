@@ -24,7 +24,7 @@ void SweepRow::apply(TechniqueConfig& config) const {
     config.technique = technique.c_str();
     config.samples = samples;
     config.aggregates = std::max(aggregates, 1u);
-    config.shadingCost = shadingCost;
+    config.measurement.shadingCost = shadingCost;
     config.generationTier = generationTier;
     if (!preset.empty() && config.applyPreset(preset.c_str()) != AGAA_OK)
         throw std::invalid_argument("There is no preset \"" + preset + "\".");
@@ -99,9 +99,9 @@ const std::vector<SweepEffect>& sweepEffects() {
     static const SweepRow accurate = {"agaa", 8, 4, 1, AGAA_TIER_GBUFFER, "accurate"};
     static const std::vector<SweepEffect> effects = {
         {.name = "shadow-filter",
-         .off = [](TechniqueConfig& config) { config.flags |= AGAA_CONFIG_NO_SHADOW_FILTER; },
+         .off = [](TechniqueConfig& config) { config.measurement.flags |= AGAA_MEASURE_NO_SHADOW_FILTER; },
          .ofShadows = true},
-        {.name = "filtered-diffuse", .off = [](TechniqueConfig& config) { config.flags |= AGAA_CONFIG_NO_DIFFUSE_FILTER; }},
+        {.name = "filtered-diffuse", .off = [](TechniqueConfig& config) { config.measurement.flags |= AGAA_MEASURE_NO_DIFFUSE_FILTER; }},
         {.name = "ndf-widening",
          .fact = AGAA_FACT_SPECULAR,
          .off = [](TechniqueConfig& config) { config.ndf = AGAA_NDF_NONE; }},
@@ -123,7 +123,7 @@ const std::vector<SweepEffect>& sweepEffects() {
          .row = accurate},
         {.name = "more-aggregates", .off = [](TechniqueConfig& config) { config.aggregates = 2; }, .row = accurate},
         {.name = "maximin-seeds",
-         .off = [](TechniqueConfig& config) { config.aggregation.seeds = AGAA_SEEDS_SUM_OF_SQUARES; },
+         .off = [](TechniqueConfig& config) { config.measurement.seeds = AGAA_SEEDS_SUM_OF_SQUARES; },
          .row = accurate},
         {.name = "fused",
          .off = [](TechniqueConfig& config) { config.flags |= AGAA_CONFIG_BUFFERED; },

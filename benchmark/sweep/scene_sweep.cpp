@@ -79,7 +79,7 @@ void SceneSweep::step(const std::string& what) {
 
 RenderResult SceneSweep::render(const SweepRow& row, uint64_t flags, uint32_t debugView) {
     RenderSettings settings = base_;
-    settings.config.debugView = debugView;
+    settings.config.measurement.debugView = debugView;
     row.apply(settings.config);
     settings.config.flags |= flags;
     return renderer_.render(settings);

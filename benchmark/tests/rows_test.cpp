@@ -30,9 +30,9 @@ TEST(SweepRows, AreFoundByName) {
 
 TEST(SweepRows, EveryTechniqueIsThere) {
     uint32_t count = 0;
-    ASSERT_EQ(agaaEnumerateTechniques(&count, nullptr), AGAA_OK);
+    ASSERT_EQ(agaaGetNames(AGAA_NAMES_TECHNIQUES, &count, nullptr), AGAA_OK);
     std::vector<const char*> names(count);
-    ASSERT_EQ(agaaEnumerateTechniques(&count, names.data()), AGAA_OK);
+    ASSERT_EQ(agaaGetNames(AGAA_NAMES_TECHNIQUES, &count, names.data()), AGAA_OK);
     for (bool quick : {false, true})
         for (const char* name : names) {
             bool found = false;
@@ -102,8 +102,8 @@ TEST(SweepEffects, AreSwitchedOffByWhatTheyName) {
     }
     TechniqueConfig accurate;
     accurate.applyPreset("accurate");
-    EXPECT_TRUE(off["shadow-filter"].flags & AGAA_CONFIG_NO_SHADOW_FILTER);
-    EXPECT_TRUE(off["filtered-diffuse"].flags & AGAA_CONFIG_NO_DIFFUSE_FILTER);
+    EXPECT_TRUE(off["shadow-filter"].measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER);
+    EXPECT_TRUE(off["filtered-diffuse"].measurement.flags & AGAA_MEASURE_NO_DIFFUSE_FILTER);
     EXPECT_EQ(off["ndf-widening"].ndf, uint32_t(AGAA_NDF_NONE));
     EXPECT_EQ(off["lit-aggregates"].aggregation.litShadows, 0u);
     EXPECT_EQ(off["lit-aggregates"].ndf, accurate.ndf);
@@ -111,7 +111,7 @@ TEST(SweepEffects, AreSwitchedOffByWhatTheyName) {
     EXPECT_EQ(off["elliptic-lobes"].aggregation.litShadows, accurate.aggregation.litShadows);
     EXPECT_EQ(off["gloss-weight"].aggregation.glossWeight, 0.0f);
     EXPECT_EQ(off["more-aggregates"].aggregates, 2u);
-    EXPECT_EQ(off["maximin-seeds"].aggregation.seeds, uint32_t(AGAA_SEEDS_SUM_OF_SQUARES));
+    EXPECT_EQ(off["maximin-seeds"].measurement.seeds, uint32_t(AGAA_SEEDS_SUM_OF_SQUARES));
     EXPECT_TRUE(off["fused"].flags & AGAA_CONFIG_BUFFERED);
     EXPECT_EQ(off["fused"].generationTier, uint32_t(AGAA_TIER_IDS));
 }

@@ -1,5 +1,11 @@
-/* Functions of the host's that passes are compiled with: its own G-buffer, materials by id, shadows. Part of
- * agaa_sdk.h.
+/* GLSL functions of the host that the SDK's passes are compiled with. Part of agaa_sdk.h.
+ *
+ * All texts are GLSL 450, or GLSL 430 in OpenGL contexts below 4.5. The functions run in compute shaders, without implicit
+ * derivatives. Their resources must be readable by compute shaders when the commands of the frame run. On Vulkan they are
+ * in descriptor set 1 (AgaaVkFrame::functionSet); on OpenGL they are where agaaGlRecordFrame describes. Names that begin
+ * with agaa, Agaa or AGAA_ belong to the library, except for the functions that the host defines. If a text does not
+ * compile, creating the view fails with AGAA_ERROR_INVALID_ARGUMENT and the compiler's first message.
+ * docs/shader-interface.md describes the structs.
  * SPDX-License-Identifier: MIT */
 #ifndef AGAA_FUNCTIONS_H
 #define AGAA_FUNCTIONS_H
@@ -10,84 +16,80 @@
 extern "C" {
 #endif
 
-/* Chained to AgaaViewDesc: a multisampled G-buffer that the host draws itself, before it records the frame. The
- * library draws nothing: AgaaFrame::draw is not called and may be null, and techniques that aggregate take the tier
- * GBUFFER. Its passes are compiled with a function of the host's that reads a sample; the text is GLSL 450, in OpenGL
- * contexts below 4.5 GLSL 430, and defines
+/* A multisampled G-buffer that the host draws before it records the frame. Chain it to AgaaViewDesc. The library draws
+ * nothing: it does not call AgaaFrame::draw, and "agaa" and "sbaa" use the tier GBUFFER. The text defines
  *     bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m)
- * which gives depth as the host's depth buffer holds it, and the material (docs/shader-interface.md), and says whether
- * sample i, [0;n), shows geometry. It runs in compute: no implicit derivatives. Its resources, readable by compute when
- * the frame's commands run, are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1], emission in
- * [0;range] of the layout; what is not finite becomes the least of its range, as in docs/shader-interface.md.
- * Names beginning with agaa, Agaa and AGAA_ are the library's, but for the functions that the host defines. Code that
- * does not compile is AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. Not for "msaa", and not together
- * with an AgaaFetchFunction. */
+ * which returns whether sample i, [0, n), shows geometry, and provides its depth as the host's depth buffer holds it and
+ * its material. Colours are in [0, 1], emission is in [0, range] of the layout. Non-finite values are replaced by the
+ * lowest value of their range. Not for "msaa" (AGAA_ERROR_UNSUPPORTED), and not with an AgaaFetchFunction
+ * (AGAA_ERROR_INVALID_ARGUMENT). */
 typedef struct AgaaGBufferFunction {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
     const char* glsl;
-    /* Where the n samples lie in the pixel, [0;1), as pairs x, y of gl_FragCoord; null: in a target of the
-     * visibility tier, whose texels agaaTexel(pixel, i) and agaaTexelSample(i) name. */
+    /* Positions of the n samples in the pixel, as pairs x, y in [0, 1) of gl_FragCoord. Null: the samples are those of a
+     * target of the visibility tier, which agaaTexel(pixel, i) and agaaTexelSample(i) address. */
     const float* samplePositions;
-    uint64_t descriptorSetLayout; /* Vulkan: VkDescriptorSetLayout of set 1, for compute, or 0 without resources; that
-                                     of an AgaaShadowFunction too, where both have one; not used after
-                                     agaaVkCreateView. OpenGL: 0 */
-    uint32_t depthBits;           /* of a fixed-point depth, 16 or 24; 0: a float */
-    uint32_t reserved;            /* 0 */
-    /* Null, or what the text needs of extensions: lines "#extension NAME : BEHAVIOUR" and nothing else. They hold for
-     * the whole pass. Enabling their features, or making a context that has them, is the host's; for bindless
-     * textures on Vulkan GL_EXT_nonuniform_qualifier, shaderSampledImageArrayNonUniformIndexing and
-     * runtimeDescriptorArray. Other lines are AGAA_ERROR_INVALID_ARGUMENT. */
+    /* Vulkan: VkDescriptorSetLayout of set 1, for the compute stage, or 0 without resources. All functions of a view have
+     * the same layout. The library does not use it after agaaVkCreateView. OpenGL: 0. */
+    uint64_t descriptorSetLayout;
+    uint32_t depthBits; /* of a fixed-point depth buffer, 16 or 24; 0: a float depth buffer */
+    uint32_t reserved;  /* 0 */
+    /* Null, or lines "#extension NAME : BEHAVIOUR" and nothing else (AGAA_ERROR_INVALID_ARGUMENT). They hold for the whole
+     * pass. The host enables their features. Bindless textures on Vulkan need GL_EXT_nonuniform_qualifier,
+     * shaderSampledImageArrayNonUniformIndexing and runtimeDescriptorArray. */
     const char* glslExtensions;
 } AgaaGBufferFunction;
 #define AGAA_GBUFFER_FUNCTION_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, (uint32_t)sizeof(AgaaGBufferFunction), NULL, NULL, NULL, 0, 0, 0, NULL}
+AGAA_API void AGAA_CALL agaaInitGBufferFunction(AgaaGBufferFunction* outFunction, size_t structSize);
 
-/* Chained to AgaaViewDesc: materials by id, for the tier IDS, which AUTO then is. The visibility pass leaves, beside
- * depth, which draw and primitive each sample shows (AgaaSurfaceInput::draw, ::primitive); compute passes find the
- * primitives of a pixel, evaluate the material of each once, in the middle of its samples, group these and shade.
- * They are compiled with functions of the host's; the text, GLSL as at AgaaGBufferFunction, defines
+/* Bits of AgaaFetchFunction::flags.
+ *
+ * NOT_ALL_DRAWS: some draws cannot be fetched, because they are displaced or their shaders cannot run in compute. In the
+ * visibility pass these draws set AgaaSurfaceInput::draw to AGAA_UNFETCHED. A second geometry pass (AGAA_DRAW_PASS_GBUFFER
+ * with depthCompare EQUAL) draws only them into a multisampled G-buffer. The number AGAA_UNFETCHED takes one id. At equal
+ * depth the first draw is shown; without a stencil format or with AGAA_MEASURE_NO_STENCIL, the last unfetched draw. Excludes
+ * AGAA_FACT_CUSTOM_DEPTH (AGAA_ERROR_UNSUPPORTED). */
+#define AGAA_FETCH_NOT_ALL_DRAWS UINT64_C(0x01)
+
+/* Materials by id, for "agaa" with the tier IDS, which AUTO then selects. Chain it to AgaaViewDesc. The visibility pass
+ * stores, beside depth, the draw and the primitive of each sample (AgaaSurfaceInput::draw, ::primitive). Compute passes find
+ * the primitives of a pixel, evaluate the material of each once, at the mean position of its samples, group the samples
+ * and shade. The text defines
  *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)
- * which give the clip coordinates of a triangle, as the vertex shader computed them, but with y as
- * AgaaFrame::projection has it, where a negative viewport height turns it, and the material at a point of
- * it (docs/shader-interface.md). That point's material is taken for all samples of the primitive in the pixel. Its
- * normal is, too, unless the function gives the normal's derivatives. With AGAA_CONFIG_FINE_MATERIALS a material is
- * taken for the samples of a texel, and derivatives of normals are not used. The functions run in compute: no implicit
- * derivatives. Their resources are in set 1 (Vulkan), or where agaaGlRecordFrame says. Colours are in [0;1], emission in
- * [0;range] of the layout; what is not finite as there. The alpha test is the visibility pass's alone. Names and errors
- * as at AgaaGBufferFunction. Of "agaa". */
-/* Some draws cannot be fetched: displaced, or by shaders that compute cannot call. The visibility pass gives them
- * AgaaSurfaceInput::draw = AGAA_UNFETCHED, and a second geometry pass, AGAA_DRAW_PASS_GBUFFER whose depthCompare is
- * EQUAL, draws these draws alone into a multisampled G-buffer, from which their samples are taken; it takes one id. Of
- * equal depths the first drawn is shown; without a stencil (AGAA_CONFIG_NO_STENCIL, or no such depth format) the last of
- * these draws. Not with AGAA_FACT_CUSTOM_DEPTH. */
-#define AGAA_FETCH_NOT_ALL_DRAWS UINT64_C(0x01)
+ * The first provides the clip coordinates of a triangle as the vertex shader computes them, with the y direction of
+ * AgaaFrame::projection if a negative viewport height flips it. The second provides the material at a point of the triangle.
+ * All samples of the primitive in the pixel share this material. They share its normal too, unless the function provides
+ * derivatives of the normal. With AGAA_CONFIG_FINE_MATERIALS the samples of one texel share a material, and derivatives of
+ * normals are not used. Colours are in [0, 1], emission is in [0, range] of the layout. Non-finite values are replaced by
+ * the lowest value of their range. Only the visibility pass tests alpha. */
 typedef struct AgaaFetchFunction {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
     const char* glsl;
-    uint32_t maxDraws;      /* >= 1; the numbers of draws are below it. What is not, is shown as the last draw's first
-                               primitive, or as the draw's last announced one, and counted as
-                               AgaaCounters::unannounced */
-    uint32_t maxPrimitives; /* >= 1, of a draw; rounded up to a power of two and times maxDraws it is at most 2^32 - 1,
-                               with AGAA_FETCH_NOT_ALL_DRAWS one less: else AGAA_ERROR_TOO_LARGE */
-    uint64_t descriptorSetLayout; /* as at AgaaGBufferFunction */
+    /* Draws are numbered below maxDraws, >= 1. Out-of-range draws show primitive 0 of the last draw, out-of-range primitives
+     * the last primitive of their draw; AgaaCounters::unannounced counts both. */
+    uint32_t maxDraws;
+    /* Primitives of a draw, >= 1. maxPrimitives, rounded up to a power of two, times maxDraws is at most 2^32 - 1, or
+     * 2^32 - 2 with AGAA_FETCH_NOT_ALL_DRAWS (AGAA_ERROR_TOO_LARGE). */
+    uint32_t maxPrimitives;
+    uint64_t descriptorSetLayout; /* as AgaaGBufferFunction::descriptorSetLayout */
     uint64_t flags;               /* AGAA_FETCH_… */
-    const char* glslExtensions;   /* as at AgaaGBufferFunction */
+    const char* glslExtensions;   /* as AgaaGBufferFunction::glslExtensions */
 } AgaaFetchFunction;
 #define AGAA_FETCH_FUNCTION_INIT                                                                    \
     {AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0, 0, NULL}
+AGAA_API void AGAA_CALL agaaInitFetchFunction(AgaaFetchFunction* outFunction, size_t structSize);
 
-/* Chained to AgaaViewDesc: shadows by a function of the host's in place of some shadow maps. It is
- * compiled into the passes that shade; the text, GLSL as at AgaaGBufferFunction, defines
+/* A function that replaces some shadow maps. Chain it to AgaaViewDesc. It is compiled into the passes that shade. The text
+ * defines
  *     float agaaHostShadow(uint shadow, vec3 position)
- * the share of light, [0;1], that a point in shading space gets past AgaaFrame::shadows[shadow]. It runs
- * in compute: no implicit derivatives. Its resources are in set 1 (Vulkan), or where agaaGlRecordFrame says;
- * names as at AgaaGBufferFunction. Code that does not compile is
- * AGAA_ERROR_INVALID_ARGUMENT, with the compiler's first message. Not for "msaa": AGAA_ERROR_UNSUPPORTED. */
+ * which returns the share of light, [0, 1], that reaches a point in shading space past AgaaFrame::shadows[shadow]. Not for
+ * "msaa" (AGAA_ERROR_UNSUPPORTED). */
 typedef struct AgaaShadowFunction {
     uint32_t sType;
     uint32_t structSize;
@@ -95,11 +97,12 @@ typedef struct AgaaShadowFunction {
     const char* glsl;
     uint32_t shadows;  /* bit i: the function answers for AgaaFrame::shadows[i], whose layerCount is 0 */
     uint32_t reserved; /* 0 */
-    uint64_t descriptorSetLayout; /* as at AgaaGBufferFunction */
-    const char* glslExtensions;   /* as at AgaaGBufferFunction */
+    uint64_t descriptorSetLayout; /* as AgaaGBufferFunction::descriptorSetLayout */
+    const char* glslExtensions;   /* as AgaaGBufferFunction::glslExtensions */
 } AgaaShadowFunction;
 #define AGAA_SHADOW_FUNCTION_INIT                                                                   \
     {AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, (uint32_t)sizeof(AgaaShadowFunction), NULL, NULL, 0, 0, 0, NULL}
+AGAA_API void AGAA_CALL agaaInitShadowFunction(AgaaShadowFunction* outFunction, size_t structSize);
 
 #ifdef __cplusplus
 }

@@ -70,7 +70,7 @@ static void renderFrames(Host* host) {
 /* The context is still current. */
 static void destroy(Host* host) {
     agaaDestroyView(host->view);
-    agaaDestroyContext(host->context);
+    CHECK(agaaDestroyContext(host->context));
     glDeleteProgram(host->program);
     glDeleteVertexArrays(1, &host->vertexArray);
     glDeleteFramebuffers(1, &host->framebuffer);

@@ -125,9 +125,11 @@ static void createView(Host* host) {
 
 /* createPass() makes pipelines of what the SDK says of its passes, so this host says the same of its own. */
 static void createOwnPass(Host* host) {
-    AgaaVkDrawPass pass = AGAA_VK_DRAW_PASS_INIT;
+    AgaaDrawPass pass = AGAA_DRAW_PASS_INIT;
+    AgaaVkDrawPass vkPass = AGAA_VK_DRAW_PASS_INIT;
+    pass.pNext = &vkPass;
     pass.glslExtensions = pass.glslDeclarations = "";
-    pass.renderPass = (uint64_t)gbuffer.renderPass, pass.descriptorSetLayout = (uint64_t)gbuffer.layout;
+    vkPass.renderPass = (uint64_t)gbuffer.renderPass, vkPass.descriptorSetLayout = (uint64_t)gbuffer.layout;
     pass.state.samples = samples, pass.state.colorAttachmentCount = 2, pass.state.colorWriteMask = 0xF;
     pass.state.depthCompare = AGAA_COMPARE_LESS, pass.state.depthWrite = 1;
     createPasses(host, &pass, vertexCode, gbufferCode);

@@ -62,14 +62,15 @@ static AgaaGlFunction AGAA_CALL getProcAddr(void* user, const char* name) {
 
 static AgaaContext createContext(void) {
     AgaaLog log = AGAA_LOG_INIT;
-    AgaaGlContextDesc desc = AGAA_GL_CONTEXT_DESC_INIT;
+    AgaaContextDesc desc = AGAA_CONTEXT_DESC_INIT;
+    AgaaGlDeviceDesc device = AGAA_GL_DEVICE_DESC_INIT;
     AgaaContext context;
     log.callback = onLog;
-    desc.getProcAddr = getProcAddr;
-    desc.glslVersion = 450;
-    desc.statePolicy = AGAA_GL_STATE_RESTORE;
+    device.getProcAddr = getProcAddr;
+    device.glslVersion = 450;
+    device.statePolicy = AGAA_GL_STATE_RESTORE;
+    desc.pNext = &device, desc.log = &log;
     desc.framesInFlight = 1; /* these hosts wait for each frame */
-    desc.log = &log;
     CHECK(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context));
     return context;
 }

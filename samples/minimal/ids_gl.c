@@ -37,9 +37,9 @@ static void createView(Host* host) {
 }
 
 static void createPass(Host* host) {
-    AgaaGlDrawPass pass = AGAA_GL_DRAW_PASS_INIT;
+    AgaaDrawPass pass = AGAA_DRAW_PASS_INIT;
     uint32_t count = 1;
-    CHECK(agaaGlGetDrawPasses(host->view, &count, &pass));
+    CHECK(agaaGetDrawPasses(host->view, &count, &pass));
     host->program = createProgram(pass.glslExtensions, pass.glslDeclarations, numberedVertexCode, idCode);
 }
 
@@ -74,7 +74,7 @@ static void renderFrames(Host* host) {
 /* The context is still current. */
 static void destroy(Host* host) {
     agaaDestroyView(host->view);
-    agaaDestroyContext(host->context);
+    CHECK(agaaDestroyContext(host->context));
     glDeleteProgram(host->program);
     glDeleteVertexArrays(1, &host->vertexArray);
     glDeleteBuffers(1, &host->geometry);

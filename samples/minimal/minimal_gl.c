@@ -21,10 +21,11 @@ static void createView(Host* host) {
 }
 
 static void createPasses(Host* host) {
-    AgaaGlDrawPass passes[maxPasses] = {AGAA_GL_DRAW_PASS_INIT, AGAA_GL_DRAW_PASS_INIT, AGAA_GL_DRAW_PASS_INIT,
-                                        AGAA_GL_DRAW_PASS_INIT};
+    AgaaDrawPass passes[maxPasses];
+    for (int i = 0; i < maxPasses; ++i)
+        agaaInitDrawPass(&passes[i], sizeof passes[i]);
     host->passCount = maxPasses;
-    CHECK(agaaGlGetDrawPasses(host->view, &host->passCount, passes));
+    CHECK(agaaGetDrawPasses(host->view, &host->passCount, passes));
     for (uint32_t i = 0; i < host->passCount; ++i) {
         host->keys[i] = passes[i].pipelineKey;
         host->programs[i] =
@@ -64,7 +65,7 @@ static void renderFrames(Host* host) {
 /* The context is still current. */
 static void destroy(Host* host) {
     agaaDestroyView(host->view);
-    agaaDestroyContext(host->context);
+    CHECK(agaaDestroyContext(host->context));
     for (uint32_t i = 0; i < host->passCount; ++i)
         glDeleteProgram(host->programs[i]);
     glDeleteVertexArrays(1, &host->vertexArray);

@@ -93,12 +93,14 @@ static const float* createOutput(Host* host) {
 
 static void createContext(Host* host) {
     AgaaLog log = AGAA_LOG_INIT;
-    AgaaVkContextDesc desc = AGAA_VK_CONTEXT_DESC_INIT;
-    log.callback = onLog, desc.log = &log;
-    desc.instance = host->instance, desc.physicalDevice = host->physicalDevice, desc.device = host->device;
-    desc.queueFamily = 0, desc.apiVersion = VK_API_VERSION_1_2;
-    desc.getProcAddr = (AgaaVkGetInstanceProcAddr)vkGetInstanceProcAddr;
-    desc.enabledFeatures = &enabledFeatures, desc.descriptorSet = 0;
+    AgaaContextDesc desc = AGAA_CONTEXT_DESC_INIT;
+    AgaaVkDeviceDesc device = AGAA_VK_DEVICE_DESC_INIT;
+    log.callback = onLog;
+    device.instance = host->instance, device.physicalDevice = host->physicalDevice, device.device = host->device;
+    device.queueFamily = 0, device.apiVersion = VK_API_VERSION_1_2;
+    device.getProcAddr = (AgaaVkGetInstanceProcAddr)vkGetInstanceProcAddr;
+    device.enabledFeatures = &enabledFeatures, device.descriptorSet = 0;
+    desc.pNext = &device, desc.log = &log;
     desc.framesInFlight = 1; /* these hosts wait for each frame */
     CHECK(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &host->context));
 }
@@ -130,11 +132,12 @@ static VkShaderModule compile(const Host* host, glslang_stage_t stage, const cha
     return module;
 }
 
-static void createPass(Host* host, uint32_t i, const AgaaVkDrawPass* sdk, VkShaderModule vertex, const char* code) {
+static void createPass(Host* host, uint32_t i, const AgaaDrawPass* sdk, VkShaderModule vertex, const char* code) {
+    const AgaaVkDrawPass* vk = sdk->pNext;
     const VkCompareOp ops[] = {VK_COMPARE_OP_LESS, VK_COMPARE_OP_GREATER, VK_COMPARE_OP_EQUAL, VK_COMPARE_OP_ALWAYS};
     const VkShaderModule fragment =
         compile(host, GLSLANG_STAGE_FRAGMENT, sdk->glslExtensions, sdk->glslDeclarations, code);
-    const VkDescriptorSetLayout sets[2] = {(VkDescriptorSetLayout)sdk->descriptorSetLayout, host->vertexSet};
+    const VkDescriptorSetLayout sets[2] = {(VkDescriptorSetLayout)vk->descriptorSetLayout, host->vertexSet};
     const VkPushConstantRange push = {VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->frame.projection};
     const VkPipelineLayoutCreateInfo layout = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = host->vertexSet ? 2 : 1,
@@ -180,18 +183,23 @@ static void createPass(Host* host, uint32_t i, const AgaaVkDrawPass* sdk, VkShad
         .pVertexInputState = &input, .pInputAssemblyState = &assembly, .pViewportState = &viewport,
         .pRasterizationState = &rasterization, .pMultisampleState = &multisample, .pDepthStencilState = &depthStencil,
         .pColorBlendState = &blend, .pDynamicState = &dynamic, .layout = host->layouts[i],
-        .renderPass = (VkRenderPass)sdk->renderPass};
+        .renderPass = (VkRenderPass)vk->renderPass};
     CHECK(vkCreateGraphicsPipelines(host->device, VK_NULL_HANDLE, 1, &info, NULL, &host->pipelines[i]));
     vkDestroyShaderModule(host->device, fragment, NULL);
 }
 
 /* The SDK's, and one of the host's own or NULL. vertices: of the vertex shader, which all passes share; materials: of
  * the fragment shaders. */
-static void createPasses(Host* host, const AgaaVkDrawPass* own, const char* vertices, const char* materials) {
-    AgaaVkDrawPass passes[maxPasses] = {AGAA_VK_DRAW_PASS_INIT, AGAA_VK_DRAW_PASS_INIT, AGAA_VK_DRAW_PASS_INIT,
-                                        AGAA_VK_DRAW_PASS_INIT};
+static void createPasses(Host* host, const AgaaDrawPass* own, const char* vertices, const char* materials) {
+    AgaaDrawPass passes[maxPasses];
+    AgaaVkDrawPass vkPasses[maxPasses];
+    for (int i = 0; i < maxPasses; ++i) {
+        agaaInitDrawPass(&passes[i], sizeof passes[i]);
+        agaaInitVkDrawPass(&vkPasses[i], sizeof vkPasses[i]);
+        passes[i].pNext = &vkPasses[i];
+    }
     host->passCount = maxPasses;
-    CHECK(agaaVkGetDrawPasses(host->view, &host->passCount, passes));
+    CHECK(agaaGetDrawPasses(host->view, &host->passCount, passes));
     require(!own || host->passCount < maxPasses, "The SDK has more passes than this host expects.");
     if (own)
         passes[host->passCount++] = *own;
@@ -263,7 +271,7 @@ static void renderFrames(Host* host) {
 
 static void destroy(Host* host) {
     agaaDestroyView(host->view);
-    agaaDestroyContext(host->context);
+    CHECK(agaaDestroyContext(host->context));
     for (uint32_t i = 0; i < host->passCount; ++i) {
         vkDestroyPipeline(host->device, host->pipelines[i], NULL);
         vkDestroyPipelineLayout(host->device, host->layouts[i], NULL);

@@ -3,10 +3,13 @@
 #include "core/checked.h"
 #include "core/glsl_text.h"
 #include "core/handles.h"
+#include "core/draw_passes.h"
 #include "core/layout.h"
 #include "core/names.h"
 #include "core/planner.h"
 #include "core/presets.h"
+#include "core/structs.h"
+#include "core/surfaces.h"
 #include "core/technique.h"
 #include "core/tiers.h"
 #include "core/validate.h"
@@ -21,24 +24,29 @@ namespace {
 AgaaDeviceCaps capsOrIdeal(const AgaaDeviceCaps* caps) {
     if (!caps)
         return idealDevice();
-    const AgaaDeviceCaps known = checkStruct(caps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
-    require(known.reserved == 0, AGAA_ERROR_INVALID_ARGUMENT, "AgaaDeviceCaps::reserved must be 0.");
+    const AgaaDeviceCaps known = readStruct(caps);
+    checkReserved(known.reserved, "AgaaDeviceCaps::reserved");
     return known;
 }
 
-AgaaSurface surfaceOf(const Resource& resource) {
-    AgaaSurface surface{};
-    std::strncpy(surface.name, resource.name.c_str(), sizeof surface.name - 1);
-    std::strncpy(surface.format, formatName(resource.format), sizeof surface.format - 1);
-    surface.width = resource.width;
-    surface.height = resource.height;
-    surface.samples = resource.samples;
-    surface.layers = resource.layers;
-    surface.bytes = checkedMultiply(resource.bytes, resource.copies);
-    surface.isPerPixel = resource.isPerPixel();
-    surface.firstPass = resource.firstPass;
-    surface.lastPass = resource.lastPass;
-    return surface;
+std::vector<const char*> namesOf(uint32_t kind) {
+    switch (kind) {
+    case AGAA_NAMES_TECHNIQUES: {
+        std::vector<const char*> names;
+        for (const Technique* technique : techniques())
+            names.push_back(technique->name);
+        return names;
+    }
+    case AGAA_NAMES_TIERS:
+        return tierNames();
+    case AGAA_NAMES_STAGES:
+        return stageNames();
+    case AGAA_NAMES_LAYOUTS:
+        return layoutNames();
+    case AGAA_NAMES_PRESETS:
+        return presetNames();
+    }
+    fail(AGAA_ERROR_INVALID_ARGUMENT, format("%u is not an AgaaNameKind.", kind));
 }
 
 // Two-call convention for text.
@@ -56,30 +64,6 @@ AgaaResult writeText(const std::string& source, size_t* size, char* text) {
 
 extern "C" {
 
-const char* AGAA_CALL agaaResultString(AgaaResult result) {
-    switch (result) {
-#define AGAA_RESULT_CASE(name, value, text)                                                        \
-    case value:                                                                                    \
-        return text;
-        AGAA_RESULT_LIST(AGAA_RESULT_CASE)
-#undef AGAA_RESULT_CASE
-    default:
-        return "unknown result";
-    }
-}
-
-const char* AGAA_CALL agaaResultName(AgaaResult result) {
-    switch (result) {
-#define AGAA_RESULT_CASE(name, value, text)                                                        \
-    case value:                                                                                    \
-        return #name;
-        AGAA_RESULT_LIST(AGAA_RESULT_CASE)
-#undef AGAA_RESULT_CASE
-    default:
-        return "unknown result";
-    }
-}
-
 uint32_t AGAA_CALL agaaGetVersion(void) { return AGAA_HEADER_VERSION; }
 
 const char* AGAA_CALL agaaTierName(uint32_t tier) { return tierName(tier); }
@@ -90,38 +74,36 @@ AgaaResult AGAA_CALL agaaTierFromName(const char* name, uint32_t* outTier) {
     return name && outTier && tierFromName(name, *outTier) ? AGAA_OK : AGAA_ERROR_INVALID_ARGUMENT;
 }
 
+AgaaResult AGAA_CALL agaaGetNames(uint32_t kind, uint32_t* count, const char** names) {
+    return guarded(Log(), "agaaGetNames", [&] { return writeArray(namesOf(kind), count, names); });
+}
+
 AgaaResult AGAA_CALL agaaGetBuiltinLayout(const char* name, AgaaLayout* outLayout) {
     return guarded(Log(), "agaaGetBuiltinLayout", [&]() -> AgaaResult {
-        require(name && outLayout, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
-        *outLayout = builtinLayout(name);
+        require(name, AGAA_ERROR_INVALID_ARGUMENT, "the name is null.");
+        checkOutput(outLayout);
+        writeStruct(outLayout, builtinLayout(name));
         return AGAA_OK;
     });
 }
 
-AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config, AgaaAggregation* aggregation) {
+AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config, AgaaAggregation* aggregation,
+                                     AgaaMeasurement* measurement) {
     return guarded(Log(), "agaaApplyPreset", [&]() -> AgaaResult {
         require(name, AGAA_ERROR_INVALID_ARGUMENT, "the name is null.");
-        checkHeader(config, AGAA_STRUCTURE_TYPE_CONFIG, sizeof *config, "AgaaConfig", settingsTypes());
-        checkHeader(aggregation, AGAA_STRUCTURE_TYPE_AGGREGATION, sizeof *aggregation, "AgaaAggregation", settingsTypes());
-        if (!applyPreset(name, *config, *aggregation))
-            fail(AGAA_ERROR_INVALID_ARGUMENT, format("no preset is called \"%.64s\".", name));
+        checkOutput(config, configChain());
+        checkOutput(aggregation, configChain());
+        if (measurement)
+            checkOutput(measurement, configChain());
+        applyPreset(name, *config, *aggregation, measurement);
         return AGAA_OK;
-    });
-}
-
-AgaaResult AGAA_CALL agaaEnumerateTechniques(uint32_t* count, const char** names) {
-    return guarded(Log(), "agaaEnumerateTechniques", [&] {
-        std::vector<const char*> list;
-        for (const Technique* technique : techniques())
-            list.push_back(technique->name);
-        return writeArray(list, count, names);
     });
 }
 
 AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count,
                                            AgaaCapability* capabilities) {
     return guarded(Log(), "agaaQueryCapabilities", [&] {
-        return writeArray(listCapabilities(capsOrIdeal(caps)), count, capabilities);
+        return writeStructs(listCapabilities(capsOrIdeal(caps)), count, capabilities);
     });
 }
 
@@ -131,20 +113,22 @@ AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceC
     return guarded(checkedLog(log), "agaaQueryMemory", [&]() -> AgaaResult {
         const Plan plan = makePlan(resolveView(view), capsOrIdeal(caps), 2);
         if (outReport)
-            checkStruct(outReport, AGAA_STRUCTURE_TYPE_MEMORY_REPORT, "AgaaMemoryReport");
+            checkOutput(outReport);
         if (surfaceCount) {
             std::vector<AgaaSurface> list;
-            for (const Resource& resource : plan.resources)
-                if (!resource.isHosts())
-                    list.push_back(surfaceOf(resource));
-            writeArray(list, surfaceCount, surfaces);
+            for (ResourceId id = 0; id < plan.resources.size(); ++id)
+                if (!plan.resources[id].isHosts())
+                    list.push_back(describeSurface(plan, id));
+            writeStructs(list, surfaceCount, surfaces);
         }
         if (outReport) {
-            outReport->totalBytes = plan.totalBytes();
-            outReport->constantBytes = plan.constantBytes();
-            outReport->peakBytes = plan.peakBytes();
-            outReport->bytesPerPixel = plan.bytesPerPixel();
-            outReport->bytesPerAggregate = plan.bytesPerAggregate;
+            AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
+            report.totalBytes = plan.totalBytes();
+            report.constantBytes = plan.constantBytes();
+            report.peakBytes = plan.peakBytes();
+            report.bytesPerPixel = plan.bytesPerPixel();
+            report.bytesPerAggregate = plan.bytesPerAggregate;
+            writeStruct(outReport, report);
         }
         return AGAA_OK;
     });
@@ -154,19 +138,22 @@ AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceC
                                      AgaaTarget* outTarget) {
     return guarded(checkedLog(log), "agaaQueryTarget", [&]() -> AgaaResult {
         const ViewSettings settings = resolveView(view);
-        checkStruct(outTarget, AGAA_STRUCTURE_TYPE_TARGET, "AgaaTarget");
-        const Plan plan = makePlan(settings, capsOrIdeal(caps), 2);
+        checkOutput(outTarget);
+        const AgaaDeviceCaps device = capsOrIdeal(caps);
+        const Plan plan = makePlan(settings, device, 2);
         const uint64_t width = uint64_t(plan.width) * plan.scaleX, height = uint64_t(plan.height) * plan.scaleY;
-        if (std::max(width, height) > capsOrIdeal(caps).maxImageSize)
+        if (std::max(width, height) > device.maxImageSize)
             fail(AGAA_ERROR_TOO_LARGE, format("the target would be %llux%llu texels; the device allows %u.",
                                               static_cast<unsigned long long>(width),
-                                              static_cast<unsigned long long>(height), capsOrIdeal(caps).maxImageSize));
-        outTarget->width = uint32_t(width);
-        outTarget->height = uint32_t(height);
-        outTarget->samples = plan.hwSamples;
-        outTarget->scaleX = plan.scaleX;
-        outTarget->scaleY = plan.scaleY;
-        outTarget->geometryPasses = plan.geometryPasses();
+                                              static_cast<unsigned long long>(height), device.maxImageSize));
+        AgaaTarget target = AGAA_TARGET_INIT;
+        target.width = uint32_t(width);
+        target.height = uint32_t(height);
+        target.samples = plan.hwSamples;
+        target.scaleX = plan.scaleX;
+        target.scaleY = plan.scaleY;
+        target.geometryPasses = plan.geometryPasses();
+        writeStruct(outTarget, target);
         return AGAA_OK;
     });
 }
@@ -191,12 +178,43 @@ AgaaResult AGAA_CALL agaaGetCoverageGlsl(const AgaaLog* log, size_t* size, char*
     });
 }
 
+AgaaResult AGAA_CALL agaaGetDrawPasses(AgaaView view, uint32_t* count, AgaaDrawPass* passes) {
+    return guarded(logOf(view), "agaaGetDrawPasses", [&]() -> AgaaResult {
+        require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
+        return writeDrawPasses(*view->current, count, passes);
+    });
+}
+
+AgaaResult AGAA_CALL agaaGetSurface(AgaaView view, const char* name, AgaaSurface* outSurface) {
+    return guarded(logOf(view), "agaaGetSurface", [&]() -> AgaaResult {
+        require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
+        require(name, AGAA_ERROR_INVALID_ARGUMENT, "the name is null.");
+        checkOutput(outSurface, {view->current->surfaceRow().sType});
+        void* native = nativePart(outSurface, view->current->surfaceRow());
+        const ResourceId id = view->current->plan.surface(name);
+        if (native)
+            view->current->describeSurface(id, native);
+        writeStruct(outSurface, describeSurface(view->current->plan, id));
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaResizeView(AgaaView view, uint32_t width, uint32_t height) {
+    return guarded(logOf(view), "agaaResizeView", [&]() -> AgaaResult {
+        require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
+        resizeView(*view, width, height);
+        return AGAA_OK;
+    });
+}
+
 AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
                                             AgaaFrameStatistics* outStatistics) {
     return guarded(logOf(view), "agaaGetFrameStatistics", [&]() -> AgaaResult {
         require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
-        checkStruct(outStatistics, AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, "AgaaFrameStatistics");
-        return view->statistics(completedFrame, *outStatistics);
+        AgaaFrameStatistics statistics = readStruct(outStatistics);
+        const AgaaResult result = view->current->statistics(completedFrame, statistics);
+        writeStruct(outStatistics, statistics);
+        return result;
     });
 }
 
@@ -204,21 +222,23 @@ AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,
                                        AgaaFrameValidation* outValidation) {
     return guarded(logOf(view), "agaaValidateFrame", [&]() -> AgaaResult {
         require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
-        checkStruct(outValidation, AGAA_STRUCTURE_TYPE_FRAME_VALIDATION, "AgaaFrameValidation");
-        return view->validation(completedFrame, *outValidation);
+        AgaaFrameValidation validation = readStruct(outValidation);
+        const AgaaResult result = view->current->validation(completedFrame, validation);
+        writeStruct(outValidation, validation);
+        return result;
     });
 }
 
 void AGAA_CALL agaaDestroyView(AgaaView view) {
     if (view)
-        destroy(HostAllocator(view->owner.allocator), view);
+        destroyView(view);
 }
 
-void AGAA_CALL agaaDestroyContext(AgaaContext context) {
+AgaaResult AGAA_CALL agaaDestroyContext(AgaaContext context) {
     if (!context)
-        return;
+        return AGAA_OK;
     const Log log = context->log;
-    guarded(log, "agaaDestroyContext", [&]() -> AgaaResult {
+    return guarded(log, "agaaDestroyContext", [&]() -> AgaaResult {
         require(context->viewCount == 0, AGAA_ERROR_WRONG_ORDER, "views of the context still exist; it was kept.");
         destroy(HostAllocator(context->allocator), context);
         return AGAA_OK;

@@ -29,7 +29,7 @@ private:
 
 // A log of a host's that is not what it should be is not called.
 inline Log checkedLog(const AgaaLog* log) {
-    const bool valid = log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize == sizeof *log;
+    const bool valid = log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize >= sizeof *log;
     return valid ? Log(log) : Log();
 }
 

@@ -1,5 +1,7 @@
 #include "core/frame_data.h"
 
+#include "core/validate.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -59,15 +61,16 @@ static void writeLights(const AgaaFrame& frame, void* destination) {
     for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i) {
         GpuShadow shadow{};
         if (i < frame.shadowCount) {
-            std::memcpy(shadow.matrices, frame.shadows[i].matrices, sizeof shadow.matrices);
-            shadow.bias = frame.shadows[i].depthBias;
-            shadow.layerCount = std::max(frame.shadows[i].layerCount, 1u); // a function of the host's has none
+            const AgaaShadow source = shadowOf(frame, i);
+            std::memcpy(shadow.matrices, source.matrices, sizeof shadow.matrices);
+            shadow.bias = source.depthBias;
+            shadow.layerCount = std::max(source.layerCount, 1u); // a function of the host's has none
         }
         std::memcpy(&shadows[i], &shadow, sizeof shadow);
     }
     auto* lights = reinterpret_cast<GpuLight*>(shadows + AGAA_MAX_SHADOW_MAPS);
     for (uint32_t i = 0; i < frame.lightCount; ++i) {
-        const AgaaLight& source = frame.lights[i];
+        const AgaaLight source = lightOf(frame, i);
         GpuLight light{};
         std::memcpy(light.position, source.position, sizeof light.position);
         light.range = source.range;

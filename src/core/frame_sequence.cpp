@@ -13,6 +13,11 @@ static std::array<float, 32> cameraOf(const AgaaFrame& frame) {
     return camera;
 }
 
+void FrameSequence::startAfter(const FrameSequence& other) {
+    frame_ = other.frame_;
+    segments_ = AGAA_SEGMENT_ALL;
+}
+
 void FrameSequence::check(const AgaaFrame& frame) const {
     const uint64_t lowest = frame.segments & (~frame.segments + 1);
     // Contiguous segments only: 101 would shade what was not generated.

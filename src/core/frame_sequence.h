@@ -13,6 +13,8 @@ class FrameSequence {
 public:
     explicit FrameSequence(uint32_t slotCount) : slots_(slotCount) {}
 
+    // The frames of another sequence are over: one that it began cannot go on.
+    void startAfter(const FrameSequence& other);
     // Throws where frame does not follow from what was recorded before.
     void check(const AgaaFrame& frame) const;
     bool begins(const AgaaFrame& frame) const { return frame.frameIndex != frame_; }

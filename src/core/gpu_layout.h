@@ -3,6 +3,7 @@
 
 #include "agaa_sdk.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace agaa {
@@ -58,9 +59,9 @@ struct CounterBuffer {
     uint32_t counts[counterCount][2]; // by Counter; low word first
     uint32_t invalidPixels;           // found; the first of them follow
     uint32_t padding;
-    uint32_t pixels[AGAA_MAX_INVALID_PIXELS][14]; // AgaaInvalidPixel
+    uint32_t pixels[AGAA_MAX_INVALID_PIXELS][14]; // AgaaInvalidPixel without its end
 };
 static_assert(sizeof(CounterBuffer) == 4 * (2 * counterCount + 2 + 14 * AGAA_MAX_INVALID_PIXELS));
-static_assert(sizeof(AgaaInvalidPixel) == sizeof(CounterBuffer::pixels[0]));
+static_assert(offsetof(AgaaInvalidPixel, reserved) == sizeof(CounterBuffer::pixels[0]));
 
 } // namespace agaa

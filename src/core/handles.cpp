@@ -42,18 +42,14 @@ void requireBackend(AgaaView view, Backend backend) {
                     backendName(backend)));
 }
 
-} // namespace agaa
-
-using namespace agaa;
-
-AgaaView_T::AgaaView_T(AgaaContext_T& context, Plan framePlan)
+SizedView::SizedView(AgaaContext_T& context, Plan framePlan)
     : owner(context), plan(std::move(framePlan)), sequence(context.framesInFlight) {
     require(plan.runnable, AGAA_ERROR_UNSUPPORTED,
             "this plan is a model that can be priced but not run.");
     ++owner.viewCount;
 }
 
-AgaaView_T::~AgaaView_T() { --owner.viewCount; }
+SizedView::~SizedView() { --owner.viewCount; }
 
 static AgaaCounters countersOf(const CounterBuffer& source) {
     AgaaCounters out{};
@@ -68,16 +64,16 @@ static AgaaCounters countersOf(const CounterBuffer& source) {
     return out;
 }
 
-std::optional<agaa::CounterBuffer> AgaaView_T::feedback(const AgaaFrame& frame) const {
+std::optional<CounterBuffer> SizedView::feedback(const AgaaFrame& frame) const {
     const bool isAsked = std::any_of(plan.feedback.begin(), plan.feedback.end(),
-                                     [](uint32_t counter) { return counter != agaa::noCounter; });
-    const agaa::FrameSequence::Slot* newest = isAsked ? sequence.newest(frame.completedFrame) : nullptr;
+                                     [](uint32_t counter) { return counter != noCounter; });
+    const FrameSequence::Slot* newest = isAsked ? sequence.newest(frame.completedFrame) : nullptr;
     if (!newest)
         return std::nullopt;
     return readCounters(sequence.indexOf(*newest));
 }
 
-AgaaResult AgaaView_T::statistics(uint64_t completedFrame, AgaaFrameStatistics& out) const {
+AgaaResult SizedView::statistics(uint64_t completedFrame, AgaaFrameStatistics& out) const {
     const FrameSequence::Slot* newest = sequence.newest(completedFrame);
     const MemoryUse memory = memoryUse();
     out.payloadBytes = memory.payload;
@@ -85,7 +81,6 @@ AgaaResult AgaaView_T::statistics(uint64_t completedFrame, AgaaFrameStatistics& 
     out.peakBytes = memory.peak;
     out.geometryPasses = plan.geometryPasses();
     out.timeSource = AGAA_TIME_NONE;
-    out.reserved = 0;
     if (!newest)
         return AGAA_NOT_READY;
     const uint32_t slot = sequence.indexOf(*newest);
@@ -151,7 +146,7 @@ static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses
            "EQUAL in the material pass: then the image differs from that of \"ssaa\".";
 }
 
-AgaaResult AgaaView_T::validation(uint64_t completedFrame, AgaaFrameValidation& out) const {
+AgaaResult SizedView::validation(uint64_t completedFrame, AgaaFrameValidation& out) const {
     require(plan.config.flags & AGAA_CONFIG_COUNTERS, AGAA_ERROR_WRONG_ORDER,
             "the view was created without AGAA_CONFIG_COUNTERS.");
     const FrameSequence::Slot* newest = sequence.newest(completedFrame);
@@ -174,9 +169,31 @@ AgaaResult AgaaView_T::validation(uint64_t completedFrame, AgaaFrameValidation& 
     for (uint32_t i = 0; i < AGAA_MAX_INVALID_PIXELS; ++i) {
         out.pixels[i] = {};
         if (i < out.pixelCount)
-            std::memcpy(&out.pixels[i], buffer.pixels[i], sizeof out.pixels[i]);
+            std::memcpy(&out.pixels[i], buffer.pixels[i], sizeof buffer.pixels[i]);
     }
     std::strncpy(out.explanation, explain(out, plan.geometryPasses()), sizeof out.explanation - 1);
     out.explanation[sizeof out.explanation - 1] = 0;
     return AGAA_OK;
 }
+
+void destroyView(AgaaView view) {
+    const HostAllocator allocator = view->owner.allocator;
+    destroy(allocator, view->current);
+    destroy(allocator, view);
+}
+
+void resizeView(AgaaView_T& view, uint32_t width, uint32_t height) {
+    require(width > 0 && height > 0, AGAA_ERROR_OUT_OF_RANGE,
+            "the view would have no pixels: width and height must be at least 1.");
+    ViewSettings settings = view.settings;
+    settings.width = width;
+    settings.height = height;
+    SizedView* remade = view.current->remade(settings);
+    remade->sequence.startAfter(view.current->sequence);
+    destroy(view.owner.allocator, view.current);
+    view.current = remade;
+    view.settings.width = width;
+    view.settings.height = height;
+}
+
+} // namespace agaa

@@ -7,9 +7,12 @@
 #include "core/plan.h"
 
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace agaa {
+
+struct StructRow;
 
 enum class Backend { Vulkan, OpenGL };
 
@@ -33,9 +36,9 @@ struct MemoryUse {
 } // namespace agaa
 
 struct AgaaContext_T {
-    AgaaContext_T(agaa::Backend kind, const AgaaLog* hostLog, const agaa::HostAllocator& memory,
-                  uint32_t frames)
-        : backend(kind), log(hostLog), allocator(memory), framesInFlight(frames) {}
+    AgaaContext_T(agaa::Backend kind, const AgaaContextDesc& desc)
+        : backend(kind), log(desc.log), allocator{desc.allocate, desc.free, desc.allocateUser},
+          framesInFlight(desc.framesInFlight) {}
     virtual ~AgaaContext_T() = default;
     AgaaContext_T(const AgaaContext_T&) = delete;
     AgaaContext_T& operator=(const AgaaContext_T&) = delete;
@@ -48,28 +51,54 @@ struct AgaaContext_T {
     uint32_t viewCount = 0;
 };
 
-struct AgaaView_T {
-    AgaaView_T(AgaaContext_T& context, agaa::Plan framePlan);
-    virtual ~AgaaView_T();
-    AgaaView_T(const AgaaView_T&) = delete;
-    AgaaView_T& operator=(const AgaaView_T&) = delete;
+namespace agaa {
+
+// A view at one size.
+class SizedView {
+public:
+    SizedView(AgaaContext_T& context, Plan framePlan);
+    virtual ~SizedView();
+    SizedView(const SizedView&) = delete;
+    SizedView& operator=(const SizedView&) = delete;
 
     AgaaResult statistics(uint64_t completedFrame, AgaaFrameStatistics& out) const;
     AgaaResult validation(uint64_t completedFrame, AgaaFrameValidation& out) const;
 
+    // What hosts chain to AgaaDrawPass and AgaaSurface for what is the graphics API's own.
+    virtual const StructRow& drawPassRow() const = 0;
+    virtual const StructRow& surfaceRow() const = 0;
+    // native: a struct of that row, or null.
+    virtual void describePass(size_t pass, AgaaDrawPass& out, void* native) const = 0;
+    virtual void describeSurface(ResourceId id, void* native) const = 0;
+
     // Of the device's frame in this slot, which has finished.
-    virtual agaa::MemoryUse memoryUse() const = 0;
-    virtual agaa::CounterBuffer readCounters(uint32_t slot) const = 0;
+    virtual MemoryUse memoryUse() const = 0;
+    virtual CounterBuffer readCounters(uint32_t slot) const = 0;
     // Milliseconds of each pass; empty where they are not measured.
     virtual std::vector<double> readPassTimes(uint32_t slot) const = 0;
     virtual AgaaTimeSource timeSource() const = 0;
 
     // Of the newest finished frame, where the plan's frame constants hold counters of it and there is one.
-    std::optional<agaa::CounterBuffer> feedback(const AgaaFrame& frame) const;
+    std::optional<CounterBuffer> feedback(const AgaaFrame& frame) const;
+
+    // The same with other settings, in the host's memory.
+    virtual SizedView* remade(const ViewSettings& settings) const = 0;
 
     AgaaContext_T& owner;
-    const agaa::Plan plan;
-    agaa::FrameSequence sequence;
+    const Plan plan;
+    FrameSequence sequence;
+};
+
+} // namespace agaa
+
+// What a host's handle leads to: views are made anew when they are resized.
+struct AgaaView_T {
+    AgaaView_T(AgaaContext_T& context, agaa::ViewSettings viewSettings, agaa::SizedView* view)
+        : owner(context), settings(std::move(viewSettings)), current(view) {}
+
+    AgaaContext_T& owner;
+    agaa::ViewSettings settings; // as the host described them
+    agaa::SizedView* current;    // never null
 };
 
 namespace agaa {
@@ -88,10 +117,27 @@ T* construct(const HostAllocator& allocator, Arguments&&... arguments) {
 
 template <typename T>
 void destroy(const HostAllocator& allocator, T* object) {
-    void* memory = dynamic_cast<void*>(object);
+    void* memory = object;
+    if constexpr (std::is_polymorphic_v<T>)
+        memory = dynamic_cast<void*>(object);
     object->~T();
     allocator.free(memory);
 }
+
+// Creates a view and its handle. arguments: of T, after the context.
+template <class T, class Context, typename... Arguments>
+AgaaView createView(Context& context, ViewSettings settings, Arguments&&... arguments) {
+    T* view = construct<T>(context.allocator, context, std::forward<Arguments>(arguments)...);
+    try {
+        return construct<AgaaView_T>(context.allocator, context, std::move(settings), view);
+    } catch (...) {
+        destroy(context.allocator, static_cast<SizedView*>(view));
+        throw;
+    }
+}
+void destroyView(AgaaView view);
+// Leaves the view as it was where it fails.
+void resizeView(AgaaView_T& view, uint32_t width, uint32_t height);
 
 inline Log logOf(AgaaContext context) { return context ? context->log : Log(); }
 inline Log logOf(AgaaView view) { return view ? view->owner.log : Log(); }

@@ -119,7 +119,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_PER_SAMPLE", pass.drawState.sampleShading);
         defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE", !pass.extensions.empty());
         defineSwitch(out, "AGAA_FIRST_SAMPLE_ROUTING",
-                     (plan.config.flags & AGAA_CONFIG_FIRST_SAMPLE_ROUTING) != 0);
+                     (plan.measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING) != 0);
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
         defineSwitch(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
         defineSwitch(out, "AGAA_REPRESENTED", c[AGAA_STRIDE] != c[AGAA_WORDS]);

@@ -1,6 +1,8 @@
 #include "core/layout.h"
 
 #include "core/error.h"
+#include "core/names.h"
+#include "core/structs.h"
 #include "core/validate.h"
 
 #include <algorithm>
@@ -16,30 +18,30 @@ namespace agaa {
 static constexpr uint32_t bitsOfHalfWord = 0;
 
 static AgaaLayout makeLayout(std::initializer_list<AgaaLayoutAttribute> attributes) {
-    AgaaLayout layout{};
-    layout.sType = AGAA_STRUCTURE_TYPE_LAYOUT;
-    layout.structSize = sizeof(AgaaLayout);
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     for (const AgaaLayoutAttribute& attribute : attributes)
         layout.attributes[layout.attributeCount++] = attribute;
     return layout;
 }
 
+std::vector<const char*> layoutNames() { return {"precise", "paper16"}; }
+
 AgaaLayout builtinLayout(const char* name) {
-    if (std::strcmp(name, "paper16") == 0)
+    if (isSameName(name, "paper16"))
         return makeLayout({
-            {AGAA_SEMANTIC_NORMAL, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
-            {AGAA_SEMANTIC_DIFFUSE, 3, 8, 10, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
-            {AGAA_SEMANTIC_EMISSIVE, 1, 8, 8, 0, AGAA_ENCODING_UNORM, 16, AGAA_FILTER_MEAN, nullptr},
-            {AGAA_SEMANTIC_SPECULAR, 3, 8, 16, 8, AGAA_ENCODING_YCBCR, 1, AGAA_FILTER_MEAN, nullptr},
-            {AGAA_SEMANTIC_ROUGHNESS, 1, 8, 0, 0, AGAA_ENCODING_FOLDED, 1, AGAA_FILTER_MEAN, nullptr},
+            {AGAA_SEMANTIC_NORMAL, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_DIFFUSE, 3, 8, 10, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_EMISSIVE, 1, 8, 8, 0, AGAA_ENCODING_UNORM, 16, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_SPECULAR, 3, 8, 16, 8, AGAA_ENCODING_YCBCR, 1, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_ROUGHNESS, 1, 8, 0, 0, AGAA_ENCODING_FOLDED, 1, AGAA_FILTER_MEAN, nullptr, {}},
         });
-    if (std::strcmp(name, "precise") == 0)
+    if (isSameName(name, "precise"))
         return makeLayout({
-            {AGAA_SEMANTIC_DIFFUSE, 3, 16, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
-            {AGAA_SEMANTIC_ROUGHNESS, 1, 16, 16, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
-            {AGAA_SEMANTIC_NORMAL, 3, 16, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
-            {AGAA_SEMANTIC_SPECULAR, 3, 10, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr},
-            {AGAA_SEMANTIC_EMISSIVE, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 16, AGAA_FILTER_MEAN, nullptr},
+            {AGAA_SEMANTIC_DIFFUSE, 3, 16, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_ROUGHNESS, 1, 16, 16, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_NORMAL, 3, 16, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_SPECULAR, 3, 10, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_EMISSIVE, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 16, AGAA_FILTER_MEAN, nullptr, {}},
         });
     fail(AGAA_ERROR_LAYOUT, format("no built-in layout is called \"%.64s\".", name));
 }
@@ -155,18 +157,14 @@ static void addCustom(Layout& layout, AgaaLayoutAttribute attribute) {
 }
 
 Layout checkLayout(const AgaaLayout* pointer) {
-    const AgaaLayout source = pointer ? *pointer : builtinLayout("precise");
-    if (source.sType != AGAA_STRUCTURE_TYPE_LAYOUT || source.structSize != sizeof(AgaaLayout))
-        fail(AGAA_ERROR_STRUCT, "AgaaLayout has a wrong sType or structSize.");
-    if (source.pNext)
-        fail(AGAA_ERROR_UNKNOWN_STRUCT, "no struct may be chained to AgaaLayout.");
-    if (source.reserved)
-        fail(AGAA_ERROR_LAYOUT, "AgaaLayout::reserved is not 0.");
+    const AgaaLayout source = pointer ? readStruct(pointer) : builtinLayout("precise");
+    checkReserved(source.reserved, "AgaaLayout::reserved");
     if (source.attributeCount > AGAA_MAX_LAYOUT_ATTRIBUTES)
         fail(AGAA_ERROR_LAYOUT, format("AgaaLayout has %u attributes; %d are the most.", source.attributeCount, AGAA_MAX_LAYOUT_ATTRIBUTES));
     Layout layout;
     for (uint32_t i = 0; i < source.attributeCount; ++i) {
         const AgaaLayoutAttribute& attribute = source.attributes[i];
+        checkReserved(attribute.reserved[0] | attribute.reserved[1], "AgaaLayoutAttribute::reserved");
         if (attribute.semantic >= AGAA_SEMANTIC_COUNT)
             fail(AGAA_ERROR_LAYOUT, "AgaaLayout has an attribute of unknown semantic.");
         if (attribute.semantic == AGAA_SEMANTIC_CUSTOM) {

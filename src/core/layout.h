@@ -68,6 +68,7 @@ struct Layout {
 // Throws AGAA_ERROR_LAYOUT with the reason where the layout is not valid. null: "precise".
 Layout checkLayout(const AgaaLayout* layout);
 AgaaLayout builtinLayout(const char* name); // throws for unknown names
+std::vector<const char*> layoutNames();
 // Without the attributes that the scene does not call for.
 Layout reduceLayout(Layout layout, uint64_t factFlags);
 

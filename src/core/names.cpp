@@ -1,5 +1,6 @@
 #include "core/names.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace agaa {
@@ -9,7 +10,7 @@ struct TierName {
     uint32_t tier;
     const char* name;
 };
-constexpr TierName tierNames[] = {
+constexpr TierName tiers[] = {
     {AGAA_TIER_AUTO, "auto"},
     {AGAA_TIER_NATIVE, "native"},
     {AGAA_TIER_NV_MULTICAST, "nv-multicast"},
@@ -21,28 +22,39 @@ constexpr TierName tierNames[] = {
     {AGAA_TIER_GBUFFER, "gbuffer"},
     {AGAA_TIER_IDS, "ids"},
 };
+constexpr const char* stages[] = {"prepass", "definition", "generation", "shading", "other"};
 } // namespace
 
+bool isSameName(std::string_view a, std::string_view b) {
+    const auto plain = [](char c) { return c == '_' ? '-' : c; };
+    return std::ranges::equal(a, b, {}, plain, plain);
+}
+
 const char* tierName(uint32_t tier) {
-    for (const TierName& entry : tierNames)
+    for (const TierName& entry : tiers)
         if (entry.tier == tier)
             return entry.name;
     return "unknown";
 }
 
 bool tierFromName(std::string_view name, uint32_t& tier) {
-    for (const TierName& entry : tierNames)
-        if (entry.name == name) {
+    for (const TierName& entry : tiers)
+        if (isSameName(entry.name, name)) {
             tier = entry.tier;
             return true;
         }
     return false;
 }
 
-const char* stageName(uint32_t stage) {
-    static constexpr const char* names[] = {"prepass", "definition", "generation", "shading",
-                                            "other"};
-    return stage < std::size(names) ? names[stage] : "unknown";
+const char* stageName(uint32_t stage) { return stage < std::size(stages) ? stages[stage] : "unknown"; }
+
+std::vector<const char*> tierNames() {
+    std::vector<const char*> names;
+    for (const TierName& entry : tiers)
+        names.push_back(entry.name);
+    return names;
 }
+
+std::vector<const char*> stageNames() { return {std::begin(stages), std::end(stages)}; }
 
 } // namespace agaa

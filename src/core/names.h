@@ -4,11 +4,17 @@
 #include "agaa_sdk.h"
 
 #include <string_view>
+#include <vector>
 
 namespace agaa {
 
+// Of names that hosts pass: '-' and '_' are equal.
+bool isSameName(std::string_view a, std::string_view b);
+
 const char* tierName(uint32_t tier);
 const char* stageName(uint32_t stage);
+std::vector<const char*> tierNames();
+std::vector<const char*> stageNames();
 bool tierFromName(std::string_view name, uint32_t& tier);
 
 } // namespace agaa

@@ -311,8 +311,8 @@ void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
 
 void PlanBuilder::bindLighting(Pass& pass) {
     const bool host = pass.kind == PassKind::HostDraw;
-    require(!host || plan.config.debugView == AGAA_DEBUG_VIEW_NONE, AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::debugView is for techniques that shade in the SDK's passes; this one shades in the host's.");
+    require(!host || plan.measurement.debugView == AGAA_DEBUG_VIEW_NONE, AGAA_ERROR_UNSUPPORTED,
+            "AgaaMeasurement::debugView is for techniques that shade in the SDK's passes; this one shades in the host's.");
     bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer,
          lights_);
     bindShadows(pass);

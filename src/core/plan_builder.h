@@ -19,11 +19,11 @@ public:
     bool counts() const { return plan.config.flags & AGAA_CONFIG_COUNTERS; }
     bool hasFact(uint64_t fact) const { return plan.facts.flags & fact; }
     // Plans that draw twice keep the first of equal depths by a stencil test, where the depth format has a stencil.
-    bool wantsStencil() const { return !(plan.config.flags & AGAA_CONFIG_NO_STENCIL); }
+    bool wantsStencil() const { return !(plan.measurement.flags & AGAA_MEASURE_NO_STENCIL); }
     bool keepsFirst() const { return wantsStencil() && hasStencil(plan.depthFormat); }
     // Bytes a pixel, beside its aggregates in memory, that say which samples have an aggregate: two passes need them
     // where a sample may go to any aggregate.
-    uint64_t claimBytes() const { return plan.config.flags & AGAA_CONFIG_FIRST_SAMPLE_ROUTING ? 4 : 0; }
+    uint64_t claimBytes() const { return plan.measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING ? 4 : 0; }
 
     // One texel a pixel, or with atTargetRate the scaled, multisampled target.
     ResourceId image(std::string name, Format format, bool atTargetRate);

@@ -41,10 +41,11 @@ void PlanBuilder::dropUncalledFor(const Technique& technique) {
     AgaaConfig& config = plan.config;
     if (!technique.groupsSamples) { // settings of "agaa" may stay where another is measured
         plan.aggregation.litShadows = 0;
-        config.flags &= ~(AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FIRST_SAMPLE_ROUTING);
+        config.flags &= ~AGAA_CONFIG_BUFFERED;
+        plan.measurement.flags &= ~AGAA_MEASURE_FIRST_SAMPLE_ROUTING;
     }
     if (plan.aggregates < 2) // one place to go to
-        config.flags &= ~AGAA_CONFIG_FIRST_SAMPLE_ROUTING;
+        plan.measurement.flags &= ~AGAA_MEASURE_FIRST_SAMPLE_ROUTING;
     if (!technique.groupsSamples || !plan.layout.has(AGAA_SEMANTIC_SPECULAR)) { // no lobe: elliptic, or narrow
         config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG);
         plan.aggregation.glossWeight = 0;
@@ -69,16 +70,16 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
     require(config.ndf <= AGAA_NDF_TOKSVIG || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
             "AgaaConfig::ndf needs the tier ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic lobes, whose "
             "spread is not kept in memory.");
-    const uint32_t view = config.debugView;
+    const uint32_t view = plan.measurement.debugView;
     const bool ofAggregates = view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_CLUSTERS ||
                               view == AGAA_DEBUG_VIEW_WIDENED;
     require(!ofAggregates || technique.maxAggregates, AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::debugView shows aggregates, of which this technique makes none.");
+            "AgaaMeasurement::debugView shows aggregates, of which this technique makes none.");
     require(view != AGAA_DEBUG_VIEW_WIDENED || !plan.layout.foldsRoughness(), AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::debugView shows widened lobes, which a layout with folded roughness cannot tell.");
+            "AgaaMeasurement::debugView shows widened lobes, which a layout with folded roughness cannot tell.");
     const bool countsPrimitives = generation_ && generation_->countsPrimitives;
     require(view != AGAA_DEBUG_VIEW_PRIMITIVES || (countsPrimitives && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::debugView shows primitives, which only the tier ids without AGAA_CONFIG_BUFFERED counts.");
+            "AgaaMeasurement::debugView shows primitives, which only the tier ids without AGAA_CONFIG_BUFFERED counts.");
 }
 
 void PlanBuilder::chooseVisibilityTier() {
@@ -101,6 +102,7 @@ void PlanBuilder::chooseVisibilityTier() {
 
 void PlanBuilder::setConstants() {
     const AgaaConfig& config = plan.config;
+    const AgaaMeasurement& measurement = plan.measurement;
     Constants& c = constants_;
     c[AGAA_SAMPLES] = plan.samples;
     c[AGAA_HW_SAMPLES] = plan.hwSamples;
@@ -109,23 +111,23 @@ void PlanBuilder::setConstants() {
     c[AGAA_AGGREGATES] = std::max(plan.aggregates, 1u);
     c[AGAA_BRDF] = config.brdf;
     c[AGAA_NDF] = config.ndf;
-    c[AGAA_FILTER_DIFFUSE] = !(config.flags & AGAA_CONFIG_NO_DIFFUSE_FILTER);
+    c[AGAA_FILTER_DIFFUSE] = !(measurement.flags & AGAA_MEASURE_NO_DIFFUSE_FILTER);
     c[AGAA_SHADOW_MAPS] = plan.facts.shadowMapCount;
     // Eight taps at n = 8 are every sample of the pixel, so that visibility is exact; at higher n
     // eight of an aggregate's samples still span it.
     c[AGAA_SHADOW_TAPS] = config.shadowTaps ? config.shadowTaps : 8;
-    c[AGAA_SHADOW_FILTER] = config.flags & AGAA_CONFIG_NO_SHADOW_FILTER      ? 0
-                            : config.flags & AGAA_CONFIG_SHADOW_ALONG_DEPTH ? 2
-                                                                            : 1;
+    c[AGAA_SHADOW_FILTER] = measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER     ? 0
+                            : measurement.flags & AGAA_MEASURE_SHADOW_ALONG_DEPTH ? 2
+                                                                                  : 1;
     c[AGAA_COUNTERS] = counts();
-    c[AGAA_SEEDS] = plan.aggregation.seeds;
+    c[AGAA_SEEDS] = measurement.seeds;
     c[AGAA_EMISSIVE_CHANNELS] = plan.layout[AGAA_SEMANTIC_EMISSIVE].channels;
     c[AGAA_HAS_SPECULAR] = plan.layout.has(AGAA_SEMANTIC_SPECULAR);
     c[AGAA_HAS_AMBIENT] = hasFact(AGAA_FACT_AMBIENT);
-    c[AGAA_SHADING_COST] = config.shadingCost;
+    c[AGAA_SHADING_COST] = measurement.shadingCost;
     c[AGAA_GLOSS_WEIGHT] = plan.aggregation.glossWeight > 0 ? std::bit_cast<uint32_t>(plan.aggregation.glossWeight) : 0; // not -0
     c[AGAA_LIT_SHADOWS] = plan.aggregation.litShadows;
-    c[AGAA_DEBUG_VIEW] = config.debugView;
+    c[AGAA_DEBUG_VIEW] = measurement.debugView;
     c[AGAA_FAR_DEPTH] = !plan.reversedZ;
     c[AGAA_GENERATION_TIER] = plan.generationTier;
     // The samples of a texel share a fragment, for which a G-buffer has one material.

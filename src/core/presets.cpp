@@ -1,6 +1,9 @@
 // Named settings, chosen among those that benchmark/presets.py measures; docs/choosing.md has what they cost.
 #include "core/presets.h"
 
+#include "core/error.h"
+#include "core/names.h"
+
 namespace agaa {
 
 namespace {
@@ -13,39 +16,54 @@ struct Preset {
     uint32_t litShadows;
     float glossWeight;
     uint32_t ndf;
-    uint64_t flags; // of those that presets decide
+    uint64_t flags, measurementFlags; // of those that presets decide
 };
 
-constexpr uint64_t decided = AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_SPLIT_SURFACES |
-                             AGAA_CONFIG_FIRST_SAMPLE_ROUTING | AGAA_CONFIG_NO_SHADOW_FILTER |
-                             AGAA_CONFIG_NO_DIFFUSE_FILTER | AGAA_CONFIG_FINE_MATERIALS;
+constexpr uint64_t decided = AGAA_CONFIG_SPLIT_SURFACES | AGAA_CONFIG_FINE_MATERIALS;
+constexpr uint64_t decidedMeasurement = AGAA_MEASURE_SHADOW_ALONG_DEPTH | AGAA_MEASURE_FIRST_SAMPLE_ROUTING |
+                                        AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_NO_DIFFUSE_FILTER;
 
 constexpr Preset presets[] = {
-    {"paper", 2, 0.02f, AGAA_SEEDS_SUM_OF_SQUARES, 0, 0.0f, AGAA_NDF_TOKSVIG,
-     AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_SPLIT_SURFACES},
-    {"fast", 1, 0.02f, AGAA_SEEDS_MAXIMIN, 0, 0.0f, AGAA_NDF_TOKSVIG, 0},
-    {"balanced", 4, 0.4f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, 0},
-    {"accurate", 4, 0.1f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, AGAA_CONFIG_FINE_MATERIALS},
+    {"paper", 2, 0.02f, AGAA_SEEDS_SUM_OF_SQUARES, 0, 0.0f, AGAA_NDF_TOKSVIG, AGAA_CONFIG_SPLIT_SURFACES,
+     AGAA_MEASURE_SHADOW_ALONG_DEPTH},
+    {"fast", 1, 0.02f, AGAA_SEEDS_MAXIMIN, 0, 0.0f, AGAA_NDF_TOKSVIG, 0, 0},
+    {"balanced", 4, 0.4f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, 0, 0},
+    {"accurate", 4, 0.1f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, AGAA_CONFIG_FINE_MATERIALS, 0},
 };
+
+void apply(const Preset& preset, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
+    const bool isDefault = preset.seeds == AGAA_SEEDS_MAXIMIN && preset.measurementFlags == 0;
+    if (!measurement && !isDefault)
+        fail(AGAA_ERROR_INVALID_ARGUMENT, format("the preset \"%s\" needs an AgaaMeasurement.", preset.name));
+    config.technique = "agaa";
+    config.aggregates = preset.aggregates;
+    config.surfaceCosine = config.surfaceDistance = config.surfaceMaterial = 0;
+    config.shadowTaps = 0;
+    config.ndf = preset.ndf;
+    config.flags = (config.flags & ~decided) | preset.flags;
+    aggregation.aggregateThreshold = preset.threshold;
+    aggregation.litShadows = preset.litShadows;
+    aggregation.glossWeight = preset.glossWeight;
+    if (!measurement)
+        return;
+    measurement->seeds = preset.seeds;
+    measurement->flags = (measurement->flags & ~decidedMeasurement) | preset.measurementFlags;
+}
 
 } // namespace
 
-bool applyPreset(std::string_view name, AgaaConfig& config, AgaaAggregation& aggregation) {
+std::vector<const char*> presetNames() {
+    std::vector<const char*> names;
     for (const Preset& preset : presets)
-        if (preset.name == name) {
-            config.technique = "agaa";
-            config.aggregates = preset.aggregates;
-            aggregation.aggregateThreshold = preset.threshold;
-            config.surfaceCosine = config.surfaceDistance = config.surfaceMaterial = 0;
-            aggregation.seeds = preset.seeds;
-            config.shadowTaps = 0;
-            config.ndf = preset.ndf;
-            aggregation.litShadows = preset.litShadows;
-            aggregation.glossWeight = preset.glossWeight;
-            config.flags = (config.flags & ~decided) | preset.flags;
-            return true;
-        }
-    return false;
+        names.push_back(preset.name);
+    return names;
+}
+
+void applyPreset(const char* name, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
+    for (const Preset& preset : presets)
+        if (isSameName(preset.name, name))
+            return apply(preset, config, aggregation, measurement);
+    fail(AGAA_ERROR_INVALID_ARGUMENT, format("no preset is called \"%.64s\".", name));
 }
 
 } // namespace agaa

@@ -3,11 +3,12 @@
 
 #include "agaa_sdk.h"
 
-#include <string_view>
+#include <vector>
 
 namespace agaa {
 
-// False where there is none of that name.
-bool applyPreset(std::string_view name, AgaaConfig& config, AgaaAggregation& aggregation);
+std::vector<const char*> presetNames();
+// Throws Error where there is none of that name, or it needs a measurement that is null. All are then unchanged.
+void applyPreset(const char* name, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement);
 
 } // namespace agaa

@@ -49,9 +49,8 @@ struct GenerationTier {
 // A struct that may be chained to AgaaConfig.
 struct TechniqueSettings {
     uint32_t sType;
-    size_t structSize;
-    const char* name;
-    void (*read)(const void* structure, ViewSettings& view); // throws Error where a member is out of range
+    // Where the struct is chained; its chain was checked. Throws Error where a member is out of range.
+    void (*read)(const AgaaConfig& config, ViewSettings& view);
 };
 
 struct Technique {

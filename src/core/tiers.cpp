@@ -89,7 +89,7 @@ GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery qu
 static AgaaCapability capability(const Technique& technique, uint32_t samples, AgaaStage stage,
                                  AgaaTier tier, bool native, float price,
                                  const std::string& reason) {
-    AgaaCapability row{};
+    AgaaCapability row = AGAA_CAPABILITY_INIT;
     row.technique = technique.name;
     row.samples = samples;
     row.stage = stage;

@@ -1,51 +1,11 @@
 #include "core/validate.h"
 
-#include <algorithm>
+#include "core/structs.h"
+
 #include <bit>
 #include <string>
 
 namespace agaa {
-
-void checkHeader(const void* structure, uint32_t sType, size_t structSize, const char* name,
-                 const std::vector<uint32_t>& known) {
-    if (!structure)
-        fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s is null.", name));
-    const auto* header = static_cast<const AgaaStructHeader*>(structure);
-    if (header->sType != sType)
-        fail(AGAA_ERROR_STRUCT, format("%s has sType %u where %u is expected; start from its _INIT.",
-                                       name, header->sType, sType));
-    checkStructSize(structure, structSize, name);
-    uint32_t length = 0;
-    std::vector<uint32_t> seen;
-    for (const auto* next = static_cast<const AgaaStructHeader*>(header->pNext); next;
-         next = static_cast<const AgaaStructHeader*>(next->pNext)) {
-        if (++length > 64) // a chain that closes on itself
-            fail(AGAA_ERROR_UNKNOWN_STRUCT, format("the chain of %s does not end.", name));
-        if (std::find(known.begin(), known.end(), next->sType) != known.end()) {
-            if (std::find(seen.begin(), seen.end(), next->sType) != seen.end())
-                fail(AGAA_ERROR_UNKNOWN_STRUCT,
-                     format("the chain of %s holds two structs of type %u.", name, next->sType));
-            seen.push_back(next->sType);
-        } else if (!(next->sType & AGAA_STRUCTURE_TYPE_OPTIONAL_BIT))
-            fail(AGAA_ERROR_UNKNOWN_STRUCT,
-                 format("the chain of %s holds a struct of type %u, which is not known here.", name,
-                        next->sType));
-    }
-}
-
-void checkStructSize(const void* structure, size_t structSize, const char* name) {
-    const uint32_t size = static_cast<const AgaaStructHeader*>(structure)->structSize;
-    if (size != structSize)
-        fail(AGAA_ERROR_STRUCT, format("%s has structSize %u where this library's is %zu.", name, size, structSize));
-}
-
-const void* findChained(const void* structure, uint32_t sType) {
-    for (const void* next = static_cast<const AgaaStructHeader*>(structure)->pNext; next;
-         next = static_cast<const AgaaStructHeader*>(next)->pNext)
-        if (static_cast<const AgaaStructHeader*>(next)->sType == sType)
-            return next;
-    return nullptr;
-}
 
 void checkRange(double value, double low, double high, const char* name) {
     if (!(value >= low && value <= high)) // false for NaN too
@@ -57,6 +17,17 @@ void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name) {
         fail(AGAA_ERROR_OUT_OF_RANGE,
              format("%s is %llu, outside [%llu;%llu].", name, static_cast<unsigned long long>(value),
                     static_cast<unsigned long long>(low), static_cast<unsigned long long>(high)));
+}
+
+void checkFlags(uint64_t flags, uint64_t known, const char* name) {
+    if (flags & ~known)
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("%s has the bits 0x%llx, which this library does not know.", name,
+                                             static_cast<unsigned long long>(flags & ~known)));
+}
+
+void checkReserved(uint64_t value, const char* name) {
+    if (value != 0)
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("%s is reserved and must be 0.", name));
 }
 
 void checkSampleCount(uint32_t samples, const char* name) {
@@ -110,7 +81,7 @@ static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCo
         fail(AGAA_ERROR_OUT_OF_RANGE, format("light %u: %s.", index, what));
     };
     if (light.type > AGAA_LIGHT_SPOT)
-        bad("its type is not known");
+        bad(format("its type %u is not known", light.type).c_str());
     if (light.shadowMap != AGAA_NO_SHADOW && light.shadowMap >= shadowCount)
         bad("its shadow map is not among the frame's shadows");
     for (int i = 0; i < 3; ++i) {
@@ -137,14 +108,32 @@ static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCo
         bad("its cone is not inner cosine >= outer cosine in [-1;1]");
 }
 
-void checkFrame(const AgaaFrame* pointer, const Plan& plan) {
+AgaaLight lightOf(const AgaaFrame& frame, uint32_t index) {
+    return readElement<AgaaLight>(frame.lights, frame.lightSize, index, AGAA_LIGHT_INIT);
+}
+
+AgaaShadow shadowOf(const AgaaFrame& frame, uint32_t index) {
+    return readElement<AgaaShadow>(frame.shadows, frame.shadowSize, index, AGAA_SHADOW_INIT);
+}
+
+static void checkShadow(const AgaaShadow& shadow, bool isFunction) {
+    if (isFunction) {
+        checkRange(uint64_t(shadow.layerCount), 0, 0,
+                   "AgaaShadow::layerCount (of a shadow that AgaaShadowFunction answers for)");
+        return;
+    }
+    checkRange(uint64_t(shadow.layerCount), 1, AGAA_MAX_SHADOW_LAYERS, "AgaaShadow::layerCount");
+    checkRange(double(shadow.depthBias), 0.0, 1.0, "AgaaShadow::depthBias");
+    for (uint32_t i = 0; i < 16 * shadow.layerCount; ++i)
+        checkFinite(shadow.matrices[0][i], "AgaaShadow::matrices");
+}
+
+void checkFrame(const AgaaFrame& frame, const Plan& plan) {
     const AgaaSceneFacts& facts = plan.facts;
-    const AgaaFrame& frame = checkStruct(pointer, AGAA_STRUCTURE_TYPE_FRAME, "AgaaFrame");
-    require(frame.segments != 0 && (frame.segments & ~AGAA_SEGMENT_ALL) == 0,
-            AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::segments names no segment or an unknown one.");
+    require(frame.segments != 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::segments names no segment.");
+    checkFlags(frame.segments, AGAA_SEGMENT_ALL, "AgaaFrame::segments");
     require(frame.completedFrame < frame.frameIndex, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::completedFrame is not before frameIndex.");
-    require(frame.reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::reserved is not 0.");
     require(frame.draw || plan.geometryPasses() == 0, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::draw is null.");
     checkMatrices(frame, plan.reversedZ);
     checkRange(uint64_t(frame.lightCount), 0, facts.maxLights,
@@ -155,20 +144,12 @@ void checkFrame(const AgaaFrame* pointer, const Plan& plan) {
             "AgaaFrame::lights is null.");
     require(!frame.shadowCount || frame.shadows, AGAA_ERROR_INVALID_ARGUMENT,
             "AgaaFrame::shadows is null.");
+    checkElements(frame.lights, frame.lightSize, frame.lightCount, sizeof(AgaaLight), 64, "AgaaFrame::lightSize");
+    checkElements(frame.shadows, frame.shadowSize, frame.shadowCount, sizeof(AgaaShadow), 392, "AgaaFrame::shadowSize");
     for (uint32_t i = 0; i < frame.lightCount; ++i)
-        checkLight(frame.lights[i], i, frame.shadowCount);
-    for (uint32_t i = 0; i < frame.shadowCount; ++i) {
-        if (plan.functionShadows >> i & 1) {
-            checkRange(uint64_t(frame.shadows[i].layerCount), 0, 0,
-                       "AgaaShadow::layerCount (of a shadow that AgaaShadowFunction answers for)");
-            continue;
-        }
-        checkRange(uint64_t(frame.shadows[i].layerCount), 1, AGAA_MAX_SHADOW_LAYERS,
-                   "AgaaShadow::layerCount");
-        checkRange(double(frame.shadows[i].depthBias), 0.0, 1.0, "AgaaShadow::depthBias");
-        for (uint32_t j = 0; j < 16 * frame.shadows[i].layerCount; ++j)
-            checkFinite(frame.shadows[i].matrices[0][j], "AgaaShadow::matrices");
-    }
+        checkLight(lightOf(frame, i), i, frame.shadowCount);
+    for (uint32_t i = 0; i < frame.shadowCount; ++i)
+        checkShadow(shadowOf(frame, i), plan.functionShadows >> i & 1);
     for (float value : frame.ambient)
         checkRange(double(value), 0.0, 65504.0, "AgaaFrame::ambient");
     for (float value : frame.background)

@@ -1,5 +1,6 @@
 #include "core/view_settings.h"
 
+#include "core/structs.h"
 #include "core/technique.h"
 #include "core/validate.h"
 
@@ -10,18 +11,31 @@
 
 namespace agaa {
 
+static void readMeasurement(const AgaaConfig& config, ViewSettings& view) {
+    const std::optional<AgaaMeasurement> chained = readChained<AgaaMeasurement>(&config);
+    if (!chained)
+        return;
+    const AgaaMeasurement& m = view.measurement = *chained;
+    view.measurement.pNext = nullptr;
+    checkRange(uint64_t(m.shadingCost), 1, 64, "AgaaMeasurement::shadingCost");
+    checkRange(uint64_t(m.debugView), 0, AGAA_DEBUG_VIEW_TIER, "AgaaMeasurement::debugView");
+    checkRange(uint64_t(m.seeds), 0, AGAA_SEEDS_SUM_OF_SQUARES, "AgaaMeasurement::seeds");
+    checkReserved(m.reserved, "AgaaMeasurement::reserved");
+    checkFlags(m.flags,
+               AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |
+                   AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING,
+               "AgaaMeasurement::flags");
+}
+
 static void readSettings(const AgaaConfig& config, ViewSettings& view) {
+    readMeasurement(config, view);
     for (const Technique* technique : techniques())
         for (const TechniqueSettings* settings : technique->settings)
-            if (const void* chained = findChained(&config, settings->sType)) {
-                checkStructSize(chained, settings->structSize, settings->name);
-                settings->read(chained, view);
-            }
+            settings->read(config, view);
 }
 
 static AgaaConfig checkConfig(const AgaaConfig* pointer) {
-    checkHeader(pointer, AGAA_STRUCTURE_TYPE_CONFIG, sizeof *pointer, "AgaaConfig", settingsTypes());
-    const AgaaConfig& config = *pointer;
+    const AgaaConfig config = readStruct(pointer, configChain());
     require(config.technique, AGAA_ERROR_INVALID_ARGUMENT, "AgaaConfig::technique is null.");
     if (!findTechnique(config.technique))
         fail(AGAA_ERROR_UNSUPPORTED, format("no technique is called \"%.64s\".", config.technique));
@@ -30,44 +44,33 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer) {
     checkRange(uint64_t(config.brdf), 0, AGAA_BRDF_GGX, "AgaaConfig::brdf");
     checkRange(uint64_t(config.ndf), 0, AGAA_NDF_SGGX, "AgaaConfig::ndf");
     checkRange(uint64_t(config.shadowTaps), 0, 32, "AgaaConfig::shadowTaps");
-    checkRange(uint64_t(config.shadingCost), 1, 64, "AgaaConfig::shadingCost");
     checkRange(double(config.surfaceCosine), 0.0, 1.0, "AgaaConfig::surfaceCosine");
     checkRange(double(config.surfaceDistance), 0.0, 1e6, "AgaaConfig::surfaceDistance");
     checkRange(double(config.surfaceMaterial), 0.0, 1.0, "AgaaConfig::surfaceMaterial");
-    checkRange(uint64_t(config.debugView), 0, AGAA_DEBUG_VIEW_TIER, "AgaaConfig::debugView");
-    constexpr uint64_t known = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK |
-                               AGAA_CONFIG_NO_DIFFUSE_FILTER | AGAA_CONFIG_NO_SHADOW_FILTER |
-                               AGAA_CONFIG_SHADOW_ALONG_DEPTH | AGAA_CONFIG_NO_STENCIL |
-                               AGAA_CONFIG_FIRST_SAMPLE_ROUTING | AGAA_CONFIG_SPLIT_SURFACES |
-                               AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS;
-    require((config.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaConfig::flags has bits that are not known here.");
+    checkFlags(config.flags,
+               AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK | AGAA_CONFIG_SPLIT_SURFACES |
+                   AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS,
+               "AgaaConfig::flags");
     return config;
 }
 
 static AgaaSceneFacts checkFacts(const AgaaSceneFacts* pointer) {
-    const AgaaSceneFacts& facts =
-        checkStruct(pointer, AGAA_STRUCTURE_TYPE_SCENE_FACTS, "AgaaSceneFacts");
+    const AgaaSceneFacts facts = readStruct(pointer);
     checkRange(uint64_t(facts.maxLights), 0, 4096, "AgaaSceneFacts::maxLights");
     checkRange(uint64_t(facts.shadowMapCount), 0, AGAA_MAX_SHADOW_MAPS,
                "AgaaSceneFacts::shadowMapCount");
-    constexpr uint64_t known = AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH;
-    require((facts.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaSceneFacts::flags has bits that are not known here.");
+    checkFlags(facts.flags, AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH, "AgaaSceneFacts::flags");
     return facts;
 }
 
-static void checkViewDesc(const AgaaViewDesc* pointer) {
-    checkHeader(pointer, AGAA_STRUCTURE_TYPE_VIEW, sizeof *pointer, "AgaaViewDesc",
-                {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, AGAA_STRUCTURE_TYPE_FETCH_FUNCTION,
-                 AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION});
-    const AgaaViewDesc& desc = *pointer;
+static AgaaViewDesc checkViewDesc(const AgaaViewDesc* pointer) {
+    const AgaaViewDesc desc = readStruct(pointer, {AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, AGAA_STRUCTURE_TYPE_FETCH_FUNCTION,
+                                                   AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION});
     require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc has no pixels: width and height must be at least 1.");
-    constexpr uint64_t known =
-        AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE | AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
-    require((desc.flags & ~known) == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaViewDesc::flags has bits that are not known here.");
+    checkFlags(desc.flags, AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE | AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE,
+               "AgaaViewDesc::flags");
+    return desc;
 }
 
 // Text of the host's, and the lines that go before all else.
@@ -82,14 +85,11 @@ static void checkGlsl(const char* glsl, const char* extensions, const char* stru
                  format("%s::glslExtensions has more than lines \"#extension NAME : BEHAVIOUR\".", structure));
 }
 
-// Of a host's function that is chained to the view: its header and text are checked. null where there is none.
-template <typename Function>
-static const Function* chainedFunction(const AgaaViewDesc& desc, uint32_t sType, const char* name) {
-    const auto* function = static_cast<const Function*>(findChained(&desc, sType));
-    if (!function)
-        return nullptr;
-    checkStructSize(function, sizeof *function, name);
-    checkGlsl(function->glsl, function->glslExtensions, name);
+// Of a host's function that is chained to the view: its text is checked.
+template <typename Function> static std::optional<Function> chainedFunction(const AgaaViewDesc& desc) {
+    const std::optional<Function> function = readChained<Function>(&desc);
+    if (function)
+        checkGlsl(function->glsl, function->glslExtensions, StructOf<Function>::row.name);
     return function;
 }
 
@@ -104,12 +104,10 @@ template <typename Function> static HostText takeFunction(const Function& functi
 }
 
 static void readShadowFunction(const AgaaViewDesc& desc, ViewSettings& view) {
-    const auto* function =
-        chainedFunction<AgaaShadowFunction>(desc, AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, "AgaaShadowFunction");
+    const std::optional<AgaaShadowFunction> function = chainedFunction<AgaaShadowFunction>(desc);
     if (!function)
         return;
-    require(function->reserved == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaShadowFunction::reserved is not 0.");
+    checkReserved(function->reserved, "AgaaShadowFunction::reserved");
     const uint32_t declared = (1u << view.facts.shadowMapCount) - 1;
     require(function->shadows != 0 && (function->shadows & ~declared) == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaShadowFunction::shadows names no shadow, or more than AgaaSceneFacts declares.");
@@ -118,11 +116,10 @@ static void readShadowFunction(const AgaaViewDesc& desc, ViewSettings& view) {
 }
 
 static void readGBufferFunction(const AgaaViewDesc& desc, ViewSettings& view) {
-    const auto* function =
-        chainedFunction<AgaaGBufferFunction>(desc, AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION, "AgaaGBufferFunction");
+    const std::optional<AgaaGBufferFunction> function = chainedFunction<AgaaGBufferFunction>(desc);
     if (!function)
         return;
-    require(function->reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGBufferFunction::reserved is not 0.");
+    checkReserved(function->reserved, "AgaaGBufferFunction::reserved");
     require(function->depthBits == 0 || function->depthBits == 16 || function->depthBits == 24,
             AGAA_ERROR_OUT_OF_RANGE, "AgaaGBufferFunction::depthBits is not one of 0, 16, 24.");
     for (uint32_t i = 0; function->samplePositions && i < 2 * view.samples; ++i)
@@ -136,14 +133,12 @@ static void readGBufferFunction(const AgaaViewDesc& desc, ViewSettings& view) {
 }
 
 static void readFetchFunction(const AgaaViewDesc& desc, ViewSettings& view) {
-    const auto* function =
-        chainedFunction<AgaaFetchFunction>(desc, AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, "AgaaFetchFunction");
+    const std::optional<AgaaFetchFunction> function = chainedFunction<AgaaFetchFunction>(desc);
     if (!function)
         return;
     require(function->maxDraws >= 1 && function->maxPrimitives >= 1, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFetchFunction::maxDraws or ::maxPrimitives is 0.");
-    require((function->flags & ~AGAA_FETCH_NOT_ALL_DRAWS) == 0, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaFetchFunction::flags has bits that are not known here.");
+    checkFlags(function->flags, AGAA_FETCH_NOT_ALL_DRAWS, "AgaaFetchFunction::flags");
     const int bits = std::bit_width(function->maxPrimitives - 1);
     // One id is of what cannot be fetched, one of no geometry.
     const uint32_t ids = function->flags & AGAA_FETCH_NOT_ALL_DRAWS ? 0xFFFFFFFEu : 0xFFFFFFFFu;
@@ -160,25 +155,31 @@ static void readFetchFunction(const AgaaViewDesc& desc, ViewSettings& view) {
     view.fetchFunction = takeFunction(*function, view);
 }
 
-ViewSettings resolveView(const AgaaViewDesc* desc) {
-    checkViewDesc(desc);
+std::vector<uint32_t> configChain() {
+    std::vector<uint32_t> types = settingsTypes();
+    types.push_back(AGAA_STRUCTURE_TYPE_MEASUREMENT);
+    return types;
+}
+
+ViewSettings resolveView(const AgaaViewDesc* pointer) {
+    const AgaaViewDesc desc = checkViewDesc(pointer);
     ViewSettings view;
-    view.width = desc->width;
-    view.height = desc->height;
-    view.reversedZ = desc->flags & AGAA_VIEW_REVERSED_Z;
-    view.composite = desc->flags & AGAA_VIEW_COMPOSITE;
-    view.clipZFromMinusOne = desc->flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
-    view.config = checkConfig(desc->config);
+    view.width = desc.width;
+    view.height = desc.height;
+    view.reversedZ = desc.flags & AGAA_VIEW_REVERSED_Z;
+    view.composite = desc.flags & AGAA_VIEW_COMPOSITE;
+    view.clipZFromMinusOne = desc.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
+    view.config = checkConfig(desc.config);
     readSettings(view.config, view);
     view.config.pNext = nullptr;
-    view.facts = checkFacts(desc->facts);
+    view.facts = checkFacts(desc.facts);
     const Technique& technique = *findTechnique(view.config.technique);
     view.config.technique = technique.name; // static storage
     view.technique = technique.name;
     view.samples = view.config.samples = std::min(view.config.samples, technique.maxSamples);
-    readShadowFunction(*desc, view);
-    readGBufferFunction(*desc, view);
-    readFetchFunction(*desc, view);
+    readShadowFunction(desc, view);
+    readGBufferFunction(desc, view);
+    readFetchFunction(desc, view);
     view.layout = reduceLayout(checkLayout(view.config.layout), view.facts.flags);
     view.config.layout = nullptr; // the host's pointer does not outlive the call
     if (!technique.maxAggregates)

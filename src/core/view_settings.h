@@ -24,6 +24,7 @@ struct ViewSettings {
     bool clipZFromMinusOne = false;
     AgaaConfig config{}; // technique: static storage; layout: null
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
+    AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
     AgaaSceneFacts facts{};
     Layout layout; // of what the facts call for
     uint32_t samples = 1;    // no more than the technique takes
@@ -41,6 +42,9 @@ struct ViewSettings {
     HostText fetchFunction;
     uint64_t functionSetLayout = 0;     // of set 1 in passes with code of the host's
 };
+
+// Types of the structs that may be chained to AgaaConfig.
+std::vector<uint32_t> configChain();
 
 // Throws Error where the description is not valid, whatever the device; the message says why. null is not valid.
 ViewSettings resolveView(const AgaaViewDesc* desc);

@@ -1,5 +1,5 @@
 // What an OpenGL context must, should and does offer.
-#include "core/validate.h"
+#include "core/structs.h"
 #include "gl/context.h"
 #include "gl/formats.h"
 
@@ -98,15 +98,17 @@ extern "C" {
 
 AgaaResult AGAA_CALL agaaGlGetRequirements(AgaaGlRequirements* out) {
     return guarded(Log(), "agaaGlGetRequirements", [&]() -> AgaaResult {
-        checkStruct(out, AGAA_STRUCTURE_TYPE_GL_REQUIREMENTS, "AgaaGlRequirements");
-        out->majorVersion = 4;
-        out->minorVersion = 3;
-        out->completeMajorVersion = 4;
-        out->completeMinorVersion = 5;
-        out->requiredExtensionCount = uint32_t(std::size(gl::requiredExtensions));
-        out->requiredExtensions = gl::requiredExtensions;
-        out->optionalExtensionCount = uint32_t(std::size(gl::optionalExtensions));
-        out->optionalExtensions = gl::optionalExtensions;
+        checkOutput(out);
+        AgaaGlRequirements requirements = AGAA_GL_REQUIREMENTS_INIT;
+        requirements.majorVersion = 4;
+        requirements.minorVersion = 3;
+        requirements.completeMajorVersion = 4;
+        requirements.completeMinorVersion = 5;
+        requirements.requiredExtensionCount = uint32_t(std::size(gl::requiredExtensions));
+        requirements.requiredExtensions = gl::requiredExtensions;
+        requirements.optionalExtensionCount = uint32_t(std::size(gl::optionalExtensions));
+        requirements.optionalExtensions = gl::optionalExtensions;
+        writeStruct(out, requirements);
         return AGAA_OK;
     });
 }
@@ -115,8 +117,8 @@ AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* ge
                                          const AgaaLog* log, AgaaDeviceCaps* outCaps) {
     return guarded(checkedLog(log), "agaaGlGetDeviceCaps", [&]() -> AgaaResult {
         require(getProcAddr, AGAA_ERROR_INVALID_ARGUMENT, "getProcAddr is null.");
-        checkStruct(outCaps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
-        *outCaps = gl::queryCaps(gl::loadFunctions(getProcAddr, getProcUser));
+        checkOutput(outCaps);
+        writeStruct(outCaps, gl::queryCaps(gl::loadFunctions(getProcAddr, getProcUser)));
         return AGAA_OK;
     });
 }

@@ -70,7 +70,7 @@ static void checkBindings(const GladGLContext& gl, const HostDialect& dialect) {
         gl.GetIntegerv(limitOf(hostKind(row, dialect.storageImages)), &count);
         if (dialect.bindings[row.slot] >= uint32_t(count))
             fail(AGAA_ERROR_OUT_OF_RANGE,
-                 format("AgaaGlContextDesc::bindings[AGAA_GL_BINDING_%s] is %u; the context has %d.", row.macro,
+                 format("AgaaGlDeviceDesc::bindings[AGAA_GL_BINDING_%s] is %u; the context has %d.", row.macro,
                         dialect.bindings[row.slot], count));
     }
 }
@@ -85,9 +85,8 @@ static void limitToImages(const GladGLContext& gl, AgaaDeviceCaps& caps) {
     caps.flags |= images >= 2 ? AGAA_DEVICE_FRAGMENT_ATOMICS : 0;
 }
 
-Context::Context(const AgaaGlContextDesc& desc)
-    : AgaaContext_T(Backend::OpenGL, desc.log, {desc.allocate, desc.free, desc.allocateUser},
-                    desc.framesInFlight),
+Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc)
+    : AgaaContext_T(Backend::OpenGL, common),
       gl(loadFunctions(desc.getProcAddr, desc.getProcUser)),
       statePolicy(AgaaGlStatePolicy(desc.statePolicy)), pushState(desc.pushState),
       popState(desc.popState), stateUser(desc.stateUser) {

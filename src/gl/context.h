@@ -19,7 +19,7 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl);
 
 class Context : public AgaaContext_T {
 public:
-    explicit Context(const AgaaGlContextDesc& desc);
+    Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc);
     ~Context() override;
 
     void label(GLenum kind, GLuint name, const std::string& text) const;

@@ -1,5 +1,6 @@
 // Running a frame: validate, then passes with the host's state away, but for the host's own draws.
 #include "core/frame_data.h"
+#include "core/draw_passes.h"
 #include "core/validate.h"
 #include "gl/bindings.h"
 #include "gl/formats.h"
@@ -103,17 +104,10 @@ void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const
     const PassObjects& objects = passes[step.pass];
     if (pass.clearsColor || pass.clearsDepth)
         clearTargets(pass, objects.framebuffer);
-    const AgaaDrawTarget target = {uint32_t(pass.drawPass),
-                                   pass.width,
-                                   pass.height,
-                                   plan.scaleX,
-                                   plan.scaleY,
-                                   pass.drawState,
-                                   objects.key,
-                                   nullptr,
-                                   0,
-                                   objects.framebuffer,
-                                   step.batch};
+    AgaaDrawTarget target = emptyTarget(plan, pass);
+    target.pipelineKey = objects.key;
+    target.framebuffer = objects.framebuffer;
+    target.batch = step.batch;
     state.restore();
     if (context.hostBindings)
         context.hostBindings->capture();
@@ -273,8 +267,7 @@ void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_
 }
 
 AgaaResult View::record(const AgaaFrame& frame, const AgaaGlFrame& glFrame) {
-    checkFrame(&frame, plan);
-    checkStruct(&glFrame, AGAA_STRUCTURE_TYPE_GL_FRAME, "AgaaGlFrame");
+    checkFrame(frame, plan);
     sequence.check(frame);
     checkContextState();
     outputFormat_ = checkTarget(frame, glFrame);

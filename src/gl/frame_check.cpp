@@ -60,7 +60,7 @@ GLenum View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) con
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
         return GL_NONE;
     const GladGLContext& gl = context.gl;
-    require(glFrame.reserved == 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaGlFrame::reserved is not 0.");
+    checkReserved(glFrame.reserved, "AgaaGlFrame::reserved");
     require(plan.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
             "the frame composites over the output, but the view has no AGAA_VIEW_COMPOSITE.");
     const GLuint output = glFrame.outputTexture;

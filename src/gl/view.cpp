@@ -12,7 +12,7 @@ View::View(Context& owner, const ViewSettings& settings)
     : View(owner, makePlan(settings, owner.caps, owner.framesInFlight)) {}
 
 View::View(Context& owner, Plan framePlan)
-    : AgaaView_T(owner, std::move(framePlan)), context(owner), steps(plan.steps()),
+    : SizedView(owner, std::move(framePlan)), context(owner), steps(plan.steps()),
       barriers(plan.resources.size()) {
     require(plan.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
             "set layouts of AgaaGBufferFunction, AgaaFetchFunction and AgaaShadowFunction are of Vulkan.");
@@ -35,6 +35,10 @@ View::View(Context& owner, Plan framePlan)
 }
 
 View::~View() { destroy(); }
+
+SizedView* View::remade(const ViewSettings& settings) const {
+    return construct<View>(context.allocator, context, settings);
+}
 
 void View::destroy() {
     for (PassObjects& objects : passes) {

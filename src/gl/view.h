@@ -24,15 +24,20 @@ struct PassObjects {
     std::string geometry;     // GLSL, or empty
 };
 
-class View : public AgaaView_T {
+class View : public SizedView {
 public:
     View(Context& owner, const ViewSettings& settings);
     View(Context& owner, Plan plan);
     ~View() override;
 
+    SizedView* remade(const ViewSettings& settings) const override;
     AgaaResult record(const AgaaFrame& frame, const AgaaGlFrame& glFrame);
 
     MemoryUse memoryUse() const override;
+    const StructRow& drawPassRow() const override;
+    const StructRow& surfaceRow() const override;
+    void describePass(size_t index, AgaaDrawPass& out, void* native) const override;
+    void describeSurface(ResourceId id, void* native) const override;
     CounterBuffer readCounters(uint32_t slot) const override;
     std::vector<double> readPassTimes(uint32_t slot) const override;
     AgaaTimeSource timeSource() const override { return context.timeSource; }

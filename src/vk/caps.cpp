@@ -2,7 +2,7 @@
 #include "vk/context.h"
 
 #include "core/api_guard.h"
-#include "core/validate.h"
+#include "core/structs.h"
 
 #include <algorithm>
 #include <cstring>
@@ -121,19 +121,16 @@ extern "C" {
 
 AgaaResult AGAA_CALL agaaVkGetRequirements(AgaaVkRequirements* out) {
     return guarded(Log(), "agaaVkGetRequirements", [&]() -> AgaaResult {
-        require(out, AGAA_ERROR_INVALID_ARGUMENT, "the requirements pointer is null.");
-        checkStruct(out, AGAA_STRUCTURE_TYPE_REQUIREMENTS, "AgaaVkRequirements");
-        *out = {AGAA_STRUCTURE_TYPE_REQUIREMENTS,
-                sizeof *out,
-                out->pNext,
-                VK_API_VERSION_1_2,
-                0,
-                uint32_t(std::size(vk::requiredFeatures)),
-                vk::requiredFeatures,
-                uint32_t(std::size(vk::optionalFeatures)),
-                vk::optionalFeatures,
-                uint32_t(std::size(vk::optionalExtensions)),
-                vk::optionalExtensions};
+        checkOutput(out);
+        AgaaVkRequirements requirements = AGAA_VK_REQUIREMENTS_INIT;
+        requirements.apiVersion = VK_API_VERSION_1_2;
+        requirements.requiredFeatureCount = uint32_t(std::size(vk::requiredFeatures));
+        requirements.requiredFeatures = vk::requiredFeatures;
+        requirements.optionalFeatureCount = uint32_t(std::size(vk::optionalFeatures));
+        requirements.optionalFeatures = vk::optionalFeatures;
+        requirements.optionalDeviceExtensionCount = uint32_t(std::size(vk::optionalExtensions));
+        requirements.optionalDeviceExtensions = vk::optionalExtensions;
+        writeStruct(out, requirements);
         return AGAA_OK;
     });
 }
@@ -142,12 +139,11 @@ AgaaResult AGAA_CALL agaaVkGetDeviceCaps(void* instance, void* physicalDevice,
                                          AgaaVkGetInstanceProcAddr getProcAddr, const AgaaLog* log,
                                          AgaaDeviceCaps* outCaps) {
     return guarded(checkedLog(log), "agaaVkGetDeviceCaps", [&]() -> AgaaResult {
-        require(instance && physicalDevice && getProcAddr && outCaps, AGAA_ERROR_INVALID_ARGUMENT,
-                "a pointer is null.");
-        checkStruct(outCaps, AGAA_STRUCTURE_TYPE_DEVICE_CAPS, "AgaaDeviceCaps");
+        require(instance && physicalDevice && getProcAddr, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+        checkOutput(outCaps);
         const vk::InstanceTable functions =
             vk::loadInstanceTable(getProcAddr, static_cast<VkInstance>(instance));
-        *outCaps = vk::queryCaps(functions, static_cast<VkPhysicalDevice>(physicalDevice));
+        writeStruct(outCaps, vk::queryCaps(functions, static_cast<VkPhysicalDevice>(physicalDevice)));
         return AGAA_OK;
     });
 }

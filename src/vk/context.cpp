@@ -9,7 +9,7 @@
 namespace agaa::vk {
 
 // Of what the device has, what the host enabled when it created it.
-static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkContextDesc& desc,
+static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& desc,
                                  uint32_t apiVersion) {
     const auto enabled = [&](const char* name) {
         for (uint32_t i = 0; i < desc.enabledExtensionCount; ++i)
@@ -25,7 +25,7 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkContextDesc& 
         return;
     const auto* core = static_cast<const VkPhysicalDeviceFeatures2*>(desc.enabledFeatures);
     require(core->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, AGAA_ERROR_INVALID_ARGUMENT,
-            "AgaaVkContextDesc::enabledFeatures is not a VkPhysicalDeviceFeatures2.");
+            "AgaaVkDeviceDesc::enabledFeatures is not a VkPhysicalDeviceFeatures2.");
     const auto keep = [&](VkBool32 on, uint64_t flag) { caps.flags &= on ? ~UINT64_C(0) : ~flag; };
     const VkPhysicalDeviceFeatures& f = core->features;
     keep(f.fragmentStoresAndAtomics, AGAA_DEVICE_FRAGMENT_ATOMICS);
@@ -60,16 +60,15 @@ static VkSampler createSampler(const Context& context, VkFilter filter, bool com
     return sampler;
 }
 
-Context::Context(const AgaaVkContextDesc& desc)
-    : AgaaContext_T(Backend::Vulkan, desc.log, {desc.allocate, desc.free, desc.allocateUser},
-                    desc.framesInFlight),
+Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, const std::optional<AgaaVkAllocator>& memoryOfHost)
+    : AgaaContext_T(Backend::Vulkan, common),
       instanceFunctions(
           loadInstanceTable(desc.getProcAddr, static_cast<VkInstance>(desc.instance))),
       instance(static_cast<VkInstance>(desc.instance)),
       physicalDevice(static_cast<VkPhysicalDevice>(desc.physicalDevice)),
       device(static_cast<VkDevice>(desc.device)), queueFamily(desc.queueFamily),
       secondary(desc.recording == AGAA_VK_RECORDING_SECONDARY), descriptorSet(desc.descriptorSet),
-      pipelineCache((VkPipelineCache)desc.pipelineCache) {
+      pipelineCache((VkPipelineCache)desc.pipelineCache), hostMemory(memoryOfHost) {
     caps = queryCaps(instanceFunctions, physicalDevice);
     VkPhysicalDeviceMaintenance3Properties maintenance{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES, nullptr, 0, 0};
@@ -81,7 +80,7 @@ Context::Context(const AgaaVkContextDesc& desc)
     require(apiVersion >= VK_API_VERSION_1_2, AGAA_ERROR_UNSUPPORTED,
             "the device is below Vulkan 1.2.");
     require(descriptorSet < limits.maxBoundDescriptorSets, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaVkContextDesc::descriptorSet is not below the device's maxBoundDescriptorSets.");
+            "AgaaVkDeviceDesc::descriptorSet is not below the device's maxBoundDescriptorSets.");
     dropWhatIsNotEnabled(caps, desc, apiVersion);
     maxAllocation = maintenance.maxMemoryAllocationSize;
     const bool canBeDynamic = caps.flags & AGAA_DEVICE_DYNAMIC_RENDERING;
@@ -95,7 +94,7 @@ Context::Context(const AgaaVkContextDesc& desc)
     uint32_t families = 0;
     instanceFunctions.GetPhysicalDeviceQueueFamilyProperties(physicalDevice, &families, nullptr);
     require(queueFamily < families, AGAA_ERROR_OUT_OF_RANGE,
-            "AgaaVkContextDesc::queueFamily is not a family of the device.");
+            "AgaaVkDeviceDesc::queueFamily is not a family of the device.");
     std::vector<VkQueueFamilyProperties> properties(families);
     instanceFunctions.GetPhysicalDeviceQueueFamilyProperties(physicalDevice, &families,
                                                              properties.data());

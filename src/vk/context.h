@@ -10,7 +10,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& functions, VkPhysicalDevice device
 
 class Context : public AgaaContext_T {
 public:
-    explicit Context(const AgaaVkContextDesc& desc);
+    Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, const std::optional<AgaaVkAllocator>& memoryOfHost);
     ~Context() override;
 
     void name(VkObjectType type, uint64_t handle, const std::string& text) const;
@@ -25,6 +25,7 @@ public:
     bool secondary = true; // draw callbacks get a command buffer of ours
     uint32_t descriptorSet;
     VkPipelineCache pipelineCache; // the host's, or ownCache_
+    std::optional<AgaaVkAllocator> hostMemory; // else vkAllocateMemory
     VkPhysicalDeviceMemoryProperties memory{};
     VkDeviceSize maxAllocation = 0;
     VkDeviceSize granularity = 1; // between buffers and images in one allocation

@@ -291,8 +291,7 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint
 }
 
 AgaaResult View::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
-    checkFrame(&frame, plan);
-    checkStruct(&vkFrame, AGAA_STRUCTURE_TYPE_VK_FRAME, "AgaaVkFrame");
+    checkFrame(frame, plan);
     sequence.check(frame);
     const bool begins = sequence.begins(frame);
     const uint32_t slot = sequence.slotOf(frame);

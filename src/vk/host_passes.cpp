@@ -1,5 +1,6 @@
 #include "vk/host_passes.h"
 
+#include "core/draw_passes.h"
 #include "core/host_glsl.h"
 #include "vk/formats.h"
 
@@ -197,8 +198,11 @@ void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
 
 AgaaDrawTarget drawTarget(const Plan& plan, const Pass& pass, const HostPassObjects& objects,
                           VkCommandBuffer commands, VkDescriptorSet set) {
-    return {uint32_t(pass.drawPass), pass.width, pass.height, plan.scaleX, plan.scaleY,
-            pass.drawState,          objects.key, commands,     (uint64_t)set, 0, 0};
+    AgaaDrawTarget target = emptyTarget(plan, pass);
+    target.pipelineKey = objects.key;
+    target.commandBuffer = commands;
+    target.descriptorSet = (uint64_t)set;
+    return target;
 }
 
 } // namespace agaa::vk

@@ -49,8 +49,11 @@ void ViewResources::destroy() {
     }
     for (VkDeviceMemory memory : memory_)
         vk.FreeMemory(context_.device, memory, nullptr);
+    for (const AgaaVkMemory& memory : hostMemory_)
+        contained([&] { return context_.hostMemory->free(context_.hostMemory->user, &memory), AGAA_OK; });
     resources_.clear();
     memory_.clear();
+    hostMemory_.clear();
 }
 
 void ViewResources::create(const Plan& plan, std::vector<Request>& requests) {
@@ -258,42 +261,82 @@ void ViewResources::allocateArena(std::span<const uint32_t> types, std::span<con
         allocateArena(types, members.subspan(members.size() / 2), alias);
         return;
     }
-    const auto [arena, type] = allocate(size, types);
-    if (type != types.front())
+    uint64_t alignment = 1;
+    bool hasImages = true;
+    for (size_t i = 0; i < members.size(); ++i) {
+        alignment = std::max(alignment, blocks[i].alignment);
+        hasImages = hasImages && members[i]->image;
+    }
+    const Block arena =
+        allocateBlock({size, alignment, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, hasImages, "agaa surfaces"}, types);
+    if (!arena.isBest)
         context_.log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
                            format("%llu bytes of surfaces are not in the device's best memory, which has no room for "
                                   "them; frames may take longer.",
                                   static_cast<unsigned long long>(size)));
     peakBytes_ = checkedAdd(peakBytes_, size);
-    for (size_t i = 0; i < members.size(); ++i)
+    for (size_t i = 0; i < members.size(); ++i) {
+        const uint64_t offset = arena.offset + blocks[i].offset;
         if (members[i]->image)
-            check(context_.vk.BindImageMemory(context_.device, members[i]->image, arena, blocks[i].offset),
+            check(context_.vk.BindImageMemory(context_.device, members[i]->image, arena.memory, offset),
                   "vkBindImageMemory");
         else
-            check(context_.vk.BindBufferMemory(context_.device, members[i]->buffer, arena, blocks[i].offset),
+            check(context_.vk.BindBufferMemory(context_.device, members[i]->buffer, arena.memory, offset),
                   "vkBindBufferMemory");
+    }
 }
 
 void ViewResources::allocateOwn(const Request& request) {
-    const bool small = request.kind == ResourceKind::SmallBuffer;
     constexpr VkMemoryPropertyFlags host =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    const VkMemoryPropertyFlags required = request.kind == ResourceKind::SmallBuffer ? 0 : host;
     const VkMemoryPropertyFlags preferred = request.kind == ResourceKind::ReadbackBuffer
                                                 ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
                                                 : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
     // What the host sees of a device's own memory is a small window on some, which others may have filled.
-    const VkDeviceMemory memory =
-        allocate(request.requirements.size,
-                 memoryTypes(request.requirements.memoryTypeBits, small ? 0 : host, preferred))
-            .memory;
-    check(context_.vk.BindBufferMemory(context_.device, request.buffer, memory, 0),
+    const Block block = allocateBlock(
+        {request.requirements.size, request.requirements.alignment, required, preferred, false, "agaa buffer"},
+        memoryTypes(request.requirements.memoryTypeBits, required, preferred));
+    check(context_.vk.BindBufferMemory(context_.device, request.buffer, block.memory, block.offset),
           "vkBindBufferMemory");
-    if (small)
-        return;
+    if (required)
+        resources_[request.resource].mapped.push_back(block.mapped);
+}
+
+ViewResources::Block ViewResources::allocateBlock(const Wanted& wanted, std::span<const uint32_t> types) {
+    if (context_.hostMemory)
+        return allocateFromHost(wanted, types);
+    const Allocation own = allocate(wanted.size, types);
+    return {own.memory, 0, wanted.required ? map(own.memory) : nullptr, own.type == types.front()};
+}
+
+ViewResources::Block ViewResources::allocateFromHost(const Wanted& wanted, std::span<const uint32_t> types) {
+    AgaaVkAllocationInfo info{};
+    info.size = wanted.size;
+    info.alignment = wanted.alignment;
+    for (const uint32_t type : types)
+        info.memoryTypeBits |= 1u << type;
+    info.requiredFlags = wanted.required;
+    info.preferredFlags = wanted.preferred;
+    info.isImage = wanted.isImage;
+    info.name = wanted.name;
+    AgaaVkMemory memory{};
+    hostMemory_.reserve(hostMemory_.size() + 1); // what is allocated is not lost
+    const AgaaResult result =
+        contained([&] { return context_.hostMemory->allocate(context_.hostMemory->user, &info, &memory); });
+    require(result == AGAA_OK, AGAA_ERROR_OUT_OF_MEMORY, "the host's AgaaVkAllocator has no memory for a surface.");
+    hostMemory_.push_back(memory);
+    require(memory.memory && memory.offset % info.alignment == 0, AGAA_ERROR_CALLBACK,
+            "the host's AgaaVkAllocator returned no memory, or an offset that is not aligned.");
+    require(!wanted.required || memory.mapped, AGAA_ERROR_CALLBACK,
+            "the host's AgaaVkAllocator returned memory that is not mapped.");
+    return {(VkDeviceMemory)memory.memory, memory.offset, memory.mapped, true};
+}
+
+void* ViewResources::map(VkDeviceMemory memory) const {
     void* pointer = nullptr;
-    check(context_.vk.MapMemory(context_.device, memory, 0, VK_WHOLE_SIZE, 0, &pointer),
-          "vkMapMemory");
-    resources_[request.resource].mapped.push_back(pointer);
+    check(context_.vk.MapMemory(context_.device, memory, 0, VK_WHOLE_SIZE, 0, &pointer), "vkMapMemory");
+    return pointer;
 }
 
 void ViewResources::createViews(const Plan& plan) {

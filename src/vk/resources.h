@@ -39,6 +39,21 @@ private:
     void allocateOwn(const Request& request);
     void createViews(const Plan& plan);
     void allocateArena(std::span<const uint32_t> types, std::span<const Request* const> members, bool alias);
+    struct Block {
+        VkDeviceMemory memory = VK_NULL_HANDLE;
+        uint64_t offset = 0;
+        void* mapped = nullptr; // where the host must see it
+        bool isBest = true;     // of the device's memory types
+    };
+    struct Wanted {
+        uint64_t size, alignment;
+        VkMemoryPropertyFlags required, preferred;
+        bool isImage;
+        const char* name;
+    };
+    Block allocateBlock(const Wanted& wanted, std::span<const uint32_t> types);
+    Block allocateFromHost(const Wanted& wanted, std::span<const uint32_t> types);
+    void* map(VkDeviceMemory memory) const;
     std::vector<uint32_t> memoryTypes(uint32_t allowed, VkMemoryPropertyFlags wanted,
                                       VkMemoryPropertyFlags preferred) const;
     struct Allocation {
@@ -52,6 +67,7 @@ private:
     const Context& context_;
     std::vector<GpuResource> resources_;
     std::vector<VkDeviceMemory> memory_;
+    std::vector<AgaaVkMemory> hostMemory_;
     uint64_t payloadBytes_ = 0;
     uint64_t driverBytes_ = 0;
     uint64_t peakBytes_ = 0;

@@ -15,7 +15,7 @@ View::View(Context& device, const ViewSettings& settings)
     : View(device, makePlan(settings, device.caps, device.framesInFlight)) {}
 
 View::View(Context& device, Plan framePlan)
-    : AgaaView_T(device, std::move(framePlan)), context(device), steps(plan.steps()),
+    : SizedView(device, std::move(framePlan)), context(device), steps(plan.steps()),
       positions(plan.samplePositions.empty()
                     ? samplePositions(standardPositions(plan.hwSamples), plan.scaleX, plan.scaleY)
                     : samplePositions(plan.samplePositions)) {
@@ -32,6 +32,10 @@ View::View(Context& device, Plan framePlan)
 }
 
 View::~View() { destroy(); }
+
+SizedView* View::remade(const ViewSettings& settings) const {
+    return construct<View>(context.allocator, context, settings);
+}
 
 void View::destroy() {
     const DeviceTable& vk = context.vk;

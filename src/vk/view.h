@@ -29,15 +29,20 @@ struct FrameSlot {
     std::vector<VkCommandBuffer> secondaries; // one per step that is a host draw, in order
 };
 
-class View : public AgaaView_T {
+class View : public SizedView {
 public:
     View(Context& owner, const ViewSettings& settings);
     View(Context& owner, Plan plan);
     ~View() override;
 
+    SizedView* remade(const ViewSettings& settings) const override;
     AgaaResult record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame);
 
     MemoryUse memoryUse() const override;
+    const StructRow& drawPassRow() const override;
+    const StructRow& surfaceRow() const override;
+    void describePass(size_t index, AgaaDrawPass& out, void* native) const override;
+    void describeSurface(ResourceId id, void* native) const override;
     CounterBuffer readCounters(uint32_t slot) const override;
     std::vector<double> readPassTimes(uint32_t slot) const override;
     AgaaTimeSource timeSource() const override { return AGAA_TIME_DEVICE; }

@@ -8,7 +8,7 @@ int main(void) {
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
     AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
-    AgaaLayout layout;
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     AgaaResult result;
     if (agaaGetVersion() != AGAA_HEADER_VERSION)
         return 1;

@@ -218,13 +218,13 @@ TEST(GroupedPlan, TheListFitsSharedMemory) {
     EXPECT_EQ(lengthOn(49152, 0), 64u) << "leaves room for other groups";
     // Six numbers of the host's own: 156 bytes each.
     spec.change = [](TechniqueConfig& config) {
-        static AgaaLayout layout;
+        static AgaaLayout layout = AGAA_LAYOUT_INIT;
         static const char* const names[] = {"a", "b", "c", "d", "e", "f"};
         layout = *config.layout;
         layout.attributeCount = 4;
         for (const char* name : names)
             layout.attributes[layout.attributeCount++] = {
-                AGAA_SEMANTIC_CUSTOM, 1, 16, 0, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, name};
+                AGAA_SEMANTIC_CUSTOM, 1, 16, 0, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, name, {}};
         config.layout = &layout;
     };
     EXPECT_EQ(lengthOn(8704 + 160 * 156), 160u);
@@ -237,12 +237,14 @@ TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
         config.technique = "ssaa";
         config.samples = 16;
         config.ndf = AGAA_NDF_SGGX;
-        config.flags = AGAA_CONFIG_COUNTERS | AGAA_CONFIG_NO_SHADOW_FILTER;
+        config.flags = AGAA_CONFIG_COUNTERS;
+        config.measurement.flags = AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_NO_STENCIL;
         ASSERT_EQ(config.applyPreset(name), AGAA_OK) << name;
         EXPECT_STREQ(config.technique, "agaa");
         EXPECT_EQ(config.samples, 16u);
         EXPECT_TRUE(config.flags & AGAA_CONFIG_COUNTERS);
-        EXPECT_FALSE(config.flags & AGAA_CONFIG_NO_SHADOW_FILTER);
+        EXPECT_FALSE(config.measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER);
+        EXPECT_TRUE(config.measurement.flags & AGAA_MEASURE_NO_STENCIL);
         ViewSpec spec;
         spec.change = [&](TechniqueConfig& c) { c.applyPreset(name); };
         const Plan plan = planFor(spec, fourSampleDevice());
@@ -258,16 +260,24 @@ TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
     EXPECT_EQ(config.applyPreset(nullptr), AGAA_ERROR_INVALID_ARGUMENT);
     const auto expectUnchanged = [&] {
         EXPECT_EQ(std::memcmp(&config.technique, &before.technique, sizeof(AgaaConfig) - offsetof(AgaaConfig, technique)), 0);
-        EXPECT_EQ(std::memcmp(&config.aggregation, &before.aggregation, sizeof config.aggregation), 0);
+        EXPECT_EQ(std::memcmp(&config.aggregation.characteristicLength, &before.aggregation.characteristicLength,
+                              sizeof(AgaaAggregation) - offsetof(AgaaAggregation, characteristicLength)), 0);
+        EXPECT_EQ(std::memcmp(&config.measurement.shadingCost, &before.measurement.shadingCost,
+                              sizeof(AgaaMeasurement) - offsetof(AgaaMeasurement, shadingCost)), 0);
     };
     expectUnchanged();
-    EXPECT_EQ(agaaApplyPreset("paper", nullptr, &config.aggregation), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(agaaApplyPreset("paper", &config, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaApplyPreset("paper", nullptr, &config.aggregation, &config.measurement), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaApplyPreset("paper", &config, nullptr, &config.measurement), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaApplyPreset("paper", &config, &config.aggregation, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
     expectUnchanged();
+    EXPECT_EQ(agaaApplyPreset("fast", &config, &config.aggregation, nullptr), AGAA_OK);
+    EXPECT_EQ(config.aggregates, 1u);
+    config = before;
     static const AgaaStructHeader unknown = {77, sizeof(AgaaStructHeader), nullptr};
+    const void* const chained = config.aggregation.pNext;
     config.aggregation.pNext = &unknown;
     EXPECT_EQ(config.applyPreset("paper"), AGAA_ERROR_UNKNOWN_STRUCT);
-    config.aggregation.pNext = nullptr;
+    config.aggregation.pNext = chained;
     config.aggregation.structSize = 1;
     EXPECT_EQ(config.applyPreset("paper"), AGAA_ERROR_STRUCT);
     config.aggregation.structSize = before.aggregation.structSize;

@@ -58,6 +58,8 @@ void main() {
 )";
 }
 
+constexpr uint64_t routed = UINT64_C(1) << 63; // by the first sample
+
 template <typename Visit>
 void forEveryHostPass(const Visit& visit) {
     for (const char* technique : {"single", "msaa", "ssaa", "sbaa", "agaa"})
@@ -65,8 +67,7 @@ void forEveryHostPass(const Visit& visit) {
             for (uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u})
                 for (uint32_t aggregates : {1u, 2u, 3u, 4u})
                     for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_PER_SAMPLE})
-                        for (uint64_t flags : {UINT64_C(0), AGAA_CONFIG_COUNTERS,
-                                               AGAA_CONFIG_FIRST_SAMPLE_ROUTING}) {
+                        for (uint64_t flags : {UINT64_C(0), AGAA_CONFIG_COUNTERS, routed}) {
                             const bool aggregating = findTechnique(technique)->maxAggregates != 0;
                             if (!aggregating && (aggregates > 1 || tier))
                                 continue;
@@ -76,7 +77,10 @@ void forEveryHostPass(const Visit& visit) {
                             spec.samples = samples;
                             spec.aggregates = aggregates;
                             spec.generationTier = tier;
-                            spec.configFlags = flags;
+                            spec.configFlags = flags & ~routed;
+                            spec.change = [&](harness::TechniqueConfig& config) {
+                                config.measurement.flags = flags & routed ? AGAA_MEASURE_FIRST_SAMPLE_ROUTING : 0;
+                            };
                             const Plan plan = planFor(spec, fourSampleDevice());
                             for (const Pass& pass : plan.passes)
                                 if (pass.kind == PassKind::HostDraw)

@@ -18,7 +18,7 @@ Layout builtin(const char* name) {
 
 AgaaLayoutAttribute& addCustom(AgaaLayout& layout, const char* name) {
     AgaaLayoutAttribute& a = layout.attributes[layout.attributeCount++];
-    a = {AGAA_SEMANTIC_CUSTOM, 2, 16, 0, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, name};
+    a = {AGAA_SEMANTIC_CUSTOM, 2, 16, 0, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, name, {}};
     return a;
 }
 

@@ -41,7 +41,7 @@ inline AgaaDeviceCaps fourSampleDevice() {
 }
 
 inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
-    AgaaLayout layout{};
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     agaaGetBuiltinLayout(spec.layout, &layout);
     TechniqueConfig config;
     config.technique = spec.technique;

@@ -23,9 +23,11 @@ struct ContextMisuse {
 template <class Desc>
 std::vector<ContextMisuse<Desc>> contextMisuses(std::vector<ContextMisuse<Desc>> own) {
     std::vector<ContextMisuse<Desc>> rows = {
-        {"sType", AGAA_ERROR_STRUCT, [](Desc& d) { d.sType = 1; }},
-        {"unknown struct", AGAA_ERROR_UNKNOWN_STRUCT, [](Desc& d) { d.pNext = &unknownStruct; }},
-        {"no getProcAddr", AGAA_ERROR_INVALID_ARGUMENT, [](Desc& d) { d.getProcAddr = nullptr; }},
+        {"unknown struct", AGAA_ERROR_UNKNOWN_STRUCT, [](Desc& d) { d.device.pNext = &unknownStruct; }},
+        {"no getProcAddr", AGAA_ERROR_INVALID_ARGUMENT, [](Desc& d) { d.device.getProcAddr = nullptr; }},
+        {"no device", AGAA_ERROR_INVALID_ARGUMENT, [](Desc& d) { d.pNext = nullptr; }},
+        {"device's structSize", AGAA_ERROR_STRUCT, [](Desc& d) { d.device.structSize = 20; }},
+        {"reserved", AGAA_ERROR_OUT_OF_RANGE, [](Desc& d) { d.reserved = 1; }},
         {"no frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](Desc& d) { d.framesInFlight = 0; }},
         {"nine frames in flight", AGAA_ERROR_OUT_OF_RANGE, [](Desc& d) { d.framesInFlight = 9; }},
         {"no free", AGAA_ERROR_INVALID_ARGUMENT, [](Desc& d) { d.allocate = noMemory; }},
@@ -40,7 +42,7 @@ std::vector<ContextMisuse<Desc>> contextMisuses(std::vector<ContextMisuse<Desc>>
 
 // By the API's function, from a description that it takes.
 template <class Desc>
-void expectContextsRefused(AgaaResult (*create)(uint32_t, const Desc*, AgaaContext*), const Desc& right,
+void expectContextsRefused(AgaaResult (*create)(uint32_t, const AgaaContextDesc*, AgaaContext*), const Desc& right,
                            const std::vector<ContextMisuse<Desc>>& rows) {
     AgaaContext context = nullptr;
     for (const ContextMisuse<Desc>& row : rows) {
@@ -59,6 +61,9 @@ void expectContextsRefused(AgaaResult (*create)(uint32_t, const Desc*, AgaaConte
     EXPECT_EQ(create(77u << 22, &right, &context), AGAA_ERROR_VERSION);
     Desc desc = right;
     desc.structSize -= 8;
+    EXPECT_EQ(create(AGAA_HEADER_VERSION, &desc, &context), AGAA_ERROR_STRUCT);
+    desc = right;
+    desc.sType = 1;
     EXPECT_EQ(create(AGAA_HEADER_VERSION, &desc, &context), AGAA_ERROR_STRUCT);
     desc = right;
     AgaaLog log = AGAA_LOG_INIT;

@@ -18,7 +18,7 @@ protected:
         settings.config.ndf = ndf;
         settings.config.technique = technique;
         settings.config.generationTier = tier;
-        settings.config.debugView = view;
+        settings.config.measurement.debugView = view;
         settings.facts.shadowMapCount = 0;
         return show(context, settings,
                     {.triangles = randomTriangles({.triangles = 150, .masked = 0.2f}, 61)});
@@ -69,7 +69,7 @@ TYPED_TEST_P(DebugViewCases, LitIsTheShareOfLight) {
         settings.config.technique = technique;
         settings.config.generationTier = tier;
         settings.config.aggregation.litShadows = litShadows;
-        settings.config.debugView = AGAA_DEBUG_VIEW_LIT;
+        settings.config.measurement.debugView = AGAA_DEBUG_VIEW_LIT;
         settings.facts.shadowMapCount = 1;
         settings.chained = &function;
         const AgaaShadow shadow{};
@@ -145,7 +145,7 @@ TYPED_TEST_P(DebugViewCases, ColoursTellClustersAndTiersApart) {
 TYPED_TEST_P(DebugViewCases, UnfetchedSamplesShowTheirTier) {
     ViewSettings settings;
     settings.config.generationTier = AGAA_TIER_IDS;
-    settings.config.debugView = AGAA_DEBUG_VIEW_TIER;
+    settings.config.measurement.debugView = AGAA_DEBUG_VIEW_TIER;
     settings.facts.shadowMapCount = 0;
     settings.shader = ViewSettings::Shader::ThirdUnfetched;
     const Shown shown =

@@ -213,7 +213,8 @@ TYPED_TEST_P(HardGeometryCases, HardCase25RoutedDuplicatesCountOnce) {
         view.config.aggregates = 4;
         view.config.aggregation.characteristicLength = 0.02f;
         view.config.aggregation.characteristicLengthPerDistance = 0;
-        view.config.flags = AGAA_CONFIG_SPLIT_SURFACES | (routes ? AGAA_CONFIG_FIRST_SAMPLE_ROUTING : 0);
+        view.config.flags = AGAA_CONFIG_SPLIT_SURFACES;
+        view.config.measurement.flags = routes ? AGAA_MEASURE_FIRST_SAMPLE_ROUTING : 0;
         const Shown r = this->render(view, scene, {sun()});
         EXPECT_GT(r.counters.shadingEvents, 2 * r.counters.shadedPixels) << "there are several aggregates";
         EXPECT_GT(r.counters.ties, 0u);
@@ -244,9 +245,9 @@ TYPED_TEST_P(HardGeometryCases, HardCase25CoplanarDrawsOfMsaaShowTheFirst) {
                 scene.push_back(t);
             }
         for (const uint32_t n : {4u, 8u, 32u})
-            for (const uint64_t flags : {uint64_t(0), uint64_t(AGAA_CONFIG_NO_STENCIL)}) {
+            for (const uint64_t flags : {uint64_t(0), uint64_t(AGAA_MEASURE_NO_STENCIL)}) {
                 ViewSettings view = pixelView({"msaa", n});
-                view.config.flags |= flags;
+                view.config.measurement.flags |= flags;
                 const Shown shown = this->render(view, scene, {sun()});
                 view.config.technique = "ssaa";
                 const Shown truth = this->render(view, scene, {sun()});

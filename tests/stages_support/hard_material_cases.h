@@ -224,12 +224,12 @@ TYPED_TEST_P(HardMaterialCases, FoldedAggregatesInMemoryHaveNoFilteredDiffuse) {
     light.direction[2] = 0;
     for (const char* name : {"precise", "paper16"})
         for (const Setting& s : {Setting{"agaa", 8}, Setting{"agaa", 8, AGAA_TIER_GBUFFER}}) {
-            AgaaLayout layout;
+            AgaaLayout layout = AGAA_LAYOUT_INIT;
             agaaGetBuiltinLayout(name, &layout);
             ViewSettings view = pixelView(s, 1);
             view.config.layout = &layout;
             const float filtered = this->render(view, scene, {light}).rgb[0];
-            view.config.flags |= AGAA_CONFIG_NO_DIFFUSE_FILTER;
+            view.config.measurement.flags |= AGAA_MEASURE_NO_DIFFUSE_FILTER;
             const float plain = this->render(view, scene, {light}).rgb[0];
             if (std::strcmp(name, "paper16") == 0 && s.tier == AGAA_TIER_AUTO)
                 EXPECT_EQ(filtered, plain);

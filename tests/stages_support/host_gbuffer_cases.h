@@ -105,7 +105,7 @@ TYPED_TEST_P(HostGBufferCases, ShowsWhatTheLibrarysOwnShows) {
 }
 
 TYPED_TEST_P(HostGBufferCases, FillsEveryLayout) {
-    AgaaLayout layout;
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     agaaGetBuiltinLayout("paper16", &layout);
     this->expectSamePicture(this->settingsFor("agaa", 8, &layout));
     ViewSettings reversed = this->settingsFor("agaa", 8);

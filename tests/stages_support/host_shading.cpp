@@ -12,7 +12,7 @@ void forHostShading(uint32_t drawnTier, const std::function<void(const ViewSetti
                                           {uint32_t(AGAA_TIER_GBUFFER), uint64_t(AGAA_CONFIG_BUFFERED)}})
             for (const auto& [n, c] : {std::pair{1u, 1u}, {8u, 2u}, {32u, 4u}}) {
                 SCOPED_TRACE(std::string(layoutName) + " " + agaaTierName(tier) + " n=" + std::to_string(n));
-                AgaaLayout layout;
+                AgaaLayout layout = AGAA_LAYOUT_INIT;
                 agaaGetBuiltinLayout(layoutName, &layout);
                 ViewSettings settings;
                 settings.config.layout = &layout;
@@ -61,12 +61,12 @@ void main() {
 }
 
 void forCustomAttributes(const std::vector<uint32_t>& tiers, const std::function<void(ViewSettings)>& check) {
-    AgaaLayout layout;
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     agaaGetBuiltinLayout("precise", &layout);
     layout.attributeCount = 4; // no emission: attachments are four
     const auto add = [&](const char* name, uint32_t channels, uint32_t bits, float range, uint32_t filter) {
         layout.attributes[layout.attributeCount++] = {AGAA_SEMANTIC_CUSTOM, channels, bits, filter == AGAA_FILTER_NONE ? 8u : 0u,
-                                                      0, AGAA_ENCODING_UNORM, range, filter, name};
+                                                      0, AGAA_ENCODING_UNORM, range, filter, name, {}};
     };
     add("wind", 2, 16, 4.0f, AGAA_FILTER_MEAN);
     add("tangent", 3, 8, 1.0f, AGAA_FILTER_NORMAL);

@@ -248,7 +248,7 @@ TYPED_TEST_P(IdsCases, UnfetchedSamplesThatAreNotDrawnAreMissed) {
 TYPED_TEST_P(IdsCases, CountersTellPrimitivesAndMaterials) {
     const AgaaCounters c = this->render(idsSettings(8, 2), idsShot()).counters;
     ViewSettings view = idsSettings(8, 2);
-    view.config.debugView = AGAA_DEBUG_VIEW_PRIMITIVES;
+    view.config.measurement.debugView = AGAA_DEBUG_VIEW_PRIMITIVES;
     EXPECT_NEAR(sumOf(this->render(view, idsShot()).rgb) / 3, double(c.primitives), 0.5);
     EXPECT_EQ(c.materials, c.primitives);
     EXPECT_EQ(c.aggregates, c.shadingEvents);

@@ -26,7 +26,7 @@ class PayloadCases : public testing::Test {
 protected:
     void expectPayload(const PayloadRow& row, uint32_t c, const char* layoutName, PayloadSize size,
                        uint64_t viewFlags = 0) {
-        AgaaLayout layout;
+        AgaaLayout layout = AGAA_LAYOUT_INIT;
         agaaGetBuiltinLayout(layoutName, &layout);
         const AgaaFetchFunction fetch = emptyFetch(row.fetchFlags);
         ViewSettings settings;
@@ -35,6 +35,7 @@ protected:
         settings.config.aggregates = c;
         settings.config.generationTier = row.tier;
         settings.config.flags = row.configFlags;
+        settings.config.measurement.flags = row.measurementFlags;
         settings.config.layout = &layout;
         settings.width = size.width;
         settings.height = size.height;
@@ -88,7 +89,7 @@ TYPED_TEST_P(PayloadCases, IsWhatTheQueryPredicts) {
     for (uint32_t tier : {AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER})
         for (uint32_t n : {4u, 8u}) {
             this->expectPayload({"agaa", n, tier}, 2, "precise", {17, 5});
-            this->expectPayload({"agaa", n, tier, AGAA_CONFIG_NO_STENCIL}, 2, "precise", {17, 5}, AGAA_VIEW_REVERSED_Z);
+            this->expectPayload({.technique = "agaa", .samples = n, .tier = tier, .measurementFlags = AGAA_MEASURE_NO_STENCIL}, 2, "precise", {17, 5}, AGAA_VIEW_REVERSED_Z);
         }
     size_t turn = 0; // layouts take turns: functions are compiled for each view
     for (const PayloadRow& row : payloadRows())

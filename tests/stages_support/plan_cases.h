@@ -319,7 +319,7 @@ TYPED_TEST_P(PlanCases, MasksHaveRoomFor128Samples) {
     };
     this->validates = true;
     const auto images = this->render(build);
-    const AgaaInvalidPixel expected = {1, 1, {1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
+    const AgaaInvalidPixel expected = {1, 1, {1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {0, 0}};
     EXPECT_EQ(this->validation.invalidPixels, 1u);
     EXPECT_EQ(std::memcmp(&this->validation.pixels[0], &expected, sizeof expected), 0);
     for (uint32_t i = 0; i < planPixels; ++i) {

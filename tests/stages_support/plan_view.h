@@ -9,9 +9,10 @@ namespace agaa::test {
 // build: writes the plan of a view that desc describes.
 template <class View, class Context>
 AgaaView makePlanView(AgaaContext context, const AgaaViewDesc& desc, void (*build)(PlanBuilder&)) {
-    PlanBuilder builder(resolveView(&desc), context->caps, context->framesInFlight);
+    const agaa::ViewSettings settings = resolveView(&desc);
+    PlanBuilder builder(settings, context->caps, context->framesInFlight);
     build(builder);
-    return construct<View>(context->allocator, static_cast<Context&>(*context), builder.finish());
+    return createView<View>(static_cast<Context&>(*context), settings, builder.finish());
 }
 
 } // namespace agaa::test

@@ -10,7 +10,7 @@ Prediction predict(const AgaaViewDesc& desc, const AgaaDeviceCaps& caps) {
     Prediction p;
     uint32_t count = 0;
     EXPECT_EQ(agaaQueryMemory(&desc, &caps, nullptr, &p.report, &count, nullptr), 0);
-    p.surfaces.resize(count);
+    p.surfaces.resize(count, AgaaSurface AGAA_SURFACE_INIT);
     EXPECT_EQ(agaaQueryMemory(&desc, &caps, nullptr, &p.report, &count, p.surfaces.data()), 0);
     return p;
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <stdexcept>
 
 namespace agaa::test {
@@ -78,20 +79,38 @@ TYPED_TEST_P(RecordingCases, NullPointersAreRefused) {
     });
     EXPECT_EQ(agaaGetFrameStatistics(view, 1, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
     uint32_t count = 0;
-    EXPECT_EQ(TypeParam::getDrawPasses(view, nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(TypeParam::getDrawPasses(nullptr, &count, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
-    typename TypeParam::DrawPass passes[2] = {TypeParam::drawPass, TypeParam::drawPass};
+    EXPECT_EQ(agaaGetDrawPasses(view, nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGetDrawPasses(nullptr, &count, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    AgaaDrawPass passes[2] = {AGAA_DRAW_PASS_INIT, AGAA_DRAW_PASS_INIT};
+    const AgaaDrawPass untouched = AGAA_DRAW_PASS_INIT;
     count = 1;
-    EXPECT_EQ(TypeParam::getDrawPasses(view, &count, passes), AGAA_ERROR_BUFFER_TOO_SMALL);
+    EXPECT_EQ(agaaGetDrawPasses(view, &count, passes), AGAA_ERROR_BUFFER_TOO_SMALL);
     passes[1].structSize = 1;
     count = 2;
-    EXPECT_EQ(TypeParam::getDrawPasses(view, &count, passes), AGAA_ERROR_STRUCT);
-    typename TypeParam::Surface surface = TypeParam::surface;
-    EXPECT_EQ(TypeParam::getSurface(nullptr, "depth", &surface), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(TypeParam::getSurface(view, nullptr, &surface), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(TypeParam::getSurface(view, "depth", nullptr), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(TypeParam::getSurface(view, "nothing", &surface), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(TypeParam::getSurface(view, "depth", &surface), AGAA_OK);
+    EXPECT_EQ(agaaGetDrawPasses(view, &count, passes), AGAA_ERROR_STRUCT);
+    passes[1] = untouched;
+    typename TypeParam::NativePass natives[2] = {TypeParam::nativePass, TypeParam::nativePass};
+    passes[1].pNext = &natives[1];
+    natives[1].structSize = 1;
+    EXPECT_EQ(agaaGetDrawPasses(view, &count, passes), AGAA_ERROR_STRUCT);
+    natives[1].sType = AGAA_STRUCTURE_TYPE_SURFACE;
+    EXPECT_EQ(agaaGetDrawPasses(view, &count, passes), AGAA_ERROR_UNKNOWN_STRUCT);
+    EXPECT_EQ(std::memcmp(&passes[0], &untouched, sizeof untouched), 0) << "nothing is written where the call fails";
+    natives[1] = TypeParam::nativePass;
+    EXPECT_EQ(agaaGetDrawPasses(view, &count, passes), AGAA_OK);
+    EXPECT_NE(passes[0].pipelineKey, passes[1].pipelineKey);
+    EXPECT_NE(natives[1].depthStencilFormat, 0u);
+    EXPECT_EQ(natives[0].depthStencilFormat, 0u) << "not chained";
+    AgaaSurface surface = AGAA_SURFACE_INIT;
+    EXPECT_EQ(agaaGetSurface(nullptr, "depth", &surface), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGetSurface(view, nullptr, &surface), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGetSurface(view, "depth", nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGetSurface(view, "nothing", &surface), AGAA_ERROR_INVALID_ARGUMENT);
+    typename TypeParam::NativeSurface native = TypeParam::nativeSurface;
+    surface.pNext = &native;
+    EXPECT_EQ(agaaGetSurface(view, "depth", &surface), AGAA_OK);
+    EXPECT_NE(native.format, 0u);
+    EXPECT_STREQ(surface.name, "depth");
     EXPECT_EQ(surface.width, 48 * surface.scaleX);
 }
 

@@ -101,7 +101,7 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
     const glm::dvec3 toEye = towardsEye(position, constants_);
     const AgaaConfig& config = plan_.config;
     const agaa_Surface surface{s.diffuse, s.specular, s.emissive, s.normal, s.meanLength, s.alpha2, 0, glm::dvec3(0)};
-    const uint32_t filterDiffuse = !(config.flags & AGAA_CONFIG_NO_DIFFUSE_FILTER);
+    const uint32_t filterDiffuse = !(plan_.measurement.flags & AGAA_MEASURE_NO_DIFFUSE_FILTER);
     glm::dvec3 sum = s.emissive;
     for (int i = 0; i < 3; ++i)
         sum[i] += double(frame_.ambient[i]) * (s.diffuse[i] + s.specular[i]);
@@ -157,7 +157,7 @@ glm::dvec3 ShadingOracle::perSamplePixel(uint32_t x, uint32_t y) const {
 std::pair<glm::dvec3, std::vector<glm::dvec3>>
 ShadingOracle::shadowTapsOf(const std::vector<glm::dvec3>& samples) const {
     const AgaaConfig& config = plan_.config;
-    const bool alongDepth = config.flags & AGAA_CONFIG_SHADOW_ALONG_DEPTH;
+    const bool alongDepth = plan_.measurement.flags & AGAA_MEASURE_SHADOW_ALONG_DEPTH;
     const size_t count = samples.size();
     const size_t most = alongDepth ? count : config.shadowTaps ? config.shadowTaps : 8;
     const size_t taps = std::min(count, most);
@@ -167,7 +167,7 @@ ShadingOracle::shadowTapsOf(const std::vector<glm::dvec3>& samples) const {
     glm::dvec3 mean(0);
     for (const glm::dvec3& sample : samples)
         mean += sample / double(count);
-    if (config.flags & AGAA_CONFIG_NO_SHADOW_FILTER)
+    if (plan_.measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER)
         return {mean, {mean}};
     if (!alongDepth)
         return {mean, chosen};

@@ -69,7 +69,7 @@ TEST_P(Scenes, DrawOrderMattersOnlyWhereDepthsTie) {
     const Image ordered = sharedRenderer().render(s).image;
     s.drawOrderSeed = 7;
     const Image shuffled = sharedRenderer().render(s).image;
-    s.config.flags |= AGAA_CONFIG_NO_STENCIL; // the stencil test hides the ties that it refuses
+    s.config.measurement.flags |= AGAA_MEASURE_NO_STENCIL; // the stencil test hides the ties that it refuses
     const AgaaCounters c = sharedRenderer().render(s).statistics.back().counters;
     expectEverySampleOnce(c);
     EXPECT_LE(differenceOf(ordered, shuffled).pixels, c.ties);

@@ -32,9 +32,9 @@ uint32_t parseDimension(const std::string& text, const std::string& whole) {
 
 void checkTechnique(const std::string& technique) {
     uint32_t count = 0;
-    agaaEnumerateTechniques(&count, nullptr);
+    agaaGetNames(AGAA_NAMES_TECHNIQUES, &count, nullptr);
     std::vector<const char*> names(count);
-    agaaEnumerateTechniques(&count, names.data());
+    agaaGetNames(AGAA_NAMES_TECHNIQUES, &count, names.data());
     std::string list;
     for (const char* name : names) {
         if (technique == name)
@@ -157,7 +157,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.ndf =
         choice(arguments.ndf, "--ndf",
                {{"none", AGAA_NDF_NONE}, {"toksvig", AGAA_NDF_TOKSVIG}, {"lean", AGAA_NDF_LEAN}, {"sggx", AGAA_NDF_SGGX}});
-    config.aggregation.seeds = choice(
+    config.measurement.seeds = choice(
         arguments.seeds, "--seeds",
         {{"maximin", AGAA_SEEDS_MAXIMIN}, {"sum-of-squares", AGAA_SEEDS_SUM_OF_SQUARES}});
     config.aggregation.characteristicLength = finite(arguments.k, "--k");
@@ -170,19 +170,20 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.surfaceDistance = float(surface[1]);
     config.surfaceMaterial = float(surface[2]);
     config.shadowTaps = arguments.shadowTaps;
-    config.shadingCost = arguments.shadingCost;
+    config.measurement.shadingCost = arguments.shadingCost;
     config.aggregation.glossWeight = finite(arguments.glossWeight, "--gloss-weight");
     config.aggregation.litShadows = arguments.lit ? 1 : 0; // scenes have one
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };
-    flag(arguments.noStencil, AGAA_CONFIG_NO_STENCIL);
-    flag(arguments.firstSampleRouting, AGAA_CONFIG_FIRST_SAMPLE_ROUTING);
     flag(arguments.splitSurfaces, AGAA_CONFIG_SPLIT_SURFACES);
     flag(arguments.fineMaterials, AGAA_CONFIG_FINE_MATERIALS);
-    flag(arguments.noDiffuseFilter, AGAA_CONFIG_NO_DIFFUSE_FILTER);
-    flag(arguments.noShadowFilter, AGAA_CONFIG_NO_SHADOW_FILTER);
-    flag(arguments.shadowAlongDepth, AGAA_CONFIG_SHADOW_ALONG_DEPTH);
     flag(arguments.buffered, AGAA_CONFIG_BUFFERED);
-    config.debugView = choice(arguments.view, "--view",
+    const auto measure = [&](bool on, uint64_t bit) { config.measurement.flags |= on ? bit : 0; };
+    measure(arguments.noStencil, AGAA_MEASURE_NO_STENCIL);
+    measure(arguments.firstSampleRouting, AGAA_MEASURE_FIRST_SAMPLE_ROUTING);
+    measure(arguments.noDiffuseFilter, AGAA_MEASURE_NO_DIFFUSE_FILTER);
+    measure(arguments.noShadowFilter, AGAA_MEASURE_NO_SHADOW_FILTER);
+    measure(arguments.shadowAlongDepth, AGAA_MEASURE_SHADOW_ALONG_DEPTH);
+    config.measurement.debugView = choice(arguments.view, "--view",
                               {{"none", AGAA_DEBUG_VIEW_NONE},
                                {"events", AGAA_DEBUG_VIEW_EVENTS},
                                {"aggregates", AGAA_DEBUG_VIEW_AGGREGATES},

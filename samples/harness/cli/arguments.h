@@ -61,7 +61,7 @@ struct PlanArguments {
 
 // An SDK configuration with the memory its pointers lead to.
 struct Configuration {
-    AgaaLayout layout{};
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     std::string technique; // that config points to
     TechniqueConfig config;
     bool isModel = false; // --tier native: the papers' model, on an ideal device

@@ -88,7 +88,7 @@ void runCaps(const DeviceArguments& arguments, bool asJson) {
     const AgaaDeviceCaps caps = makeRenderer(arguments)->caps();
     uint32_t count = 0;
     agaaQueryCapabilities(&caps, &count, nullptr);
-    std::vector<AgaaCapability> rows(count);
+    std::vector<AgaaCapability> rows(count, AgaaCapability AGAA_CAPABILITY_INIT);
     agaaQueryCapabilities(&caps, &count, rows.data());
     json counts = json::array();
     for (uint32_t i = 0; i < 6; ++i)
@@ -130,7 +130,7 @@ void runMemory(const PlanArguments& arguments, const DeviceArguments& device, bo
     uint32_t count = 0;
     const AgaaDeviceCaps* device_ = caps ? &*caps : nullptr;
     sdk.check(agaaQueryMemory(&view, device_, sdk.log(), &report, &count, nullptr));
-    std::vector<AgaaSurface> list(count);
+    std::vector<AgaaSurface> list(count, AgaaSurface AGAA_SURFACE_INIT);
     sdk.check(agaaQueryMemory(&view, device_, sdk.log(), &report, &count, list.data()));
     if (!asJson) {
         for (const AgaaSurface& s : list)

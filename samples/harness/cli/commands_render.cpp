@@ -185,7 +185,7 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     const Measurement m = measure(*renderer, settings, arguments);
     if (!arguments.png.empty()) {
         Image shown = m.plain.image;
-        const uint32_t view = settings.config.debugView;
+        const uint32_t view = settings.config.measurement.debugView;
         if (view == AGAA_DEBUG_VIEW_EVENTS || view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_PRIMITIVES)
             for (float& value : shown.rgb) // one is mid-grey, eight are near white
                 value *= 0.25f;

@@ -29,9 +29,7 @@ static const char* kept(std::string name) {
 }
 
 static AgaaLayout parseLayout(const nlohmann::json& json, const std::string& file) {
-    AgaaLayout layout{};
-    layout.sType = AGAA_STRUCTURE_TYPE_LAYOUT;
-    layout.structSize = sizeof layout;
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     const auto& attributes = json.at("attributes");
     if (!attributes.is_array() || attributes.size() > AGAA_MAX_LAYOUT_ATTRIBUTES)
         throw BadArgument(file + ": a layout has an array of at most 13 attributes.");
@@ -54,7 +52,7 @@ static AgaaLayout parseLayout(const nlohmann::json& json, const std::string& fil
 }
 
 AgaaLayout readLayout(const std::string& nameOrFile) {
-    AgaaLayout layout{};
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     if (nameOrFile == "reference")
         return referenceLayout(nullptr);
     if (agaaGetBuiltinLayout(nameOrFile.c_str(), &layout) == AGAA_OK)

@@ -24,7 +24,7 @@ public:
     void checkTextureSize(uint32_t width, uint32_t height) const;
     std::vector<ApiMessage> takeMessages() { return messages_.take(); }
 
-    // For AgaaGlContextDesc.
+    // For AgaaGlDeviceDesc.
     static AgaaGlFunction AGAA_CALL getProcAddr(void* user, const char* name);
 
 private:

@@ -68,7 +68,7 @@ void GlRenderer::prepare(const FrameInput& input) {
         outputHeight_ = settings.height;
     }
     shadowMaps_.update(*gpuScene_, scene(), settings, input.camera);
-    for (const AgaaGlDrawPass& pass : view_->passes)
+    for (const DrawPass<AgaaGlDrawPass>& pass : view_->passes)
         programs_.prepare(pass, scene(), input.draws);
     const glm::mat4 viewProjection(rasterised(input.camera.projection) * input.camera.view);
     const CameraConstants camera{viewProjection, float(settings.footprint)};

@@ -30,7 +30,7 @@ static Variant programVariant(const Scene& scene, const Draw& draw) {
     return variant;
 }
 
-void PassPrograms::prepare(const AgaaGlDrawPass& pass, const Scene& scene,
+void PassPrograms::prepare(const DrawPass<AgaaGlDrawPass>& pass, const Scene& scene,
                            const std::vector<Draw>& draws) {
     auto& programs = programs_[pass.pipelineKey];
     for (const Draw& draw : draws) {
@@ -40,7 +40,7 @@ void PassPrograms::prepare(const AgaaGlDrawPass& pass, const Scene& scene,
     }
 }
 
-std::string PassPrograms::fragmentText(const AgaaGlDrawPass& pass, const Variant& variant) const {
+std::string PassPrograms::fragmentText(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const {
     std::string text = versionLine(glslVersion_) + pass.glslExtensions + "#define HARNESS_GL\n" +
                        embedded::interface_glsl + "#define AGAA_ALPHA_MASKED " +
                        (variant.isMasked ? "1\n" : "0\n") + "#define FEATURES " +
@@ -58,7 +58,7 @@ std::string PassPrograms::fragmentText(const AgaaGlDrawPass& pass, const Variant
     return text + embedded::material_glsl + embedded::material_frag;
 }
 
-PassProgram PassPrograms::make(const AgaaGlDrawPass& pass, const Variant& variant) const {
+PassProgram PassPrograms::make(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const {
     PassProgram made;
     made.program = Program(*gl_, vertexText(glslVersion_, embedded::material_vert),
                            fragmentText(pass, variant), std::string("material, ") + pass.name);

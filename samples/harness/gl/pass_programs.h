@@ -1,6 +1,7 @@
 // The sample engine's programs for the SDK's draw passes, kept by the SDK's pipeline key, also across views.
 #pragma once
 
+#include "render/draw_pass.h"
 #include "agaa_gl.h"
 #include "gl/program.h"
 #include "render/host_material.h"
@@ -26,13 +27,13 @@ public:
     PassPrograms(const GladGLContext& gl, const RendererOptions& options);
 
     // Makes what the draws need and is not there yet. Before the frame: programs take time.
-    void prepare(const AgaaGlDrawPass& pass, const Scene& scene, const std::vector<Draw>& draws);
+    void prepare(const DrawPass<AgaaGlDrawPass>& pass, const Scene& scene, const std::vector<Draw>& draws);
     // Throws std::runtime_error where prepare() was not called for it.
     const PassProgram& program(uint64_t pipelineKey, const Variant& variant) const;
 
 private:
-    PassProgram make(const AgaaGlDrawPass& pass, const Variant& variant) const;
-    std::string fragmentText(const AgaaGlDrawPass& pass, const Variant& variant) const;
+    PassProgram make(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const;
+    std::string fragmentText(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const;
 
     const GladGLContext* gl_;
     uint32_t glslVersion_;

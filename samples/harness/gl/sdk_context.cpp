@@ -20,7 +20,7 @@ AgaaResult AGAA_CALL popState(void* user) {
 SdkContext::SdkContext(const Device& device, const RendererOptions& options) {
     const AgaaLog log = log_.log();
     device.makeCurrent();
-    AgaaGlContextDesc desc = AGAA_GL_CONTEXT_DESC_INIT;
+    AgaaGlDeviceDesc desc = AGAA_GL_DEVICE_DESC_INIT;
     desc.getProcAddr = Device::getProcAddr;
     desc.glslVersion = options.glslVersion;
     desc.storage = options.storageImages ? AGAA_GL_STORAGE_IMAGES : AGAA_GL_STORAGE_BUFFERS;
@@ -32,8 +32,10 @@ SdkContext::SdkContext(const Device& device, const RendererOptions& options) {
         desc.stateUser = const_cast<Device*>(&device);
     }
     std::copy(std::begin(sdkBindings), std::end(sdkBindings), desc.bindings);
-    desc.log = &log;
-    log_.check(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context_), "agaaGlCreateContext");
+    AgaaContextDesc common = AGAA_CONTEXT_DESC_INIT;
+    common.pNext = &desc;
+    common.log = &log;
+    log_.check(agaaGlCreateContext(AGAA_HEADER_VERSION, &common, &context_), "agaaGlCreateContext");
     log_.check(agaaGlGetContextCaps(context_, &caps_), "agaaGlGetContextCaps");
     views_.emplace(options.keptViews);
 }
@@ -50,11 +52,8 @@ const GlSdkView& SdkContext::view(const AgaaViewDesc& desc) {
         return view;
     };
     const auto list = [this](AgaaView view) {
-        uint32_t count = 0;
-        log_.check(agaaGlGetDrawPasses(view, &count, nullptr), "agaaGlGetDrawPasses");
-        std::vector<AgaaGlDrawPass> passes(count, AgaaGlDrawPass AGAA_GL_DRAW_PASS_INIT);
-        log_.check(agaaGlGetDrawPasses(view, &count, passes.data()), "agaaGlGetDrawPasses");
-        return passes;
+        return drawPassesOf(view, AgaaGlDrawPass AGAA_GL_DRAW_PASS_INIT,
+                            [this](AgaaResult result) { log_.check(result, "agaaGetDrawPasses"); });
     };
     return views_->get(desc, create, list);
 }

@@ -8,7 +8,7 @@
 
 namespace harness::gl {
 
-using GlSdkView = SdkView<AgaaGlDrawPass>;
+using GlSdkView = SdkView<DrawPass<AgaaGlDrawPass>>;
 
 // Where the engine lets the SDK bind: beside its own camera and materials.
 constexpr uint32_t sdkBindings[AGAA_GL_BINDING_COUNT] = {0, 4, 2, 3, 5, 5, 6, 7, 8, 6}; // by AgaaGlBinding
@@ -28,7 +28,7 @@ private:
     SdkLog log_;
     AgaaContext context_ = nullptr;
     AgaaDeviceCaps caps_ = AGAA_DEVICE_CAPS_INIT;
-    std::optional<SdkViews<AgaaGlDrawPass>> views_;
+    std::optional<SdkViews<DrawPass<AgaaGlDrawPass>>> views_;
 };
 
 } // namespace harness::gl

@@ -17,7 +17,7 @@ glm::dvec2 pixelOffset(uint32_t i) {
 }
 
 AgaaLayout referenceLayout(const AgaaLayout* own) {
-    AgaaLayout layout{};
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     if (own)
         layout = *own;
     else

@@ -1,6 +1,7 @@
 // The SDK's views that a renderer keeps: measurements alternate between two.
 #pragma once
 
+#include "render/draw_pass.h"
 #include "render/sdk_log.h"
 #include "render/view_key.h"
 

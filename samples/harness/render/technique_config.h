@@ -7,19 +7,28 @@ namespace harness {
 
 struct TechniqueConfig : AgaaConfig {
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
+    AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
 
-    TechniqueConfig() : AgaaConfig AGAA_CONFIG_INIT { pNext = &aggregation; }
-    TechniqueConfig(const TechniqueConfig& other) : AgaaConfig(other), aggregation(other.aggregation) {
-        pNext = &aggregation;
+    TechniqueConfig() : AgaaConfig AGAA_CONFIG_INIT { chain(); }
+    TechniqueConfig(const TechniqueConfig& other)
+        : AgaaConfig(other), aggregation(other.aggregation), measurement(other.measurement) {
+        chain();
     }
     TechniqueConfig& operator=(const TechniqueConfig& other) {
         AgaaConfig::operator=(other);
         aggregation = other.aggregation;
-        pNext = &aggregation;
+        measurement = other.measurement;
+        chain();
         return *this;
     }
 
-    AgaaResult applyPreset(const char* name) { return agaaApplyPreset(name, this, &aggregation); }
+    AgaaResult applyPreset(const char* name) { return agaaApplyPreset(name, this, &aggregation, &measurement); }
+
+private:
+    void chain() {
+        aggregation.pNext = &measurement;
+        pNext = &aggregation;
+    }
 };
 
 } // namespace harness

@@ -46,14 +46,22 @@ void addFetchFunction(Key& key, const AgaaFetchFunction& function) {
     key.add(function.flags);
 }
 
-// Whether the settings of aggregates are all that is chained.
-bool isAlone(const AgaaConfig& config) {
-    const auto* chained = static_cast<const AgaaStructHeader*>(config.pNext);
-    return !chained || (chained->sType == AGAA_STRUCTURE_TYPE_AGGREGATION && !chained->pNext);
+// The struct of this type in a chain, or the initial value where there is none.
+template <class T> T chainedOr(const AgaaConfig& config, uint32_t sType, const T& initial) {
+    for (auto* next = static_cast<const AgaaStructHeader*>(config.pNext); next;
+         next = static_cast<const AgaaStructHeader*>(next->pNext))
+        if (next->sType == sType)
+            return *reinterpret_cast<const T*>(next);
+    return initial;
 }
 
-AgaaAggregation aggregationOf(const AgaaConfig& config) {
-    return config.pNext ? *static_cast<const AgaaAggregation*>(config.pNext) : AgaaAggregation AGAA_AGGREGATION_INIT;
+// Whether all that is chained goes into the key.
+bool isKnown(const AgaaConfig& config) {
+    for (auto* next = static_cast<const AgaaStructHeader*>(config.pNext); next;
+         next = static_cast<const AgaaStructHeader*>(next->pNext))
+        if (next->sType != AGAA_STRUCTURE_TYPE_AGGREGATION && next->sType != AGAA_STRUCTURE_TYPE_MEASUREMENT)
+            return false;
+    return true;
 }
 
 } // namespace
@@ -62,9 +70,12 @@ std::string viewKey(const AgaaViewDesc& desc) {
     const AgaaConfig& config = *desc.config;
     const auto* chained = static_cast<const AgaaStructHeader*>(desc.pNext);
     const bool fetches = chained && chained->sType == AGAA_STRUCTURE_TYPE_FETCH_FUNCTION && !chained->pNext;
-    if ((chained && !fetches) || !isAlone(config) || desc.facts->pNext || (config.layout && config.layout->pNext))
+    if ((chained && !fetches) || !isKnown(config) || desc.facts->pNext || (config.layout && config.layout->pNext))
         return {};
-    const AgaaAggregation aggregation = aggregationOf(config);
+    const auto aggregation =
+        chainedOr(config, AGAA_STRUCTURE_TYPE_AGGREGATION, AgaaAggregation AGAA_AGGREGATION_INIT);
+    const auto measurement =
+        chainedOr(config, AGAA_STRUCTURE_TYPE_MEASUREMENT, AgaaMeasurement AGAA_MEASUREMENT_INIT);
     Key key;
     if (fetches)
         addFetchFunction(key, *static_cast<const AgaaFetchFunction*>(desc.pNext));
@@ -73,15 +84,16 @@ std::string viewKey(const AgaaViewDesc& desc) {
     key.add(desc.flags);
     key.add(config.technique);
     for (const uint32_t value :
-         {config.samples, config.aggregates, config.brdf, config.ndf, aggregation.seeds,
-          config.shadowTaps, config.visibilityTier, config.generationTier, config.shadingCost,
-          aggregation.litShadows, config.debugView})
+         {config.samples, config.aggregates, config.brdf, config.ndf, measurement.seeds,
+          config.shadowTaps, config.visibilityTier, config.generationTier, measurement.shadingCost,
+          aggregation.litShadows, measurement.debugView})
         key.add(value);
     for (const float value : {aggregation.characteristicLength, aggregation.characteristicLengthPerDistance,
                               aggregation.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,
                               config.surfaceMaterial, aggregation.glossWeight})
         key.add(value);
     key.add(config.flags);
+    key.add(measurement.flags);
     key.add(uint32_t(config.layout != nullptr));
     if (config.layout)
         addLayout(key, *config.layout);

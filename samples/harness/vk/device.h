@@ -42,7 +42,7 @@ public:
     double submitAndWait(VkCommandBuffer commands) const;
     void discardCommands(VkCommandBuffer commands) const; // frees without running
 
-    // For AgaaVkContextDesc.
+    // For AgaaVkDeviceDesc.
     static AgaaVkFunction AGAA_CALL getProcAddr(void* instance, const char* name);
 
 private:

@@ -9,7 +9,7 @@ namespace harness::vk {
 
 namespace {
 
-std::string fragmentText(const AgaaVkDrawPass& pass, bool isMasked) {
+std::string fragmentText(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked) {
     return std::string("#version 450\n") + pass.glslExtensions + "\n#define AGAA_ALPHA_MASKED " +
            (isMasked ? "1\n" : "0\n") + pass.glslDeclarations + "\n" + embedded::interface_glsl +
            embedded::material_glsl + embedded::material_frag;
@@ -21,7 +21,7 @@ PassPipelines::PassPipelines(const Device& device, VkDescriptorSetLayout cameraL
     : device_(&device), cameraLayout_(cameraLayout),
       vertex_(makeShader(device, ShaderStage::Vertex, vulkanText(embedded::material_vert), "material.vert")) {}
 
-void PassPipelines::prepare(const AgaaVkDrawPass& pass, const Scene& scene,
+void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& scene,
                             const std::vector<Draw>& draws, VkDescriptorSetLayout materialLayout) {
     Program& program = programs_[pass.pipelineKey];
     const std::string text = std::string(pass.glslExtensions) + pass.glslDeclarations;
@@ -46,11 +46,11 @@ void PassPipelines::prepare(const AgaaVkDrawPass& pass, const Scene& scene,
     }
 }
 
-PipelineLayout PassPipelines::makeLayout(const AgaaVkDrawPass& pass,
+PipelineLayout PassPipelines::makeLayout(const DrawPass<AgaaVkDrawPass>& pass,
                                          VkDescriptorSetLayout materials) const {
     std::array<VkDescriptorSetLayout, 3> sets{};
     sets[cameraSetIndex] = cameraLayout_;
-    sets[agaaSetIndex] = (VkDescriptorSetLayout)pass.descriptorSetLayout;
+    sets[agaaSetIndex] = (VkDescriptorSetLayout)pass.native.descriptorSetLayout;
     sets[materialSetIndex] = materials;
     const VkPushConstantRange constants{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(DrawConstants)};
     VkPipelineLayoutCreateInfo info{};
@@ -63,7 +63,7 @@ PipelineLayout PassPipelines::makeLayout(const AgaaVkDrawPass& pass,
                                 "create a pipeline layout");
 }
 
-Pipeline PassPipelines::makePipeline(const AgaaVkDrawPass& pass, const Program& program,
+Pipeline PassPipelines::makePipeline(const DrawPass<AgaaVkDrawPass>& pass, const Program& program,
                                      const Variant& variant) const {
     PipelineState state(pass, variant.isMasked);
     state.rasterization.cullMode =
@@ -71,7 +71,7 @@ Pipeline PassPipelines::makePipeline(const AgaaVkDrawPass& pass, const Program& 
     state.rasterization.frontFace =
         variant.isMirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE;
     state.fragmentConstant = variant.features;
-    const VkRenderPass renderPass = (VkRenderPass)pass.renderPass;
+    const VkRenderPass renderPass = (VkRenderPass)pass.native.renderPass;
     return state.create(*device_, vertex_.get(), program.fragments[variant.isMasked].get(),
                         program.layout.get(), renderPass,
                         renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);

@@ -2,6 +2,7 @@
 // by a key, so they are kept by it, also across views.
 #pragma once
 
+#include "render/draw_pass.h"
 #include "render/host_material.h"
 #include "vk/pipeline_state.h"
 
@@ -21,7 +22,7 @@ public:
     PassPipelines(const Device& device, VkDescriptorSetLayout cameraLayout);
 
     // Makes what the draws need and is not there yet. Before recording: pipelines take time.
-    void prepare(const AgaaVkDrawPass& pass, const Scene& scene, const std::vector<Draw>& draws,
+    void prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& scene, const std::vector<Draw>& draws,
                  VkDescriptorSetLayout materialLayout);
     // Both throw std::runtime_error where prepare() was not called for it.
     VkPipelineLayout layout(uint64_t pipelineKey) const;
@@ -36,8 +37,8 @@ private:
         std::map<Variant, Pipeline> pipelines;
     };
     const Program& program(uint64_t pipelineKey) const;
-    PipelineLayout makeLayout(const AgaaVkDrawPass& pass, VkDescriptorSetLayout materials) const;
-    Pipeline makePipeline(const AgaaVkDrawPass& pass, const Program& program,
+    PipelineLayout makeLayout(const DrawPass<AgaaVkDrawPass>& pass, VkDescriptorSetLayout materials) const;
+    Pipeline makePipeline(const DrawPass<AgaaVkDrawPass>& pass, const Program& program,
                           const Variant& variant) const;
 
     const Device* device_;

@@ -49,7 +49,7 @@ PipelineState::PipelineState(uint32_t colorAttachments) {
     blends.resize(colorAttachments);
 }
 
-PipelineState::PipelineState(const AgaaVkDrawPass& pass, bool isMasked)
+PipelineState::PipelineState(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked)
     : PipelineState(pass.state.colorAttachmentCount) {
     const AgaaDrawState& wanted = pass.state;
     multisample.rasterizationSamples = VkSampleCountFlagBits(wanted.samples);
@@ -84,11 +84,11 @@ PipelineState::PipelineState(const AgaaVkDrawPass& pass, bool isMasked)
         }
     }
 
-    static_assert(sizeof(VkFormat) == sizeof pass.colorFormats[0]);
-    const VkFormat depthFormat = VkFormat(pass.depthStencilFormat);
+    static_assert(sizeof(VkFormat) == sizeof pass.native.colorFormats[0]);
+    const VkFormat depthFormat = VkFormat(pass.native.depthStencilFormat);
     rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
     rendering.colorAttachmentCount = wanted.colorAttachmentCount;
-    rendering.pColorAttachmentFormats = reinterpret_cast<const VkFormat*>(pass.colorFormats);
+    rendering.pColorAttachmentFormats = reinterpret_cast<const VkFormat*>(pass.native.colorFormats);
     rendering.depthAttachmentFormat = depthFormat;
     rendering.stencilAttachmentFormat = hasStencil(depthFormat) ? depthFormat : VK_FORMAT_UNDEFINED;
 }

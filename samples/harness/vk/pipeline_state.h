@@ -1,6 +1,7 @@
 // What the sample engine's graphics pipelines have in common.
 #pragma once
 
+#include "render/draw_pass.h"
 #include "agaa_vk.h"
 #include "vk/check.h"
 #include "vk/glsl.h"
@@ -19,7 +20,7 @@ class PipelineState {
 public:
     explicit PipelineState(uint32_t colorAttachments);
     // Everything that the SDK asks of a draw pass's pipelines. The pass must live as long as this.
-    PipelineState(const AgaaVkDrawPass& pass, bool isMasked);
+    PipelineState(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked);
     PipelineState(const PipelineState&) = delete;
     PipelineState& operator=(const PipelineState&) = delete;
 

@@ -14,7 +14,7 @@ void SdkContext::createContext(const Device& device, const RendererOptions& opti
     log_.check(agaaVkGetDeviceCaps(device.instance(), device.physicalDevice(), Device::getProcAddr,
                                    &log, &caps_),
                "agaaVkGetDeviceCaps");
-    AgaaVkContextDesc desc = AGAA_VK_CONTEXT_DESC_INIT;
+    AgaaVkDeviceDesc desc = AGAA_VK_DEVICE_DESC_INIT;
     desc.instance = device.instance();
     desc.physicalDevice = device.physicalDevice();
     desc.device = device.get();
@@ -27,8 +27,10 @@ void SdkContext::createContext(const Device& device, const RendererOptions& opti
     desc.recording =
         options.inlineRecording ? AGAA_VK_RECORDING_INLINE : AGAA_VK_RECORDING_SECONDARY;
     desc.descriptorSet = descriptorSet;
-    desc.log = &log;
-    log_.check(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &context_), "agaaVkCreateContext");
+    AgaaContextDesc common = AGAA_CONTEXT_DESC_INIT;
+    common.pNext = &desc;
+    common.log = &log;
+    log_.check(agaaVkCreateContext(AGAA_HEADER_VERSION, &common, &context_), "agaaVkCreateContext");
     // Less what was not enabled.
     log_.check(agaaVkGetContextCaps(context_, &caps_), "agaaVkGetContextCaps");
 }
@@ -45,11 +47,8 @@ const VkSdkView& SdkContext::view(const AgaaViewDesc& desc) {
         return view;
     };
     const auto list = [this](AgaaView view) {
-        uint32_t count = 0;
-        log_.check(agaaVkGetDrawPasses(view, &count, nullptr), "agaaVkGetDrawPasses");
-        std::vector<AgaaVkDrawPass> passes(count, AgaaVkDrawPass AGAA_VK_DRAW_PASS_INIT);
-        log_.check(agaaVkGetDrawPasses(view, &count, passes.data()), "agaaVkGetDrawPasses");
-        return passes;
+        return drawPassesOf(view, AgaaVkDrawPass AGAA_VK_DRAW_PASS_INIT,
+                            [this](AgaaResult result) { log_.check(result, "agaaGetDrawPasses"); });
     };
     return views_->get(desc, create, list);
 }

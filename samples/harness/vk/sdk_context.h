@@ -8,7 +8,7 @@
 
 namespace harness::vk {
 
-using VkSdkView = SdkView<AgaaVkDrawPass>;
+using VkSdkView = SdkView<DrawPass<AgaaVkDrawPass>>;
 
 class SdkContext {
 public:
@@ -31,7 +31,7 @@ private:
     SdkLog log_;
     AgaaContext context_ = nullptr;
     AgaaDeviceCaps caps_ = AGAA_DEVICE_CAPS_INIT;
-    std::optional<SdkViews<AgaaVkDrawPass>> views_;
+    std::optional<SdkViews<DrawPass<AgaaVkDrawPass>>> views_;
 };
 
 } // namespace harness::vk

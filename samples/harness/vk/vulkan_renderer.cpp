@@ -88,7 +88,7 @@ void VulkanRenderer::prepare(const FrameInput& input) {
         output_.emplace(device_, settings.width, settings.height);
     }
     shadowMaps_.update(*gpuScene_, scene(), settings, input.camera);
-    for (const AgaaVkDrawPass& pass : view_->passes)
+    for (const DrawPass<AgaaVkDrawPass>& pass : view_->passes)
         pipelines_.prepare(pass, scene(), input.draws, gpuScene_->materialLayout());
     const glm::mat4 viewProjection(input.camera.viewProjection);
     const CameraConstants camera{viewProjection, float(settings.footprint)};

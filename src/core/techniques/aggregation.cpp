@@ -2,6 +2,7 @@
 
 #include "core/checked.h"
 #include "core/error.h"
+#include "core/structs.h"
 #include "core/techniques/gbuffer.h"
 #include "core/validate.h"
 
@@ -9,9 +10,13 @@
 
 namespace agaa {
 
-static void readAggregation(const void* structure, ViewSettings& view) {
-    const AgaaAggregation& a = view.aggregation = *static_cast<const AgaaAggregation*>(structure);
+static void readAggregation(const AgaaConfig& config, ViewSettings& view) {
+    const std::optional<AgaaAggregation> chained = readChained<AgaaAggregation>(&config);
+    if (!chained)
+        return;
+    const AgaaAggregation& a = view.aggregation = *chained;
     view.aggregation.pNext = nullptr;
+    checkReserved(a.reserved, "AgaaAggregation::reserved");
     checkFinite(a.characteristicLength, "AgaaAggregation::characteristicLength");
     checkRange(double(a.characteristicLength), 0.0, 3.4e38, "AgaaAggregation::characteristicLength");
     checkRange(double(a.characteristicLengthPerDistance), 0.0, 1.0, "AgaaAggregation::characteristicLengthPerDistance");
@@ -19,13 +24,11 @@ static void readAggregation(const void* structure, ViewSettings& view) {
     require(a.characteristicLength > 0 || a.characteristicLengthPerDistance > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaAggregation::characteristicLength and its share per distance are both 0; k must be > 0.");
     checkRange(double(a.aggregateThreshold), 0.0, 1e6, "AgaaAggregation::aggregateThreshold");
-    checkRange(uint64_t(a.seeds), 0, AGAA_SEEDS_SUM_OF_SQUARES, "AgaaAggregation::seeds");
-    checkRange(uint64_t(a.litShadows), 0, (1u << AGAA_MAX_SHADOW_MAPS) - 1, "AgaaAggregation::litShadows");
+    checkFlags(a.litShadows, (1u << AGAA_MAX_SHADOW_MAPS) - 1, "AgaaAggregation::litShadows");
     checkRange(double(a.glossWeight), 0.0, 16.0, "AgaaAggregation::glossWeight");
 }
 
-const TechniqueSettings aggregationSettings = {AGAA_STRUCTURE_TYPE_AGGREGATION, sizeof(AgaaAggregation),
-                                               "AgaaAggregation", readAggregation};
+const TechniqueSettings aggregationSettings = {AGAA_STRUCTURE_TYPE_AGGREGATION, readAggregation};
 
 Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format format) {
     const Prepass s{b.depth(stencil), b.image(name, format, true)};

@@ -25,7 +25,7 @@ void buildPerSample(PlanBuilder& b) {
 
 // Lottes 2009: edges of the shaded image are found and softened.
 void buildFxaa(PlanBuilder& b) {
-    if (b.plan.config.debugView != AGAA_DEBUG_VIEW_NONE)
+    if (b.plan.measurement.debugView != AGAA_DEBUG_VIEW_NONE)
         return buildPerSample(b); // numbers, that are not to be filtered
     const GBuffer gbuffer = makeGBuffer(b);
     const ResourceId shaded = b.image("shaded", Format::RGBA16F, false);

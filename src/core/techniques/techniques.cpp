@@ -1,5 +1,7 @@
 #include "core/techniques/techniques.h"
 
+#include "core/names.h"
+
 #include <algorithm>
 
 namespace agaa {
@@ -13,7 +15,7 @@ const std::vector<const Technique*>& techniques() {
 
 const Technique* findTechnique(std::string_view name) {
     for (const Technique* technique : techniques())
-        if (name == technique->name)
+        if (isSameName(name, technique->name))
             return technique;
     return nullptr;
 }

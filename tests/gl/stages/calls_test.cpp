@@ -61,8 +61,8 @@ TEST(GlCalls, NothingIsFetchedFromTheBoundFramebuffer) {
     Replaced replaced;
     replace(replaced, "glDispatchCompute", dispatch);
     for (const AgaaGlStatePolicy policy : {AGAA_GL_STATE_RESTORE, AGAA_GL_STATE_NONE}) {
-        AgaaGlContextDesc desc = contextDesc(replaced);
-        desc.statePolicy = policy;
+        OpenGLContextDesc desc = contextDesc(replaced);
+        desc.device.statePolicy = policy;
         Bench bench(benchSettings(), desc);
         dispatches = fedBack = 0;
         bench.picture();

@@ -20,7 +20,9 @@ public:
         for (size_t i = 0; i <= attachments_; ++i) {
             AgaaGlSurface surface = AGAA_GL_SURFACE_INIT;
             const std::string name = i < attachments_ ? "gbuffer-" + std::to_string(i) : "depth";
-            EXPECT_EQ(agaaGlGetSurface(drawn.get(), name.c_str(), &surface), AGAA_OK) << name;
+            AgaaSurface common = AGAA_SURFACE_INIT;
+            common.pNext = &surface;
+            EXPECT_EQ(agaaGetSurface(drawn.get(), name.c_str(), &common), AGAA_OK) << name;
             textures_.push_back(surface.texture);
         }
     }

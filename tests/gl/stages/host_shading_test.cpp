@@ -20,7 +20,9 @@ public:
     HostPass(StageContext& context, const ViewSettings& settings, StageView& view, const char* light)
         : gl_(context.egl().gl()), settings_(settings), image_(harness::gl::createTexture(gl_, GL_TEXTURE_2D)),
           pass_(gl_, hostShadingText(viewDesc(settings), context.caps(), declarations, light)) {
-        EXPECT_EQ(agaaGlGetSurface(view.get(), "aggregates", &aggregates_), AGAA_OK);
+        AgaaSurface common = AGAA_SURFACE_INIT;
+        common.pNext = &aggregates_;
+        EXPECT_EQ(agaaGetSurface(view.get(), "aggregates", &common), AGAA_OK);
         gl_.TextureStorage2D(image_.get(), 1, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height));
     }
 

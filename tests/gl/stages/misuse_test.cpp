@@ -16,35 +16,35 @@ AgaaGlFunction AGAA_CALL noFunction(void*, const char*) { return nullptr; }
 
 TEST(GlMisuse, ContextsAreRefusedInASentence) {
     sharedEgl().makeCurrent();
-    const auto rows = contextMisuses<AgaaGlContextDesc>({
-        {"no functions", AGAA_ERROR_UNSUPPORTED, [](auto& d) { d.getProcAddr = noFunction; }},
-        {"GLSL 320", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.glslVersion = 320; }},
-        {"GLSL 455", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.glslVersion = 455; }},
-        {"storage", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.storage = 2; }},
-        {"outputs", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.outputs = 2; }},
-        {"policy", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.statePolicy = 3; }},
-        {"equal bindings", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.bindings[AGAA_GL_BINDING_COUNTERS] = 0; }},
-        {"equal texture units", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.bindings[AGAA_GL_BINDING_SHADOW3] = 0; }},
+    const auto rows = contextMisuses<OpenGLContextDesc>({
+        {"no functions", AGAA_ERROR_UNSUPPORTED, [](auto& d) { d.device.getProcAddr = noFunction; }},
+        {"GLSL 320", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.glslVersion = 320; }},
+        {"GLSL 455", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.glslVersion = 455; }},
+        {"storage", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.storage = 2; }},
+        {"outputs", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.outputs = 2; }},
+        {"policy", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.statePolicy = 3; }},
+        {"equal bindings", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.device.bindings[AGAA_GL_BINDING_COUNTERS] = 0; }},
+        {"equal texture units", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.device.bindings[AGAA_GL_BINDING_SHADOW3] = 0; }},
         {"lights where the frame is", AGAA_ERROR_INVALID_ARGUMENT,
          [](auto& d) {
-             d.storage = AGAA_GL_STORAGE_IMAGES;
-             d.bindings[AGAA_GL_BINDING_LIGHTS] = d.bindings[AGAA_GL_BINDING_FRAME];
+             d.device.storage = AGAA_GL_STORAGE_IMAGES;
+             d.device.bindings[AGAA_GL_BINDING_LIGHTS] = d.device.bindings[AGAA_GL_BINDING_FRAME];
          }},
-        {"a binding that is not known", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_COUNT] = 9; }},
-        {"frame binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_FRAME] = 100000; }},
-        {"metadata unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_METADATA] = 100000; }},
-        {"shadow unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_SHADOW0] = 100000; }},
-        {"last shadow unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_SHADOW3] = ~0u; }},
-        {"aggregates binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.bindings[AGAA_GL_BINDING_AGGREGATES] = 100000; }},
+        {"a binding that is not known", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.bindings[AGAA_GL_BINDING_COUNT] = 9; }},
+        {"frame binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.bindings[AGAA_GL_BINDING_FRAME] = 100000; }},
+        {"metadata unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.bindings[AGAA_GL_BINDING_METADATA] = 100000; }},
+        {"shadow unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.bindings[AGAA_GL_BINDING_SHADOW0] = 100000; }},
+        {"last shadow unit", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.bindings[AGAA_GL_BINDING_SHADOW3] = ~0u; }},
+        {"aggregates binding", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.bindings[AGAA_GL_BINDING_AGGREGATES] = 100000; }},
         {"counters image unit", AGAA_ERROR_OUT_OF_RANGE,
          [](auto& d) {
-             d.storage = AGAA_GL_STORAGE_IMAGES;
-             d.bindings[AGAA_GL_BINDING_COUNTERS] = 100000;
+             d.device.storage = AGAA_GL_STORAGE_IMAGES;
+             d.device.bindings[AGAA_GL_BINDING_COUNTERS] = 100000;
          }},
         {"no popState", AGAA_ERROR_INVALID_ARGUMENT,
          [](auto& d) {
-             d.statePolicy = AGAA_GL_STATE_CALLBACKS;
-             d.pushState = nothing;
+             d.device.statePolicy = AGAA_GL_STATE_CALLBACKS;
+             d.device.pushState = nothing;
          }},
     });
     expectContextsRefused(agaaGlCreateContext, contextDesc(), rows);
@@ -58,7 +58,7 @@ TEST(GlMisuse, NeedsACurrentContext) {
     }
     std::vector<LogLine> lines;
     const AgaaLog log = logInto(lines);
-    AgaaGlContextDesc desc = contextDesc();
+    OpenGLContextDesc desc = contextDesc();
     desc.log = &log;
     AgaaContext context = nullptr;
     EXPECT_EQ(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context), AGAA_ERROR_UNSUPPORTED);
@@ -111,12 +111,17 @@ TEST(GlMisuse, HandlesOfAnotherBackendAreRefused) {
     Bench bench;
     AgaaVkFrame vkFrame = AGAA_VK_FRAME_INIT;
     AgaaVkSurface surface = AGAA_VK_SURFACE_INIT;
+    AgaaSurface common = AGAA_SURFACE_INIT;
+    common.pNext = &surface;
+    AgaaVkDrawPass pass = AGAA_VK_DRAW_PASS_INIT;
+    AgaaDrawPass passes[2] = {AGAA_DRAW_PASS_INIT, AGAA_DRAW_PASS_INIT};
+    passes[0].pNext = &pass;
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     const AgaaFrame frame = bench.frame();
     const ViewSettings settings = benchSettings();
     const AgaaViewDesc desc = viewDesc(settings);
     AgaaView view = nullptr;
-    uint32_t count = 0;
+    uint32_t count = 2;
     const auto expect = [&](AgaaResult result, const char* what) {
         EXPECT_EQ(result, AGAA_ERROR_INVALID_ARGUMENT) << what;
         expectOneSentence(bench.context.lines, AGAA_ERROR_INVALID_ARGUMENT, what);
@@ -125,15 +130,22 @@ TEST(GlMisuse, HandlesOfAnotherBackendAreRefused) {
     expect(agaaVkCreateView(bench.context.get(), &desc, &view), "create a view");
     expect(agaaVkGetContextCaps(bench.context.get(), &caps), "caps");
     expect(agaaVkRecordFrame(bench.view.get(), &frame, &vkFrame), "record");
-    expect(agaaVkGetDrawPasses(bench.view.get(), &count, nullptr), "draw passes");
-    expect(agaaVkGetSurface(bench.view.get(), "depth", &surface), "surface");
+    const auto expectUnknown = [&](AgaaResult result, const char* what) {
+        EXPECT_EQ(result, AGAA_ERROR_UNKNOWN_STRUCT) << what;
+        expectOneSentence(bench.context.lines, AGAA_ERROR_UNKNOWN_STRUCT, what);
+        bench.context.lines.clear();
+    };
+    expectUnknown(agaaGetDrawPasses(bench.view.get(), &count, passes), "draw passes");
+    expectUnknown(agaaGetSurface(bench.view.get(), "depth", &common), "surface");
 }
 
 // Handles of Vulkan need no device to be refused.
 TEST(GlMisuse, HandlesOfVulkanAreRefused) {
     std::vector<LogLine> lines;
     const AgaaLog log = logInto(lines);
-    AgaaContext_T vulkan(Backend::Vulkan, &log, {}, 2);
+    AgaaContextDesc commonDesc = AGAA_CONTEXT_DESC_INIT;
+    commonDesc.log = &log;
+    AgaaContext_T vulkan(Backend::Vulkan, commonDesc);
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     EXPECT_EQ(agaaGlGetContextCaps(&vulkan, &caps), AGAA_ERROR_INVALID_ARGUMENT);
     expectOneSentence(lines, AGAA_ERROR_INVALID_ARGUMENT, "caps");

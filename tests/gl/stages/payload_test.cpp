@@ -169,11 +169,11 @@ AgaaGlFunction AGAA_CALL interceptingProcAddr(void* user, const char* name) {
     return EglContext::getProcAddr(user, name);
 }
 
-AgaaGlContextDesc interceptedDesc() {
+OpenGLContextDesc interceptedDesc() {
     created = {};
     alive.clear();
-    AgaaGlContextDesc desc = contextDesc();
-    desc.getProcAddr = interceptingProcAddr;
+    OpenGLContextDesc desc = contextDesc();
+    desc.device.getProcAddr = interceptingProcAddr;
     return desc;
 }
 
@@ -220,8 +220,8 @@ TEST(GlLeaks, ViewsWithoutMemoryLeaveNothing) {
 
 // Frames create nothing that stays, failures neither.
 TEST(GlLeaks, FramesAndFailuresLeaveNothing) {
-    AgaaGlContextDesc desc = interceptedDesc();
-    desc.storage = AGAA_GL_STORAGE_IMAGES;
+    OpenGLContextDesc desc = interceptedDesc();
+    desc.device.storage = AGAA_GL_STORAGE_IMAGES;
     {
         ViewSettings settings = benchSettings();
         settings.config.flags |= AGAA_CONFIG_TIMESTAMPS;

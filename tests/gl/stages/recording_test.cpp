@@ -33,9 +33,9 @@ NativeMisuse<AgaaGlFrame> badMap(const char* what, GLenum target, GLenum format)
 
 struct RecordingHost : OpenGLHost {
     static constexpr bool driverTellsBytes = false;
-    static std::vector<AgaaGlContextDesc> storages() {
-        return {changed([](auto& desc) { desc.storage = AGAA_GL_STORAGE_BUFFERS; }),
-                changed([](auto& desc) { desc.storage = AGAA_GL_STORAGE_IMAGES; })};
+    static std::vector<OpenGLContextDesc> storages() {
+        return {changed([](auto& desc) { desc.device.storage = AGAA_GL_STORAGE_BUFFERS; }),
+                changed([](auto& desc) { desc.device.storage = AGAA_GL_STORAGE_IMAGES; })};
     }
     static void spoilSecondMap(AgaaGlFrame& frame) { frame.shadowTextures[1] = deletedTexture(sharedEgl().gl()); }
 
@@ -131,14 +131,14 @@ TEST(GlRecording, CallbacksThatThrowHaveFailed) {
         int depth = 0;
         bool throws = false;
     } state;
-    AgaaGlContextDesc desc = contextDesc();
-    desc.statePolicy = AGAA_GL_STATE_CALLBACKS;
-    desc.stateUser = &state;
-    desc.pushState = [](void* user) -> AgaaResult {
+    OpenGLContextDesc desc = contextDesc();
+    desc.device.statePolicy = AGAA_GL_STATE_CALLBACKS;
+    desc.device.stateUser = &state;
+    desc.device.pushState = [](void* user) -> AgaaResult {
         ++static_cast<HostState*>(user)->depth;
         return AGAA_OK;
     };
-    desc.popState = [](void* user) -> AgaaResult {
+    desc.device.popState = [](void* user) -> AgaaResult {
         auto& host = *static_cast<HostState*>(user);
         --host.depth;
         if (host.throws)
@@ -164,7 +164,7 @@ TEST(GlRecording, CallbacksThatThrowHaveFailed) {
 
 // What ran of it has overwritten the counters and times of the frame that had its slot.
 TEST(GlRecording, AFailedFrameTakesItsSlot) {
-    AgaaGlContextDesc desc = contextDesc();
+    OpenGLContextDesc desc = contextDesc();
     desc.framesInFlight = 2;
     Bench bench(benchSettings(), desc);
     bench.picture();

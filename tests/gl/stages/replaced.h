@@ -20,10 +20,10 @@ void replace(Replaced& replaced, const char* name, Function* function) {
     replaced[name] = reinterpret_cast<AgaaGlFunction>(function);
 }
 
-inline AgaaGlContextDesc contextDesc(Replaced& replaced) {
-    AgaaGlContextDesc desc = contextDesc();
-    desc.getProcAddr = replacedProcAddr;
-    desc.getProcUser = &replaced;
+inline OpenGLContextDesc contextDesc(Replaced& replaced) {
+    OpenGLContextDesc desc = contextDesc();
+    desc.device.getProcAddr = replacedProcAddr;
+    desc.device.getProcUser = &replaced;
     return desc;
 }
 

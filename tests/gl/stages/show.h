@@ -38,27 +38,25 @@ private:
 struct OpenGLHost {
     using Context = StageContext;
     using View = StageView;
-    using Options = AgaaGlContextDesc;
+    using Options = OpenGLContextDesc;
     using Frame = AgaaGlFrame;
-    using DrawPass = AgaaGlDrawPass;
-    using Surface = AgaaGlSurface;
+    using NativePass = AgaaGlDrawPass;
+    using NativeSurface = AgaaGlSurface;
     using ShadowMap = harness::gl::Texture;
     using FunctionData = FunctionBuffer;
     using Ids = IdsView;
     static constexpr auto createView = agaaGlCreateView;
     static constexpr auto recordFrame = agaaGlRecordFrame;
-    static constexpr auto getDrawPasses = agaaGlGetDrawPasses;
-    static constexpr auto getSurface = agaaGlGetSurface;
-    static constexpr DrawPass drawPass = AGAA_GL_DRAW_PASS_INIT;
-    static constexpr Surface surface = AGAA_GL_SURFACE_INIT;
+    static constexpr NativePass nativePass = AGAA_GL_DRAW_PASS_INIT;
+    static constexpr NativeSurface nativeSurface = AGAA_GL_SURFACE_INIT;
 
     // Of configurations that differ little some are left to Vulkan: drivers are slow to compile each view's passes.
     static constexpr bool runsAll = false;
 
     // Of a context that change(desc) changes.
     template <class Change>
-    static AgaaGlContextDesc changed(const Change& change) {
-        AgaaGlContextDesc desc = contextDesc();
+    static OpenGLContextDesc changed(const Change& change) {
+        OpenGLContextDesc desc = contextDesc();
         change(desc);
         return desc;
     }

@@ -100,19 +100,19 @@ EglContext& sharedEgl() {
 
 static uint32_t glslVersion(const GladGLContext& gl) { return gl.VERSION_4_5 ? 450 : 430; }
 
-AgaaGlContextDesc contextDesc() {
-    AgaaGlContextDesc desc = AGAA_GL_CONTEXT_DESC_INIT;
-    desc.getProcAddr = EglContext::getProcAddr;
-    desc.glslVersion = glslVersion(sharedEgl().gl());
+OpenGLContextDesc contextDesc() {
+    OpenGLContextDesc desc(AGAA_GL_DEVICE_DESC_INIT);
+    desc.device.getProcAddr = EglContext::getProcAddr;
+    desc.device.glslVersion = glslVersion(sharedEgl().gl());
     return desc;
 }
 
-StageContext::StageContext(const AgaaGlContextDesc& wanted, EglContext& egl) : egl_(egl) {
+StageContext::StageContext(const OpenGLContextDesc& wanted, EglContext& egl) : egl_(egl) {
     egl.makeCurrent();
     AgaaLog log = AGAA_LOG_INIT;
     log.callback = collectLines;
     log.user = &lines;
-    AgaaGlContextDesc desc = wanted;
+    OpenGLContextDesc desc = wanted;
     desc.log = &log;
     require(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context_), *this, "agaaGlCreateContext");
     require(agaaGlGetContextCaps(context_, &caps_), *this, "agaaGlGetContextCaps");
@@ -157,10 +157,10 @@ StageView::StageView(StageContext& context, const ViewSettings& settings)
     else
         require(agaaGlCreateView(context.get(), &desc, &view_), context, "agaaGlCreateView");
     uint32_t count = 0;
-    agaaGlGetDrawPasses(view_, &count, nullptr);
-    std::vector<AgaaGlDrawPass> passes(count, AgaaGlDrawPass AGAA_GL_DRAW_PASS_INIT);
-    require(agaaGlGetDrawPasses(view_, &count, passes.data()), context, "agaaGlGetDrawPasses");
-    for (const AgaaGlDrawPass& pass : passes)
+    agaaGetDrawPasses(view_, &count, nullptr);
+    std::vector<AgaaDrawPass> passes(count, AgaaDrawPass AGAA_DRAW_PASS_INIT);
+    require(agaaGetDrawPasses(view_, &count, passes.data()), context, "agaaGetDrawPasses");
+    for (const AgaaDrawPass& pass : passes)
         programs_.emplace(pass.pipelineKey, Programs{program(pass, false), program(pass, true)});
     const GLuint array = vertexArray_.get();
     gl_.VertexArrayVertexBuffer(array, 0, vertices_.get(), 0, sizeof(Vertex));
@@ -177,7 +177,7 @@ StageView::~StageView() {
     agaaDestroyView(view_);
 }
 
-Program StageView::program(const AgaaGlDrawPass& pass, bool isMasked) const {
+Program StageView::program(const AgaaDrawPass& pass, bool isMasked) const {
     const std::string version = versionLine(glslVersion(gl_)), defines = shaderDefines(settings_, pass.pass, isMasked);
     return Program(gl_, version + defines + vertexText,
                    version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText, pass.name,
@@ -234,7 +234,9 @@ AgaaFrameStatistics StageView::statistics() const {
 std::vector<glm::uvec4> StageView::readSurface(const std::string& name) const {
     const Resource& resource = plan().resources[findResource(plan(), name)];
     AgaaGlSurface surface = AGAA_GL_SURFACE_INIT;
-    require(agaaGlGetSurface(view_, name.c_str(), &surface), context_, "agaaGlGetSurface");
+    AgaaSurface common = AGAA_SURFACE_INIT;
+    common.pNext = &surface;
+    require(agaaGetSurface(view_, name.c_str(), &common), context_, "agaaGetSurface");
     std::vector<glm::uvec4> texels(size_t(resource.width) * resource.height * resource.samples);
     const auto bytes = GLsizeiptr(texels.size() * sizeof texels[0]);
     const Buffer out = createBuffer(gl_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "agaa_gl.h"
+#include "context_desc.h"
 #include "egl_context.h"
 #include "surfaces.h"
 #include "view_settings.h"
@@ -22,11 +23,12 @@ inline constexpr EglContextDesc leastContext{.minor = 3};
 EglContext& sharedEgl();
 
 // What a context is made with, complete but for what the test wants to change.
-AgaaGlContextDesc contextDesc();
+using OpenGLContextDesc = ContextDesc<AgaaGlDeviceDesc>;
+OpenGLContextDesc contextDesc();
 
 class StageContext {
 public:
-    explicit StageContext(const AgaaGlContextDesc& desc = contextDesc(), EglContext& egl = sharedEgl());
+    explicit StageContext(const OpenGLContextDesc& desc = contextDesc(), EglContext& egl = sharedEgl());
     ~StageContext();
     StageContext(const StageContext&) = delete;
     StageContext& operator=(const StageContext&) = delete;
@@ -69,8 +71,8 @@ public:
     AgaaFrameStatistics statistics() const;
     AgaaView get() const { return view_; }
     uint64_t frameIndex() const { return frameIndex_; }
-    const agaa::Plan& plan() const { return view_->plan; }
-    const agaa::gl::View& executor() const { return static_cast<const agaa::gl::View&>(*view_); }
+    const agaa::Plan& plan() const { return view_->current->plan; }
+    const agaa::gl::View& executor() const { return static_cast<const agaa::gl::View&>(*view_->current); }
     const SamplePositions& positions() const { return executor().positions; }
     // A surface by its name in the plan, texel by texel, sample by sample; floats as their bits.
     std::vector<glm::uvec4> readSurface(const std::string& name) const;
@@ -88,7 +90,7 @@ public:
 private:
     static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);
     AgaaResult draw(const AgaaDrawTarget& target);
-    harness::gl::Program program(const AgaaGlDrawPass& pass, bool isMasked) const;
+    harness::gl::Program program(const AgaaDrawPass& pass, bool isMasked) const;
 
     StageContext& context_;
     const GladGLContext& gl_;

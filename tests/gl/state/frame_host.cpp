@@ -140,7 +140,7 @@ FrameHost::FrameHost(const EglContext& egl, const FrameSettings& settings, AgaaG
     AgaaLog messages = AGAA_LOG_INIT;
     messages.callback = collect;
     messages.user = &log;
-    AgaaGlContextDesc desc = AGAA_GL_CONTEXT_DESC_INIT;
+    AgaaGlDeviceDesc desc = AGAA_GL_DEVICE_DESC_INIT;
     desc.getProcAddr = EglContext::getProcAddr;
     desc.storage = settings.storageImages ? AGAA_GL_STORAGE_IMAGES : AGAA_GL_STORAGE_BUFFERS;
     desc.statePolicy = policy;
@@ -154,8 +154,10 @@ FrameHost::FrameHost(const EglContext& egl, const FrameSettings& settings, AgaaG
     desc.bindings[AGAA_GL_BINDING_LIGHTS] = kLightsBinding;
     for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i)
         desc.bindings[AGAA_GL_BINDING_SHADOW0 + i] = kShadowUnit + i;
-    desc.log = &messages;
-    if (agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context_) != AGAA_OK)
+    AgaaContextDesc common = AGAA_CONTEXT_DESC_INIT;
+    common.pNext = &desc;
+    common.log = &messages;
+    if (agaaGlCreateContext(AGAA_HEADER_VERSION, &common, &context_) != AGAA_OK)
         throw std::runtime_error(log.empty() ? "agaaGlCreateContext" : log.back());
 }
 
@@ -201,15 +203,15 @@ AgaaResult FrameHost::createView() {
     if (result != AGAA_OK)
         return result;
     uint32_t count = 0;
-    agaaGlGetDrawPasses(view_, &count, nullptr);
-    passes_.assign(count, AGAA_GL_DRAW_PASS_INIT);
-    agaaGlGetDrawPasses(view_, &count, passes_.data());
-    for (const AgaaGlDrawPass& pass : passes_)
+    agaaGetDrawPasses(view_, &count, nullptr);
+    passes_.assign(count, AGAA_DRAW_PASS_INIT);
+    agaaGetDrawPasses(view_, &count, passes_.data());
+    for (const AgaaDrawPass& pass : passes_)
         programs_.push_back(program(pass));
     return AGAA_OK;
 }
 
-uint32_t FrameHost::program(const AgaaGlDrawPass& pass) {
+uint32_t FrameHost::program(const AgaaDrawPass& pass) {
     const GLuint made = gl_.CreateProgram();
     attach(gl_, made, GL_VERTEX_SHADER, kVertexShader);
     attach(gl_, made, GL_FRAGMENT_SHADER,

@@ -68,7 +68,7 @@ public:
 private:
     static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target);
     void drawTriangle(const AgaaDrawTarget& target);
-    uint32_t program(const AgaaGlDrawPass& pass);
+    uint32_t program(const AgaaDrawPass& pass);
 
     const GladGLContext& gl_;
     bool compatibility_;
@@ -76,7 +76,7 @@ private:
     gl::StateGuard defaults_;
     AgaaContext context_ = nullptr;
     AgaaView view_ = nullptr;
-    std::vector<AgaaGlDrawPass> passes_;
+    std::vector<AgaaDrawPass> passes_;
     std::vector<uint32_t> programs_;
     uint32_t vertexArray_ = 0, shadowMap_ = 0, fetchCorners_ = 0, fetchColour_ = 0;
     AgaaLight light_{};

@@ -17,7 +17,7 @@ constexpr const char* kBefore = R"(# OpenGL state
      build/bin/state_document docs/state.md -->
 
 A frame changes the state of the host's context. What becomes of the host's is chosen when the context is made,
-by `AgaaGlContextDesc::statePolicy`:
+by `AgaaGlDeviceDesc::statePolicy`:
 
 | Policy | Before each draw callback | When `agaaGlRecordFrame` returns | Costs |
 |---|---|---|---|
@@ -27,19 +27,19 @@ by `AgaaGlContextDesc::statePolicy`:
 
 With `AGAA_GL_STATE_RESTORE`, "entry" is the entry of the call that records: what a draw callback leaves behind
 does not come back, neither for the next callback nor at return. It holds as well when a callback or the frame
-fails. A frame that is refused changes nothing, whatever the policy. The bindings that `AgaaGlContextDesc` names,
+fails. A frame that is refused changes nothing, whatever the policy. The bindings that `AgaaGlDeviceDesc` names,
 which the host's shaders read, are the SDK's during draw callbacks and the host's again at return.
 
 With `AGAA_GL_STATE_CALLBACKS`, `pushState` is called on entry and after each draw callback, `popState` before each
 draw callback and at return; the SDK leaves what lies between in any state. The SDK binds at the places named in
-`AgaaGlContextDesc` after `popState`, and binds there again what the host had before the callback's `pushState`
+`AgaaGlDeviceDesc` after `popState`, and binds there again what the host had before the callback's `pushState`
 is called or the frame fails. Engines that cache what they have set are served best by this or by
 `AGAA_GL_STATE_RESTORE`: telling them afterwards that their cache is stale does not always repair it.
 
 ## What comes back
 
 States that are repeated come back for all of their elements, or for those that frames use: texture units and
-binding points of the SDK's own passes, and those named in `AgaaGlContextDesc`.
+binding points of the SDK's own passes, and those named in `AgaaGlDeviceDesc`.
 
 )";
 

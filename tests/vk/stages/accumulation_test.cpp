@@ -70,7 +70,8 @@ ViewSettings settingsOf(const Case& c, AgaaLayout& layout) {
     settings.config.aggregates = c.aggregates;
     settings.config.layout = &layout;
     settings.config.generationTier = c.tier;
-    settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_COUNTERS | c.flags;
+    settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_COUNTERS;
+    settings.config.measurement.flags = c.flags;
     settings.facts.shadowMapCount = 0;
     return settings;
 }
@@ -87,7 +88,7 @@ uint32_t idOf(const std::vector<glm::uvec4>& metadata, size_t pixel, uint32_t i,
 
 void expectExactSums(StageContext& context, const Case& c, const std::vector<Triangle>& scene) {
     SCOPED_TRACE(nameOf(c));
-    AgaaLayout layout;
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     const ViewSettings settings = settingsOf(c, layout);
     const Truth truth = visibleTriangles(context, settings, scene);
     StageView view(context, settings);
@@ -173,9 +174,9 @@ TEST(Accumulation, HardCase25CoplanarDuplicatesCountOnce) {
     for (uint32_t n : {4u, 8u, 32u}) {
         expectExactSums(context, {n, 2}, scene);
         // By atomics on the coverage; in the order of drawing on this driver, and without the promise.
-        expectExactSums(context, {n, 2, "precise", AGAA_TIER_AUTO, AGAA_CONFIG_NO_STENCIL}, scene);
+        expectExactSums(context, {n, 2, "precise", AGAA_TIER_AUTO, AGAA_MEASURE_NO_STENCIL}, scene);
         expectExactSums(context,
-                        {n, 2, "precise", AGAA_TIER_PER_SAMPLE, AGAA_CONFIG_NO_STENCIL}, scene);
+                        {n, 2, "precise", AGAA_TIER_PER_SAMPLE, AGAA_MEASURE_NO_STENCIL}, scene);
     }
 }
 
@@ -188,7 +189,7 @@ TEST(Accumulation, HardCase36FullScaleDuplicatesDoNotCarry) {
     }
     for (const char* layout : {"paper16", "precise"})
         for (uint32_t n : {8u, 16u, 32u})
-            for (uint64_t flags : {uint64_t(0), uint64_t(AGAA_CONFIG_NO_STENCIL)})
+            for (uint64_t flags : {uint64_t(0), uint64_t(AGAA_MEASURE_NO_STENCIL)})
                 expectExactSums(context, {n, 1, layout, AGAA_TIER_AUTO, flags}, scene);
 }
 
@@ -207,13 +208,13 @@ TEST(Accumulation, HardCase53MaskedMaterialsKeepTheirSamples) {
 TEST(Accumulation, HardCase27FirstSampleRoutingMovesCoverage) {
     StageContext context;
     const auto scene = randomTriangles({.triangles = 300}, 7);
-    AgaaLayout layout;
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     ViewSettings settings = settingsOf(
-        {8, 2, "precise", AGAA_TIER_AUTO, AGAA_CONFIG_FIRST_SAMPLE_ROUTING}, layout);
+        {8, 2, "precise", AGAA_TIER_AUTO, AGAA_MEASURE_FIRST_SAMPLE_ROUTING}, layout);
     StageView literal(context, settings);
     literal.setTriangles(scene);
     literal.render(literal.frame());
-    settings.config.flags &= ~AGAA_CONFIG_FIRST_SAMPLE_ROUTING;
+    settings.config.measurement.flags &= ~AGAA_MEASURE_FIRST_SAMPLE_ROUTING;
     StageView exact(context, settings);
     exact.setTriangles(scene);
     exact.render(exact.frame());

@@ -152,7 +152,7 @@ Agreement compareWithOracle(StageContext& context, const ViewSettings& settings,
             const uint32_t count = one ? 1
                                        : pixel.clustering->agaa_defineAggregates(
                                              n, pixel.covered, c, pixel.k, double(view.plan().aggregation.aggregateThreshold),
-                                             view.plan().aggregation.seeds);
+                                             view.plan().measurement.seeds);
             for (uint32_t i = 0; i < n && !one; ++i)
                 cpu.id[i] = pixel.clustering->agaa_sampleAggregate[i];
             ++found.pixels;
@@ -202,7 +202,7 @@ TEST(Definition, AgreesWhereSurfacesMayBeSplit) {
 TEST(Definition, AgreesForSeedsAsPrinted) {
     StageContext context;
     ViewSettings settings = settingsFor(8, 4);
-    settings.config.aggregation.seeds = AGAA_SEEDS_SUM_OF_SQUARES;
+    settings.config.measurement.seeds = AGAA_SEEDS_SUM_OF_SQUARES;
     expectOracle(context, settings, randomTriangles({.triangles = 400}, 22));
 }
 

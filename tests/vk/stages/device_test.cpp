@@ -288,7 +288,7 @@ TEST(DeviceTest, APipelineCacheMayBeTheHosts) {
     card = {};
     {
         StageContext context({.getProcAddr = procAddr, .change = [&](auto& desc) {
-            desc.pipelineCache = uint64_t(cache);
+            desc.device.pipelineCache = uint64_t(cache);
         }});
         const StageView view(context, ViewSettings{});
     }

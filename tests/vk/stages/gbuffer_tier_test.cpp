@@ -59,7 +59,7 @@ double codeOf(size_t channel, double value, uint32_t bits) {
 
 void expectSums(StageContext& context, uint32_t n, uint32_t c, const char* layoutName) {
     SCOPED_TRACE("n=" + std::to_string(n) + " c=" + std::to_string(c) + " " + layoutName);
-    AgaaLayout layout;
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     agaaGetBuiltinLayout(layoutName, &layout);
     ViewSettings settings = settingsFor(n, c, &layout);
     settings.config.flags |= AGAA_CONFIG_BUFFERED;

@@ -26,7 +26,9 @@ public:
         : settings_(settings), arena_(sharedDevice()), set_(sharedDevice(), 2, VK_SHADER_STAGE_COMPUTE_BIT) {
         const Device& device = sharedDevice();
         AgaaVkSurface surface = AGAA_VK_SURFACE_INIT;
-        EXPECT_EQ(agaaVkGetSurface(view.get(), "aggregates", &surface), AGAA_OK);
+        AgaaSurface common = AGAA_SURFACE_INIT;
+        common.pNext = &surface;
+        EXPECT_EQ(agaaGetSurface(view.get(), "aggregates", &common), AGAA_OK);
         shown_ = arena_.hostBuffer(size_t(settings.width) * settings.height * 4 * sizeof(float),
                                    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, true);
         set_.write({(VkBuffer)surface.buffer, shown_.buffer.get()});

@@ -211,9 +211,11 @@ TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
     StageView view(context, settings);
     view.setTriangles(randomTriangles({.triangles = 200}, 13));
     AgaaVkSurface surface = AGAA_VK_SURFACE_INIT;
-    ASSERT_EQ(agaaVkGetSurface(view.get(), "depth", &surface), AGAA_OK);
-    EXPECT_EQ(surface.width, 48 * surface.scaleX);
-    EXPECT_EQ(surface.height, 32 * surface.scaleY);
+    AgaaSurface common = AGAA_SURFACE_INIT;
+    common.pNext = &surface;
+    ASSERT_EQ(agaaGetSurface(view.get(), "depth", &common), AGAA_OK);
+    EXPECT_EQ(common.width, 48 * common.scaleX);
+    EXPECT_EQ(common.height, 32 * common.scaleY);
     const auto image = (VkImage)surface.image;
     constexpr VkImageAspectFlags aspects = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
     const auto use = [&](uint32_t layout) {
@@ -250,7 +252,7 @@ TEST_P(HostsTest, DepthCanBeReadBetweenSegments) {
         whole.render(again);
         return whole.image().rgb;
     }());
-    EXPECT_EQ(agaaVkGetSurface(view.get(), "nothing", &surface), AGAA_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(agaaGetSurface(view.get(), "nothing", &common), AGAA_ERROR_INVALID_ARGUMENT);
 }
 
 // Where no two triangles tie, the order of drawing changes no bit.

@@ -120,7 +120,7 @@ void expectOracle(const Case& c, std::vector<Triangle> scene) {
     SCOPED_TRACE(std::string(c.technique) + " n=" + std::to_string(c.samples) + " c=" + std::to_string(c.aggregates) +
                  " brdf " + std::to_string(c.brdf) + " " + c.layout + " flags " + std::to_string(c.flags));
     StageContext context;
-    AgaaLayout layout;
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     agaaGetBuiltinLayout(c.layout, &layout);
     ViewSettings settings;
     settings.config.technique = c.technique;
@@ -129,9 +129,10 @@ void expectOracle(const Case& c, std::vector<Triangle> scene) {
     settings.config.brdf = c.brdf;
     settings.config.ndf = c.ndf;
     settings.config.shadowTaps = c.shadowTaps;
-    settings.config.shadingCost = c.shadingCost;
+    settings.config.measurement.shadingCost = c.shadingCost;
     settings.config.layout = &layout;
-    settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_COUNTERS | c.flags;
+    settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_COUNTERS;
+    settings.config.measurement.flags = c.flags;
     settings.projection = c.projection;
     settings.view = c.view;
     // Triangles are given as seen: into shading space.
@@ -222,7 +223,7 @@ TEST(Shading, AgreesForBothLobesLayoutsAndFilters) {
         for (const char* layout : {"precise", "paper16"})
             expectOracle({.brdf = brdf, .layout = layout}, scene(33));
     expectOracle({.ndf = AGAA_NDF_NONE}, scene(33));
-    for (uint64_t flag : {AGAA_CONFIG_NO_DIFFUSE_FILTER, AGAA_CONFIG_NO_SHADOW_FILTER, AGAA_CONFIG_SHADOW_ALONG_DEPTH})
+    for (uint64_t flag : {AGAA_MEASURE_NO_DIFFUSE_FILTER, AGAA_MEASURE_NO_SHADOW_FILTER, AGAA_MEASURE_SHADOW_ALONG_DEPTH})
         expectOracle({.flags = flag}, scene(33));
     for (uint32_t taps : {1u, 3u, 32u})
         expectOracle({.samples = 16, .shadowTaps = taps}, scene(33));
@@ -243,13 +244,13 @@ TEST(Shading, AgreesForOffCentreProjections) {
     for (const glm::mat4& projection : {jittered, orthographic})
         for (const char* technique : {"ssaa", "agaa"})
             expectOracle({.technique = technique, .projection = projection}, scene(35));
-    expectOracle({.flags = AGAA_CONFIG_SHADOW_ALONG_DEPTH, .projection = orthographic}, scene(35));
+    expectOracle({.flags = AGAA_MEASURE_SHADOW_ALONG_DEPTH, .projection = orthographic}, scene(35));
 }
 
 TEST(Shading, AgreesForATurnedView) {
     const float c = std::cos(0.7f), s = std::sin(0.7f);
     const glm::mat4 turn(glm::mat3(c, s * 0.6f, s * 0.8f, 0, 0.8f, -0.6f, -s, c * 0.6f, c * 0.8f));
-    for (uint64_t flags : {uint64_t(0), AGAA_CONFIG_SHADOW_ALONG_DEPTH})
+    for (uint64_t flags : {uint64_t(0), AGAA_MEASURE_SHADOW_ALONG_DEPTH})
         expectOracle({.flags = flags, .view = turn}, scene(34));
 }
 

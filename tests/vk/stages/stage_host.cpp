@@ -133,19 +133,19 @@ Device& sharedDevice() {
     return *device;
 }
 
-AgaaVkContextDesc contextDesc(const HostOptions& options) {
+VulkanContextDesc contextDesc(const HostOptions& options) {
     Device& device = sharedDevice();
-    AgaaVkContextDesc desc = AGAA_VK_CONTEXT_DESC_INIT;
-    desc.instance = device.instance();
-    desc.physicalDevice = device.physicalDevice();
-    desc.device = device.get();
-    desc.queueFamily = device.queueFamily();
-    desc.apiVersion = device.apiVersion();
-    desc.getProcAddr = options.getProcAddr;
-    desc.enabledExtensions = device.extensions().data();
-    desc.enabledExtensionCount = uint32_t(device.extensions().size());
-    desc.rendering = options.renderPass ? AGAA_VK_RENDERING_RENDER_PASS : AGAA_VK_RENDERING_AUTO;
-    desc.recording = options.inlineRecording ? AGAA_VK_RECORDING_INLINE : AGAA_VK_RECORDING_SECONDARY;
+    VulkanContextDesc desc(AGAA_VK_DEVICE_DESC_INIT);
+    desc.device.instance = device.instance();
+    desc.device.physicalDevice = device.physicalDevice();
+    desc.device.device = device.get();
+    desc.device.queueFamily = device.queueFamily();
+    desc.device.apiVersion = device.apiVersion();
+    desc.device.getProcAddr = options.getProcAddr;
+    desc.device.enabledExtensions = device.extensions().data();
+    desc.device.enabledExtensionCount = uint32_t(device.extensions().size());
+    desc.device.rendering = options.renderPass ? AGAA_VK_RENDERING_RENDER_PASS : AGAA_VK_RENDERING_AUTO;
+    desc.device.recording = options.inlineRecording ? AGAA_VK_RECORDING_INLINE : AGAA_VK_RECORDING_SECONDARY;
     desc.framesInFlight = options.framesInFlight;
     return desc;
 }
@@ -157,7 +157,7 @@ StageContext::StageContext(const HostOptions& options) {
     log.user = this;
     require(agaaVkGetDeviceCaps(device.instance(), device.physicalDevice(), Device::getProcAddr, &log, &caps_), *this,
             "agaaVkGetDeviceCaps");
-    AgaaVkContextDesc desc = contextDesc(options);
+    VulkanContextDesc desc = contextDesc(options);
     desc.log = &log;
     if (options.change)
         options.change(desc);
@@ -218,14 +218,11 @@ void StageView::makePipelines() {
     const std::string vertex =
         "#version 450\n" + shaderDefines(settings_, AGAA_DRAW_PASS_VISIBILITY, false) + vertexText;
     vertex_ = makeShader(device, ShaderStage::Vertex, vertex, "triangles.vert");
-    uint32_t count = 0;
-    agaaVkGetDrawPasses(view_, &count, nullptr);
-    std::vector<AgaaVkDrawPass> passes(count, AgaaVkDrawPass AGAA_VK_DRAW_PASS_INIT);
-    require(agaaVkGetDrawPasses(view_, &count, passes.data()), context_, "agaaVkGetDrawPasses");
-    for (AgaaVkDrawPass& pass : passes) {
+    const auto check = [this](AgaaResult result) { require(result, context_, "agaaGetDrawPasses"); };
+    for (auto& pass : harness::drawPassesOf(view_, AgaaVkDrawPass AGAA_VK_DRAW_PASS_INIT, check)) {
         pass.state = drawState(settings_, pass.state, pass.pass);
         PassPipelines& made = passes_[pass.pipelineKey];
-        const VkDescriptorSetLayout layouts[] = {(VkDescriptorSetLayout)pass.descriptorSetLayout, set_.layout()};
+        const VkDescriptorSetLayout layouts[] = {(VkDescriptorSetLayout)pass.native.descriptorSetLayout, set_.layout()};
         const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(glm::mat4)};
         VkPipelineLayoutCreateInfo layout{};
         layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
@@ -246,7 +243,7 @@ void StageView::makePipelines() {
                                            std::string("#version 450\n") + pass.glslExtensions + pass.glslGeometry + geometryText,
                                            pass.name);
             state.geometry = made.geometry.get();
-            const auto renderPass = (VkRenderPass)pass.renderPass;
+            const auto renderPass = (VkRenderPass)pass.native.renderPass;
             made.pipelines[masked] =
                 state.create(device, vertex_.get(), made.fragments[masked].get(), made.layout.get(), renderPass,
                              renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);

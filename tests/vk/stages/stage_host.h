@@ -3,6 +3,7 @@
 #pragma once
 
 #include "agaa_vk.h"
+#include "context_desc.h"
 #include "storage_set.h"
 #include "surfaces.h"
 #include "view_settings.h"
@@ -23,16 +24,18 @@
 
 namespace agaa::test {
 
+using VulkanContextDesc = ContextDesc<AgaaVkDeviceDesc>;
+
 struct HostOptions {
     bool renderPass = false;
     bool inlineRecording = false;
     uint32_t framesInFlight = 2;
     AgaaVkGetInstanceProcAddr getProcAddr = harness::vk::Device::getProcAddr;
-    std::function<void(AgaaVkContextDesc&)> change = nullptr;
+    std::function<void(VulkanContextDesc&)> change = nullptr;
 };
 
 // Without a log, and unchanged.
-AgaaVkContextDesc contextDesc(const HostOptions& options = {});
+VulkanContextDesc contextDesc(const HostOptions& options = {});
 
 // One Vulkan device with validation for the process; messages of any kind fail the test at hand.
 harness::vk::Device& sharedDevice();
@@ -88,8 +91,8 @@ public:
     harness::Image image() const { return output_.read(); }
     AgaaFrameStatistics statistics() const;
 
-    const agaa::Plan& plan() const { return view_->plan; }
-    const agaa::vk::View& executor() const { return static_cast<const agaa::vk::View&>(*view_); }
+    const agaa::Plan& plan() const { return view_->current->plan; }
+    const agaa::vk::View& executor() const { return static_cast<const agaa::vk::View&>(*view_->current); }
     const agaa::SamplePositions& positions() const { return executor().positions; }
     AgaaView get() const { return view_; }
     uint64_t frameIndex() const { return frameIndex_; }

@@ -7,7 +7,7 @@ namespace agaa::test {
 
 Truth visibleTriangles(StageContext& context, const ViewSettings& like,
                        const std::vector<Triangle>& triangles) {
-    AgaaLayout layout;
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
     agaaGetBuiltinLayout("paper16", &layout);
     for (uint32_t i = 0; i < layout.attributeCount; ++i)
         if (layout.attributes[i].semantic == AGAA_SEMANTIC_DIFFUSE)

@@ -1,0 +1,35 @@
+// Draw passes of a view, each with what is the graphics API's own.
+#pragma once
+
+#include "agaa_sdk.h"
+
+#include <functional>
+#include <vector>
+
+namespace harness {
+
+// Native: AgaaVkDrawPass or AgaaGlDrawPass.
+template <class Native> struct DrawPass : AgaaDrawPass {
+    Native native;
+};
+
+// check: throws where a result is an error.
+template <class Native>
+std::vector<DrawPass<Native>> drawPassesOf(AgaaView view, const Native& initial,
+                                           const std::function<void(AgaaResult)>& check) {
+    uint32_t count = 0;
+    check(agaaGetDrawPasses(view, &count, nullptr));
+    std::vector<AgaaDrawPass> passes(count, AgaaDrawPass AGAA_DRAW_PASS_INIT);
+    std::vector<Native> natives(count, initial);
+    for (uint32_t i = 0; i < count; ++i)
+        passes[i].pNext = &natives[i];
+    check(agaaGetDrawPasses(view, &count, passes.data()));
+    std::vector<DrawPass<Native>> result;
+    for (uint32_t i = 0; i < count; ++i) {
+        passes[i].pNext = nullptr;
+        result.push_back({passes[i], natives[i]});
+    }
+    return result;
+}
+
+} // namespace harness

@@ -1,0 +1,27 @@
+#include "core/surfaces.h"
+
+#include "core/checked.h"
+
+#include <cstring>
+
+namespace agaa {
+
+AgaaSurface describeSurface(const Plan& plan, ResourceId id) {
+    const Resource& resource = plan.resources[id];
+    AgaaSurface surface = AGAA_SURFACE_INIT;
+    std::strncpy(surface.name, resource.name.c_str(), sizeof surface.name - 1);
+    std::strncpy(surface.format, formatName(resource.format), sizeof surface.format - 1);
+    surface.width = resource.width;
+    surface.height = resource.height;
+    surface.samples = resource.samples;
+    surface.layers = resource.layers;
+    surface.scaleX = resource.width / plan.width;
+    surface.scaleY = resource.height / plan.height;
+    surface.bytes = checkedMultiply(resource.bytes, resource.copies);
+    surface.isPerPixel = resource.isPerPixel();
+    surface.firstPass = resource.firstPass;
+    surface.lastPass = resource.lastPass;
+    return surface;
+}
+
+} // namespace agaa

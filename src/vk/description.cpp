@@ -1,0 +1,54 @@
+// What hosts are told of a view's draw passes and surfaces.
+#include "core/structs.h"
+#include "vk/formats.h"
+#include "vk/view.h"
+
+namespace agaa::vk {
+
+const StructRow& View::drawPassRow() const { return StructOf<AgaaVkDrawPass>::row; }
+const StructRow& View::surfaceRow() const { return StructOf<AgaaVkSurface>::row; }
+
+void View::describePass(size_t index, AgaaDrawPass& out, void* native) const {
+    const Pass& pass = plan.passes[index];
+    const HostPassObjects& host = passes[index].host;
+    out.pipelineKey = host.key;
+    out.glslExtensions = host.extensions.c_str();
+    out.glslDeclarations = host.declarations.c_str();
+    out.glslGeometry = host.geometry.empty() ? nullptr : host.geometry.c_str();
+    if (!native)
+        return;
+    AgaaVkDrawPass own = AGAA_VK_DRAW_PASS_INIT;
+    for (size_t i = 0; i < pass.colorTargets.size(); ++i)
+        own.colorFormats[i] = vkFormat(plan.resources[pass.colorTargets[i]].format);
+    own.depthStencilFormat = pass.depthTarget != noResource ? vkFormat(plan.resources[pass.depthTarget].format)
+                                                            : VK_FORMAT_UNDEFINED;
+    own.renderPass = (uint64_t)host.renderPass;
+    own.descriptorSetLayout = (uint64_t)passes[index].setLayout;
+    writeStruct(static_cast<AgaaVkDrawPass*>(native), own);
+}
+
+// Where contents live on after a segment: in the layout of the last pass up to its end.
+static VkImageLayout layoutAfter(const Plan& plan, ResourceId id, uint64_t segment) {
+    const bool kept = plan.config.flags & AGAA_CONFIG_READBACK ||
+                      plan.passes[plan.resources[id].lastPass].segment > segment;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    for (const Pass& pass : plan.passes)
+        for (const Access& access : accessesOf(pass))
+            if (kept && pass.segment <= segment && access.resource == id)
+                layout = vkAccess(plan, access).layout;
+    return layout;
+}
+
+void View::describeSurface(ResourceId id, void* native) const {
+    const GpuResource& gpu = (*resources)[id];
+    AgaaVkSurface own = AGAA_VK_SURFACE_INIT;
+    own.image = (uint64_t)gpu.image;
+    own.view = (uint64_t)gpu.fetchView;
+    own.buffer = gpu.buffers.empty() ? 0 : (uint64_t)gpu.buffers[0];
+    own.format = vkFormat(plan.resources[id].format);
+    for (uint32_t i = 0; i < 3; ++i)
+        own.layouts[i] = gpu.image ? layoutAfter(plan, id, UINT64_C(1) << i) : VK_IMAGE_LAYOUT_UNDEFINED;
+    writeStruct(static_cast<AgaaVkSurface*>(native), own);
+}
+
+} // namespace agaa::vk
