@@ -12,6 +12,9 @@ install(FILES include/agaa_sdk.h include/agaa_vk.h include/agaa_gl.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY include/agaa DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
+# The description of the ABI, and the binding that is made of it.
+install(FILES abi/agaa.json bindings/python/agaa.py DESTINATION ${CMAKE_INSTALL_DATADIR}/agaa)
+
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/agaa)
 install(EXPORT agaa-targets NAMESPACE agaa:: DESTINATION ${package_dir})
 configure_package_config_file(cmake/agaa-config.cmake.in ${PROJECT_BINARY_DIR}/agaa-config.cmake
