@@ -84,6 +84,16 @@ typedef enum AgaaGlStorage {
     AGAA_GL_STORAGE_MAX_ENUM = 0x7FFFFFFF
 } AgaaGlStorage;
 
+/* How the host's fragment shaders receive the constants of the frame. With UNIFORMS and TEXELS and AGAA_GL_STORAGE_IMAGES no
+ * block is declared. "msaa" needs BLOCK (AGAA_ERROR_UNSUPPORTED). */
+typedef enum AgaaGlConstants {
+    AGAA_GL_CONSTANTS_BLOCK = 0,    /* a uniform block at AGAA_GL_BINDING_FRAME */
+    AGAA_GL_CONSTANTS_UNIFORMS = 1, /* `uniform vec4 agaa_constants[]`. Each draw callback sets the uniform of its programs to
+                                       AgaaDrawTarget::constants, for example with glUniform4fv */
+    AGAA_GL_CONSTANTS_TEXELS = 2,   /* a buffer texture at AGAA_GL_BINDING_FRAME, which then is a texture unit */
+    AGAA_GL_CONSTANTS_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlConstants;
+
 /* Who declares the outputs of the fragment shader. */
 typedef enum AgaaGlOutputs {
     AGAA_GL_OUTPUTS_SDK = 0,  /* agaa_out0 … are outputs at locations 0 … */
@@ -93,7 +103,7 @@ typedef enum AgaaGlOutputs {
 
 /* The SDK's resources in the host's fragment shaders, and the kind of binding point of each. */
 typedef enum AgaaGlBinding {
-    AGAA_GL_BINDING_FRAME = 0,      /* uniform buffer */
+    AGAA_GL_BINDING_FRAME = 0,      /* uniform buffer, or as AgaaGlConstants says */
     AGAA_GL_BINDING_METADATA = 1,   /* texture unit */
     AGAA_GL_BINDING_AGGREGATES = 2, /* shader storage buffer; image unit with AGAA_GL_STORAGE_IMAGES */
     AGAA_GL_BINDING_COUNTERS = 3,   /* as AGAA_GL_BINDING_AGGREGATES */
@@ -107,7 +117,7 @@ typedef enum AgaaGlBinding {
     AGAA_GL_BINDING_COUNT = 10,
     AGAA_GL_BINDING_MAX_ENUM = 0x7FFFFFFF
 } AgaaGlBinding;
-#define AGAA_GL_MAX_BINDINGS 18
+#define AGAA_GL_MAX_BINDINGS 17
 
 /* Saves or restores the host's state. It must not throw and must not call the SDK. If it returns anything but AGAA_OK, the
  * frame fails with AGAA_ERROR_CALLBACK. */
@@ -131,11 +141,12 @@ typedef struct AgaaGlDeviceDesc {
      * AGAA_GL_BINDING_COUNT on must be 0. After the callback the SDK restores the host's bindings, except with
      * AGAA_GL_STATE_NONE. */
     uint32_t bindings[AGAA_GL_MAX_BINDINGS];
+    uint32_t constants; /* AgaaGlConstants */
 } AgaaGlDeviceDesc;
 #define AGAA_GL_DEVICE_DESC_INIT                                                                    \
     {AGAA_STRUCTURE_TYPE_GL_DEVICE_DESC, (uint32_t)sizeof(AgaaGlDeviceDesc), NULL, NULL, NULL, 450,    \
      AGAA_GL_STORAGE_BUFFERS, AGAA_GL_OUTPUTS_SDK, AGAA_GL_STATE_RESTORE, NULL, NULL, NULL,            \
-     {0, 0, 0, 1, 2, 1, 2, 3, 4, 3, 0, 0, 0, 0, 0, 0, 0, 0}}
+     {0, 0, 0, 1, 2, 1, 2, 3, 4, 3, 0, 0, 0, 0, 0, 0, 0}, AGAA_GL_CONSTANTS_BLOCK}
 AGAA_API void AGAA_CALL agaaInitGlDeviceDesc(AgaaGlDeviceDesc* outDesc, size_t structSize);
 
 /* Creates a context in the current OpenGL context. The SDK tests the driver's timer queries, which takes some milliseconds.

@@ -113,7 +113,10 @@ typedef struct AgaaDrawTarget {
     void* commandBuffer;    /* Vulkan: VkCommandBuffer, inside rendering. OpenGL: null */
     uint64_t descriptorSet; /* Vulkan: VkDescriptorSet, to be bound at AgaaVkDeviceDesc::descriptorSet. OpenGL: 0 */
     uint32_t framebuffer;   /* OpenGL: the framebuffer that the callback binds. Vulkan: 0 */
-    uint32_t reserved;      /* 0 */
+    uint32_t constantCount; /* vectors of four floats in constants */
+    /* OpenGL with AGAA_GL_CONSTANTS_UNIFORMS: the values of `uniform vec4 agaa_constants[]`. Otherwise null. Valid during the
+     * callback only. */
+    const float* constants;
 } AgaaDrawTarget;
 
 /* Draws the opaque and alpha-masked geometry of the scene, or with AGAA_FETCH_NOT_ALL_DRAWS the part that the pass names.

@@ -9,6 +9,8 @@
 
 namespace agaa {
 
+constexpr uint32_t firstLocation = offsetof(FrameConstants, samples) / 16; // vector
+
 FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
                               const SamplePositions& positions, const CounterBuffer* newest) {
     FrameConstants out{};
@@ -53,6 +55,18 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
         out.samples[i][0] = positions[i].x;
         out.samples[i][1] = positions[i].y;
     }
+    return out;
+}
+
+uint32_t constantVectors(const Plan& plan) { return firstLocation + (plan.samples + 1) / 2; }
+
+std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& constants) {
+    std::vector<float> out(size_t(4) * constantVectors(plan));
+    std::memcpy(out.data(), &constants, out.size() * sizeof(float));
+    std::copy_n(constants.size, 4, &out[4 * 6]);
+    out[4 * 11] = float(constants.ditherFrame & 0xFFFF);
+    out[4 * 11 + 1] = float(constants.ditherFrame >> 16);
+    out[4 * 11 + 2] = out[4 * 11 + 3] = 0;
     return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/custom_glsl.h"
 #include "core/error.h"
+#include "core/frame_data.h"
 #include "core/glsl_text.h"
 #include "core/gpu_layout.h"
 #include "core/plan_builder.h"
@@ -72,6 +73,8 @@ std::string storeAttachments(const Pass& pass) {
 }
 
 std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    require(dialect.constants == AGAA_GL_CONSTANTS_BLOCK, AGAA_ERROR_UNSUPPORTED,
+            "\"msaa\", which shades in the host's shaders, needs AGAA_GL_CONSTANTS_BLOCK.");
     std::string out;
     const Constants& c = pass.constants;
     define(out, "AGAA_BRDF", c[AGAA_BRDF]);
@@ -100,6 +103,9 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     std::string out;
     const Constants& c = pass.constants;
     defineSwitch(out, "AGAA_STORAGE_IMAGES", dialect.storageImages);
+    defineSwitch(out, "AGAA_FRAME_CONSTANTS", dialect.constants);
+    if (dialect.constants == AGAA_GL_CONSTANTS_UNIFORMS)
+        defineSwitch(out, "AGAA_CONSTANT_VECTORS", constantVectors(plan));
     // Helper invocations store nothing in any version; knowing them only saves work.
     out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n"
                                       : "#define AGAA_HELPER false\n";

@@ -15,6 +15,7 @@ struct HostDialect {
     uint32_t glslVersion = 450;
     bool storageImages = false; // buffers are reached as images
     bool hostOutputs = false;   // the host declares the outputs
+    AgaaGlConstants constants = AGAA_GL_CONSTANTS_BLOCK;
     uint32_t descriptorSet = 0; // Vulkan: of the SDK's set
     std::array<uint32_t, hostBindingCount> bindings{}; // OpenGL: by host_slot
 };

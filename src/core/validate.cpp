@@ -55,6 +55,10 @@ static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {
             if (std::fabs(dot - (i == j ? 1.0f : 0.0f)) > 1e-3f)
                 fail(AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::view is not a rotation.");
         }
+    const float determinant = v[0] * (v[5] * v[10] - v[6] * v[9]) - v[4] * (v[1] * v[10] - v[2] * v[9]) +
+                              v[8] * (v[1] * v[6] - v[2] * v[5]);
+    require(determinant > 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaFrame::view has a reflection; hosts with left-handed axes negate z (AgaaFrame::view).");
     if (v[12] != 0 || v[13] != 0 || v[14] != 0)
         fail(AGAA_ERROR_OUT_OF_RANGE,
              "AgaaFrame::view has a translation; shading space has its origin at the eye.");

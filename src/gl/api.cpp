@@ -10,13 +10,16 @@ namespace {
 void checkBindings(const AgaaGlDeviceDesc& desc) {
     for (uint32_t i = AGAA_GL_BINDING_COUNT; i < AGAA_GL_MAX_BINDINGS; ++i)
         checkReserved(desc.bindings[i], format("AgaaGlDeviceDesc::bindings[%u]", i).c_str());
+    HostDialect dialect;
+    dialect.storageImages = desc.storage == AGAA_GL_STORAGE_IMAGES;
+    dialect.constants = AgaaGlConstants(desc.constants);
     const auto kind = [&](const BindingRow& row) {
-        const BindingKind own = gl::hostKind(row, desc.storage == AGAA_GL_STORAGE_IMAGES);
+        const auto own = gl::hostKind(row, dialect);
         return own == BindingKind::WrittenStorage ? BindingKind::Storage : own;
     };
     for (const BindingRow& a : hostBindingTable)
         for (const BindingRow& b : hostBindingTable)
-            if (a.slot < b.slot && kind(a) == kind(b) && desc.bindings[a.slot] == desc.bindings[b.slot])
+            if (a.slot < b.slot && kind(a) && kind(a) == kind(b) && desc.bindings[a.slot] == desc.bindings[b.slot])
                 fail(AGAA_ERROR_INVALID_ARGUMENT,
                      format("AgaaGlDeviceDesc::bindings has the same place for AGAA_GL_BINDING_%s and "
                             "AGAA_GL_BINDING_%s.",
@@ -32,6 +35,7 @@ void checkDevice(const AgaaGlDeviceDesc& desc) {
     require(known, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaGlDeviceDesc::glslVersion is not a version of GLSL from 330 to 460.");
     checkRange(uint64_t(desc.storage), 0, AGAA_GL_STORAGE_IMAGES, "AgaaGlDeviceDesc::storage");
+    checkRange(uint64_t(desc.constants), 0, AGAA_GL_CONSTANTS_TEXELS, "AgaaGlDeviceDesc::constants");
     checkRange(uint64_t(desc.outputs), 0, AGAA_GL_OUTPUTS_HOST, "AgaaGlDeviceDesc::outputs");
     checkRange(uint64_t(desc.statePolicy), 0, AGAA_GL_STATE_NONE, "AgaaGlDeviceDesc::statePolicy");
     checkBindings(desc);

@@ -4,8 +4,12 @@
 
 namespace agaa::gl {
 
-BindingKind hostKind(const BindingRow& row, bool storageImages) {
-    if (!storageImages || row.kind == BindingKind::Uniform || row.kind == BindingKind::Texture)
+std::optional<BindingKind> hostKind(const BindingRow& row, const HostDialect& dialect) {
+    if (row.slot == host_slot::Frame && dialect.constants == AGAA_GL_CONSTANTS_UNIFORMS)
+        return std::nullopt;
+    if (row.slot == host_slot::Frame && dialect.constants == AGAA_GL_CONSTANTS_TEXELS)
+        return BindingKind::Texture;
+    if (!dialect.storageImages || row.kind == BindingKind::Uniform || row.kind == BindingKind::Texture)
         return row.kind;
     return row.kind == BindingKind::WrittenStorage ? BindingKind::Image : BindingKind::Uniform;
 }
@@ -28,7 +32,8 @@ static std::vector<uint32_t>& placesOf(StateScope& scope, BindingKind kind) {
 StateScope hostBindings(const HostDialect& dialect) {
     StateScope scope;
     for (const BindingRow& row : hostBindingTable)
-        placesOf(scope, hostKind(row, dialect.storageImages)).push_back(dialect.bindings[row.slot]);
+        if (const auto kind = hostKind(row, dialect))
+            placesOf(scope, *kind).push_back(dialect.bindings[row.slot]);
     return scope;
 }
 

@@ -66,8 +66,11 @@ static GLenum limitOf(BindingKind kind) {
 
 static void checkBindings(const GladGLContext& gl, const HostDialect& dialect) {
     for (const BindingRow& row : hostBindingTable) {
+        const auto kind = hostKind(row, dialect);
+        if (!kind)
+            continue;
         GLint count = 0;
-        gl.GetIntegerv(limitOf(hostKind(row, dialect.storageImages)), &count);
+        gl.GetIntegerv(limitOf(*kind), &count);
         if (dialect.bindings[row.slot] >= uint32_t(count))
             fail(AGAA_ERROR_OUT_OF_RANGE,
                  format("AgaaGlDeviceDesc::bindings[AGAA_GL_BINDING_%s] is %u; the context has %d.", row.macro,
@@ -93,6 +96,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc)
     dialect.openGl = true;
     dialect.glslVersion = desc.glslVersion;
     dialect.storageImages = desc.storage == AGAA_GL_STORAGE_IMAGES;
+    dialect.constants = AgaaGlConstants(desc.constants);
     dialect.hostOutputs = desc.outputs == AGAA_GL_OUTPUTS_HOST;
     std::copy_n(desc.bindings, hostBindingCount, dialect.bindings.begin());
     takeHostErrors("agaaGlCreateContext");

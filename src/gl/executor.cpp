@@ -58,6 +58,17 @@ GLuint View::shadowTexture(const Resource& map, const AgaaFrame& frame, const Ag
 }
 
 // Binding to an index also binds to the target, where the host's own buffer is to stay.
+// For draws of the host's.
+void View::bindConstants(GLuint place, ResourceId resource, uint32_t slot) {
+    const GladGLContext& gl = context.gl;
+    if (context.dialect.constants == AGAA_GL_CONSTANTS_BLOCK)
+        gl.BindBufferBase(GL_UNIFORM_BUFFER, place, resources->buffer(resource, slot));
+    if (context.dialect.constants != AGAA_GL_CONSTANTS_TEXELS)
+        return;
+    gl.BindTextureUnit(place, resources->bufferImage(resource, slot));
+    gl.BindSampler(place, 0);
+}
+
 void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
                        uint32_t slot) {
     const GladGLContext& gl = context.gl;
@@ -71,10 +82,10 @@ void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFra
         const GLuint place = context.dialect.bindings[binding.slot];
         switch (binding.type) {
         case BindingType::UniformBuffer:
-            gl.BindBufferBase(GL_UNIFORM_BUFFER, place, resources->buffer(binding.resource, slot));
+            bindConstants(place, binding.resource, slot);
             break;
         case BindingType::StorageBuffer:
-            if (hostKind(hostBindingTable[binding.slot], context.dialect.storageImages) == BindingKind::Image)
+            if (hostKind(hostBindingTable[binding.slot], context.dialect) == BindingKind::Image)
                 gl.BindImageTexture(place, resources->bufferImage(binding.resource, slot), 0, GL_FALSE, 0,
                                     GL_READ_WRITE, GL_R32UI);
             else
@@ -108,6 +119,12 @@ void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const
     target.pipelineKey = objects.key;
     target.framebuffer = objects.framebuffer;
     target.batch = step.batch;
+    std::vector<float> constants;
+    if (context.dialect.constants == AGAA_GL_CONSTANTS_UNIFORMS) {
+        constants = uniformConstants(plan, frameConstants(plan, frame, positions));
+        target.constants = constants.data();
+        target.constantCount = uint32_t(constants.size() / 4);
+    }
     state.restore();
     if (context.hostBindings)
         context.hostBindings->capture();

@@ -4,16 +4,19 @@
 
 namespace agaa::gl {
 
-// Shaders of the host's that cannot have storage blocks reach what a draw adds to as an image.
-static bool isImageOfDraws(const Context& context, const Plan& plan, ResourceId id) {
-    if (!context.dialect.storageImages)
-        return false;
+// Shaders of the host's that cannot have blocks reach buffers as texels of this format: what a draw adds to as an image,
+// constants as a texture. GL_NONE: of others.
+static GLenum texelsOfDraws(const Context& context, const Plan& plan, ResourceId id) {
     for (const Pass& pass : plan.passes)
-        for (const Binding& binding : pass.bindings)
-            if (pass.kind == PassKind::HostDraw && binding.resource == id &&
-                binding.type == BindingType::StorageBuffer)
-                return true;
-    return false;
+        for (const Binding& binding : pass.bindings) {
+            if (pass.kind != PassKind::HostDraw || binding.resource != id)
+                continue;
+            if (binding.type == BindingType::StorageBuffer && context.dialect.storageImages)
+                return GL_R32UI;
+            if (binding.type == BindingType::UniformBuffer && context.dialect.constants == AGAA_GL_CONSTANTS_TEXELS)
+                return GL_RGBA32UI;
+        }
+    return GL_NONE;
 }
 
 ViewResources::ViewResources(const Context& context, const Plan& plan) : context_(context) {
@@ -27,7 +30,7 @@ ViewResources::ViewResources(const Context& context, const Plan& plan) : context
             if (resource.kind == ResourceKind::Image)
                 createTexture(resource, resources_[id]);
             else
-                createBuffers(resource, isImageOfDraws(context, plan, id), resources_[id]);
+                createBuffers(resource, texelsOfDraws(context, plan, id), resources_[id]);
             context.checkErrors(("allocating " + resource.name).c_str());
         }
     } catch (...) {
@@ -73,7 +76,7 @@ void ViewResources::createTexture(const Resource& resource, GpuResource& out) {
                      bytesPerTexel(resource.format);
 }
 
-void ViewResources::createBuffers(const Resource& resource, bool asImages, GpuResource& out) {
+void ViewResources::createBuffers(const Resource& resource, GLenum texels, GpuResource& out) {
     const GladGLContext& gl = context_.gl;
     for (uint32_t copy = 0; copy < resource.copies; ++copy) {
         GLuint buffer = 0;
@@ -88,12 +91,12 @@ void ViewResources::createBuffers(const Resource& resource, bool asImages, GpuRe
             gl.ClearNamedBufferData(buffer, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
         if (resource.isPerPixel())
             payloadBytes_ += resource.bytes;
-        if (!asImages)
+        if (texels == GL_NONE)
             continue;
         GLuint image = 0;
         gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &image);
         out.bufferImages.push_back(image);
-        gl.TextureBuffer(image, GL_R32UI, buffer);
+        gl.TextureBuffer(image, texels, buffer);
         context_.label(GL_TEXTURE, image, "agaa " + resource.name);
     }
 }

@@ -11,7 +11,7 @@ namespace agaa::gl {
 struct GpuResource {
     GLuint texture = 0;
     std::vector<GLuint> buffers;      // one per copy
-    std::vector<GLuint> bufferImages; // buffer textures of these, where host draws reach them as images
+    std::vector<GLuint> bufferImages; // buffer textures of these, where host draws reach them as texels
 };
 
 class ViewResources {
@@ -28,7 +28,7 @@ public:
 
 private:
     void createTexture(const Resource& resource, GpuResource& out);
-    void createBuffers(const Resource& resource, bool asImages, GpuResource& out);
+    void createBuffers(const Resource& resource, GLenum texels, GpuResource& out);
     void destroy();
 
     const Context& context_;

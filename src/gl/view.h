@@ -69,6 +69,7 @@ private:
                      HostState& state);
     void dispatch(const Dispatch& dispatch, uint32_t slot);
     void clearTargets(const Pass& pass, GLuint framebuffer);
+    void bindConstants(GLuint place, ResourceId resource, uint32_t slot);
     void bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);
     void bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
                         uint32_t slot);

@@ -8,6 +8,8 @@
 #include <glslang/Public/ResourceLimits.h>
 #include <gtest/gtest.h>
 
+#include <regex>
+
 using namespace agaa;
 using namespace agaa::test;
 
@@ -176,6 +178,54 @@ HostDialect openGl(uint32_t version, bool images, bool outputs) {
     dialect.hostOutputs = outputs;
     dialect.bindings = {3, 7, 2, 5};
     return dialect;
+}
+
+// For engines that know no blocks, neither uniform nor storage ones.
+TEST_F(HostGlsl, WithoutBlocksNoneIsDeclared) {
+    const std::regex block(R"((uniform|buffer)\s+\w+\s*\{)");
+    for (const char* technique : {"ssaa", "sbaa", "agaa"})
+        for (const AgaaTier tier : {AGAA_TIER_AUTO, AGAA_TIER_PER_SAMPLE})
+            for (const uint32_t samples : {1u, 8u, 32u})
+                for (const AgaaGlConstants constants :
+                     {AGAA_GL_CONSTANTS_BLOCK, AGAA_GL_CONSTANTS_UNIFORMS, AGAA_GL_CONSTANTS_TEXELS})
+                    for (const uint32_t version : {400u, 450u}) {
+                        ViewSpec spec;
+                        spec.technique = technique;
+                        spec.samples = samples;
+                        spec.generationTier = technique == std::string("ssaa") ? AGAA_TIER_AUTO : tier;
+                        spec.configFlags = AGAA_CONFIG_COUNTERS;
+                        if (technique == std::string("sbaa") && tier != AGAA_TIER_AUTO)
+                            continue;
+                        HostDialect dialect = openGl(version, true, false);
+                        dialect.constants = constants;
+                        const Plan plan = planFor(spec, fourSampleDevice());
+                        for (const Pass& pass : plan.passes) {
+                            if (pass.kind != PassKind::HostDraw)
+                                continue;
+                            const std::string text = hostShader(plan, pass, dialect, false);
+                            EXPECT_EQ(compileErrors(text, dialect), "") << technique << ' ' << samples;
+                            glslang::TShader shader(EShLangFragment);
+                            const char* source = text.c_str();
+                            shader.setStrings(&source, 1);
+                            std::string plain;
+                            glslang::TShader::ForbidIncluder includer;
+                            ASSERT_TRUE(shader.preprocess(GetDefaultResources(), 110, ENoProfile, false, false, EShMsgDefault,
+                                                          &plain, includer)) << shader.getInfoLog();
+                            EXPECT_EQ(std::regex_search(plain, block), constants == AGAA_GL_CONSTANTS_BLOCK) << plain;
+                        }
+                    }
+    ViewSpec msaa;
+    msaa.technique = "msaa";
+    HostDialect dialect = openGl(450, true, false);
+    dialect.constants = AGAA_GL_CONSTANTS_TEXELS;
+    const Plan plan = planFor(msaa, fourSampleDevice());
+    EXPECT_THROW(
+        {
+            for (const Pass& pass : plan.passes)
+                if (pass.kind == PassKind::HostDraw)
+                    hostDeclarations(plan, pass, dialect);
+        },
+        Error);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,6 +1,8 @@
 // What hosts may be written in and how: every choice gives the same image.
 #include "support.h"
 
+#include "agaa_gl.h"
+
 #include "scene/gltf.h"
 
 #include <gtest/gtest.h>
@@ -23,12 +25,23 @@ RendererOptions choice(uint32_t glslVersion, bool images = false, bool outputs =
     return options;
 }
 
+// Without uniform blocks, and without storage blocks: no block at all.
+RendererOptions blockless(uint32_t glslVersion, uint32_t constants) {
+    RendererOptions options = choice(glslVersion, true);
+    options.constants = constants;
+    return options;
+}
+
 const Choice choices[] = {
     {"330", choice(330)},
     {"400", choice(400)},
     {"430", choice(430)},
     {"images", choice(450, true)},
     {"outputs", choice(450, false, true)},
+    {"330, uniforms", blockless(330, AGAA_GL_CONSTANTS_UNIFORMS)},
+    {"450, uniforms", blockless(450, AGAA_GL_CONSTANTS_UNIFORMS)},
+    {"330, texels", blockless(330, AGAA_GL_CONSTANTS_TEXELS)},
+    {"450, texels", blockless(450, AGAA_GL_CONSTANTS_TEXELS)},
     {"compatibility", choice(450, false, false, true)},
     {"330, images, outputs, compatibility", choice(330, true, true, true)},
 };

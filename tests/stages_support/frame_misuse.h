@@ -40,6 +40,13 @@ inline const FrameMisuse frameMisuses[] = {
      [](auto&, auto&, auto& shadow) { shadow.depthBias = 1.5f; }},
     {"shadow matrix infinite", AGAA_ERROR_OUT_OF_RANGE,
      [](auto&, auto&, auto& shadow) { shadow.matrices[0][3] = infinity; }},
+    {"lights of no size", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.lightSize = 0; }},
+    {"shadows of no size", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.shadowSize = 0; }},
+    {"a view that reflects", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) {
+         for (int i = 0; i < 4; ++i)
+             f.view[8 + i] = -f.view[8 + i];
+     }},
     {"lights null", AGAA_ERROR_INVALID_ARGUMENT, [](auto& f, auto&, auto&) { f.lights = nullptr; }},
     {"more lights than declared", AGAA_ERROR_OUT_OF_RANGE,
      [](auto& f, auto&, auto&) { f.lightCount = 65; }},

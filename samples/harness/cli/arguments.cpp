@@ -137,6 +137,13 @@ uint32_t parseStatePolicy(const std::string& name) {
                    {"none", AGAA_GL_STATE_NONE}});
 }
 
+uint32_t parseConstants(const std::string& name) {
+    return choice(name, "--constants",
+                  {{"block", AGAA_GL_CONSTANTS_BLOCK},
+                   {"uniforms", AGAA_GL_CONSTANTS_UNIFORMS},
+                   {"texels", AGAA_GL_CONSTANTS_TEXELS}});
+}
+
 void requireBackend(const std::string& name) {
     if (name != "vk" && name != "gl")
         throw BadArgument("--backend is \"" + name + "\"; it can be vk or gl.");

@@ -24,6 +24,7 @@ Size parseSize(const std::string& text);                  // WxH
 Camera parseCamera(const std::string& text);              // ex,ey,ez,tx,ty,tz,fovDegrees
 std::vector<double> parseNumbers(const std::string& text, size_t count, const char* option);
 uint32_t parseStatePolicy(const std::string& name);        // restore, callbacks, none
+uint32_t parseConstants(const std::string& name);          // block, uniforms, texels
 void requireBackend(const std::string& name);             // vk or gl
 
 // What decides a plan; shared by memory, plan, render and reference.

@@ -17,6 +17,7 @@ struct DeviceArguments {
     bool compatibilityProfile = false;
     bool clipZFromMinusOne = false;
     bool storageImages = false;
+    std::string constants = "block";
     bool hostOutputs = false;
     uint32_t glslVersion = 450;
     std::string statePolicy = "restore";

@@ -220,6 +220,7 @@ std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments) {
     options.compatibilityProfile = arguments.compatibilityProfile;
     options.clipZFromMinusOne = arguments.clipZFromMinusOne;
     options.storageImages = arguments.storageImages;
+    options.constants = parseConstants(arguments.constants);
     options.hostOutputs = arguments.hostOutputs;
     options.glslVersion = arguments.glslVersion;
     options.statePolicy = parseStatePolicy(arguments.statePolicy);

@@ -64,6 +64,7 @@ void addDeviceOptions(CLI::App& app, DeviceArguments& a) {
     app.add_flag("--compatibility-profile", a.compatibilityProfile, "gl");
     app.add_flag("--clip-z-from-minus-one", a.clipZFromMinusOne, "gl: its default depth convention");
     app.add_flag("--storage-images", a.storageImages, "gl: materials without storage blocks");
+    app.add_option("--constants", a.constants, "gl: of the frame, for materials: block, uniforms or texels");
     app.add_flag("--host-outputs", a.hostOutputs, "gl: materials declare their outputs themselves");
     app.add_option("--state-policy", a.statePolicy, "gl: restore, callbacks or none");
     app.add_option("--glsl", a.glslVersion, "gl: version of the materials, 330 to 460");

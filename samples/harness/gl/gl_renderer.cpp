@@ -136,6 +136,8 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
             gpuScene_->bindMaterial(material);
         }
         program.setDraw(gl, drawConstants(draw, index));
+        if (target.constants)
+            gl.Uniform4fv(program.constants, GLsizei(target.constantCount), target.constants);
         gpuScene_->draw(mesh);
     }
 }

@@ -67,6 +67,7 @@ PassProgram PassPrograms::make(const DrawPass<AgaaGlDrawPass>& pass, const Varia
     made.seed = made.program.uniform("draw.seed");
     made.handedness = made.program.uniform("draw.handedness");
     made.index = made.program.uniform("draw.index");
+    made.constants = made.program.uniform("agaa_constants");
     return made;
 }
 

@@ -18,6 +18,7 @@ struct PassProgram {
     GLint seed = -1;
     GLint handedness = -1;
     GLint index = -1;
+    GLint constants = -1; // of the SDK
 
     void setDraw(const GladGLContext& gl, const DrawConstants& constants) const;
 };

@@ -24,6 +24,7 @@ SdkContext::SdkContext(const Device& device, const RendererOptions& options) {
     desc.getProcAddr = Device::getProcAddr;
     desc.glslVersion = options.glslVersion;
     desc.storage = options.storageImages ? AGAA_GL_STORAGE_IMAGES : AGAA_GL_STORAGE_BUFFERS;
+    desc.constants = options.constants;
     desc.outputs = options.hostOutputs ? AGAA_GL_OUTPUTS_HOST : AGAA_GL_OUTPUTS_SDK;
     desc.statePolicy = options.statePolicy;
     if (options.statePolicy == AGAA_GL_STATE_CALLBACKS) {
@@ -32,6 +33,8 @@ SdkContext::SdkContext(const Device& device, const RendererOptions& options) {
         desc.stateUser = const_cast<Device*>(&device);
     }
     std::copy(std::begin(sdkBindings), std::end(sdkBindings), desc.bindings);
+    if (options.constants == AGAA_GL_CONSTANTS_TEXELS)
+        desc.bindings[AGAA_GL_BINDING_FRAME] = sdkConstantsUnit;
     AgaaContextDesc common = AGAA_CONTEXT_DESC_INIT;
     common.pNext = &desc;
     common.log = &log;

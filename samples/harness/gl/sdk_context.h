@@ -11,6 +11,7 @@ namespace harness::gl {
 using GlSdkView = SdkView<DrawPass<AgaaGlDrawPass>>;
 
 // Where the engine lets the SDK bind: beside its own camera and materials.
+constexpr uint32_t sdkConstantsUnit = 9; // with AGAA_GL_CONSTANTS_TEXELS
 constexpr uint32_t sdkBindings[AGAA_GL_BINDING_COUNT] = {0, 4, 2, 3, 5, 5, 6, 7, 8, 6}; // by AgaaGlBinding
 
 class SdkContext {

@@ -23,6 +23,7 @@ struct RendererOptions {
     bool compatibilityProfile = false;
     bool clipZFromMinusOne = false; // the default of OpenGL, in place of z/w in [0;1]
     bool storageImages = false;     // material shaders without storage blocks
+    uint32_t constants = 0;         // AgaaGlConstants
     bool hostOutputs = false;       // material shaders that declare their outputs themselves
     uint32_t glslVersion = 450;     // of material shaders
     uint32_t statePolicy = 0;       // AgaaGlStatePolicy

@@ -1,6 +1,10 @@
 // Constants of a frame; the layout is FrameConstants of core/gpu_layout.h.
 #ifndef AGAA_FRAME_GLSL
 #define AGAA_FRAME_GLSL
+#ifndef AGAA_FRAME_CONSTANTS
+#define AGAA_FRAME_CONSTANTS 0 // AgaaGlConstants
+#endif
+#if AGAA_FRAME_CONSTANTS == 0
 layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
     mat4 view;        // shading to view space, a rotation
     vec4 projection0; // p00, p11, offset x, y: p20, p21; orthographic p30, p31
@@ -14,8 +18,43 @@ layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
     vec4 sampleLocations[64]; // of two samples each: xy, zw in the pixel
 } agaa_frame;
 
+vec4 agaa_sampleLocations(uint i) { return agaa_frame.sampleLocations[i]; }
+#else
+// The same for hosts without uniform blocks: 12 vectors, then sample locations.
+struct agaa_FrameConstants {
+    mat4 view;
+    vec4 projection0, projection1;
+    uvec4 size;
+    vec4 cluster, ambient, background, surface;
+    uvec4 dither;
+};
+#if AGAA_FRAME_CONSTANTS == 1
+uniform vec4 agaa_constants[AGAA_CONSTANT_VECTORS]; // core/frame_data.h, uniformConstants()
+vec4 agaa_constant(uint i) { return agaa_constants[i]; }
+uvec4 agaa_constantWords(uint i) { return uvec4(agaa_constants[i]); }
+uvec4 agaa_constantDither() {
+    uvec4 halves = agaa_constantWords(11u);
+    return uvec4(halves.x | halves.y << 16u, 0u, 0u, 0u);
+}
+#else
+layout(AGAA_AT_FRAME) uniform usamplerBuffer agaa_constantTexels;
+uvec4 agaa_constantWords(uint i) { return texelFetch(agaa_constantTexels, int(i)); }
+vec4 agaa_constant(uint i) { return uintBitsToFloat(agaa_constantWords(i)); }
+uvec4 agaa_constantDither() { return agaa_constantWords(11u); }
+#endif
+
+agaa_FrameConstants agaa_loadFrame() {
+    return agaa_FrameConstants(mat4(agaa_constant(0u), agaa_constant(1u), agaa_constant(2u), agaa_constant(3u)),
+                               agaa_constant(4u), agaa_constant(5u), agaa_constantWords(6u), agaa_constant(7u),
+                               agaa_constant(8u), agaa_constant(9u), agaa_constant(10u), agaa_constantDither());
+}
+#define agaa_frame agaa_loadFrame()
+
+vec4 agaa_sampleLocations(uint i) { return agaa_constant(12u + i); }
+#endif
+
 vec2 agaa_sampleLocation(uint i) {
-    vec4 two = agaa_frame.sampleLocations[i >> 1u];
+    vec4 two = agaa_sampleLocations(i >> 1u);
     return (i & 1u) != 0u ? two.zw : two.xy;
 }
 

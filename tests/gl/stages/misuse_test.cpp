@@ -21,6 +21,12 @@ TEST(GlMisuse, ContextsAreRefusedInASentence) {
         {"GLSL 320", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.glslVersion = 320; }},
         {"GLSL 455", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.glslVersion = 455; }},
         {"storage", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.storage = 2; }},
+        {"constants", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.constants = 3; }},
+        {"constants where metadata are", AGAA_ERROR_INVALID_ARGUMENT,
+         [](auto& d) {
+             d.device.constants = AGAA_GL_CONSTANTS_TEXELS;
+             d.device.bindings[AGAA_GL_BINDING_FRAME] = d.device.bindings[AGAA_GL_BINDING_METADATA];
+         }},
         {"outputs", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.outputs = 2; }},
         {"policy", AGAA_ERROR_OUT_OF_RANGE, [](auto& d) { d.device.statePolicy = 3; }},
         {"equal bindings", AGAA_ERROR_INVALID_ARGUMENT, [](auto& d) { d.device.bindings[AGAA_GL_BINDING_COUNTERS] = 0; }},

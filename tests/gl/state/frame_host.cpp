@@ -91,10 +91,14 @@ std::vector<uint32_t> upTo(uint32_t last) {
 
 } // namespace
 
-gl::StateScope touchedScope(bool storageImages) {
+gl::StateScope touchedScope(const FrameSettings& settings) {
+    const bool storageImages = settings.storageImages;
     gl::StateScope scope = gl::passBindings();
     scope.textureUnits.push_back(kMetadataUnit);
-    scope.uniformBindings.push_back(kFrameBinding);
+    if (settings.constants == AGAA_GL_CONSTANTS_BLOCK)
+        scope.uniformBindings.push_back(kFrameBinding);
+    if (settings.constants == AGAA_GL_CONSTANTS_TEXELS)
+        scope.textureUnits.push_back(kFrameUnit);
     auto& places = storageImages ? scope.imageUnits : scope.storageBindings;
     places.insert(places.end(), {kAggregatesBinding, kCountersBinding});
     (storageImages ? scope.uniformBindings : scope.storageBindings).push_back(kLightsBinding);
@@ -147,7 +151,9 @@ FrameHost::FrameHost(const EglContext& egl, const FrameSettings& settings, AgaaG
     desc.pushState = push;
     desc.popState = pop;
     desc.stateUser = this;
-    desc.bindings[AGAA_GL_BINDING_FRAME] = kFrameBinding;
+    desc.constants = settings.constants;
+    desc.bindings[AGAA_GL_BINDING_FRAME] =
+        settings.constants == AGAA_GL_CONSTANTS_TEXELS ? kFrameUnit : kFrameBinding;
     desc.bindings[AGAA_GL_BINDING_METADATA] = kMetadataUnit;
     desc.bindings[AGAA_GL_BINDING_AGGREGATES] = kAggregatesBinding;
     desc.bindings[AGAA_GL_BINDING_COUNTERS] = kCountersBinding;
@@ -325,8 +331,12 @@ void FrameHost::drawTriangle(const AgaaDrawTarget& target) {
     }
     gl_.BindVertexArray(vertexArray_);
     for (size_t i = 0; i < passes_.size(); ++i)
-        if (passes_[i].pass == target.pass)
+        if (passes_[i].pass == target.pass) {
             gl_.UseProgram(programs_[i]);
+            if (target.constants)
+                gl_.Uniform4fv(gl_.GetUniformLocation(programs_[i], "agaa_constants"), GLsizei(target.constantCount),
+                               target.constants);
+        }
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -19,6 +19,7 @@ struct FrameSettings {
     uint32_t generationTier = AGAA_TIER_AUTO;
     bool composite = false;
     bool storageImages = false;
+    uint32_t constants = AGAA_GL_CONSTANTS_BLOCK;
     uint64_t flags = 0;
     bool fetches = false; // of the tier ids, from a buffer and a texture that are bound on entry
     uint64_t fetchFlags = 0;
@@ -26,10 +27,11 @@ struct FrameSettings {
 
 // Where the SDK binds what host shaders read: apart from its own passes' places.
 inline constexpr uint32_t kFrameBinding = 4, kMetadataUnit = 18, kAggregatesBinding = 5,
-                          kCountersBinding = 6, kLightsBinding = 7, kShadowUnit = 20;
+                          kCountersBinding = 6, kLightsBinding = 7, kShadowUnit = 20,
+                          kFrameUnit = 24; // with AGAA_GL_CONSTANTS_TEXELS
 
 // What frames may touch, and more to see that they do not.
-gl::StateScope touchedScope(bool storageImages);
+gl::StateScope touchedScope(const FrameSettings& settings);
 gl::StateScope watchedScope();
 
 class FrameHost {

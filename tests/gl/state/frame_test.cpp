@@ -32,6 +32,8 @@ const FrameCase kCases[] = {
     {"AgaaScaled", {.samples = 8}},
     {"AgaaComposite", {.composite = true}},
     {"AgaaImages", {.storageImages = true}},
+    {"AgaaUniforms", {.storageImages = true, .constants = AGAA_GL_CONSTANTS_UNIFORMS}},
+    {"AgaaTexels", {.storageImages = true, .constants = AGAA_GL_CONSTANTS_TEXELS}},
     {"AgaaPostDepth", {.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS}},
     {"AgaaPerSample", {.generationTier = AGAA_TIER_PER_SAMPLE}},
     {"AgaaGbuffer", {.generationTier = AGAA_TIER_GBUFFER}},
@@ -47,7 +49,7 @@ protected:
         : compatibility(std::get<0>(GetParam())), settings(std::get<1>(GetParam()).settings),
           context(EglContextDesc{.compatibility = compatibility}), objects(context.gl()),
           others(context.gl()),
-          touched(context.gl(), touchedScope(settings.storageImages), compatibility),
+          touched(context.gl(), touchedScope(settings), compatibility),
           watched(context.gl(), watchedScope(), compatibility) {}
     void TearDown() override { EXPECT_EQ(context.takeMessages(), ""); }
 
@@ -94,6 +96,7 @@ protected:
         const char* lights =
             settings.storageImages ? "GL_UNIFORM_BUFFER_BINDING" : "GL_SHADER_STORAGE_BUFFER_BINDING";
         return at(lights, kLightsBinding) || at("GL_UNIFORM_BUFFER_BINDING", kFrameBinding) ||
+               at("GL_TEXTURE_BINDING", kFrameUnit) || at("GL_SAMPLER", kFrameUnit) ||
                at("GL_TEXTURE_BINDING", kMetadataUnit) || at("GL_SAMPLER", kMetadataUnit) ||
                at(storage, kAggregatesBinding) || at(storage, kCountersBinding);
     }
