@@ -50,7 +50,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaGlFrame, 40);
     EXPECT_SIZE(AgaaStructHeader, 16);
     EXPECT_SIZE(AgaaDrawState, 64);
-    EXPECT_SIZE(AgaaDrawTarget, 136);
+    EXPECT_SIZE(AgaaDrawTarget, 144);
     EXPECT_SIZE(AgaaCounters, 256);
     EXPECT_SIZE(AgaaPassTime, 80);
     EXPECT_SIZE(AgaaInvalidPixel, 64);
