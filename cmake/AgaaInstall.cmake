@@ -40,6 +40,7 @@ endif()
 configure_file(cmake/agaa.pc.in ${PROJECT_BINARY_DIR}/agaa.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/agaa.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-install(FILES LICENSE NOTICES.md README.md docs/integration.md docs/shader-interface.md docs/choosing.md docs/memory.md
-  docs/sweep.md docs/state.md docs/troubleshooting.md docs/abi.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# The README links to docs/, so the folder keeps its structure. Measured results stay in the source tree: they are large.
+install(FILES LICENSE NOTICES.md README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN results EXCLUDE)
 install(DIRECTORY samples/minimal DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

@@ -6,7 +6,7 @@
     sdk.call("agaaQueryMemory", ...)     # raises agaa.Error where the result is below 0
 
 Structs, callbacks and constants are attributes of the library, under their names in C: sdk.AgaaConfig,
-sdk.AGAA_CONFIG_COUNTERS. docs/integration.md and the headers say what they mean.
+sdk.AGAA_CONFIG_COUNTERS. docs/integration/ and the headers say what they mean.
 """
 import ctypes
 import json

@@ -196,7 +196,7 @@ typedef struct AgaaFrame {
     uint64_t completedFrame; /* the newest frame that the device is known to have finished, < frameIndex; 0: none */
     uint64_t segments;       /* AGAA_SEGMENT_…, in order, each once per frame */
     float view[16];          /* from shading to view space: a rotation without reflection or translation. Left-handed hosts:
-                                docs/integration.md */
+                                docs/integration/coordinate-systems.md */
     /* From view space to clip space as the rasteriser uses it, with sub-pixel jitter and the y flip of a negative
      * viewport height. Perspective (element 11 is -1, element 15 is 0) or orthographic (0 and 1).
      * Samples whose depth rounds to that of the far plane (1, or 0 with AGAA_VIEW_REVERSED_Z) show the background. With

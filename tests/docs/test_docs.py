@@ -11,7 +11,12 @@ import unittest
 
 ROOT = pathlib.Path(os.environ["AGAA_SOURCE"])
 QUOTES = ROOT / "tools" / "quotes.py"
-DOCUMENTS = [ROOT / "docs" / name for name in ("integration.md", "shader-interface.md")]
+INDEX = ROOT / "docs" / "README.md"
+GUIDES = [*sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs" / "integration").glob("*.md"))]
+GENERATED = [ROOT / "docs" / name for name in ("choosing.md", "memory.md", "state.md")]
+WRITTEN = [guide for guide in GUIDES if guide not in GENERATED]
+MIGRATION = ROOT / "docs" / "abi.md"  # names of earlier versions, too
+GUIDE_LINES = 320
 
 SOURCE = """static int used(int a);
 
@@ -58,21 +63,44 @@ def quotes(*arguments):
                           stderr=subprocess.PIPE, text=True)
 
 
+def links(document):
+    """Relative targets of Markdown links and images, outside code."""
+    text = re.sub(r"^```.*?^```$", "", document.read_text(), flags=re.MULTILINE | re.DOTALL)
+    return [target.split("#")[0] for target in re.findall(r"\]\(([^)\s]+)\)", text) if "://" not in target]
+
+
 class Guides(unittest.TestCase):
     def test_quotes_are_current(self):
-        result = quotes(*DOCUMENTS)
+        quoting = [guide for guide in WRITTEN if "<!-- quote " in guide.read_text()]
+        self.assertGreater(len(quoting), 5)
+        result = quotes(*quoting)
         self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_names_exist(self):
-        """Every name of the SDK's in the guides is declared in a header or in what hosts include."""
-        declaring = [*(ROOT / "include").rglob("*.h"), *(ROOT / "src/shaders/host").glob("*.glsl"),
-                     ROOT / "src/shaders/math/coverage.glsl",
-                     ROOT / "src/shaders/passes/host_code.glsl", ROOT / "src/core/host_glsl.cpp"]
+        """Every name of the SDK's in the guides is declared in a header, in a shader or in the library."""
+        declaring = [*(ROOT / "include").rglob("*.h"), *(ROOT / "src" / "shaders").rglob("*.*"),
+                     ROOT / "src/core/host_glsl.cpp", ROOT / "CMakeLists.txt", ROOT / "benchmark/runs.py"]
         declared = set(re.findall(r"\w+", "".join(path.read_text() for path in declaring)))
-        for document in DOCUMENTS:
-            names = set(re.findall(r"\b(?:agaa|Agaa|AGAA_)\w+\b(?!\.h)", document.read_text()))
-            self.assertGreater(len(names), 30)
-            self.assertEqual(sorted(names - declared), [])
+        for document in WRITTEN:
+            if document == MIGRATION:
+                continue
+            names = set(re.findall(r"\b(?:agaa|Agaa|AGAA_)\w+\b(?!\.h)(?![\w…])", document.read_text()))
+            self.assertEqual(sorted(names - declared), [], document)
+
+    def test_guides_are_short(self):
+        for guide in GUIDES:
+            self.assertLessEqual(len(guide.read_text().splitlines()), GUIDE_LINES, guide)
+
+    def test_links_resolve(self):
+        for document in GUIDES:
+            for target in links(document):
+                self.assertTrue((document.parent / target).exists(), f"{document}: {target}")
+
+    def test_guides_are_in_the_index(self):
+        listed = {(INDEX.parent / target).resolve() for target in links(INDEX)}
+        self.assertEqual(sorted(set(GUIDES) - listed - {INDEX}), [])
+        entries = [line for line in INDEX.read_text().splitlines() if line.startswith("* ")]
+        self.assertEqual(len(entries), len(GUIDES) - 1)
 
     def test_scripts_run_by_their_name(self):
         scripts = [path for folder in ("benchmark", "tools", "scripts") for path in (ROOT / folder).rglob("*")
@@ -82,9 +110,20 @@ class Guides(unittest.TestCase):
             self.assertTrue(os.access(path, os.X_OK), path)
 
     def test_files_exist(self):
-        for document in DOCUMENTS:
-            for path in re.findall(r"`((?:benchmark|samples|docs|src|tools|tests)/[\w./-]+)`", document.read_text()):
-                self.assertTrue((ROOT / path).exists(), path)
+        """Paths of the source tree that the guides name."""
+        folders = "benchmark|samples|docs|src|tools|tests|scripts"
+        for document in GUIDES:
+            for path in re.findall(rf"`((?:{folders})/[\w./-]+)[ `]", document.read_text()):
+                if "NAME" not in path:
+                    self.assertTrue((ROOT / path).exists(), f"{document}: {path}")
+
+    def test_sources_name_guides_that_exist(self):
+        folders = ("include", "src", "samples", "benchmark", "tests", "bindings", "cmake", "tools")
+        suffixes = (".h", ".c", ".cpp", ".glsl", ".comp", ".py", ".cmake", ".txt")
+        for path in (path for folder in folders for path in (ROOT / folder).rglob("*")):
+            if path.suffix in suffixes:
+                for name in re.findall(r"\bdocs/(?:integration/)?[a-z-]+\.md\b", path.read_text()):
+                    self.assertTrue((ROOT / name).exists(), f"{path}: {name}")
 
 
 class Tool(unittest.TestCase):

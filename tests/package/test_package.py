@@ -52,9 +52,19 @@ class Contents(unittest.TestCase):
 
     def test_documents_are_there(self):
         documents = PREFIX / "share" / "doc" / "agaa"
-        for name in ("LICENSE", "NOTICES.md", "README.md", "integration.md", "shader-interface.md", "choosing.md",
-                     "sweep.md", "state.md", "troubleshooting.md", "examples/minimal/CMakeLists.txt"):
+        guides = [path.relative_to(SOURCE) for path in (SOURCE / "docs").rglob("*.md")
+                  if "results" not in path.relative_to(SOURCE).parts]
+        self.assertGreater(len(guides), 20)
+        for name in ("LICENSE", "NOTICES.md", "README.md", "docs/images/comparison.png",
+                     "examples/minimal/CMakeLists.txt", *guides):
             self.assertTrue((documents / name).is_file(), name)
+        self.assertFalse((documents / "docs" / "results").exists())
+
+    def test_links_of_documents_resolve(self):
+        documents = PREFIX / "share" / "doc" / "agaa"
+        for document in documents.rglob("*.md"):
+            for target in re.findall(r"\]\(([^)#:]+)\)", document.read_text()):
+                self.assertTrue((document.parent / target).exists(), f"{document}: {target}")
 
     def test_nothing_names_the_place_of_building(self):
         package = [*(PREFIX / LIBDIR / "cmake" / "agaa").iterdir(),

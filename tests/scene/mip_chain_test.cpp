@@ -31,7 +31,7 @@ double coverageOf(const MipLevel& level, double cutoff) {
     return double(passing) / (double(side * level.width) * double(side * level.height));
 }
 
-// The figures that docs/integration.md quotes: the largest change of coverage down to 8 x 8 texels.
+// The figures that docs/integration/alpha-masks.md quotes: the largest change of coverage down to 8 x 8 texels.
 TEST(MipChain, LevelsKeepTheCoverageOfTheFirst) {
     builtin::LeafPicture picture;
     picture.slenderness = 0.2f;
