@@ -11,12 +11,14 @@ import unittest
 
 ROOT = pathlib.Path(os.environ["AGAA_SOURCE"])
 QUOTES = ROOT / "tools" / "quotes.py"
+PICTURE = ROOT / "tools" / "comparison_picture.py"
+README = ROOT / "README.md"
 INDEX = ROOT / "docs" / "README.md"
 GUIDES = [*sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs" / "integration").glob("*.md"))]
 GENERATED = [ROOT / "docs" / name for name in ("choosing.md", "memory.md", "state.md")]
 WRITTEN = [guide for guide in GUIDES if guide not in GENERATED]
 MIGRATION = ROOT / "docs" / "abi.md"  # names of earlier versions, too
-GUIDE_LINES = 320
+README_LINES, GUIDE_LINES = 120, 320
 
 SOURCE = """static int used(int a);
 
@@ -81,18 +83,21 @@ class Guides(unittest.TestCase):
         declaring = [*(ROOT / "include").rglob("*.h"), *(ROOT / "src" / "shaders").rglob("*.*"),
                      ROOT / "src/core/host_glsl.cpp", ROOT / "CMakeLists.txt", ROOT / "benchmark/runs.py"]
         declared = set(re.findall(r"\w+", "".join(path.read_text() for path in declaring)))
-        for document in WRITTEN:
+        for document in (README, *WRITTEN):
             if document == MIGRATION:
                 continue
             names = set(re.findall(r"\b(?:agaa|Agaa|AGAA_)\w+\b(?!\.h)(?![\w…])", document.read_text()))
             self.assertEqual(sorted(names - declared), [], document)
+
+    def test_readme_is_short(self):
+        self.assertLessEqual(len(README.read_text().splitlines()), README_LINES)
 
     def test_guides_are_short(self):
         for guide in GUIDES:
             self.assertLessEqual(len(guide.read_text().splitlines()), GUIDE_LINES, guide)
 
     def test_links_resolve(self):
-        for document in GUIDES:
+        for document in (README, *GUIDES):
             for target in links(document):
                 self.assertTrue((document.parent / target).exists(), f"{document}: {target}")
 
@@ -112,7 +117,7 @@ class Guides(unittest.TestCase):
     def test_files_exist(self):
         """Paths of the source tree that the guides name."""
         folders = "benchmark|samples|docs|src|tools|tests|scripts"
-        for document in GUIDES:
+        for document in (README, *GUIDES):
             for path in re.findall(rf"`((?:{folders})/[\w./-]+)[ `]", document.read_text()):
                 if "NAME" not in path:
                     self.assertTrue((ROOT / path).exists(), f"{document}: {path}")
@@ -124,6 +129,12 @@ class Guides(unittest.TestCase):
             if path.suffix in suffixes:
                 for name in re.findall(r"\bdocs/(?:integration/)?[a-z-]+\.md\b", path.read_text()):
                     self.assertTrue((ROOT / name).exists(), f"{path}: {name}")
+
+    def test_table_of_the_picture_is_current(self):
+        results = ROOT / "docs/results/lavapipe/sweep/results.json"
+        printed = subprocess.run([sys.executable, PICTURE, "--table", results], stdout=subprocess.PIPE, text=True)
+        self.assertEqual(printed.returncode, 0)
+        self.assertIn(printed.stdout, README.read_text())
 
 
 class Tool(unittest.TestCase):
