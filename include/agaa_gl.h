@@ -90,7 +90,8 @@ typedef enum AgaaGlConstants {
     AGAA_GL_CONSTANTS_BLOCK = 0,    /* a uniform block at AGAA_GL_BINDING_FRAME */
     AGAA_GL_CONSTANTS_UNIFORMS = 1, /* `uniform vec4 agaa_constants[]`. Each draw callback sets the uniform of its programs to
                                        AgaaDrawTarget::constants, for example with glUniform4fv */
-    AGAA_GL_CONSTANTS_TEXELS = 2,   /* a buffer texture at AGAA_GL_BINDING_FRAME, which then is a texture unit */
+    AGAA_GL_CONSTANTS_TEXELS = 2,   /* a buffer texture at AGAA_GL_BINDING_FRAME, which then is a texture unit: set it to one
+                                       that no other binding has */
     AGAA_GL_CONSTANTS_MAX_ENUM = 0x7FFFFFFF
 } AgaaGlConstants;
 

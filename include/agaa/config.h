@@ -331,20 +331,20 @@ typedef struct AgaaViewDesc {
 AGAA_API void AGAA_CALL agaaInitViewDesc(AgaaViewDesc* outDesc, size_t structSize);
 
 /* Changes the size of a view. The view keeps its handle; draw passes and surfaces must be read again
- * (agaaGetDrawPasses, agaaGetSurface). Pipeline keys stay the same, so that pipelines may be kept. Statistics of earlier
- * frames are lost. During the call the surfaces of both sizes exist.
+ * (agaaGetDrawPasses, agaaGetSurface). Pipelines whose key is still listed may be kept: keys stay the same unless the tier
+ * AUTO selects another tier at the new size. Statistics of earlier frames are lost. During the call the surfaces of both sizes
+ * exist.
  *
  * view            The device must have finished every frame that was recorded with the view.
  * width, height   pixels, >= 1.
  *
- * Errors          AGAA_ERROR_INVALID_ARGUMENT   the view is null
+ * Errors          Those of agaaVkCreateView or agaaGlCreateView, and
+ *                 AGAA_ERROR_INVALID_ARGUMENT   the view is null
  *                 AGAA_ERROR_OUT_OF_RANGE       a size is 0
- *                 AGAA_ERROR_TOO_LARGE          the target exceeds a limit of the device
- *                 AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
- *                 AGAA_ERROR_DEVICE             the graphics API reported an error
  *                 On failure the view keeps its size, its surfaces and their contents.
  * Threads         One call at a time per context.
- * OpenGL          The context must be current. All state is restored before the call returns. */
+ * OpenGL          The context must be current. All state is restored before the call returns. The log reports errors of
+ *                 earlier calls that were pending. */
 AGAA_API AgaaResult AGAA_CALL agaaResizeView(AgaaView view, uint32_t width, uint32_t height);
 
 #ifdef __cplusplus

@@ -32,7 +32,7 @@ typedef struct AgaaGBufferFunction {
      * target of the visibility tier, which agaaTexel(pixel, i) and agaaTexelSample(i) address. */
     const float* samplePositions;
     /* Vulkan: VkDescriptorSetLayout of set 1, for the compute stage, or 0 without resources. All functions of a view have
-     * the same layout. The library does not use it after agaaVkCreateView. OpenGL: 0. */
+     * the same layout. It must exist until the view is destroyed: agaaResizeView uses it again. OpenGL: 0. */
     uint64_t descriptorSetLayout;
     uint32_t depthBits; /* of a fixed-point depth buffer, 16 or 24; 0: a float depth buffer */
     uint32_t reserved;  /* 0 */

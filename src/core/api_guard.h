@@ -29,7 +29,8 @@ private:
 
 // A log of a host's that is not what it should be is not called.
 inline Log checkedLog(const AgaaLog* log) {
-    const bool valid = log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize >= sizeof *log;
+    constexpr uint32_t firstSize = 32; // in version 0.2, as in structs.inc
+    const bool valid = log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize >= firstSize;
     return valid ? Log(log) : Log();
 }
 

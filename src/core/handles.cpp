@@ -80,9 +80,9 @@ AgaaResult SizedView::statistics(uint64_t completedFrame, AgaaFrameStatistics& o
     out.driverBytes = memory.driver;
     out.peakBytes = memory.peak;
     out.geometryPasses = plan.geometryPasses();
-    out.timeSource = AGAA_TIME_NONE;
     if (!newest)
         return AGAA_NOT_READY;
+    out.timeSource = AGAA_TIME_NONE;
     const uint32_t slot = sequence.indexOf(*newest);
     out.frameIndex = newest->frame;
     out.counters = plan.config.flags & AGAA_CONFIG_COUNTERS ? countersOf(readCounters(slot))
