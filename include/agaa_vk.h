@@ -111,13 +111,15 @@ typedef struct AgaaVkAllocationInfo {
     uint32_t preferredFlags; /* VkMemoryPropertyFlags */
     uint32_t isImage;        /* 1: the memory holds images with optimal tiling, 0: it holds buffers or both */
     const char* name;        /* for debugging; valid during the callback only */
+    uint64_t reserved[4];    /* 0 */
 } AgaaVkAllocationInfo;
 
 typedef struct AgaaVkMemory {
-    uint64_t memory;  /* VkDeviceMemory */
-    uint64_t offset;  /* bytes, a multiple of the alignment */
-    void* mapped;     /* address of the first byte if HOST_VISIBLE was required; stays mapped. Otherwise it may be null */
-    void* allocation; /* of the host's choice */
+    uint64_t memory;      /* VkDeviceMemory */
+    uint64_t offset;      /* bytes, a multiple of the alignment */
+    void* mapped;         /* address of the first byte if HOST_VISIBLE was required; stays mapped. Otherwise it may be null */
+    void* allocation;     /* of the host's choice */
+    uint64_t reserved[2]; /* 0; the SDK clears the struct before it calls the host */
 } AgaaVkMemory;
 
 /* Allocates device memory. The SDK binds its images and buffers to the memory.

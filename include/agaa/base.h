@@ -114,7 +114,8 @@ typedef enum AgaaStructType {
 /* The first members of every versioned struct. Initialise a struct with its macro AGAA_…_INIT, or with its function
  * agaaInit…, which set these members and the defaults of all others.
  *
- * structSize   sizeof the struct in the header that the host was compiled with. Structs grow at their end only.
+ * structSize   sizeof the struct in the header that the host was compiled with; a multiple of 8. Structs grow at their end
+ *              only.
  *              - A smaller size of an earlier version is accepted; the missing members have their defaults.
  *              - A larger size is accepted if the bytes that the library does not know are 0; otherwise the call fails
  *                with AGAA_ERROR_VERSION, and the log names the offset of the first such byte.

@@ -42,6 +42,8 @@ void checkStructSize(const void* structure, const StructRow& row) {
         fail(AGAA_ERROR_STRUCT,
              format("%s has structSize %u; this library's is %zu, that of version 0.2 %zu.", row.name, size, row.size,
                     row.firstSize));
+    if (size % alignof(AgaaStructHeader) != 0)
+        fail(AGAA_ERROR_STRUCT, format("%s has structSize %u, which is not a multiple of 8.", row.name, size));
     checkTail(structure, row.size, size, row.name);
 }
 

@@ -330,6 +330,8 @@ ViewResources::Block ViewResources::allocateFromHost(const Wanted& wanted, std::
             "the host's AgaaVkAllocator returned no memory, or an offset that is not aligned.");
     require(!wanted.required || memory.mapped, AGAA_ERROR_CALLBACK,
             "the host's AgaaVkAllocator returned memory that is not mapped.");
+    for (const uint64_t reserved : memory.reserved)
+        require(reserved == 0, AGAA_ERROR_CALLBACK, "the host's AgaaVkAllocator set a reserved member of AgaaVkMemory.");
     return {(VkDeviceMemory)memory.memory, memory.offset, memory.mapped, true};
 }
 

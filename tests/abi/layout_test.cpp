@@ -54,8 +54,8 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaCounters, 256);
     EXPECT_SIZE(AgaaPassTime, 80);
     EXPECT_SIZE(AgaaInvalidPixel, 64);
-    EXPECT_SIZE(AgaaVkAllocationInfo, 40);
-    EXPECT_SIZE(AgaaVkMemory, 32);
+    EXPECT_SIZE(AgaaVkAllocationInfo, 72);
+    EXPECT_SIZE(AgaaVkMemory, 48);
 }
 
 TEST(Abi, Offsets) {

@@ -62,7 +62,7 @@ TEST(Structs, BeginWithTheirHeader) {
 // Of an earlier version: what it lacks has its default, at every size.
 TEST(Structs, OfEarlierVersionsHaveDefaults) {
     for (const Case& c : allStructs()) {
-        for (size_t first = sizeof(AgaaStructHeader); first < c.row.size; first += 4) {
+        for (size_t first = sizeof(AgaaStructHeader); first < c.row.size; first += 8) {
             StructRow row = c.row;
             row.firstSize = first;
             std::vector<unsigned char> bytes(first, 0xA5); // no more memory than the host has
@@ -72,7 +72,9 @@ TEST(Structs, OfEarlierVersionsHaveDefaults) {
             copyKnown(bytes.data(), value.data(), value.size());
             for (size_t i = 0; i < value.size(); ++i)
                 ASSERT_EQ(value[i], i < first ? bytes[i] : c.initial[i]) << row.name << ' ' << first << ' ' << i;
-            headerOf(bytes).structSize -= 4;
+            headerOf(bytes).structSize -= 8;
+            EXPECT_EQ(checked(bytes, row), AGAA_ERROR_STRUCT) << row.name << ' ' << first;
+            headerOf(bytes).structSize += 12; // elements of arrays would not be aligned
             EXPECT_EQ(checked(bytes, row), AGAA_ERROR_STRUCT) << row.name << ' ' << first;
         }
         std::vector<unsigned char> bytes = c.initial;
@@ -84,7 +86,7 @@ TEST(Structs, OfEarlierVersionsHaveDefaults) {
 // Of a later version: what this one does not know must be 0.
 TEST(Structs, OfLaterVersionsMayNotSayWhatIsNotKnown) {
     for (const Case& c : allStructs())
-        for (const size_t more : {size_t(1), size_t(8), size_t(200)}) {
+        for (const size_t more : {size_t(8), size_t(200)}) {
             std::vector<unsigned char> bytes = c.initial;
             bytes.resize(bytes.size() + more, 0);
             headerOf(bytes).structSize = uint32_t(bytes.size());

@@ -59,7 +59,7 @@ TEST(VkMisuse, WhatWasNotEnabledIsNotThere) {
 struct DeviceMemory {
     uint64_t offset = 256;
     uint32_t refused = ~0u; // number of the call that fails
-    bool isAligned = true, isMapped = true;
+    bool isAligned = true, isMapped = true, isReservedClear = true;
     uint32_t calls = 0, alive = 0;
 
     AgaaVkAllocator allocator() {
@@ -90,6 +90,7 @@ struct DeviceMemory {
             outMemory->mapped = static_cast<char*>(start) + offset;
         }
         outMemory->allocation = &self;
+        outMemory->reserved[1] = self.isReservedClear ? 0 : 1;
         ++self.alive;
         return AGAA_OK;
     }
@@ -132,14 +133,16 @@ TEST(VkMemory, ComesFromTheHostsAllocator) {
     }
 }
 
-TEST(VkMemory, OfTheHostsMustBeAlignedAndMapped) {
-    for (const bool isAligned : {false, true}) {
+TEST(VkMemory, OfTheHostsMustBeAlignedMappedAndKnown) {
+    const std::pair<bool DeviceMemory::*, const char*> faults[] = {{&DeviceMemory::isAligned, "not aligned"},
+                                                                   {&DeviceMemory::isMapped, "not mapped"},
+                                                                   {&DeviceMemory::isReservedClear, "reserved"}};
+    for (const auto& [member, words] : faults) {
         DeviceMemory wrong;
-        wrong.isAligned = isAligned;
-        wrong.isMapped = !isAligned;
+        wrong.*member = false;
         const AgaaVkAllocator allocator = wrong.allocator();
         StageContext context({.change = [&](auto& desc) { desc.device.pNext = &allocator; }});
-        expectRefused(context, {}, AGAA_ERROR_CALLBACK, isAligned ? "not mapped" : "not aligned");
+        expectRefused(context, {}, AGAA_ERROR_CALLBACK, words);
         EXPECT_EQ(wrong.alive, 0u);
     }
     AgaaVkAllocator half = AGAA_VK_ALLOCATOR_INIT;

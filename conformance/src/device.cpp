@@ -1,0 +1,82 @@
+#include "device.h"
+
+namespace agaa::conformance {
+
+OwnContext::OwnContext(Test& test, const std::function<void(ContextDescription&)>& change) : test_(test) {
+    ContextDescription description = test.device().description();
+    description.desc.log = log.get();
+    if (change)
+        change(description);
+    test.requireOk(test.device().createContext(test.sdk, AGAA_HEADER_VERSION, description, &context_), "creating a context");
+    log.lines.clear();
+}
+
+OwnContext::~OwnContext() {
+    if (context_)
+        test_.result(test_.sdk.agaaDestroyContext(context_), AGAA_OK, "agaaDestroyContext(a context without views)");
+}
+
+ViewDescription::ViewDescription(const Device* device) {
+    const AgaaLayout initialLayout = AGAA_LAYOUT_INIT;
+    const AgaaConfig initialConfig = AGAA_CONFIG_INIT;
+    const AgaaAggregation initialAggregation = AGAA_AGGREGATION_INIT;
+    const AgaaMeasurement initialMeasurement = AGAA_MEASUREMENT_INIT;
+    const AgaaSceneFacts initialFacts = AGAA_SCENE_FACTS_INIT;
+    const AgaaViewDesc initialDesc = AGAA_VIEW_DESC_INIT;
+    layout = initialLayout;
+    config = initialConfig;
+    aggregation = initialAggregation;
+    measurement = initialMeasurement;
+    facts = initialFacts;
+    desc = initialDesc;
+    config.samples = 4;
+    config.flags = AGAA_CONFIG_COUNTERS;
+    config.pNext = &aggregation;
+    aggregation.pNext = &measurement;
+    facts.shadowMapCount = 0;
+    facts.maxLights = 4;
+    desc.width = 32;
+    desc.height = 24;
+    desc.config = &config;
+    desc.facts = &facts;
+    desc.flags = device ? device->viewFlags() : 0;
+}
+
+OwnView::OwnView(Test& test, AgaaContext context, const ViewDescription& description) : test_(test) {
+    test.requireOk(test.device().createView(test.sdk, context, &description.desc, &view_), "creating a view");
+    test.device().setOutput(description.desc.width, description.desc.height);
+    test.device().prepare(test.sdk, view_);
+}
+
+OwnView::~OwnView() {
+    if (!view_)
+        return;
+    test_.device().forget(view_);
+    test_.sdk.agaaDestroyView(view_);
+}
+
+AgaaFrame pixelFrame(const Device& device, const ViewDescription& description, uint64_t i) {
+    AgaaFrame frame = AGAA_FRAME_INIT;
+    frame.frameIndex = i;
+    frame.completedFrame = i - 1;
+    frame.ambient[0] = frame.ambient[1] = frame.ambient[2] = 1.0f;
+    setPixelCamera(frame, description.desc.width, description.desc.height, 16.0f,
+                   description.desc.flags & AGAA_VIEW_REVERSED_Z,
+                   device.backend() == Backend::OpenGl && (description.desc.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE));
+    return frame;
+}
+
+Scene smallScene(uint32_t width, uint32_t height) {
+    const float w = float(width), h = float(height);
+    Scene scene;
+    Surface surface;
+    addRectangle(scene, width, height, 0, 0, w, h, 8, surface);
+    surface.diffuse[0] = 0.25f;
+    addRectangle(scene, width, height, w / 4, h / 4, w, h, 4, surface);
+    surface.diffuse[1] = 0.75f;
+    surface.isMasked = true;
+    addRectangle(scene, width, height, w / 2, 0, w * 3 / 4, h / 2, 2, surface);
+    return scene;
+}
+
+} // namespace agaa::conformance
