@@ -1,0 +1,67 @@
+// A view in the context of the engine under test, and what frames of it show.
+#pragma once
+
+#include "../suite.h"
+
+#include <array>
+#include <optional>
+
+namespace agaa::conformance {
+
+struct HostTest {
+    const AgaaConformanceHost& host;
+    const Functions& sdk;
+    // Set when a mistake makes all further checks meaningless, for example pipelines of another view.
+    std::string blockedBy = {};
+};
+
+struct ViewChoice {
+    const char* technique = "single";
+    uint32_t samples = 1;
+    const char* layout = "precise";
+    bool ignoresMasks = false; // without AGAA_FACT_ALPHA_MASKED
+    bool isWithoutStencil = false;
+    uint32_t generationTier = AGAA_TIER_AUTO;
+};
+
+struct Image {
+    uint32_t width = 0, height = 0;
+    std::vector<float> pixels; // RGBA
+};
+
+class EngineView {
+public:
+    // Throws Skipped if the device or the library does not support the choice.
+    EngineView(Test& test, HostTest& hostTest, const ViewChoice& choice);
+    ~EngineView();
+    EngineView(const EngineView&) = delete;
+    EngineView& operator=(const EngineView&) = delete;
+
+    // Ambient light 1, no other light: the image is the diffuse albedo.
+    Image renderAlbedo();
+    // A light of irradiance pi that shines along the camera's direction: albedo times the cosine of the normal.
+    Image renderHeadlight();
+    AgaaFrameValidation validate();
+    AgaaCounters counters();
+    // The result of the newest frame; checks call requireFrame() where they need its image.
+    AgaaResult result() const { return result_; }
+    void requireFrame();
+
+private:
+    Image render(AgaaFrame& frame);
+    AgaaFrame nextFrame();
+    Test& test_;
+    HostTest& hostTest_;
+    ViewChoice choice_;
+    AgaaView view_ = nullptr;
+    uint32_t width_, height_;
+    uint64_t frameIndex_ = 0;
+    std::array<float, 16> viewMatrix_{};
+    AgaaResult result_ = AGAA_OK;
+};
+
+// Share of the pixels that show something in one of the images, and differ by more than `tolerance` in a channel.
+double differingShare(const Image& a, const Image& b, float tolerance = 1.0f / 16);
+std::string percent(double share);
+
+} // namespace agaa::conformance

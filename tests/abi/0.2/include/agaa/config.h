@@ -1,0 +1,353 @@
+/* The description of a view: layout, settings, scene facts. Part of agaa_sdk.h.
+ * SPDX-License-Identifier: MIT */
+#ifndef AGAA_CONFIG_H
+#define AGAA_CONFIG_H
+
+#include "agaa/base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- G-buffer layout (AGAA section 4.3, figure 7) ------------------------------------------- */
+
+typedef enum AgaaSemantic {
+    AGAA_SEMANTIC_DIFFUSE = 0,   /* 3 channels: diffuse albedo. Required */
+    AGAA_SEMANTIC_SPECULAR = 1,  /* 3 channels: specular reflectance at normal incidence. Requires ROUGHNESS */
+    AGAA_SEMANTIC_NORMAL = 2,    /* 3 channels per aggregate, stored as 2 per sample. Required */
+    AGAA_SEMANTIC_ROUGHNESS = 3, /* 1 channel: alpha squared */
+    AGAA_SEMANTIC_EMISSIVE = 4,  /* 3 channels, or 1: a factor of the diffuse albedo */
+    AGAA_SEMANTIC_CUSTOM = 5,    /* 1 to 4 channels of the host. The SDK stores and filters them, and does not shade by
+                                    them; agaaAggregate() of agaaGetAggregateGlsl reads them */
+    AGAA_SEMANTIC_COUNT = 6,
+    AGAA_SEMANTIC_MAX_ENUM = 0x7FFFFFFF
+} AgaaSemantic;
+
+typedef enum AgaaEncoding {
+    AGAA_ENCODING_UNORM = 0, /* value / range in [0, 1] */
+    AGAA_ENCODING_YCBCR = 1, /* SPECULAR only: luma with aggregateBits, each chroma channel with chromaBits */
+    /* ROUGHNESS only: an aggregate shortens its mean normal by the roughness and stores no roughness. Such an aggregate
+     * in memory does not distinguish roughness from the spread of its normals: its diffuse term is not filtered, and
+     * the rounding of the sums widens narrow specular lobes. */
+    AGAA_ENCODING_FOLDED = 2,
+    AGAA_ENCODING_MAX_ENUM = 0x7FFFFFFF
+} AgaaEncoding;
+
+/* How an aggregate combines the values of its samples. */
+typedef enum AgaaFilter {
+    AGAA_FILTER_MEAN = 0,   /* the mean. Values are in [0, range] */
+    AGAA_FILTER_NORMAL = 1, /* 3 channels, a unit vector per sample. The aggregate has the mean vector, whose length
+                               says how far the vectors agree */
+    AGAA_FILTER_NONE = 2,   /* the value of one sample: the one with the largest code of channel 0, then of channel 1,
+                               and so on. Values are in [0, range]; all channels of an aggregate fit 32 bits */
+    AGAA_FILTER_MAX_ENUM = 0x7FFFFFFF
+} AgaaFilter;
+
+#define AGAA_MAX_CUSTOM_CHANNELS 8
+typedef struct AgaaLayoutAttribute {
+    uint32_t semantic;      /* AgaaSemantic. Each occurs at most once, except CUSTOM */
+    uint32_t channels;      /* as given at AgaaSemantic. CUSTOM attributes together have at most
+                               AGAA_MAX_CUSTOM_CHANNELS */
+    uint32_t sampleBits;    /* per channel in the multisampled G-buffer: 8, 16, or 10 for 3 channels other than normals.
+                               All attributes together must fit four attachments */
+    uint32_t aggregateBits; /* per channel and sample before summing: [6, 16], or 0: as many as fit n samples into 16 bits
+                               or a whole word */
+    uint32_t chromaBits;    /* YCBCR: [6, 16] */
+    uint32_t encoding;      /* AgaaEncoding */
+    float range;            /* the value of full scale: [1e-6, 65504]; 1 for all but EMISSIVE and CUSTOM */
+    uint32_t filter;        /* AgaaFilter for CUSTOM, 0 for all others */
+    /* CUSTOM: the name of the member of AgaaSurfaceInput, AgaaMaterial and AgaaAggregate, which is a float or a vec of
+     * `channels`. 1 to 31 letters, digits and single underscores; it begins with a letter, and not with gl_, agaa or
+     * AGAA. It is neither a GLSL keyword nor a member that these structs already have. Read during the call only.
+     * Null for all others. */
+    const char* name;
+    uint64_t reserved[2]; /* 0 */
+} AgaaLayoutAttribute;
+#define AGAA_LAYOUT_ATTRIBUTE_INIT {0, 0, 0, 0, 0, 0, 1.0f, 0, NULL, {0, 0}}
+AGAA_API void AGAA_CALL agaaInitLayoutAttribute(AgaaLayoutAttribute* outAttribute);
+
+#define AGAA_MAX_LAYOUT_ATTRIBUTES 13
+typedef struct AgaaLayout {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t attributeCount; /* [2, AGAA_MAX_LAYOUT_ATTRIBUTES] */
+    uint32_t reserved;       /* 0 */
+    AgaaLayoutAttribute attributes[AGAA_MAX_LAYOUT_ATTRIBUTES];
+} AgaaLayout;
+#define AGAA_LAYOUT_INIT                                                                            \
+    {AGAA_STRUCTURE_TYPE_LAYOUT, (uint32_t)sizeof(AgaaLayout), NULL, 0, 0,                          \
+     {{0, 0, 0, 0, 0, 0, 0.0f, 0, NULL, {0, 0}}}}
+AGAA_API void AGAA_CALL agaaInitLayout(AgaaLayout* outLayout, size_t structSize);
+
+/* Gets a built-in layout.
+ *
+ * name        "paper16" (AGAA figure 7) or "precise", the default of AgaaConfig::layout: 16 bits per channel of a
+ *             sample, 10 for its specular reflectance, 11 or more per channel of an aggregate, roughness beside the
+ *             normal. The range of emission is 16 in both. agaaGetNames lists the names.
+ * outLayout   Initialised. Receives the layout; unchanged on failure.
+ *
+ * Errors      AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
+ *             AGAA_ERROR_STRUCT             outLayout is not initialised
+ *             AGAA_ERROR_LAYOUT             no layout has this name
+ * Threads     Any. */
+AGAA_API AgaaResult AGAA_CALL agaaGetBuiltinLayout(const char* name, AgaaLayout* outLayout);
+
+/* ---- configuration -------------------------------------------------------------------------- */
+
+typedef enum AgaaBrdf {
+    AGAA_BRDF_BLINN_PHONG = 0,
+    AGAA_BRDF_GGX = 1,
+    AGAA_BRDF_MAX_ENUM = 0x7FFFFFFF
+} AgaaBrdf;
+
+/* How the spread of normals in an aggregate widens the specular lobe (AGAA section 3.5.2). LEAN and SGGX widen it by the
+ * spread in each direction, so that lobes become elliptic: use them for thin geometry with sharp highlights. They need
+ * the normal of each sample: the tier must be IDS or GBUFFER without AGAA_CONFIG_BUFFERED. AUTO selects IDS with an
+ * AgaaFetchFunction and GBUFFER without; any other tier fails with AGAA_ERROR_UNSUPPORTED. Techniques other than "agaa",
+ * and views without specular light, use TOKSVIG instead. */
+typedef enum AgaaNdf {
+    AGAA_NDF_NONE = 0,    /* no widening, for ablation */
+    AGAA_NDF_TOKSVIG = 1, /* isotropic, by the length of the mean normal (Toksvig 2005) */
+    AGAA_NDF_LEAN = 2,    /* adds twice the variance of slopes to alpha squared (Olano and Baker 2010) */
+    AGAA_NDF_SGGX = 3,    /* adds projected areas (Heitz et al. 2015); narrower than LEAN */
+    AGAA_NDF_MAX_ENUM = 0x7FFFFFFF
+} AgaaNdf;
+
+/* A way to run a stage. agaaQueryCapabilities lists the tiers that run on a device. */
+typedef enum AgaaTier {
+    AGAA_TIER_AUTO = 0,
+    /* visibility */
+    AGAA_TIER_NATIVE = 1,        /* a target of the device's own n samples */
+    AGAA_TIER_NV_MULTICAST = 2,  /* reserved: AGAA_ERROR_UNSUPPORTED */
+    AGAA_TIER_SCALED_TARGET = 3, /* a target of scaleX x scaleY texels per pixel, with fewer samples per texel */
+    AGAA_TIER_LAYERS = 4,        /* reserved: AGAA_ERROR_UNSUPPORTED */
+    /* generation */
+    AGAA_TIER_NV_MIXED_SAMPLES = 16, /* the paper's way: additive blending with coverage override. agaaQueryMemory and
+                                        agaaPlanToJson accept it; agaa…CreateView fails with AGAA_ERROR_UNSUPPORTED */
+    AGAA_TIER_POST_DEPTH_ATOMICS = 17, /* coverage after the depth test, integer atomics */
+    AGAA_TIER_PER_SAMPLE = 18,         /* one invocation per sample, integer atomics */
+    AGAA_TIER_GBUFFER = 19, /* one geometry pass into a multisampled G-buffer; a compute pass aggregates its samples */
+    AGAA_TIER_IDS = 20,     /* one geometry pass into depth and ids; compute passes fetch the materials by id
+                               (AgaaFetchFunction) */
+    AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
+} AgaaTier;
+
+/* Bits of AgaaConfig::flags. */
+#define AGAA_CONFIG_COUNTERS UINT64_C(0x01)   /* count events (AgaaCounters). Without AGAA_DEVICE_FRAGMENT_ATOMICS:
+                                                 AGAA_ERROR_UNSUPPORTED */
+#define AGAA_CONFIG_TIMESTAMPS UINT64_C(0x02) /* measure the time of each pass */
+#define AGAA_CONFIG_READBACK UINT64_C(0x04)   /* the host may copy from surfaces; surfaces do not share memory */
+#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x08) /* "agaa": cluster samples of one surface like all others (AGAA 3.3), so
+                                                     that their distance may separate them */
+#define AGAA_CONFIG_BUFFERED UINT64_C(0x10) /* "agaa": with the tiers IDS and GBUFFER too, aggregates go to the surface
+                                               "aggregates", and a pass of its own shades them. Excludes litShadows and
+                                               the elliptic NDFs */
+#define AGAA_CONFIG_FINE_MATERIALS UINT64_C(0x20) /* tier IDS: evaluate a primitive's material for each texel of the target
+                                                     that shows it, at the place where a G-buffer has it: the centre,
+                                                     or the first covered sample. Derivatives of normals are not used.
+                                                     AgaaCounters::materials counts the evaluations */
+
+/* What a host chooses for a view. AgaaAggregation and AgaaMeasurement may be chained; without them, their members have
+ * their defaults. */
+typedef struct AgaaConfig {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa" or "agaa" */
+    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; 1 for "single" and "fxaa" */
+    uint32_t aggregates;      /* c, aggregates of "agaa", [1, 4]; S, surfaces of "sbaa", [1, 6]; at most n are made */
+    const AgaaLayout* layout; /* null: "precise" */
+    uint32_t brdf;            /* AgaaBrdf */
+    uint32_t ndf;             /* AgaaNdf */
+    /* Samples that agree in these count as one surface: "simple_complex" and "sbaa" shade it once, "agaa" makes one
+     * aggregate of it. 0 selects the default of the technique. */
+    float surfaceCosine;   /* smallest cosine between normals, [0, 1] */
+    float surfaceDistance; /* largest distance from the surface's plane, in pixel widths at its depth, [0, 1e6] */
+    float surfaceMaterial; /* largest difference of a material channel, [0, 1]; only "simple_complex" reads it */
+    uint32_t shadowTaps;   /* largest number of samples of an aggregate that are looked up in each shadow, [0, 32];
+                              0: 8. Affects shadows only: the position of an aggregate is the mean of all its samples */
+    uint32_t visibilityTier; /* AgaaTier. AUTO: the best that runs */
+    uint32_t generationTier; /* AgaaTier. AUTO: the best that runs; GBUFFER if the aggregates fit no storage buffer of the
+                                device */
+    uint64_t flags;          /* AGAA_CONFIG_… */
+} AgaaConfig;
+#define AGAA_CONFIG_INIT                                                                            \
+    {AGAA_STRUCTURE_TYPE_CONFIG, (uint32_t)sizeof(AgaaConfig), NULL, "agaa", 8, 2, NULL,             \
+     AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.0f, 0.0f, 0, AGAA_TIER_AUTO, AGAA_TIER_AUTO, 0}
+AGAA_API void AGAA_CALL agaaInitConfig(AgaaConfig* outConfig, size_t structSize);
+
+/* How "agaa" and "sbaa" group samples. Chain it to AgaaConfig. Other techniques check the struct and do not use it, so
+ * that a host may chain it for all techniques. */
+typedef struct AgaaAggregation {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    float characteristicLength;            /* k of equation 1, in host units, [0, inf) */
+    float characteristicLengthPerDistance; /* k is at least this times the distance of the pixel's nearest sample,
+                                              [0, 1]. k must be > 0. In an orthographic view, half the width of the view
+                                              replaces the distance, as in a perspective view of 90 degrees */
+    float aggregateThreshold; /* t: samples start a further aggregate only if they are farther than this from all
+                                 others, [0, 1e6] */
+    /* "agaa", bit i: lights of AgaaFrame::shadows[i] are shaded with means over the samples of an aggregate that they
+     * reach, times the share of these samples, so that lit and unlit samples may differ in normal and colour. One tap
+     * per sample replaces shadowTaps. Bits beyond AgaaSceneFacts::shadowMapCount have no effect. Requires the tier IDS
+     * or GBUFFER without AGAA_CONFIG_BUFFERED. AUTO selects one of them; any other tier fails with
+     * AGAA_ERROR_UNSUPPORTED. */
+    uint32_t litShadows;
+    /* "agaa", [0, 16]: in equation 1, shading normals differ by glossWeight / alpha as much, clamped to [1, 20], where
+     * alpha is GGX alpha; the term stays at most 1. Equal normals with different roughness differ too. Glossy surfaces
+     * are split earlier. 0, and views without specular light, use normals alone. Requires the tier IDS or GBUFFER, which
+     * know materials before they group samples. AUTO selects one of them; any other tier fails with
+     * AGAA_ERROR_UNSUPPORTED. */
+    float glossWeight;
+    uint32_t reserved; /* 0 */
+} AgaaAggregation;
+#define AGAA_AGGREGATION_INIT                                                                       \
+    {AGAA_STRUCTURE_TYPE_AGGREGATION, (uint32_t)sizeof(AgaaAggregation), NULL, 0.0f, 0.03f, 0.02f, 0, 0.0f, 0}
+AGAA_API void AGAA_CALL agaaInitAggregation(AgaaAggregation* outAggregation, size_t structSize);
+
+typedef enum AgaaSeeds {
+    AGAA_SEEDS_MAXIMIN = 0,
+    AGAA_SEEDS_SUM_OF_SQUARES = 1, /* AGAA algorithm 1 (e) as printed */
+    AGAA_SEEDS_MAX_ENUM = 0x7FFFFFFF
+} AgaaSeeds;
+
+/* What the output shows for each pixel instead of its image: a number or a share in all channels, or a colour. Pixels
+ * without geometry show 0. "msaa" has none, because the host shades. If a view does not apply to the technique, the call
+ * fails with AGAA_ERROR_UNSUPPORTED. */
+typedef enum AgaaDebugView {
+    AGAA_DEBUG_VIEW_NONE = 0,
+    AGAA_DEBUG_VIEW_EVENTS = 1,     /* number of shading events */
+    AGAA_DEBUG_VIEW_AGGREGATES = 2, /* number of aggregates of "agaa", or of surfaces of "sbaa" */
+    AGAA_DEBUG_VIEW_CLUSTERS = 3,   /* a colour per aggregate or surface, mixed by their shares of samples */
+    AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tier IDS without BUFFERED: number of primitives that samples show */
+    AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that reaches the covered samples; 1
+                                       without shadows */
+    AGAA_DEBUG_VIEW_WIDENED = 6,    /* "agaa" and "sbaa", with layouts that store roughness: how far the NDF widens
+                                       lobes, as GGX alpha in the widest direction, mean over the covered samples */
+    AGAA_DEBUG_VIEW_TIER = 7, /* grey: no aggregation; orange: two geometry passes; blue: from a G-buffer, unfetched draws
+                                 included; green: by ids. Half as bright if the pixel has one shading event. With
+                                 AGAA_CONFIG_BUFFERED, unfetched draws are green */
+    AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
+} AgaaDebugView;
+
+/* Bits of AgaaMeasurement::flags. */
+#define AGAA_MEASURE_NO_DIFFUSE_FILTER UINT64_C(0x01) /* do not filter the diffuse term by the spread of normals */
+#define AGAA_MEASURE_NO_SHADOW_FILTER UINT64_C(0x02)  /* one shadow tap at the aggregate's mean position */
+#define AGAA_MEASURE_SHADOW_ALONG_DEPTH UINT64_C(0x04) /* AGAA 3.5.3: shadow taps along the view ray by the variance of
+                                                          depth, within the depths of the samples */
+#define AGAA_MEASURE_NO_STENCIL UINT64_C(0x08) /* no stencil test. At equal depth, the result depends on the order of
+                                                  fragments and is not repeatable */
+#define AGAA_MEASURE_FIRST_SAMPLE_ROUTING UINT64_C(0x10) /* AGAA algorithm 2, step 2 (c): a fragment goes to the aggregate of
+                                                            its first sample. 4 bytes per pixel more */
+
+/* Settings for measurements and for comparison with the papers. Chain it to AgaaConfig; hosts do not need it to render. */
+typedef struct AgaaMeasurement {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t shadingCost; /* lighting is evaluated this many times, [1, 64] */
+    uint32_t debugView;   /* AgaaDebugView */
+    uint32_t seeds;       /* AgaaSeeds of "agaa" */
+    uint32_t reserved;    /* 0 */
+    uint64_t flags;       /* AGAA_MEASURE_… */
+} AgaaMeasurement;
+#define AGAA_MEASUREMENT_INIT                                                                       \
+    {AGAA_STRUCTURE_TYPE_MEASUREMENT, (uint32_t)sizeof(AgaaMeasurement), NULL, 1, AGAA_DEBUG_VIEW_NONE,  \
+     AGAA_SEEDS_MAXIMIN, 0, 0}
+AGAA_API void AGAA_CALL agaaInitMeasurement(AgaaMeasurement* outMeasurement, size_t structSize);
+
+/* Applies named settings of "agaa", which were chosen by measurement (docs/choosing.md).
+ *
+ * name          "paper", "fast", "balanced" or "accurate"; agaaGetNames lists them. "paper" follows the paper, with two
+ *               exceptions: each sample goes to its own aggregate (AGAA_MEASURE_FIRST_SAMPLE_ROUTING), and k keeps
+ *               its value (10 cm in the paper).
+ * config        Receives technique, aggregates, surface…, shadowTaps, ndf, and the flags SPLIT_SURFACES and FINE_MATERIALS.
+ *               All other members keep their values.
+ * aggregation   Receives aggregateThreshold, litShadows (the first shadow) and glossWeight. All other members keep their
+ *               values. Chain it to config.
+ * measurement   Receives seeds and the flags of filters and routing. All other members keep their values. Chain it to
+ *               config. It may be null for all presets except "paper".
+ *
+ * "balanced" and "accurate" need materials before samples are grouped: without an AgaaFetchFunction, the tier AUTO
+ * selects GBUFFER.
+ *
+ * Errors        AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, or no preset has this name
+ *               AGAA_ERROR_STRUCT             a struct is not initialised
+ *               AGAA_ERROR_UNKNOWN_STRUCT     a chain holds an unknown struct, a struct twice, or does not end
+ *               On failure all structs keep their values.
+ * Threads       Any. */
+AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* config, AgaaAggregation* aggregation,
+                                              AgaaMeasurement* measurement);
+
+/* ---- scene facts and views ------------------------------------------------------------------ */
+
+/* Effects that the scene calls for, bits of AgaaSceneFacts::flags. The plan drops all others. */
+#define AGAA_FACT_SPECULAR UINT64_C(0x01)
+#define AGAA_FACT_EMISSIVE UINT64_C(0x02)
+#define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04)
+#define AGAA_FACT_AMBIENT UINT64_C(0x08)
+/* Materials write depth or discard on their own, so that no second pass can draw them again at equal depth. "agaa" and
+ * "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa" fails with AGAA_ERROR_UNSUPPORTED. */
+#define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10)
+#define AGAA_FACT_ALL_SHADED (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED | AGAA_FACT_AMBIENT)
+
+#define AGAA_MAX_SHADOW_MAPS 4
+#define AGAA_MAX_SHADOW_LAYERS 6
+typedef struct AgaaSceneFacts {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;       /* null */
+    uint64_t flags;          /* AGAA_FACT_… */
+    uint32_t maxLights;      /* [0, 4096]. "msaa" with AGAA_GL_STORAGE_IMAGES takes 16 KiB of lights; more fail with
+                                AGAA_ERROR_UNSUPPORTED, and the log names the largest number */
+    uint32_t shadowMapCount; /* [0, AGAA_MAX_SHADOW_MAPS] */
+} AgaaSceneFacts;
+#define AGAA_SCENE_FACTS_INIT                                                                       \
+    {AGAA_STRUCTURE_TYPE_SCENE_FACTS, (uint32_t)sizeof(AgaaSceneFacts), NULL, AGAA_FACT_ALL_SHADED, 64, 1}
+AGAA_API void AGAA_CALL agaaInitSceneFacts(AgaaSceneFacts* outFacts, size_t structSize);
+
+/* Bits of AgaaViewDesc::flags. */
+#define AGAA_VIEW_REVERSED_Z UINT64_C(0x01) /* the near plane has depth 1, the far plane 0; needs a float depth format */
+#define AGAA_VIEW_COMPOSITE UINT64_C(0x02)  /* frames may composite over the contents of the output */
+/* OpenGL: the rasteriser maps z/w in [-1, 1] to depth, which is its default. Without the flag it maps z/w in [0, 1]. The
+ * near and far planes of AgaaFrame::projection lie at the ends of that range. */
+#define AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE UINT64_C(0x04)
+
+/* A view. An AgaaGBufferFunction or AgaaFetchFunction, and an AgaaShadowFunction, may be chained (agaa/functions.h). */
+typedef struct AgaaViewDesc {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t width;  /* pixels, >= 1 */
+    uint32_t height; /* pixels, >= 1 */
+    const AgaaConfig* config;
+    const AgaaSceneFacts* facts;
+    uint64_t flags; /* AGAA_VIEW_… */
+} AgaaViewDesc;
+#define AGAA_VIEW_DESC_INIT                                                                         \
+    {AGAA_STRUCTURE_TYPE_VIEW_DESC, (uint32_t)sizeof(AgaaViewDesc), NULL, 0, 0, NULL, NULL, 0}
+AGAA_API void AGAA_CALL agaaInitViewDesc(AgaaViewDesc* outDesc, size_t structSize);
+
+/* Changes the size of a view. The view keeps its handle; draw passes and surfaces must be read again
+ * (agaaGetDrawPasses, agaaGetSurface). Pipelines whose key is still listed may be kept: keys stay the same unless the tier
+ * AUTO selects another tier at the new size. Statistics of earlier frames are lost. During the call the surfaces of both sizes
+ * exist.
+ *
+ * view            The device must have finished every frame that was recorded with the view.
+ * width, height   pixels, >= 1.
+ *
+ * Errors          Those of agaaVkCreateView or agaaGlCreateView, and
+ *                 AGAA_ERROR_INVALID_ARGUMENT   the view is null
+ *                 AGAA_ERROR_OUT_OF_RANGE       a size is 0
+ *                 On failure the view keeps its size, its surfaces and their contents.
+ * Threads         One call at a time per context.
+ * OpenGL          The context must be current. All state is restored before the call returns. The log reports errors of
+ *                 earlier calls that were pending. */
+AGAA_API AgaaResult AGAA_CALL agaaResizeView(AgaaView view, uint32_t width, uint32_t height);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* AGAA_CONFIG_H */

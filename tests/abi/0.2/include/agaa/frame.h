@@ -1,0 +1,235 @@
+/* Draw passes and frames. Part of agaa_sdk.h.
+ * SPDX-License-Identifier: MIT */
+#ifndef AGAA_FRAME_H
+#define AGAA_FRAME_H
+
+#include "agaa/config.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- host draw passes ----------------------------------------------------------------------- */
+
+typedef enum AgaaDrawPassId {
+    AGAA_DRAW_PASS_VISIBILITY = 1, /* depth, and geometric normals or, with the tier IDS, ids */
+    AGAA_DRAW_PASS_AGGREGATE = 2,  /* materials, added to aggregates or kept as surfaces; no colour output */
+    AGAA_DRAW_PASS_GBUFFER = 3,    /* materials into a multisampled G-buffer */
+    AGAA_DRAW_PASS_FORWARD = 4,    /* materials, shaded in the fragment shader, into a multisampled colour target */
+    AGAA_DRAW_PASS_MAX_ENUM = 0x7FFFFFFF
+} AgaaDrawPassId;
+
+typedef enum AgaaStage {
+    AGAA_STAGE_PREPASS = 0,
+    AGAA_STAGE_DEFINITION = 1,
+    AGAA_STAGE_GENERATION = 2,
+    AGAA_STAGE_SHADING = 3,
+    AGAA_STAGE_OTHER = 4,
+    AGAA_STAGE_MAX_ENUM = 0x7FFFFFFF
+} AgaaStage;
+
+typedef enum AgaaCompare {
+    AGAA_COMPARE_LESS = 0,
+    AGAA_COMPARE_GREATER = 1,
+    AGAA_COMPARE_EQUAL = 2,
+    AGAA_COMPARE_ALWAYS = 3,
+    AGAA_COMPARE_MAX_ENUM = 0x7FFFFFFF
+} AgaaCompare;
+
+/* Fixed-function state that the host's pipelines must have in a draw pass. The depth test is on, the viewport's depth
+ * range is [0, 1], and the viewport and the scissor are the whole target. The host chooses the cull mode, which must be
+ * the same in all draw passes of a frame. All other state that changes fragments must be off: blending except keepFirst,
+ * dithering, logic operations, alpha-to-coverage, sample masks, depth bias, depth clamping and sRGB conversion. */
+typedef struct AgaaDrawState {
+    uint32_t depthCompare;      /* AgaaCompare */
+    uint32_t depthWrite;        /* 1: write depth */
+    uint32_t stencilTest;       /* 1: pass if the stencil equals 0 (mask 0xFF), then increment and clamp */
+    uint32_t stencilTestMasked; /* the same for alpha-masked materials */
+    uint32_t colorAttachmentCount;
+    uint32_t colorWriteMask; /* the bits 1, 2, 4, 8 for red, green, blue, alpha; the same for all attachments */
+    uint32_t samples;        /* of the target */
+    uint32_t sampleShading;  /* 1: one invocation per sample (minSampleShading 1) */
+    uint32_t keepFirst;      /* 1: blend colour and alpha of all attachments with the source factor ONE_MINUS_DST_ALPHA,
+                                the destination factor ONE and the operation ADD; a sample keeps its first fragment */
+    uint32_t conservative;   /* 1: overestimating conservative rasterisation, which gives a fragment to each pixel that a
+                                triangle touches (VK_EXT_conservative_rasterization, GL_NV_conservative_raster) */
+    uint32_t reserved[6];    /* 0 */
+} AgaaDrawState;
+
+/* A draw pass of a view, known before anything is recorded. Chain an AgaaVkDrawPass or an AgaaGlDrawPass to receive
+ * what pipelines or framebuffers need.
+ *
+ * A host fragment shader consists of a #version line (450 on Vulkan), glslExtensions, glslDeclarations and the host's own
+ * code, which fills an AgaaSurfaceInput and calls agaa_emit() once. The host compiles the same code for each pass. For
+ * alpha-masked materials, `#define AGAA_ALPHA_MASKED 1` stands before glslDeclarations. docs/shader-interface.md
+ * describes the functions. */
+typedef struct AgaaDrawPass {
+    uint32_t sType;
+    uint32_t structSize;
+    void* pNext;
+    uint32_t pass;           /* AgaaDrawPassId */
+    uint32_t stage;          /* AgaaStage */
+    const char* name;        /* owned by the view */
+    uint64_t pipelineKey;    /* differs between passes that need different shaders or pipelines */
+    uint32_t width, height;  /* texels of the target: pixels times the scale */
+    uint32_t scaleX, scaleY; /* texels per pixel */
+    AgaaDrawState state;
+    const char* glslExtensions;   /* owned by the view */
+    const char* glslDeclarations; /* owned by the view */
+    /* Null if the pass needs no geometry shader. Otherwise the host's geometry shader has this text between
+     * glslExtensions and its own code, which calls the functions that the text names. Owned by the view. */
+    const char* glslGeometry;
+} AgaaDrawPass;
+#define AGAA_DRAW_PASS_INIT                                                                         \
+    {AGAA_STRUCTURE_TYPE_DRAW_PASS, (uint32_t)sizeof(AgaaDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, 0,   \
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0, 0, 0}}, NULL, NULL, NULL}
+AGAA_API void AGAA_CALL agaaInitDrawPass(AgaaDrawPass* outPass, size_t structSize);
+
+/* Lists the draw passes of a view.
+ *
+ * count    With passes null, receives the number of draw passes. Otherwise the length of the array on entry, and the
+ *          number of draw passes on return.
+ * passes   Null, or an array whose elements are all initialised. Strings stay valid until the view is resized or
+ *          destroyed.
+ *
+ * Errors   AGAA_ERROR_INVALID_ARGUMENT   the view or count is null
+ *          AGAA_ERROR_STRUCT             an element, or a struct chained to it, is not initialised
+ *          AGAA_ERROR_UNKNOWN_STRUCT     a chained struct is not the graphics API's AgaaVkDrawPass or AgaaGlDrawPass
+ *          AGAA_ERROR_BUFFER_TOO_SMALL   the array is too short; *count is unchanged
+ * Threads  One call at a time per context. */
+AGAA_API AgaaResult AGAA_CALL agaaGetDrawPasses(AgaaView view, uint32_t* count, AgaaDrawPass* passes);
+
+/* The target of one call of the draw callback. The SDK fills it; structSize is that of the library. */
+typedef struct AgaaDrawTarget {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t pass;           /* AgaaDrawPassId */
+    uint32_t batch;          /* number of the batch, from 0, in a pass that is drawn several times */
+    uint32_t width, height;  /* viewport and scissor, from (0, 0), in texels */
+    uint32_t scaleX, scaleY; /* texels per pixel. Multiply screen-space derivatives by these */
+    AgaaDrawState state;
+    uint64_t pipelineKey;   /* as AgaaDrawPass::pipelineKey */
+    void* commandBuffer;    /* Vulkan: VkCommandBuffer, inside rendering. OpenGL: null */
+    uint64_t descriptorSet; /* Vulkan: VkDescriptorSet, to be bound at AgaaVkDeviceDesc::descriptorSet. OpenGL: 0 */
+    uint32_t framebuffer;   /* OpenGL: the framebuffer that the callback binds. Vulkan: 0 */
+    uint32_t constantCount; /* vectors of four floats in constants */
+    /* OpenGL with AGAA_GL_CONSTANTS_UNIFORMS: the values of `uniform vec4 agaa_constants[]`. Otherwise null. Valid during the
+     * callback only. */
+    const float* constants;
+} AgaaDrawTarget;
+
+/* Draws the opaque and alpha-masked geometry of the scene, or with AGAA_FETCH_NOT_ALL_DRAWS the part that the pass names.
+ * The target is cleared, or holds the depth of an earlier pass.
+ *
+ * user      AgaaFrame::drawUser.
+ * target    Valid during the callback only.
+ *
+ * Returns   AGAA_OK, or any other value to abandon the frame.
+ * Vulkan    The SDK begins and ends rendering. Nothing is bound; viewport and scissor are not set. The callback records its
+ *           commands inline and executes no command buffers of its own.
+ * OpenGL    The host's state is as it was on entry to agaaGlRecordFrame, except for the bindings named in
+ *           AgaaGlDeviceDesc. The callback binds the framebuffer and sets the viewport and AgaaDrawState.
+ * Threads   The thread that records. The callback must not call the SDK and must not throw; an exception that the SDK can
+ *           catch counts as AGAA_ERROR_CALLBACK. */
+typedef AgaaResult(AGAA_CALL* AgaaDrawCallback)(void* user, const AgaaDrawTarget* target);
+
+/* ---- lights and shadows --------------------------------------------------------------------- */
+
+typedef enum AgaaLightType {
+    AGAA_LIGHT_DIRECTIONAL = 0,
+    AGAA_LIGHT_POINT = 1,
+    AGAA_LIGHT_SPOT = 2,
+    AGAA_LIGHT_MAX_ENUM = 0x7FFFFFFF
+} AgaaLightType;
+
+#define AGAA_NO_SHADOW 0xFFFFFFFFu
+
+typedef struct AgaaLight {
+    uint32_t type;      /* AgaaLightType */
+    uint32_t shadowMap; /* index into AgaaFrame::shadows, or AGAA_NO_SHADOW */
+    float position[3];  /* in shading space, [-1e18, 1e18] */
+    float direction[3]; /* unit vector in shading space, the way the light travels; finite for a point light */
+    float color[3];     /* irradiance (directional) or intensity (point, spot), [0, 1e30] */
+    float range;        /* (0, 1e18], or 0: infinite */
+    float cosInner;     /* spot: cosines of the half angles, [-1, 1]; cosInner >= cosOuter */
+    float cosOuter;
+    float radius;       /* of the lamp, [0, 1e15]: the inverse-square law stops here */
+    float reserved;     /* 0 */
+} AgaaLight;
+#define AGAA_LIGHT_INIT                                                                             \
+    {AGAA_LIGHT_DIRECTIONAL, AGAA_NO_SHADOW, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, 0.0f,   \
+     1.0f, 0.0f, 0.0f, 0.0f}
+AGAA_API void AGAA_CALL agaaInitLight(AgaaLight* outLight, size_t structSize);
+
+/* A shadow map: a 2D array of depth layers with a matrix each. A point uses the first layer whose clip volume contains
+ * it: one layer is a plain map, several layers in order of detail are cascades, six layers are the faces of a cube.
+ * Points outside all layers are lit. A point is lit if its depth - depthBias <= the stored depth. */
+typedef struct AgaaShadow {
+    uint32_t layerCount; /* [1, AGAA_MAX_SHADOW_LAYERS], or 0 if an AgaaShadowFunction answers; then the rest is ignored */
+    float depthBias;     /* in units of the map's depth, [0, 1] */
+    float matrices[AGAA_MAX_SHADOW_LAYERS][16]; /* from shading space to the layer's clip space, z in [0, w] */
+} AgaaShadow;
+#define AGAA_SHADOW_INIT                                                                            \
+    {1, 0.0f, {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, {0}, {0}, {0}, {0}}}
+AGAA_API void AGAA_CALL agaaInitShadow(AgaaShadow* outShadow, size_t structSize);
+
+/* ---- frame ---------------------------------------------------------------------------------- */
+
+/* Segments of a frame. A host may record them in separate calls and use the surfaces between the calls. A technique or a
+ * tier may leave a segment empty.
+ *
+ * The camera of a frame is that of its first segment. Lights, shadows, ambient light and background are read with
+ * AGAA_SEGMENT_SHADING. The device may still run earlier segments while a later one is recorded. If the command buffer of a
+ * frame is discarded, the frame counts as completed, and its statistics are undefined: read those of a later frame. */
+#define AGAA_SEGMENT_PREPASS UINT64_C(0x1)    /* the first geometry pass, into depth or a G-buffer; with
+                                                 AGAA_FETCH_NOT_ALL_DRAWS also the second */
+#define AGAA_SEGMENT_GENERATION UINT64_C(0x2) /* the passes that leave aggregates or surfaces in memory */
+#define AGAA_SEGMENT_SHADING UINT64_C(0x4)    /* all passes that write the output, and the draw pass FORWARD */
+#define AGAA_SEGMENT_ALL UINT64_C(0x7)
+
+typedef struct AgaaFrame {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;       /* null */
+    uint64_t frameIndex;     /* increases by at least 1 per frame, from 1 */
+    uint64_t completedFrame; /* the newest frame that the device is known to have finished, < frameIndex; 0: none */
+    uint64_t segments;       /* AGAA_SEGMENT_…, in order, each once per frame */
+    float view[16];          /* from shading to view space: a rotation without reflection or translation. Left-handed hosts:
+                                docs/integration/coordinate-systems.md */
+    /* From view space to clip space as the rasteriser uses it, with sub-pixel jitter and the y flip of a negative
+     * viewport height. Perspective (element 11 is -1, element 15 is 0) or orthographic (0 and 1).
+     * Samples whose depth rounds to that of the far plane (1, or 0 with AGAA_VIEW_REVERSED_Z) show the background. With
+     * AGAA_VIEW_REVERSED_Z and a float depth, draw nothing at depth 0 exactly, such as a sky: techniques with two geometry
+     * passes would count it as drawn twice. "msaa" may also show the background at the fixed-point depth next to that
+     * of the far plane. */
+    float projection[16];
+    uint32_t lightCount;  /* [0, AgaaSceneFacts::maxLights] */
+    uint32_t shadowCount; /* [0, AgaaSceneFacts::shadowMapCount] */
+    uint32_t lightSize;   /* sizeof(AgaaLight): the distance between elements of lights */
+    uint32_t shadowSize;  /* sizeof(AgaaShadow): the distance between elements of shadows */
+    const AgaaLight* lights;
+    const AgaaShadow* shadows;
+    float ambient[3]; /* radiance from all directions, [0, 65504] */
+    /* The colour of pixels without geometry, [0, 65504]. The fourth element is in (0, 65504], or 0 to keep the contents of
+     * the output; this needs AGAA_VIEW_COMPOSITE and, on Vulkan, an outputLayoutIn that preserves them. The output receives
+     * linear colours up to 65504 and alpha 1. */
+    float background[4];
+    /* Selects the random numbers by which translucent surfaces cover samples (AgaaSurfaceInput::alphaCutoff is 0). It must
+     * be the same in all segments of a frame. With 0 in every frame the pattern stands still; with a different number per
+     * frame, images that are accumulated over frames converge. Cut-outs do not depend on it. */
+    uint32_t ditherFrame;
+    AgaaDrawCallback draw; /* null only if the host draws the G-buffer (AgaaGBufferFunction) */
+    void* drawUser;
+} AgaaFrame;
+#define AGAA_FRAME_INIT                                                                             \
+    {AGAA_STRUCTURE_TYPE_FRAME, (uint32_t)sizeof(AgaaFrame), NULL, 0, 0, AGAA_SEGMENT_ALL,           \
+     {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, 0, 0, (uint32_t)sizeof(AgaaLight),       \
+     (uint32_t)sizeof(AgaaShadow), NULL, NULL, {0, 0, 0}, {0, 0, 0, 1}, 0, NULL, NULL}
+/* Sets lightSize and shadowSize to 0: the host must set them. */
+AGAA_API void AGAA_CALL agaaInitFrame(AgaaFrame* outFrame, size_t structSize);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* AGAA_FRAME_H */

@@ -1,0 +1,145 @@
+/* Statistics of finished frames, and the validation of an integration. Part of agaa_sdk.h.
+ * SPDX-License-Identifier: MIT */
+#ifndef AGAA_STATISTICS_H
+#define AGAA_STATISTICS_H
+
+#include "agaa/base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- statistics ----------------------------------------------------------------------------- */
+
+/* Exact counts of one frame. All are 0 without AGAA_CONFIG_COUNTERS. */
+typedef struct AgaaCounters {
+    uint64_t visible;       /* samples with geometry after the prepass */
+    uint64_t once;          /* visible samples that were accumulated, by one aggregate or more */
+    uint64_t uncovered;     /* visible samples that were never accumulated */
+    uint64_t overlapping;   /* samples accumulated by a further aggregate, or where nothing is visible; for "msaa" only
+                               where nothing is visible */
+    uint64_t ties;          /* sample writes refused because an equal depth came first. The stencil test refuses them
+                               uncounted, so this counts alpha-masked materials, views with AGAA_MEASURE_NO_STENCIL, and
+                               depth formats without stencil. 0 for "msaa" */
+    uint64_t sanitised;     /* fragments with a non-finite attribute, and fetched materials, each time they are fetched */
+    uint64_t shadingEvents; /* lighting evaluations for a sample or an aggregate; for "msaa" per fragment, where each
+                               coplanar fragment of alpha-masked materials counts */
+    uint64_t shadowTaps;
+    uint64_t widenedLobes;  /* shading events whose specular lobe the NDF widened */
+    uint64_t shadedPixels;  /* pixels with at least one shading event */
+    uint64_t maxEventsPerPixel;
+    uint64_t aggregates;    /* sum over all pixels; surfaces for "sbaa" */
+    uint64_t primitives;    /* tier IDS: primitives that the samples of a pixel show, summed over all pixels; unfetched
+                               draws are not counted */
+    uint64_t materials;     /* tier IDS: material evaluations, one per primitive and pixel or, with
+                               AGAA_CONFIG_FINE_MATERIALS, per primitive and texel; two in pixels of one primitive whose
+                               shading normals belong to several surfaces */
+    uint64_t misplaced;     /* fragments of the first geometry pass that do not lie where the camera places them; slivers
+                               cause a few, because their positions extrapolate */
+    uint64_t unannounced;   /* tier IDS: fragments whose draw or primitive exceeds the limits of AgaaFetchFunction */
+    uint64_t reserved[16];  /* 0 */
+} AgaaCounters;
+
+#define AGAA_MAX_PASSES 32
+typedef struct AgaaPassTime {
+    char name[48];
+    uint32_t stage;   /* AgaaStage */
+    uint32_t isTimed; /* 0: the time is unknown */
+    double milliseconds;
+    uint64_t reserved[2]; /* 0 */
+} AgaaPassTime;
+
+/* The clock of the pass times. */
+typedef enum AgaaTimeSource {
+    AGAA_TIME_NONE = 0,       /* times were not requested, or are not available */
+    AGAA_TIME_DEVICE = 1,     /* timestamps of the device */
+    AGAA_TIME_CPU_FINISH = 2, /* CPU time around glFinish, because the driver's timer queries are wrong */
+    AGAA_TIME_MAX_ENUM = 0x7FFFFFFF
+} AgaaTimeSource;
+
+typedef struct AgaaFrameStatistics {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;     /* null */
+    uint64_t frameIndex;   /* the frame that was measured */
+    uint64_t payloadBytes; /* of the per-pixel surfaces, as created */
+    uint64_t driverBytes;  /* that the driver requires for all surfaces; 0 on OpenGL, which does not report it */
+    uint64_t peakBytes;    /* allocated for per-pixel surfaces, with shared memory */
+    uint32_t geometryPasses;
+    uint32_t timeSource; /* AgaaTimeSource */
+    AgaaCounters counters;
+    uint32_t passCount;
+    uint32_t reserved;
+    AgaaPassTime passes[AGAA_MAX_PASSES]; /* the first passCount */
+} AgaaFrameStatistics;
+#define AGAA_FRAME_STATISTICS_INIT                                                                  \
+    {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0, 0, 0, 0, 0, 0, \
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}}, 0, 0, {{{0}, 0, 0, 0.0, {0, 0}}}}
+AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatistics, size_t structSize);
+
+/* Reads the statistics of the newest completely recorded frame that is not after completedFrame.
+ *
+ * completedFrame   The newest frame that the device is known to have finished.
+ * outStatistics    Initialised; unchanged on failure.
+ *
+ * Returns          AGAA_NOT_READY if there is no such frame; then only the bytes and geometryPasses are written.
+ * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
+ *                  AGAA_ERROR_STRUCT             outStatistics is not initialised
+ * Threads          One call at a time per context.
+ * OpenGL           The context must be current. */
+AGAA_API AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
+                                                     AgaaFrameStatistics* outStatistics);
+
+/* ---- validation ----------------------------------------------------------------------------- */
+
+typedef struct AgaaInvalidPixel {
+    uint32_t x, y; /* pixel */
+    /* Masks: sample i is bit i % 32 of word i / 32. */
+    uint32_t visible[4];     /* samples that show geometry after the prepass */
+    uint32_t uncovered[4];   /* of these, never accumulated */
+    uint32_t overlapping[4]; /* accumulated by two aggregates, or where nothing is visible */
+    uint32_t reserved[2];    /* 0 */
+} AgaaInvalidPixel;
+
+#define AGAA_MAX_INVALID_PIXELS 8
+/* Whether the geometry passes of a frame agree with each other and with the camera: the material pass must accumulate each
+ * sample that the prepass shows exactly once, fragments must lie where AgaaFrame places AgaaSurfaceInput::position, and
+ * their draws and primitives must be within the limits of AgaaFetchFunction. */
+typedef struct AgaaFrameValidation {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext; /* null */
+    uint64_t frameIndex;
+    uint64_t visible, once, uncovered, overlapping, ties; /* samples, as in AgaaCounters */
+    uint64_t misplaced;     /* fragments, as in AgaaCounters */
+    uint64_t unannounced;   /* fragments, as in AgaaCounters */
+    uint64_t invalidPixels; /* pixels with uncovered or overlapping samples */
+    uint32_t isValid;       /* 1: something is visible, nothing is uncovered, overlapping or unannounced, and misplaced is at
+                               most a hundredth of visible */
+    uint32_t pixelCount;
+    AgaaInvalidPixel pixels[AGAA_MAX_INVALID_PIXELS]; /* the first pixelCount that were found */
+    char explanation[512];  /* what was found, and its usual cause */
+} AgaaFrameValidation;
+#define AGAA_FRAME_VALIDATION_INIT                                                                  \
+    {AGAA_STRUCTURE_TYPE_FRAME_VALIDATION, (uint32_t)sizeof(AgaaFrameValidation), NULL, 0, 0, 0, 0, 0, 0, \
+     0, 0, 0, 0, 0, {{0, 0, {0}, {0}, {0}, {0}}}, {0}}
+AGAA_API void AGAA_CALL agaaInitFrameValidation(AgaaFrameValidation* outValidation, size_t structSize);
+
+/* Validates the frame that agaaGetFrameStatistics would report.
+ *
+ * completedFrame   The newest frame that the device is known to have finished.
+ * outValidation    Initialised; unchanged on failure.
+ *
+ * Returns          AGAA_NOT_READY if there is no such frame; outValidation is unchanged.
+ * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
+ *                  AGAA_ERROR_STRUCT             outValidation is not initialised
+ *                  AGAA_ERROR_WRONG_ORDER        the view has no AGAA_CONFIG_COUNTERS
+ * Threads          One call at a time per context.
+ * OpenGL           The context must be current. */
+AGAA_API AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,
+                                                AgaaFrameValidation* outValidation);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* AGAA_STATISTICS_H */

@@ -1,0 +1,257 @@
+/* AGAA SDK on OpenGL. Includes no OpenGL header: object names, formats and enumerations are uint32_t with OpenGL's values.
+ * SPDX-License-Identifier: MIT
+ *
+ * OpenGL   Every function except agaaGlGetRequirements needs a current context: for a given AgaaContext or AgaaView, the one
+ *          in which it was created.
+ */
+#ifndef AGAA_GL_H
+#define AGAA_GL_H
+
+#include "agaa_sdk.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef void (*AgaaGlFunction)(void);
+/* eglGetProcAddress or glXGetProcAddress, with the host's pointer before the name. It must also return functions of OpenGL
+ * 1.x, which wglGetProcAddress does not. The SDK calls it in agaaGlGetDeviceCaps and agaaGlCreateContext only. */
+typedef AgaaGlFunction(AGAA_CALL* AgaaGlGetProcAddr)(void* user, const char* name);
+
+/* ---- before a context exists ------------------------------------------------------------------ */
+
+/* What an OpenGL context must have, and what improves the SDK. Names have static storage. */
+typedef struct AgaaGlRequirements {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;     /* null */
+    uint32_t majorVersion; /* 4.3, core or compatibility profile, with the required extensions */
+    uint32_t minorVersion;
+    uint32_t completeMajorVersion; /* 4.5, which needs none of the required extensions */
+    uint32_t completeMinorVersion;
+    uint32_t requiredExtensionCount;
+    uint32_t optionalExtensionCount;
+    const char* const* requiredExtensions;
+    const char* const* optionalExtensions;
+} AgaaGlRequirements;
+#define AGAA_GL_REQUIREMENTS_INIT                                                                   \
+    {AGAA_STRUCTURE_TYPE_GL_REQUIREMENTS, (uint32_t)sizeof(AgaaGlRequirements), NULL, 0, 0, 0, 0, 0, 0, NULL, NULL}
+AGAA_API void AGAA_CALL agaaInitGlRequirements(AgaaGlRequirements* outRequirements, size_t structSize);
+
+/* Lists what a context needs.
+ *
+ * outRequirements   Initialised; unchanged on failure.
+ *
+ * Errors            AGAA_ERROR_INVALID_ARGUMENT   outRequirements is null
+ *                   AGAA_ERROR_STRUCT             outRequirements is not initialised
+ * Threads           Any. No context needs to be current. */
+AGAA_API AgaaResult AGAA_CALL agaaGlGetRequirements(AgaaGlRequirements* outRequirements);
+
+/* Gets the capabilities of the current context, for the queries of agaa_sdk.h. With AGAA_GL_STORAGE_IMAGES the limits differ:
+ * use agaaGlGetContextCaps.
+ *
+ * log       May be null.
+ * outCaps   Initialised; unchanged on failure.
+ *
+ * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
+ *           AGAA_ERROR_STRUCT             outCaps is not initialised
+ *           AGAA_ERROR_UNSUPPORTED        no context is current, or it is too old
+ * Threads   The thread in which the context is current. */
+AGAA_API AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* getProcUser, const AgaaLog* log,
+                                                  AgaaDeviceCaps* outCaps);
+
+/* ---- context ----------------------------------------------------------------------------------- */
+
+/* How the SDK treats the host's state. docs/state.md lists the states that RESTORE keeps. */
+typedef enum AgaaGlStatePolicy {
+    /* The SDK reads every state of the list on entry, and sets it again before each draw callback and before it returns, even
+     * if a callback or the frame fails. A program that the host deleted while it is in use is lost, because OpenGL deletes it
+     * when another one is used. */
+    AGAA_GL_STATE_RESTORE = 0,
+    /* The SDK calls pushState on entry and after each draw callback, and popState before each draw callback and before it
+     * returns: for hosts that save state more cheaply than with glGet. If the last popState fails, the frame fails with
+     * AGAA_ERROR_CALLBACK although its output is written. */
+    AGAA_GL_STATE_CALLBACKS = 1,
+    /* The SDK saves nothing. The host sets the state that it needs. */
+    AGAA_GL_STATE_NONE = 2,
+    AGAA_GL_STATE_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlStatePolicy;
+
+/* How the host's fragment shaders access the buffers that they write. */
+typedef enum AgaaGlStorage {
+    AGAA_GL_STORAGE_BUFFERS = 0, /* shader storage blocks */
+    AGAA_GL_STORAGE_IMAGES = 1,  /* buffer images, for engines that do not support storage blocks */
+    AGAA_GL_STORAGE_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlStorage;
+
+/* How the host's fragment shaders receive the constants of the frame. With UNIFORMS and TEXELS and AGAA_GL_STORAGE_IMAGES no
+ * block is declared. "msaa" needs BLOCK (AGAA_ERROR_UNSUPPORTED). */
+typedef enum AgaaGlConstants {
+    AGAA_GL_CONSTANTS_BLOCK = 0,    /* a uniform block at AGAA_GL_BINDING_FRAME */
+    AGAA_GL_CONSTANTS_UNIFORMS = 1, /* `uniform vec4 agaa_constants[]`. Each draw callback sets the uniform of its programs to
+                                       AgaaDrawTarget::constants, for example with glUniform4fv */
+    AGAA_GL_CONSTANTS_TEXELS = 2,   /* a buffer texture at AGAA_GL_BINDING_FRAME, which then is a texture unit: set it to one
+                                       that no other binding has */
+    AGAA_GL_CONSTANTS_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlConstants;
+
+/* Who declares the outputs of the fragment shader. */
+typedef enum AgaaGlOutputs {
+    AGAA_GL_OUTPUTS_SDK = 0,  /* agaa_out0 … are outputs at locations 0 … */
+    AGAA_GL_OUTPUTS_HOST = 1, /* agaa_out0 … are variables that the host copies to its outputs after agaa_emit() */
+    AGAA_GL_OUTPUTS_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlOutputs;
+
+/* The SDK's resources in the host's fragment shaders, and the kind of binding point of each. */
+typedef enum AgaaGlBinding {
+    AGAA_GL_BINDING_FRAME = 0,      /* uniform buffer, or as AgaaGlConstants says */
+    AGAA_GL_BINDING_METADATA = 1,   /* texture unit */
+    AGAA_GL_BINDING_AGGREGATES = 2, /* shader storage buffer; image unit with AGAA_GL_STORAGE_IMAGES */
+    AGAA_GL_BINDING_COUNTERS = 3,   /* as AGAA_GL_BINDING_AGGREGATES */
+    AGAA_GL_BINDING_LIGHTS = 4,     /* shader storage buffer; uniform buffer with AGAA_GL_STORAGE_IMAGES */
+    AGAA_GL_BINDING_SHADOW0 = 5,    /* texture units of the shadow maps. In AGAA_DRAW_PASS_AGGREGATE of views without
+                                       AGAA_VIEW_REVERSED_Z, SHADOW0 holds the normals of the prepass */
+    AGAA_GL_BINDING_SHADOW1 = 6,
+    AGAA_GL_BINDING_SHADOW2 = 7,
+    AGAA_GL_BINDING_SHADOW3 = 8,
+    AGAA_GL_BINDING_FRAGMENTS = 9, /* as AGAA_GL_BINDING_AGGREGATES */
+    AGAA_GL_BINDING_COUNT = 10,
+    AGAA_GL_BINDING_MAX_ENUM = 0x7FFFFFFF
+} AgaaGlBinding;
+#define AGAA_GL_MAX_BINDINGS 17
+
+/* Saves or restores the host's state. It must not throw and must not call the SDK. If it returns anything but AGAA_OK, the
+ * frame fails with AGAA_ERROR_CALLBACK. */
+typedef AgaaResult(AGAA_CALL* AgaaGlStateCallback)(void* user);
+
+/* The host's OpenGL context. Chain it to AgaaContextDesc. */
+typedef struct AgaaGlDeviceDesc {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    AgaaGlGetProcAddr getProcAddr;
+    void* getProcUser;
+    uint32_t glslVersion; /* of the host's fragment shaders, as in their #version line: 330, 400, 410, … 460 */
+    uint32_t storage;     /* AgaaGlStorage */
+    uint32_t outputs;     /* AgaaGlOutputs */
+    uint32_t statePolicy; /* AgaaGlStatePolicy */
+    AgaaGlStateCallback pushState; /* both are needed with AGAA_GL_STATE_CALLBACKS; otherwise they are not called */
+    AgaaGlStateCallback popState;
+    void* stateUser;
+    /* Binding points during draw callbacks, by AgaaGlBinding. Binding points of one kind must differ. Elements from
+     * AGAA_GL_BINDING_COUNT on must be 0. After the callback the SDK restores the host's bindings, except with
+     * AGAA_GL_STATE_NONE. */
+    uint32_t bindings[AGAA_GL_MAX_BINDINGS];
+    uint32_t constants; /* AgaaGlConstants */
+} AgaaGlDeviceDesc;
+#define AGAA_GL_DEVICE_DESC_INIT                                                                    \
+    {AGAA_STRUCTURE_TYPE_GL_DEVICE_DESC, (uint32_t)sizeof(AgaaGlDeviceDesc), NULL, NULL, NULL, 450,    \
+     AGAA_GL_STORAGE_BUFFERS, AGAA_GL_OUTPUTS_SDK, AGAA_GL_STATE_RESTORE, NULL, NULL, NULL,            \
+     {0, 0, 0, 1, 2, 1, 2, 3, 4, 3, 0, 0, 0, 0, 0, 0, 0}, AGAA_GL_CONSTANTS_BLOCK}
+AGAA_API void AGAA_CALL agaaInitGlDeviceDesc(AgaaGlDeviceDesc* outDesc, size_t structSize);
+
+/* Creates a context in the current OpenGL context. The SDK tests the driver's timer queries, which takes some milliseconds.
+ *
+ * headerVersion   AGAA_HEADER_VERSION.
+ * desc            With an AgaaGlDeviceDesc chained.
+ * outContext      Receives the context; unchanged on failure. Destroy it with agaaDestroyContext.
+ *
+ * Errors          AGAA_ERROR_VERSION            header and library have different major or minor versions
+ *                 AGAA_ERROR_INVALID_ARGUMENT   no device is chained, getProcAddr or a needed callback is null, only one of
+ *                                               two callbacks is set, or two bindings of one kind are equal
+ *                 AGAA_ERROR_OUT_OF_RANGE       a member is out of its range or exceeds a limit of the context
+ *                 AGAA_ERROR_UNSUPPORTED        no OpenGL context is current, or it is too old
+ *                 AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
+ * Threads         The thread in which the OpenGL context is current.
+ * OpenGL          All state is restored before the call returns. The log reports errors of earlier calls that were pending.
+ *                 None of these may be active: transform feedback that is not paused, conditional rendering, a query of
+ *                 GL_TIME_ELAPSED, rectangles of GL_EXT_window_rectangles. */
+AGAA_API AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion, const AgaaContextDesc* desc,
+                                                  AgaaContext* outContext);
+
+/* Gets what the context can do, with the limits of AgaaGlDeviceDesc::storage.
+ *
+ * outCaps   Initialised; unchanged on failure.
+ *
+ * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, or the context is a Vulkan context
+ *           AGAA_ERROR_STRUCT             outCaps is not initialised
+ * Threads   The thread in which the OpenGL context is current. */
+AGAA_API AgaaResult AGAA_CALL agaaGlGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps);
+
+/* Creates a view: the surfaces and programs for one camera at one size.
+ *
+ * desc      Read during the call only, with all that it points to.
+ * outView   Receives the view; unchanged on failure. Destroy it with agaaDestroyView, before its context.
+ *
+ * Errors    Those of agaaVkCreateView, with OpenGL in place of Vulkan.
+ * Threads   The thread in which the OpenGL context is current.
+ * OpenGL    All state is restored before the call returns. The log reports errors of earlier calls that were pending. */
+AGAA_API AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* desc, AgaaView* outView);
+
+/* ---- draw passes and surfaces ----------------------------------------------------------------- */
+
+/* The target of a draw pass on OpenGL. Chain it to AgaaDrawPass. */
+typedef struct AgaaGlDrawPass {
+    uint32_t sType;
+    uint32_t structSize;
+    void* pNext;
+    uint32_t colorFormats[8];    /* internal formats, of the first AgaaDrawState::colorAttachmentCount */
+    uint32_t depthStencilFormat; /* internal format; 0 without a depth attachment */
+    uint32_t framebuffer;        /* the view's; complete */
+} AgaaGlDrawPass;
+#define AGAA_GL_DRAW_PASS_INIT                                                                      \
+    {AGAA_STRUCTURE_TYPE_GL_DRAW_PASS, (uint32_t)sizeof(AgaaGlDrawPass), NULL, {0, 0, 0, 0, 0, 0, 0, 0}, 0, 0}
+AGAA_API void AGAA_CALL agaaInitGlDrawPass(AgaaGlDrawPass* outPass, size_t structSize);
+
+/* The objects of a surface on OpenGL. Chain it to AgaaSurface in agaaGetSurface. */
+typedef struct AgaaGlSurface {
+    uint32_t sType;
+    uint32_t structSize;
+    void* pNext;
+    uint32_t texture; /* TEXTURE_2D, or TEXTURE_2D_MULTISAMPLE with more than one sample; or 0 */
+    uint32_t buffer;  /* or 0 */
+    uint32_t format;  /* internal format; 0 for buffers */
+    uint32_t reserved;
+} AgaaGlSurface;
+#define AGAA_GL_SURFACE_INIT {AGAA_STRUCTURE_TYPE_GL_SURFACE, (uint32_t)sizeof(AgaaGlSurface), NULL, 0, 0, 0, 0}
+AGAA_API void AGAA_CALL agaaInitGlSurface(AgaaGlSurface* outSurface, size_t structSize);
+
+/* ---- frames ------------------------------------------------------------------------------------- */
+
+typedef struct AgaaGlFrame {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext; /* null */
+    /* The output: level 0 of a TEXTURE_2D with the size of the view, in a format that supports image stores; RGBA16F is
+     * recommended. The shading segment needs it. Row 0 is where the projection places y = -1. */
+    uint32_t outputTexture;
+    /* One TEXTURE_2D_ARRAY with depth per AgaaFrame::shadows that no AgaaShadowFunction answers for. Other elements are not
+     * read; a frame without shadows needs none. */
+    uint32_t shadowTextures[AGAA_MAX_SHADOW_MAPS];
+    uint32_t reserved; /* 0 */
+} AgaaGlFrame;
+#define AGAA_GL_FRAME_INIT {AGAA_STRUCTURE_TYPE_GL_FRAME, (uint32_t)sizeof(AgaaGlFrame), NULL, 0, {0, 0, 0, 0}, 0}
+AGAA_API void AGAA_CALL agaaInitGlFrame(AgaaGlFrame* outFrame, size_t structSize);
+
+/* Runs the segments of a frame in the current context.
+ *
+ * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer or a texture that the frame needs is null, or the view is a Vulkan view
+ *           AGAA_ERROR_STRUCT             a struct is not initialised
+ *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, or the camera differs from that of the first segment
+ *           AGAA_ERROR_WRONG_ORDER        framesInFlight frames are unfinished, the frame index does not increase, a segment
+ *                                         is missing or repeated, or transform feedback is active and not paused
+ *           AGAA_ERROR_UNSUPPORTED        the output's format does not support image stores
+ *           AGAA_ERROR_CALLBACK           a callback failed. The output is unchanged; earlier passes have run
+ *           AGAA_ERROR_OUT_OF_MEMORY, AGAA_ERROR_DEVICE   an OpenGL function failed
+ * Threads   The thread in which the OpenGL context is current.
+ * OpenGL    AgaaGlDeviceDesc::statePolicy governs the state. None of these may be active: conditional rendering, a query of
+ *           GL_TIME_ELAPSED, rectangles of GL_EXT_window_rectangles. The SDK does not look for other OpenGL errors: they
+ *           remain for the host's glGetError. Functions of the host (agaa/functions.h) find their resources as bound on entry
+ *           or, if the host draws, when the last draw callback returns. The SDK does not use texture units from 17 and other
+ *           binding points from 4, except for those named in AgaaGlDeviceDesc. */
+AGAA_API AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame, const AgaaGlFrame* glFrame);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* AGAA_GL_H */

@@ -1,0 +1,108 @@
+"""Runs the conformance suite as a user does, and counts the promises that it tests.
+
+AGAA_CONFORMANCE is the program, AGAA_LIBRARY the library."""
+import importlib.util
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ["AGAA_CONFORMANCE"]
+LIBRARY = os.environ["AGAA_LIBRARY"]
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def listed(*arguments):
+    """The tests and their backends."""
+    result = run("--list", *arguments)
+    assert result.returncode == 0, result.stderr
+    return dict(line.split("\t") for line in result.stdout.splitlines())
+
+
+def promises():
+    spec = importlib.util.spec_from_file_location("promises", ROOT / "tools" / "promises.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.promises(ROOT / "include")
+
+
+class Promises(unittest.TestCase):
+    def test_each_has_a_test(self):
+        tests = listed()
+        found = promises()
+        missing = [promise for promise in found if promise not in tests]
+        print(f"{len(found)} promises, {len(found) - len(missing)} with a test; {len(tests)} tests", file=sys.stderr)
+        self.assertGreater(len(found), 340, "the parser finds fewer promises than the headers had")
+        self.assertEqual(missing, [])
+
+    def test_no_test_has_lost_its_promise(self):
+        """Names of promises that the headers no longer have."""
+        known = set(promises())
+        variants = ("general/", "integration/", "conventions/")
+        lost = [name for name in listed()
+                if name not in known and not name.startswith(variants)
+                and not any(name.startswith(promise + "/") for promise in known)]
+        self.assertEqual(lost, [])
+
+
+class Backend(unittest.TestCase):
+    backend = None
+
+    def check(self, backend):
+        with tempfile.TemporaryDirectory() as folder:
+            json_path, junit_path = pathlib.Path(folder) / "r.json", pathlib.Path(folder) / "r.xml"
+            result = run(LIBRARY, "--backend", backend, "--json", str(json_path), "--junit", str(junit_path))
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            report = json.loads(json_path.read_text())
+            tests = listed("--backend", backend)
+            self.assertEqual(sorted(row["name"] for row in report["results"]), sorted(tests))
+            self.assertEqual(report["failed"], 0)
+            skipped = [f"{row['name']}: {row['reason']}" for row in report["results"] if row["status"] == "skipped"]
+            print("\n".join([f"{len(tests)} tests, {len(skipped)} skipped"] + skipped), file=sys.stderr)
+            suites = xml.etree.ElementTree.parse(junit_path).getroot()
+            self.assertEqual([int(suites[0].get(key)) for key in ("tests", "failures", "skipped")],
+                             [len(tests), 0, len(skipped)])
+
+    def test_core(self):
+        self.check("core")
+
+    def test_vk(self):
+        self.check("vk")
+
+    def test_gl(self):
+        self.check("gl")
+
+
+class Program(unittest.TestCase):
+    def test_filter(self):
+        self.assertEqual(set(listed("--filter", "agaaGetVersion/*")), {"agaaGetVersion/no_errors"})
+        result = run(LIBRARY, "--backend", "core", "--filter", "agaaGetVersion/*", "--verbose")
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn("1 tests: 1 passed, 0 failed, 0 skipped.", result.stdout)
+
+    def test_refusals(self):
+        for arguments, words in ((("/nonexistent/libagaa.so",), "/nonexistent/libagaa.so"),
+                                 ((LIBRARY, "--filter", "nothing"), "no test matches"),
+                                 ((LIBRARY, "--backend", "dx"), "dx"),
+                                 ((LIBRARY, "--json", "/nonexistent/r.json"), "/nonexistent/r.json"),
+                                 (("libm.so.6",), "lacks the function")):
+            result = run(*arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertIn(words, result.stderr)
+
+    def test_device_that_is_not_there(self):
+        result = run(LIBRARY, "--backend", "vk", "--device", "no such device", "--filter", "agaaVkCreateContext/*")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertIn("skipped, because", result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
