@@ -12,7 +12,8 @@ namespace agaa::conformance {
 namespace {
 
 struct Arguments {
-    std::string library = AGAA_CONFORMANCE_DEFAULT_LIBRARY;
+    std::string library = // by its soname
+        "libagaa.so." + std::to_string(AGAA_VERSION_MAJOR) + "." + std::to_string(AGAA_VERSION_MINOR);
     std::string filter, device, json, junit;
     std::vector<std::string> backends = {"core", "vk", "gl"};
     bool list = false, verbose = false;
