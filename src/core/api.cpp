@@ -14,7 +14,6 @@
 #include "core/tiers.h"
 #include "core/validate.h"
 
-#include <algorithm>
 #include <cstring>
 
 using namespace agaa;
@@ -26,6 +25,11 @@ AgaaDeviceCaps capsOrIdeal(const AgaaDeviceCaps* caps) {
         return idealDevice();
     const AgaaDeviceCaps known = readStruct(caps);
     checkReserved(known.reserved, "AgaaDeviceCaps::reserved");
+    checkFlags(known.flags,
+               AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS | AGAA_DEVICE_SAMPLE_RATE_SHADING |
+                   AGAA_DEVICE_DYNAMIC_RENDERING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_NV_MIXED_SAMPLES |
+                   AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8 | AGAA_DEVICE_NO_ALIASING | AGAA_DEVICE_SOFTWARE,
+               "AgaaDeviceCaps::flags");
     return known;
 }
 
@@ -111,9 +115,18 @@ AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceC
                                      const AgaaLog* log, AgaaMemoryReport* outReport,
                                      uint32_t* surfaceCount, AgaaSurface* surfaces) {
     return guarded(checkedLog(log), "agaaQueryMemory", [&]() -> AgaaResult {
+        require(surfaceCount || !surfaces, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
         const Plan plan = makePlan(resolveView(view), capsOrIdeal(caps), 2);
-        if (outReport)
+        AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
+        if (outReport) {
             checkOutput(outReport);
+            report.totalBytes = plan.totalBytes();
+            report.constantBytes = plan.constantBytes();
+            report.peakBytes = plan.peakBytes();
+            report.bytesPerPixel = plan.bytesPerPixel();
+            report.bytesPerAggregate = plan.bytesPerAggregate;
+        }
+        // Nothing fails after the first output is written.
         if (surfaceCount) {
             std::vector<AgaaSurface> list;
             for (ResourceId id = 0; id < plan.resources.size(); ++id)
@@ -121,15 +134,8 @@ AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceC
                     list.push_back(describeSurface(plan, id));
             writeStructs(list, surfaceCount, surfaces);
         }
-        if (outReport) {
-            AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
-            report.totalBytes = plan.totalBytes();
-            report.constantBytes = plan.constantBytes();
-            report.peakBytes = plan.peakBytes();
-            report.bytesPerPixel = plan.bytesPerPixel();
-            report.bytesPerAggregate = plan.bytesPerAggregate;
+        if (outReport)
             writeStruct(outReport, report);
-        }
         return AGAA_OK;
     });
 }
@@ -139,16 +145,10 @@ AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceC
     return guarded(checkedLog(log), "agaaQueryTarget", [&]() -> AgaaResult {
         const ViewSettings settings = resolveView(view);
         checkOutput(outTarget);
-        const AgaaDeviceCaps device = capsOrIdeal(caps);
-        const Plan plan = makePlan(settings, device, 2);
-        const uint64_t width = uint64_t(plan.width) * plan.scaleX, height = uint64_t(plan.height) * plan.scaleY;
-        if (std::max(width, height) > device.maxImageSize)
-            fail(AGAA_ERROR_TOO_LARGE, format("the target would be %llux%llu texels; the device allows %u.",
-                                              static_cast<unsigned long long>(width),
-                                              static_cast<unsigned long long>(height), device.maxImageSize));
+        const Plan plan = makePlan(settings, capsOrIdeal(caps), 2); // refuses targets beyond maxImageSize
         AgaaTarget target = AGAA_TARGET_INIT;
-        target.width = uint32_t(width);
-        target.height = uint32_t(height);
+        target.width = plan.width * plan.scaleX;
+        target.height = plan.height * plan.scaleY;
         target.samples = plan.hwSamples;
         target.scaleX = plan.scaleX;
         target.scaleY = plan.scaleY;
@@ -192,9 +192,10 @@ AgaaResult AGAA_CALL agaaGetSurface(AgaaView view, const char* name, AgaaSurface
         checkOutput(outSurface, {view->current->surfaceRow().sType});
         void* native = nativePart(outSurface, view->current->surfaceRow());
         const ResourceId id = view->current->plan.surface(name);
+        const AgaaSurface surface = describeSurface(view->current->plan, id);
         if (native)
             view->current->describeSurface(id, native);
-        writeStruct(outSurface, describeSurface(view->current->plan, id));
+        writeStruct(outSurface, surface);
         return AGAA_OK;
     });
 }

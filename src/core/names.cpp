@@ -30,6 +30,10 @@ bool isSameName(std::string_view a, std::string_view b) {
     return std::ranges::equal(a, b, {}, plain, plain);
 }
 
+bool isTier(uint32_t tier) {
+    return std::ranges::any_of(tiers, [&](const TierName& entry) { return entry.tier == tier; });
+}
+
 const char* tierName(uint32_t tier) {
     for (const TierName& entry : tiers)
         if (entry.tier == tier)

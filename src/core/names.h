@@ -11,6 +11,7 @@ namespace agaa {
 // Of names that hosts pass: '-' and '_' are equal.
 bool isSameName(std::string_view a, std::string_view b);
 
+bool isTier(uint32_t tier);
 const char* tierName(uint32_t tier);
 const char* stageName(uint32_t stage);
 std::vector<const char*> tierNames();

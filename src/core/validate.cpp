@@ -59,6 +59,8 @@ static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {
                               v[8] * (v[1] * v[6] - v[2] * v[5]);
     require(determinant > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::view has a reflection; hosts with left-handed axes negate z (AgaaFrame::view).");
+    require(v[3] == 0 && v[7] == 0 && v[11] == 0 && v[15] == 1, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaFrame::view has a last row other than 0, 0, 0, 1; matrices are column-major.");
     if (v[12] != 0 || v[13] != 0 || v[14] != 0)
         fail(AGAA_ERROR_OUT_OF_RANGE,
              "AgaaFrame::view has a translation; shading space has its origin at the eye.");

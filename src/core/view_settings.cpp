@@ -1,5 +1,6 @@
 #include "core/view_settings.h"
 
+#include "core/names.h"
 #include "core/structs.h"
 #include "core/technique.h"
 #include "core/validate.h"
@@ -34,6 +35,11 @@ static void readSettings(const AgaaConfig& config, ViewSettings& view) {
             settings->read(config, view);
 }
 
+static void checkTier(uint32_t tier, const char* name) {
+    if (!isTier(tier))
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("%s is %u, which is not an AgaaTier.", name, tier));
+}
+
 static AgaaConfig checkConfig(const AgaaConfig* pointer) {
     const AgaaConfig config = readStruct(pointer, configChain());
     require(config.technique, AGAA_ERROR_INVALID_ARGUMENT, "AgaaConfig::technique is null.");
@@ -43,6 +49,8 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer) {
     checkRange(uint64_t(config.aggregates), 1, 6, "AgaaConfig::aggregates");
     checkRange(uint64_t(config.brdf), 0, AGAA_BRDF_GGX, "AgaaConfig::brdf");
     checkRange(uint64_t(config.ndf), 0, AGAA_NDF_SGGX, "AgaaConfig::ndf");
+    checkTier(config.visibilityTier, "AgaaConfig::visibilityTier");
+    checkTier(config.generationTier, "AgaaConfig::generationTier");
     checkRange(uint64_t(config.shadowTaps), 0, 32, "AgaaConfig::shadowTaps");
     checkRange(double(config.surfaceCosine), 0.0, 1.0, "AgaaConfig::surfaceCosine");
     checkRange(double(config.surfaceDistance), 0.0, 1e6, "AgaaConfig::surfaceDistance");

@@ -57,10 +57,10 @@ void View::checkContextState() const {
 }
 
 GLenum View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const {
+    checkReserved(glFrame.reserved, "AgaaGlFrame::reserved");
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
         return GL_NONE;
     const GladGLContext& gl = context.gl;
-    checkReserved(glFrame.reserved, "AgaaGlFrame::reserved");
     require(plan.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
             "the frame composites over the output, but the view has no AGAA_VIEW_COMPOSITE.");
     const GLuint output = glFrame.outputTexture;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,11 @@ AgaaGBufferFunction gbufferFunction() {
     return function;
 }
 const AgaaGBufferFunction ownGBuffer = gbufferFunction();
+
+AgaaLayoutAttribute& emission(AgaaLayout& layout) {
+    return *std::find_if(layout.attributes, layout.attributes + layout.attributeCount,
+                         [](const AgaaLayoutAttribute& a) { return a.semantic == AGAA_SEMANTIC_EMISSIVE; });
+}
 
 const Row rows[] = {
     {"valid", AGAA_OK, [](Request&) {}},
@@ -170,6 +176,17 @@ const Row rows[] = {
      [](Request& r) { r.config.aggregation.characteristicLength = NAN; }},
     {"HardCase21 k = inf", AGAA_ERROR_OUT_OF_RANGE,
      [](Request& r) { r.config.aggregation.characteristicLength = INFINITY; }},
+    {"k the largest float", AGAA_OK,
+     [](Request& r) { r.config.aggregation.characteristicLength = std::numeric_limits<float>::max(); }},
+    {"cosine NaN", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.surfaceCosine = NAN; }},
+    {"distance NaN", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.surfaceDistance = NAN; }},
+    {"distance infinite", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.surfaceDistance = INFINITY; }},
+    {"distance 2e6", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.surfaceDistance = 2e6f; }},
+    {"material infinite", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.surfaceMaterial = INFINITY; }},
+    {"t infinite", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregation.aggregateThreshold = INFINITY; }},
+    {"gloss weight infinite", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.aggregation.glossWeight = INFINITY; }},
+    {"k per distance infinite", AGAA_ERROR_OUT_OF_RANGE,
+     [](Request& r) { r.config.aggregation.characteristicLengthPerDistance = INFINITY; }},
     {"k per distance NaN", AGAA_ERROR_OUT_OF_RANGE,
      [](Request& r) { r.config.aggregation.characteristicLengthPerDistance = NAN; }},
     {"HardCase21 k denormal", AGAA_OK,
@@ -186,7 +203,11 @@ const Row rows[] = {
     {"shading cost 0", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.measurement.shadingCost = 0; }},
     {"unknown flags", AGAA_ERROR_OUT_OF_RANGE,
      [](Request& r) { r.config.flags = UINT64_C(1) << 60; }},
-    {"unknown tier", AGAA_ERROR_UNSUPPORTED, [](Request& r) { r.config.visibilityTier = 99; }},
+    {"unknown visibility tier", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.visibilityTier = 99; }},
+    {"unknown generation tier", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.generationTier = 5; }},
+    {"unknown generation tier of a technique without one", AGAA_ERROR_OUT_OF_RANGE,
+     [](Request& r) { r.config.technique = "ssaa", r.config.generationTier = 99; }},
+    {"reserved tier", AGAA_ERROR_UNSUPPORTED, [](Request& r) { r.config.visibilityTier = AGAA_TIER_LAYERS; }},
     {"tier of another stage", AGAA_ERROR_UNSUPPORTED,
      [](Request& r) { r.config.generationTier = AGAA_TIER_SCALED_TARGET; }},
     {"HardCase55 0x0", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.view.width = r.view.height = 0; }},
@@ -216,6 +237,27 @@ const Row rows[] = {
              std::remove_if(r.layout.attributes, end,
                             [](const AgaaLayoutAttribute& a) { return a.semantic == AGAA_SEMANTIC_ROUGHNESS; }) -
              r.layout.attributes);
+     }},
+    {"layout of an infinite range", AGAA_ERROR_LAYOUT, [](Request& r) { emission(r.layout).range = INFINITY; }},
+    {"layout of a range NaN", AGAA_ERROR_LAYOUT, [](Request& r) { emission(r.layout).range = NAN; }},
+    {"layout with a reserved member", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.layout.reserved = 1; }},
+    {"layout of one attribute", AGAA_ERROR_LAYOUT, [](Request& r) { r.layout.attributeCount = 1; }},
+    {"layout of too many attributes", AGAA_ERROR_LAYOUT,
+     [](Request& r) { r.layout.attributeCount = AGAA_MAX_LAYOUT_ATTRIBUTES + 1; }},
+    {"layout of unknown encoding", AGAA_ERROR_LAYOUT, [](Request& r) { emission(r.layout).encoding = 9; }},
+    {"position of a sample NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](Request& r) { r.view.pNext = &ownGBuffer; }}, // of samples behind the first
+    {"two ways of materials", AGAA_ERROR_INVALID_ARGUMENT,
+     [](Request& r) {
+         static AgaaGBufferFunction gbuffer;
+         static AgaaFetchFunction fetch;
+         gbuffer = ownGBuffer;
+         fetch = AGAA_FETCH_FUNCTION_INIT;
+         fetch.glsl = "";
+         fetch.maxDraws = fetch.maxPrimitives = 1;
+         r.config.technique = "single";
+         gbuffer.pNext = &fetch;
+         r.view.pNext = &gbuffer;
      }},
     {"layout of wrong type", AGAA_ERROR_STRUCT, [](Request& r) { r.layout.sType = 0; }},
 };
@@ -261,6 +303,22 @@ TEST(WrongInput, NullPointersAndShortArrays) {
     EXPECT_EQ(agaaQueryMemory(&request.view, &caps, nullptr, &report, nullptr, nullptr), AGAA_OK);
     caps.reserved = 1; // of a later header
     EXPECT_EQ(agaaQueryMemory(&request.view, &caps, nullptr, &report, nullptr, nullptr), AGAA_ERROR_OUT_OF_RANGE);
+    caps.reserved = 0;
+    caps.flags = UINT64_C(1) << 40;
+    EXPECT_EQ(agaaQueryMemory(&request.view, &caps, nullptr, &report, nullptr, nullptr), AGAA_ERROR_OUT_OF_RANGE);
+    EXPECT_EQ(agaaQueryCapabilities(&caps, &count, nullptr), AGAA_ERROR_OUT_OF_RANGE);
+    AgaaSurface surface = AGAA_SURFACE_INIT;
+    EXPECT_EQ(agaaQueryMemory(&request.view, nullptr, nullptr, &report, nullptr, &surface), AGAA_ERROR_INVALID_ARGUMENT);
+    AgaaTarget target = AGAA_TARGET_INIT;
+    EXPECT_EQ(agaaQueryTarget(&request.view, nullptr, nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
+    request.view.width = 16384;
+    caps.flags = 0;
+    caps.maxImageSize = 16383;
+    EXPECT_EQ(agaaQueryTarget(&request.view, &caps, nullptr, &target), AGAA_ERROR_TOO_LARGE);
+    EXPECT_EQ(target.width, 0u);
+    caps.maxImageSize = 16384;
+    EXPECT_EQ(agaaQueryTarget(&request.view, &caps, nullptr, &target), AGAA_OK);
+    EXPECT_EQ(target.width, 16384u);
     AgaaContext context = nullptr;
     EXPECT_EQ(agaaVkCreateContext(AGAA_HEADER_VERSION, nullptr, &context),
               AGAA_ERROR_INVALID_ARGUMENT);

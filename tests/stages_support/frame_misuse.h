@@ -82,6 +82,35 @@ inline const FrameMisuse frameMisuses[] = {
     {"light position NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto& light, auto&) { light.position[2] = nan; }},
     {"light without direction", AGAA_ERROR_OUT_OF_RANGE,
      [](auto&, auto& light, auto&) { light.direction[2] = 0; }},
+    {"light position infinite", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.position[1] = infinity; }},
+    {"light direction NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto& light, auto&) { light.direction[0] = nan; }},
+    {"direction of a point light NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) {
+         light.type = AGAA_LIGHT_POINT;
+         light.direction[0] = nan;
+     }},
+    {"light colour infinite", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.color[0] = infinity; }},
+    {"light range NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto& light, auto&) { light.range = nan; }},
+    {"light range infinite", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto& light, auto&) { light.range = infinity; }},
+    {"light radius NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto& light, auto&) { light.radius = nan; }},
+    {"light radius infinite", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto& light, auto&) { light.radius = infinity; }},
+    {"light with a reserved member NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) { light.reserved = nan; }},
+    {"cone's inner cosine NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) {
+         light.type = AGAA_LIGHT_SPOT;
+         light.cosInner = nan;
+     }},
+    {"cone's outer cosine NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto& light, auto&) {
+         light.type = AGAA_LIGHT_SPOT;
+         light.cosInner = 1;
+         light.cosOuter = nan;
+     }},
+    {"shadow matrix NaN", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto&, auto&, auto& shadow) { shadow.matrices[0][15] = nan; }},
     {"light names no shadow map", AGAA_ERROR_OUT_OF_RANGE,
      [](auto&, auto& light, auto&) { light.shadowMap = 3; }},
     {"projection NaN", AGAA_ERROR_OUT_OF_RANGE,
@@ -97,6 +126,17 @@ inline const FrameMisuse frameMisuses[] = {
     {"view infinite", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.view[5] = infinity; }},
     {"view with a translation", AGAA_ERROR_OUT_OF_RANGE,
      [](auto& f, auto&, auto&) { f.view[12] = 3; }},
+    {"view with a translation in its last row", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.view[7] = 3; }},
+    {"view that scales by its last element", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.view[15] = 2; }},
+    {"view NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.view[15] = nan; }},
+    {"projection infinite", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.projection[10] = infinity; }},
+    {"ambient infinite", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.ambient[0] = infinity; }},
+    {"ambient too bright", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.ambient[0] = 65505; }},
+    {"background infinite", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.background[0] = infinity; }},
+    {"background's fourth element NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.background[3] = nan; }},
+    {"background's fourth element negative", AGAA_ERROR_OUT_OF_RANGE,
+     [](auto& f, auto&, auto&) { f.background[3] = -1; }},
     {"view that is no rotation", AGAA_ERROR_OUT_OF_RANGE,
      [](auto& f, auto&, auto&) { f.view[0] = 2; }},
     {"ambient NaN", AGAA_ERROR_OUT_OF_RANGE, [](auto& f, auto&, auto&) { f.ambient[2] = nan; }},

@@ -6,6 +6,7 @@
 #include "core/techniques/gbuffer.h"
 #include "core/validate.h"
 
+#include <limits>
 #include <optional>
 
 namespace agaa {
@@ -17,8 +18,8 @@ static void readAggregation(const AgaaConfig& config, ViewSettings& view) {
     const AgaaAggregation& a = view.aggregation = *chained;
     view.aggregation.pNext = nullptr;
     checkReserved(a.reserved, "AgaaAggregation::reserved");
-    checkFinite(a.characteristicLength, "AgaaAggregation::characteristicLength");
-    checkRange(double(a.characteristicLength), 0.0, 3.4e38, "AgaaAggregation::characteristicLength");
+    checkRange(double(a.characteristicLength), 0.0, double(std::numeric_limits<float>::max()),
+               "AgaaAggregation::characteristicLength");
     checkRange(double(a.characteristicLengthPerDistance), 0.0, 1.0, "AgaaAggregation::characteristicLengthPerDistance");
     // k = 0 divides by zero in equation 1 (hard case 21).
     require(a.characteristicLength > 0 || a.characteristicLengthPerDistance > 0, AGAA_ERROR_OUT_OF_RANGE,

@@ -42,6 +42,11 @@ struct RecordingHost : OpenGLHost {
     static std::vector<NativeMisuse<AgaaGlFrame>> misuses() {
         return {
             {"backend: reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto& gl) { gl.reserved = 1; }},
+            {"backend: reserved, before the output is needed", AGAA_ERROR_OUT_OF_RANGE,
+             [](auto& f, auto& gl) {
+                 f.segments = AGAA_SEGMENT_PREPASS;
+                 gl.reserved = 1;
+             }},
             {"no output", AGAA_ERROR_INVALID_ARGUMENT, [](auto&, auto& gl) { gl.outputTexture = 0; }},
             {"output of no name", AGAA_ERROR_INVALID_ARGUMENT, [](auto&, auto& gl) { gl.outputTexture = 54321; }},
             badOutput("output of another size", AGAA_ERROR_OUT_OF_RANGE, GL_TEXTURE_2D, GL_RGBA16F, 47),
