@@ -118,6 +118,18 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc)
         throw;
     }
     guard->restore();
+    try {
+        createObjects();
+        checkErrors("creating the context");
+    } catch (...) {
+        destroyObjects();
+        throw;
+    }
+}
+
+Context::~Context() { destroyObjects(); }
+
+void Context::createObjects() {
     gl.CreateSamplers(1, &shadowSampler);
     label(GL_SAMPLER, shadowSampler, "agaa shadow sampler");
     for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -148,7 +160,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc)
     gl.TextureStorage3D(noShadow, 1, GL_DEPTH_COMPONENT16, 1, 1, 1);
 }
 
-Context::~Context() {
+void Context::destroyObjects() {
     gl.DeleteSamplers(1, &shadowSampler);
     gl.DeleteSamplers(1, &texelSampler);
     gl.DeleteSamplers(1, &linearSampler);

@@ -44,6 +44,10 @@ public:
     GLuint noTarget = 0;     // framebuffer without images: what is fetched from must not be drawn into (4.5, 9.3.1)
     GLint mostDebugGroups = 0; // of the context's stack
     GLuint noShadow = 0;     // where a frame has no map at all: binding 0 to a unit unbinds all its targets
+
+private:
+    void createObjects();
+    void destroyObjects();
 };
 
 } // namespace agaa::gl

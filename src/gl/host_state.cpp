@@ -20,7 +20,7 @@ void View::HostState::restore() {
     if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS) {
         away_ = false;
         require(contained([&] { return context_.popState(context_.stateUser); }) == AGAA_OK, AGAA_ERROR_CALLBACK,
-                "AgaaGlContextDesc::popState reported failure.");
+                "AgaaGlDeviceDesc::popState reported failure.");
     }
 }
 
@@ -37,7 +37,7 @@ void View::HostState::save() {
     }
     if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS) {
         require(contained([&] { return context_.pushState(context_.stateUser); }) == AGAA_OK, AGAA_ERROR_CALLBACK,
-                "AgaaGlContextDesc::pushState reported failure.");
+                "AgaaGlDeviceDesc::pushState reported failure.");
         away_ = true;
     }
 }

@@ -4,6 +4,8 @@
 
 #include "gl/pass_clock.h"
 
+#include <utility>
+
 namespace agaa::test {
 namespace {
 
@@ -154,6 +156,45 @@ TEST(GlCalls, AProbeThatDoesNotCompileLeavesTheClock) {
     frame.shadowCount = 0;
     view.render(frame);
     EXPECT_EQ(view.statistics().timeSource, uint32_t{AGAA_TIME_CPU_FINISH});
+}
+
+GLenum errorOfObjects = GL_NO_ERROR; // of the first call after samplers are made
+bool hasMadeSamplers;
+int32_t samplersAlive;
+void GLAD_API_PTR createSamplers(GLsizei count, GLuint* samplers) {
+    real().CreateSamplers(count, samplers);
+    hasMadeSamplers = true;
+    samplersAlive += count;
+}
+void GLAD_API_PTR deleteSamplers(GLsizei count, const GLuint* samplers) {
+    real().DeleteSamplers(count, samplers);
+    samplersAlive -= count;
+}
+GLenum GLAD_API_PTR errorOnceSamplersAreMade() {
+    return hasMadeSamplers ? std::exchange(errorOfObjects, GLenum{GL_NO_ERROR}) : real().GetError();
+}
+
+TEST(GlCalls, AContextWhoseObjectsFailIsNotCreated) {
+    Replaced replaced;
+    replace(replaced, "glCreateSamplers", createSamplers);
+    replace(replaced, "glDeleteSamplers", deleteSamplers);
+    replace(replaced, "glGetError", errorOnceSamplersAreMade);
+    for (const auto& [error, result] : {std::pair{GL_OUT_OF_MEMORY, AGAA_ERROR_OUT_OF_MEMORY},
+                                        std::pair{GL_INVALID_OPERATION, AGAA_ERROR_DEVICE}}) {
+        hasMadeSamplers = false;
+        samplersAlive = 0;
+        errorOfObjects = GLenum(error);
+        std::vector<LogLine> lines;
+        const AgaaLog log = logInto(lines);
+        OpenGLContextDesc desc = contextDesc(replaced);
+        desc.log = &log;
+        AgaaContext context = nullptr;
+        EXPECT_EQ(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context), result);
+        EXPECT_EQ(context, nullptr);
+        EXPECT_EQ(samplersAlive, 0);
+        expectOneSentence(lines, result, "objects of the context");
+    }
+    hasMadeSamplers = false;
 }
 
 uint32_t clipped; // draws
