@@ -25,6 +25,7 @@ struct Card {
     std::map<uint32_t, std::vector<VkDeviceSize>> sizes; // of allocations, by type
     std::vector<VkPipelineCache> caches;                 // of pipelines
     VkFormat lacked = VK_FORMAT_UNDEFINED;
+    VkResult ofFormats = VK_SUCCESS; // of questions for formats
     std::vector<std::pair<uint32_t, uint32_t>> barriers; // of memory, and of surfaces that had no layout, by call
     VkImage output = VK_NULL_HANDLE;                     // the host's, no surface
 };
@@ -96,6 +97,8 @@ VKAPI_ATTR VkResult VKAPI_CALL allocate(VkDevice device, const VkMemoryAllocateI
 VKAPI_ATTR VkResult VKAPI_CALL formatProperties(VkPhysicalDevice device, VkFormat format, VkImageType type,
                                                 VkImageTiling tiling, VkImageUsageFlags usage, VkImageCreateFlags flags,
                                                 VkImageFormatProperties* out) {
+    if (card.ofFormats != VK_SUCCESS)
+        return card.ofFormats;
     return format == card.lacked ? VK_ERROR_FORMAT_NOT_SUPPORTED
                                  : realFormat(device, format, type, tiling, usage, flags, out);
 }
@@ -161,6 +164,31 @@ std::vector<float> picture() {
     card.output = view.output().image();
     card.warnings = context.warnings;
     return drawn(view, randomTriangles({.triangles = 200}, 11)).rgb;
+}
+
+AgaaVkFunction AGAA_CALL procAddrOfVulkan10(void* instance, const char* name) {
+    return std::strcmp(name, "vkGetPhysicalDeviceProperties2") == 0 ? nullptr : procAddr(instance, name);
+}
+
+TEST(DeviceTest, CapabilitiesThatCannotBeReadAreAnError) {
+    const AgaaDeviceCaps untouched = AGAA_DEVICE_CAPS_INIT;
+    const auto expect = [&](AgaaVkGetInstanceProcAddr getProcAddr, AgaaResult result, const char* what) {
+        std::vector<LogLine> lines;
+        const AgaaLog log = logInto(lines);
+        AgaaDeviceCaps caps = untouched;
+        EXPECT_EQ(agaaVkGetDeviceCaps(sharedDevice().instance(), sharedDevice().physicalDevice(), getProcAddr, &log, &caps),
+                  result)
+            << what;
+        EXPECT_EQ(std::memcmp(&caps, &untouched, sizeof caps), 0) << what;
+        expectOneSentence(lines, result, what);
+    };
+    card = {};
+    expect(procAddrOfVulkan10, AGAA_ERROR_UNSUPPORTED, "a function is missing");
+    card.ofFormats = VK_ERROR_OUT_OF_HOST_MEMORY;
+    expect(procAddr, AGAA_ERROR_OUT_OF_MEMORY, "no memory");
+    card.ofFormats = VK_ERROR_UNKNOWN;
+    expect(procAddr, AGAA_ERROR_DEVICE, "another error");
+    card = {};
 }
 
 TEST(DeviceTest, SurfacesAreSpreadOverWhatTheDeviceAllocatesAtOnce) {
