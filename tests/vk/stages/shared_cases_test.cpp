@@ -6,6 +6,7 @@
 #include "hard_geometry_cases.h"
 #include "hard_material_cases.h"
 #include "ids_cases.h"
+#include "left_handed_cases.h"
 #include "lifetime_cases.h"
 #include "plan_cases.h"
 #include "shadow_function_cases.h"
@@ -21,6 +22,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CoverageCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, IdsCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LeftHandedCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DebugViewCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LifetimeCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ShadowFunctionCases, VulkanHost);
