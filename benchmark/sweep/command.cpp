@@ -210,8 +210,10 @@ private:
 };
 
 void writeReport(const fs::path& out) {
-    const std::string command = "python3 '" AGAA_REPORT_SCRIPT "' '" + (out / "results.json").string() +
-                                "' '" + (out / "report.html").string() + "'";
+    const fs::path prefix = fs::read_symlink("/proc/self/exe").parent_path().parent_path();
+    const std::string script = (prefix / "share/agaa/report/sweep_report.py").string();
+    const std::string command = "python3 '" + script + "' '" + (out / "results.json").string() + "' '" +
+                                (out / "report.html").string() + "'";
     if (std::system(command.c_str()) != 0)
         throw std::runtime_error("The page was not written; results.json is whole. The command was: " + command);
 }
