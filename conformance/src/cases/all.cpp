@@ -3,7 +3,7 @@
 namespace agaa::conformance {
 
 void addAllCases(Suite& suite) {
-    (void)suite;
+    addInitCases(suite);
 }
 
 } // namespace agaa::conformance

@@ -7,4 +7,7 @@ namespace agaa::conformance {
 
 void addAllCases(Suite& suite); // all.cpp
 
+// Of the C ABI without a device.
+void addInitCases(Suite& suite);
+
 } // namespace agaa::conformance
