@@ -4,6 +4,7 @@ namespace agaa::conformance {
 
 void addAllCases(Suite& suite) {
     addInitCases(suite);
+    addHeaderCases(suite);
 }
 
 } // namespace agaa::conformance

@@ -9,5 +9,6 @@ void addAllCases(Suite& suite); // all.cpp
 
 // Of the C ABI without a device.
 void addInitCases(Suite& suite);
+void addHeaderCases(Suite& suite);
 
 } // namespace agaa::conformance
