@@ -5,6 +5,9 @@ namespace agaa::conformance {
 void addAllCases(Suite& suite) {
     addInitCases(suite);
     addHeaderCases(suite);
+    addConfigMemberCases(suite);
+    addViewMemberCases(suite);
+    addLayoutMemberCases(suite);
 }
 
 } // namespace agaa::conformance

@@ -10,5 +10,8 @@ void addAllCases(Suite& suite); // all.cpp
 // Of the C ABI without a device.
 void addInitCases(Suite& suite);
 void addHeaderCases(Suite& suite);
+void addConfigMemberCases(Suite& suite);
+void addViewMemberCases(Suite& suite);
+void addLayoutMemberCases(Suite& suite);
 
 } // namespace agaa::conformance

@@ -1,0 +1,127 @@
+// Members of AgaaConfig and of the structs that may be chained to it.
+#include "cases.h"
+#include "members.h"
+
+namespace agaa::conformance {
+
+namespace {
+
+uint32_t whole(double value) { return uint32_t(value); }
+
+void addConfig(Suite& suite) {
+    addMember(suite, {"AgaaConfig.samples/range", "AgaaConfig::samples",
+                      [](ViewParts& p, double x) { p.config.samples = whole(x); },
+                      {1, 2, 4, 8, 16, 32}, largeNumbers({0, 3, 5, 6, 7, 12, 24, 31, 33, 64, 65536})});
+    addMember(suite, {"AgaaConfig.aggregates/range", "AgaaConfig::aggregates",
+                      [](ViewParts& p, double x) { p.config.aggregates = whole(x); },
+                      {1, 2, 3, 4}, largeNumbers({0, 5, 6, 7})});
+    addMember(suite, {"AgaaConfig.aggregates/range/sbaa", "AgaaConfig::aggregates",
+                      [](ViewParts& p, double x) { p.config.aggregates = whole(x); },
+                      {1, 2, 3, 4, 5, 6}, largeNumbers({0, 7}), [](ViewParts& p) { p.config.technique = "sbaa"; }});
+    addMember(suite, {"AgaaConfig.surfaceCosine/range", "AgaaConfig::surfaceCosine",
+                      [](ViewParts& p, double x) { p.config.surfaceCosine = float(x); },
+                      {0, below(1), 1}, notNumbers({below(0), -1, above(1), 2})});
+    addMember(suite, {"AgaaConfig.surfaceDistance/range", "AgaaConfig::surfaceDistance",
+                      [](ViewParts& p, double x) { p.config.surfaceDistance = float(x); },
+                      {0, above(0), 1e6}, notNumbers({below(0), -1, above(1e6f), 3e38})});
+    addMember(suite, {"AgaaConfig.surfaceMaterial/range", "AgaaConfig::surfaceMaterial",
+                      [](ViewParts& p, double x) { p.config.surfaceMaterial = float(x); },
+                      {0, below(1), 1}, notNumbers({below(0), -1, above(1), 2})});
+    addMember(suite, {"AgaaConfig.shadowTaps/range", "AgaaConfig::shadowTaps",
+                      [](ViewParts& p, double x) { p.config.shadowTaps = whole(x); },
+                      {0, 1, 8, 31, 32}, largeNumbers({33, 64})});
+    addMember(suite, {"AgaaConfig.brdf/enum", "AgaaConfig::brdf",
+                      [](ViewParts& p, double x) { p.config.brdf = whole(x); },
+                      {AGAA_BRDF_BLINN_PHONG, AGAA_BRDF_GGX}, largeNumbers({}), nullptr, {AGAA_BRDF_GGX + 1}});
+    addMember(suite, {"AgaaConfig.ndf/enum", "AgaaConfig::ndf",
+                      [](ViewParts& p, double x) { p.config.ndf = whole(x); },
+                      {AGAA_NDF_NONE, AGAA_NDF_TOKSVIG, AGAA_NDF_LEAN, AGAA_NDF_SGGX}, largeNumbers({}), nullptr,
+                      {AGAA_NDF_SGGX + 1}});
+    addFlags(suite, {"AgaaConfig.flags/flags", "AgaaConfig::flags",
+                     [](ViewParts& p, uint64_t flags) { p.config.flags = flags; },
+                     AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK | AGAA_CONFIG_SPLIT_SURFACES |
+                         AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS, nullptr});
+}
+
+// Tiers that need other parts, and tiers of another stage, are in unsupported.cpp.
+void addTiers(Suite& suite) {
+    const std::vector<double> unknown = {5, 15, AGAA_TIER_IDS + 1};
+    addMember(suite, {"AgaaConfig.visibilityTier/enum", "AgaaConfig::visibilityTier",
+                      [](ViewParts& p, double x) { p.config.visibilityTier = whole(x); },
+                      {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET}, largeNumbers({}), nullptr, unknown});
+    addMember(suite, {"AgaaConfig.generationTier/enum", "AgaaConfig::generationTier",
+                      [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
+                      {AGAA_TIER_AUTO, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
+                       AGAA_TIER_GBUFFER, AGAA_TIER_IDS},
+                      largeNumbers({}), [](ViewParts& p) { p.chain(p.fetch); }, unknown});
+    // Techniques without a stage for it check the member all the same.
+    addMember(suite, {"AgaaConfig.generationTier/enum/ssaa", "AgaaConfig::generationTier",
+                      [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
+                      {AGAA_TIER_AUTO}, largeNumbers({}), [](ViewParts& p) { p.config.technique = "ssaa"; }, unknown});
+}
+
+void addAggregation(Suite& suite) {
+    addMember(suite, {"AgaaAggregation.characteristicLength/range", "AgaaAggregation::characteristicLength",
+                      [](ViewParts& p, double x) { p.aggregation.characteristicLength = float(x); },
+                      {0, above(0), 1, std::numeric_limits<float>::max()}, notNumbers({below(0), -1})});
+    addMember(suite, {"AgaaAggregation.characteristicLengthPerDistance/range",
+                      "AgaaAggregation::characteristicLengthPerDistance",
+                      [](ViewParts& p, double x) { p.aggregation.characteristicLengthPerDistance = float(x); },
+                      {0, above(0), below(1), 1}, notNumbers({below(0), -1, above(1), 2}),
+                      [](ViewParts& p) { p.aggregation.characteristicLength = 1; }});
+    addMember(suite, {"AgaaAggregation.characteristicLengthPerDistance/range/k",
+                      "AgaaAggregation::characteristicLength",
+                      [](ViewParts& p, double x) { p.aggregation.characteristicLengthPerDistance = float(x); },
+                      {above(0)}, {0}, [](ViewParts& p) { p.aggregation.characteristicLength = 0; }});
+    addMember(suite, {"AgaaAggregation.aggregateThreshold/range", "AgaaAggregation::aggregateThreshold",
+                      [](ViewParts& p, double x) { p.aggregation.aggregateThreshold = float(x); },
+                      {0, above(0), 1e6}, notNumbers({below(0), -1, above(1e6f), 3e38})});
+    addMember(suite, {"AgaaAggregation.glossWeight/range", "AgaaAggregation::glossWeight",
+                      [](ViewParts& p, double x) { p.aggregation.glossWeight = float(x); },
+                      {0, above(0), below(16), 16}, notNumbers({below(0), -1, above(16), 17})});
+    addMember(suite, {"AgaaAggregation.reserved/zero", "AgaaAggregation::reserved",
+                      [](ViewParts& p, double x) { p.aggregation.reserved = whole(x); }, {0}, largeNumbers({}), nullptr, {1}});
+    addMember(suite, {"AgaaAggregation.litShadows/range", "AgaaAggregation::litShadows",
+                      [](ViewParts& p, double x) { p.aggregation.litShadows = whole(x); },
+                      {0, 1, 2, 8, 15}, largeNumbers({}), [](ViewParts& p) { p.facts.shadowMapCount = 1; }, {16}});
+}
+
+void addMeasurement(Suite& suite) {
+    addMember(suite, {"AgaaMeasurement.shadingCost/range", "AgaaMeasurement::shadingCost",
+                      [](ViewParts& p, double x) { p.measurement.shadingCost = whole(x); },
+                      {1, 2, 63, 64}, largeNumbers({0, 65})});
+    // With ids all views apply.
+    addMember(suite, {"AgaaMeasurement.debugView/enum", "AgaaMeasurement::debugView",
+                      [](ViewParts& p, double x) { p.measurement.debugView = whole(x); },
+                      {AGAA_DEBUG_VIEW_NONE, AGAA_DEBUG_VIEW_EVENTS, AGAA_DEBUG_VIEW_AGGREGATES, AGAA_DEBUG_VIEW_CLUSTERS,
+                       AGAA_DEBUG_VIEW_PRIMITIVES, AGAA_DEBUG_VIEW_LIT, AGAA_DEBUG_VIEW_WIDENED, AGAA_DEBUG_VIEW_TIER},
+                      largeNumbers({}), [](ViewParts& p) { p.chain(p.fetch); }, {AGAA_DEBUG_VIEW_TIER + 1}});
+    addMember(suite, {"AgaaMeasurement.seeds/enum", "AgaaMeasurement::seeds",
+                      [](ViewParts& p, double x) { p.measurement.seeds = whole(x); },
+                      {AGAA_SEEDS_MAXIMIN, AGAA_SEEDS_SUM_OF_SQUARES}, largeNumbers({}), nullptr,
+                      {AGAA_SEEDS_SUM_OF_SQUARES + 1}});
+    addMember(suite, {"AgaaMeasurement.reserved/zero", "AgaaMeasurement::reserved",
+                      [](ViewParts& p, double x) { p.measurement.reserved = whole(x); }, {0}, largeNumbers({}), nullptr, {1}});
+    addFlags(suite, {"AgaaMeasurement.flags/flags", "AgaaMeasurement::flags",
+                     [](ViewParts& p, uint64_t flags) { p.measurement.flags = flags; },
+                     AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |
+                         AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING, nullptr});
+}
+
+} // namespace
+
+void addConfigMemberCases(Suite& suite) {
+    addConfig(suite);
+    addTiers(suite);
+    addAggregation(suite);
+    addMeasurement(suite);
+    suite.core("AgaaConfig.layout/null", [](Test& test) {
+        ViewParts parts(test.sdk, nullptr);
+        const std::string withNull = planText(test, parts);
+        parts.useLayout();
+        test.check(planText(test, parts) == withNull,
+                   "agaaPlanToJson with AgaaConfig::layout = null and with the layout \"precise\" writes different plans.");
+    });
+}
+
+} // namespace agaa::conformance

@@ -1,0 +1,160 @@
+// Members of AgaaLayout and AgaaLayoutAttribute.
+#include "cases.h"
+#include "members.h"
+
+#include <array>
+
+namespace agaa::conformance {
+
+namespace {
+
+uint32_t whole(double value) { return uint32_t(value); }
+
+AgaaLayoutAttribute attribute(uint32_t semantic, uint32_t channels, uint32_t bits = 8, const char* name = nullptr) {
+    AgaaLayoutAttribute a = AGAA_LAYOUT_ATTRIBUTE_INIT;
+    a.semantic = semantic;
+    a.channels = channels;
+    a.sampleBits = bits;
+    a.name = name;
+    return a;
+}
+
+void setLayout(ViewParts& parts, std::initializer_list<AgaaLayoutAttribute> attributes) {
+    const AgaaLayout initial = AGAA_LAYOUT_INIT;
+    parts.layout = initial;
+    for (const AgaaLayoutAttribute& a : attributes)
+        parts.layout.attributes[parts.layout.attributeCount++] = a;
+    parts.useLayout();
+}
+
+// Attributes 0 to 4: diffuse, normal, specular, roughness, emissive.
+void simpleLayout(ViewParts& parts) {
+    setLayout(parts, {attribute(AGAA_SEMANTIC_DIFFUSE, 3), attribute(AGAA_SEMANTIC_NORMAL, 3),
+                      attribute(AGAA_SEMANTIC_SPECULAR, 3), attribute(AGAA_SEMANTIC_ROUGHNESS, 1),
+                      attribute(AGAA_SEMANTIC_EMISSIVE, 3)});
+}
+
+// The same with one custom attribute behind.
+void customLayout(ViewParts& parts) {
+    simpleLayout(parts);
+    parts.layout.attributes[parts.layout.attributeCount++] = attribute(AGAA_SEMANTIC_CUSTOM, 3, 8, "wetness");
+}
+
+template <uint32_t i, auto member> void set(ViewParts& parts, double x) {
+    auto& value = parts.layout.attributes[i].*member;
+    value = std::remove_reference_t<decltype(value)>(x);
+}
+
+using Attribute = AgaaLayoutAttribute;
+
+// A member out of its range, as of all other structs. AGAA_ERROR_LAYOUT says that valid attributes cannot be packed together.
+constexpr AgaaResult attributeError = AGAA_ERROR_OUT_OF_RANGE;
+
+void addAttribute(Suite& suite, MemberRow row) {
+    row.error = attributeError;
+    addMember(suite, row);
+}
+
+// An attribute of each semantic beside diffuse and normal.
+void setSemantic(ViewParts& parts, double x) {
+    const uint32_t semantic = whole(x);
+    if (semantic == AGAA_SEMANTIC_DIFFUSE || semantic == AGAA_SEMANTIC_NORMAL)
+        return; // there already
+    parts.layout.attributes[3] = attribute(semantic, 3, 8, semantic == AGAA_SEMANTIC_CUSTOM ? "wetness" : nullptr);
+    parts.layout.attributeCount = 4;
+}
+
+void roughLayout(ViewParts& parts) {
+    setLayout(parts, {attribute(AGAA_SEMANTIC_DIFFUSE, 3), attribute(AGAA_SEMANTIC_NORMAL, 3),
+                      attribute(AGAA_SEMANTIC_ROUGHNESS, 1)});
+}
+
+void ycbcrLayout(ViewParts& parts) {
+    simpleLayout(parts);
+    parts.layout.attributes[2].encoding = AGAA_ENCODING_YCBCR;
+    parts.layout.attributes[2].chromaBits = 8;
+}
+
+// The encoding that the attribute of each row of the enumeration allows.
+void setEncoding(ViewParts& parts, double x) {
+    parts.layout.attributes[whole(x) == AGAA_ENCODING_FOLDED ? 3 : 2].encoding = whole(x);
+    parts.layout.attributes[2].chromaBits = 8;
+}
+
+// Attributes of one channel up to 12; more do not fit four attachments.
+void setCount(ViewParts& parts, double x) {
+    static const char* const names[] = {"c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7"};
+    setLayout(parts, {attribute(AGAA_SEMANTIC_DIFFUSE, 3), attribute(AGAA_SEMANTIC_NORMAL, 3),
+                      attribute(AGAA_SEMANTIC_ROUGHNESS, 1), attribute(AGAA_SEMANTIC_EMISSIVE, 1)});
+    for (uint32_t i = 0; i < 8; ++i)
+        parts.layout.attributes[4 + i] = attribute(AGAA_SEMANTIC_CUSTOM, 1, 8, names[i]);
+    parts.layout.attributeCount = whole(x);
+}
+
+void addAttributes(Suite& suite) {
+    addAttribute(suite, {"AgaaLayoutAttribute.semantic/enum", "AgaaLayoutAttribute::semantic", setSemantic,
+                      {AGAA_SEMANTIC_DIFFUSE, AGAA_SEMANTIC_NORMAL, AGAA_SEMANTIC_EMISSIVE, AGAA_SEMANTIC_CUSTOM,
+                       AGAA_SEMANTIC_SPECULAR},
+                      largeNumbers({}), roughLayout, {AGAA_SEMANTIC_COUNT}});
+    addAttribute(suite, {"AgaaLayoutAttribute.sampleBits/range", "AgaaLayoutAttribute::sampleBits",
+                      set<0, &Attribute::sampleBits>, {8, 10, 16}, largeNumbers({0, 1, 7, 9, 11, 15, 17, 32}), simpleLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.sampleBits/range/normal", "AgaaLayoutAttribute::sampleBits",
+                      set<1, &Attribute::sampleBits>, {8, 16}, {0, 9, 32}, simpleLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.aggregateBits/range", "AgaaLayoutAttribute::aggregateBits",
+                      set<0, &Attribute::aggregateBits>, {0, 6, 7, 15, 16}, largeNumbers({1, 5, 17, 32}), simpleLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.chromaBits/range", "AgaaLayoutAttribute::chromaBits",
+                      set<2, &Attribute::chromaBits>, {6, 7, 15, 16}, largeNumbers({0, 1, 5, 17, 32}), ycbcrLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.encoding/enum", "AgaaLayoutAttribute::encoding", setEncoding,
+                      {AGAA_ENCODING_UNORM, AGAA_ENCODING_YCBCR, AGAA_ENCODING_FOLDED}, largeNumbers({}), simpleLayout,
+                      {AGAA_ENCODING_FOLDED + 1}});
+    addAttribute(suite, {"AgaaLayoutAttribute.range/range", "AgaaLayoutAttribute::range", set<4, &Attribute::range>,
+                      {1e-6f, 1, 65504}, notNumbers({below(1e-6f), 0, -1, above(65504), 3e38}), simpleLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.range/range/diffuse", "AgaaLayoutAttribute::range", set<0, &Attribute::range>, {1},
+                      notNumbers({0, -1, below(1), above(1)}), simpleLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.range/range/custom", "AgaaLayoutAttribute::range", set<5, &Attribute::range>,
+                      {1e-6f, 1, 65504}, notNumbers({below(1e-6f), 0, -1, above(65504), 3e38}), customLayout});
+    addAttribute(suite, {"AgaaLayoutAttribute.filter/enum", "AgaaLayoutAttribute::filter", set<5, &Attribute::filter>,
+                      {AGAA_FILTER_MEAN, AGAA_FILTER_NORMAL, AGAA_FILTER_NONE}, largeNumbers({}),
+                      [](ViewParts& parts) {
+                          customLayout(parts);
+                          parts.layout.attributes[5].aggregateBits = 8; // 24 bits unfiltered
+                      },
+                      {AGAA_FILTER_NONE + 1}});
+    addAttribute(suite, {"AgaaLayoutAttribute.filter/enum/diffuse", "AgaaLayoutAttribute::filter", set<0, &Attribute::filter>,
+                      {0}, largeNumbers({AGAA_FILTER_NORMAL, AGAA_FILTER_NONE}), simpleLayout});
+    const auto setReserved = [](ViewParts& parts, double x) {
+        parts.layout.attributes[1].reserved[x < 0] = uint64_t(std::fabs(x));
+    };
+    addMember(suite, {"AgaaLayoutAttribute.reserved/zero", "AgaaLayoutAttribute::reserved", setReserved, {0},
+                      {0x1p62, -0x1p62}, simpleLayout, {1, -1}});
+}
+
+// Names of custom attributes: a name that is not allowed is a layout that cannot be used, whatever the code.
+void testNames(Test& test) {
+    for (const char* name : {"a", "wetness", "Wetness2", "wet_ness", "abcdefghijklmnopqrstuvwxyz01234"}) {
+        ViewParts parts(test.sdk, nullptr);
+        customLayout(parts);
+        parts.layout.attributes[5].name = name;
+        expectAccepted(test, parts, std::string("a custom attribute \"") + name + '"');
+    }
+    for (const char* name : {"", "2wet", "_wet", "wet__ness", "gl_wet", "agaaWet", "AGAA_WET", "wet-ness", "wet ness",
+                             "abcdefghijklmnopqrstuvwxyz012345", "float", "vec3", "diffuse", "normal", "samples", "w\xC3\xA4t"}) {
+        ViewParts parts(test.sdk, nullptr);
+        customLayout(parts);
+        parts.layout.attributes[5].name = name;
+        expectViewRefused(test, parts, AGAA_ERROR_LAYOUT, std::string("a custom attribute \"") + name + '"');
+    }
+}
+
+} // namespace
+
+void addLayoutMemberCases(Suite& suite) {
+    addAttributes(suite);
+    addAttribute(suite, {"AgaaLayout.attributeCount/range", "AgaaLayout::attributeCount", setCount, {2, 3, 12},
+                      largeNumbers({0, 1}), nullptr, {AGAA_MAX_LAYOUT_ATTRIBUTES + 1}});
+    addMember(suite, {"AgaaLayout.reserved/zero", "AgaaLayout::reserved",
+                      [](ViewParts& p, double x) { p.layout.reserved = whole(x); }, {0}, largeNumbers({}), simpleLayout, {1}});
+    suite.core("AgaaLayoutAttribute.name/AGAA_ERROR_LAYOUT", testNames);
+}
+
+} // namespace agaa::conformance
