@@ -8,6 +8,7 @@ void addAllCases(Suite& suite) {
     addConfigMemberCases(suite);
     addViewMemberCases(suite);
     addLayoutMemberCases(suite);
+    addNameCases(suite);
 }
 
 } // namespace agaa::conformance

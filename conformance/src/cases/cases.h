@@ -13,5 +13,6 @@ void addHeaderCases(Suite& suite);
 void addConfigMemberCases(Suite& suite);
 void addViewMemberCases(Suite& suite);
 void addLayoutMemberCases(Suite& suite);
+void addNameCases(Suite& suite);
 
 } // namespace agaa::conformance
