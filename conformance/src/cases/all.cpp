@@ -9,6 +9,10 @@ void addAllCases(Suite& suite) {
     addViewMemberCases(suite);
     addLayoutMemberCases(suite);
     addNameCases(suite);
+    addPresetCases(suite);
+    addCapabilityCases(suite);
+    addMemoryCases(suite);
+    addTextCases(suite);
 }
 
 } // namespace agaa::conformance

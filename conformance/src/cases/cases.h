@@ -14,5 +14,9 @@ void addConfigMemberCases(Suite& suite);
 void addViewMemberCases(Suite& suite);
 void addLayoutMemberCases(Suite& suite);
 void addNameCases(Suite& suite);
+void addPresetCases(Suite& suite);
+void addCapabilityCases(Suite& suite);
+void addMemoryCases(Suite& suite);
+void addTextCases(Suite& suite);
 
 } // namespace agaa::conformance
