@@ -13,6 +13,9 @@ void addAllCases(Suite& suite) {
     addCapabilityCases(suite);
     addMemoryCases(suite);
     addTextCases(suite);
+    addRequirementCases(suite);
+    addThreadCases(suite);
+    addUnsupportedCases(suite);
 }
 
 } // namespace agaa::conformance

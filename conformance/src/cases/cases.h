@@ -18,5 +18,8 @@ void addPresetCases(Suite& suite);
 void addCapabilityCases(Suite& suite);
 void addMemoryCases(Suite& suite);
 void addTextCases(Suite& suite);
+void addRequirementCases(Suite& suite);
+void addThreadCases(Suite& suite);
+void addUnsupportedCases(Suite& suite);
 
 } // namespace agaa::conformance

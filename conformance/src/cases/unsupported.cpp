@@ -1,0 +1,213 @@
+// What a device or a technique cannot do, in the words of the comments of single settings: AGAA_ERROR_UNSUPPORTED.
+#include "cases.h"
+#include "view_parts.h"
+
+namespace agaa::conformance {
+
+namespace {
+
+using Change = std::function<void(ViewParts&)>;
+
+struct Row {
+    std::string what;
+    AgaaResult expected;
+    Change change;
+    std::string tier; // of generation, that AUTO selects; empty: not tested
+};
+
+void testRows(Test& test, const std::vector<Row>& rows) {
+    for (const Row& row : rows) {
+        ViewParts parts(test.sdk, nullptr);
+        parts.facts.shadowMapCount = 1;
+        row.change(parts);
+        if (row.expected != AGAA_OK) {
+            expectViewRefused(test, parts, row.expected, row.what);
+            continue;
+        }
+        expectAccepted(test, parts, row.what);
+        if (row.tier.empty())
+            continue;
+        const std::string tier = generationTierOf(test, parts);
+        test.check(tier == row.tier, "agaaPlanToJson with " + row.what + " names the tier " + tier + " where " + row.tier +
+                                         " is promised.");
+    }
+}
+
+constexpr AgaaResult unsupported = AGAA_ERROR_UNSUPPORTED;
+
+// A setting that needs the tiers IDS or GBUFFER. isBuffered: also with AGAA_CONFIG_BUFFERED.
+std::vector<Row> needsMaterials(const std::string& setting, bool isBuffered, const Change& set) {
+    const auto with = [set](uint32_t tier, bool fetches, uint64_t flags) {
+        return [=](ViewParts& p) {
+            set(p);
+            p.config.generationTier = tier;
+            p.config.flags |= flags;
+            if (fetches)
+                p.chain(p.fetch);
+        };
+    };
+    const AgaaResult buffered = isBuffered ? AGAA_OK : unsupported;
+    return {
+        {setting + " and the tier AUTO", AGAA_OK, with(AGAA_TIER_AUTO, false, 0), "gbuffer"},
+        {setting + ", an AgaaFetchFunction and the tier AUTO", AGAA_OK, with(AGAA_TIER_AUTO, true, 0), "ids"},
+        {setting + " and the tier GBUFFER", AGAA_OK, with(AGAA_TIER_GBUFFER, false, 0), "gbuffer"},
+        {setting + " and the tier IDS", AGAA_OK, with(AGAA_TIER_IDS, true, 0), "ids"},
+        {setting + " and the tier POST_DEPTH_ATOMICS", unsupported, with(AGAA_TIER_POST_DEPTH_ATOMICS, false, 0), ""},
+        {setting + " and the tier PER_SAMPLE", unsupported, with(AGAA_TIER_PER_SAMPLE, true, 0), ""},
+        {setting + " and the tier NV_MIXED_SAMPLES", unsupported, with(AGAA_TIER_NV_MIXED_SAMPLES, false, 0), ""},
+        {setting + ", the tier GBUFFER and BUFFERED", buffered, with(AGAA_TIER_GBUFFER, false, AGAA_CONFIG_BUFFERED), ""},
+        {setting + ", the tier IDS and BUFFERED", buffered, with(AGAA_TIER_IDS, true, AGAA_CONFIG_BUFFERED), ""},
+        {setting + ", the tier AUTO and BUFFERED", buffered, with(AGAA_TIER_AUTO, false, AGAA_CONFIG_BUFFERED), ""},
+    };
+}
+
+void testNdf(Test& test) {
+    for (const uint32_t ndf : {AGAA_NDF_LEAN, AGAA_NDF_SGGX}) {
+        const std::string name = ndf == AGAA_NDF_LEAN ? "AGAA_NDF_LEAN" : "AGAA_NDF_SGGX";
+        testRows(test, needsMaterials(name, false, [ndf](ViewParts& p) { p.config.ndf = ndf; }));
+        const auto withTier = [ndf](const char* technique, bool isSpecular) {
+            return [=](ViewParts& p) {
+                p.config.technique = technique;
+                p.config.ndf = ndf;
+                p.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
+                if (!isSpecular)
+                    p.facts.flags &= ~AGAA_FACT_SPECULAR;
+            };
+        };
+        // They use TOKSVIG.
+        testRows(test, {{"\"sbaa\" and " + name, AGAA_OK, withTier("sbaa", true), ""},
+                        {"\"ssaa\" and " + name, AGAA_OK, withTier("ssaa", true), ""},
+                        {"no specular light and " + name, AGAA_OK, withTier("agaa", false), ""}});
+    }
+}
+
+void testLitShadows(Test& test) {
+    testRows(test, needsMaterials("AgaaAggregation::litShadows = 1", false,
+                                  [](ViewParts& p) { p.aggregation.litShadows = 1; }));
+    const Change beyond = [](ViewParts& p) {
+        p.aggregation.litShadows = 6;
+        p.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
+    };
+    testRows(test, {{"litShadows beyond shadowMapCount", AGAA_OK, beyond, ""}});
+}
+
+void testGlossWeight(Test& test) {
+    testRows(test, needsMaterials("AgaaAggregation::glossWeight = 0.5", true,
+                                  [](ViewParts& p) { p.aggregation.glossWeight = 0.5f; }));
+    const Change rough = [](ViewParts& p) {
+        p.aggregation.glossWeight = 0.5f;
+        p.facts.flags &= ~AGAA_FACT_SPECULAR;
+        p.config.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
+    };
+    testRows(test, {{"glossWeight and no specular light", AGAA_OK, rough, ""}});
+}
+
+void testReservedTier(Test& test, uint32_t tier, const std::string& name) {
+    for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"})
+        testRows(test, {{std::string("\"") + technique + "\" and visibilityTier = " + name, unsupported,
+                         [=](ViewParts& p) {
+                             p.config.technique = technique;
+                             p.config.visibilityTier = tier;
+                         },
+                         ""}});
+}
+
+// A tier of the other stage.
+void testOtherStage(Test& test) {
+    for (const uint32_t tier : {AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
+                                AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
+        testRows(test, {{"visibilityTier = " + std::to_string(tier), unsupported,
+                         [=](ViewParts& p) { p.config.visibilityTier = tier; }, ""}});
+    for (const uint32_t tier : {AGAA_TIER_NATIVE, AGAA_TIER_NV_MULTICAST, AGAA_TIER_SCALED_TARGET, AGAA_TIER_LAYERS})
+        testRows(test, {{"generationTier = " + std::to_string(tier), unsupported,
+                         [=](ViewParts& p) { p.config.generationTier = tier; }, ""}});
+}
+
+void testMixedSamples(Test& test) {
+    for (const char* technique : {"agaa", "sbaa"}) {
+        const auto with = [=](uint64_t without) {
+            return [=](ViewParts& p) {
+                p.config.technique = technique;
+                p.config.generationTier = AGAA_TIER_NV_MIXED_SAMPLES;
+                p.caps.flags &= ~without;
+            };
+        };
+        const std::string name = std::string("\"") + technique + "\" and AGAA_TIER_NV_MIXED_SAMPLES";
+        testRows(test, {{name, AGAA_OK, with(0), "nv-mixed-samples"},
+                        {name + " without AGAA_DEVICE_NV_MIXED_SAMPLES", unsupported, with(AGAA_DEVICE_NV_MIXED_SAMPLES), ""}});
+    }
+}
+
+void testCounters(Test& test) {
+    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"}) {
+        const auto with = [=](uint64_t flags) {
+            return [=](ViewParts& p) {
+                p.config.technique = technique;
+                p.config.flags = flags;
+                p.caps.flags &= ~AGAA_DEVICE_FRAGMENT_ATOMICS;
+            };
+        };
+        const std::string name = std::string("\"") + technique + "\" without AGAA_DEVICE_FRAGMENT_ATOMICS";
+        testRows(test, {{name + " and with AGAA_CONFIG_COUNTERS", unsupported, with(AGAA_CONFIG_COUNTERS), ""},
+                        {name, AGAA_OK, with(0), ""}});
+    }
+}
+
+void testCustomDepth(Test& test) {
+    const auto with = [](const char* technique, uint32_t tier, bool fetches) {
+        return [=](ViewParts& p) {
+            p.config.technique = technique;
+            p.config.generationTier = tier;
+            p.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
+            if (fetches)
+                p.chain(p.fetch);
+        };
+    };
+    const std::string fact = " and AGAA_FACT_CUSTOM_DEPTH";
+    testRows(test, {{"\"msaa\"" + fact, unsupported, with("msaa", 0, false), ""},
+                    {"\"agaa\"" + fact, AGAA_OK, with("agaa", 0, false), "gbuffer"},
+                    {"\"agaa\", an AgaaFetchFunction" + fact, AGAA_OK, with("agaa", 0, true), "ids"},
+                    {"\"sbaa\"" + fact, AGAA_OK, with("sbaa", 0, false), "gbuffer"},
+                    {"\"single\"" + fact, AGAA_OK, with("single", 0, false), ""},
+                    {"\"ssaa\"" + fact, AGAA_OK, with("ssaa", 0, false), ""},
+                    {"the tier POST_DEPTH_ATOMICS" + fact, unsupported, with("agaa", AGAA_TIER_POST_DEPTH_ATOMICS, false), ""},
+                    {"the tier PER_SAMPLE" + fact, unsupported, with("sbaa", AGAA_TIER_PER_SAMPLE, false), ""}});
+}
+
+void testSampleCounts(Test& test) {
+    struct Counts {
+        uint32_t device, samples;
+        AgaaResult expected;
+    };
+    for (const Counts& c : {Counts{0, 1, unsupported}, Counts{0, 4, unsupported}, Counts{0x04, 2, unsupported},
+                            Counts{0x04, 4, AGAA_OK}, Counts{0x01, 32, AGAA_OK}, Counts{0x3F, 32, AGAA_OK}})
+        testRows(test, {{"n = " + std::to_string(c.samples) + " and sampleCounts = " + std::to_string(c.device), c.expected,
+                         [=](ViewParts& p) {
+                             p.config.samples = c.samples;
+                             p.caps.sampleCounts = c.device;
+                         },
+                         ""}});
+    testRows(test, {{"NATIVE and sampleCounts without n", unsupported, [](ViewParts& p) {
+                         p.config.visibilityTier = AGAA_TIER_NATIVE;
+                         p.caps.sampleCounts = 0x3B;
+                     }, ""}});
+}
+
+} // namespace
+
+void addUnsupportedCases(Suite& suite) {
+    suite.core("AgaaNdf/AGAA_ERROR_UNSUPPORTED", testNdf);
+    suite.core("AgaaAggregation.litShadows/AGAA_ERROR_UNSUPPORTED", testLitShadows);
+    suite.core("AgaaAggregation.glossWeight/AGAA_ERROR_UNSUPPORTED", testGlossWeight);
+    suite.core("AGAA_TIER_NV_MULTICAST/AGAA_ERROR_UNSUPPORTED",
+               [](Test& test) { testReservedTier(test, AGAA_TIER_NV_MULTICAST, "AGAA_TIER_NV_MULTICAST"); });
+    suite.core("AGAA_TIER_LAYERS/AGAA_ERROR_UNSUPPORTED",
+               [](Test& test) { testReservedTier(test, AGAA_TIER_LAYERS, "AGAA_TIER_LAYERS"); });
+    suite.core("AGAA_TIER_NV_MIXED_SAMPLES/AGAA_ERROR_UNSUPPORTED/queries", testMixedSamples);
+    suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_stage", testOtherStage);
+    suite.core("AGAA_CONFIG_COUNTERS/AGAA_ERROR_UNSUPPORTED", testCounters);
+    suite.core("AGAA_FACT_CUSTOM_DEPTH/AGAA_ERROR_UNSUPPORTED", testCustomDepth);
+    suite.core("AgaaDeviceCaps.sampleCounts/AGAA_ERROR_UNSUPPORTED/queries", testSampleCounts);
+}
+
+} // namespace agaa::conformance
