@@ -16,6 +16,9 @@ void addAllCases(Suite& suite) {
     addRequirementCases(suite);
     addThreadCases(suite);
     addUnsupportedCases(suite);
+    addHostFunctionCases(suite);
+    addConventionCases(suite);
+    addPlanCases(suite);
 }
 
 } // namespace agaa::conformance

@@ -21,5 +21,8 @@ void addTextCases(Suite& suite);
 void addRequirementCases(Suite& suite);
 void addThreadCases(Suite& suite);
 void addUnsupportedCases(Suite& suite);
+void addHostFunctionCases(Suite& suite);
+void addConventionCases(Suite& suite);
+void addPlanCases(Suite& suite);
 
 } // namespace agaa::conformance

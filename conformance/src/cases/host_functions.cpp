@@ -1,0 +1,187 @@
+// Functions of the host and debug views: techniques and other parts that they exclude.
+#include "cases.h"
+#include "structs.h"
+#include "view_parts.h"
+
+namespace agaa::conformance {
+
+namespace {
+
+using Change = std::function<void(ViewParts&)>;
+
+constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"};
+
+// What the technique shades by itself is accepted, "msaa" is refused.
+void testNotForMsaa(Test& test, const std::string& name, const Change& chain) {
+    for (const char* technique : techniques) {
+        ViewParts parts(test.sdk, nullptr);
+        parts.facts.shadowMapCount = 1;
+        parts.config.technique = technique;
+        chain(parts);
+        const std::string what = std::string("\"") + technique + "\" and an " + name;
+        if (technique == std::string("msaa"))
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what, name);
+        else
+            expectAccepted(test, parts, what);
+    }
+}
+
+void testGBufferTiers(Test& test) {
+    for (const char* technique : {"sbaa", "agaa"}) {
+        ViewParts parts(test.sdk, nullptr);
+        parts.config.technique = technique;
+        parts.chain(parts.gbuffer);
+        const std::string tier = generationTierOf(test, parts);
+        test.check(tier == "gbuffer", std::string("\"") + technique + "\" with an AgaaGBufferFunction uses the tier " + tier + ".");
+        AgaaTarget target = AGAA_TARGET_INIT;
+        test.requireOk(test.sdk.agaaQueryTarget(&parts.desc, &parts.caps, nullptr, &target), "agaaQueryTarget");
+        test.check(target.geometryPasses == 0, "agaaQueryTarget with an AgaaGBufferFunction counts geometry passes.");
+    }
+}
+
+void testTwoSources(Test& test) {
+    for (const bool isFetchFirst : {false, true}) {
+        ViewParts parts(test.sdk, nullptr);
+        if (isFetchFirst) {
+            parts.chain(parts.fetch);
+            parts.chain(parts.gbuffer);
+        } else {
+            parts.chain(parts.gbuffer);
+            parts.chain(parts.fetch);
+        }
+        expectViewRefused(test, parts, AGAA_ERROR_INVALID_ARGUMENT, "an AgaaGBufferFunction and an AgaaFetchFunction",
+                          "AgaaGBufferFunction");
+    }
+}
+
+void testNotAllDraws(Test& test) {
+    for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_IDS})
+        for (const uint64_t flags : {UINT64_C(0), AGAA_CONFIG_BUFFERED}) {
+            ViewParts parts(test.sdk, nullptr);
+            parts.chain(parts.fetch);
+            parts.fetch.flags = AGAA_FETCH_NOT_ALL_DRAWS;
+            parts.config.generationTier = tier;
+            parts.config.flags |= flags;
+            expectAccepted(test, parts, "AGAA_FETCH_NOT_ALL_DRAWS");
+            parts.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "AGAA_FETCH_NOT_ALL_DRAWS and AGAA_FACT_CUSTOM_DEPTH",
+                              "AGAA_FETCH_NOT_ALL_DRAWS");
+        }
+}
+
+void testAutoSelectsIds(Test& test) {
+    ViewParts parts(test.sdk, nullptr);
+    parts.chain(parts.fetch);
+    const std::string tier = generationTierOf(test, parts);
+    test.check(tier == "ids", "\"agaa\" with an AgaaFetchFunction and the tier AUTO uses the tier " + tier + ".");
+    ViewParts without(test.sdk, nullptr);
+    without.config.generationTier = AGAA_TIER_IDS;
+    expectViewRefused(test, without, AGAA_ERROR_UNSUPPORTED, "the tier IDS without an AgaaFetchFunction", "AgaaFetchFunction");
+}
+
+// The bits of the shadows that the function answers for.
+void testShadowBits(Test& test) {
+    struct Row {
+        uint32_t maps, bits;
+        bool isAccepted;
+    };
+    for (const Row& row : {Row{1, 1, true}, Row{4, 0xF, true}, Row{4, 8, true}, Row{4, 16, false}, Row{1, 0x80000000u, false}}) {
+        ViewParts parts(test.sdk, nullptr);
+        parts.facts.shadowMapCount = row.maps;
+        parts.chain(parts.shadow);
+        parts.shadow.shadows = row.bits;
+        const std::string what = "AgaaShadowFunction::shadows = " + std::to_string(row.bits) + " and " +
+                                 std::to_string(row.maps) + " shadow maps";
+        if (row.isAccepted)
+            expectAccepted(test, parts, what);
+        else
+            expectViewRefused(test, parts, AGAA_ERROR_OUT_OF_RANGE, what, "shadows");
+    }
+}
+
+// ---- debug views ---------------------------------------------------------------------------------
+
+struct DebugRow {
+    std::string what;
+    bool isAccepted;
+    uint32_t view;
+    Change change;
+};
+
+void testDebugRows(Test& test, const std::vector<DebugRow>& rows) {
+    for (const DebugRow& row : rows) {
+        ViewParts parts(test.sdk, nullptr);
+        parts.measurement.debugView = row.view;
+        row.change(parts);
+        const std::string what = "AgaaMeasurement::debugView = " + std::to_string(row.view) + " and " + row.what;
+        if (row.isAccepted)
+            expectAccepted(test, parts, what);
+        else
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what, "debugView");
+    }
+}
+
+Change technique(const char* name) {
+    return [=](ViewParts& p) { p.config.technique = name; };
+}
+
+Change tierOf(uint32_t tier, uint64_t flags) {
+    return [=](ViewParts& p) {
+        p.config.generationTier = tier;
+        p.config.flags |= flags;
+        p.chain(p.fetch);
+    };
+}
+
+void testDebugViews(Test& test) {
+    std::vector<DebugRow> rows;
+    for (uint32_t view = AGAA_DEBUG_VIEW_EVENTS; view <= AGAA_DEBUG_VIEW_TIER; ++view)
+        rows.push_back({"\"msaa\"", false, view, technique("msaa")});
+    for (const uint32_t view : {AGAA_DEBUG_VIEW_AGGREGATES, AGAA_DEBUG_VIEW_CLUSTERS, AGAA_DEBUG_VIEW_WIDENED}) {
+        for (const char* name : {"single", "fxaa", "ssaa", "simple_complex"})
+            rows.push_back({std::string("\"") + name + "\"", false, view, technique(name)});
+        rows.push_back({"\"sbaa\"", true, view, technique("sbaa")});
+        rows.push_back({"\"agaa\"", true, view, technique("agaa")});
+    }
+    const uint32_t primitives = AGAA_DEBUG_VIEW_PRIMITIVES;
+    rows.push_back({"the tier IDS", true, primitives, tierOf(AGAA_TIER_IDS, 0)});
+    rows.push_back({"the tier IDS and BUFFERED", false, primitives, tierOf(AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED)});
+    rows.push_back({"the tier GBUFFER", false, primitives, tierOf(AGAA_TIER_GBUFFER, 0)});
+    rows.push_back({"the tier POST_DEPTH_ATOMICS", false, primitives, tierOf(AGAA_TIER_POST_DEPTH_ATOMICS, 0)});
+    for (const char* name : {"single", "fxaa", "ssaa", "simple_complex", "sbaa"})
+        rows.push_back({std::string("\"") + name + "\"", false, primitives, technique(name)});
+    testDebugRows(test, rows);
+}
+
+// Layouts that do not store roughness.
+void testWidened(Test& test) {
+    ViewParts parts(test.sdk, nullptr);
+    test.requireOk(test.sdk.agaaGetBuiltinLayout("paper16", &parts.layout), "agaaGetBuiltinLayout(\"paper16\")");
+    const AgaaLayout paper = parts.layout;
+    const Change folded = [paper](ViewParts& p) {
+        p.layout = paper;
+        p.useLayout();
+    };
+    testDebugRows(test, {{"a layout with folded roughness", false, AGAA_DEBUG_VIEW_WIDENED, folded},
+                         {"a layout with folded roughness", true, AGAA_DEBUG_VIEW_CLUSTERS, folded}});
+}
+
+} // namespace
+
+void addHostFunctionCases(Suite& suite) {
+    suite.core("AgaaGBufferFunction/AGAA_ERROR_UNSUPPORTED", [](Test& test) {
+        testNotForMsaa(test, "AgaaGBufferFunction", [](ViewParts& p) { p.chain(p.gbuffer); });
+    });
+    suite.core("AgaaShadowFunction/AGAA_ERROR_UNSUPPORTED", [](Test& test) {
+        testNotForMsaa(test, "AgaaShadowFunction", [](ViewParts& p) { p.chain(p.shadow); });
+    });
+    suite.core("AgaaGBufferFunction/AGAA_ERROR_INVALID_ARGUMENT", testTwoSources);
+    suite.core("AgaaGBufferFunction/tier", testGBufferTiers);
+    suite.core("AgaaFetchFunction/tier", testAutoSelectsIds);
+    suite.core("AgaaShadowFunction.shadows/range", testShadowBits);
+    suite.core("AGAA_FETCH_NOT_ALL_DRAWS/AGAA_ERROR_UNSUPPORTED", testNotAllDraws);
+    suite.core("AgaaDebugView/AGAA_ERROR_UNSUPPORTED", testDebugViews);
+    suite.core("AgaaDebugView/AGAA_ERROR_UNSUPPORTED/folded_roughness", testWidened);
+}
+
+} // namespace agaa::conformance

@@ -1,0 +1,241 @@
+// What queries say about a view agrees: bytes, surfaces, targets and the plan.
+#include "cases.h"
+#include "capabilities.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+namespace agaa::conformance {
+
+namespace {
+
+constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"};
+
+std::string nameOf(const ViewParts& p) {
+    return std::string("\"") + p.config.technique + "\", n = " + std::to_string(p.config.samples) + ", tier " +
+           std::to_string(p.config.generationTier) + ", " + std::to_string(p.desc.width) + " x " +
+           std::to_string(p.desc.height);
+}
+
+// Views of every technique, n and tier that an ideal device runs.
+void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
+    for (const char* technique : techniques)
+        for (const uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u})
+            for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER,
+                                        AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES}) {
+                const bool isAgaa = technique == std::string("agaa"), isSbaa = technique == std::string("sbaa");
+                if (tier != AGAA_TIER_AUTO && !isAgaa && !(isSbaa && tier != AGAA_TIER_IDS))
+                    continue;
+                ViewParts parts(test.sdk, nullptr);
+                parts.config.technique = technique;
+                parts.config.samples = samples;
+                parts.config.generationTier = tier;
+                if (tier == AGAA_TIER_IDS)
+                    parts.chain(parts.fetch);
+                check(parts);
+            }
+}
+
+AgaaMemoryReport reportOf(Test& test, const ViewParts& parts) {
+    AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
+    test.requireOk(test.sdk.agaaQueryMemory(&parts.desc, &parts.caps, nullptr, &report, nullptr, nullptr),
+                   callWith("agaaQueryMemory", nameOf(parts)));
+    return report;
+}
+
+// Sums of the surfaces are the totals of the report.
+void checkBytes(Test& test, ViewParts& parts) {
+    AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
+    const std::vector<AgaaSurface> surfaces = surfacesOf(test, parts, &report);
+    uint64_t total = 0, constant = 0, largest = 0;
+    for (const AgaaSurface& s : surfaces) {
+        (s.isPerPixel ? total : constant) += s.bytes;
+        if (s.isPerPixel)
+            largest = std::max(largest, s.bytes);
+    }
+    const std::string call = callWith("agaaQueryMemory", nameOf(parts));
+    test.check(total == report.totalBytes, call + ": per-pixel surfaces have " + std::to_string(total) +
+                                               " bytes, and totalBytes is " + std::to_string(report.totalBytes) + ".");
+    test.check(constant == report.constantBytes, call + ": constant surfaces have " + std::to_string(constant) +
+                                                     " bytes, and constantBytes is " + std::to_string(report.constantBytes) + ".");
+    test.check(report.peakBytes <= total, call + ": peakBytes exceeds totalBytes.");
+    test.check(report.peakBytes >= largest, call + ": peakBytes is below the bytes of one surface.");
+    const double perPixel = double(total) / (double(parts.desc.width) * parts.desc.height);
+    test.check(std::fabs(report.bytesPerPixel - perPixel) <= 1e-9 * perPixel, call + ": bytesPerPixel is not totalBytes by pixels.");
+}
+
+bool hasEnd(const char* text, size_t size) { return std::memchr(text, 0, size) != nullptr; }
+
+void checkSurfaces(Test& test, ViewParts& parts) {
+    AgaaTarget target = AGAA_TARGET_INIT;
+    test.requireOk(test.sdk.agaaQueryTarget(&parts.desc, &parts.caps, nullptr, &target), "agaaQueryTarget");
+    std::set<std::string> names;
+    for (const AgaaSurface& s : surfacesOf(test, parts)) {
+        const std::string what = callWith("agaaQueryMemory", nameOf(parts)) + ": the surface \"" + s.name + "\"";
+        test.require(hasEnd(s.name, sizeof s.name) && hasEnd(s.format, sizeof s.format), "a surface's name does not end.");
+        test.check(s.name[0] && names.insert(s.name).second, what + " has no name of its own.");
+        test.check(s.firstPass <= s.lastPass, what + " ends before it begins.");
+        test.check(s.reserved == 0, what + ": the reserved member is not 0.");
+        test.check(s.isPerPixel <= 1 && s.bytes > 0, what + " has a wrong isPerPixel or no bytes.");
+        const bool isBuffer = s.format[0] == 0;
+        test.check(!isBuffer || (s.width == 0 && s.height == 0), what + " is a buffer and has a size in texels.");
+        test.check(!isBuffer || (s.scaleX == 0 && s.scaleY == 0), what + " is a buffer and has a scale.");
+        test.check(isBuffer || (s.width == parts.desc.width * s.scaleX && s.height == parts.desc.height * s.scaleY),
+                   what + ": the size is not the scale times the view's.");
+    }
+    test.check(names.count("depth") == (target.geometryPasses > 0),
+               callWith("agaaQueryMemory", nameOf(parts)) + ": \"depth\" does not exist in exactly the views that draw.");
+}
+
+void checkTarget(Test& test, ViewParts& parts) {
+    AgaaTarget t = AGAA_TARGET_INIT;
+    const std::string call = callWith("agaaQueryTarget", nameOf(parts));
+    test.requireOk(test.sdk.agaaQueryTarget(&parts.desc, &parts.caps, nullptr, &t), call);
+    test.check(t.width == parts.desc.width * t.scaleX && t.height == parts.desc.height * t.scaleY,
+               call + ": the size is not the scale times the view's.");
+    const bool isOne = parts.config.technique == std::string("single") || parts.config.technique == std::string("fxaa");
+    const uint32_t promised = isOne ? 1 : parts.config.samples;
+    test.check(t.scaleX * t.scaleY * t.samples == promised,
+               call + ": a pixel has " + std::to_string(t.scaleX * t.scaleY * t.samples) + " samples where " +
+                   std::to_string(promised) + " are promised.");
+}
+
+// The plan is JSON and names what agaaQueryMemory lists.
+void checkPlan(Test& test, ViewParts& parts) {
+    const std::string call = callWith("agaaPlanToJson", nameOf(parts));
+    const auto plan = nlohmann::json::parse(planText(test, parts), nullptr, false);
+    test.require(!plan.is_discarded() && plan.is_object(), call + ": the text is no JSON object.");
+    for (const char* key : {"tiers", "resources", "passes", "notes"})
+        test.require(plan.contains(key), call + ": the plan has no \"" + key + "\".");
+    std::set<std::string> inPlan;
+    for (const auto& resource : plan["resources"])
+        if (resource.at("kind") != "host")
+            inPlan.insert(resource.at("name").get<std::string>());
+    std::set<std::string> listed;
+    for (const AgaaSurface& surface : surfacesOf(test, parts))
+        listed.insert(surface.name);
+    test.check(inPlan == listed, call + ": the resources are not the surfaces of agaaQueryMemory.");
+}
+
+// More pixels take more bytes, and never a lower peak.
+void checkGrowth(Test& test, ViewParts& parts) {
+    const AgaaMemoryReport small = reportOf(test, parts);
+    for (const auto& [width, height] : {std::pair<uint32_t, uint32_t>{parts.desc.width + 8, parts.desc.height},
+                                        {parts.desc.width, parts.desc.height + 8}, {1920, 1080}}) {
+        ViewParts larger(test.sdk, nullptr);
+        larger.config.technique = parts.config.technique;
+        larger.config.samples = parts.config.samples;
+        larger.config.generationTier = parts.config.generationTier;
+        if (parts.desc.pNext)
+            larger.chain(larger.fetch);
+        larger.desc.width = width;
+        larger.desc.height = height;
+        const AgaaMemoryReport report = reportOf(test, larger);
+        const std::string call = callWith("agaaQueryMemory", nameOf(larger));
+        test.check(report.totalBytes > small.totalBytes, call + ": totalBytes does not exceed that of fewer pixels.");
+        test.check(report.peakBytes > small.peakBytes, call + ": peakBytes does not exceed that of fewer pixels.");
+        test.check(report.constantBytes == small.constantBytes, call + ": constantBytes changes with the target.");
+    }
+}
+
+// Without shared memory the peak is the total.
+void testNoSharing(Test& test) {
+    for (const char* technique : techniques) {
+        ViewParts parts(test.sdk, nullptr);
+        parts.config.technique = technique;
+        parts.config.flags = AGAA_CONFIG_READBACK;
+        const AgaaMemoryReport report = reportOf(test, parts);
+        test.check(report.peakBytes == report.totalBytes,
+                   callWith("agaaQueryMemory", nameOf(parts)) + " and AGAA_CONFIG_READBACK: peakBytes is not totalBytes.");
+        parts.config.flags = 0;
+        parts.caps.flags |= AGAA_DEVICE_NO_ALIASING;
+        const AgaaMemoryReport ofDevice = reportOf(test, parts);
+        test.check(ofDevice.peakBytes == ofDevice.totalBytes,
+                   callWith("agaaQueryMemory", nameOf(parts)) + " and AGAA_DEVICE_NO_ALIASING: peakBytes is not totalBytes.");
+    }
+}
+
+// ---- names and capabilities ----------------------------------------------------------------------
+
+void testEqualNames(Test& test) {
+    ViewParts parts(test.sdk, nullptr);
+    parts.config.technique = "simple_complex";
+    const std::string expected = planText(test, parts);
+    parts.config.technique = "simple-complex";
+    test.check(planText(test, parts) == expected, "agaaPlanToJson writes different plans for \"simple-complex\" and \"simple_complex\".");
+}
+
+// A row that can run has a plan with its tier; one that cannot is refused with a sentence.
+void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row) {
+    ViewParts parts(test.sdk, nullptr);
+    parts.caps = caps;
+    parts.config.technique = row.technique;
+    parts.config.samples = row.samples;
+    parts.config.flags = 0;
+    const bool isVisibility = row.stage == AGAA_STAGE_PREPASS;
+    if (isVisibility)
+        parts.config.visibilityTier = row.tier;
+    else if (row.stage == AGAA_STAGE_GENERATION)
+        parts.config.generationTier = row.tier;
+    if (row.tier == AGAA_TIER_IDS)
+        parts.chain(parts.fetch);
+    const std::string what = nameOf(parts) + ", stage " + std::to_string(row.stage) + ", tier " + std::to_string(row.tier);
+    if (row.tier == AGAA_TIER_AUTO)
+        return expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what);
+    expectAccepted(test, parts, what);
+    const auto plan = nlohmann::json::parse(planText(test, parts));
+    if (!isVisibility && row.stage != AGAA_STAGE_GENERATION)
+        return;
+    const std::string tier = plan.at("tiers").value(isVisibility ? "visibility" : "generation", "");
+    test.check(tier == test.sdk.agaaTierName(row.tier), callWith("agaaPlanToJson", what) + " names the tier " + tier + ".");
+}
+
+// The first entry is what AUTO selects.
+void checkFirst(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row) {
+    ViewParts parts(test.sdk, nullptr);
+    parts.caps = caps;
+    parts.config.technique = row.technique;
+    parts.config.samples = row.samples;
+    parts.config.flags = 0;
+    const auto plan = nlohmann::json::parse(planText(test, parts));
+    const std::string tier = plan.at("tiers").value(row.stage == AGAA_STAGE_PREPASS ? "visibility" : "generation", "");
+    test.check(tier == test.sdk.agaaTierName(row.tier), "agaaQueryCapabilities lists another tier first than AUTO selects for " +
+                                                            nameOf(parts) + ": the plan names " + tier + ".");
+}
+
+void testCapabilities(Test& test) {
+    for (const AgaaDeviceCaps& caps : capsOfDevices(test)) {
+        std::set<std::string> seen;
+        for (const AgaaCapability& row : capabilitiesOf(test, &caps)) {
+            checkCapability(test, caps, row);
+            const std::string key = std::string(row.technique) + std::to_string(row.samples) + '/' + std::to_string(row.stage);
+            const bool isChoice = row.stage == AGAA_STAGE_PREPASS || row.stage == AGAA_STAGE_GENERATION;
+            if (seen.insert(key).second && isChoice && row.tier != AGAA_TIER_AUTO)
+                checkFirst(test, caps, row);
+        }
+    }
+}
+
+} // namespace
+
+void addPlanCases(Suite& suite) {
+    struct Row {
+        const char* name;
+        void (*check)(Test&, ViewParts&);
+    };
+    for (const Row& row : {Row{"agaaQueryMemory/sums", checkBytes}, Row{"agaaQueryMemory/surfaces", checkSurfaces},
+                           Row{"AgaaSurface.reserved/zero", checkSurfaces}, Row{"agaaQueryMemory/growth", checkGrowth},
+                           Row{"agaaQueryTarget/samples", checkTarget}, Row{"agaaPlanToJson/plan", checkPlan}})
+        suite.core(row.name, [row](Test& test) {
+            forEachView(test, [&](ViewParts& parts) { row.check(test, parts); });
+        });
+    suite.core("agaaQueryMemory/no_sharing", testNoSharing);
+    suite.core("AgaaNameKind/equal_names", testEqualNames);
+    suite.core("agaaQueryCapabilities/plans", testCapabilities);
+}
+
+} // namespace agaa::conformance
