@@ -25,13 +25,16 @@ struct Mistakes {
     bool blends = false;          // alpha blending (SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ADD) is on in all passes
     bool keysByPass = false;      // pipelines are kept by AgaaDrawPassId and not by pipelineKey, also across views
     bool keepsFirstSet = false;   // Vulkan: binds the descriptor set of the first frame of the first view for ever
-    bool forgetsBarrier = false;  // Vulkan: clears the output in the same command buffer, and no barrier follows
+    bool forgetsBarrier = false;  // Vulkan: copies the vertices in the same command buffer, and no barrier follows
 };
 
 class Device {
 public:
     virtual ~Device() = default;
     Mistakes mistakes;
+    // What a test changes in the structs that record() passes. Null: nothing.
+    std::function<void(AgaaVkFrame&)> changeVkFrame;
+    std::function<void(AgaaGlFrame&)> changeGlFrame;
 
     virtual Backend backend() const = 0;
     virtual std::string deviceName() const = 0;
@@ -60,19 +63,30 @@ public:
     // submits and waits if the call succeeds or returns AGAA_NOT_READY. If the call fails, what was recorded is submitted too
     // where the API allows it (not after AGAA_ERROR_PARTIAL), so that a test sees whether anything was recorded.
     virtual AgaaResult record(const Functions& sdk, AgaaView view, AgaaFrame& frame, const Scene& scene) = 0;
+    // Draws the scene of record(), for tests that set frame.draw: their callbacks call it.
+    virtual AgaaResult draw(const AgaaDrawTarget& target) = 0;
+    // AgaaFrame::draw, with the device as drawUser.
+    static AgaaResult AGAA_CALL drawCallback(void* device, const AgaaDrawTarget* target) {
+        return static_cast<Device*>(device)->draw(*target);
+    }
+    // All shadow maps of all frames have this depth from now on, at first 1.
+    virtual void setShadowDepth(float depth) = 0;
     // Linear RGBA, row 0 first.
     virtual std::vector<float> readOutput() = 0;
     virtual void fillOutput(float value) = 0;
 
     // Messages of the validation layers, or of OpenGL's debug output, since the last call.
     virtual std::vector<std::string> takeMessages() = 0;
+    // False: the validation layer is not installed, and there are no messages.
+    virtual bool testsMessages() const = 0;
 
     // AGAA_VIEW_… that this device's clip space needs.
     virtual uint64_t viewFlags() const = 0;
 };
 
 // Of the first device of the API, or the one whose name contains `name`. Throws Skipped with the reason if there is none.
-std::unique_ptr<Device> makeVulkanDevice(const std::string& name);
+// The Vulkan device has exactly the features that agaaVkGetRequirements requires or, with options, also the optional ones.
+std::unique_ptr<Device> makeVulkanDevice(const Functions& sdk, const std::string& name, bool withOptions = false);
 std::unique_ptr<Device> makeOpenGlDevice(const std::string& name);
 
 // ---- what most tests need ------------------------------------------------------------------------

@@ -87,7 +87,7 @@ int runTests(const Suite& suite, const Arguments& arguments) {
         std::vector<Outcome> outcomes;
         try {
             if (backend == Backend::Vulkan)
-                device = makeVulkanDevice(arguments.device);
+                device = makeVulkanDevice(functions, arguments.device);
             else if (backend == Backend::OpenGl)
                 device = makeOpenGlDevice(arguments.device);
         } catch (const Skipped& skipped) {

@@ -1,0 +1,243 @@
+// The suite's host on Vulkan.
+#include "drawing.h"
+#include "vk_memory.h"
+#include "vk_pipelines.h"
+
+#include <cstring>
+
+namespace agaa::conformance {
+
+namespace {
+
+constexpr VkFormat outputFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+
+class VulkanDevice : public Device {
+public:
+    VulkanDevice(const Functions& sdk, const std::string& name, bool withOptions)
+        : api_(sdk, name, withOptions), pipelines_(api_, mistakes), commands_(api_) {
+        setShadowDepth(1.0f);
+    }
+    ~VulkanDevice() override { vkDeviceWaitIdle(api_.device); }
+
+    Backend backend() const override { return Backend::Vulkan; }
+    std::string deviceName() const override { return api_.deviceName; }
+    std::string driverName() const override { return api_.driverName; }
+    uint64_t viewFlags() const override { return 0; }
+    bool testsMessages() const override { return api_.isValidated; }
+    std::vector<std::string> takeMessages() override { return api_.messages.take(); }
+
+    ContextDescription description() override {
+        const AgaaContextDesc desc = AGAA_CONTEXT_DESC_INIT;
+        const AgaaVkDeviceDesc vk = AGAA_VK_DEVICE_DESC_INIT;
+        const AgaaGlDeviceDesc gl = AGAA_GL_DEVICE_DESC_INIT;
+        ContextDescription description = {desc, vk, gl};
+        description.vk.instance = api_.instance;
+        description.vk.physicalDevice = api_.physicalDevice;
+        description.vk.device = api_.device;
+        description.vk.getProcAddr = reinterpret_cast<AgaaVkGetInstanceProcAddr>(vkGetInstanceProcAddr);
+        description.vk.queueFamily = api_.queueFamily;
+        description.vk.apiVersion = api_.apiVersion;
+        description.vk.enabledExtensions = api_.enabledExtensions.data();
+        description.vk.enabledExtensionCount = uint32_t(api_.enabledExtensions.size());
+        description.vk.enabledFeatures = &api_.enabledFeatures;
+        description.vk.descriptorSet = 1; // so that a test of set 0 by mistake is found
+        return description;
+    }
+
+    AgaaResult createContext(const Functions& sdk, uint32_t headerVersion, ContextDescription& description,
+                             AgaaContext* outContext) override {
+        description.vk.pNext = description.desc.pNext;
+        description.desc.pNext = &description.vk;
+        const AgaaResult result = sdk.agaaVkCreateContext(headerVersion, &description.desc, outContext);
+        if (result == AGAA_OK)
+            setOfContext_[*outContext] = description.vk.descriptorSet;
+        return result;
+    }
+
+    AgaaResult createView(const Functions& sdk, AgaaContext context, const AgaaViewDesc* desc, AgaaView* outView) override {
+        const AgaaResult result = sdk.agaaVkCreateView(context, desc, outView);
+        if (result == AGAA_OK)
+            setOfView_[*outView] = setOfContext_[context];
+        return result;
+    }
+
+    AgaaResult getContextCaps(const Functions& sdk, AgaaContext context, AgaaDeviceCaps* outCaps) override {
+        return sdk.agaaVkGetContextCaps(context, outCaps);
+    }
+
+    AgaaResult getDeviceCaps(const Functions& sdk, const AgaaLog* log, AgaaDeviceCaps* outCaps) override {
+        return sdk.agaaVkGetDeviceCaps(api_.instance, api_.physicalDevice,
+                                       reinterpret_cast<AgaaVkGetInstanceProcAddr>(vkGetInstanceProcAddr), log, outCaps);
+    }
+
+    void prepare(const Functions& sdk, AgaaView view) override { pipelines_.prepare(sdk, view, setOfView_[view]); }
+
+    void forget(AgaaView view) override {
+        pipelines_.forget(view);
+        setOfView_.erase(view);
+        if (firstView_ == view)
+            firstSets_.clear();
+    }
+
+    void setOutput(uint32_t width, uint32_t height) override {
+        if (!output_ || output_->width != width || output_->height != height) {
+            output_ = std::make_unique<VulkanImage>(api_, width, height, 1, outputFormat,
+                                                    VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                                        VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                                    VK_IMAGE_VIEW_TYPE_2D);
+            imageBarrier(commands_.begin(), *output_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
+            commands_.submit();
+        }
+        fillOutput(0.0f);
+    }
+
+    void fillOutput(float value) override {
+        const VkCommandBuffer commands = commands_.begin();
+        clearOutput(commands, value);
+        allBarrier(commands);
+        commands_.submit();
+    }
+
+    std::vector<float> readOutput() override {
+        std::vector<float> pixels(size_t(output_->width) * output_->height * 4);
+        const VulkanBuffer buffer(api_, pixels.size() * sizeof(float), VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+        VkBufferImageCopy region{};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageExtent = {output_->width, output_->height, 1};
+        const VkCommandBuffer commands = commands_.begin();
+        vkCmdCopyImageToBuffer(commands, output_->image, VK_IMAGE_LAYOUT_GENERAL, buffer.buffer, 1, &region);
+        allBarrier(commands);
+        commands_.submit();
+        std::memcpy(pixels.data(), buffer.mapped, pixels.size() * sizeof(float));
+        return pixels;
+    }
+
+    void setShadowDepth(float depth) override {
+        shadow_ = std::make_unique<VulkanImage>(api_, 4, 4, AGAA_MAX_SHADOW_LAYERS, VK_FORMAT_D32_SFLOAT,
+                                                VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                                VK_IMAGE_VIEW_TYPE_2D_ARRAY);
+        const VkCommandBuffer commands = commands_.begin();
+        imageBarrier(commands, *shadow_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        const VkClearDepthStencilValue value = {depth, 0};
+        const VkImageSubresourceRange range = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, 0, AGAA_MAX_SHADOW_LAYERS};
+        vkCmdClearDepthStencilImage(commands, shadow_->image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &range);
+        imageBarrier(commands, *shadow_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        commands_.submit();
+    }
+
+    AgaaResult record(const Functions& sdk, AgaaView view, AgaaFrame& frame, const Scene& scene) override;
+    AgaaResult draw(const AgaaDrawTarget& target) override;
+
+private:
+    void clearOutput(VkCommandBuffer commands, float value) const {
+        const VkClearColorValue color = {{value, value, value, value}};
+        const VkImageSubresourceRange range = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+        vkCmdClearColorImage(commands, output_->image, VK_IMAGE_LAYOUT_GENERAL, &color, 1, &range);
+    }
+
+    VkBuffer upload(const Scene& scene) {
+        uploads_.push_back(std::make_unique<VulkanBuffer>(
+            api_, std::max<size_t>(scene.size(), 1) * sizeof(Vertex),
+            VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT));
+        std::memcpy(uploads_.back()->mapped, scene.data(), scene.size() * sizeof(Vertex));
+        return uploads_.back()->buffer;
+    }
+
+    VkDescriptorSet setOf(const AgaaDrawTarget& target) {
+        const auto set = (VkDescriptorSet)target.descriptorSet;
+        if (!mistakes.keepsFirstSet)
+            return set;
+        if (firstSets_.empty())
+            firstView_ = view_;
+        return firstSets_.emplace(std::pair(target.pipelineKey, target.batch), set).first->second;
+    }
+
+    VulkanApi api_;
+    VulkanPipelines pipelines_;
+    VulkanCommands commands_;
+    std::unique_ptr<VulkanImage> output_, shadow_;
+    std::map<AgaaContext, uint32_t> setOfContext_;
+    std::map<AgaaView, uint32_t> setOfView_;
+    std::map<std::pair<uint64_t, uint32_t>, VkDescriptorSet> firstSets_;
+    AgaaView firstView_ = nullptr;
+    // During record().
+    AgaaView view_ = nullptr;
+    const Scene* scene_ = nullptr;
+    VkBuffer vertices_ = VK_NULL_HANDLE;
+    float clipFromShading_[16];
+    std::vector<std::unique_ptr<VulkanBuffer>> uploads_;
+};
+
+AgaaResult VulkanDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& frame, const Scene& scene) {
+    view_ = view;
+    scene_ = &scene;
+    clipFromShading(frame, mistakes, clipFromShading_);
+    const bool isOurs = !frame.draw;
+    if (isOurs) {
+        frame.draw = drawCallback;
+        frame.drawUser = this;
+    }
+    const VkCommandBuffer commands = commands_.begin();
+    vertices_ = upload(scene);
+    if (mistakes.forgetsBarrier && !scene.empty()) // vertices that are there already, from a command that nothing waits for
+        vkCmdUpdateBuffer(commands, vertices_, 0, std::min<size_t>(scene.size() * sizeof(Vertex), 65536) & ~size_t(3),
+                          scene.data());
+    AgaaVkFrame native = AGAA_VK_FRAME_INIT;
+    native.commandBuffer = commands;
+    native.outputImage = (uint64_t)output_->image;
+    native.outputView = (uint64_t)output_->view;
+    native.outputLayoutIn = native.outputLayoutOut = VK_IMAGE_LAYOUT_GENERAL;
+    for (uint64_t& map : native.shadowViews)
+        map = (uint64_t)shadow_->view;
+    if (changeVkFrame)
+        changeVkFrame(native);
+    const AgaaResult result = sdk.agaaVkRecordFrame(view, &frame, &native);
+    if (result == AGAA_ERROR_PARTIAL)
+        commands_.discard();
+    else
+        commands_.submit();
+    uploads_.clear();
+    if (isOurs) {
+        frame.draw = nullptr;
+        frame.drawUser = nullptr;
+    }
+    return result;
+}
+
+AgaaResult VulkanDevice::draw(const AgaaDrawTarget& target) {
+    const VulkanPipeline* pipeline = pipelines_.find(view_, target.pipelineKey, target.pass);
+    if (!pipeline)
+        return AGAA_ERROR_CALLBACK;
+    Scene changed;
+    const Scene* scene = scene_;
+    VkBuffer vertices = vertices_;
+    if (mistakes.changeScene) {
+        changed = mistakes.changeScene(target, *scene_);
+        scene = &changed;
+        vertices = upload(changed);
+    }
+    const auto commands = static_cast<VkCommandBuffer>(target.commandBuffer);
+    const VkDescriptorSet set = setOf(target);
+    const VkViewport viewport = {0.0f, 0.0f, float(target.width), float(target.height), 0.0f, 1.0f};
+    const VkRect2D scissor = {{0, 0}, {target.width, target.height}};
+    const VkDeviceSize offset = 0;
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &scissor);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->layout, setOfView_[view_], 1, &set, 0,
+                            nullptr);
+    vkCmdPushConstants(commands, pipeline->layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof clipFromShading_, clipFromShading_);
+    vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
+    for (const DrawRange& range : drawRanges(*scene)) {
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, range.isMasked ? pipeline->masked : pipeline->opaque);
+        vkCmdDraw(commands, range.count, 1, range.first, 0);
+    }
+    return AGAA_OK;
+}
+
+} // namespace
+
+std::unique_ptr<Device> makeVulkanDevice(const Functions& sdk, const std::string& name, bool withOptions) {
+    return std::make_unique<VulkanDevice>(sdk, name, withOptions);
+}
+
+} // namespace agaa::conformance

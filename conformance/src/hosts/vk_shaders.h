@@ -1,0 +1,27 @@
+// GLSL to shader modules.
+#pragma once
+
+#include "vk_device.h"
+
+#include <unordered_map>
+
+namespace agaa::conformance {
+
+class VulkanShaders {
+public:
+    explicit VulkanShaders(const VulkanApi& api);
+    ~VulkanShaders();
+    VulkanShaders(const VulkanShaders&) = delete;
+    VulkanShaders& operator=(const VulkanShaders&) = delete;
+
+    // Modules are kept by their text. Throws std::runtime_error with the compiler's message.
+    VkShaderModule vertex(const std::string& text) { return find(text, true); }
+    VkShaderModule fragment(const std::string& text) { return find(text, false); }
+
+private:
+    VkShaderModule find(const std::string& text, bool isVertex);
+    const VulkanApi& api_;
+    std::unordered_map<std::string, VkShaderModule> modules_;
+};
+
+} // namespace agaa::conformance
