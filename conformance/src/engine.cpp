@@ -42,7 +42,7 @@ extern "C" {
 int32_t agaaConformanceTestLibrary(const AgaaConformanceRun* run) {
     try {
         const Ready ready = prepare(run);
-        return ready.isValid ? runAll(makeSuite(), Backend::Core, *run, ready.functions) : -1;
+        return ready.isValid ? runAll(makeCoreSuite(), Backend::Core, *run, ready.functions) : -1;
     } catch (...) {
         return -1;
     }

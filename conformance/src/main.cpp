@@ -22,10 +22,14 @@ struct Arguments {
 int listTests(const Suite& suite, const Arguments& arguments) {
     for (const Case& c : suite.cases()) {
         std::string backends;
-        for (const Backend backend : c.backends)
-            if (std::find(arguments.backends.begin(), arguments.backends.end(), backendName(backend)) !=
-                arguments.backends.end())
-                backends += (backends.empty() ? "" : ",") + std::string(backendName(backend));
+        for (const Backend backend : c.backends) {
+            const std::string name = backendName(backend);
+            if (std::find(arguments.backends.begin(), arguments.backends.end(), name) == arguments.backends.end())
+                continue;
+            if (!backends.empty())
+                backends += ',';
+            backends += name;
+        }
         if (!backends.empty() && matches(c.name, arguments.filter))
             std::cout << c.name << '\t' << backends << '\n';
     }

@@ -1,7 +1,5 @@
 #include "suite.h"
 
-#include "cases/cases.h"
-
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -56,12 +54,6 @@ void Suite::add(std::string name, std::vector<Backend> backends, std::function<v
     if (!isNew)
         throw std::logic_error("two tests have the name " + name);
     cases_.push_back({std::move(name), std::move(backends), std::move(run)});
-}
-
-Suite makeSuite() {
-    Suite suite;
-    addAllCases(suite);
-    return suite;
 }
 
 namespace {

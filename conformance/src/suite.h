@@ -64,7 +64,9 @@ private:
     std::vector<Case> cases_;
 };
 
-// All tests of the promises; the checks of an engine are in integration/.
+// The tests of the promises: those that need no device (cases/core), and all (cases/core, cases/device). The checks of an engine
+// are in integration/.
+Suite makeCoreSuite();
 Suite makeSuite();
 
 // As GoogleTest's --gtest_filter.

@@ -1,5 +1,5 @@
 // Hosts that do one thing wrong, checked as engines are: the check that is named after the mistake fails, and says why.
-#include "own_host.h"
+#include "hosts/own_host.h"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +86,7 @@ TEST_P(BrokenHosts, AreNamed) {
     ASSERT_TRUE(missing.empty());
     std::unique_ptr<Device> device;
     try {
-        device = GetParam() == Backend::Vulkan ? makeVulkanDevice("") : makeOpenGlDevice("");
+        device = GetParam() == Backend::Vulkan ? makeVulkanDevice(functions, "") : makeOpenGlDevice("");
     } catch (const Skipped& skipped) {
         GTEST_SKIP() << skipped.reason;
     }

@@ -1,7 +1,7 @@
 // What the hosts on both APIs do alike.
 #pragma once
 
-#include "../device.h"
+#include "device.h"
 
 #include <stdexcept>
 

@@ -1,7 +1,7 @@
 // A Vulkan device of the suite, with the validation layer where it is installed.
 #pragma once
 
-#include "../device.h"
+#include "device.h"
 
 #include <vulkan/vulkan.h>
 

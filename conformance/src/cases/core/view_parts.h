@@ -1,7 +1,7 @@
 // A view with all that it points to, and the functions that answer for it without a device.
 #pragma once
 
-#include "../device.h"
+#include "device.h"
 
 namespace agaa::conformance {
 

@@ -1,6 +1,6 @@
 // Results, version, names.
 #include "cases.h"
-#include "../log.h"
+#include "log.h"
 #include "structs.h"
 
 #include <algorithm>

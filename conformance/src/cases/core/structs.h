@@ -1,7 +1,7 @@
 // The versioned structs by name, and memory for structs of any size.
 #pragma once
 
-#include "../suite.h"
+#include "suite.h"
 
 namespace agaa::conformance {
 

@@ -1,13 +1,12 @@
-// The tests, by what they are about.
+// The tests that need no device, by what they are about.
 #pragma once
 
-#include "../suite.h"
+#include "suite.h"
 
 namespace agaa::conformance {
 
-void addAllCases(Suite& suite); // all.cpp
+void addCoreCases(Suite& suite); // all.cpp: all of them
 
-// Of the C ABI without a device.
 void addInitCases(Suite& suite);
 void addHeaderCases(Suite& suite);
 void addConfigMemberCases(Suite& suite);

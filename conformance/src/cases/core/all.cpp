@@ -2,7 +2,7 @@
 
 namespace agaa::conformance {
 
-void addAllCases(Suite& suite) {
+void addCoreCases(Suite& suite) {
     addInitCases(suite);
     addHeaderCases(suite);
     addConfigMemberCases(suite);
@@ -19,6 +19,12 @@ void addAllCases(Suite& suite) {
     addHostFunctionCases(suite);
     addConventionCases(suite);
     addPlanCases(suite);
+}
+
+Suite makeCoreSuite() {
+    Suite suite;
+    addCoreCases(suite);
+    return suite;
 }
 
 } // namespace agaa::conformance

@@ -1,7 +1,7 @@
 // What AgaaStructHeader promises of every versioned struct, tested through a call that takes the struct.
 #pragma once
 
-#include "../log.h"
+#include "log.h"
 #include "structs.h"
 
 namespace agaa::conformance {

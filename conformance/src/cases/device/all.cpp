@@ -1,0 +1,14 @@
+#include "cases.h"
+
+#include "cases/core/cases.h"
+
+namespace agaa::conformance {
+
+Suite makeSuite() {
+    Suite suite;
+    addCoreCases(suite);
+    addGeneralCases(suite);
+    return suite;
+}
+
+} // namespace agaa::conformance

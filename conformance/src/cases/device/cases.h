@@ -1,0 +1,10 @@
+// The tests on a device, by what they are about.
+#pragma once
+
+#include "suite.h"
+
+namespace agaa::conformance {
+
+void addGeneralCases(Suite& suite);
+
+} // namespace agaa::conformance
