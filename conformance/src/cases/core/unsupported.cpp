@@ -190,6 +190,7 @@ void testGenerationTier(Test& test) {
             return [=](ViewParts& p) {
                 p.config.technique = technique;
                 p.config.generationTier = tier;
+                p.config.flags = 0; // counters need features, too
                 p.caps.flags &= ~need.feature;
             };
         };
