@@ -94,7 +94,7 @@ TEST_P(BrokenHosts, AreNamed) {
         if (broken.isVulkanAlone && GetParam() != Backend::Vulkan)
             continue;
         SCOPED_TRACE(broken.name);
-        Test test(functions, device.get());
+        agaa::conformance::Test test(functions, device.get());
         device->mistakes = {};
         broken.make(device->mistakes);
         OwnHost host(test, *device);
