@@ -25,11 +25,11 @@ std::string expectNotCreated(Test& test, OwnContext& context, const ViewParts& p
     context.log.lines.clear();
     AgaaView view = nullptr;
     const AgaaResult result = test.device().createView(test.sdk, context.get(), &parts.desc, &view);
+    const std::vector<LogLine> errors = context.log.errors();
     expectRefused(test, result, AGAA_ERROR_UNSUPPORTED, context.log, createView(test), callWith(createView(test), what), words);
     test.check(!view, callWith(createView(test), what) + " fails and returns a view.");
     if (view)
         test.sdk.agaaDestroyView(view);
-    const std::vector<LogLine> errors = context.log.errors();
     const std::string sentence = errors.empty() ? "" : errors.front().text;
     expectCreated(test, context, ViewParts(test.sdk, &test.device()), "a right view after " + what);
     return sentence;
