@@ -138,7 +138,7 @@ AgaaResult AGAA_CALL agaaVkGetRequirements(AgaaVkRequirements* out) {
 AgaaResult AGAA_CALL agaaVkGetDeviceCaps(void* instance, void* physicalDevice,
                                          AgaaVkGetInstanceProcAddr getProcAddr, const AgaaLog* log,
                                          AgaaDeviceCaps* outCaps) {
-    return guarded(checkedLog(log), "agaaVkGetDeviceCaps", [&]() -> AgaaResult {
+    return guarded(log, "agaaVkGetDeviceCaps", [&]() -> AgaaResult {
         require(instance && physicalDevice && getProcAddr, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
         checkOutput(outCaps);
         const vk::InstanceTable functions =

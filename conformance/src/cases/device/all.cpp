@@ -8,6 +8,8 @@ Suite makeSuite() {
     Suite suite;
     addCoreCases(suite);
     addGeneralCases(suite);
+    addHostMemoryCases(suite);
+    addTierCases(suite);
     return suite;
 }
 

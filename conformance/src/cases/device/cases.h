@@ -6,5 +6,7 @@
 namespace agaa::conformance {
 
 void addGeneralCases(Suite& suite);
+void addHostMemoryCases(Suite& suite);
+void addTierCases(Suite& suite);
 
 } // namespace agaa::conformance
