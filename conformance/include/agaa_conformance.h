@@ -75,6 +75,9 @@ typedef struct AgaaConformanceHost {
     /* Returns the messages of validation layers or of OpenGL's debug output since the last call, one per line, valid until
      * the next call; or null if there are none. May be null: then messages are not tested. */
     const char* (*takeMessages)(void* user);
+    /* Leaves alpha-masked objects out of all passes of the frames from now on, or draws them again. May be null: then a wrong
+     * alpha mask cannot be told from other geometry, and fails integration/same_geometry. */
+    void (*hideMasked)(void* user, uint32_t isHidden);
 } AgaaConformanceHost;
 
 /* ---- runs ----------------------------------------------------------------------------------------- */
