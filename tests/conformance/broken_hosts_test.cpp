@@ -19,12 +19,12 @@ struct Broken {
 };
 
 std::vector<Broken> brokenHosts() {
-    const auto material = [](uint32_t pass) {
-        return pass == AGAA_DRAW_PASS_AGGREGATE || pass == AGAA_DRAW_PASS_FORWARD;
-    };
+    const auto material = [](uint32_t pass) { return pass == AGAA_DRAW_PASS_AGGREGATE || pass == AGAA_DRAW_PASS_FORWARD; };
     return {
         {"none", {}, "", [](Mistakes&) {}},
-        {"inverted normals", {"normals"}, "points away from the eye",
+        {"inverted normals",
+         {"normals"},
+         "points away from the eye",
          [](Mistakes& m) {
              m.changeScene = [](const AgaaDrawTarget&, const Scene& scene) {
                  Scene inverted = scene;
@@ -34,11 +34,14 @@ std::vector<Broken> brokenHosts() {
                  return inverted;
              };
          }},
-        {"other projection", {"camera"}, "AgaaFrame's camera",
+        {"other projection",
+         {"camera"},
+         "AgaaFrame's camera",
          [](Mistakes& m) { m.changeProjection = [](float* p) { p[0] *= 0.8f, p[5] *= 0.8f; }; }},
-        {"wrong y", {"camera"}, "direction of y",
-         [](Mistakes& m) { m.changeProjection = [](float* p) { p[5] = -p[5]; }; }},
-        {"forgotten discard", {"alpha_masks"}, "one pass discards and the other does not",
+        {"wrong y", {"camera"}, "direction of y", [](Mistakes& m) { m.changeProjection = [](float* p) { p[5] = -p[5]; }; }},
+        {"forgotten discard",
+         {"alpha_masks"},
+         "one pass discards and the other does not",
          [](Mistakes& m) {
              m.changeScene = [](const AgaaDrawTarget& target, const Scene& scene) {
                  Scene solid = scene;
@@ -48,14 +51,27 @@ std::vector<Broken> brokenHosts() {
                  return solid;
              };
          }},
-        {"wrong depth function: hidden surfaces", {"depth_test"}, "hidden surfaces show",
+        {"wrong depth function: hidden surfaces",
+         {"depth_test"},
+         "hidden surfaces show",
          [material](Mistakes& m) {
              m.changeState = [material](uint32_t pass, AgaaDrawState& state) {
                  if (material(pass))
                      state.depthCompare = AGAA_COMPARE_ALWAYS;
              };
          }},
-        {"wrong depth function: nothing", {"depth_test"}, "depthCompare, which is EQUAL",
+        {"wrong depth function: hidden surfaces in the forward pass",
+         {"depth_test"},
+         "\"msaa\"",
+         [](Mistakes& m) {
+             m.changeState = [](uint32_t pass, AgaaDrawState& state) {
+                 if (pass == AGAA_DRAW_PASS_FORWARD)
+                     state.depthCompare = AGAA_COMPARE_ALWAYS;
+             };
+         }},
+        {"wrong depth function: nothing",
+         {"depth_test"},
+         "depthCompare, which is EQUAL",
          [material](Mistakes& m) {
              m.changeState = [material](uint32_t pass, AgaaDrawState& state) {
                  if (material(pass))
@@ -64,11 +80,32 @@ std::vector<Broken> brokenHosts() {
          }},
         {"blending left on", {"blending"}, "disable blending", [](Mistakes& m) { m.blends = true; }},
         {"stale key", {"pipeline_keys"}, "AgaaDrawPass::pipelineKey", [](Mistakes& m) { m.keysByPass = true; }},
-        {"wrong set", {"descriptor_sets"}, "AgaaDrawTarget::descriptorSet",
-         [](Mistakes& m) { m.keepsFirstSet = true; }, true},
-        {"missing barrier", {"messages"}, "A barrier of the host is missing",
-         [](Mistakes& m) { m.forgetsBarrier = true; }, true},
-        {"two draws", {"drawn_once"}, "more than once",
+        {"wrong set", {"descriptor_sets"}, "AgaaDrawTarget::descriptorSet", [](Mistakes& m) { m.keepsFirstSet = true; }, true},
+        {"missing barrier",
+         {"messages"},
+         "A barrier of the host is missing",
+         [](Mistakes& m) { m.forgetsBarrier = true; },
+         true},
+        {"added blending",
+         {"blending"},
+         "disable blending",
+         [](Mistakes& m) {
+             m.changeState = [](uint32_t pass, AgaaDrawState& state) { state.keepFirst |= pass == AGAA_DRAW_PASS_GBUFFER; };
+         }},
+        {"omitted object",
+         {"same_geometry"},
+         "left out of the material pass",
+         [material](Mistakes& m) {
+             m.changeScene = [material](const AgaaDrawTarget& target, const Scene& scene) {
+                 Scene less = scene;
+                 if (material(target.pass))
+                     less.erase(less.begin() + 6, less.begin() + 12);
+                 return less;
+             };
+         }},
+        {"two draws",
+         {"drawn_once"},
+         "more than once",
          [](Mistakes& m) {
              m.changeScene = [](const AgaaDrawTarget&, const Scene& scene) {
                  Scene twice = scene;
@@ -83,7 +120,9 @@ struct Row {
     Backend backend;
     Broken broken;
 };
-std::ostream& operator<<(std::ostream& out, const Row& row) { return out << row.broken.name; }
+std::ostream& operator<<(std::ostream& out, const Row& row) {
+    return out << row.broken.name;
+}
 
 std::vector<Row> rows() {
     std::vector<Row> all;

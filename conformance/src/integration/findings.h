@@ -26,6 +26,8 @@ struct Findings {
     bool isCovered() const { return isCovered(twoPasses); }
     // It writes next to nothing.
     bool missesAll() const { return twoPasses.uncovered > twoPasses.visible - twoPasses.visible / 1000; }
+    // The prepass writes depths, which the material pass finds, and no colours.
+    bool isColorless() const { return twoPasses.visible == 0 && twoPasses.overlapping != 0; }
     bool isWrittenOnce() const { return ties <= twoPasses.visible / 50; }
 };
 
