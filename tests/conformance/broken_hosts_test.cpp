@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -22,6 +23,33 @@ std::vector<Broken> brokenHosts() {
     const auto material = [](uint32_t pass) { return pass == AGAA_DRAW_PASS_AGGREGATE || pass == AGAA_DRAW_PASS_FORWARD; };
     return {
         {"none", {}, "", [](Mistakes&) {}},
+        {"nothing drawn",
+         {"frames"},
+         "Nothing is visible",
+         [](Mistakes& m) { m.changeScene = [](const AgaaDrawTarget&, const Scene&) { return Scene(); }; }},
+        {"moving scene",
+         {"repeated_frames"},
+         "the scene moves",
+         [](Mistakes& m) {
+             m.changeScene = [frames = 0](const AgaaDrawTarget& target, const Scene& scene) mutable {
+                 frames += target.pass == AGAA_DRAW_PASS_VISIBILITY || target.pass == AGAA_DRAW_PASS_GBUFFER;
+                 Scene moved = scene;
+                 for (Vertex& vertex : moved)
+                     vertex.position[0] += 0.1f * float(frames % 2);
+                 return moved;
+             };
+         }},
+        {"division by 0",
+         {"finite_attributes"},
+         "not finite",
+         [](Mistakes& m) {
+             m.changeScene = [](const AgaaDrawTarget&, const Scene& scene) {
+                 Scene divided = scene;
+                 for (Vertex& vertex : divided)
+                     vertex.roughness = std::numeric_limits<float>::quiet_NaN();
+                 return divided;
+             };
+         }},
         {"inverted normals",
          {"normals"},
          "points away from the eye",
