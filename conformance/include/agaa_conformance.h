@@ -61,8 +61,8 @@ typedef struct AgaaConformanceHost {
     uint32_t api;        /* AgaaConformanceApi */
     void* user;
     AgaaContext context;
-    /* Size, facts, flags and functions of the views. The suite replaces the configuration, adds AGAA_FACT_AMBIENT and
-     * declares no shadow maps. */
+    /* Size, facts, flags and functions of the views. The suite replaces the configuration, and of the facts keeps
+     * AGAA_FACT_ALPHA_MASKED and AGAA_FACT_CUSTOM_DEPTH: it renders with ambient light or one light, without shadows. */
     const AgaaViewDesc* view;
     /* Creates what the engine needs for a view that the suite has created, for example pipelines. May be null. */
     AgaaResult (*prepareView)(void* user, AgaaView view);

@@ -23,10 +23,12 @@ std::vector<Broken> brokenHosts() {
     const auto material = [](uint32_t pass) { return pass == AGAA_DRAW_PASS_AGGREGATE || pass == AGAA_DRAW_PASS_FORWARD; };
     return {
         {"none", {}, "", [](Mistakes&) {}},
-        {"nothing drawn",
+        {"other depth convention",
          {"frames"},
          "Nothing is visible",
-         [](Mistakes& m) { m.changeScene = [](const AgaaDrawTarget&, const Scene&) { return Scene(); }; }},
+         [](Mistakes& m) {
+             m.changeState = [](uint32_t, AgaaDrawState& state) { state.depthCompare = AGAA_COMPARE_GREATER; };
+         }},
         {"moving scene",
          {"repeated_frames"},
          "the scene moves",
