@@ -96,7 +96,7 @@ OwnHost::OwnHost(Test& test, Device& device)
     host_.prepareView = prepareView;
     host_.releaseView = releaseView;
     host_.renderFrame = renderFrame;
-    host_.takeMessages = takeMessages;
+    host_.takeMessages = device.testsMessages() ? takeMessages : nullptr;
     host_.hideMasked = hideMasked;
 }
 
