@@ -10,6 +10,8 @@ Suite makeSuite() {
     addGeneralCases(suite);
     addHostMemoryCases(suite);
     addTierCases(suite);
+    addContextCases(suite);
+    addVulkanContextCases(suite);
     return suite;
 }
 
