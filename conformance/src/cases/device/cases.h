@@ -10,5 +10,6 @@ void addHostMemoryCases(Suite& suite);
 void addTierCases(Suite& suite);
 void addContextCases(Suite& suite);
 void addVulkanContextCases(Suite& suite);
+void addDeviceCapsCases(Suite& suite);
 
 } // namespace agaa::conformance

@@ -9,6 +9,12 @@ namespace agaa::conformance {
 
 namespace {
 
+// The technique whose views are created fastest.
+void useSingle(ViewDescription& description) {
+    description.config.technique = "single";
+    description.config.samples = 1;
+}
+
 std::vector<ContextRow> allRows(const Device& device) {
     std::vector<ContextRow> rows = wrongContexts();
     const bool isVulkan = device.backend() == Backend::Vulkan;
@@ -88,7 +94,7 @@ void testLogNull(Test& test) {
 void testFramesInFlight(Test& test) {
     for (uint32_t frames = 1; frames <= 8; ++frames) {
         const std::string what = "AgaaContextDesc::framesInFlight = " + std::to_string(frames);
-        Rig rig(test, [](ViewDescription& d) { setTechnique(d, "single", 1); },
+        Rig rig(test, useSingle,
                 [=](ContextDescription& d) { d.desc.framesInFlight = frames; });
         for (uint64_t i = 1; i <= frames + 1; ++i) {
             AgaaFrame frame = rig.nextFrame();
@@ -117,7 +123,7 @@ void testReserved(Test& test) {
 void testWrongOrder(Test& test) {
     OwnContext context(test);
     ViewDescription description(&test.device());
-    setTechnique(description, "single", 1);
+    useSingle(description);
     AgaaView views[2] = {};
     for (AgaaView& view : views)
         test.requireOk(test.device().createView(test.sdk, context.get(), &description.desc, &view), "creating a view");
