@@ -12,6 +12,7 @@ Suite makeSuite() {
     addTierCases(suite);
     addContextCases(suite);
     addVulkanContextCases(suite);
+    addVulkanFaultCases(suite);
     addVulkanMemoryCases(suite);
     addViewCases(suite);
     addDeviceCapsCases(suite);

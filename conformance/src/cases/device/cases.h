@@ -10,6 +10,7 @@ void addHostMemoryCases(Suite& suite);
 void addTierCases(Suite& suite);
 void addContextCases(Suite& suite);
 void addVulkanContextCases(Suite& suite);
+void addVulkanFaultCases(Suite& suite);
 void addVulkanMemoryCases(Suite& suite);
 void addViewCases(Suite& suite);
 void addDeviceCapsCases(Suite& suite);

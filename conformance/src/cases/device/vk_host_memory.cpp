@@ -2,7 +2,7 @@
 
 namespace agaa::conformance {
 
-HostMemory::HostMemory(Test& test) : test_(test) {
+HostDeviceMemory::HostDeviceMemory(Test& test) : test_(test) {
     const AgaaVkDeviceDesc vk = test.device().description().vk;
     device_ = static_cast<VkDevice>(vk.device);
     vkGetPhysicalDeviceMemoryProperties(static_cast<VkPhysicalDevice>(vk.physicalDevice), &types_);
@@ -10,24 +10,24 @@ HostMemory::HostMemory(Test& test) : test_(test) {
     allocator_ = initial;
     allocator_.user = this;
     allocator_.allocate = [](void* user, const AgaaVkAllocationInfo* info, AgaaVkMemory* out) {
-        return static_cast<HostMemory*>(user)->allocate(*info, *out);
+        return static_cast<HostDeviceMemory*>(user)->allocate(*info, *out);
     };
-    allocator_.free = [](void* user, const AgaaVkMemory* memory) { static_cast<HostMemory*>(user)->release(*memory); };
+    allocator_.free = [](void* user, const AgaaVkMemory* memory) { static_cast<HostDeviceMemory*>(user)->release(*memory); };
 }
 
-void HostMemory::chainTo(ContextDescription& description) {
+void HostDeviceMemory::chainTo(ContextDescription& description) {
     allocator_.pNext = description.desc.pNext;
     description.desc.pNext = &allocator_;
 }
 
-uint64_t HostMemory::liveBytes() const {
+uint64_t HostDeviceMemory::liveBytes() const {
     uint64_t bytes = 0;
     for (const auto& [allocation, block] : live_)
         bytes += block.size;
     return bytes;
 }
 
-void HostMemory::checkInfo(const AgaaVkAllocationInfo& info, const AgaaVkMemory& out) {
+void HostDeviceMemory::checkInfo(const AgaaVkAllocationInfo& info, const AgaaVkMemory& out) {
     const std::string what = "AgaaVkAllocationInfo";
     test_.check(info.size > 0, what + "::size is 0.");
     test_.check(info.alignment > 0 && !(info.alignment & (info.alignment - 1)), what + "::alignment is no power of two.");
@@ -45,7 +45,7 @@ void HostMemory::checkInfo(const AgaaVkAllocationInfo& info, const AgaaVkMemory&
                 "AgaaVkMemory is not cleared before the callback is called.");
 }
 
-uint32_t HostMemory::typeOf(const AgaaVkAllocationInfo& info) const {
+uint32_t HostDeviceMemory::typeOf(const AgaaVkAllocationInfo& info) const {
     uint32_t first = VK_MAX_MEMORY_TYPES;
     for (uint32_t i = 0; i < types_.memoryTypeCount; ++i) {
         const VkMemoryPropertyFlags has = types_.memoryTypes[i].propertyFlags;
@@ -58,7 +58,7 @@ uint32_t HostMemory::typeOf(const AgaaVkAllocationInfo& info) const {
     return first;
 }
 
-AgaaResult HostMemory::allocate(const AgaaVkAllocationInfo& info, AgaaVkMemory& out) {
+AgaaResult HostDeviceMemory::allocate(const AgaaVkAllocationInfo& info, AgaaVkMemory& out) {
     checkInfo(info, out);
     ++allocations;
     if (hasFailed || (failAt && --failAt == 0)) {
@@ -90,7 +90,7 @@ AgaaResult HostMemory::allocate(const AgaaVkAllocationInfo& info, AgaaVkMemory& 
     return AGAA_OK;
 }
 
-void HostMemory::release(const AgaaVkMemory& memory) {
+void HostDeviceMemory::release(const AgaaVkMemory& memory) {
     const auto found = live_.find(memory.allocation);
     if (!test_.check(found != live_.end(), "AgaaVkAllocator::free is called for memory that is not allocated, or twice."))
         return;

@@ -9,11 +9,11 @@
 
 namespace agaa::conformance {
 
-class HostMemory {
+class HostDeviceMemory {
 public:
-    explicit HostMemory(Test& test);
-    HostMemory(const HostMemory&) = delete;
-    HostMemory& operator=(const HostMemory&) = delete;
+    explicit HostDeviceMemory(Test& test);
+    HostDeviceMemory(const HostDeviceMemory&) = delete;
+    HostDeviceMemory& operator=(const HostDeviceMemory&) = delete;
 
     // Chains the allocator to the description.
     void chainTo(ContextDescription& description);

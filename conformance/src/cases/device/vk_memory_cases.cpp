@@ -14,14 +14,14 @@ constexpr const char* createView = "agaaVkCreateView";
 
 // A context whose memory is the test's.
 struct HostContext {
-    HostMemory memory;
+    HostDeviceMemory memory;
     OwnContext context;
     explicit HostContext(Test& test) : memory(test), context(test, [&](ContextDescription& d) { memory.chainTo(d); }) {}
 };
 
 // Every block is the SDK's while the view exists, and no longer.
-void testBalance(Test& test, const std::function<void(HostMemory&)>& check = {}) {
-    HostMemory memory(test);
+void testBalance(Test& test, const std::function<void(HostDeviceMemory&)>& check = {}) {
+    HostDeviceMemory memory(test);
     VulkanInterposer vulkan;
     Image own, hosts;
     {
@@ -51,9 +51,9 @@ void testBalance(Test& test, const std::function<void(HostMemory&)>& check = {})
     expectNoMessages(test, "memory of AgaaVkAllocator");
 }
 
-// mapped is needed where HOST_VISIBLE is required; HostMemory gives null for all others.
+// mapped is needed where HOST_VISIBLE is required; HostDeviceMemory gives null for all others.
 void testMapped(Test& test) {
-    testBalance(test, [&](HostMemory& memory) {
+    testBalance(test, [&](HostDeviceMemory& memory) {
         uint32_t mapped = 0, unmapped = 0;
         for (const AgaaVkAllocationInfo& info : memory.infos)
             ++(info.requiredFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT ? mapped : unmapped);
@@ -64,7 +64,7 @@ void testMapped(Test& test) {
 // ---- failures --------------------------------------------------------------------------------------
 
 // What is called while the k-th allocation fails, for every k, until none fails.
-void forEachFailure(Test& test, HostMemory& memory, const std::string& what, const std::function<AgaaResult()>& call,
+void forEachFailure(Test& test, HostDeviceMemory& memory, const std::string& what, const std::function<AgaaResult()>& call,
                     const std::function<void(AgaaResult, const std::string&)>& onFailure) {
     for (uint32_t k = 1;; ++k) {
         memory.failAt = k;
@@ -104,7 +104,7 @@ void testCreateFails(Test& test) {
 }
 
 void testResizeFails(Test& test) {
-    HostMemory memory(test);
+    HostDeviceMemory memory(test);
     Rig rig(test, {}, [&](ContextDescription& d) { memory.chainTo(d); });
     const Image image = rig.render();
     const size_t before = memory.live();
@@ -138,7 +138,7 @@ const std::vector<Spoiled>& spoiled() {
 }
 
 // The k-th allocation is not valid, for each k where that can be. calls the function, and returns after the last k.
-void forEachSpoiled(Test& test, HostMemory& memory, const Spoiled& row, const std::string& function, LogRecorder& log,
+void forEachSpoiled(Test& test, HostDeviceMemory& memory, const Spoiled& row, const std::string& function, LogRecorder& log,
                     const std::function<AgaaResult()>& call, const std::function<void(const std::string&)>& after) {
     uint32_t found = 0;
     for (uint32_t k = 0;; ++k) {
@@ -190,7 +190,7 @@ void testCreateSpoiled(Test& test, const std::string& words) {
 
 void testResizeSpoiled(Test& test) {
     for (const Spoiled& row : spoiled()) {
-        HostMemory memory(test);
+        HostDeviceMemory memory(test);
         Rig rig(test, {}, [&](ContextDescription& d) { memory.chainTo(d); });
         const Image image = rig.render();
         const size_t before = memory.live();
@@ -212,7 +212,7 @@ void testResizeSpoiled(Test& test) {
 void addVulkanMemoryCases(Suite& suite) {
     const auto vk = [&](const char* name, std::function<void(Test&)> run) { suite.add(name, {Backend::Vulkan}, std::move(run)); };
     vk("AgaaVkAllocator/balance", [](Test& test) { testBalance(test); });
-    vk("AgaaVkAllocationInfo.reserved/zero", [](Test& test) { testBalance(test); }); // HostMemory tests each request
+    vk("AgaaVkAllocationInfo.reserved/zero", [](Test& test) { testBalance(test); }); // HostDeviceMemory tests each request
     vk("AgaaVkMemory.mapped/null", [](Test& test) {
         testMapped(test);
         testCreateSpoiled(test, "mapped");
