@@ -196,6 +196,7 @@ void testResizeSpoiled(Test& test) {
         const size_t before = memory.live();
         const auto resize = [&] {
             const AgaaResult result = test.sdk.agaaResizeView(rig.view.get(), 64, 48);
+            memory.spoil = nullptr;
             if (result == AGAA_OK)
                 test.requireOk(test.sdk.agaaResizeView(rig.view.get(), 32, 24), "agaaResizeView back");
             return result;
