@@ -86,6 +86,21 @@ void testView(Test& test, const Fault& fault) {
     expectNoMessages(test, "agaaVkCreateView");
 }
 
+// The device has no images any more of the formats that the view has.
+void testFormats(Test& test) {
+    VulkanInterposer vulkan;
+    Rig rig(test, {}, interpose);
+    const Image image = rig.render();
+    const std::map<std::string, int64_t> before = vulkan.objects;
+    vulkan.hasImageFormats = false;
+    expectRefused(test, test.sdk.agaaResizeView(rig.view.get(), 48, 40), AGAA_ERROR_UNSUPPORTED, rig.context.log,
+                  "agaaResizeView", "agaaResizeView on a device without images");
+    test.check(vulkan.objects == before, "agaaResizeView fails and leaves " + objectsText(vulkan.objects) + ".");
+    expectNextFrame(rig, image, "agaaResizeView on a device without images");
+    vulkan.hasImageFormats = true;
+    test.result(test.sdk.agaaResizeView(rig.view.get(), 48, 40), AGAA_OK, "agaaResizeView after one that failed");
+}
+
 void testResize(Test& test, const Fault& fault) {
     VulkanInterposer vulkan;
     Rig rig(test, {}, interpose);
@@ -109,6 +124,7 @@ void addVulkanFaultCases(Suite& suite) {
     const auto vk = [&](const std::string& name, void (*run)(Test&, const Fault&), const Fault& fault) {
         suite.add(name, {Backend::Vulkan}, [run, fault](Test& test) { run(test, fault); });
     };
+    suite.add("agaaResizeView/AGAA_ERROR_UNSUPPORTED", {Backend::Vulkan}, testFormats);
     struct Row {
         const char* function;
         void (*run)(Test&, const Fault&);
@@ -116,7 +132,7 @@ void addVulkanFaultCases(Suite& suite) {
     for (const Row& row : {Row{"agaaVkCreateContext", testContext}, Row{"agaaVkCreateView", testView},
                            Row{"agaaResizeView", testResize}}) {
         const std::string function = row.function, variant = function == "agaaResizeView" ? "/vulkan" : "";
-        vk(function + "/AGAA_ERROR_DEVICE" + variant, row.run, deviceLost);
+        vk(function + "/AGAA_ERROR_DEVICE", row.run, deviceLost);
         vk(function + "/AGAA_ERROR_OUT_OF_MEMORY" + variant, row.run, outOfDeviceMemory);
         vk(function + "/AGAA_ERROR_OUT_OF_MEMORY/vulkan_host_memory", row.run, outOfHostMemory);
     }
