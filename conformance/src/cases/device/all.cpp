@@ -14,6 +14,7 @@ Suite makeSuite() {
     addVulkanContextCases(suite);
     addVulkanFaultCases(suite);
     addVulkanMemoryCases(suite);
+    addTechniqueCases(suite);
     addViewCases(suite);
     addResizeCases(suite);
     addDeviceCapsCases(suite);

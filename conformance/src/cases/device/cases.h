@@ -12,6 +12,7 @@ void addContextCases(Suite& suite);
 void addVulkanContextCases(Suite& suite);
 void addVulkanFaultCases(Suite& suite);
 void addVulkanMemoryCases(Suite& suite);
+void addTechniqueCases(Suite& suite);
 void addViewCases(Suite& suite);
 void addResizeCases(Suite& suite);
 void addDeviceCapsCases(Suite& suite);
