@@ -15,6 +15,7 @@ Suite makeSuite() {
     addVulkanFaultCases(suite);
     addVulkanMemoryCases(suite);
     addTechniqueCases(suite);
+    addOpenGlFaultCases(suite);
     addViewCases(suite);
     addResizeCases(suite);
     addDeviceCapsCases(suite);

@@ -13,6 +13,7 @@ void addVulkanContextCases(Suite& suite);
 void addVulkanFaultCases(Suite& suite);
 void addVulkanMemoryCases(Suite& suite);
 void addTechniqueCases(Suite& suite);
+void addOpenGlFaultCases(Suite& suite);
 void addViewCases(Suite& suite);
 void addResizeCases(Suite& suite);
 void addDeviceCapsCases(Suite& suite);

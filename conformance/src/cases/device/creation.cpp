@@ -13,6 +13,13 @@ void addApiCase(Suite& suite, const std::string& function, const std::string& pr
     suite.add("agaaGl" + function + "/" + promise, {Backend::OpenGl}, run);
 }
 
+std::string objectsText(const std::map<std::string, int64_t>& objects) {
+    std::string text;
+    for (const auto& [kind, number] : objects)
+        text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + kind;
+    return text.empty() ? "nothing" : text;
+}
+
 void expectNoMessages(Test& test, const std::string& after) {
     for (const std::string& message : test.device().takeMessages())
         test.check(false, after + " causes a message: " + message);

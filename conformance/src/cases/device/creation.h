@@ -4,6 +4,8 @@
 #include "device.h"
 #include "cases/core/view_parts.h"
 
+#include <map>
+
 namespace agaa::conformance {
 
 using ChangeContext = std::function<void(ContextDescription&)>;
@@ -33,6 +35,9 @@ std::vector<ContextRow> wrongVulkanContexts(const Device& device);
 std::vector<ContextRow> wrongOpenGlContexts();
 // Those of one error.
 std::vector<ContextRow> rowsOf(const std::vector<ContextRow>& rows, AgaaResult expected);
+
+// "2 Image, 1 Buffer".
+std::string objectsText(const std::map<std::string, int64_t>& objects);
 
 void expectNoMessages(Test& test, const std::string& after);
 

@@ -229,11 +229,4 @@ void VulkanInterposer::count(const char* kind, int64_t difference) {
         objects.erase(kind);
 }
 
-std::string objectsText(const std::map<std::string, int64_t>& objects) {
-    std::string text;
-    for (const auto& [kind, number] : objects)
-        text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + kind;
-    return text.empty() ? "nothing" : text;
-}
-
 } // namespace agaa::conformance

@@ -47,6 +47,4 @@ private:
     std::string failed_;
 };
 
-std::string objectsText(const std::map<std::string, int64_t>& objects);
-
 } // namespace agaa::conformance
