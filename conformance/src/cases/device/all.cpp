@@ -16,6 +16,7 @@ Suite makeSuite() {
     addVulkanMemoryCases(suite);
     addTechniqueCases(suite);
     addOpenGlFaultCases(suite);
+    addOpenGlContextCases(suite);
     addViewCases(suite);
     addResizeCases(suite);
     addDeviceCapsCases(suite);

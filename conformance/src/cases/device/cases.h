@@ -14,6 +14,7 @@ void addVulkanFaultCases(Suite& suite);
 void addVulkanMemoryCases(Suite& suite);
 void addTechniqueCases(Suite& suite);
 void addOpenGlFaultCases(Suite& suite);
+void addOpenGlContextCases(Suite& suite);
 void addViewCases(Suite& suite);
 void addResizeCases(Suite& suite);
 void addDeviceCapsCases(Suite& suite);

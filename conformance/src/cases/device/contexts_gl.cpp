@@ -1,6 +1,13 @@
 // AgaaGlDeviceDesc and agaaGlCreateContext.
 #include "cases.h"
-#include "creation.h"
+#include "gl_interposer.h"
+
+#include "cases/core/header_check.h"
+#include "cases/core/structs.h"
+
+#include <EGL/egl.h>
+
+#include <cstring>
 
 namespace agaa::conformance {
 
@@ -54,6 +61,203 @@ std::vector<ContextRow> wrongOpenGlContexts() {
         add("AgaaGlDeviceDesc::bindings[" + std::to_string(i) + "] = 0xFFFFFFF0", range, "bindings",
             [=](D& d) { d.gl.bindings[i] = 0xFFFFFFF0; });
     return rows;
+}
+
+namespace {
+
+struct Value {
+    uint32_t value;
+    ChangeContext needs; // by the value; may be empty
+};
+
+// Contexts, and views with their shaders, are created with each value; others are refused.
+void testMember(Test& test, const std::string& member, const std::vector<Value>& accepted,
+                const std::function<void(AgaaGlDeviceDesc&, uint32_t)>& set) {
+    for (const Value& v : accepted) {
+        const auto change = [&](ContextDescription& d) {
+            if (v.needs)
+                v.needs(d);
+            set(d.gl, v.value);
+        };
+        const std::string what = "AgaaGlDeviceDesc::" + member + " = " + std::to_string(v.value);
+        expectContextAccepted(test, what, change);
+        OwnContext context(test, change);
+        ViewDescription description(&test.device());
+        AgaaView view = nullptr;
+        if (test.result(test.device().createView(test.sdk, context.get(), &description.desc, &view), AGAA_OK,
+                        "agaaGlCreateView with " + what))
+            test.sdk.agaaDestroyView(view);
+    }
+    for (const ContextRow& row : wrongOpenGlContexts())
+        if (row.words == member)
+            expectContextRefused(test, row);
+}
+
+void useCallbacks(ContextDescription& d) {
+    d.gl.pushState = keepState;
+    d.gl.popState = keepState;
+}
+void useOwnUnit(ContextDescription& d) { d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; }
+
+// "msaa" needs a block; all others take their constants in each way.
+void testConstants(Test& test) {
+    for (const uint32_t constants : {AGAA_GL_CONSTANTS_BLOCK, AGAA_GL_CONSTANTS_UNIFORMS, AGAA_GL_CONSTANTS_TEXELS}) {
+        OwnContext context(test, [&](ContextDescription& d) {
+            useOwnUnit(d);
+            d.gl.constants = constants;
+        });
+        for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"}) {
+            const std::string what = "agaaGlCreateView of \"" + std::string(technique) + "\" with AgaaGlDeviceDesc::constants = " +
+                                     std::to_string(constants);
+            ViewDescription description(&test.device());
+            description.config.technique = technique;
+            AgaaView view = nullptr;
+            const AgaaResult result = test.device().createView(test.sdk, context.get(), &description.desc, &view);
+            if (constants != AGAA_GL_CONSTANTS_BLOCK && !std::strcmp(technique, "msaa"))
+                expectRefused(test, result, AGAA_ERROR_UNSUPPORTED, context.log, "agaaGlCreateView", what,
+                              "AGAA_GL_CONSTANTS_BLOCK");
+            else
+                test.result(result, AGAA_OK, what);
+            if (view)
+                test.sdk.agaaDestroyView(view);
+        }
+    }
+}
+
+// ---- AGAA_ERROR_UNSUPPORTED ------------------------------------------------------------------------
+
+// No context is current while it lives.
+class NoContext {
+public:
+    NoContext() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+    ~NoContext() { eglMakeCurrent(display_, draw_, read_, context_); }
+
+private:
+    EGLDisplay display_ = eglGetCurrentDisplay();
+    EGLSurface draw_ = eglGetCurrentSurface(EGL_DRAW), read_ = eglGetCurrentSurface(EGL_READ);
+    EGLContext context_ = eglGetCurrentContext();
+};
+
+struct OtherContext {
+    std::string what, version, hidden, missing, words;
+    bool isAccepted;
+};
+
+const std::vector<OtherContext>& otherContexts() {
+    static const std::string access = "GL_ARB_direct_state_access";
+    static const std::vector<OtherContext> all = {
+        {"a context of OpenGL 4.2", "4.2 of the suite", "", "", "4.2", false},
+        {"a context of OpenGL 3.3", "3.3 of the suite", "", "", "3.3", false},
+        {"a context of OpenGL 4.3 without " + access, "4.3 of the suite", access, "", access, false},
+        {"a context of OpenGL 4.4 without " + access, "4.4 of the suite", access, "", access, false},
+        {"a context of OpenGL 4.3 with " + access, "4.3 of the suite", "", "", "", true},
+        {"a getProcAddr that finds no function", "", "", "*", "", false},
+        {"a getProcAddr that does not find glGetString", "", "", "glGetString", "", false}};
+    return all;
+}
+
+// call: creates something that it destroys again.
+void testUnsupported(Test& test, const std::string& function,
+                     const std::function<AgaaResult(ContextDescription&, const AgaaLog*)>& call) {
+    for (const OtherContext& other : otherContexts()) {
+        OpenGlInterposer gl;
+        gl.version = other.version;
+        gl.hiddenExtension = other.hidden;
+        gl.missing = other.missing;
+        ContextDescription description = test.device().description();
+        gl.chainTo(description);
+        LogRecorder log;
+        const AgaaResult result = call(description, log.get());
+        const std::string what = function + " with " + other.what;
+        if (other.isAccepted)
+            test.result(result, AGAA_OK, what);
+        else
+            expectRefused(test, result, AGAA_ERROR_UNSUPPORTED, log, function, what, other.words);
+        test.check(gl.objects.empty(), what + " leaves " + objectsText(gl.objects) + ".");
+    }
+    LogRecorder log;
+    ContextDescription description = test.device().description();
+    const NoContext none;
+    expectRefused(test, call(description, log.get()), AGAA_ERROR_UNSUPPORTED, log, function,
+                  function + " while no context is current");
+}
+
+void testContextUnsupported(Test& test) {
+    testUnsupported(test, "agaaGlCreateContext", [&](ContextDescription& d, const AgaaLog* log) {
+        d.desc.log = log;
+        AgaaContext context = untouchedHandle<AgaaContext>();
+        const AgaaResult result = test.device().createContext(test.sdk, AGAA_HEADER_VERSION, d, &context);
+        if (result == AGAA_OK)
+            test.sdk.agaaDestroyContext(context);
+        else
+            test.check(context == untouchedHandle<AgaaContext>(), "agaaGlCreateContext fails and changes outContext.");
+        return result;
+    });
+}
+
+void testCapsUnsupported(Test& test) {
+    testUnsupported(test, "agaaGlGetDeviceCaps", [&](ContextDescription& d, const AgaaLog* log) {
+        AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+        caps.maxImageSize = 77;
+        const AgaaResult result = test.sdk.agaaGlGetDeviceCaps(d.gl.getProcAddr, d.gl.getProcUser, log, &caps);
+        test.check(result == AGAA_OK || caps.maxImageSize == 77, "agaaGlGetDeviceCaps fails and changes outCaps.");
+        return result;
+    });
+}
+
+void testDeviceHeader(Test& test) {
+    HeaderCase c = {"AgaaGlDeviceDesc", "agaaGlCreateContext",
+                    [](Test& inner, void* structure) {
+                        const AgaaGlDeviceDesc right = inner.device().description().gl;
+                        constexpr size_t header = sizeof(AgaaStructHeader);
+                        std::memcpy(static_cast<char*>(structure) + header,
+                                    reinterpret_cast<const char*>(&right) + header, sizeof right - header);
+                    },
+                    [](Test& inner, void* structure, const AgaaLog* log) {
+                        AgaaContextDesc desc = AGAA_CONTEXT_DESC_INIT;
+                        desc.log = log;
+                        desc.pNext = structure;
+                        AgaaContext context = nullptr;
+                        const AgaaResult result = inner.sdk.agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context);
+                        if (result == AGAA_OK)
+                            inner.sdk.agaaDestroyContext(context);
+                        return result;
+                    }};
+    c.isChained = true;
+    testHeader(test, c);
+}
+
+} // namespace
+
+void addOpenGlContextCases(Suite& suite) {
+    const auto gl = [&](const char* name, std::function<void(Test&)> run) { suite.add(name, {Backend::OpenGl}, std::move(run)); };
+    gl("AgaaGlDeviceDesc/header", testDeviceHeader);
+    gl("AgaaGlDeviceDesc.glslVersion/range", [](Test& test) {
+        testMember(test, "glslVersion",
+                   {{330, {}}, {400, {}}, {410, {}}, {420, {}}, {430, {}}, {440, {}}, {450, {}}, {460, {}}},
+                   [](AgaaGlDeviceDesc& d, uint32_t value) { d.glslVersion = value; });
+    });
+    gl("AgaaGlDeviceDesc.storage/enum", [](Test& test) {
+        testMember(test, "storage", {{AGAA_GL_STORAGE_BUFFERS, {}}, {AGAA_GL_STORAGE_IMAGES, {}}},
+                   [](AgaaGlDeviceDesc& d, uint32_t value) { d.storage = value; });
+    });
+    gl("AgaaGlDeviceDesc.outputs/enum", [](Test& test) {
+        testMember(test, "outputs", {{AGAA_GL_OUTPUTS_SDK, {}}, {AGAA_GL_OUTPUTS_HOST, {}}},
+                   [](AgaaGlDeviceDesc& d, uint32_t value) { d.outputs = value; });
+    });
+    gl("AgaaGlDeviceDesc.statePolicy/enum", [](Test& test) {
+        testMember(test, "statePolicy",
+                   {{AGAA_GL_STATE_RESTORE, {}}, {AGAA_GL_STATE_CALLBACKS, useCallbacks}, {AGAA_GL_STATE_NONE, {}}},
+                   [](AgaaGlDeviceDesc& d, uint32_t value) { d.statePolicy = value; });
+    });
+    gl("AgaaGlDeviceDesc.constants/enum", [](Test& test) {
+        testMember(test, "constants",
+                   {{AGAA_GL_CONSTANTS_BLOCK, {}}, {AGAA_GL_CONSTANTS_UNIFORMS, {}}, {AGAA_GL_CONSTANTS_TEXELS, useOwnUnit}},
+                   [](AgaaGlDeviceDesc& d, uint32_t value) { d.constants = value; });
+    });
+    gl("AgaaGlConstants/AGAA_ERROR_UNSUPPORTED", testConstants);
+    gl("agaaGlCreateContext/AGAA_ERROR_UNSUPPORTED", testContextUnsupported);
+    gl("agaaGlGetDeviceCaps/AGAA_ERROR_UNSUPPORTED", testCapsUnsupported);
 }
 
 } // namespace agaa::conformance
