@@ -17,6 +17,7 @@ Suite makeSuite() {
     addTechniqueCases(suite);
     addOpenGlFaultCases(suite);
     addOpenGlContextCases(suite);
+    addOpenGlStateCases(suite);
     addViewCases(suite);
     addResizeCases(suite);
     addDeviceCapsCases(suite);

@@ -15,6 +15,7 @@ void addVulkanMemoryCases(Suite& suite);
 void addTechniqueCases(Suite& suite);
 void addOpenGlFaultCases(Suite& suite);
 void addOpenGlContextCases(Suite& suite);
+void addOpenGlStateCases(Suite& suite);
 void addViewCases(Suite& suite);
 void addResizeCases(Suite& suite);
 void addDeviceCapsCases(Suite& suite);
