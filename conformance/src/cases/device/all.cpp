@@ -18,6 +18,8 @@ Suite makeSuite() {
     addOpenGlFaultCases(suite);
     addOpenGlContextCases(suite);
     addOpenGlStateCases(suite);
+    addOpenGlCallbackCases(suite);
+    addOtherApiCases(suite);
     addViewCases(suite);
     addResizeCases(suite);
     addDeviceCapsCases(suite);

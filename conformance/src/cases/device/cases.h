@@ -16,6 +16,8 @@ void addTechniqueCases(Suite& suite);
 void addOpenGlFaultCases(Suite& suite);
 void addOpenGlContextCases(Suite& suite);
 void addOpenGlStateCases(Suite& suite);
+void addOpenGlCallbackCases(Suite& suite);
+void addOtherApiCases(Suite& suite);
 void addViewCases(Suite& suite);
 void addResizeCases(Suite& suite);
 void addDeviceCapsCases(Suite& suite);
