@@ -20,6 +20,7 @@ Suite makeSuite() {
     addOpenGlStateCases(suite);
     addOpenGlCallbackCases(suite);
     addOtherApiCases(suite);
+    addVulkanTierCases(suite);
     addViewCases(suite);
     addResizeCases(suite);
     addDeviceCapsCases(suite);

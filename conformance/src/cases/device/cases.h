@@ -18,6 +18,7 @@ void addOpenGlContextCases(Suite& suite);
 void addOpenGlStateCases(Suite& suite);
 void addOpenGlCallbackCases(Suite& suite);
 void addOtherApiCases(Suite& suite);
+void addVulkanTierCases(Suite& suite);
 void addViewCases(Suite& suite);
 void addResizeCases(Suite& suite);
 void addDeviceCapsCases(Suite& suite);
