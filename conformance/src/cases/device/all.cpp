@@ -21,6 +21,9 @@ Suite makeSuite() {
     addOpenGlCallbackCases(suite);
     addOtherApiCases(suite);
     addVulkanTierCases(suite);
+    addOpenGlUnsupportedCases(suite);
+    addVulkanUnsupportedCases(suite);
+    addVulkanCapsCases(suite);
     addViewCases(suite);
     addResizeCases(suite);
     addDeviceCapsCases(suite);
