@@ -123,6 +123,29 @@ void testFeaturesNull(Test& test) {
                                        std::to_string(flag) + " although the device has the feature.");
 }
 
+// The host's cache takes the place of the SDK's, and outlives the context.
+void testPipelineCache(Test& test) {
+    const auto device = static_cast<VkDevice>(test.device().description().vk.device);
+    VkPipelineCacheCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
+    VkPipelineCache cache = VK_NULL_HANDLE;
+    test.require(vkCreatePipelineCache(device, &info, nullptr, &cache) == VK_SUCCESS, "vkCreatePipelineCache fails.");
+    {
+        VulkanInterposer vulkan;
+        OwnContext context(test, [&](ContextDescription& d) {
+            d.vk.getProcAddr = VulkanInterposer::getProcAddr;
+            d.vk.pipelineCache = (uint64_t)cache;
+        });
+        ViewDescription description(&test.device());
+        OwnView view(test, context.get(), description);
+        test.check(!vulkan.objects.count("PipelineCache"), "the SDK creates a cache although the host has one.");
+    }
+    size_t size = 0;
+    test.check(vkGetPipelineCacheData(device, cache, &size, nullptr) == VK_SUCCESS, "vkGetPipelineCacheData fails.");
+    vkDestroyPipelineCache(device, cache, nullptr);
+    expectNoMessages(test, "AgaaVkDeviceDesc::pipelineCache");
+}
+
 // ---- threads and headers ---------------------------------------------------------------------------
 
 void testThreads(Test& test) {
@@ -194,6 +217,7 @@ void addVulkanContextCases(Suite& suite) {
                    [](AgaaVkDeviceDesc& d, uint32_t value) { d.recording = value; });
     });
     vk("AgaaVkDeviceDesc.enabledFeatures/null", testFeaturesNull);
+    vk("AgaaVkDeviceDesc.pipelineCache/of_the_host", testPipelineCache);
     vk("agaaVkCreateContext/threads", testThreads);
 }
 

@@ -69,6 +69,19 @@ void testOptions(Test& test) {
         test.check(false, "with options: " + failure);
 }
 
+// VkRenderPass of the first draw pass, or 0.
+uint64_t renderPassOf(Test& test, AgaaView view) {
+    uint32_t count = 8;
+    const AgaaDrawPass initial = AGAA_DRAW_PASS_INIT;
+    const AgaaVkDrawPass initialNative = AGAA_VK_DRAW_PASS_INIT;
+    std::vector<AgaaDrawPass> passes(count, initial);
+    std::vector<AgaaVkDrawPass> natives(count, initialNative);
+    for (uint32_t i = 0; i < count; ++i)
+        passes[i].pNext = &natives[i];
+    test.requireOk(test.sdk.agaaGetDrawPasses(view, &count, passes.data()), "agaaGetDrawPasses");
+    return natives[0].renderPass;
+}
+
 void testRenderings(Test& test) {
     const std::unique_ptr<Device> device = makeVulkanDevice(test.sdk, test.device().deviceName(), true);
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
@@ -78,9 +91,12 @@ void testRenderings(Test& test) {
     Test inner(test.sdk, device.get());
     try {
         Image images[2];
-        for (const uint32_t rendering : {AGAA_VK_RENDERING_DYNAMIC, AGAA_VK_RENDERING_RENDER_PASS}) {
+        for (const uint32_t rendering : {AGAA_VK_RENDERING_AUTO, AGAA_VK_RENDERING_DYNAMIC, AGAA_VK_RENDERING_RENDER_PASS}) {
             Rig rig(inner, {}, [=](ContextDescription& d) { d.vk.rendering = rendering; });
-            images[rendering - 1] = rig.render();
+            const bool usesPass = rendering == AGAA_VK_RENDERING_RENDER_PASS;
+            images[usesPass] = rig.render();
+            inner.check((renderPassOf(inner, rig.view.get()) != 0) == usesPass,
+                        "AgaaVkDeviceDesc::rendering = " + std::to_string(rendering) + " selects the other way to render.");
         }
         expectSame(inner, images[0], images[1], 32, "the image with dynamic rendering in place of render passes");
     } catch (const Aborted&) {
