@@ -1,0 +1,140 @@
+// Functions that create and resize leave the state of the host's context as it was.
+#include "cases.h"
+#include "creation.h"
+#include "gl_state.h"
+
+namespace agaa::conformance {
+
+namespace {
+
+// In a context of its own, whose state the other tests do not see.
+class UnusualContext {
+public:
+    explicit UnusualContext(Test& test) : device(makeOpenGlDevice(test.device().deviceName())), test_(test) {
+        const OpenGlState initial = readOpenGlState();
+        makeStateUnusual();
+        for (const std::string& message : device->takeMessages())
+            test.check(false, "the test makes a message: " + message);
+        state_ = readOpenGlState();
+        uint32_t equal = 0;
+        for (size_t i = 0; i < state_.size(); ++i)
+            equal += initial[i].second == state_[i].second;
+        test.check(equal * 4 < state_.size(), "the test leaves most of the state as it is at first.");
+    }
+    void expectUnchanged(const std::string& after) {
+        for (const std::string& message : device->takeMessages())
+            test_.check(false, after + " causes a message: " + message);
+        const OpenGlState now = readOpenGlState();
+        for (size_t i = 0; i < now.size(); ++i)
+            test_.check(now[i].second == state_[i].second, after + " changes " + now[i].first + " from " +
+                                                               text(state_[i].second) + " to " + text(now[i].second) + ".");
+        state_ = now;
+    }
+    const std::unique_ptr<Device> device;
+
+private:
+    static std::string text(const std::vector<int64_t>& values) {
+        std::string all;
+        for (const int64_t value : values)
+            all += (all.empty() ? "" : ", ") + std::to_string(value);
+        return all;
+    }
+    Test& test_;
+    OpenGlState state_;
+};
+
+AgaaResult AGAA_CALL keepState(void*) { return AGAA_OK; }
+
+// With each policy: it is about frames.
+AgaaContext createContext(Test& test, UnusualContext& host, uint32_t policy, LogRecorder& log) {
+    ContextDescription description = host.device->description();
+    description.desc.log = log.get();
+    description.gl.statePolicy = policy;
+    description.gl.pushState = description.gl.popState = keepState;
+    AgaaContext context = nullptr;
+    test.requireOk(host.device->createContext(test.sdk, AGAA_HEADER_VERSION, description, &context), "agaaGlCreateContext");
+    return context;
+}
+
+void testContexts(Test& test) {
+    UnusualContext host(test);
+    for (const uint32_t policy : {AGAA_GL_STATE_RESTORE, AGAA_GL_STATE_CALLBACKS, AGAA_GL_STATE_NONE}) {
+        LogRecorder log;
+        const AgaaContext context = createContext(test, host, policy, log);
+        host.expectUnchanged("agaaGlCreateContext with statePolicy = " + std::to_string(policy));
+        AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+        test.result(host.device->getContextCaps(test.sdk, context, &caps), AGAA_OK, "agaaGlGetContextCaps");
+        host.expectUnchanged("agaaGlGetContextCaps");
+        test.result(test.sdk.agaaDestroyContext(context), AGAA_OK, "agaaDestroyContext");
+        host.expectUnchanged("agaaDestroyContext");
+        test.check(log.lines.empty(), "a context in unusual state logs a line.");
+    }
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    test.result(host.device->getDeviceCaps(test.sdk, nullptr, &caps), AGAA_OK, "agaaGlGetDeviceCaps");
+    host.expectUnchanged("agaaGlGetDeviceCaps");
+    ContextDescription wrong = host.device->description();
+    wrong.gl.bindings[AGAA_GL_BINDING_LIGHTS] = 0xFFFFFFF0; // found in the context
+    AgaaContext none = nullptr;
+    test.result(host.device->createContext(test.sdk, AGAA_HEADER_VERSION, wrong, &none), AGAA_ERROR_OUT_OF_RANGE,
+                "agaaGlCreateContext with a binding that the context lacks");
+    host.expectUnchanged("agaaGlCreateContext that fails");
+}
+
+// Runs on views of all techniques, with their host functions.
+void forEachView(Test& test, const std::function<void(UnusualContext&, AgaaContext, const ViewParts&, const std::string&)>& run) {
+    UnusualContext host(test);
+    LogRecorder log;
+    const AgaaContext context = createContext(test, host, AGAA_GL_STATE_RESTORE, log);
+    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"}) {
+        ViewParts parts(test.sdk, host.device.get());
+        parts.config.technique = technique;
+        parts.config.flags |= AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK;
+        run(host, context, parts, std::string("\"") + technique + "\"");
+    }
+    ViewParts fetched(test.sdk, host.device.get()), sampled(test.sdk, host.device.get());
+    fetched.chain(fetched.fetch);
+    run(host, context, fetched, "\"agaa\" with an AgaaFetchFunction");
+    sampled.chain(sampled.gbuffer); // draws nothing
+    run(host, context, sampled, "\"agaa\" with an AgaaGBufferFunction");
+    test.result(test.sdk.agaaDestroyContext(context), AGAA_OK, "agaaDestroyContext");
+}
+
+void testViews(Test& test) {
+    forEachView(test, [&](UnusualContext& host, AgaaContext context, const ViewParts& parts, const std::string& name) {
+        AgaaView view = nullptr;
+        test.requireOk(host.device->createView(test.sdk, context, &parts.desc, &view), "agaaGlCreateView of " + name);
+        host.expectUnchanged("agaaGlCreateView of " + name);
+        test.sdk.agaaDestroyView(view);
+        host.expectUnchanged("agaaDestroyView of " + name);
+        ViewParts wrong(test.sdk, host.device.get());
+        wrong.chain(wrong.gbuffer);
+        wrong.gbuffer.glsl = "";
+        test.result(host.device->createView(test.sdk, context, &wrong.desc, &view), AGAA_ERROR_INVALID_ARGUMENT,
+                    "agaaGlCreateView with a text that does not compile");
+        host.device->takeMessages(); // of the compiler
+        host.expectUnchanged("agaaGlCreateView that fails");
+    });
+}
+
+void testResizes(Test& test) {
+    forEachView(test, [&](UnusualContext& host, AgaaContext context, const ViewParts& parts, const std::string& name) {
+        AgaaView view = nullptr;
+        test.requireOk(host.device->createView(test.sdk, context, &parts.desc, &view), "agaaGlCreateView of " + name);
+        host.expectUnchanged("agaaGlCreateView of " + name);
+        test.result(test.sdk.agaaResizeView(view, 48, 16), AGAA_OK, "agaaResizeView of " + name);
+        host.expectUnchanged("agaaResizeView of " + name);
+        test.result(test.sdk.agaaResizeView(view, 0xFFFFFFFF, 16), AGAA_ERROR_TOO_LARGE, "agaaResizeView of " + name);
+        host.expectUnchanged("agaaResizeView that fails");
+        test.sdk.agaaDestroyView(view);
+    });
+}
+
+} // namespace
+
+void addOpenGlStateCases(Suite& suite) {
+    suite.add("agaaGlCreateContext/opengl_state", {Backend::OpenGl}, testContexts);
+    suite.add("agaaGlCreateView/opengl_state", {Backend::OpenGl}, testViews);
+    suite.add("agaaResizeView/opengl_state", {Backend::OpenGl}, testResizes);
+}
+
+} // namespace agaa::conformance
