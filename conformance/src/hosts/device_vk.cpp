@@ -93,8 +93,9 @@ public:
 
     void fillOutput(float value) override {
         const VkCommandBuffer commands = commands_.begin();
+        imageBarrier(commands, *output_, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
         clearOutput(commands, value);
-        allBarrier(commands);
+        imageBarrier(commands, *output_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_GENERAL);
         commands_.submit();
     }
 
@@ -105,7 +106,9 @@ public:
         region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
         region.imageExtent = {output_->width, output_->height, 1};
         const VkCommandBuffer commands = commands_.begin();
-        vkCmdCopyImageToBuffer(commands, output_->image, VK_IMAGE_LAYOUT_GENERAL, buffer.buffer, 1, &region);
+        imageBarrier(commands, *output_, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+        vkCmdCopyImageToBuffer(commands, output_->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer, 1, &region);
+        imageBarrier(commands, *output_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_GENERAL);
         allBarrier(commands);
         commands_.submit();
         std::memcpy(pixels.data(), buffer.mapped, pixels.size() * sizeof(float));
@@ -132,7 +135,7 @@ private:
     void clearOutput(VkCommandBuffer commands, float value) const {
         const VkClearColorValue color = {{value, value, value, value}};
         const VkImageSubresourceRange range = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-        vkCmdClearColorImage(commands, output_->image, VK_IMAGE_LAYOUT_GENERAL, &color, 1, &range);
+        vkCmdClearColorImage(commands, output_->image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &color, 1, &range);
     }
 
     VkBuffer upload(const Scene& scene) {

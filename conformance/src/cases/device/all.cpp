@@ -8,6 +8,8 @@ Suite makeSuite() {
     Suite suite;
     addCoreCases(suite);
     addGeneralCases(suite);
+    addFrameRangeCases(suite);
+    addLightMemberCases(suite);
     return suite;
 }
 

@@ -6,5 +6,7 @@
 namespace agaa::conformance {
 
 void addGeneralCases(Suite& suite);
+void addFrameRangeCases(Suite& suite);
+void addLightMemberCases(Suite& suite);
 
 } // namespace agaa::conformance
