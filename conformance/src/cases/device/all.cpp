@@ -10,6 +10,8 @@ Suite makeSuite() {
     addGeneralCases(suite);
     addFrameRangeCases(suite);
     addLightMemberCases(suite);
+    addFrameArgumentCases(suite);
+    addFrameOrderCases(suite);
     return suite;
 }
 

@@ -8,5 +8,7 @@ namespace agaa::conformance {
 void addGeneralCases(Suite& suite);
 void addFrameRangeCases(Suite& suite);
 void addLightMemberCases(Suite& suite);
+void addFrameArgumentCases(Suite& suite);
+void addFrameOrderCases(Suite& suite);
 
 } // namespace agaa::conformance

@@ -33,7 +33,8 @@ void accept(Rig& rig, const FrameMember& row, double value) {
     rig.context.log.lines.clear();
     const AgaaResult result = rig.record(parts.frame);
     const std::vector<LogLine> errors = rig.context.log.errors();
-    rig.test.result(result, AGAA_OK, what + (errors.empty() ? "" : " (\"" + errors[0].text + "\")"));
+    rig.test.result(result, AGAA_OK,
+                    what + (errors.empty() ? "" : " (\"" + errors[0].text + "\")"));
     rig.expectNoMessages(what);
     expectFinite(rig.test, rig.device().readOutput(), what);
 }
@@ -59,11 +60,17 @@ void testFrameMember(MemberRig& rig, const FrameMember& row) {
             refuse(rig, row, value);
 }
 
-void addFrameMember(Suite& suite, const FrameMember& row) {
-    suite.both(row.promise, [row](Test& test) {
+void addFrameMembers(Suite& suite, const std::string& promise,
+                     const std::vector<FrameMember>& rows) {
+    suite.both(promise, [rows](Test& test) {
         MemberRig rig(test);
-        testFrameMember(rig, row);
+        for (const FrameMember& row : rows)
+            testFrameMember(rig, row);
     });
+}
+
+void addFrameMember(Suite& suite, const FrameMember& row) {
+    addFrameMembers(suite, row.promise, {row});
 }
 
 } // namespace agaa::conformance

@@ -1,4 +1,5 @@
-// Tests of single members of what describes a frame: values that are accepted and values that are refused.
+// Tests of single members of what describes a frame: values that are accepted and values that are
+// refused.
 #pragma once
 
 #include "cases/core/members.h"
@@ -40,5 +41,8 @@ struct MemberRig : Rig {
 };
 void testFrameMember(MemberRig& rig, const FrameMember& row);
 void addFrameMember(Suite& suite, const FrameMember& row);
+// Several rows in one test; their own promises are not read.
+void addFrameMembers(Suite& suite, const std::string& promise,
+                     const std::vector<FrameMember>& rows);
 
 } // namespace agaa::conformance

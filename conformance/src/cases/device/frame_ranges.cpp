@@ -15,7 +15,9 @@ Set view(int i) {
     return [i](FrameParts& parts, double v) { parts.frame.view[i] = float(v); };
 }
 
-std::string elementText(const char* member, int i) { return std::string(member) + "[" + std::to_string(i) + "]"; }
+std::string elementText(const char* member, int i) {
+    return std::string(member) + "[" + std::to_string(i) + "]";
+}
 
 // The pixel camera is orthographic: 0, 5, 10 scale, 12, 13, 14 shift. On OpenGL 14 may be -1.
 void testProjection(Test& test) {
@@ -58,15 +60,31 @@ void testPerspective(Test& test) {
             parts.frame.projection[i] = float(v);
         };
     };
-    testFrameMember(rig, {"", "AgaaFrame::projection for a screen at the distance", "AgaaFrame::projection", perspective,
-                           {4, 8, 100}, {}});
+    testFrameMember(rig, {"",
+                          "AgaaFrame::projection for a screen at the distance",
+                          "AgaaFrame::projection",
+                          perspective,
+                          {4, 8, 100},
+                          {}});
     for (const int i : {1, 2, 3, 4, 6, 7, 12, 13})
-        testFrameMember(rig, {"", elementText("AgaaFrame::projection", i) + " of a perspective", "AgaaFrame::projection",
-                               with(i), {}, notNumbers({1})});
-    testFrameMember(rig, {"", "AgaaFrame::projection[14] of a perspective", "AgaaFrame::projection", with(14), {},
-                           notNumbers({0, 0.2})});
-    testFrameMember(rig, {"", "AgaaFrame::projection[15] of a perspective", "AgaaFrame::projection", with(15), {},
-                           notNumbers({1, -1})});
+        testFrameMember(rig, {"",
+                              elementText("AgaaFrame::projection", i) + " of a perspective",
+                              "AgaaFrame::projection",
+                              with(i),
+                              {},
+                              notNumbers({1})});
+    testFrameMember(rig, {"",
+                          "AgaaFrame::projection[14] of a perspective",
+                          "AgaaFrame::projection",
+                          with(14),
+                          {},
+                          notNumbers({0, 0.2})});
+    testFrameMember(rig, {"",
+                          "AgaaFrame::projection[15] of a perspective",
+                          "AgaaFrame::projection",
+                          with(15),
+                          {},
+                          notNumbers({1, -1})});
 }
 
 void testView(Test& test) {
@@ -95,24 +113,38 @@ void addColors(Suite& suite) {
     suite.both("AgaaFrame.ambient/range", [](Test& test) {
         MemberRig rig(test);
         for (int i = 0; i < 3; ++i)
-            testFrameMember(rig, {"", elementText("AgaaFrame::ambient", i), "AgaaFrame::ambient",
-                                   [i](FrameParts& parts, double v) { parts.frame.ambient[i] = float(v); },
-                                   {0, 1e-30f, 65504}, notNumbers({-1e-20, -1, above(65504)})});
+            testFrameMember(
+                rig, {"",
+                      elementText("AgaaFrame::ambient", i),
+                      "AgaaFrame::ambient",
+                      [i](FrameParts& parts, double v) { parts.frame.ambient[i] = float(v); },
+                      {0, 1e-30f, 65504},
+                      notNumbers({-1e-20, -1, above(65504)})});
     });
     suite.both("AgaaFrame.background/range", [](Test& test) {
         MemberRig rig(test);
         for (int i = 0; i < 4; ++i)
-            testFrameMember(rig, {"", elementText("AgaaFrame::background", i), "AgaaFrame::background",
-                                   [i](FrameParts& parts, double v) { parts.frame.background[i] = float(v); },
-                                   {1e-30f, 1, 65504}, notNumbers({-1e-20, -1, above(65504)})});
+            testFrameMember(
+                rig, {"",
+                      elementText("AgaaFrame::background", i),
+                      "AgaaFrame::background",
+                      [i](FrameParts& parts, double v) { parts.frame.background[i] = float(v); },
+                      {1e-30f, 1, 65504},
+                      notNumbers({-1e-20, -1, above(65504)})});
         for (int i = 0; i < 3; ++i)
-            testFrameMember(rig, {"", elementText("AgaaFrame::background", i), "AgaaFrame::background",
-                                   [i](FrameParts& parts, double v) { parts.frame.background[i] = float(v); }, {0}, {}});
+            testFrameMember(
+                rig, {"",
+                      elementText("AgaaFrame::background", i),
+                      "AgaaFrame::background",
+                      [i](FrameParts& parts, double v) { parts.frame.background[i] = float(v); },
+                      {0},
+                      {}});
     });
 }
 
 void addCounts(Suite& suite) {
-    addFrameMember(suite, {"AgaaFrame.lightCount/range", "AgaaFrame::lightCount, with maxLights = 4,",
+    addFrameMember(suite, {"AgaaFrame.lightCount/range",
+                           "AgaaFrame::lightCount, with maxLights = 4,",
                            "AgaaFrame::lightCount",
                            [](FrameParts& parts, double v) {
                                static const AgaaLight light = AGAA_LIGHT_INIT;
@@ -120,41 +152,69 @@ void addCounts(Suite& suite) {
                                parts.frame.lights = lights;
                                parts.frame.lightCount = uint32_t(v);
                            },
-                           {0, 1, 4}, largeNumbers({5})});
-    addFrameMember(suite, {"AgaaFrame.shadowCount/range", "AgaaFrame::shadowCount, with shadowMapCount = 2,",
+                           {0, 1, 4},
+                           largeNumbers({5})});
+    addFrameMember(suite, {"AgaaFrame.shadowCount/range",
+                           "AgaaFrame::shadowCount, with shadowMapCount = 2,",
                            "AgaaFrame::shadowCount",
                            [](FrameParts& parts, double v) {
                                parts.useShadows();
                                parts.frame.shadowCount = uint32_t(v);
                            },
-                           {0, 1, 2}, largeNumbers({3, AGAA_MAX_SHADOW_MAPS + 1})});
-    addFrameMember(suite, {"AgaaFrame.lightSize/range", "AgaaFrame::lightSize", "AgaaFrame::lightSize",
+                           {0, 1, 2},
+                           largeNumbers({3, AGAA_MAX_SHADOW_MAPS + 1})});
+    addFrameMember(suite, {"AgaaFrame.lightSize/range",
+                           "AgaaFrame::lightSize",
+                           "AgaaFrame::lightSize",
                            [](FrameParts& parts, double v) {
                                parts.useLights();
                                parts.frame.lightCount = 1;
                                parts.frame.lightSize = uint32_t(v);
                            },
-                           {sizeof(AgaaLight)}, largeNumbers({0, 4, 60, 65})});
-    addFrameMember(suite, {"AgaaFrame.lightSize/range/without_lights", "AgaaFrame::lightSize without lights", "",
-                           [](FrameParts& parts, double v) { parts.frame.lightSize = uint32_t(v); }, largeNumbers({0, 1}),
+                           {sizeof(AgaaLight)},
+                           largeNumbers({0, 4, 60, 65})});
+    addFrameMember(suite, {"AgaaFrame.lightSize/range/without_lights",
+                           "AgaaFrame::lightSize without lights",
+                           "",
+                           [](FrameParts& parts, double v) { parts.frame.lightSize = uint32_t(v); },
+                           largeNumbers({0, 1}),
                            {}});
-    addFrameMember(suite, {"AgaaFrame.shadowSize/range", "AgaaFrame::shadowSize", "AgaaFrame::shadowSize",
+    addFrameMember(suite, {"AgaaFrame.shadowSize/range",
+                           "AgaaFrame::shadowSize",
+                           "AgaaFrame::shadowSize",
                            [](FrameParts& parts, double v) {
                                parts.useShadows();
                                parts.frame.shadowCount = 1;
                                parts.frame.shadowSize = uint32_t(v);
                            },
-                           {sizeof(AgaaShadow)}, largeNumbers({0, 4, 388, 393})});
-    addFrameMember(suite, {"AgaaFrame.shadowSize/range/without_shadows", "AgaaFrame::shadowSize without shadows", "",
-                           [](FrameParts& parts, double v) { parts.frame.shadowSize = uint32_t(v); }, largeNumbers({0, 1}),
-                           {}});
+                           {sizeof(AgaaShadow)},
+                           largeNumbers({0, 4, 388, 393})});
+    addFrameMember(suite,
+                   {"AgaaFrame.shadowSize/range/without_shadows",
+                    "AgaaFrame::shadowSize without shadows",
+                    "",
+                    [](FrameParts& parts, double v) { parts.frame.shadowSize = uint32_t(v); },
+                    largeNumbers({0, 1}),
+                    {}});
     // The value is the number of lights or shadows behind the null pointer.
-    addFrameMember(suite, {"AgaaFrame.lights/null", "AgaaFrame::lights = null and lightCount", "AgaaFrame::lights",
-                           [](FrameParts& parts, double v) { parts.frame.lightCount = uint32_t(v); }, {0}, {1, 4}, {},
-                           AGAA_ERROR_INVALID_ARGUMENT});
-    addFrameMember(suite, {"AgaaFrame.shadows/null", "AgaaFrame::shadows = null and shadowCount", "AgaaFrame::shadows",
-                           [](FrameParts& parts, double v) { parts.frame.shadowCount = uint32_t(v); }, {0}, {1, 2}, {},
-                           AGAA_ERROR_INVALID_ARGUMENT});
+    addFrameMember(suite,
+                   {"AgaaFrame.lights/null",
+                    "AgaaFrame::lights = null and lightCount",
+                    "AgaaFrame::lights",
+                    [](FrameParts& parts, double v) { parts.frame.lightCount = uint32_t(v); },
+                    {0},
+                    {1, 4},
+                    {},
+                    AGAA_ERROR_INVALID_ARGUMENT});
+    addFrameMember(suite,
+                   {"AgaaFrame.shadows/null",
+                    "AgaaFrame::shadows = null and shadowCount",
+                    "AgaaFrame::shadows",
+                    [](FrameParts& parts, double v) { parts.frame.shadowCount = uint32_t(v); },
+                    {0},
+                    {1, 2},
+                    {},
+                    AGAA_ERROR_INVALID_ARGUMENT});
 }
 
 void testSegments(Test& test) {
@@ -162,25 +222,30 @@ void testSegments(Test& test) {
     const Image expected = rig.render();
     AgaaFrame frame = rig.nextFrame();
     rig.device().fillOutput(0.25f);
-    for (const uint64_t segment : {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING}) {
+    for (const uint64_t segment :
+         {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING}) {
         frame.segments = segment;
-        test.requireOk(rig.record(frame), rig.function() + " with AgaaFrame::segments = " + std::to_string(segment));
+        test.requireOk(rig.record(frame),
+                       rig.function() + " with AgaaFrame::segments = " + std::to_string(segment));
     }
-    expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width, "a frame in three segments");
+    expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width,
+               "a frame in three segments");
     frame = rig.nextFrame();
     frame.segments = 0;
-    expectFrameRefused(rig, frame, {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with AgaaFrame::segments = 0",
-                                    "AgaaFrame::segments"},
+    expectFrameRefused(rig, frame,
+                       {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with AgaaFrame::segments = 0",
+                        "AgaaFrame::segments"},
                        expected);
     for (int bit = isSameVersion(test) ? 3 : 48; bit < 64; ++bit)
         for (const uint64_t others : {UINT64_C(0), AGAA_SEGMENT_ALL}) {
             frame = rig.nextFrame();
             frame.segments = others | UINT64_C(1) << bit;
-            expectFrameRefused(rig, frame,
-                               {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with AgaaFrame::segments = " +
-                                                             std::to_string(frame.segments),
-                                "AgaaFrame::segments"},
-                               expected);
+            expectFrameRefused(
+                rig, frame,
+                {AGAA_ERROR_OUT_OF_RANGE,
+                 rig.function() + " with AgaaFrame::segments = " + std::to_string(frame.segments),
+                 "AgaaFrame::segments"},
+                expected);
         }
 }
 

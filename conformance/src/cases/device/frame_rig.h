@@ -52,7 +52,7 @@ public:
 struct Refusal {
     AgaaResult code;
     std::string what;  // as a reader of the failure would write it
-    std::string words; // in the log's sentence; may be empty
+    std::string words = ""; // in the log's sentence; may be empty
 };
 // A frame that must fail: one sentence, nothing drawn, and the next right frame shows `expected`.
 void expectFrameRefused(Rig& rig, AgaaFrame& frame, const Refusal& refusal, const Image& expected,
