@@ -12,6 +12,8 @@ Suite makeSuite() {
     addLightMemberCases(suite);
     addFrameArgumentCases(suite);
     addFrameOrderCases(suite);
+    addFrameCallbackCases(suite);
+    addVkFailureCases(suite);
     return suite;
 }
 

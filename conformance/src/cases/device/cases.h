@@ -10,5 +10,7 @@ void addFrameRangeCases(Suite& suite);
 void addLightMemberCases(Suite& suite);
 void addFrameArgumentCases(Suite& suite);
 void addFrameOrderCases(Suite& suite);
+void addFrameCallbackCases(Suite& suite);
+void addVkFailureCases(Suite& suite);
 
 } // namespace agaa::conformance
