@@ -14,6 +14,10 @@ Suite makeSuite() {
     addFrameOrderCases(suite);
     addFrameCallbackCases(suite);
     addVkFailureCases(suite);
+    addFrameCountCases(suite);
+    addFrameHeaderCases(suite);
+    addDrawPassCases(suite);
+    addDrawPassErrorCases(suite);
     return suite;
 }
 

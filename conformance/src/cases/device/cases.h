@@ -12,5 +12,9 @@ void addFrameArgumentCases(Suite& suite);
 void addFrameOrderCases(Suite& suite);
 void addFrameCallbackCases(Suite& suite);
 void addVkFailureCases(Suite& suite);
+void addFrameCountCases(Suite& suite);
+void addFrameHeaderCases(Suite& suite);
+void addDrawPassCases(Suite& suite);
+void addDrawPassErrorCases(Suite& suite);
 
 } // namespace agaa::conformance

@@ -77,6 +77,10 @@ void expectColor(Test& test, const Image& got, uint32_t width, const Area& area,
 
 std::vector<std::string> techniques(const Functions& sdk);
 bool needsOneSample(const std::string& technique); // "single" and "fxaa"
-void setTechnique(ViewDescription& description, const std::string& technique, uint32_t samples);
+// The name must live as long as the description.
+void setTechnique(ViewDescription& description, const char* technique, uint32_t samples);
+inline void setTechnique(ViewDescription& description, const std::string& technique, uint32_t samples) {
+    setTechnique(description, technique.c_str(), samples);
+}
 
 } // namespace agaa::conformance
