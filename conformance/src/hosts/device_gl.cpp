@@ -1,7 +1,233 @@
-#include "device.h"
+// The suite's host on OpenGL. It relies on OpenGL's initial state, glClipControl's too.
+#include "drawing.h"
+#include "gl_draw_state.h"
+#include "gl_programs.h"
+
+#include <algorithm>
+#include <cstddef>
 
 namespace agaa::conformance {
 
-std::unique_ptr<Device> makeOpenGlDevice(const std::string&) { throw Skipped{"the program has no host on OpenGL."}; }
+namespace {
+
+constexpr GLenum outputFormat = GL_RGBA32F;
+
+struct Attribute {
+    GLint size;
+    GLuint offset;
+};
+constexpr Attribute attributes[] = {
+    {3, offsetof(Vertex, position)},  {3, offsetof(Vertex, normal)},
+    {4, offsetof(Vertex, diffuse)},   {3, offsetof(Vertex, specular)},
+    {1, offsetof(Vertex, roughness)}, {3, offsetof(Vertex, emissive)}};
+
+class OpenGlDevice : public Device {
+public:
+    explicit OpenGlDevice(const std::string& name) : api_(name), programs_(mistakes) {
+        glCreateVertexArrays(1, &vertexArray_);
+        for (GLuint i = 0; i < std::size(attributes); ++i) {
+            glVertexArrayAttribFormat(vertexArray_, i, attributes[i].size, GL_FLOAT, GL_FALSE,
+                                      attributes[i].offset);
+            glVertexArrayAttribBinding(vertexArray_, i, 0);
+            glEnableVertexArrayAttrib(vertexArray_, i);
+        }
+        setShadowDepth(1.0f);
+    }
+    ~OpenGlDevice() override {
+        glDeleteTextures(1, &output_);
+        glDeleteTextures(1, &shadow_);
+        glDeleteVertexArrays(1, &vertexArray_);
+    }
+
+    Backend backend() const override { return Backend::OpenGl; }
+    std::string deviceName() const override { return api_.deviceName; }
+    std::string driverName() const override { return api_.driverName; }
+    uint64_t viewFlags() const override { return AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; }
+    bool testsMessages() const override { return true; }
+    std::vector<std::string> takeMessages() override { return api_.takeMessages(); }
+
+    ContextDescription description() override {
+        const AgaaContextDesc desc = AGAA_CONTEXT_DESC_INIT;
+        const AgaaVkDeviceDesc vk = AGAA_VK_DEVICE_DESC_INIT;
+        const AgaaGlDeviceDesc gl = AGAA_GL_DEVICE_DESC_INIT;
+        ContextDescription description = {desc, vk, gl};
+        description.gl.getProcAddr = getProcAddr;
+        return description;
+    }
+
+    AgaaResult createContext(const Functions& sdk, uint32_t headerVersion,
+                             ContextDescription& description, AgaaContext* outContext) override {
+        description.gl.pNext = description.desc.pNext;
+        description.desc.pNext = &description.gl;
+        const AgaaResult result =
+            sdk.agaaGlCreateContext(headerVersion, &description.desc, outContext);
+        if (result == AGAA_OK)
+            dialectOfContext_[*outContext] = {description.gl.glslVersion,
+                                              description.gl.outputs == AGAA_GL_OUTPUTS_HOST};
+        return result;
+    }
+
+    AgaaResult createView(const Functions& sdk, AgaaContext context, const AgaaViewDesc* desc,
+                          AgaaView* outView) override {
+        const AgaaResult result = sdk.agaaGlCreateView(context, desc, outView);
+        if (result == AGAA_OK)
+            dialectOfView_[*outView] = dialectOfContext_[context];
+        return result;
+    }
+
+    AgaaResult getContextCaps(const Functions& sdk, AgaaContext context,
+                              AgaaDeviceCaps* outCaps) override {
+        return sdk.agaaGlGetContextCaps(context, outCaps);
+    }
+
+    AgaaResult getDeviceCaps(const Functions& sdk, const AgaaLog* log,
+                             AgaaDeviceCaps* outCaps) override {
+        return sdk.agaaGlGetDeviceCaps(getProcAddr, nullptr, log, outCaps);
+    }
+
+    void prepare(const Functions& sdk, AgaaView view) override {
+        programs_.prepare(sdk, view, dialectOfView_[view]);
+    }
+
+    void forget(AgaaView view) override {
+        programs_.forget(view);
+        dialectOfView_.erase(view);
+    }
+
+    void setOutput(uint32_t width, uint32_t height) override {
+        if (!output_ || width_ != width || height_ != height) {
+            glDeleteTextures(1, &output_);
+            glCreateTextures(GL_TEXTURE_2D, 1, &output_);
+            glTextureStorage2D(output_, 1, outputFormat, GLsizei(width), GLsizei(height));
+            width_ = width;
+            height_ = height;
+        }
+        fillOutput(0.0f);
+    }
+
+    void fillOutput(float value) override {
+        const float color[4] = {value, value, value, value};
+        glClearTexImage(output_, 0, GL_RGBA, GL_FLOAT, color);
+    }
+
+    std::vector<float> readOutput() override {
+        std::vector<float> pixels(size_t(width_) * height_ * 4);
+        glGetTextureImage(output_, 0, GL_RGBA, GL_FLOAT, GLsizei(pixels.size() * sizeof(float)),
+                          pixels.data());
+        return pixels;
+    }
+
+    void setShadowDepth(float depth) override {
+        if (!shadow_) {
+            glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &shadow_);
+            glTextureStorage3D(shadow_, 1, GL_DEPTH_COMPONENT32F, 4, 4, AGAA_MAX_SHADOW_LAYERS);
+        }
+        glClearTexImage(shadow_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    }
+
+    AgaaResult record(const Functions& sdk, AgaaView view, AgaaFrame& frame,
+                      const Scene& scene) override;
+    AgaaResult draw(const AgaaDrawTarget& target) override;
+
+private:
+    static AgaaGlFunction AGAA_CALL getProcAddr(void*, const char* name) {
+        return eglGetProcAddress(name);
+    }
+
+    GLuint upload(const Scene& scene) {
+        GLuint buffer = 0;
+        glCreateBuffers(1, &buffer);
+        glNamedBufferStorage(buffer, GLsizeiptr(std::max<size_t>(scene.size(), 1) * sizeof(Vertex)),
+                             scene.empty() ? nullptr : scene.data(), 0);
+        uploads_.push_back(buffer);
+        return buffer;
+    }
+
+    void drawScene(const Scene& scene, GLuint vertices, const OpenGlProgram& programs,
+                   const AgaaDrawTarget& target, const AgaaDrawState& state) const;
+
+    OpenGlApi api_;
+    OpenGlPrograms programs_;
+    GLuint vertexArray_ = 0, output_ = 0, shadow_ = 0;
+    uint32_t width_ = 0, height_ = 0; // of the output
+    std::map<AgaaContext, ShaderDialect> dialectOfContext_;
+    std::map<AgaaView, ShaderDialect> dialectOfView_;
+    // During record().
+    AgaaView view_ = nullptr;
+    const Scene* scene_ = nullptr;
+    GLuint vertices_ = 0;
+    float clipFromShading_[16];
+    std::vector<GLuint> uploads_;
+};
+
+AgaaResult OpenGlDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& frame,
+                                const Scene& scene) {
+    view_ = view;
+    scene_ = &scene;
+    clipFromShading(frame, mistakes, clipFromShading_);
+    const bool isOurs = !frame.draw;
+    if (isOurs) {
+        frame.draw = drawCallback;
+        frame.drawUser = this;
+    }
+    vertices_ = upload(scene);
+    AgaaGlFrame native = AGAA_GL_FRAME_INIT;
+    native.outputTexture = output_;
+    for (uint32_t& map : native.shadowTextures)
+        map = shadow_;
+    if (changeGlFrame)
+        changeGlFrame(native);
+    const AgaaResult result = sdk.agaaGlRecordFrame(view, &frame, &native);
+    glFinish();
+    glDeleteBuffers(GLsizei(uploads_.size()), uploads_.data());
+    uploads_.clear();
+    if (isOurs) {
+        frame.draw = nullptr;
+        frame.drawUser = nullptr;
+    }
+    return result;
+}
+
+AgaaResult OpenGlDevice::draw(const AgaaDrawTarget& target) {
+    const OpenGlProgram* programs = programs_.find(view_, target.pipelineKey, target.pass);
+    if (!programs)
+        return AGAA_ERROR_CALLBACK;
+    AgaaDrawState state = target.state;
+    if (mistakes.changeState)
+        mistakes.changeState(target.pass, state);
+    if (mistakes.changeScene) {
+        const Scene changed = mistakes.changeScene(target, *scene_);
+        drawScene(changed, upload(changed), *programs, target, state);
+    } else
+        drawScene(*scene_, vertices_, *programs, target, state);
+    return AGAA_OK;
+}
+
+void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlProgram& programs,
+                             const AgaaDrawTarget& target, const AgaaDrawState& state) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    glViewport(0, 0, GLsizei(target.width), GLsizei(target.height));
+    setDrawState(state, mistakes.blends);
+    glVertexArrayVertexBuffer(vertexArray_, 0, vertices, 0, sizeof(Vertex));
+    glBindVertexArray(vertexArray_);
+    for (const DrawRange& range : drawRanges(scene)) {
+        const GLuint program = range.isMasked ? programs.masked : programs.opaque;
+        setCapability(GL_STENCIL_TEST,
+                      (range.isMasked ? state.stencilTestMasked : state.stencilTest) != 0);
+        glUseProgram(program);
+        glUniformMatrix4fv(0, 1, GL_FALSE, clipFromShading_);
+        if (target
+                .constants) // the location is -1, which is ignored, if the program does not use it
+            glUniform4fv(glGetUniformLocation(program, "agaa_constants"),
+                         GLsizei(target.constantCount), target.constants);
+        glDrawArrays(GL_TRIANGLES, GLint(range.first), GLsizei(range.count));
+    }
+}
+
+} // namespace
+
+std::unique_ptr<Device> makeOpenGlDevice(const std::string& name) {
+    return std::make_unique<OpenGlDevice>(name);
+}
 
 } // namespace agaa::conformance

@@ -1,0 +1,144 @@
+#include "gl_programs.h"
+
+#include "drawing.h"
+#include "host_shaders.h"
+
+#include <stdexcept>
+
+namespace agaa::conformance {
+
+namespace {
+
+bool isIntegerFormat(uint32_t format) {
+    return format == GL_R32UI || format == GL_RG32UI || format == GL_RGB32UI ||
+           format == GL_RGBA32UI;
+}
+
+// Versions before 4.3 have locations by extension.
+std::string versionText(uint32_t glslVersion) {
+    return "#version " + std::to_string(glslVersion) +
+           " core\n"
+           "#extension GL_ARB_separate_shader_objects : enable\n"
+           "#extension GL_ARB_explicit_uniform_location : enable\n";
+}
+
+// With AGAA_GL_OUTPUTS_HOST: outputs that take the values of agaa_out0 … after agaa_emit().
+std::string outputsText(const AgaaDrawPass& pass, const AgaaGlDrawPass& native,
+                        bool isDeclaration) {
+    std::string text;
+    for (uint32_t i = 0; i < pass.state.colorAttachmentCount; ++i) {
+        const std::string n = std::to_string(i);
+        if (isDeclaration)
+            text += "layout(location = " + n + ") out " +
+                    (isIntegerFormat(native.colorFormats[i]) ? "uvec4" : "vec4") + " hostOut" + n +
+                    ";\n";
+        else
+            text += "    hostOut" + n + " = agaa_out" + n + ";\n";
+    }
+    return text;
+}
+
+std::string fragmentText(const AgaaDrawPass& pass, const AgaaGlDrawPass& native,
+                         const ShaderDialect& dialect, bool isMasked) {
+    std::string text = versionText(dialect.glslVersion) + pass.glslExtensions +
+                       (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") + pass.glslDeclarations;
+    if (!dialect.declaresOutputs)
+        return text + fragmentShader;
+    std::string code = fragmentShader;
+    code.insert(code.rfind('}'), outputsText(pass, native, false));
+    return text + outputsText(pass, native, true) + code;
+}
+
+void attach(GLuint program, GLenum stage, const std::string& text) {
+    const GLuint shader = glCreateShader(stage);
+    const char* const pieces[] = {text.c_str()};
+    glShaderSource(shader, 1, pieces, nullptr);
+    glCompileShader(shader);
+    GLint isCompiled = 0;
+    char message[2048] = "";
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
+    glGetShaderInfoLog(shader, sizeof message, nullptr, message);
+    glAttachShader(program, shader);
+    glDeleteShader(shader); // goes with the program
+    if (!isCompiled)
+        throw std::runtime_error(std::string("a shader of the suite's host does not compile: ") +
+                                 message);
+}
+
+GLuint createProgram(const std::string& vertices, const std::string& fragments) {
+    const GLuint program = glCreateProgram();
+    try {
+        attach(program, GL_VERTEX_SHADER, vertices);
+        attach(program, GL_FRAGMENT_SHADER, fragments);
+        glLinkProgram(program);
+        GLint isLinked = 0;
+        glGetProgramiv(program, GL_LINK_STATUS, &isLinked);
+        char message[2048] = "";
+        glGetProgramInfoLog(program, sizeof message, nullptr, message);
+        if (!isLinked)
+            throw std::runtime_error(std::string("a program of the suite's host does not link: ") +
+                                     message);
+    } catch (...) {
+        glDeleteProgram(program);
+        throw;
+    }
+    return program;
+}
+
+} // namespace
+
+OpenGlPrograms::~OpenGlPrograms() {
+    for (const auto& [key, program] : programs_)
+        destroy(program);
+}
+
+void OpenGlPrograms::destroy(const OpenGlProgram& program) {
+    glDeleteProgram(program.opaque);
+    glDeleteProgram(program.masked);
+}
+
+OpenGlPrograms::Key OpenGlPrograms::keyOf(AgaaView view, uint64_t pipelineKey,
+                                          uint32_t pass) const {
+    return mistakes_.keysByPass ? Key(nullptr, pass) : Key(view, pipelineKey);
+}
+
+void OpenGlPrograms::prepare(const Functions& sdk, AgaaView view, const ShaderDialect& dialect) {
+    const AgaaDrawPass initial = AGAA_DRAW_PASS_INIT;
+    const AgaaGlDrawPass initialNative = AGAA_GL_DRAW_PASS_INIT;
+    const DrawPasses<AgaaGlDrawPass> list(sdk, view, initial, initialNative);
+    const std::string vertices =
+        versionText(dialect.glslVersion) + "#define ON_OPENGL\n" + vertexShader;
+    views_.insert(view);
+    for (size_t i = 0; i < list.passes.size(); ++i) {
+        const AgaaDrawPass& pass = list.passes[i];
+        const Key key = keyOf(view, pass.pipelineKey, pass.pass);
+        if (programs_.count(key))
+            continue;
+        OpenGlProgram& program =
+            programs_[key]; // there, so that it is destroyed if the second one fails
+        program.opaque =
+            createProgram(vertices, fragmentText(pass, list.natives[i], dialect, false));
+        program.masked =
+            createProgram(vertices, fragmentText(pass, list.natives[i], dialect, true));
+    }
+}
+
+void OpenGlPrograms::forget(AgaaView view) {
+    views_.erase(view);
+    for (auto i = programs_.begin(); i != programs_.end();) {
+        const AgaaView owner = i->first.first;
+        if (owner == view || (!owner && views_.empty())) {
+            destroy(i->second);
+            i = programs_.erase(i);
+        } else
+            ++i;
+    }
+}
+
+const OpenGlProgram* OpenGlPrograms::find(AgaaView view, uint64_t pipelineKey,
+                                          uint32_t pass) const {
+    const auto found = programs_.find(keyOf(view, pipelineKey, pass));
+    return found == programs_.end() ? nullptr : &found->second;
+}
+
+} // namespace agaa::conformance
