@@ -9,11 +9,6 @@ namespace agaa::conformance {
 
 namespace {
 
-bool isIntegerFormat(uint32_t format) {
-    return format == GL_R32UI || format == GL_RG32UI || format == GL_RGB32UI ||
-           format == GL_RGBA32UI;
-}
-
 // Versions before 4.3 have locations by extension.
 std::string versionText(uint32_t glslVersion) {
     return "#version " + std::to_string(glslVersion) +
@@ -23,30 +18,25 @@ std::string versionText(uint32_t glslVersion) {
 }
 
 // With AGAA_GL_OUTPUTS_HOST: outputs that take the values of agaa_out0 … after agaa_emit().
-std::string outputsText(const AgaaDrawPass& pass, const AgaaGlDrawPass& native,
-                        bool isDeclaration) {
+std::string outputsText(uint32_t count, bool isDeclaration) {
     std::string text;
-    for (uint32_t i = 0; i < pass.state.colorAttachmentCount; ++i) {
+    for (uint32_t i = 0; i < count; ++i) {
         const std::string n = std::to_string(i);
-        if (isDeclaration)
-            text += "layout(location = " + n + ") out " +
-                    (isIntegerFormat(native.colorFormats[i]) ? "uvec4" : "vec4") + " hostOut" + n +
-                    ";\n";
-        else
-            text += "    hostOut" + n + " = agaa_out" + n + ";\n";
+        text += isDeclaration ? "layout(location = " + n + ") out vec4 hostOut" + n + ";\n"
+                              : "    hostOut" + n + " = agaa_out" + n + ";\n";
     }
     return text;
 }
 
-std::string fragmentText(const AgaaDrawPass& pass, const AgaaGlDrawPass& native,
-                         const ShaderDialect& dialect, bool isMasked) {
-    std::string text = versionText(dialect.glslVersion) + pass.glslExtensions +
-                       (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") + pass.glslDeclarations;
+std::string fragmentText(const AgaaDrawPass& pass, const ShaderDialect& dialect, bool isMasked) {
+    const std::string text = versionText(dialect.glslVersion) + pass.glslExtensions +
+                             (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") + pass.glslDeclarations;
     if (!dialect.declaresOutputs)
         return text + fragmentShader;
+    const uint32_t outputs = pass.state.colorAttachmentCount;
     std::string code = fragmentShader;
-    code.insert(code.rfind('}'), outputsText(pass, native, false));
-    return text + outputsText(pass, native, true) + code;
+    code.insert(code.rfind('}'), outputsText(outputs, false));
+    return text + outputsText(outputs, true) + code;
 }
 
 void attach(GLuint program, GLenum stage, const std::string& text) {
@@ -117,9 +107,9 @@ void OpenGlPrograms::prepare(const Functions& sdk, AgaaView view, const ShaderDi
         OpenGlProgram& program =
             programs_[key]; // there, so that it is destroyed if the second one fails
         program.opaque =
-            createProgram(vertices, fragmentText(pass, list.natives[i], dialect, false));
+            createProgram(vertices, fragmentText(pass, dialect, false));
         program.masked =
-            createProgram(vertices, fragmentText(pass, list.natives[i], dialect, true));
+            createProgram(vertices, fragmentText(pass, dialect, true));
     }
 }
 
