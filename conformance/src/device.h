@@ -47,6 +47,8 @@ public:
                                      AgaaContext* outContext) = 0;
     virtual AgaaResult createView(const Functions& sdk, AgaaContext context, const AgaaViewDesc* desc,
                                   AgaaView* outView) = 0;
+    // Of a view that createView() did not create. Before prepare().
+    virtual void adopt(AgaaContext context, AgaaView view) = 0;
     virtual AgaaResult getContextCaps(const Functions& sdk, AgaaContext context, AgaaDeviceCaps* outCaps) = 0;
     // Of the device, before a context exists.
     virtual AgaaResult getDeviceCaps(const Functions& sdk, const AgaaLog* log, AgaaDeviceCaps* outCaps) = 0;

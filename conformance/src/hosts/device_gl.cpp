@@ -71,9 +71,11 @@ public:
                           AgaaView* outView) override {
         const AgaaResult result = sdk.agaaGlCreateView(context, desc, outView);
         if (result == AGAA_OK)
-            dialectOfView_[*outView] = dialectOfContext_[context];
+            adopt(context, *outView);
         return result;
     }
+
+    void adopt(AgaaContext context, AgaaView view) override { dialectOfView_[view] = dialectOfContext_[context]; }
 
     AgaaResult getContextCaps(const Functions& sdk, AgaaContext context,
                               AgaaDeviceCaps* outCaps) override {

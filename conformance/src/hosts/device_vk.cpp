@@ -57,9 +57,11 @@ public:
     AgaaResult createView(const Functions& sdk, AgaaContext context, const AgaaViewDesc* desc, AgaaView* outView) override {
         const AgaaResult result = sdk.agaaVkCreateView(context, desc, outView);
         if (result == AGAA_OK)
-            setOfView_[*outView] = setOfContext_[context];
+            adopt(context, *outView);
         return result;
     }
+
+    void adopt(AgaaContext context, AgaaView view) override { setOfView_[view] = setOfContext_[context]; }
 
     AgaaResult getContextCaps(const Functions& sdk, AgaaContext context, AgaaDeviceCaps* outCaps) override {
         return sdk.agaaVkGetContextCaps(context, outCaps);

@@ -101,6 +101,7 @@ OwnHost::OwnHost(Test& test, Device& device)
 AgaaResult OwnHost::prepareView(void* user, AgaaView view) {
     auto& self = *static_cast<OwnHost*>(user);
     try {
+        self.device_.adopt(self.context_.get(), view);
         self.device_.prepare(self.sdk_, view);
     } catch (const std::exception&) {
         return AGAA_ERROR_CALLBACK;
