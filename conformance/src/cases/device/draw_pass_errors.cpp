@@ -11,15 +11,14 @@ namespace {
 const AgaaDrawPass initialPass = AGAA_DRAW_PASS_INIT;
 
 struct Arguments {
-    explicit Arguments(Rig& rig) : view(rig.view.get()) {
+    Arguments(Test& test, AgaaView theView) : view(theView) {
         const AgaaVkDrawPass initialVk = AGAA_VK_DRAW_PASS_INIT;
         const AgaaGlDrawPass initialGl = AGAA_GL_DRAW_PASS_INIT;
         vk = initialVk;
         gl = initialGl;
-        rig.test.requireOk(rig.test.sdk.agaaGetDrawPasses(view, &length, nullptr),
-                           "agaaGetDrawPasses");
+        test.requireOk(test.sdk.agaaGetDrawPasses(view, &length, nullptr), "agaaGetDrawPasses");
         array.assign(length, initialPass);
-        isVk = rig.device().backend() == Backend::Vulkan;
+        isVk = test.device().backend() == Backend::Vulkan;
     }
     AgaaView view;
     uint32_t length = 0;
@@ -75,24 +74,26 @@ bool isSame(const std::vector<T>& a, const std::vector<T>& b) {
 // code: the calls that fail with it; AGAA_OK: all.
 void testCalls(Test& test, AgaaResult code) {
     for (const char* technique : {"agaa", "single"}) {
-        Rig rig(test,
-                [&](ViewDescription& description) { setTechnique(description, technique, 4); });
+        OwnContext context(test);
+        ViewDescription description(&test.device());
+        setTechnique(description, technique, 4);
+        const BareView view(test, context.get(), description);
         for (const WrongCall& call : wrongCalls()) {
             if (code != AGAA_OK && call.code != code)
                 continue;
-            Arguments a(rig);
+            Arguments a(test, view.get());
             call.spoil(a);
             const uint32_t length = a.length;
             const std::vector<AgaaDrawPass> before = a.array;
             const AgaaVkDrawPass vk = a.vk;
             const AgaaGlDrawPass gl = a.gl;
-            rig.context.log.lines.clear();
+            context.log.lines.clear();
             const AgaaResult result =
                 test.sdk.agaaGetDrawPasses(a.view, a.count, a.isNull ? nullptr : a.array.data());
             const std::string what =
                 "agaaGetDrawPasses with " + call.what + " (\"" + technique + "\")";
             if (a.view)
-                expectRefused(test, result, call.code, rig.context.log, "agaaGetDrawPasses", what);
+                expectRefused(test, result, call.code, context.log, "agaaGetDrawPasses", what);
             else
                 test.result(result, call.code, what);
             test.check(a.length == length, what + " fails and changes count.");

@@ -11,6 +11,7 @@ struct ArgumentRow {
     std::string words;
     RecordHook hook;
     AgaaResult code = AGAA_ERROR_INVALID_ARGUMENT;
+    bool mayReport = false;
 };
 
 template <class Native>
@@ -48,8 +49,9 @@ void testRows(Rig& rig, const std::vector<ArgumentRow>& rows, const Image& expec
         AgaaFrame frame = rig.nextFrame();
         if (changeFrame)
             changeFrame(frame);
-        expectFrameRefused(rig, frame, {row.code, rig.function() + " with " + row.what, row.words},
-                           expected, row.hook);
+        expectFrameRefused(
+            rig, frame, {row.code, rig.function() + " with " + row.what, row.words, row.mayReport},
+            expected, row.hook);
     }
 }
 
@@ -110,7 +112,8 @@ void testGl(Test& test) {
     rows.push_back({"an outputTexture that does not exist", "outputTexture",
                     gl([](AgaaGlFrame& f) { f.outputTexture = 0x7F000001; })});
     rows.push_back({"an outputTexture of another target", "outputTexture",
-                    gl([](AgaaGlFrame& f) { f.outputTexture = f.shadowTextures[0]; })});
+                    gl([](AgaaGlFrame& f) { f.outputTexture = f.shadowTextures[0]; }),
+                    AGAA_ERROR_INVALID_ARGUMENT, true});
     testRows(rig, rows, expected);
     testRows(rig,
              {{"two shadows and shadowTextures[1] = 0", "shadowTextures[1]",
@@ -118,7 +121,8 @@ void testGl(Test& test) {
               {"a shadowTextures[0] that does not exist", "shadowTextures[0]",
                gl([](AgaaGlFrame& f) { f.shadowTextures[0] = 0x7F000001; })},
               {"a shadowTextures[1] of another target", "shadowTextures[1]",
-               gl([](AgaaGlFrame& f) { f.shadowTextures[1] = f.outputTexture; })}},
+               gl([](AgaaGlFrame& f) { f.shadowTextures[1] = f.outputTexture; }),
+               AGAA_ERROR_INVALID_ARGUMENT, true}},
              expected, useShadows);
     rig.device().changeGlFrame = [](AgaaGlFrame& f) {
         std::fill(f.shadowTextures, f.shadowTextures + 4, 0u);

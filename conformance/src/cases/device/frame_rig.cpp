@@ -97,6 +97,19 @@ void Rig::expectNoErrors(const std::string& what) {
     context.log.lines.clear();
 }
 
+BareView::BareView(Test& test, AgaaContext context, const ViewDescription& description)
+    : test_(test) {
+    test.requireOk(test.device().createView(test.sdk, context, &description.desc, &view_),
+                   "creating a view");
+}
+
+BareView::~BareView() {
+    if (!view_)
+        return;
+    test_.device().forget(view_);
+    test_.sdk.agaaDestroyView(view_);
+}
+
 void expectFrameRefused(Rig& rig, AgaaFrame& frame, const Refusal& refusal, const Image& expected,
                         const RecordHook& hook) {
     constexpr float untouched = 0.25f;
@@ -106,6 +119,8 @@ void expectFrameRefused(Rig& rig, AgaaFrame& frame, const Refusal& refusal, cons
     const AgaaResult result = rig.record(frame, hook);
     expectRefused(rig.test, result, refusal.code, rig.context.log, rig.function(), refusal.what,
                   refusal.words);
+    if (refusal.mayReport)
+        rig.device().takeMessages();
     rig.expectNoMessages(refusal.what);
     if (result == AGAA_OK)
         return;
