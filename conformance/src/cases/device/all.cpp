@@ -18,6 +18,9 @@ Suite makeSuite() {
     addFrameHeaderCases(suite);
     addDrawPassCases(suite);
     addDrawPassErrorCases(suite);
+    addDrawTargetCases(suite);
+    addSurfaceCases(suite);
+    addStatisticsCases(suite);
     return suite;
 }
 

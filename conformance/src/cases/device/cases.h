@@ -16,5 +16,8 @@ void addFrameCountCases(Suite& suite);
 void addFrameHeaderCases(Suite& suite);
 void addDrawPassCases(Suite& suite);
 void addDrawPassErrorCases(Suite& suite);
+void addDrawTargetCases(Suite& suite);
+void addSurfaceCases(Suite& suite);
+void addStatisticsCases(Suite& suite);
 
 } // namespace agaa::conformance
