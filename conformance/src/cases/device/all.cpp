@@ -21,6 +21,8 @@ Suite makeSuite() {
     addDrawTargetCases(suite);
     addSurfaceCases(suite);
     addStatisticsCases(suite);
+    addImageCases(suite);
+    addCoverageImageCases(suite);
     return suite;
 }
 

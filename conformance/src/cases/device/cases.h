@@ -19,5 +19,7 @@ void addDrawPassErrorCases(Suite& suite);
 void addDrawTargetCases(Suite& suite);
 void addSurfaceCases(Suite& suite);
 void addStatisticsCases(Suite& suite);
+void addImageCases(Suite& suite);
+void addCoverageImageCases(Suite& suite);
 
 } // namespace agaa::conformance
