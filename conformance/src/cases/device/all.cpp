@@ -23,6 +23,8 @@ Suite makeSuite() {
     addStatisticsCases(suite);
     addImageCases(suite);
     addCoverageImageCases(suite);
+    addCounterCases(suite);
+    addRepeatedFrameCases(suite);
     return suite;
 }
 

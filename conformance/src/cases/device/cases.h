@@ -21,5 +21,7 @@ void addSurfaceCases(Suite& suite);
 void addStatisticsCases(Suite& suite);
 void addImageCases(Suite& suite);
 void addCoverageImageCases(Suite& suite);
+void addCounterCases(Suite& suite);
+void addRepeatedFrameCases(Suite& suite);
 
 } // namespace agaa::conformance
