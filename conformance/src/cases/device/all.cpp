@@ -25,6 +25,7 @@ Suite makeSuite() {
     addCoverageImageCases(suite);
     addCounterCases(suite);
     addRepeatedFrameCases(suite);
+    addVkOutputCases(suite);
     return suite;
 }
 

@@ -23,5 +23,6 @@ void addImageCases(Suite& suite);
 void addCoverageImageCases(Suite& suite);
 void addCounterCases(Suite& suite);
 void addRepeatedFrameCases(Suite& suite);
+void addVkOutputCases(Suite& suite);
 
 } // namespace agaa::conformance

@@ -119,7 +119,9 @@ void testEdges(Test& test) {
     for (const std::string& technique : techniques(test.sdk)) {
         if (needsOneSample(technique))
             continue;
-        for (const uint32_t samples : {4u, 8u, 16u}) {
+        const bool isNative = technique == "ssaa" || technique == "agaa";
+        for (const uint32_t samples :
+             isNative ? std::vector<uint32_t>{4, 8, 16} : std::vector<uint32_t>{4}) {
             Rig rig(test, [&](ViewDescription& description) {
                 setTechnique(description, technique, samples);
             });
@@ -168,31 +170,33 @@ void testMasks(Test& test) {
 }
 
 // Materials that are not finite count as the lowest values, and spoil nothing.
+void expectFinite(Rig& rig, float bad, const std::string& technique) {
+    Surface broken = white();
+    for (int i = 0; i < 3; ++i)
+        broken.diffuse[i] = broken.specular[i] = broken.emissive[i] = broken.normal[i] = bad;
+    broken.roughness = bad;
+    rig.scene.clear();
+    addSurface(rig, 0, 0, 32, 24, 8, white());
+    addSurface(rig, 8, 4, 24, 20, 4, broken);
+    const AgaaLight light = AGAA_LIGHT_INIT;
+    const Image image = rig.render([&](AgaaFrame& frame) {
+        frame.lights = &light;
+        frame.lightCount = 1;
+    });
+    const std::string what = "a material of " + std::to_string(bad) + ", of " + technique;
+    for (const float value : image)
+        if (!rig.test.check(std::isfinite(value), what + " gives an output that is not finite."))
+            break;
+    const uint64_t sanitised = rig.counters().sanitised;
+    rig.test.check(sanitised >= 16 * 16, what + ": AgaaCounters::sanitised is " +
+                                             std::to_string(sanitised) + " for 256 pixels.");
+}
+
 void testNonFinite(Test& test) {
-    for (const float bad : {std::nanf(""), INFINITY, -INFINITY})
-        forTechniques(test, [bad](Rig& rig, const std::string& technique) {
-            Surface surface = white(), broken = white();
-            addSurface(rig, 0, 0, 32, 24, 8, surface);
-            for (int i = 0; i < 3; ++i)
-                broken.diffuse[i] = broken.specular[i] = broken.emissive[i] = broken.normal[i] =
-                    bad;
-            broken.roughness = bad;
-            addSurface(rig, 8, 4, 24, 20, 4, broken);
-            AgaaLight light = AGAA_LIGHT_INIT;
-            const Image image = rig.render([&](AgaaFrame& frame) {
-                frame.lights = &light;
-                frame.lightCount = 1;
-            });
-            const std::string what = "a material of " + std::to_string(bad) + ", of " + technique;
-            for (const float value : image)
-                if (!rig.test.check(std::isfinite(value),
-                                    what + " gives an output that is not finite."))
-                    break;
-            const uint64_t sanitised = rig.counters().sanitised;
-            rig.test.check(sanitised >= 16 * 16, what + ": AgaaCounters::sanitised is " +
-                                                     std::to_string(sanitised) +
-                                                     " for 256 pixels.");
-        });
+    forTechniques(test, [](Rig& rig, const std::string& technique) {
+        for (const float bad : {std::nanf(""), INFINITY, -INFINITY})
+            expectFinite(rig, bad, technique);
+    });
 }
 
 } // namespace

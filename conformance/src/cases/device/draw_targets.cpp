@@ -3,6 +3,7 @@
 #include "frame_rig.h"
 
 #include <cstring>
+#include <map>
 
 namespace agaa::conformance {
 
@@ -11,8 +12,8 @@ namespace {
 struct Call {
     std::string technique;
     AgaaDrawTarget target;
-    std::vector<AgaaDrawPass> passes; // of the view
-    const AgaaViewDesc desc;
+    std::vector<AgaaDrawPass> passes; // of the view; their texts are gone
+    uint32_t width, height;
 };
 
 struct Recorder {
@@ -25,8 +26,8 @@ struct Recorder {
     }
 };
 
-// Calls check() for each call of each technique.
-void forCalls(Test& test, const std::function<void(const Call&, const std::string& what)>& check) {
+std::vector<Call> recordCalls(Test& test) {
+    std::vector<Call> calls;
     for (const std::string& technique : techniques(test.sdk)) {
         Rig rig(test,
                 [&](ViewDescription& description) { setTechnique(description, technique, 4); });
@@ -46,10 +47,21 @@ void forCalls(Test& test, const std::function<void(const Call&, const std::strin
                    std::to_string(recorder.targets.size()) + " draw callbacks of \"" + technique +
                        "\" where there are " + std::to_string(count) + " draw passes.");
         for (const AgaaDrawTarget& target : recorder.targets)
-            check({technique, target, passes, rig.description().desc},
-                  "the draw callback of pass " + std::to_string(target.pass) + " of \"" +
-                      technique + "\"");
+            calls.push_back({technique, target, passes, rig.description().desc.width,
+                             rig.description().desc.height});
     }
+    return calls;
+}
+
+// Calls check() for each call of each technique, which are recorded once for all tests of a device.
+void forCalls(Test& test, const std::function<void(const Call&, const std::string& what)>& check) {
+    static std::map<Backend, std::vector<Call>> recorded;
+    std::vector<Call>& calls = recorded[test.device().backend()];
+    if (calls.empty())
+        calls = recordCalls(test);
+    for (const Call& call : calls)
+        check(call, "the draw callback of pass " + std::to_string(call.target.pass) + " of \"" +
+                        call.technique + "\"");
 }
 
 const AgaaDrawPass* passOf(const Call& call) {
@@ -78,7 +90,7 @@ void testSize(Test& test, bool isWidth) {
     forCalls(test, [&](const Call& call, const std::string& what) {
         const AgaaDrawTarget& t = call.target;
         const uint32_t got = isWidth ? t.width : t.height, scale = isWidth ? t.scaleX : t.scaleY;
-        const uint32_t pixels = isWidth ? call.desc.width : call.desc.height;
+        const uint32_t pixels = isWidth ? call.width : call.height;
         test.check(got == pixels * scale,
                    what + " receives the " + (isWidth ? "width " : "height ") +
                        std::to_string(got) + " for " + std::to_string(pixels) + " pixels of " +
