@@ -26,6 +26,8 @@ Suite makeSuite() {
     addCounterCases(suite);
     addRepeatedFrameCases(suite);
     addVkOutputCases(suite);
+    addGlStateCases(suite);
+    addGlArgumentCases(suite);
     return suite;
 }
 

@@ -24,5 +24,7 @@ void addCoverageImageCases(Suite& suite);
 void addCounterCases(Suite& suite);
 void addRepeatedFrameCases(Suite& suite);
 void addVkOutputCases(Suite& suite);
+void addGlStateCases(Suite& suite);
+void addGlArgumentCases(Suite& suite);
 
 } // namespace agaa::conformance
