@@ -10,7 +10,8 @@ AgaaSurface describeSurface(const Plan& plan, ResourceId id) {
     const Resource& resource = plan.resources[id];
     AgaaSurface surface = AGAA_SURFACE_INIT;
     std::strncpy(surface.name, resource.name.c_str(), sizeof surface.name - 1);
-    std::strncpy(surface.format, formatName(resource.format), sizeof surface.format - 1);
+    if (resource.format != Format::Buffer)
+        std::strncpy(surface.format, formatName(resource.format), sizeof surface.format - 1);
     surface.width = resource.width;
     surface.height = resource.height;
     surface.samples = resource.samples;

@@ -131,7 +131,7 @@ static void checkShadow(const AgaaShadow& shadow, bool isFunction) {
     checkRange(uint64_t(shadow.layerCount), 1, AGAA_MAX_SHADOW_LAYERS, "AgaaShadow::layerCount");
     checkRange(double(shadow.depthBias), 0.0, 1.0, "AgaaShadow::depthBias");
     for (uint32_t i = 0; i < 16 * shadow.layerCount; ++i)
-        checkFinite(shadow.matrices[0][i], "AgaaShadow::matrices");
+        checkFinite(shadow.matrices[i / 16][i % 16], "AgaaShadow::matrices");
 }
 
 void checkFrame(const AgaaFrame& frame, const Plan& plan) {

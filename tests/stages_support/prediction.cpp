@@ -18,7 +18,7 @@ Prediction predict(const AgaaViewDesc& desc, const AgaaDeviceCaps& caps) {
 uint64_t takePixelBuffers(const Prediction& prediction, std::map<uint64_t, uint32_t>& created) {
     uint64_t bytes = 0;
     for (const AgaaSurface& surface : prediction.surfaces) {
-        if (!surface.isPerPixel || std::strcmp(surface.format, "buffer") != 0)
+        if (!surface.isPerPixel || surface.format[0] != 0)
             continue;
         uint32_t& count = created[surface.bytes];
         EXPECT_GT(count, 0u) << surface.name;

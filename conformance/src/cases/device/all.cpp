@@ -27,6 +27,26 @@ Suite makeSuite() {
     addViewCases(suite);
     addResizeCases(suite);
     addDeviceCapsCases(suite);
+    addFrameRangeCases(suite);
+    addLightMemberCases(suite);
+    addFrameArgumentCases(suite);
+    addFrameOrderCases(suite);
+    addFrameCallbackCases(suite);
+    addVkFailureCases(suite);
+    addFrameCountCases(suite);
+    addFrameHeaderCases(suite);
+    addDrawPassCases(suite);
+    addDrawPassErrorCases(suite);
+    addDrawTargetCases(suite);
+    addSurfaceCases(suite);
+    addStatisticsCases(suite);
+    addImageCases(suite);
+    addCoverageImageCases(suite);
+    addCounterCases(suite);
+    addRepeatedFrameCases(suite);
+    addVkOutputCases(suite);
+    addGlStateCases(suite);
+    addGlArgumentCases(suite);
     return suite;
 }
 

@@ -25,5 +25,25 @@ void addVulkanCapsCases(Suite& suite);
 void addViewCases(Suite& suite);
 void addResizeCases(Suite& suite);
 void addDeviceCapsCases(Suite& suite);
+void addFrameRangeCases(Suite& suite);
+void addLightMemberCases(Suite& suite);
+void addFrameArgumentCases(Suite& suite);
+void addFrameOrderCases(Suite& suite);
+void addFrameCallbackCases(Suite& suite);
+void addVkFailureCases(Suite& suite);
+void addFrameCountCases(Suite& suite);
+void addFrameHeaderCases(Suite& suite);
+void addDrawPassCases(Suite& suite);
+void addDrawPassErrorCases(Suite& suite);
+void addDrawTargetCases(Suite& suite);
+void addSurfaceCases(Suite& suite);
+void addStatisticsCases(Suite& suite);
+void addImageCases(Suite& suite);
+void addCoverageImageCases(Suite& suite);
+void addCounterCases(Suite& suite);
+void addRepeatedFrameCases(Suite& suite);
+void addVkOutputCases(Suite& suite);
+void addGlStateCases(Suite& suite);
+void addGlArgumentCases(Suite& suite);
 
 } // namespace agaa::conformance

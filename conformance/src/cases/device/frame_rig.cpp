@@ -47,7 +47,9 @@ std::string Rig::function() const {
     return device().backend() == Backend::Vulkan ? "agaaVkRecordFrame" : "agaaGlRecordFrame";
 }
 
-AgaaFrame Rig::nextFrame() const { return pixelFrame(device(), description_, recorded + 1); }
+AgaaFrame Rig::nextFrame() const {
+    return pixelFrame(device(), description_, recorded + 1);
+}
 
 AgaaResult Rig::record(AgaaFrame& frame, const RecordHook& hook) {
     AgaaResult result = AGAA_OK;
@@ -79,7 +81,8 @@ Image Rig::render(const ChangeFrame& change) {
 
 AgaaFrameStatistics Rig::statistics() {
     AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
-    test.requireOk(test.sdk.agaaGetFrameStatistics(view.get(), recorded, &statistics), "agaaGetFrameStatistics");
+    test.requireOk(test.sdk.agaaGetFrameStatistics(view.get(), recorded, &statistics),
+                   "agaaGetFrameStatistics");
     return statistics;
 }
 
@@ -94,13 +97,30 @@ void Rig::expectNoErrors(const std::string& what) {
     context.log.lines.clear();
 }
 
-void expectFrameRefused(Rig& rig, AgaaFrame& frame, const Refusal& refusal, const Image& expected, const RecordHook& hook) {
+BareView::BareView(Test& test, AgaaContext context, const ViewDescription& description)
+    : test_(test) {
+    test.requireOk(test.device().createView(test.sdk, context, &description.desc, &view_),
+                   "creating a view");
+}
+
+BareView::~BareView() {
+    if (!view_)
+        return;
+    test_.device().forget(view_);
+    test_.sdk.agaaDestroyView(view_);
+}
+
+void expectFrameRefused(Rig& rig, AgaaFrame& frame, const Refusal& refusal, const Image& expected,
+                        const RecordHook& hook) {
     constexpr float untouched = 0.25f;
     rig.device().fillOutput(untouched);
     rig.context.log.lines.clear();
     const uint64_t before = rig.recorded;
     const AgaaResult result = rig.record(frame, hook);
-    expectRefused(rig.test, result, refusal.code, rig.context.log, rig.function(), refusal.what, refusal.words);
+    expectRefused(rig.test, result, refusal.code, rig.context.log, rig.function(), refusal.what,
+                  refusal.words);
+    if (refusal.mayReport)
+        rig.device().takeMessages();
     rig.expectNoMessages(refusal.what);
     if (result == AGAA_OK)
         return;
@@ -116,21 +136,26 @@ void expectNextFrame(Rig& rig, const Image& expected, const std::string& after) 
     const AgaaResult result = rig.record(frame);
     if (!rig.test.result(result, AGAA_OK, "the next frame after " + after))
         return;
-    expectSame(rig.test, rig.device().readOutput(), expected, rig.description().desc.width, "the next frame after " + after);
+    expectSame(rig.test, rig.device().readOutput(), expected, rig.description().desc.width,
+               "the next frame after " + after);
     rig.expectNoMessages("the next frame after " + after);
     rig.context.log.lines.clear();
 }
 
-void addRecordCase(Suite& suite, const std::string& promise, const std::function<void(Test&)>& run) {
+void addRecordCase(Suite& suite, const std::string& promise,
+                   const std::function<void(Test&)>& run) {
     suite.add("agaaVkRecordFrame/" + promise, {Backend::Vulkan}, run);
     suite.add("agaaGlRecordFrame/" + promise, {Backend::OpenGl}, run);
 }
 
-const float* pixel(const Image& image, uint32_t width, uint32_t x, uint32_t y) { return &image[4 * (size_t(y) * width + x)]; }
+const float* pixel(const Image& image, uint32_t width, uint32_t x, uint32_t y) {
+    return &image[4 * (size_t(y) * width + x)];
+}
 
 static std::string colorText(const float* rgba) {
     char text[120];
-    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", double(rgba[0]), double(rgba[1]), double(rgba[2]));
+    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", double(rgba[0]), double(rgba[1]),
+                  double(rgba[2]));
     return text;
 }
 
@@ -138,7 +163,8 @@ static std::string at(size_t i, uint32_t width) {
     return " at pixel (" + std::to_string(i % width) + ", " + std::to_string(i / width) + ")";
 }
 
-void expectSame(Test& test, const Image& got, const Image& expected, uint32_t width, const std::string& what) {
+void expectSame(Test& test, const Image& got, const Image& expected, uint32_t width,
+                const std::string& what) {
     if (!test.check(got.size() == expected.size(), what + " has another size."))
         return;
     size_t first = 0, count = 0;
@@ -146,18 +172,20 @@ void expectSame(Test& test, const Image& got, const Image& expected, uint32_t wi
         if (std::memcmp(&got[4 * i], &expected[4 * i], 16) != 0 && count++ == 0)
             first = i;
     if (count)
-        test.check(false, what + " differs in " + std::to_string(count) + " pixels; first " + colorText(&got[4 * first]) +
-                              " in place of " + colorText(&expected[4 * first]) + at(first, width) + ".");
+        test.check(false, what + " differs in " + std::to_string(count) + " pixels; first " +
+                              colorText(&got[4 * first]) + " in place of " +
+                              colorText(&expected[4 * first]) + at(first, width) + ".");
 }
 
-void expectColor(Test& test, const Image& got, uint32_t width, const Area& area, const float* rgb, float tolerance,
-                 const std::string& what) {
+void expectColor(Test& test, const Image& got, uint32_t width, const Area& area, const float* rgb,
+                 float tolerance, const std::string& what) {
     for (uint32_t y = area.y0; y < area.y1; ++y)
         for (uint32_t x = area.x0; x < area.x1; ++x) {
             const float* p = pixel(got, width, x, y);
             bool isEqual = true;
             for (int c = 0; c < 3; ++c)
-                isEqual = isEqual && std::fabs(p[c] - rgb[c]) <= tolerance * std::max(1.0f, std::fabs(rgb[c]));
+                isEqual = isEqual &&
+                          std::fabs(p[c] - rgb[c]) <= tolerance * std::max(1.0f, std::fabs(rgb[c]));
             if (!test.check(isEqual, what + ": " + colorText(p) + " in place of " + colorText(rgb) +
                                          at(size_t(y) * width + x, width) + "."))
                 return;
@@ -172,10 +200,12 @@ std::vector<std::string> techniques(const Functions& sdk) {
     return {names.begin(), names.end()};
 }
 
-bool needsOneSample(const std::string& technique) { return technique == "single" || technique == "fxaa"; }
+bool needsOneSample(const std::string& technique) {
+    return technique == "single" || technique == "fxaa";
+}
 
-void setTechnique(ViewDescription& description, const std::string& technique, uint32_t samples) {
-    description.config.technique = technique.c_str();
+void setTechnique(ViewDescription& description, const char* technique, uint32_t samples) {
+    description.config.technique = technique;
     description.config.samples = needsOneSample(technique) ? 1 : samples;
 }
 

@@ -49,10 +49,25 @@ public:
     void expectNoErrors(const std::string& what);
 };
 
+// A view of which nothing is drawn: without pipelines.
+class BareView {
+public:
+    BareView(Test& test, AgaaContext context, const ViewDescription& description);
+    ~BareView();
+    BareView(const BareView&) = delete;
+    BareView& operator=(const BareView&) = delete;
+    AgaaView get() const { return view_; }
+
+private:
+    Test& test_;
+    AgaaView view_ = nullptr;
+};
+
 struct Refusal {
     AgaaResult code;
     std::string what;  // as a reader of the failure would write it
-    std::string words; // in the log's sentence; may be empty
+    std::string words = ""; // in the log's sentence; may be empty
+    bool mayReport = false; // the graphics API may report a message, too
 };
 // A frame that must fail: one sentence, nothing drawn, and the next right frame shows `expected`.
 void expectFrameRefused(Rig& rig, AgaaFrame& frame, const Refusal& refusal, const Image& expected,
@@ -77,6 +92,10 @@ void expectColor(Test& test, const Image& got, uint32_t width, const Area& area,
 
 std::vector<std::string> techniques(const Functions& sdk);
 bool needsOneSample(const std::string& technique); // "single" and "fxaa"
-void setTechnique(ViewDescription& description, const std::string& technique, uint32_t samples);
+// The name must live as long as the description.
+void setTechnique(ViewDescription& description, const char* technique, uint32_t samples);
+inline void setTechnique(ViewDescription& description, const std::string& technique, uint32_t samples) {
+    setTechnique(description, technique.c_str(), samples);
+}
 
 } // namespace agaa::conformance
