@@ -34,7 +34,9 @@ const std::vector<OtherContext>& otherContexts() {
         {"a context of OpenGL 4.4 without " + access, "4.4 of the suite", access, "", access, false},
         {"a context of OpenGL 4.3 with " + access, "4.3 of the suite", "", "", "", true},
         {"a getProcAddr that finds no function", "", "", "*", "", false},
-        {"a getProcAddr that does not find glGetString", "", "", "glGetString", "", false}};
+        {"a getProcAddr that does not find glGetString", "", "", "glGetString", "", false},
+        {"a getProcAddr that does not find glCreateSamplers", "", "", "glCreateSamplers", "glCreateSamplers", false},
+        {"a getProcAddr that does not find glDispatchCompute", "", "", "glDispatchCompute", "glDispatchCompute", false}};
     return all;
 }
 
