@@ -3,6 +3,8 @@
 #undef AGAA_MATH_REAL_GLSL
 #undef AGAA_MATH_SANITISE_GLSL
 #undef AGAA_MATH_COVERAGE_GLSL
+#undef AGAA_MATH_COVERAGE_PATTERN_GLSL
+#undef AGAA_MATH_TRIANGLE_COVERAGE_GLSL
 #undef AGAA_MATH_DISPLAY_GLSL
 #undef AGAA_MATH_ENCODING_GLSL
 #undef AGAA_MATH_METADATA_GLSL
@@ -19,6 +21,8 @@
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
 #include "../../src/shaders/math/coverage.glsl"
+#include "../../src/shaders/math/coverage_pattern.glsl"
+#include "../../src/shaders/math/triangle_coverage.glsl"
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"

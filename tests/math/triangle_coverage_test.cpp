@@ -1,0 +1,238 @@
+// Coverage masks of triangles (src/shaders/math/triangle_coverage.glsl).
+#include "coverage_oracle.h"
+
+using namespace test_math;
+
+namespace {
+
+constexpr std::array<unsigned, 3> sampleCounts = {32, 64, 128};
+
+glm::uvec4 mask(const Vertices& t, const glm::vec2& centre, unsigned samples) {
+    return math_f::agaa_triangleCoverage(t[0], t[1], t[2], centre, samples);
+}
+
+glm::uvec4 edgeMask(const glm::vec3& a, const glm::vec3& b, const glm::vec2& centre, unsigned samples) {
+    return math_f::agaa_edgeCoverage(
+        math_f::agaa_edgeFromCentre(math_f::agaa_vertexFromCentre(a, centre), math_f::agaa_vertexFromCentre(b, centre)),
+        samples);
+}
+
+TEST(CoveragePattern, SamplesAreDistinctInsideAndExactInFloat) {
+    for (const unsigned n : sampleCounts) {
+        EXPECT_EQ(math_f::agaa_coverageCount(math_f::agaa_allCoverage(n)), n);
+        std::vector<std::pair<double, double>> seen;
+        glm::dvec2 mean(0);
+        for (unsigned i = 0; i < n; ++i) {
+            const glm::dvec2 p = math_d::agaa_coveragePosition(i, n);
+            EXPECT_EQ(glm::dvec2(math_f::agaa_coveragePosition(i, n)), p);
+            EXPECT_LT(std::max(std::abs(p.x), std::abs(p.y)), 0.5);
+            seen.emplace_back(p.x, p.y);
+            mean += p / double(n);
+        }
+        std::sort(seen.begin(), seen.end());
+        EXPECT_EQ(std::unique(seen.begin(), seen.end()), seen.end());
+        EXPECT_LT(glm::length(mean), 0.002);
+    }
+}
+
+struct Errors {
+    std::size_t bits = 0, samples = 0, pixels = 0, fragments = 0;
+    unsigned worst = 0;
+    void add(unsigned wrong, unsigned covered) {
+        bits += wrong;
+        samples += covered;
+        pixels += wrong != 0;
+        ++fragments;
+        worst = std::max(worst, wrong);
+    }
+    double report(const char* what) const {
+        const double share = double(bits) / double(std::max<std::size_t>(samples, 1));
+        std::printf("[ measured ] %s: %.5f %% of %zu covered samples wrong, %.4f %% of fragments, at most %u\n", what,
+                    100 * share, samples, 100 * double(pixels) / double(std::max<std::size_t>(fragments, 1)), worst);
+        return share;
+    }
+};
+
+// A pixel near the triangle's middle, so that edges pass through pixels.
+glm::vec2 pixelNear(Random& random, const glm::dvec2& at) {
+    return glm::vec2(std::floor(at.x + random.range(-1, 1)) + 0.5, std::floor(at.y + random.range(-1, 1)) + 0.5);
+}
+
+TEST(TriangleCoverage, FloatAgreesWithTheOracle) {
+    for (const unsigned n : sampleCounts) {
+        Random random(n);
+        Errors small, large, spread;
+        for (int i = 0; i < 60000; ++i) {
+            const bool big = i % 2 == 1;
+            const double size = big ? random.decades(3, 4000) : random.decades(0.02, 3);
+            const glm::dvec2 at(random.range(0, 16384), random.range(0, 16384));
+            Vertices t;
+            for (glm::vec3& v : t)
+                v = vertex(at.x + size * random.range(-1, 1), at.y + size * random.range(-1, 1),
+                           i % 4 < 2 ? 1 : random.decades(0.01, 1000));
+            // A point of an edge or of the inside.
+            const double u = random.unit();
+            const glm::dvec2 p(t[0].x / t[0].z, t[0].y / t[0].z), q(t[1].x / t[1].z, t[1].y / t[1].z);
+            const glm::vec2 centre = pixelNear(random, glm::mix(p, q, u));
+            const glm::uvec4 expected = oracleMask(t, centre, n), found = mask(t, centre, n);
+            (i % 4 >= 2 ? spread : big ? large : small)
+                .add(differingBits(expected, found), math_f::agaa_coverageCount(expected));
+        }
+        EXPECT_LT(small.report("small triangles, w = 1"), 2e-5);
+        EXPECT_LT(large.report("large triangles, w = 1"), 2e-5);
+        EXPECT_LT(spread.report("any size, w from 0.01 to 1000"), 2e-5);
+        EXPECT_LE(std::max({small.worst, large.worst, spread.worst}), 2u);
+    }
+}
+
+TEST(TriangleCoverage, DoubleIsExact) {
+    Random random(5);
+    for (int i = 0; i < 30000; ++i) {
+        const double size = random.decades(0.02, 3000);
+        Vertices t;
+        for (glm::vec3& v : t)
+            v = vertex(100 + size * random.range(-1, 1), 50 + size * random.range(-1, 1), random.decades(0.01, 100));
+        const glm::dvec2 centre(100.5, 50.5);
+        EXPECT_EQ(differingBits(math_d::agaa_triangleCoverage(t[0], t[1], t[2], centre, 64), oracleMask(t, centre, 64)),
+                  0u);
+    }
+}
+
+// Hard case 47: the two sides of an edge are complements, also where samples are on the edge.
+TEST(TriangleCoverage, SharedEdgesSplitTheSamples) {
+    Random random(47);
+    std::size_t split = 0;
+    for (int i = 0; i < 1000000; ++i) {
+        const unsigned n = sampleCounts[random.below(3)];
+        const glm::vec2 centre(float(random.below(16384)) + 0.5f, float(random.below(16384)) + 0.5f);
+        glm::vec3 a, b;
+        for (glm::vec3* v : {&a, &b}) {
+            const double reach = i % 3 == 0 ? 1 : random.decades(0.1, 1e4);
+            const double x = random.range(-reach, reach), y = random.range(-reach, reach);
+            // Every other edge ends on sample positions, or passes through them level or upright.
+            const glm::vec2 hit = math_f::agaa_coveragePosition(random.below(n), n);
+            *v = i % 2 ? vertex(double(centre.x + hit.x), double(centre.y + hit.y), i % 4 == 1 ? 1 : 0.25)
+                       : vertex(double(centre.x) + x, double(centre.y) + y, random.range(-1, 4));
+            if (i % 8 == 1)
+                v->x += float(random.below(5)) - 2.0f;
+        }
+        if (i % 16 == 3)
+            b.x = a.x / a.z * b.z;
+        const glm::uvec4 left = edgeMask(a, b, centre, n), right = edgeMask(b, a, centre, n);
+        const bool equal = a == b;
+        if (!equal) {
+            ASSERT_EQ(left & right, glm::uvec4(0)) << i;
+            ASSERT_EQ(left | right, math_f::agaa_allCoverage(n)) << i;
+        }
+        split += left != glm::uvec4(0) && right != glm::uvec4(0);
+    }
+    EXPECT_GT(split, 400000u);
+}
+
+// Hard case 48.
+TEST(TriangleCoverage, TrianglesWithoutAreaCoverNothing) {
+    Random random(48);
+    const glm::vec2 centre(200.5f, 100.5f);
+    std::size_t bits = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const unsigned n = sampleCounts[random.below(3)];
+        // Multiples of 1/512: differences and products of these are exact.
+        const auto dyadic = [&] { return double(int(random.below(2048)) - 1024) / 512; };
+        const glm::dvec2 p(200.5 + dyadic(), 100.5 + dyadic()), d(dyadic() / 4, dyadic() / 4);
+        const glm::vec3 a = vertex(p.x, p.y), b = vertex(p.x + d.x, p.y + d.y), c = vertex(p.x + 4 * d.x, p.y + 4 * d.y);
+        for (const Vertices& t : {Vertices{a, b, c}, {b, a, c}, {c, b, a}, {a, a, b}, {a, b, a}, {b, a, a}, {a, a, a}})
+            bits += math_f::agaa_coverageCount(mask(t, centre, n));
+    }
+    EXPECT_EQ(bits, 0u);
+    for (const float bad : {infinityF(), -infinityF(), nanF()})
+        for (int k = 0; k < 9; ++k) {
+            Vertices t = {vertex(190, 90), vertex(220, 90), vertex(200, 120)};
+            t[static_cast<std::size_t>(k / 3)][k % 3] = bad;
+            EXPECT_EQ(mask(t, centre, 64), glm::uvec4(0)) << k;
+        }
+}
+
+TEST(TriangleCoverage, SliversAreExact) {
+    Random random(49);
+    Errors errors;
+    for (int i = 0; i < 100000; ++i) {
+        const double length = random.decades(1, 3000), width = random.decades(1e-3, 0.1), turn = random.range(0, 6.3);
+        const glm::dvec2 at(500 + random.range(-1, 1), 700 + random.range(-1, 1)), d(std::cos(turn), std::sin(turn));
+        const glm::dvec2 p = at - d * length * random.unit(), q = p + d * length;
+        const Vertices t = {vertex(p.x, p.y), vertex(q.x, q.y), vertex(q.x - d.y * width, q.y + d.x * width)};
+        const glm::dvec2 centre(500.5, 700.5);
+        const glm::uvec4 expected = oracleMask(t, centre, 64);
+        errors.add(differingBits(expected, mask(t, centre, 64)), math_f::agaa_coverageCount(expected));
+    }
+    EXPECT_GT(errors.samples, 10000u);
+    EXPECT_LT(errors.report("slivers"), 2e-3);
+    EXPECT_LE(errors.worst, 2u);
+}
+
+// Hard case 50.
+TEST(TriangleCoverage, TrianglesThroughTheEyePlane) {
+    Random random(50);
+    std::size_t covered = 0, behind = 0;
+    unsigned worst = 0;
+    for (int i = 0; i < 200000; ++i) {
+        const glm::vec2 centre(float(random.below(1920)) + 0.5f, float(random.below(1080)) + 0.5f);
+        Vertices t;
+        for (glm::vec3& v : t) {
+            const double w = random.range(-1, 1), size = random.decades(1, 1000);
+            v = glm::vec3(glm::dvec3(double(centre.x) * w + random.range(-1, 1) * size,
+                                     double(centre.y) * w + random.range(-1, 1) * size, w));
+        }
+        // Clipped to w > 0, as polygon in the plane of the image, tested by sides.
+        Polygon polygon;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::dvec3 a(t[k]), b(t[(k + 1) % 3]);
+            const double lowest = 1e-7;
+            if (a.z >= lowest)
+                polygon.push_back({a.x / a.z - double(centre.x), a.y / a.z - double(centre.y)});
+            if ((a.z >= lowest) != (b.z >= lowest)) {
+                const glm::dvec3 p = glm::mix(a, b, (lowest - a.z) / (b.z - a.z));
+                polygon.push_back({p.x / p.z - double(centre.x), p.y / p.z - double(centre.y)});
+            }
+        }
+        if (areaOf(polygon) < 0)
+            std::reverse(polygon.begin(), polygon.end());
+        glm::uvec4 expected(0);
+        for (unsigned s = 0; s < 64 && polygon.size() > 2; ++s) {
+            bool inside = true;
+            const glm::dvec2 p = math_d::agaa_coveragePosition(s, 64);
+            for (std::size_t k = 0; k < polygon.size(); ++k) {
+                const glm::dvec2 d = polygon[(k + 1) % polygon.size()] - polygon[k], e = p - polygon[k];
+                inside = inside && d.x * e.y - d.y * e.x > 0;
+            }
+            if (inside)
+                expected[static_cast<int>(s >> 5)] |= 1u << (s & 31);
+        }
+        const glm::uvec4 found = mask(t, centre, 64);
+        worst = std::max(worst, differingBits(expected, found));
+        const unsigned count = math_f::agaa_coverageCount(expected);
+        covered += count != 0 && count != 64;
+        behind += polygon.empty();
+        if (polygon.empty()) {
+            EXPECT_EQ(found, glm::uvec4(0));
+        }
+    }
+    EXPECT_GT(covered, 3000u);
+    EXPECT_GT(behind, 10000u);
+    std::printf("[ measured ] partly covered pixels %zu, wrong bits at most %u of 64\n", covered, worst);
+    EXPECT_LE(worst, 2u);
+}
+
+TEST(TriangleCoverage, ExtremeInputIsDecided) {
+    const std::vector<float> values = {0.0f, 1e-40f, -1e-20f, 1.0f, -3.0f, 1e12f, -1e20f, 3e38f};
+    Random random(51);
+    const auto pick = [&] { return values[random.below(unsigned(values.size()))]; };
+    for (int i = 0; i < 100000; ++i) {
+        const glm::vec3 a(pick(), pick(), pick()), b(pick(), pick(), pick()), c(pick(), pick(), pick());
+        const glm::vec2 centre(0.5f, 16383.5f);
+        const glm::uvec4 found = mask({a, b, c}, centre, 64);
+        EXPECT_EQ(found, mask({c, b, a}, centre, 64));
+        EXPECT_EQ(found & ~math_f::agaa_allCoverage(64), glm::uvec4(0));
+    }
+}
+
+} // namespace
