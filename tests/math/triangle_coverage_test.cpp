@@ -55,13 +55,13 @@ struct Errors {
 
 // A pixel near the triangle's middle, so that edges pass through pixels.
 glm::vec2 pixelNear(Random& random, const glm::dvec2& at) {
-    return glm::vec2(std::floor(at.x + random.range(-1, 1)) + 0.5, std::floor(at.y + random.range(-1, 1)) + 0.5);
+    return glm::vec2(std::floor(at.x) + 0.5, std::floor(at.y + random.range(-0.5, 0.5)) + 0.5);
 }
 
 TEST(TriangleCoverage, FloatAgreesWithTheOracle) {
+    Errors small, large, spread;
     for (const unsigned n : sampleCounts) {
         Random random(n);
-        Errors small, large, spread;
         for (int i = 0; i < 60000; ++i) {
             const bool big = i % 2 == 1;
             const double size = big ? random.decades(3, 4000) : random.decades(0.02, 3);
@@ -75,14 +75,15 @@ TEST(TriangleCoverage, FloatAgreesWithTheOracle) {
             const glm::dvec2 p(t[0].x / t[0].z, t[0].y / t[0].z), q(t[1].x / t[1].z, t[1].y / t[1].z);
             const glm::vec2 centre = pixelNear(random, glm::mix(p, q, u));
             const glm::uvec4 expected = oracleMask(t, centre, n), found = mask(t, centre, n);
+            EXPECT_EQ(found, mask({t[2], t[1], t[0]}, centre, n));
             (i % 4 >= 2 ? spread : big ? large : small)
                 .add(differingBits(expected, found), math_f::agaa_coverageCount(expected));
         }
-        EXPECT_LT(small.report("small triangles, w = 1"), 2e-5);
-        EXPECT_LT(large.report("large triangles, w = 1"), 2e-5);
-        EXPECT_LT(spread.report("any size, w from 0.01 to 1000"), 2e-5);
-        EXPECT_LE(std::max({small.worst, large.worst, spread.worst}), 2u);
     }
+    EXPECT_LT(small.report("small triangles, w = 1"), 2e-5);
+    EXPECT_LT(large.report("large triangles, w = 1"), 2e-5);
+    EXPECT_LT(spread.report("any size, w from 0.01 to 1000"), 2e-5);
+    EXPECT_LE(std::max({small.worst, large.worst, spread.worst}), 2u);
 }
 
 TEST(TriangleCoverage, DoubleIsExact) {
@@ -229,9 +230,10 @@ TEST(TriangleCoverage, ExtremeInputIsDecided) {
     for (int i = 0; i < 100000; ++i) {
         const glm::vec3 a(pick(), pick(), pick()), b(pick(), pick(), pick()), c(pick(), pick(), pick());
         const glm::vec2 centre(0.5f, 16383.5f);
-        const glm::uvec4 found = mask({a, b, c}, centre, 64);
-        EXPECT_EQ(found, mask({c, b, a}, centre, 64));
-        EXPECT_EQ(found & ~math_f::agaa_allCoverage(64), glm::uvec4(0));
+        EXPECT_EQ(mask({a, b, c}, centre, 64) & ~math_f::agaa_allCoverage(64), glm::uvec4(0));
+        if (a.z <= 0 && b.z <= 0 && c.z <= 0) {
+            EXPECT_EQ(mask({a, b, c}, centre, 64), glm::uvec4(0));
+        }
     }
 }
 

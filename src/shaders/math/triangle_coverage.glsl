@@ -19,8 +19,8 @@ rvec3 agaa_vertexInPixels(rvec3 clip, rvec2 pixelsPerNdc) {
     return rvec3(x, y, clip.z);
 }
 
-// A power of two, which changes no sign and rounds nothing, that brings a vertex to [2^-36, 2^38]: products of two
-// differences neither overflow nor vanish.
+// A power of two, which rounds nothing, that brings sizes to [2^-36, 2^38]: products of three vertices neither overflow
+// nor vanish.
 real agaa_vertexScale(real size) {
     if (size > real(1.152921504606846976e18)) // 2^60
         return real(8.0779356694631608874e-28); // 2^-90
@@ -42,7 +42,7 @@ real agaa_fromCentre(real x, real w, real centre) {
 
 // The vertex with the pixel's centre as origin, scaled. Depends on nothing but vertex and pixel.
 rvec3 agaa_vertexFromCentre(rvec3 v, rvec2 centre) {
-    const real scale = agaa_vertexScale(max(max(abs(v.x), abs(v.y)), abs(v.z)));
+    const real scale = agaa_vertexScale(abs(v.x) + abs(v.y) + abs(v.z) * real(16384.0));
     const rvec3 s = v * scale;
     return rvec3(agaa_fromCentre(s.x, s.z, centre.x), agaa_fromCentre(s.y, s.z, centre.y), s.z);
 }
@@ -106,14 +106,23 @@ agaa_Edge agaa_edgeFromCentre(rvec3 a, rvec3 b) {
         return edge;
     }
     edge.swapped = agaa_mustTurnLine(line);
-    line = (edge.swapped ? -line : line) / size;
+    if (edge.swapped)
+        line = -line;
+    edge.level = abs(line.x) < size * real(1e-20);
+    if (!edge.level) {
+        edge.slope = line.y / line.x;
+        edge.onRight = line.x > real(0.0);
+        if (!edge.onRight)
+            edge.swapped = !edge.swapped;
+    }
     const bool ordered = agaa_isOrdered(a, b);
     const rvec3 p = ordered ? a : b;
     const rvec3 q = ordered ? b : a;
     const bool pIsNear = agaa_isNearPixel(p);
     const bool qIsNear = agaa_isNearPixel(q);
     // The point of the line next to the centre, where no vertex is near.
-    edge.pointA = rvec2(line.x, line.y) * (-line.z / (line.x * line.x + line.y * line.y));
+    const rvec3 unit = line / size;
+    edge.pointA = rvec2(unit.x, unit.y) * (-unit.z / (unit.x * unit.x + unit.y * unit.y));
     if (pIsNear)
         edge.pointA = rvec2(p.x / p.z, p.y / p.z);
     else if (qIsNear)
@@ -121,13 +130,6 @@ agaa_Edge agaa_edgeFromCentre(rvec3 a, rvec3 b) {
     edge.pointB = edge.pointA;
     if (pIsNear && qIsNear)
         edge.pointB = rvec2(q.x / q.z, q.y / q.z);
-    edge.level = abs(line.x) < real(1e-20);
-    if (!edge.level) {
-        edge.slope = line.y / line.x;
-        edge.onRight = line.x > real(0.0);
-        if (!edge.onRight)
-            edge.swapped = !edge.swapped;
-    }
     return edge;
 }
 
@@ -180,13 +182,13 @@ uvec4 agaa_triangleCoverage(rvec3 a, rvec3 b, rvec3 c, rvec2 centre, uint sample
     const uvec4 pq = agaa_edgeCoverage(agaa_edgeFromCentre(p, q), samples);
     const uvec4 left = qr & rp & pq;
     const uvec4 right = agaa_coverageComplement(qr | rp | pq, samples);
-    // One of the two is empty, whatever the winding: no area is computed, which slivers would round to either sign.
-    if (min(p.z, min(q.z, r.z)) > real(0.0))
-        return left | right;
-    // Behind the eye all signs are the other way round.
     const real facing = p.z * agaa_edgeLine(q, r).z + q.z * agaa_edgeLine(r, p).z + r.z * agaa_edgeLine(p, q).z;
     if (facing == real(0.0) || !agaa_isFinite(facing))
         return uvec4(0u);
+    // One of the two is empty, whatever the winding. The sign of a sliver's area may be rounded to the wrong one.
+    if (min(p.z, min(q.z, r.z)) > real(0.0))
+        return left | right;
+    // Behind the eye all signs are the other way round.
     return facing > real(0.0) ? left : right;
 }
 
