@@ -168,28 +168,30 @@ uvec4 agaa_edgeCoverage(agaa_Edge edge, uint samples) {
     return mask;
 }
 
-// The samples that the part of the triangle in front of the eye covers. Vertices that are not finite, and triangles
-// without an area, cover nothing. centre: of the pixel, in pixels.
+// The mask of a triangle from the masks of its edges bc, ca and ab. Vertices: from agaa_vertexFromCentre. Vertices that
+// are not finite, and triangles without an area, cover nothing.
+uvec4 agaa_joinEdges(rvec3 a, rvec3 b, rvec3 c, uvec4 bc, uvec4 ca, uvec4 ab, uint samples) {
+    const real facing = a.z * agaa_edgeLine(b, c).z + b.z * agaa_edgeLine(c, a).z + c.z * agaa_edgeLine(a, b).z;
+    const bool finite = agaa_isFinite3(a) && agaa_isFinite3(b) && agaa_isFinite3(c) && agaa_isFinite(facing);
+    if (!finite || facing == real(0.0) || max(a.z, max(b.z, c.z)) <= real(0.0))
+        return uvec4(0u);
+    const uvec4 left = bc & ca & ab;
+    const uvec4 right = agaa_coverageComplement(bc | ca | ab, samples);
+    // One of the two is empty, whatever the winding. The sign of a sliver's area may be rounded to the wrong one.
+    if (min(a.z, min(b.z, c.z)) > real(0.0))
+        return left | right;
+    // Behind the eye all signs are the other way round.
+    return facing > real(0.0) ? left : right;
+}
+
+// The samples that the part of the triangle in front of the eye covers. centre: of the pixel, in pixels.
 uvec4 agaa_triangleCoverage(rvec3 a, rvec3 b, rvec3 c, rvec2 centre, uint samples) {
     const rvec3 p = agaa_vertexFromCentre(a, centre);
     const rvec3 q = agaa_vertexFromCentre(b, centre);
     const rvec3 r = agaa_vertexFromCentre(c, centre);
-    const bool finite = agaa_isFinite3(p) && agaa_isFinite3(q) && agaa_isFinite3(r);
-    if (!finite || max(p.z, max(q.z, r.z)) <= real(0.0))
-        return uvec4(0u);
-    const uvec4 qr = agaa_edgeCoverage(agaa_edgeFromCentre(q, r), samples);
-    const uvec4 rp = agaa_edgeCoverage(agaa_edgeFromCentre(r, p), samples);
-    const uvec4 pq = agaa_edgeCoverage(agaa_edgeFromCentre(p, q), samples);
-    const uvec4 left = qr & rp & pq;
-    const uvec4 right = agaa_coverageComplement(qr | rp | pq, samples);
-    const real facing = p.z * agaa_edgeLine(q, r).z + q.z * agaa_edgeLine(r, p).z + r.z * agaa_edgeLine(p, q).z;
-    if (facing == real(0.0) || !agaa_isFinite(facing))
-        return uvec4(0u);
-    // One of the two is empty, whatever the winding. The sign of a sliver's area may be rounded to the wrong one.
-    if (min(p.z, min(q.z, r.z)) > real(0.0))
-        return left | right;
-    // Behind the eye all signs are the other way round.
-    return facing > real(0.0) ? left : right;
+    return agaa_joinEdges(p, q, r, agaa_edgeCoverage(agaa_edgeFromCentre(q, r), samples),
+                          agaa_edgeCoverage(agaa_edgeFromCentre(r, p), samples),
+                          agaa_edgeCoverage(agaa_edgeFromCentre(p, q), samples), samples);
 }
 
 #endif
