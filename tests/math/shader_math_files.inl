@@ -27,6 +27,8 @@
 #include "../../src/shaders/math/coverage_pattern.glsl"
 #include "../../src/shaders/math/triangle_coverage.glsl"
 #include "../../src/shaders/math/coverage_table.glsl"
+#include "../../src/shaders/math/depth_plane.glsl"
+#include "../../src/shaders/math/triangle_hull.glsl"
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"

@@ -40,10 +40,13 @@ real agaa_fromCentre(real x, real w, real centre) {
     return difference;
 }
 
+real agaa_scaleOfVertex(rvec3 v) {
+    return agaa_vertexScale(abs(v.x) + abs(v.y) + abs(v.z) * real(16384.0));
+}
+
 // The vertex with the pixel's centre as origin, scaled. Depends on nothing but vertex and pixel.
 rvec3 agaa_vertexFromCentre(rvec3 v, rvec2 centre) {
-    const real scale = agaa_vertexScale(abs(v.x) + abs(v.y) + abs(v.z) * real(16384.0));
-    const rvec3 s = v * scale;
+    const rvec3 s = v * agaa_scaleOfVertex(v);
     return rvec3(agaa_fromCentre(s.x, s.z, centre.x), agaa_fromCentre(s.y, s.z, centre.y), s.z);
 }
 
