@@ -119,7 +119,7 @@ Pattern rankOneLattice(unsigned n, unsigned k) {
 
 class CoveragePatterns : public testing::Test {
 protected:
-    static constexpr int draws = 100000;
+    static constexpr int draws = 50000;
     std::array<std::vector<Shape>, kinds> shapes;
 
     void SetUp() override {

@@ -149,7 +149,8 @@ TEST(CoverageSheet, VerticesBehindTheEye) {
             return glm::vec3(local.x + middle.x * local.z, local.y + middle.y * local.z, local.z);
         });
         for (int pixel = 0; pixel < 40; ++pixel) {
-            const glm::dvec2 centre = glm::floor(middle + glm::dvec2(random.range(-60, 60), random.range(-60, 60))) + 0.5;
+            const glm::dvec2 centre =
+                glm::floor(middle + glm::dvec2(random.range(-60, 60), random.range(-60, 60))) + 0.5;
             const std::vector<unsigned> count = sheet.layers(glm::vec2(centre), 64);
             for (unsigned s = 0; s < 64; ++s) {
                 const glm::dvec3 at =

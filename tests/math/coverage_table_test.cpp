@@ -81,8 +81,8 @@ TEST(CoverageTable, ErrorFallsWithTheSize) {
             wrongFragments += expected != found;
         }
         const double share = double(wrong) / double(covered);
-        std::printf("[ measured ] table of %3u x %3u: %.2f %% of covered samples wrong, %.1f %% of fragments\n", size, size,
-                    100 * share, 100 * double(wrongFragments) / double(fragments));
+        std::printf("[ measured ] table of %3u x %3u: %.2f %% of covered samples wrong, %.1f %% of fragments\n", size,
+                    size, 100 * share, 100 * double(wrongFragments) / double(fragments));
         EXPECT_LT(share, bounds[k]);
     }
 }
@@ -96,7 +96,8 @@ TEST(CoverageTable, AnyPattern) {
     const Table table = fill(256, positions);
     std::size_t wrong = 0;
     for (int i = 0; i < 20000; ++i) {
-        const glm::vec3 a(random.rangeF(-3, 3), random.rangeF(-3, 3), 1), b(random.rangeF(-3, 3), random.rangeF(-3, 3), 1);
+        const glm::vec3 a(random.rangeF(-3, 3), random.rangeF(-3, 3), 1);
+        const glm::vec3 b(random.rangeF(-3, 3), random.rangeF(-3, 3), 1);
         const glm::uvec4 found = edgeMask(table, 256, a, b, 64);
         for (unsigned s = 0; s < 64; ++s) {
             const glm::dvec2 p = positions[s], d = glm::dvec2(b) - glm::dvec2(a), e = p - glm::dvec2(a);

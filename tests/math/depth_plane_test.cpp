@@ -151,7 +151,8 @@ TEST(DepthPlane, EdgeOnTrianglesKeepTheirDepths) {
 TEST(DepthPlane, AGrazingWallOverlapsOnlyItsOwnDepths) {
     const glm::vec2 centre(960.5f, 540.5f);
     const auto flat = [&](double w) {
-        return planeOf(place({glm::dvec3(900, 500, w), glm::dvec3(1100, 500, w), glm::dvec3(960, 700, w)}, false), centre);
+        return planeOf(place({glm::dvec3(900, 500, w), glm::dvec3(1100, 500, w), glm::dvec3(960, 700, w)}, false),
+                       centre);
     };
     // 0.002 pixels wide, between w = 20 and 30.
     const auto wall = planeOf(place({glm::dvec3(960.5, 400, 20), glm::dvec3(960.5, 700, 20),

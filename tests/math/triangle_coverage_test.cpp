@@ -59,30 +59,33 @@ glm::vec2 pixelNear(Random& random, const glm::dvec2& at) {
 }
 
 TEST(TriangleCoverage, FloatAgreesWithTheOracle) {
-    Errors small, large, spread;
+    Errors small, large, spread, far;
     for (const unsigned n : sampleCounts) {
         Random random(n);
         for (int i = 0; i < 60000; ++i) {
-            const bool big = i % 2 == 1;
-            const double size = big ? random.decades(3, 4000) : random.decades(0.02, 3);
+            const bool big = i % 2 == 1, extreme = i % 8 == 7;
+            const double size = extreme ? random.decades(1e4, 1e7)
+                                : big   ? random.decades(3, 4000)
+                                        : random.decades(0.02, 3);
             const glm::dvec2 at(random.range(0, 16384), random.range(0, 16384));
             Vertices t;
             for (glm::vec3& v : t)
                 v = vertex(at.x + size * random.range(-1, 1), at.y + size * random.range(-1, 1),
-                           i % 4 < 2 ? 1 : random.decades(0.01, 1000));
+                           i % 4 < 2 ? 1 : extreme ? random.decades(1e-6, 1e6) : random.decades(0.01, 1000));
             // A point of an edge or of the inside.
             const double u = random.unit();
             const glm::dvec2 p(t[0].x / t[0].z, t[0].y / t[0].z), q(t[1].x / t[1].z, t[1].y / t[1].z);
             const glm::vec2 centre = pixelNear(random, glm::mix(p, q, u));
             const glm::uvec4 expected = oracleMask(t, centre, n), found = mask(t, centre, n);
             EXPECT_EQ(found, mask({t[2], t[1], t[0]}, centre, n));
-            (i % 4 >= 2 ? spread : big ? large : small)
+            (extreme ? far : i % 4 >= 2 ? spread : big ? large : small)
                 .add(differingBits(expected, found), math_f::agaa_coverageCount(expected));
         }
     }
     EXPECT_LT(small.report("small triangles, w = 1"), 2e-5);
     EXPECT_LT(large.report("large triangles, w = 1"), 2e-5);
     EXPECT_LT(spread.report("any size, w from 0.01 to 1000"), 2e-5);
+    EXPECT_LT(far.report("10^4 to 10^7 pixels, w from 10^-6 to 10^6"), 2e-3);
     EXPECT_LE(std::max({small.worst, large.worst, spread.worst}), 2u);
 }
 
@@ -140,7 +143,8 @@ TEST(TriangleCoverage, TrianglesWithoutAreaCoverNothing) {
         // Multiples of 1/512: differences and products of these are exact.
         const auto dyadic = [&] { return double(int(random.below(2048)) - 1024) / 512; };
         const glm::dvec2 p(200.5 + dyadic(), 100.5 + dyadic()), d(dyadic() / 4, dyadic() / 4);
-        const glm::vec3 a = vertex(p.x, p.y), b = vertex(p.x + d.x, p.y + d.y), c = vertex(p.x + 4 * d.x, p.y + 4 * d.y);
+        const glm::vec3 a = vertex(p.x, p.y), b = vertex(p.x + d.x, p.y + d.y);
+        const glm::vec3 c = vertex(p.x + 4 * d.x, p.y + 4 * d.y);
         for (const Vertices& t : {Vertices{a, b, c}, {b, a, c}, {c, b, a}, {a, a, b}, {a, b, a}, {b, a, a}, {a, a, a}})
             bits += math_f::agaa_coverageCount(mask(t, centre, n));
     }

@@ -127,7 +127,7 @@ TEST(TriangleHull, TrianglesThroughTheEyePlane) {
     double excess = 0;
     std::size_t touched = 0;
     unsigned quads = 0;
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < 600; ++i) {
         Clip t;
         for (glm::vec4& v : t) {
             const double w = random.range(-4, 6), spread = random.decades(20, i % 4 ? 300 : 1e5);
@@ -138,9 +138,10 @@ TEST(TriangleHull, TrianglesThroughTheEyePlane) {
         check(t, i % 2 != 0, excess, touched);
         if (HasFatalFailure())
             return;
-        quads += math_f::agaa_triangleHull(t[0], t[1], t[2], i % 2 ? glm::vec2(-1, 1) : glm::vec2(1, 0), pixelsPerNdc).count == 8;
+        const glm::vec2 nearPlane = i % 2 ? glm::vec2(-1, 1) : glm::vec2(1, 0);
+        quads += math_f::agaa_triangleHull(t[0], t[1], t[2], nearPlane, pixelsPerNdc).count == 8;
     }
-    EXPECT_GT(quads, 200u);
+    EXPECT_GT(quads, 80u);
     EXPECT_GT(touched, 100000u);
 }
 

@@ -4,8 +4,8 @@
 //
 // A table has size * size + 1 masks: entry direction * size + distance, and last an empty mask. Only half of all
 // directions are stored; the others are complements, so that the two sides of an edge stay complementary. Edges are
-// rounded to the nearest entry: about 1.5 % of the samples that small triangles cover
-// are wrong at size 128, and half as many at size 256.
+// rounded to the nearest entry: of the samples that small triangles cover, about 1.5 % are wrong at size 128 and half
+// as many at size 256.
 #ifndef AGAA_MATH_COVERAGE_TABLE_GLSL
 #define AGAA_MATH_COVERAGE_TABLE_GLSL
 #include "coverage_pattern.glsl"
@@ -19,7 +19,7 @@ rvec3 agaa_coverageTableLine(uint entry, uint size) {
     return rvec3(a, real(1.0) - abs(a), c);
 }
 
-// Whether the entry's mask has the sample at this position from the pixel's centre. For each sample and entry of a table.
+// Whether the entry's mask has the sample at this position from the pixel's centre. Fills a table.
 bool agaa_isInTableEntry(uint entry, uint size, rvec2 position) {
     const rvec3 line = agaa_coverageTableLine(entry, size);
     return entry < size * size && line.x * position.x + line.y * position.y + line.z >= real(0.0);

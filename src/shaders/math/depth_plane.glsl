@@ -9,9 +9,9 @@
 
 // depth + slope * offset at an offset from the pixel's centre in pixels, clamped to the range. Finite.
 struct agaa_DepthPlane {
-    real depth; // at the centre; outside the range where the triangle misses the centre
+    real depth;  // at the centre; may be outside the range where the triangle misses the centre
     rvec2 slope; // per pixel
-    rvec2 range; // least and greatest depth in the pixel, within the triangle's depths
+    rvec2 range; // least and greatest depth of the plane in the pixel, within the triangle's depths
 };
 
 // The plane's steepest slope per pixel, in ranges of the triangle's depths. Where it is steeper, the triangle is narrower
