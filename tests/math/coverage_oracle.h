@@ -1,8 +1,10 @@
-// Coverage computed another way, in double: a sign test per sample against edges of the triangle as given.
+// What the tests of coverage share: coverage computed another way, in double, with a sign test per sample against the
+// edges of the triangle as given.
 #ifndef AGAA_TESTS_MATH_COVERAGE_ORACLE_H
 #define AGAA_TESTS_MATH_COVERAGE_ORACLE_H
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "test_support.h"
@@ -39,6 +41,10 @@ inline glm::uvec4 oracleMask(const Vertices& t, const glm::dvec2& centre, unsign
         if (contains(t, centre + math_d::agaa_coveragePosition(i, samples)))
             mask[static_cast<int>(i >> 5)] |= 1u << (i & 31);
     return mask;
+}
+
+inline glm::uvec4 mask(const Vertices& t, const glm::vec2& centre, unsigned samples) {
+    return math_f::agaa_triangleCoverage(t[0], t[1], t[2], centre, samples);
 }
 
 inline unsigned differingBits(const glm::uvec4& a, const glm::uvec4& b) {

@@ -40,7 +40,7 @@ agaa_CoverageLookup agaa_findCoverage(rvec3 a, rvec3 b, uint size) {
         result.complement = line.z > real(0.0) || (line.z == real(0.0) && agaa_isOrdered(a, b));
         return result;
     }
-    result.complement = agaa_mustTurnLine(line);
+    result.complement = line.y < real(0.0) || (line.y == real(0.0) && line.x < real(0.0));
     line = (result.complement ? -line : line) / length;
     const real last = real(size - 1u);
     const uint direction = uint(clamp((line.x + real(1.0)) * real(0.5) * real(size), real(0.0), last));

@@ -71,18 +71,14 @@ rvec3 agaa_edgeLine(rvec3 a, rvec3 b) {
     return ordered ? rvec3(x, y, c) : rvec3(-x, -y, -c);
 }
 
-// Lines are turned to b > 0, or to a > 0 where b is 0. Points on a turned line count as covered, as if all samples were
-// moved up a little and right by still less: around a vertex on a sample, exactly one triangle covers the sample.
-bool agaa_mustTurnLine(rvec3 line) {
-    return line.y < real(0.0) || (line.y == real(0.0) && line.x < real(0.0));
-}
-
+// An edge as it cuts rows. Samples on the line count as right of it, or as above it where it is parallel to the rows, as
+// if all samples were moved right a little and up by still less: of the triangles around a vertex on a sample, exactly
+// one covers the sample.
 struct agaa_Edge {
     rvec2 pointA; // two points of the line, the vertices where they are near the pixel: error grows with distance
     rvec2 pointB;
     real slope;   // x of the line falls by this for each pixel of y
     bool level;   // parallel to the rows
-    bool onRight; // samples on the line count as right of it
     bool swapped; // covered samples are left of the line, or below it
     bool outside; // the line passes the pixel at a distance
 };
@@ -94,30 +90,21 @@ bool agaa_isNearPixel(rvec3 v) {
 
 agaa_Edge agaa_edgeFromCentre(rvec3 a, rvec3 b) {
     agaa_Edge edge;
-    rvec3 line = agaa_edgeLine(a, b);
+    const rvec3 line = agaa_edgeLine(a, b);
     const real size = max(abs(line.x), abs(line.y));
     edge.pointA = rvec2(real(0.0));
     edge.pointB = rvec2(real(0.0));
     edge.slope = real(0.0);
-    edge.level = false;
-    edge.onRight = true;
+    edge.level = abs(line.x) < size * real(1e-20);
     // Also lines at infinity and equal vertices, which are on neither side of each other's edge.
     edge.outside = !(abs(line.z) < size * real(1.5));
-    edge.swapped = line.z < real(0.0);
     if (edge.outside) {
         edge.swapped = line.z < real(0.0) || (line.z == real(0.0) && !agaa_isOrdered(a, b));
         return edge;
     }
-    edge.swapped = agaa_mustTurnLine(line);
-    if (edge.swapped)
-        line = -line;
-    edge.level = abs(line.x) < size * real(1e-20);
-    if (!edge.level) {
+    edge.swapped = edge.level ? line.y < real(0.0) : line.x < real(0.0);
+    if (!edge.level)
         edge.slope = line.y / line.x;
-        edge.onRight = line.x > real(0.0);
-        if (!edge.onRight)
-            edge.swapped = !edge.swapped;
-    }
     const bool ordered = agaa_isOrdered(a, b);
     const rvec3 p = ordered ? a : b;
     const rvec3 q = ordered ? b : a;
@@ -140,7 +127,7 @@ agaa_Edge agaa_edgeFromCentre(rvec3 a, rvec3 b) {
 uint agaa_edgeSpan(agaa_Edge edge, real y, real phase, uint columns) {
     const uint all = (1u << columns) - 1u;
     uint left = 0u; // samples left of the line
-    if (edge.level) {
+    if (edge.level && !edge.outside) {
         left = y >= edge.pointA.y ? 0u : columns;
     } else if (!edge.outside) {
         // From the vertex whose y is closer: exact for a row through the vertex.
@@ -148,8 +135,7 @@ uint agaa_edgeSpan(agaa_Edge edge, real y, real phase, uint columns) {
         const rvec2 from = useB ? edge.pointB : edge.pointA;
         PRECISE real x = (from.x + real(0.5)) - edge.slope * (y - from.y);
         PRECISE real at = x * real(columns) - phase;
-        const real first = edge.onRight ? -floor(-at) : floor(at) + real(1.0);
-        left = uint(clamp(first, real(0.0), real(columns)));
+        left = uint(clamp(-floor(-at), real(0.0), real(columns)));
     }
     return ((all << left) & all) ^ (edge.swapped ? all : 0u);
 }
