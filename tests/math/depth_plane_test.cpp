@@ -62,6 +62,7 @@ TEST(DepthPlane, FloatAgreesWithTheOracle) {
             const glm::dvec3 depths = glm::dvec3(t.z) / glm::dvec3(t.at[0].z, t.at[1].z, t.at[2].z);
             const double range = std::max({depths.x, depths.y, depths.z}) - std::min({depths.x, depths.y, depths.z});
             ++covered;
+            EXPECT_LE(double(plane.range.y - plane.range.x), slope + 2e-7); // no wider than the plane in the pixel
             if (slope > 0.999 * double(math_f::agaa_steepestSlope()) * range) {
                 ++flattened;
                 EXPECT_LE(error, range);

@@ -135,6 +135,12 @@ TEST(TriangleHull, TrianglesThroughTheEyePlane) {
             v.x = float(random.range(-1, 1) * spread / halfSize.x);
             v.y = float(random.range(-1, 1) * spread / halfSize.y);
         }
+        // A vertex just behind the near plane: the two points of its edges on the plane hardly differ.
+        if (i % 3 == 0)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double w = k == 1 ? 0.1 - random.decades(1e-9, 1e-3) : random.range(0.2, 2);
+                t[k] = inClip({random.range(-90, 90), random.range(-70, 70)}, w, i % 2 != 0);
+            }
         check(t, i % 2 != 0, excess, touched);
         if (HasFatalFailure())
             return;
