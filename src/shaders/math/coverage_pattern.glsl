@@ -2,8 +2,9 @@
 // Source: DCAA (Wang et al., I3D 2016) section 3.1.
 //
 // Samples lie in rows. Along a row they are equally spaced, so that a half-plane covers a span of each row. Every row
-// is shifted by its own phase. Of the patterns with rows that tests/math/coverage_patterns.cpp compares, these have the
-// smallest error of the covered area; the pattern of 64 samples also continues as a lattice across pixel borders.
+// is shifted by its own phase. The phases and row lengths are chosen by the error of the covered area over edges of any
+// direction, level and upright edges, strips and triangles together: tests/math/coverage_patterns.cpp. The patterns of
+// 32 and 64 samples continue as lattices across pixel borders.
 //
 //   samples   rows   columns   phase of row r
 //        32     16         2   (5 r mod 16) / 16
