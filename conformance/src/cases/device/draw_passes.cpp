@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
+#include <memory>
 #include <set>
 
 namespace agaa::conformance {
@@ -45,18 +47,34 @@ void visitView(Test& test, const OwnContext& context, const ViewDescription& des
           "\"" + std::string(description.config.technique) + "\"");
 }
 
-// Each technique, with n = 4 or 1.
+// Each technique, with n = 4 or 1. Passes are listed once for all tests of a device.
 void forTechniques(Test& test, const Visit& visit) {
-    const OwnContext context(test);
-    for (const std::string& technique : techniques(test.sdk)) {
-        ViewDescription description(&test.device());
-        setTechnique(description, technique, 4);
-        visitView(test, context, description, visit);
+    struct Entry {
+        std::string technique;
+        std::shared_ptr<ViewDescription> description;
+        PassList list;
+    };
+    static std::map<Backend, std::vector<Entry>> listed;
+    std::vector<Entry>& entries = listed[test.device().backend()];
+    if (entries.empty()) {
+        const OwnContext context(test);
+        for (const std::string& technique : techniques(test.sdk)) {
+            const auto description = std::make_shared<ViewDescription>(&test.device());
+            setTechnique(*description, technique, 4);
+            visitView(test, context, *description,
+                      [&](const ViewDescription&, const PassList& list, const std::string& name) {
+                          entries.push_back({name, description, list});
+                          for (AgaaDrawPass& pass : entries.back().list.passes)
+                              pass.name = pass.name ? "" : nullptr; // the view owns it
+                      });
+        }
     }
+    for (const Entry& entry : entries)
+        visit(*entry.description, entry.list, entry.technique);
 }
 
 std::string passText(const std::string& technique, const AgaaDrawPass& pass) {
-    return "the draw pass " + std::string(pass.name ? pass.name : "(null)") + " of " + technique;
+    return "the draw pass " + std::to_string(pass.pass) + " of " + technique;
 }
 
 void testCount(Test& test) {

@@ -15,7 +15,9 @@ FrameParts::FrameParts(const Rig& rig) : frame(rig.nextFrame()) {
 
 namespace {
 
+// "single" has the fewest pipelines.
 void allowLights(ViewDescription& description) {
+    setTechnique(description, "single", 1);
     description.facts.maxLights = 4;
     description.facts.shadowMapCount = 2;
 }

@@ -8,6 +8,11 @@ namespace agaa::conformance {
 
 namespace {
 
+// "single" has the fewest pipelines.
+void oneSample(ViewDescription& description) {
+    setTechnique(description, "single", 1);
+}
+
 AgaaFrameStatistics emptyStatistics() {
     const AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
     return statistics;
@@ -98,7 +103,7 @@ void addErrors(Suite& suite, const std::string& output) {
     const std::string name = std::string(nameOf<T>()) + "/";
     const auto run = [](const std::function<void(Rig&)>& body) {
         return [body](Test& test) {
-            Rig rig(test);
+            Rig rig(test, oneSample);
             rig.render();
             body(rig);
         };
@@ -119,7 +124,7 @@ bool isInitialFrom(const AgaaFrameStatistics& statistics, size_t first, size_t e
 }
 
 void testNotReady(Test& test) {
-    Rig rig(test);
+    Rig rig(test, oneSample);
     AgaaFrameStatistics statistics = emptyStatistics();
     test.result(test.sdk.agaaGetFrameStatistics(rig.view.get(), 0, &statistics), AGAA_NOT_READY,
                 "agaaGetFrameStatistics before the first frame");
@@ -148,7 +153,7 @@ void testNotReady(Test& test) {
 
 // A frame counts when all of its segments are recorded.
 void testSegments(Test& test) {
-    Rig rig(test);
+    Rig rig(test, oneSample);
     rig.render();
     AgaaFrame frame = rig.nextFrame();
     frame.segments = AGAA_SEGMENT_PREPASS;
@@ -167,7 +172,7 @@ void testSegments(Test& test) {
 }
 
 void testValidationNotReady(Test& test) {
-    Rig rig(test);
+    Rig rig(test, oneSample);
     for (int i = 0; i < 2; ++i) {
         AgaaFrameValidation validation = emptyValidation();
         test.result(test.sdk.agaaValidateFrame(rig.view.get(), 0, &validation), AGAA_NOT_READY,
@@ -188,7 +193,10 @@ void testPasses(Test& test,
                 const std::function<void(const AgaaPassTime&, const AgaaFrameStatistics&)>& check) {
     for (const uint64_t flags :
          {AGAA_CONFIG_COUNTERS, AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS}) {
-        Rig rig(test, [flags](ViewDescription& description) { description.config.flags = flags; });
+        Rig rig(test, [flags](ViewDescription& description) {
+            oneSample(description);
+            description.config.flags = flags;
+        });
         rig.render();
         const AgaaFrameStatistics statistics = rig.statistics();
         test.check(statistics.passCount >= statistics.geometryPasses &&
@@ -201,7 +209,7 @@ void testPasses(Test& test,
 }
 
 void testTimes(Test& test) {
-    Rig plain(test);
+    Rig plain(test, oneSample);
     plain.render();
     test.check(plain.statistics().timeSource == AGAA_TIME_NONE,
                "there are times without AGAA_CONFIG_TIMESTAMPS.");
@@ -240,12 +248,12 @@ void addStatisticsCases(Suite& suite) {
     });
     suite.both("AgaaFrameStatistics.timeSource/enum", testTimes);
     suite.both("AgaaFrameStatistics.reserved/zero", [](Test& test) {
-        Rig rig(test);
+        Rig rig(test, oneSample);
         rig.render();
         test.check(rig.statistics().reserved == 0, "AgaaFrameStatistics::reserved is not 0.");
     });
     suite.both("AgaaCounters.reserved/zero", [](Test& test) {
-        Rig rig(test);
+        Rig rig(test, oneSample);
         rig.render();
         for (const uint64_t word : rig.counters().reserved)
             test.check(word == 0, "AgaaCounters::reserved is not 0.");

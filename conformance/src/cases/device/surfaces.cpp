@@ -3,6 +3,7 @@
 #include "frame_rig.h"
 
 #include <cstring>
+#include <map>
 
 namespace agaa::conformance {
 
@@ -98,44 +99,61 @@ void testCalls(Test& test, AgaaResult code) {
     }
 }
 
+struct Listed {
+    AgaaSurface predicted, got;
+    Native native;
+    std::string what;
+};
+
+void listSurfaces(Test& test, const OwnContext& context, const AgaaDeviceCaps& caps,
+                  const std::string& technique, std::vector<Listed>& list) {
+    ViewDescription description(&test.device());
+    setTechnique(description, technique, 4);
+    const BareView view(test, context.get(), description);
+    const AgaaSurface initial = AGAA_SURFACE_INIT;
+    uint32_t count = 0;
+    test.requireOk(
+        test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, nullptr),
+        "agaaQueryMemory");
+    std::vector<AgaaSurface> predicted(count, initial);
+    test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count,
+                                            predicted.data()),
+                   "agaaQueryMemory");
+    bool hasDepth = false;
+    for (const AgaaSurface& surface : predicted) {
+        if (!surface.isPerPixel)
+            continue;
+        hasDepth = hasDepth || !std::strcmp(surface.name, "depth");
+        Native native;
+        AgaaSurface got = initial;
+        got.pNext = native.of(test.device().backend());
+        const std::string what =
+            "the surface " + std::string(surface.name) + " of \"" + technique + "\"";
+        if (test.result(test.sdk.agaaGetSurface(view.get(), surface.name, &got), AGAA_OK,
+                        "agaaGetSurface for " + what))
+            list.push_back({surface, got, native, what});
+    }
+    test.check(hasDepth, "\"" + technique + "\" has no surface depth.");
+}
+
 using Visit = std::function<void(const AgaaSurface& predicted, const AgaaSurface& got,
                                  const Native&, const std::string& what)>;
 
-// All surfaces of agaaQueryMemory with isPerPixel 1, of each technique.
+// All surfaces of agaaQueryMemory with isPerPixel 1, of each technique; listed once for all tests
+// of a device.
 void forSurfaces(Test& test, const Visit& visit) {
-    const OwnContext context(test);
-    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
-    test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps),
-                   "the capabilities of the context");
-    const AgaaSurface initial = AGAA_SURFACE_INIT;
-    for (const std::string& technique : techniques(test.sdk)) {
-        ViewDescription description(&test.device());
-        setTechnique(description, technique, 4);
-        const BareView view(test, context.get(), description);
-        uint32_t count = 0;
-        test.requireOk(
-            test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, nullptr),
-            "agaaQueryMemory");
-        std::vector<AgaaSurface> predicted(count, initial);
-        test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count,
-                                                predicted.data()),
-                       "agaaQueryMemory");
-        bool hasDepth = false;
-        for (const AgaaSurface& surface : predicted) {
-            if (!surface.isPerPixel)
-                continue;
-            hasDepth = hasDepth || !std::strcmp(surface.name, "depth");
-            Native native;
-            AgaaSurface got = AGAA_SURFACE_INIT;
-            got.pNext = native.of(test.device().backend());
-            const std::string what =
-                "the surface " + std::string(surface.name) + " of \"" + technique + "\"";
-            if (test.result(test.sdk.agaaGetSurface(view.get(), surface.name, &got), AGAA_OK,
-                            "agaaGetSurface for " + what))
-                visit(surface, got, native, what);
-        }
-        test.check(hasDepth, "\"" + technique + "\" has no surface depth.");
+    static std::map<Backend, std::vector<Listed>> listed;
+    std::vector<Listed>& list = listed[test.device().backend()];
+    if (list.empty()) {
+        const OwnContext context(test);
+        AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+        test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps),
+                       "the capabilities of the context");
+        for (const std::string& technique : techniques(test.sdk))
+            listSurfaces(test, context, caps, technique, list);
     }
+    for (const Listed& surface : list)
+        visit(surface.predicted, surface.got, surface.native, surface.what);
 }
 
 void testPredicted(Test& test) {
