@@ -28,6 +28,7 @@ Suite makeSuite() {
     addVkOutputCases(suite);
     addGlStateCases(suite);
     addGlArgumentCases(suite);
+    addValidationCases(suite);
     return suite;
 }
 

@@ -31,8 +31,7 @@ Scene wall(const Rig& rig, const float* normal = nullptr) {
     if (normal)
         std::copy(normal, normal + 3, surface.normal);
     Scene scene;
-    addRectangle(scene, desc.width, desc.height, 0, 0, float(desc.width), float(desc.height),
-                 distance, surface);
+    addRectangle(scene, desc.width, desc.height, 0, 0, float(desc.width), float(desc.height), distance, surface);
     return scene;
 }
 
@@ -68,8 +67,8 @@ using Irradiance = std::function<float(const float* place)>;
 
 // The light that a pixel receives, times albedo / pi. Techniques shade a pixel at one place or
 // several: the value is between the least and the greatest of the pixel's corners.
-void expectLightAt(Rig& rig, const Image& image, uint32_t x, uint32_t y,
-                   const Irradiance& irradiance, const std::string& what) {
+void expectLightAt(Rig& rig, const Image& image, uint32_t x, uint32_t y, const Irradiance& irradiance,
+                   const std::string& what) {
     float least = INFINITY, greatest = 0;
     for (const float dx : {-0.5f, 0.0f, 0.5f})
         for (const float dy : {-0.5f, 0.0f, 0.5f}) {
@@ -81,12 +80,10 @@ void expectLightAt(Rig& rig, const Image& image, uint32_t x, uint32_t y,
             greatest = std::max(greatest, irradiance(place) / pi);
         }
     const Rgb middle = albedo * (0.5f * (least + greatest));
-    expectColor(rig.test, image, whole(rig).x1, {x, y, x + 1, y + 1}, middle.v,
-                0.003f + 0.5f * (greatest - least), what);
+    expectColor(rig.test, image, whole(rig).x1, {x, y, x + 1, y + 1}, middle.v, 0.003f + 0.5f * (greatest - least), what);
 }
 
-void expectLight(Rig& rig, const Image& image, const Irradiance& irradiance,
-                 const std::string& what) {
+void expectLight(Rig& rig, const Image& image, const Irradiance& irradiance, const std::string& what) {
     const Area area = whole(rig);
     for (uint32_t y = area.y0; y < area.y1; y += 3)
         for (uint32_t x = area.x0; x < area.x1; x += 3)
@@ -104,26 +101,22 @@ void expectAmbient(Rig& rig) {
         frame.ambient[2] = 0;
     });
     const float expected[] = {0.5f * albedo.v[0], 2 * albedo.v[1], 0};
-    expectColor(rig.test, image, whole(rig).x1, whole(rig), expected, 0.005f,
-                named(rig, "ambient light (0.5, 2, 0)"));
+    expectColor(rig.test, image, whole(rig).x1, whole(rig), expected, 0.005f, named(rig, "ambient light (0.5, 2, 0)"));
 }
 
 void expectDirectional(Rig& rig) {
     AgaaLight light = lightOfType(AGAA_LIGHT_DIRECTIONAL);
     light.color[0] = light.color[1] = light.color[2] = 4;
     expectLight(
-        rig, renderLight(rig, light), [](const float*) { return 4.0f; },
-        named(rig, "a light from the eye"));
+        rig, renderLight(rig, light), [](const float*) { return 4.0f; }, named(rig, "a light from the eye"));
     light.direction[0] = 0.6f;
     light.direction[2] = -0.8f;
     expectLight(
-        rig, renderLight(rig, light), [](const float*) { return 4 * 0.8f; },
-        named(rig, "a slanting light"));
+        rig, renderLight(rig, light), [](const float*) { return 4 * 0.8f; }, named(rig, "a slanting light"));
     light.direction[0] = 0;
     light.direction[2] = 1;
     expectLight(
-        rig, renderLight(rig, light), [](const float*) { return 0.0f; },
-        named(rig, "a light from behind"));
+        rig, renderLight(rig, light), [](const float*) { return 0.0f; }, named(rig, "a light from behind"));
 }
 
 // Intensity times cosine over the square of the distance, outside the lamp and within the range.
@@ -155,8 +148,7 @@ void expectPoint(Rig& rig) {
     light.radius = 0;
     light.range = 7.5f;
     expectLight(
-        rig, renderLight(rig, light), [](const float*) { return 0.0f; },
-        named(rig, "a point light out of its range"));
+        rig, renderLight(rig, light), [](const float*) { return 0.0f; }, named(rig, "a point light out of its range"));
 }
 
 void expectSpot(Rig& rig) {
@@ -166,8 +158,7 @@ void expectSpot(Rig& rig) {
     light.cosOuter = 0.84f;
     const Image image = renderLight(rig, light);
     const auto cosine = [&](const float* p) {
-        const float x = p[0] - light.position[0], y = p[1] - light.position[1],
-                    z = p[2] - light.position[2];
+        const float x = p[0] - light.position[0], y = p[1] - light.position[1], z = p[2] - light.position[2];
         return -z / std::sqrt(x * x + y * y + z * z);
     };
     const Area area = whole(rig);
@@ -180,8 +171,7 @@ void expectSpot(Rig& rig) {
                 continue;
             const bool isInside = c > 0.85f;
             expectLightAt(
-                rig, image, x, y,
-                [&](const float* p) { return isInside ? pointLight(p, light) : 0.0f; },
+                rig, image, x, y, [&](const float* p) { return isInside ? pointLight(p, light) : 0.0f; },
                 named(rig, "a spot light"));
         }
 }
@@ -201,16 +191,15 @@ void expectShadows(Rig& rig) {
         bool isLit;
     };
     // The stored depth is 0.5.
-    const Row rows[] = {
-        {"in front of the stored depth", 0, 0.25f, 0, 9, 0, true},
-        {"at the stored depth", 0, 0.5f, 0, 9, 0, true},
-        {"behind the stored depth", 0, 0.75f, 0, 9, 0, false},
-        {"behind the stored depth by less than depthBias", 0, 0.75f, 0.3f, 9, 0, true},
-        {"behind the stored depth by more than depthBias", 0, 0.75f, 0.2f, 9, 0, false},
-        {"outside all layers", 9, 0.75f, 0, 9, 0.75f, true},
-        {"in the first of two layers", 0, 0.75f, 0, 0, 0.25f, false},
-        {"in the second layer only", 9, 0.25f, 0, 0, 0.75f, false},
-        {"beyond the depths of the first layer", 0, 1.5f, 0, 0, 0.75f, false}};
+    const Row rows[] = {{"in front of the stored depth", 0, 0.25f, 0, 9, 0, true},
+                        {"at the stored depth", 0, 0.5f, 0, 9, 0, true},
+                        {"behind the stored depth", 0, 0.75f, 0, 9, 0, false},
+                        {"behind the stored depth by less than depthBias", 0, 0.75f, 0.3f, 9, 0, true},
+                        {"behind the stored depth by more than depthBias", 0, 0.75f, 0.2f, 9, 0, false},
+                        {"outside all layers", 9, 0.75f, 0, 9, 0.75f, true},
+                        {"in the first of two layers", 0, 0.75f, 0, 0, 0.25f, false},
+                        {"in the second layer only", 9, 0.25f, 0, 0, 0.75f, false},
+                        {"beyond the depths of the first layer", 0, 1.5f, 0, 0, 0.75f, false}};
     rig.device().setShadowDepth(0.5f);
     AgaaLight light = lightOfType(AGAA_LIGHT_DIRECTIONAL);
     light.color[0] = light.color[1] = light.color[2] = 4;
@@ -222,13 +211,11 @@ void expectShadows(Rig& rig) {
         project(shadow.matrices[0], row.x0, row.depth0);
         project(shadow.matrices[1], row.x1, row.depth1);
         expectLight(
-            rig, renderLight(rig, light, &shadow),
-            [&](const float*) { return row.isLit ? 4.0f : 0.0f; },
+            rig, renderLight(rig, light, &shadow), [&](const float*) { return row.isLit ? 4.0f : 0.0f; },
             named(rig, std::string("a wall ") + row.what));
         light.shadowMap = AGAA_NO_SHADOW;
         expectLight(
-            rig, renderLight(rig, light, &shadow), [&](const float*) { return 4.0f; },
-            named(rig, "a light without a shadow"));
+            rig, renderLight(rig, light, &shadow), [&](const float*) { return 4.0f; }, named(rig, "a light without a shadow"));
         light.shadowMap = 0;
     }
     rig.device().setShadowDepth(1.0f);
@@ -250,8 +237,7 @@ void testLights(Test& test, const char* technique) {
 } // namespace
 
 void addImageCases(Suite& suite) {
-    for (const char* technique :
-         {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"})
+    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"})
         suite.both("general/images_of_lights/" + std::string(technique),
                    [technique](Test& test) { testLights(test, technique); });
 }
