@@ -55,7 +55,8 @@ AGAA_API AgaaResult AGAA_CALL agaaGlGetRequirements(AgaaGlRequirements* outRequi
  *
  * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
  *           AGAA_ERROR_STRUCT             outCaps is not initialised
- *           AGAA_ERROR_UNSUPPORTED        no context is current, or it is too old or lacks a required extension
+ *           AGAA_ERROR_UNSUPPORTED        no context is current, or it is too old or lacks a required extension, or
+ *                                         getProcAddr has no pointer of a core function
  * Threads   The thread in which the context is current. */
 AGAA_API AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* getProcUser, const AgaaLog* log,
                                                   AgaaDeviceCaps* outCaps);
@@ -160,7 +161,8 @@ AGAA_API void AGAA_CALL agaaInitGlDeviceDesc(AgaaGlDeviceDesc* outDesc, size_t s
  *                 AGAA_ERROR_INVALID_ARGUMENT   no device is chained, getProcAddr or a needed callback is null, only one of
  *                                               two callbacks is set, or two bindings of one kind are equal
  *                 AGAA_ERROR_OUT_OF_RANGE       a member is out of its range or exceeds a limit of the context
- *                 AGAA_ERROR_UNSUPPORTED        no OpenGL context is current, or it is too old or lacks a required extension
+ *                 AGAA_ERROR_UNSUPPORTED        no OpenGL context is current, or it is too old or lacks a required extension,
+ *                                               or getProcAddr has no pointer of a core function
  *                 AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
  *                 AGAA_ERROR_DEVICE             an OpenGL function failed
  * Threads         The thread in which the OpenGL context is current.

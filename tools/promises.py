@@ -131,7 +131,8 @@ def promises(include):
             found.append(f"Agaa{name}/init")
         for name, note in re.findall(r"#define (AGAA_\w+) [^\n]*?/\*(.*?)\*/", text, re.DOTALL):
             found += [f"{name}/{error}" for error in ERROR.findall(note)]
-        for note, name in re.findall(r"/\*((?:(?!\*/).)*?)\*/\n#define (AGAA_\w+) ", text, re.DOTALL):
+        # Comments that begin a line: others belong to what stands before them.
+        for note, name in re.findall(r"^/\*((?:(?!\*/).)*?)\*/\n#define (AGAA_\w+) ", text, re.DOTALL | re.MULTILINE):
             found += [f"{name}/{error}" for error in ERROR.findall(note)]
     conventions = (include / "agaa_sdk.h").read_text()
     found += [f"conventions/{error}" for error in ERROR.findall(conventions)]

@@ -61,8 +61,8 @@ typedef struct AgaaConformanceHost {
     uint32_t api;        /* AgaaConformanceApi */
     void* user;
     AgaaContext context;
-    /* Size, facts, flags and functions of the views. The suite replaces the configuration, adds AGAA_FACT_AMBIENT and
-     * declares no shadow maps. */
+    /* Size, facts, flags and functions of the views. The suite replaces the configuration, and of the facts keeps
+     * AGAA_FACT_ALPHA_MASKED and AGAA_FACT_CUSTOM_DEPTH: it renders with ambient light or one light, without shadows. */
     const AgaaViewDesc* view;
     /* Creates what the engine needs for a view that the suite has created, for example pipelines. May be null. */
     AgaaResult (*prepareView)(void* user, AgaaView view);
@@ -75,6 +75,9 @@ typedef struct AgaaConformanceHost {
     /* Returns the messages of validation layers or of OpenGL's debug output since the last call, one per line, valid until
      * the next call; or null if there are none. May be null: then messages are not tested. */
     const char* (*takeMessages)(void* user);
+    /* Leaves alpha-masked objects out of all passes of the frames from now on, or draws them again. May be null: then a wrong
+     * alpha mask cannot be told from other geometry, and fails integration/same_geometry. */
+    void (*hideMasked)(void* user, uint32_t isHidden);
 } AgaaConformanceHost;
 
 /* ---- runs ----------------------------------------------------------------------------------------- */

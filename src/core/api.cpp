@@ -114,7 +114,7 @@ AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t*
 AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
                                      const AgaaLog* log, AgaaMemoryReport* outReport,
                                      uint32_t* surfaceCount, AgaaSurface* surfaces) {
-    return guarded(checkedLog(log), "agaaQueryMemory", [&]() -> AgaaResult {
+    return guarded(log, "agaaQueryMemory", [&]() -> AgaaResult {
         require(surfaceCount || !surfaces, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
         const Plan plan = makePlan(resolveView(view), capsOrIdeal(caps), 2);
         AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
@@ -142,7 +142,7 @@ AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceC
 
 AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
                                      AgaaTarget* outTarget) {
-    return guarded(checkedLog(log), "agaaQueryTarget", [&]() -> AgaaResult {
+    return guarded(log, "agaaQueryTarget", [&]() -> AgaaResult {
         const ViewSettings settings = resolveView(view);
         checkOutput(outTarget);
         const Plan plan = makePlan(settings, capsOrIdeal(caps), 2); // refuses targets beyond maxImageSize
@@ -160,20 +160,20 @@ AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceC
 
 AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
                                     const AgaaLog* log, size_t* size, char* text) {
-    return guarded(checkedLog(log), "agaaPlanToJson", [&]() -> AgaaResult {
+    return guarded(log, "agaaPlanToJson", [&]() -> AgaaResult {
         return writeText(planToJson(makePlan(resolveView(view), capsOrIdeal(caps), 2)), size, text);
     });
 }
 
 AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
                                           size_t* size, char* text) {
-    return guarded(checkedLog(log), "agaaGetAggregateGlsl", [&]() -> AgaaResult {
+    return guarded(log, "agaaGetAggregateGlsl", [&]() -> AgaaResult {
         return writeText(aggregateGlsl(makePlan(resolveView(view), capsOrIdeal(caps), 2)), size, text);
     });
 }
 
 AgaaResult AGAA_CALL agaaGetCoverageGlsl(const AgaaLog* log, size_t* size, char* text) {
-    return guarded(checkedLog(log), "agaaGetCoverageGlsl", [&]() -> AgaaResult {
+    return guarded(log, "agaaGetCoverageGlsl", [&]() -> AgaaResult {
         return writeText(coverageGlsl(), size, text);
     });
 }

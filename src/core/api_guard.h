@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/structs.h"
 
 #include <new>
 
@@ -30,7 +31,7 @@ private:
 // A log of a host's that is not what it should be is not called.
 inline Log checkedLog(const AgaaLog* log) {
     constexpr uint32_t firstSize = 32; // in version 0.2, as in structs.inc
-    const bool valid = log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize >= firstSize;
+    const bool valid = log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize >= firstSize && log->structSize % 8 == 0;
     return valid ? Log(log) : Log();
 }
 
@@ -53,6 +54,16 @@ AgaaResult guarded(const Log& log, const char* function, Body&& body) noexcept {
     } catch (...) {
         return report(AGAA_ERROR_INTERNAL, "an unexpected internal failure.");
     }
+}
+
+// The same for functions that take the host's log, which must be right, too.
+template <typename Body>
+AgaaResult guarded(const AgaaLog* log, const char* function, Body&& body) noexcept {
+    return guarded(checkedLog(log), function, [&]() -> AgaaResult {
+        if (log)
+            readStruct(log);
+        return body();
+    });
 }
 
 // Callbacks must not throw. One that does counts as failed, because what the SDK began around it must come to an end.

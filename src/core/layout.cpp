@@ -159,8 +159,9 @@ static void addCustom(Layout& layout, AgaaLayoutAttribute attribute) {
 Layout checkLayout(const AgaaLayout* pointer) {
     const AgaaLayout source = pointer ? readStruct(pointer) : builtinLayout("precise");
     checkReserved(source.reserved, "AgaaLayout::reserved");
-    if (source.attributeCount > AGAA_MAX_LAYOUT_ATTRIBUTES)
-        fail(AGAA_ERROR_LAYOUT, format("AgaaLayout has %u attributes; %d are the most.", source.attributeCount, AGAA_MAX_LAYOUT_ATTRIBUTES));
+    if (source.attributeCount < 2 || source.attributeCount > AGAA_MAX_LAYOUT_ATTRIBUTES)
+        fail(AGAA_ERROR_LAYOUT, format("AgaaLayout::attributeCount is %u; it must be in [2, %d].", source.attributeCount,
+                                       AGAA_MAX_LAYOUT_ATTRIBUTES));
     Layout layout;
     for (uint32_t i = 0; i < source.attributeCount; ++i) {
         const AgaaLayoutAttribute& attribute = source.attributes[i];

@@ -48,11 +48,17 @@ void checkStructSize(const void* structure, const StructRow& row) {
 }
 
 void checkChain(const void* structure, const char* name, const std::vector<uint32_t>& known) {
-    uint32_t length = 0;
     std::vector<uint32_t> seen;
-    for (const auto* link = next(static_cast<const AgaaStructHeader*>(structure)); link; link = next(link)) {
-        if (++length > 64) // a chain that closes on itself
+    const auto* mark = static_cast<const AgaaStructHeader*>(structure);
+    uint32_t length = 0, markAt = 0;
+    for (const auto* link = next(mark); link; link = next(link)) {
+        // A chain that closes on itself comes back to the mark, which moves on each time the length has doubled (Brent 1980).
+        if (link == mark)
             fail(AGAA_ERROR_UNKNOWN_STRUCT, format("the chain of %s does not end.", name));
+        if (++length >= 2 * markAt + 1) {
+            mark = link;
+            markAt = length;
+        }
         if (std::find(known.begin(), known.end(), link->sType) != known.end()) {
             if (std::find(seen.begin(), seen.end(), link->sType) != seen.end())
                 fail(AGAA_ERROR_UNKNOWN_STRUCT,

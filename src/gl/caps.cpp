@@ -115,7 +115,7 @@ AgaaResult AGAA_CALL agaaGlGetRequirements(AgaaGlRequirements* out) {
 
 AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* getProcUser,
                                          const AgaaLog* log, AgaaDeviceCaps* outCaps) {
-    return guarded(checkedLog(log), "agaaGlGetDeviceCaps", [&]() -> AgaaResult {
+    return guarded(log, "agaaGlGetDeviceCaps", [&]() -> AgaaResult {
         require(getProcAddr, AGAA_ERROR_INVALID_ARGUMENT, "getProcAddr is null.");
         checkOutput(outCaps);
         writeStruct(outCaps, gl::queryCaps(gl::loadFunctions(getProcAddr, getProcUser)));

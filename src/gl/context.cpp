@@ -12,13 +12,17 @@ GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user) {
     struct Loader {
         AgaaGlGetProcAddr get;
         void* user;
-    } loader{getProcAddr, user};
+        std::string missing; // of the functions that the context's version promises
+    } loader{getProcAddr, user, {}};
     GladGLContext gl{};
     const int version = gladLoadGLContextUserPtr(
         &gl,
         [](void* pointer, const char* name) {
-            const auto& from = *static_cast<const Loader*>(pointer);
-            return GLADapiproc(from.get(from.user, name));
+            auto& from = *static_cast<Loader*>(pointer);
+            const auto function = GLADapiproc(from.get(from.user, name));
+            if (!function && from.missing.empty())
+                from.missing = name;
+            return function;
         },
         &loader);
     require(version != 0, AGAA_ERROR_UNSUPPORTED, "no OpenGL context is current.");
@@ -27,6 +31,8 @@ GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user) {
                                             GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version)));
     require(gl.VERSION_4_5 || gl.ARB_direct_state_access, AGAA_ERROR_UNSUPPORTED,
             "the context is below OpenGL 4.5 and lacks GL_ARB_direct_state_access.");
+    if (!loader.missing.empty())
+        fail(AGAA_ERROR_UNSUPPORTED, "getProcAddr has no " + loader.missing + ".");
     return gl;
 }
 

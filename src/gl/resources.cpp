@@ -20,7 +20,7 @@ static GLenum texelsOfDraws(const Context& context, const Plan& plan, ResourceId
 }
 
 ViewResources::ViewResources(const Context& context, const Plan& plan) : context_(context) {
-    context.takeHostErrors("agaaGlCreateView");
+    context.takeHostErrors("creating surfaces");
     try {
         resources_.resize(plan.resources.size());
         for (ResourceId id = 0; id < plan.resources.size(); ++id) {

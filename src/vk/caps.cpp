@@ -138,8 +138,10 @@ AgaaResult AGAA_CALL agaaVkGetRequirements(AgaaVkRequirements* out) {
 AgaaResult AGAA_CALL agaaVkGetDeviceCaps(void* instance, void* physicalDevice,
                                          AgaaVkGetInstanceProcAddr getProcAddr, const AgaaLog* log,
                                          AgaaDeviceCaps* outCaps) {
-    return guarded(checkedLog(log), "agaaVkGetDeviceCaps", [&]() -> AgaaResult {
-        require(instance && physicalDevice && getProcAddr, AGAA_ERROR_INVALID_ARGUMENT, "a pointer is null.");
+    return guarded(log, "agaaVkGetDeviceCaps", [&]() -> AgaaResult {
+        require(instance, AGAA_ERROR_INVALID_ARGUMENT, "the instance is null.");
+        require(physicalDevice, AGAA_ERROR_INVALID_ARGUMENT, "the physical device is null.");
+        require(getProcAddr, AGAA_ERROR_INVALID_ARGUMENT, "getProcAddr is null.");
         checkOutput(outCaps);
         const vk::InstanceTable functions =
             vk::loadInstanceTable(getProcAddr, static_cast<VkInstance>(instance));

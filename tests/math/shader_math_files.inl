@@ -15,6 +15,7 @@
 #undef AGAA_MATH_CLUSTERING_GLSL
 #undef AGAA_MATH_SURFACES_GLSL
 #undef AGAA_MATH_RECORDS_GLSL
+#undef AGAA_MATH_SURFACE_MERGE_GLSL
 
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
@@ -33,4 +34,8 @@
 struct Clustering {
 #include "../../src/shaders/math/clustering.glsl"
 #include "../../src/shaders/math/surfaces.glsl"
+};
+
+struct KeptSurfaces {
+#include "../../src/shaders/math/surface_merge.glsl"
 };

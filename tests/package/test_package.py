@@ -48,7 +48,7 @@ class Install(unittest.TestCase):
 class Contents(unittest.TestCase):
     def test_headers_are_the_public_ones(self):
         self.assertEqual(sorted(path.name for path in (PREFIX / "include").iterdir()),
-                         ["agaa", "agaa_gl.h", "agaa_sdk.h", "agaa_vk.h"])
+                         ["agaa", "agaa_conformance.h", "agaa_gl.h", "agaa_sdk.h", "agaa_vk.h"])
 
     def test_documents_are_there(self):
         documents = PREFIX / "share" / "doc" / "agaa"

@@ -16,18 +16,16 @@ struct Attribute {
     GLint size;
     GLuint offset;
 };
-constexpr Attribute attributes[] = {
-    {3, offsetof(Vertex, position)},  {3, offsetof(Vertex, normal)},
-    {4, offsetof(Vertex, diffuse)},   {3, offsetof(Vertex, specular)},
-    {1, offsetof(Vertex, roughness)}, {3, offsetof(Vertex, emissive)}};
+constexpr Attribute attributes[] = {{3, offsetof(Vertex, position)},  {3, offsetof(Vertex, normal)},
+                                    {4, offsetof(Vertex, diffuse)},   {3, offsetof(Vertex, specular)},
+                                    {1, offsetof(Vertex, roughness)}, {3, offsetof(Vertex, emissive)}};
 
 class OpenGlDevice : public Device {
 public:
     explicit OpenGlDevice(const std::string& name) : api_(name), programs_(mistakes) {
         glCreateVertexArrays(1, &vertexArray_);
         for (GLuint i = 0; i < std::size(attributes); ++i) {
-            glVertexArrayAttribFormat(vertexArray_, i, attributes[i].size, GL_FLOAT, GL_FALSE,
-                                      attributes[i].offset);
+            glVertexArrayAttribFormat(vertexArray_, i, attributes[i].size, GL_FLOAT, GL_FALSE, attributes[i].offset);
             glVertexArrayAttribBinding(vertexArray_, i, 0);
             glEnableVertexArrayAttrib(vertexArray_, i);
         }
@@ -55,20 +53,17 @@ public:
         return description;
     }
 
-    AgaaResult createContext(const Functions& sdk, uint32_t headerVersion,
-                             ContextDescription& description, AgaaContext* outContext) override {
+    AgaaResult createContext(const Functions& sdk, uint32_t headerVersion, ContextDescription& description,
+                             AgaaContext* outContext) override {
         description.gl.pNext = description.desc.pNext;
         description.desc.pNext = &description.gl;
-        const AgaaResult result =
-            sdk.agaaGlCreateContext(headerVersion, &description.desc, outContext);
+        const AgaaResult result = sdk.agaaGlCreateContext(headerVersion, &description.desc, outContext);
         if (result == AGAA_OK)
-            dialectOfContext_[*outContext] = {description.gl.glslVersion,
-                                              description.gl.outputs == AGAA_GL_OUTPUTS_HOST};
+            dialectOfContext_[*outContext] = {description.gl.glslVersion, description.gl.outputs == AGAA_GL_OUTPUTS_HOST};
         return result;
     }
 
-    AgaaResult createView(const Functions& sdk, AgaaContext context, const AgaaViewDesc* desc,
-                          AgaaView* outView) override {
+    AgaaResult createView(const Functions& sdk, AgaaContext context, const AgaaViewDesc* desc, AgaaView* outView) override {
         const AgaaResult result = sdk.agaaGlCreateView(context, desc, outView);
         if (result == AGAA_OK)
             adopt(context, *outView);
@@ -77,19 +72,15 @@ public:
 
     void adopt(AgaaContext context, AgaaView view) override { dialectOfView_[view] = dialectOfContext_[context]; }
 
-    AgaaResult getContextCaps(const Functions& sdk, AgaaContext context,
-                              AgaaDeviceCaps* outCaps) override {
+    AgaaResult getContextCaps(const Functions& sdk, AgaaContext context, AgaaDeviceCaps* outCaps) override {
         return sdk.agaaGlGetContextCaps(context, outCaps);
     }
 
-    AgaaResult getDeviceCaps(const Functions& sdk, const AgaaLog* log,
-                             AgaaDeviceCaps* outCaps) override {
+    AgaaResult getDeviceCaps(const Functions& sdk, const AgaaLog* log, AgaaDeviceCaps* outCaps) override {
         return sdk.agaaGlGetDeviceCaps(getProcAddr, nullptr, log, outCaps);
     }
 
-    void prepare(const Functions& sdk, AgaaView view) override {
-        programs_.prepare(sdk, view, dialectOfView_[view]);
-    }
+    void prepare(const Functions& sdk, AgaaView view) override { programs_.prepare(sdk, view, dialectOfView_[view]); }
 
     void forget(AgaaView view) override {
         programs_.forget(view);
@@ -114,8 +105,7 @@ public:
 
     std::vector<float> readOutput() override {
         std::vector<float> pixels(size_t(width_) * height_ * 4);
-        glGetTextureImage(output_, 0, GL_RGBA, GL_FLOAT, GLsizei(pixels.size() * sizeof(float)),
-                          pixels.data());
+        glGetTextureImage(output_, 0, GL_RGBA, GL_FLOAT, GLsizei(pixels.size() * sizeof(float)), pixels.data());
         return pixels;
     }
 
@@ -127,14 +117,11 @@ public:
         glClearTexImage(shadow_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
     }
 
-    AgaaResult record(const Functions& sdk, AgaaView view, AgaaFrame& frame,
-                      const Scene& scene) override;
+    AgaaResult record(const Functions& sdk, AgaaView view, AgaaFrame& frame, const Scene& scene) override;
     AgaaResult draw(const AgaaDrawTarget& target) override;
 
 private:
-    static AgaaGlFunction AGAA_CALL getProcAddr(void*, const char* name) {
-        return eglGetProcAddress(name);
-    }
+    static AgaaGlFunction AGAA_CALL getProcAddr(void*, const char* name) { return eglGetProcAddress(name); }
 
     GLuint upload(const Scene& scene) {
         GLuint buffer = 0;
@@ -145,8 +132,8 @@ private:
         return buffer;
     }
 
-    void drawScene(const Scene& scene, GLuint vertices, const OpenGlProgram& programs,
-                   const AgaaDrawTarget& target, const AgaaDrawState& state) const;
+    void drawScene(const Scene& scene, GLuint vertices, const OpenGlProgram& programs, const AgaaDrawTarget& target,
+                   const AgaaDrawState& state) const;
 
     OpenGlApi api_;
     OpenGlPrograms programs_;
@@ -162,8 +149,7 @@ private:
     std::vector<GLuint> uploads_;
 };
 
-AgaaResult OpenGlDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& frame,
-                                const Scene& scene) {
+AgaaResult OpenGlDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& frame, const Scene& scene) {
     view_ = view;
     scene_ = &scene;
     clipFromShading(frame, mistakes, clipFromShading_);
@@ -205,8 +191,8 @@ AgaaResult OpenGlDevice::draw(const AgaaDrawTarget& target) {
     return AGAA_OK;
 }
 
-void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlProgram& programs,
-                             const AgaaDrawTarget& target, const AgaaDrawState& state) const {
+void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlProgram& programs, const AgaaDrawTarget& target,
+                             const AgaaDrawState& state) const {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, GLsizei(target.width), GLsizei(target.height));
     setDrawState(state, mistakes.blends);
@@ -214,14 +200,11 @@ void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlPr
     glBindVertexArray(vertexArray_);
     for (const DrawRange& range : drawRanges(scene)) {
         const GLuint program = range.isMasked ? programs.masked : programs.opaque;
-        setCapability(GL_STENCIL_TEST,
-                      (range.isMasked ? state.stencilTestMasked : state.stencilTest) != 0);
+        setCapability(GL_STENCIL_TEST, (range.isMasked ? state.stencilTestMasked : state.stencilTest) != 0);
         glUseProgram(program);
         glUniformMatrix4fv(0, 1, GL_FALSE, clipFromShading_);
-        if (target
-                .constants) // the location is -1, which is ignored, if the program does not use it
-            glUniform4fv(glGetUniformLocation(program, "agaa_constants"),
-                         GLsizei(target.constantCount), target.constants);
+        if (target.constants) // the location is -1, which is ignored, if the program does not use it
+            glUniform4fv(glGetUniformLocation(program, "agaa_constants"), GLsizei(target.constantCount), target.constants);
         glDrawArrays(GL_TRIANGLES, GLint(range.first), GLsizei(range.count));
     }
 }

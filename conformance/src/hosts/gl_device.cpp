@@ -17,18 +17,14 @@ bool hasClientExtension(const char* name) {
 std::vector<EGLDisplay> findDisplays() {
     std::vector<EGLDisplay> displays;
     if (hasClientExtension("EGL_MESA_platform_surfaceless"))
-        displays.push_back(
-            eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
-    const auto queryDevices =
-        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+        displays.push_back(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+    const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
     EGLint count = 0;
-    if (queryDevices && hasClientExtension("EGL_EXT_platform_device") &&
-        queryDevices(0, nullptr, &count) && count > 0) {
+    if (queryDevices && hasClientExtension("EGL_EXT_platform_device") && queryDevices(0, nullptr, &count) && count > 0) {
         std::vector<EGLDeviceEXT> devices(static_cast<size_t>(count));
         queryDevices(count, devices.data(), &count);
         for (EGLint i = 0; i < count; ++i)
-            displays.push_back(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT,
-                                                     devices[static_cast<size_t>(i)], nullptr));
+            displays.push_back(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<size_t>(i)], nullptr));
     }
     displays.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
     return displays;
@@ -53,9 +49,8 @@ OpenGlApi::OpenGlApi(const std::string& name)
         context_ = EGL_NO_CONTEXT;
     }
     if (context_ == EGL_NO_CONTEXT)
-        throw Skipped{
-            "EGL has no context of OpenGL 4.5 without a window" +
-            (name.empty() ? std::string(".") : ", whose GL_RENDERER contains " + name + ".")};
+        throw Skipped{"EGL has no context of OpenGL 4.5 without a window" +
+                      (name.empty() ? std::string(".") : ", whose GL_RENDERER contains " + name + ".")};
     deviceName = textOf(GL_RENDERER);
     driverName = textOf(GL_VERSION);
     glEnable(GL_DEBUG_OUTPUT);
@@ -99,10 +94,9 @@ void OpenGlApi::destroy() const {
         eglMakeCurrent(earlierDisplay_, earlierDraw_, earlierRead_, earlierContext_);
 }
 
-void APIENTRY OpenGlApi::onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei,
-                                   const GLchar* text, const void* user) {
-    if (type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR ||
-        severity == GL_DEBUG_SEVERITY_HIGH)
+void APIENTRY OpenGlApi::onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text,
+                                   const void* user) {
+    if (type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR || severity == GL_DEBUG_SEVERITY_HIGH)
         const_cast<OpenGlApi*>(static_cast<const OpenGlApi*>(user))->messages_.push_back(text);
 }
 

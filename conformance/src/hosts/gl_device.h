@@ -25,8 +25,8 @@ public:
 private:
     bool create(EGLDisplay display);
     void destroy() const;
-    static void APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum severity,
-                                   GLsizei length, const GLchar* text, const void* user);
+    static void APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* text,
+                                   const void* user);
 
     EGLDisplay display_ = EGL_NO_DISPLAY, earlierDisplay_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT, earlierContext_ = EGL_NO_CONTEXT;

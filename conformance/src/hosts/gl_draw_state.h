@@ -35,8 +35,7 @@ inline void setDrawState(const AgaaDrawState& state, bool blends) {
     glDisable(GL_DITHER);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
-    constexpr GLenum conservativeRasterization =
-        0x9346; // of GL_NV_conservative_raster, without which no pass asks for it
+    constexpr GLenum conservativeRasterization = 0x9346; // of GL_NV_conservative_raster, without which no pass asks for it
     if (state.conservative)
         glEnable(conservativeRasterization);
 }

@@ -51,8 +51,7 @@ void attach(GLuint program, GLenum stage, const std::string& text) {
     glAttachShader(program, shader);
     glDeleteShader(shader); // goes with the program
     if (!isCompiled)
-        throw std::runtime_error(std::string("a shader of the suite's host does not compile: ") +
-                                 message);
+        throw std::runtime_error(std::string("a shader of the suite's host does not compile: ") + message);
 }
 
 GLuint createProgram(const std::string& vertices, const std::string& fragments) {
@@ -66,8 +65,7 @@ GLuint createProgram(const std::string& vertices, const std::string& fragments) 
         char message[2048] = "";
         glGetProgramInfoLog(program, sizeof message, nullptr, message);
         if (!isLinked)
-            throw std::runtime_error(std::string("a program of the suite's host does not link: ") +
-                                     message);
+            throw std::runtime_error(std::string("a program of the suite's host does not link: ") + message);
     } catch (...) {
         glDeleteProgram(program);
         throw;
@@ -87,8 +85,7 @@ void OpenGlPrograms::destroy(const OpenGlProgram& program) {
     glDeleteProgram(program.masked);
 }
 
-OpenGlPrograms::Key OpenGlPrograms::keyOf(AgaaView view, uint64_t pipelineKey,
-                                          uint32_t pass) const {
+OpenGlPrograms::Key OpenGlPrograms::keyOf(AgaaView view, uint64_t pipelineKey, uint32_t pass) const {
     return mistakes_.keysByPass ? Key(nullptr, pass) : Key(view, pipelineKey);
 }
 
@@ -96,20 +93,16 @@ void OpenGlPrograms::prepare(const Functions& sdk, AgaaView view, const ShaderDi
     const AgaaDrawPass initial = AGAA_DRAW_PASS_INIT;
     const AgaaGlDrawPass initialNative = AGAA_GL_DRAW_PASS_INIT;
     const DrawPasses<AgaaGlDrawPass> list(sdk, view, initial, initialNative);
-    const std::string vertices =
-        versionText(dialect.glslVersion) + "#define ON_OPENGL\n" + vertexShader;
+    const std::string vertices = versionText(dialect.glslVersion) + "#define ON_OPENGL\n" + vertexShader;
     views_.insert(view);
     for (size_t i = 0; i < list.passes.size(); ++i) {
         const AgaaDrawPass& pass = list.passes[i];
         const Key key = keyOf(view, pass.pipelineKey, pass.pass);
         if (programs_.count(key))
             continue;
-        OpenGlProgram& program =
-            programs_[key]; // there, so that it is destroyed if the second one fails
-        program.opaque =
-            createProgram(vertices, fragmentText(pass, dialect, false));
-        program.masked =
-            createProgram(vertices, fragmentText(pass, dialect, true));
+        OpenGlProgram& program = programs_[key]; // there, so that it is destroyed if the second one fails
+        program.opaque = createProgram(vertices, fragmentText(pass, dialect, false));
+        program.masked = createProgram(vertices, fragmentText(pass, dialect, true));
     }
 }
 
@@ -125,8 +118,7 @@ void OpenGlPrograms::forget(AgaaView view) {
     }
 }
 
-const OpenGlProgram* OpenGlPrograms::find(AgaaView view, uint64_t pipelineKey,
-                                          uint32_t pass) const {
+const OpenGlProgram* OpenGlPrograms::find(AgaaView view, uint64_t pipelineKey, uint32_t pass) const {
     const auto found = programs_.find(keyOf(view, pipelineKey, pass));
     return found == programs_.end() ? nullptr : &found->second;
 }

@@ -76,7 +76,8 @@ void setCamera(AgaaFrame& frame, bool fromMinusOne) {
 } // namespace
 
 OwnHost::OwnHost(Test& test, Device& device)
-    : sdk_(test.sdk), device_(device), context_(test), scene_(engineScene()) {
+    : sdk_(test.sdk), device_(device), context_(test), scene_(engineScene()), opaque_(scene_) {
+    std::erase_if(opaque_, [](const Vertex& vertex) { return vertex.isMasked != 0; });
     const AgaaSceneFacts initialFacts = AGAA_SCENE_FACTS_INIT;
     const AgaaViewDesc initialDesc = AGAA_VIEW_DESC_INIT;
     facts_ = initialFacts;
@@ -95,7 +96,8 @@ OwnHost::OwnHost(Test& test, Device& device)
     host_.prepareView = prepareView;
     host_.releaseView = releaseView;
     host_.renderFrame = renderFrame;
-    host_.takeMessages = takeMessages;
+    host_.takeMessages = device.testsMessages() ? takeMessages : nullptr;
+    host_.hideMasked = hideMasked;
 }
 
 AgaaResult OwnHost::prepareView(void* user, AgaaView view) {
@@ -114,13 +116,15 @@ void OwnHost::releaseView(void* user, AgaaView view) { static_cast<OwnHost*>(use
 AgaaResult OwnHost::renderFrame(void* user, AgaaView view, AgaaFrame* frame, float* outPixels) {
     auto& self = *static_cast<OwnHost*>(user);
     setCamera(*frame, self.desc_.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE);
-    const AgaaResult result = self.device_.record(self.sdk_, view, *frame, self.scene_);
+    const AgaaResult result = self.device_.record(self.sdk_, view, *frame, self.isMaskedHidden_ ? self.opaque_ : self.scene_);
     if (result == AGAA_OK) {
         const std::vector<float> pixels = self.device_.readOutput();
         std::copy(pixels.begin(), pixels.end(), outPixels);
     }
     return result;
 }
+
+void OwnHost::hideMasked(void* user, uint32_t isHidden) { static_cast<OwnHost*>(user)->isMaskedHidden_ = isHidden != 0; }
 
 const char* OwnHost::takeMessages(void* user) {
     auto& self = *static_cast<OwnHost*>(user);

@@ -17,13 +17,15 @@ private:
     static void releaseView(void* user, AgaaView view);
     static AgaaResult renderFrame(void* user, AgaaView view, AgaaFrame* frame, float* outPixels);
     static const char* takeMessages(void* user);
+    static void hideMasked(void* user, uint32_t isHidden);
 
     const Functions& sdk_;
     Device& device_;
     OwnContext context_;
     AgaaSceneFacts facts_;
     AgaaViewDesc desc_;
-    Scene scene_;
+    Scene scene_, opaque_; // all, and without alpha-masked surfaces
+    bool isMaskedHidden_ = false;
     std::string messages_;
     AgaaConformanceHost host_;
 };

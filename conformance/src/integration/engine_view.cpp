@@ -21,13 +21,10 @@ EngineView::EngineView(Test& test, HostTest& hostTest, const ViewChoice& choice)
     config.technique = choice.technique;
     config.samples = choice.samples;
     config.layout = &layout;
-    config.generationTier = choice.generationTier;
     config.flags = AGAA_CONFIG_COUNTERS;
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT; // diffuse light alone: images add up
     const uint64_t hostFlags = hostTest.host.view->facts ? hostTest.host.view->facts->flags : 0;
     facts.flags = AGAA_FACT_AMBIENT | (hostFlags & (AGAA_FACT_ALPHA_MASKED | AGAA_FACT_CUSTOM_DEPTH));
-    if (choice.ignoresMasks)
-        facts.flags &= ~AGAA_FACT_ALPHA_MASKED;
     facts.maxLights = 1;
     facts.shadowMapCount = 0;
     AgaaViewDesc desc = *hostTest.host.view;
@@ -40,8 +37,7 @@ EngineView::EngineView(Test& test, HostTest& hostTest, const ViewChoice& choice)
     if (created == AGAA_ERROR_UNSUPPORTED)
         test.skip(what + " is not supported here.");
     test.requireOk(created, what);
-    const AgaaResult prepared =
-        hostTest.host.prepareView ? hostTest.host.prepareView(hostTest.host.user, view_) : AGAA_OK;
+    const AgaaResult prepared = hostTest.host.prepareView ? hostTest.host.prepareView(hostTest.host.user, view_) : AGAA_OK;
     if (prepared != AGAA_OK) {
         sdk.agaaDestroyView(view_);
         test.requireOk(prepared, what + ": prepareView");
@@ -64,21 +60,17 @@ AgaaFrame EngineView::nextFrame() {
 Image EngineView::render(AgaaFrame& frame) {
     // Values that no right image has show where the host wrote nothing.
     Image image{width_, height_, std::vector<float>(size_t(width_) * height_ * 4, -1.0f)};
-    result_ = hostTest_.host.renderFrame(hostTest_.host.user, view_, &frame, image.pixels.data());
+    const AgaaResult result = hostTest_.host.renderFrame(hostTest_.host.user, view_, &frame, image.pixels.data());
+    test_.requireOk(result, std::string("renderFrame with \"") + choice_.technique + "\"");
     std::copy(frame.view, frame.view + 16, viewMatrix_.begin());
+    std::copy(frame.projection, frame.projection + 16, projection_.begin());
     return image;
-}
-
-void EngineView::requireFrame() {
-    test_.requireOk(result_, std::string("renderFrame with \"") + choice_.technique + "\"");
 }
 
 Image EngineView::renderAlbedo() {
     AgaaFrame frame = nextFrame();
     std::fill(frame.ambient, frame.ambient + 3, 1.0f);
-    Image image = render(frame);
-    requireFrame();
-    return image;
+    return render(frame);
 }
 
 Image EngineView::renderHeadlight() {
@@ -92,9 +84,7 @@ Image EngineView::renderHeadlight() {
     AgaaFrame frame = nextFrame();
     frame.lights = &light;
     frame.lightCount = 1;
-    Image image = render(frame);
-    requireFrame();
-    return image;
+    return render(frame);
 }
 
 AgaaFrameValidation EngineView::validate() {

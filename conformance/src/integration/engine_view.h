@@ -8,9 +8,12 @@
 
 namespace agaa::conformance {
 
+struct Findings; // findings.h
+
 struct HostTest {
     const AgaaConformanceHost& host;
     const Functions& sdk;
+    std::shared_ptr<const Findings> findings = {};
     // Set when a mistake makes all further checks meaningless, for example pipelines of another view.
     std::string blockedBy = {};
 };
@@ -19,9 +22,7 @@ struct ViewChoice {
     const char* technique = "single";
     uint32_t samples = 1;
     const char* layout = "precise";
-    bool ignoresMasks = false; // without AGAA_FACT_ALPHA_MASKED
     bool isWithoutStencil = false;
-    uint32_t generationTier = AGAA_TIER_AUTO;
 };
 
 struct Image {
@@ -43,12 +44,11 @@ public:
     Image renderHeadlight();
     AgaaFrameValidation validate();
     AgaaCounters counters();
-    // The result of the newest frame; checks call requireFrame() where they need its image.
-    AgaaResult result() const { return result_; }
-    void requireFrame();
+    // Of the newest frame.
+    const std::array<float, 16>& projection() const { return projection_; }
 
 private:
-    Image render(AgaaFrame& frame);
+    Image render(AgaaFrame& frame); // which must succeed
     AgaaFrame nextFrame();
     Test& test_;
     HostTest& hostTest_;
@@ -56,8 +56,7 @@ private:
     AgaaView view_ = nullptr;
     uint32_t width_, height_;
     uint64_t frameIndex_ = 0;
-    std::array<float, 16> viewMatrix_{};
-    AgaaResult result_ = AGAA_OK;
+    std::array<float, 16> viewMatrix_{}, projection_{};
 };
 
 // Share of the pixels that show something in one of the images, and differ by more than `tolerance` in a channel.

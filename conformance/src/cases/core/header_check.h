@@ -20,6 +20,7 @@ struct HeaderCase {
     bool isChained = false; // found by its sType: another sType is a struct that is not known
     // A struct that may be chained, which the test chains twice. May be empty.
     std::string chained = "";
+    bool holdsLog = false; // the log is in the struct: it is not found if the struct is not initialised
 };
 
 // Sizes that are accepted, and the bytes that are written; sizes and types that are refused.

@@ -47,11 +47,9 @@ template <uint32_t i, auto member> void set(ViewParts& parts, double x) {
 
 using Attribute = AgaaLayoutAttribute;
 
-// A member out of its range, as of all other structs. AGAA_ERROR_LAYOUT says that valid attributes cannot be packed together.
-constexpr AgaaResult attributeError = AGAA_ERROR_OUT_OF_RANGE;
-
+// Of a layout, only reserved members fail with AGAA_ERROR_OUT_OF_RANGE.
 void addAttribute(Suite& suite, MemberRow row) {
-    row.error = attributeError;
+    row.error = AGAA_ERROR_LAYOUT;
     addMember(suite, row);
 }
 
@@ -146,6 +144,47 @@ void testNames(Test& test) {
     }
 }
 
+// channels, and what depends on other attributes; all other members have tests of their own.
+void testAttributeMembers(Test& test) {
+    struct Row {
+        const char* what;
+        uint32_t attribute, channels;
+    };
+    for (const Row& row : {Row{"DIFFUSE with 1 channel", 0, 1}, Row{"DIFFUSE with 4 channels", 0, 4},
+                           Row{"NORMAL with 2 channels", 1, 2}, Row{"SPECULAR with 1 channel", 2, 1},
+                           Row{"ROUGHNESS with 3 channels", 3, 3}, Row{"EMISSIVE with 2 channels", 4, 2},
+                           Row{"CUSTOM with 0 channels", 5, 0}, Row{"CUSTOM with 5 channels", 5, 5}}) {
+        ViewParts parts(test.sdk, nullptr);
+        customLayout(parts);
+        parts.layout.attributes[row.attribute].channels = row.channels;
+        expectViewRefused(test, parts, AGAA_ERROR_LAYOUT, row.what);
+    }
+    ViewParts parts(test.sdk, nullptr);
+    customLayout(parts);
+    parts.layout.attributes[5].name = nullptr;
+    expectViewRefused(test, parts, AGAA_ERROR_LAYOUT, "CUSTOM without a name");
+    ViewParts named(test.sdk, nullptr);
+    simpleLayout(named);
+    named.layout.attributes[0].name = "albedo";
+    expectViewRefused(test, named, AGAA_ERROR_LAYOUT, "DIFFUSE with a name");
+}
+
+// Also where another member is wrong, too.
+void testReservedMembers(Test& test) {
+    for (uint32_t i = 0; i < 5; ++i) {
+        ViewParts parts(test.sdk, nullptr);
+        simpleLayout(parts);
+        parts.layout.attributes[i].reserved[1] = 1;
+        expectViewRefused(test, parts, AGAA_ERROR_OUT_OF_RANGE,
+                          "AgaaLayoutAttribute::reserved of attribute " + std::to_string(i), "reserved");
+    }
+    ViewParts parts(test.sdk, nullptr);
+    simpleLayout(parts);
+    parts.layout.reserved = 1;
+    parts.layout.attributeCount = 0;
+    expectViewRefused(test, parts, AGAA_ERROR_OUT_OF_RANGE, "AgaaLayout::reserved of an empty layout", "reserved");
+}
+
 } // namespace
 
 void addLayoutMemberCases(Suite& suite) {
@@ -155,6 +194,8 @@ void addLayoutMemberCases(Suite& suite) {
     addMember(suite, {"AgaaLayout.reserved/zero", "AgaaLayout::reserved",
                       [](ViewParts& p, double x) { p.layout.reserved = whole(x); }, {0}, largeNumbers({}), simpleLayout, {1}});
     suite.core("AgaaLayoutAttribute.name/AGAA_ERROR_LAYOUT", testNames);
+    suite.core("AgaaLayout/AGAA_ERROR_LAYOUT", testAttributeMembers);
+    suite.core("AgaaLayout/AGAA_ERROR_OUT_OF_RANGE", testReservedMembers);
 }
 
 } // namespace agaa::conformance

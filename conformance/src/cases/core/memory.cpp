@@ -107,6 +107,39 @@ void testReportUnchanged(Test& test) {
     test.check(isSameBytes(before, report), "agaaQueryMemory with an array that is too short changes outReport.");
 }
 
+void testSurfacesUnchanged(Test& test) {
+    const std::vector<AgaaSurface> before(64, patternOf(initialSurface));
+    for (const WrongView& row : wrongViews()) {
+        ViewParts parts(test.sdk, nullptr);
+        row.spoil(parts);
+        std::vector<AgaaSurface> surfaces = before;
+        uint32_t count = uint32_t(surfaces.size());
+        const AgaaResult result =
+            test.sdk.agaaQueryMemory(parts.get(), &parts.caps, nullptr, nullptr, &count, surfaces.data());
+        test.check(result != AGAA_OK && count == before.size() &&
+                       std::memcmp(before.data(), surfaces.data(), before.size() * sizeof(AgaaSurface)) == 0,
+                   callWith("agaaQueryMemory", row.what) + " changes surfaces.");
+    }
+}
+
+void testWrongMemory(Test& test, AgaaResult only) {
+    const auto query = [&](const ViewParts& parts, LogRecorder& log) {
+        AgaaMemoryReport report = initialReport;
+        return test.sdk.agaaQueryMemory(parts.get(), &parts.caps, log.get(), &report, nullptr, nullptr);
+    };
+    testWrongViews(test, nullptr, "agaaQueryMemory", query, only);
+}
+
+void testMemoryArguments(Test& test) {
+    testWrongMemory(test, AGAA_ERROR_INVALID_ARGUMENT);
+    ViewParts parts(test.sdk, nullptr);
+    LogRecorder log;
+    AgaaSurface surface = initialSurface;
+    expectRefused(test, test.sdk.agaaQueryMemory(&parts.desc, nullptr, log.get(), nullptr, nullptr, &surface),
+                  AGAA_ERROR_INVALID_ARGUMENT, log, "agaaQueryMemory",
+                  "agaaQueryMemory with surfaces and surfaceCount = null", "count");
+}
+
 void testMemoryTooSmall(Test& test) {
     ViewParts parts(test.sdk, nullptr);
     const uint32_t needed = uint32_t(surfacesOf(test, parts).size());
@@ -249,12 +282,12 @@ void addMemoryCases(Suite& suite) {
     suite.core("agaaQueryMemory/AGAA_ERROR_STRUCT", testMemoryStruct);
     suite.core("agaaQueryMemory/AGAA_ERROR_BUFFER_TOO_SMALL", testMemoryTooSmall);
     suite.core("AgaaSurface/header/array", testSurfaceSteps);
-    suite.core("agaaQueryMemory/those_of.agaaVkCreateView", [](Test& test) {
-        testWrongViews(test, nullptr, "agaaQueryMemory", [&](const ViewParts& parts, LogRecorder& log) {
-            AgaaMemoryReport report = initialReport;
-            return test.sdk.agaaQueryMemory(parts.get(), &parts.caps, log.get(), &report, nullptr, nullptr);
-        });
-    });
+    suite.core("agaaQueryMemory/surfaces.unchanged", testSurfacesUnchanged);
+    suite.core("agaaQueryMemory/AGAA_ERROR_INVALID_ARGUMENT", testMemoryArguments);
+    suite.core("agaaQueryMemory/AGAA_ERROR_LAYOUT", [](Test& test) { testWrongMemory(test, AGAA_ERROR_LAYOUT); });
+    suite.core("agaaQueryMemory/AGAA_ERROR_UNSUPPORTED", [](Test& test) { testWrongMemory(test, AGAA_ERROR_UNSUPPORTED); });
+    suite.core("agaaQueryMemory/AGAA_ERROR_TOO_LARGE", [](Test& test) { testWrongMemory(test, AGAA_ERROR_TOO_LARGE); });
+    suite.core("agaaQueryMemory/wrong_views", [](Test& test) { testWrongMemory(test, AGAA_OK); });
     suite.core("agaaQueryTarget/log.null", [](Test& test) {
         ViewParts parts(test.sdk, nullptr);
         AgaaTarget target = initialTarget;
@@ -272,7 +305,7 @@ void addMemoryCases(Suite& suite) {
     });
     suite.core("agaaQueryTarget/AGAA_ERROR_STRUCT", testTargetStruct);
     suite.core("agaaQueryTarget/AGAA_ERROR_TOO_LARGE", testTargetTooLarge);
-    suite.core("agaaQueryTarget/those_of.agaaVkCreateView", [](Test& test) {
+    suite.core("agaaQueryTarget/those_of.agaaQueryMemory", [](Test& test) {
         testWrongViews(test, nullptr, "agaaQueryTarget", [&](const ViewParts& parts, LogRecorder& log) {
             AgaaTarget target = initialTarget;
             return test.sdk.agaaQueryTarget(parts.get(), &parts.caps, log.get(), &target);

@@ -107,6 +107,18 @@ void testWrongViewsOf(Test& test, const std::string& name,
     });
 }
 
+void testTextUnchanged(Test& test) {
+    for (const WrongView& row : wrongViews()) {
+        ViewParts parts(test.sdk, nullptr);
+        row.spoil(parts);
+        std::string text(1 << 16, '#');
+        size_t size = text.size();
+        const AgaaResult result = test.sdk.agaaPlanToJson(parts.get(), &parts.caps, nullptr, &size, text.data());
+        test.check(result != AGAA_OK && size == text.size() && text.find_first_not_of('#') == std::string::npos,
+                   callWith("agaaPlanToJson", row.what) + " changes text or size.");
+    }
+}
+
 // The names that the header promises are in the texts.
 void testGlslNames(Test& test) {
     const std::string text = textOf(test, aggregateCall(), nullptr);
@@ -174,7 +186,8 @@ void addTextCases(Suite& suite) {
     }
     add("caps.null", planCall(), testCapsNull);
     add("caps.null", aggregateCall(), testCapsNull);
-    suite.core("agaaPlanToJson/those_of.agaaVkCreateView",
+    suite.core("agaaPlanToJson/text.unchanged", testTextUnchanged);
+    suite.core("agaaPlanToJson/those_of.agaaQueryMemory",
                [](Test& test) { testWrongViewsOf(test, "agaaPlanToJson", test.sdk.agaaPlanToJson); });
     suite.core("agaaGetAggregateGlsl/those_of.agaaPlanToJson", [](Test& test) {
         testWrongViewsOf(test, "agaaGetAggregateGlsl", test.sdk.agaaGetAggregateGlsl);

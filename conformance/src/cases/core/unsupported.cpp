@@ -174,6 +174,47 @@ void testCustomDepth(Test& test) {
                     {"the tier PER_SAMPLE" + fact, unsupported, with("sbaa", AGAA_TIER_PER_SAMPLE, false), ""}});
 }
 
+// Each tier needs features; without them AUTO selects another one, and "ssaa" does not use the tier at all.
+void testGenerationTier(Test& test) {
+    struct Need {
+        uint32_t tier;
+        const char* name;
+        uint64_t feature;
+    };
+    for (const Need& need : {Need{AGAA_TIER_POST_DEPTH_ATOMICS, "POST_DEPTH_ATOMICS", AGAA_DEVICE_POST_DEPTH_COVERAGE},
+                             Need{AGAA_TIER_POST_DEPTH_ATOMICS, "POST_DEPTH_ATOMICS", AGAA_DEVICE_FRAGMENT_ATOMICS},
+                             Need{AGAA_TIER_PER_SAMPLE, "PER_SAMPLE", AGAA_DEVICE_FRAGMENT_ATOMICS},
+                             Need{AGAA_TIER_PER_SAMPLE, "PER_SAMPLE", AGAA_DEVICE_SAMPLE_RATE_SHADING},
+                             Need{AGAA_TIER_NV_MIXED_SAMPLES, "NV_MIXED_SAMPLES", AGAA_DEVICE_NV_MIXED_SAMPLES}}) {
+        const auto with = [need](uint32_t tier, const char* technique) {
+            return [=](ViewParts& p) {
+                p.config.technique = technique;
+                p.config.generationTier = tier;
+                p.config.flags = 0; // counters need features, too
+                p.caps.flags &= ~need.feature;
+            };
+        };
+        const std::string lacks = " on a device that lacks a feature of " + std::string(need.name);
+        testRows(test, {{"the tier" + lacks, unsupported, with(need.tier, "agaa"), ""},
+                        {"the tier AUTO" + lacks, AGAA_OK, with(AGAA_TIER_AUTO, "agaa"), ""},
+                        {"\"ssaa\" and the tier" + lacks, AGAA_OK, with(need.tier, "ssaa"), ""}});
+    }
+    const auto ids = [](ViewParts& p) { p.config.generationTier = AGAA_TIER_IDS; };
+    testRows(test, {{"the tier IDS without an AgaaFetchFunction", unsupported, ids, ""}});
+}
+
+void testVisibilityTier(Test& test) {
+    const auto with = [](uint32_t tier) {
+        return [=](ViewParts& p) {
+            p.config.visibilityTier = tier;
+            p.caps.sampleCounts = 1; // no multisampling
+        };
+    };
+    testRows(test, {{"the tier NATIVE on a device without multisampling", unsupported, with(AGAA_TIER_NATIVE), ""},
+                    {"the tier SCALED on a device without multisampling", AGAA_OK, with(AGAA_TIER_SCALED_TARGET), ""},
+                    {"the tier AUTO on a device without multisampling", AGAA_OK, with(AGAA_TIER_AUTO), ""}});
+}
+
 void testSampleCounts(Test& test) {
     struct Counts {
         uint32_t device, samples;
@@ -207,6 +248,8 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_stage", testOtherStage);
     suite.core("AGAA_CONFIG_COUNTERS/AGAA_ERROR_UNSUPPORTED", testCounters);
     suite.core("AGAA_FACT_CUSTOM_DEPTH/AGAA_ERROR_UNSUPPORTED", testCustomDepth);
+    suite.core("AgaaConfig.generationTier/AGAA_ERROR_UNSUPPORTED", testGenerationTier);
+    suite.core("AgaaConfig.visibilityTier/AGAA_ERROR_UNSUPPORTED", testVisibilityTier);
     suite.core("AgaaDeviceCaps.sampleCounts/AGAA_ERROR_UNSUPPORTED/queries", testSampleCounts);
 }
 

@@ -15,8 +15,8 @@ struct WrongView {
 // At least one for each error of agaaVkCreateView that concerns the description, on any device.
 const std::vector<WrongView>& wrongViews();
 
-// create: the function under test, with the description and the log of the test.
+// create: the function under test, with the description and the log of the test. only: an error, or AGAA_OK for all.
 void testWrongViews(Test& test, const Device* device, const std::string& function,
-                    const std::function<AgaaResult(const ViewParts&, LogRecorder&)>& create);
+                    const std::function<AgaaResult(const ViewParts&, LogRecorder&)>& create, AgaaResult only = AGAA_OK);
 
 } // namespace agaa::conformance

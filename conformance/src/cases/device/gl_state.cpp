@@ -1,182 +1,179 @@
 #include "gl_state.h"
 
+#include "hosts/gl_device.h"
+
+#include <algorithm>
+
 namespace agaa::conformance {
 
 namespace {
 
-#define NAMED(e)                                                                                                               \
-    { e, #e }
-struct Named {
-    GLenum value;
-    const char* name;
+struct Row {
+    GLenum name;
+    const char* text;
+    int count = 1;
 };
+#define ROW(name) {name, #name}
+#define ROWS(name, count) {name, #name, count}
 
-constexpr Named capabilities[] = {NAMED(GL_DEPTH_TEST),
-                                  NAMED(GL_DEPTH_CLAMP),
-                                  NAMED(GL_STENCIL_TEST),
-                                  NAMED(GL_RASTERIZER_DISCARD),
-                                  NAMED(GL_CULL_FACE),
-                                  NAMED(GL_POLYGON_OFFSET_FILL),
-                                  NAMED(GL_POLYGON_OFFSET_LINE),
-                                  NAMED(GL_POLYGON_OFFSET_POINT),
-                                  NAMED(GL_POLYGON_SMOOTH),
-                                  NAMED(GL_LINE_SMOOTH),
-                                  NAMED(GL_PROGRAM_POINT_SIZE),
-                                  NAMED(GL_MULTISAMPLE),
-                                  NAMED(GL_SAMPLE_ALPHA_TO_COVERAGE),
-                                  NAMED(GL_SAMPLE_ALPHA_TO_ONE),
-                                  NAMED(GL_SAMPLE_COVERAGE),
-                                  NAMED(GL_SAMPLE_MASK),
-                                  NAMED(GL_SAMPLE_SHADING),
-                                  NAMED(GL_COLOR_LOGIC_OP),
-                                  NAMED(GL_DITHER),
-                                  NAMED(GL_FRAMEBUFFER_SRGB),
-                                  NAMED(GL_PRIMITIVE_RESTART),
-                                  NAMED(GL_PRIMITIVE_RESTART_FIXED_INDEX),
-                                  NAMED(GL_TEXTURE_CUBE_MAP_SEAMLESS)};
+constexpr Row switches[] = {
+    ROW(GL_DEPTH_TEST), ROW(GL_DEPTH_CLAMP), ROW(GL_STENCIL_TEST), ROW(GL_RASTERIZER_DISCARD), ROW(GL_CULL_FACE),
+    ROW(GL_POLYGON_OFFSET_FILL), ROW(GL_POLYGON_OFFSET_LINE), ROW(GL_POLYGON_OFFSET_POINT), ROW(GL_POLYGON_SMOOTH),
+    ROW(GL_LINE_SMOOTH), ROW(GL_PROGRAM_POINT_SIZE), ROW(GL_MULTISAMPLE), ROW(GL_SAMPLE_ALPHA_TO_COVERAGE),
+    ROW(GL_SAMPLE_ALPHA_TO_ONE), ROW(GL_SAMPLE_COVERAGE), ROW(GL_SAMPLE_MASK), ROW(GL_SAMPLE_SHADING),
+    ROW(GL_COLOR_LOGIC_OP), ROW(GL_DITHER), ROW(GL_FRAMEBUFFER_SRGB), ROW(GL_PRIMITIVE_RESTART),
+    ROW(GL_PRIMITIVE_RESTART_FIXED_INDEX), ROW(GL_TEXTURE_CUBE_MAP_SEAMLESS), ROW(GL_CLIP_DISTANCE0),
+    ROW(GL_CLIP_DISTANCE0 + 3), ROW(GL_DEBUG_OUTPUT), ROW(GL_DEBUG_OUTPUT_SYNCHRONOUS)};
 
-constexpr Named values[] = {NAMED(GL_CLIP_ORIGIN),
-                            NAMED(GL_CLIP_DEPTH_MODE),
-                            NAMED(GL_CULL_FACE_MODE),
-                            NAMED(GL_FRONT_FACE),
-                            NAMED(GL_POLYGON_MODE),
-                            NAMED(GL_POLYGON_OFFSET_FACTOR),
-                            NAMED(GL_POLYGON_OFFSET_UNITS),
-                            NAMED(GL_LINE_WIDTH),
-                            NAMED(GL_POINT_SIZE),
-                            NAMED(GL_PROVOKING_VERTEX),
-                            NAMED(GL_PRIMITIVE_RESTART_INDEX),
-                            NAMED(GL_PATCH_VERTICES),
-                            NAMED(GL_SAMPLE_COVERAGE_VALUE),
-                            NAMED(GL_SAMPLE_COVERAGE_INVERT),
-                            NAMED(GL_MIN_SAMPLE_SHADING_VALUE),
-                            NAMED(GL_DEPTH_FUNC),
-                            NAMED(GL_DEPTH_WRITEMASK),
-                            NAMED(GL_STENCIL_FUNC),
-                            NAMED(GL_STENCIL_REF),
-                            NAMED(GL_STENCIL_VALUE_MASK),
-                            NAMED(GL_STENCIL_FAIL),
-                            NAMED(GL_STENCIL_PASS_DEPTH_FAIL),
-                            NAMED(GL_STENCIL_PASS_DEPTH_PASS),
-                            NAMED(GL_STENCIL_WRITEMASK),
-                            NAMED(GL_STENCIL_BACK_FUNC),
-                            NAMED(GL_STENCIL_BACK_REF),
-                            NAMED(GL_STENCIL_BACK_VALUE_MASK),
-                            NAMED(GL_STENCIL_BACK_FAIL),
-                            NAMED(GL_STENCIL_BACK_WRITEMASK),
-                            NAMED(GL_BLEND_COLOR),
-                            NAMED(GL_LOGIC_OP_MODE),
-                            NAMED(GL_COLOR_CLEAR_VALUE),
-                            NAMED(GL_DEPTH_CLEAR_VALUE),
-                            NAMED(GL_STENCIL_CLEAR_VALUE),
-                            NAMED(GL_PACK_SWAP_BYTES),
-                            NAMED(GL_PACK_ROW_LENGTH),
-                            NAMED(GL_PACK_SKIP_ROWS),
-                            NAMED(GL_PACK_SKIP_PIXELS),
-                            NAMED(GL_PACK_ALIGNMENT),
-                            NAMED(GL_UNPACK_SWAP_BYTES),
-                            NAMED(GL_UNPACK_ROW_LENGTH),
-                            NAMED(GL_UNPACK_SKIP_ROWS),
-                            NAMED(GL_UNPACK_SKIP_PIXELS),
-                            NAMED(GL_UNPACK_ALIGNMENT),
-                            NAMED(GL_UNPACK_IMAGE_HEIGHT),
-                            NAMED(GL_CURRENT_PROGRAM),
-                            NAMED(GL_PROGRAM_PIPELINE_BINDING),
-                            NAMED(GL_VERTEX_ARRAY_BINDING),
-                            NAMED(GL_DRAW_FRAMEBUFFER_BINDING),
-                            NAMED(GL_READ_FRAMEBUFFER_BINDING),
-                            NAMED(GL_RENDERBUFFER_BINDING),
-                            NAMED(GL_ARRAY_BUFFER_BINDING),
-                            NAMED(GL_COPY_READ_BUFFER_BINDING),
-                            NAMED(GL_COPY_WRITE_BUFFER_BINDING),
-                            NAMED(GL_PIXEL_PACK_BUFFER_BINDING),
-                            NAMED(GL_PIXEL_UNPACK_BUFFER_BINDING),
-                            NAMED(GL_DRAW_INDIRECT_BUFFER_BINDING),
-                            NAMED(GL_DISPATCH_INDIRECT_BUFFER_BINDING),
-                            NAMED(GL_UNIFORM_BUFFER_BINDING),
-                            NAMED(GL_SHADER_STORAGE_BUFFER_BINDING),
-                            NAMED(GL_ATOMIC_COUNTER_BUFFER_BINDING),
-                            NAMED(GL_ACTIVE_TEXTURE),
-                            NAMED(GL_TRANSFORM_FEEDBACK_BINDING)};
+constexpr Row integers[] = {
+    ROW(GL_CURRENT_PROGRAM), ROW(GL_PROGRAM_PIPELINE_BINDING), ROW(GL_VERTEX_ARRAY_BINDING), ROW(GL_ARRAY_BUFFER_BINDING),
+    ROW(GL_ELEMENT_ARRAY_BUFFER_BINDING), ROW(GL_COPY_READ_BUFFER_BINDING), ROW(GL_COPY_WRITE_BUFFER_BINDING),
+    ROW(GL_DRAW_INDIRECT_BUFFER_BINDING), ROW(GL_DISPATCH_INDIRECT_BUFFER_BINDING), ROW(GL_PIXEL_PACK_BUFFER_BINDING),
+    ROW(GL_PIXEL_UNPACK_BUFFER_BINDING), ROW(GL_QUERY_BUFFER_BINDING), ROW(GL_TEXTURE_BUFFER_BINDING),
+    ROW(GL_UNIFORM_BUFFER_BINDING), ROW(GL_SHADER_STORAGE_BUFFER_BINDING), ROW(GL_ATOMIC_COUNTER_BUFFER_BINDING),
+    ROW(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING), ROW(GL_DRAW_FRAMEBUFFER_BINDING), ROW(GL_READ_FRAMEBUFFER_BINDING),
+    ROW(GL_RENDERBUFFER_BINDING), ROW(GL_ACTIVE_TEXTURE), ROWS(GL_VIEWPORT, 4), ROWS(GL_SCISSOR_BOX, 4),
+    ROW(GL_CLIP_ORIGIN), ROW(GL_CLIP_DEPTH_MODE), ROW(GL_CULL_FACE_MODE), ROW(GL_FRONT_FACE), ROWS(GL_POLYGON_MODE, 1),
+    ROW(GL_DEPTH_FUNC), ROW(GL_DEPTH_WRITEMASK), ROW(GL_STENCIL_FUNC), ROW(GL_STENCIL_REF), ROW(GL_STENCIL_VALUE_MASK),
+    ROW(GL_STENCIL_FAIL), ROW(GL_STENCIL_PASS_DEPTH_FAIL), ROW(GL_STENCIL_PASS_DEPTH_PASS), ROW(GL_STENCIL_WRITEMASK),
+    ROW(GL_STENCIL_BACK_FUNC), ROW(GL_STENCIL_BACK_REF), ROW(GL_STENCIL_BACK_VALUE_MASK), ROW(GL_STENCIL_BACK_FAIL),
+    ROW(GL_STENCIL_BACK_PASS_DEPTH_FAIL), ROW(GL_STENCIL_BACK_PASS_DEPTH_PASS), ROW(GL_STENCIL_BACK_WRITEMASK),
+    ROW(GL_STENCIL_CLEAR_VALUE), ROW(GL_LOGIC_OP_MODE), ROW(GL_PRIMITIVE_RESTART_INDEX), ROW(GL_PROVOKING_VERTEX),
+    ROW(GL_PATCH_VERTICES), ROW(GL_PACK_SWAP_BYTES), ROW(GL_PACK_LSB_FIRST), ROW(GL_PACK_ROW_LENGTH),
+    ROW(GL_PACK_IMAGE_HEIGHT), ROW(GL_PACK_SKIP_ROWS), ROW(GL_PACK_SKIP_PIXELS), ROW(GL_PACK_SKIP_IMAGES),
+    ROW(GL_PACK_ALIGNMENT), ROW(GL_UNPACK_SWAP_BYTES), ROW(GL_UNPACK_LSB_FIRST), ROW(GL_UNPACK_ROW_LENGTH),
+    ROW(GL_UNPACK_IMAGE_HEIGHT), ROW(GL_UNPACK_SKIP_ROWS), ROW(GL_UNPACK_SKIP_PIXELS), ROW(GL_UNPACK_SKIP_IMAGES),
+    ROW(GL_UNPACK_ALIGNMENT), ROW(GL_DRAW_BUFFER0), ROW(GL_READ_BUFFER), ROW(GL_SAMPLE_COVERAGE_INVERT),
+    ROW(GL_CLAMP_READ_COLOR), ROW(GL_LINE_SMOOTH_HINT), ROW(GL_POLYGON_SMOOTH_HINT), ROW(GL_TEXTURE_COMPRESSION_HINT),
+    ROW(GL_FRAGMENT_SHADER_DERIVATIVE_HINT), ROW(GL_DEBUG_GROUP_STACK_DEPTH), ROW(GL_POINT_SPRITE_COORD_ORIGIN)};
 
-struct Indexed {
-    Named query;
-    GLuint count;
-    GLuint ofSdk; // the first so many are bound by the SDK in draw callbacks
+constexpr Row floats[] = {
+    ROWS(GL_DEPTH_RANGE, 2), ROWS(GL_BLEND_COLOR, 4), ROWS(GL_COLOR_CLEAR_VALUE, 4), ROW(GL_DEPTH_CLEAR_VALUE),
+    ROW(GL_LINE_WIDTH), ROW(GL_POINT_SIZE), ROW(GL_POINT_FADE_THRESHOLD_SIZE), ROW(GL_POLYGON_OFFSET_FACTOR),
+    ROW(GL_POLYGON_OFFSET_UNITS), ROW(GL_SAMPLE_COVERAGE_VALUE), ROW(GL_MIN_SAMPLE_SHADING_VALUE),
+    ROWS(GL_PATCH_DEFAULT_INNER_LEVEL, 2), ROWS(GL_PATCH_DEFAULT_OUTER_LEVEL, 4)};
+
+constexpr Row textureTargets[] = {
+    ROW(GL_TEXTURE_BINDING_1D), ROW(GL_TEXTURE_BINDING_2D), ROW(GL_TEXTURE_BINDING_3D), ROW(GL_TEXTURE_BINDING_1D_ARRAY),
+    ROW(GL_TEXTURE_BINDING_2D_ARRAY), ROW(GL_TEXTURE_BINDING_RECTANGLE), ROW(GL_TEXTURE_BINDING_CUBE_MAP),
+    ROW(GL_TEXTURE_BINDING_CUBE_MAP_ARRAY), ROW(GL_TEXTURE_BINDING_BUFFER), ROW(GL_TEXTURE_BINDING_2D_MULTISAMPLE),
+    ROW(GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY), ROW(GL_SAMPLER_BINDING)};
+
+// Of each draw buffer.
+constexpr Row blending[] = {ROW(GL_BLEND_SRC_RGB), ROW(GL_BLEND_DST_RGB), ROW(GL_BLEND_SRC_ALPHA), ROW(GL_BLEND_DST_ALPHA),
+                            ROW(GL_BLEND_EQUATION_RGB), ROW(GL_BLEND_EQUATION_ALPHA)};
+
+struct Points {
+    GLenum limit, binding, start, size;
+    const char* text;
 };
-constexpr Indexed indexed[] = {{NAMED(GL_UNIFORM_BUFFER_BINDING), 8, 1},
-                               {NAMED(GL_UNIFORM_BUFFER_START), 8, 1},
-                               {NAMED(GL_UNIFORM_BUFFER_SIZE), 8, 1},
-                               {NAMED(GL_SHADER_STORAGE_BUFFER_BINDING), 8, 4},
-                               {NAMED(GL_SHADER_STORAGE_BUFFER_START), 8, 4},
-                               {NAMED(GL_SHADER_STORAGE_BUFFER_SIZE), 8, 4},
-                               {NAMED(GL_IMAGE_BINDING_NAME), 8, 0},
-                               {NAMED(GL_IMAGE_BINDING_LEVEL), 8, 0},
-                               {NAMED(GL_IMAGE_BINDING_LAYERED), 8, 0},
-                               {NAMED(GL_IMAGE_BINDING_ACCESS), 8, 0},
-                               {NAMED(GL_IMAGE_BINDING_FORMAT), 8, 0},
-                               {NAMED(GL_VIEWPORT), 4, 0},
-                               {NAMED(GL_SCISSOR_BOX), 4, 0},
-                               {NAMED(GL_DEPTH_RANGE), 4, 0},
-                               {NAMED(GL_COLOR_WRITEMASK), 4, 0},
-                               {NAMED(GL_BLEND_SRC_RGB), 4, 0},
-                               {NAMED(GL_BLEND_DST_ALPHA), 4, 0},
-                               {NAMED(GL_BLEND_EQUATION_RGB), 4, 0},
-                               {NAMED(GL_SAMPLE_MASK_VALUE), 1, 0}};
+constexpr Points bufferPoints[] = {
+    {GL_MAX_UNIFORM_BUFFER_BINDINGS, GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE,
+     "uniform buffer "},
+    {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START,
+     GL_SHADER_STORAGE_BUFFER_SIZE, "storage buffer "},
+    {GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS, GL_ATOMIC_COUNTER_BUFFER_BINDING, GL_ATOMIC_COUNTER_BUFFER_START,
+     GL_ATOMIC_COUNTER_BUFFER_SIZE, "atomic counter buffer "},
+    {GL_MAX_TRANSFORM_FEEDBACK_BUFFERS, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, GL_TRANSFORM_FEEDBACK_BUFFER_START,
+     GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, "transform feedback buffer "}};
 
-constexpr Named ofUnits[] = {
-    NAMED(GL_TEXTURE_BINDING_2D),     NAMED(GL_TEXTURE_BINDING_2D_ARRAY), NAMED(GL_TEXTURE_BINDING_2D_MULTISAMPLE),
-    NAMED(GL_TEXTURE_BINDING_BUFFER), NAMED(GL_TEXTURE_BINDING_CUBE_MAP), NAMED(GL_TEXTURE_BINDING_3D),
-    NAMED(GL_SAMPLER_BINDING)};
-constexpr GLuint units = 18, unitsOfSdk = 5;
+constexpr Row imageMembers[] = {ROW(GL_IMAGE_BINDING_NAME),  ROW(GL_IMAGE_BINDING_LEVEL),  ROW(GL_IMAGE_BINDING_LAYERED),
+                                ROW(GL_IMAGE_BINDING_LAYER), ROW(GL_IMAGE_BINDING_ACCESS), ROW(GL_IMAGE_BINDING_FORMAT)};
+#undef ROW
+#undef ROWS
 
-std::string at(const char* name, GLuint i) {
-    return std::string(name) + "[" + std::to_string(i) + "]";
+GLint integer(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+std::vector<int64_t> integersOf(const Row& row) {
+    GLint values[4] = {};
+    glGetIntegerv(row.name, values);
+    return {values, values + row.count};
+}
+
+// The bits of the values.
+std::vector<int64_t> floatsOf(const Row& row) {
+    double values[4] = {};
+    glGetDoublev(row.name, values);
+    std::vector<int64_t> bits;
+    for (int i = 0; i < row.count; ++i)
+        bits.push_back(int64_t(values[i] * (1 << 24)));
+    return bits;
+}
+
+void readIndexed(OpenGlState& state) {
+    for (GLint i = 0; i < integer(GL_MAX_VIEWPORTS); ++i) {
+        const std::string at = " of viewport " + std::to_string(i);
+        GLfloat viewport[4];
+        GLint scissor[4];
+        GLdouble range[2];
+        glGetFloati_v(GL_VIEWPORT, GLuint(i), viewport);
+        glGetIntegeri_v(GL_SCISSOR_BOX, GLuint(i), scissor);
+        glGetDoublei_v(GL_DEPTH_RANGE, GLuint(i), range);
+        state.push_back({"rectangle" + at, {viewport, viewport + 4}});
+        state.push_back({"scissor rectangle" + at, {scissor, scissor + 4}});
+        state.push_back({"depth range" + at, {int64_t(range[0] * 4096), int64_t(range[1] * 4096)}});
+        state.push_back({"GL_SCISSOR_TEST" + at, {glIsEnabledi(GL_SCISSOR_TEST, GLuint(i))}});
+    }
+    for (GLint i = 0; i < integer(GL_MAX_DRAW_BUFFERS); ++i) {
+        const std::string at = " of draw buffer " + std::to_string(i);
+        GLboolean mask[4];
+        glGetBooleani_v(GL_COLOR_WRITEMASK, GLuint(i), mask);
+        state.push_back({"GL_COLOR_WRITEMASK" + at, {mask, mask + 4}});
+        state.push_back({"GL_BLEND" + at, {glIsEnabledi(GL_BLEND, GLuint(i))}});
+        for (const Row& row : blending) {
+            GLint value = 0;
+            glGetIntegeri_v(row.name, GLuint(i), &value);
+            state.push_back({row.text + at, {value}});
+        }
+    }
+    for (const Points& points : bufferPoints)
+        for (GLint i = 0; i < integer(points.limit); ++i) {
+            GLint name = 0;
+            GLint64 start = 0, size = 0;
+            glGetIntegeri_v(points.binding, GLuint(i), &name);
+            glGetInteger64i_v(points.start, GLuint(i), &start);
+            glGetInteger64i_v(points.size, GLuint(i), &size);
+            state.push_back({points.text + std::to_string(i), {name, start, size}});
+        }
+    for (GLint i = 0; i < integer(GL_MAX_IMAGE_UNITS); ++i)
+        for (const Row& row : imageMembers) {
+            GLint value = 0;
+            glGetIntegeri_v(row.name, GLuint(i), &value);
+            state.push_back({row.text + (" of image unit " + std::to_string(i)), {value}});
+        }
+    GLint mask = 0;
+    glGetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, &mask);
+    state.push_back({"GL_SAMPLE_MASK_VALUE", {mask}});
+}
+
+void readTextures(OpenGlState& state) {
+    const GLint active = integer(GL_ACTIVE_TEXTURE);
+    const GLint units = std::min(integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS), 64);
+    for (GLint i = 0; i < units; ++i) {
+        glActiveTexture(GLenum(GL_TEXTURE0 + i));
+        for (const Row& row : textureTargets)
+            state.push_back({row.text + (" of unit " + std::to_string(i)), integersOf(row)});
+    }
+    glActiveTexture(GLenum(active));
 }
 
 } // namespace
 
-State readState() {
-    State state;
-    for (const Named& c : capabilities)
-        state.push_back({c.name, {double(glIsEnabled(c.value))}});
-    for (GLuint i = 0; i < 4; ++i) {
-        state.push_back({at("GL_BLEND", i), {double(glIsEnabledi(GL_BLEND, i))}});
-        state.push_back({at("GL_SCISSOR_TEST", i), {double(glIsEnabledi(GL_SCISSOR_TEST, i))}});
-    }
-    for (GLuint i = 0; i < 8; ++i)
-        state.push_back({at("GL_CLIP_DISTANCE", i), {double(glIsEnabled(GL_CLIP_DISTANCE0 + i))}});
-    for (const Named& v : values) {
-        double all[16] = {};
-        glGetDoublev(v.value, all);
-        state.push_back({v.name, {all, all + 4}});
-    }
-    for (const Indexed& v : indexed)
-        for (GLuint i = 0; i < v.count; ++i) {
-            GLint64 all[16] = {};
-            glGetInteger64i_v(v.query.value, i, all);
-            const std::vector<double> four = {double(all[0]), double(all[1]), double(all[2]), double(all[3])};
-            state.push_back({at(v.query.name, i), four, i < v.ofSdk});
-        }
-    GLint active = 0;
-    glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
-    for (GLuint unit = 0; unit < units; ++unit) {
-        glActiveTexture(GL_TEXTURE0 + unit);
-        for (const Named& binding : ofUnits) {
-            GLint bound = 0;
-            glGetIntegerv(binding.value, &bound);
-            state.push_back({at(binding.name, unit), {double(bound)}, unit < unitsOfSdk});
-        }
-    }
-    glActiveTexture(GLenum(active));
+OpenGlState readOpenGlState() {
+    OpenGlState state;
+    for (const Row& row : switches)
+        state.push_back({row.text, {glIsEnabled(row.name)}});
+    for (const Row& row : integers)
+        state.push_back({row.text, integersOf(row)});
+    for (const Row& row : floats)
+        state.push_back({row.text, floatsOf(row)});
+    readIndexed(state);
+    readTextures(state);
     return state;
-}
-
-void expectSameState(Test& test, const State& got, const State& expected, bool inCallback, const std::string& when) {
-    for (size_t i = 0; i < got.size(); ++i)
-        if (got[i].values != expected[i].values && !(inCallback && got[i].isBindingOfSdk))
-            test.check(false, got[i].name + " is " + std::to_string(got[i].values[0]) + " in place of " +
-                                  std::to_string(expected[i].values[0]) + " " + when + ".");
 }
 
 } // namespace agaa::conformance

@@ -1,4 +1,4 @@
-#include "gl_state.h"
+#include "frame_gl_state.h"
 
 namespace agaa::conformance {
 

@@ -1,0 +1,213 @@
+#include "gl_interposer.h"
+
+#include "hosts/gl_device.h"
+
+#include <algorithm>
+
+namespace agaa::conformance {
+
+OpenGlInterposer* OpenGlInterposer::current = nullptr;
+
+namespace {
+
+bool failsNow(const char* function) { return OpenGlInterposer::current && OpenGlInterposer::current->fails(function); }
+void countNow(const char* kind, int64_t difference) {
+    if (OpenGlInterposer::current)
+        OpenGlInterposer::current->count(kind, difference);
+}
+
+// A name as a template argument.
+template <size_t n> struct Name {
+    constexpr Name(const char (&from)[n]) { std::copy(from, from + n, text); }
+    char text[n];
+};
+
+// ---- functions that allocate -----------------------------------------------------------------------
+
+template <Name name, class F> struct Allocating;
+template <Name name, class... Arguments> struct Allocating<name, void(APIENTRYP)(Arguments...)> {
+    static inline void(APIENTRYP real)(Arguments...) = nullptr;
+    static void APIENTRY call(Arguments... arguments) {
+        if (!failsNow(name.text))
+            real(arguments...);
+    }
+};
+
+// ---- functions that create and delete objects ------------------------------------------------------
+
+template <Name kind> struct Objects {
+    static inline void(APIENTRYP realCreate)(GLsizei, GLuint*) = nullptr;
+    static inline void(APIENTRYP realCreateOf)(GLenum, GLsizei, GLuint*) = nullptr;
+    static inline void(APIENTRYP realDelete)(GLsizei, const GLuint*) = nullptr;
+    static void APIENTRY create(GLsizei number, GLuint* names) {
+        realCreate(number, names);
+        countNow(kind.text, number);
+    }
+    static void APIENTRY createOf(GLenum target, GLsizei number, GLuint* names) {
+        realCreateOf(target, number, names);
+        countNow(kind.text, number);
+    }
+    static void APIENTRY destroy(GLsizei number, const GLuint* names) {
+        for (GLsizei i = 0; i < number; ++i)
+            countNow(kind.text, names[i] ? -1 : 0);
+        realDelete(number, names);
+    }
+};
+
+template <Name kind> struct Program {
+    static inline GLuint(APIENTRYP realCreate)() = nullptr;
+    static inline GLuint(APIENTRYP realCreateOf)(GLenum) = nullptr;
+    static inline void(APIENTRYP realDelete)(GLuint) = nullptr;
+    static GLuint APIENTRY create() {
+        countNow(kind.text, 1);
+        return realCreate();
+    }
+    static GLuint APIENTRY createOf(GLenum type) {
+        countNow(kind.text, 1);
+        return realCreateOf(type);
+    }
+    static void APIENTRY destroy(GLuint name) {
+        countNow(kind.text, name ? -1 : 0);
+        realDelete(name);
+    }
+};
+
+// ---- what the context says of itself ---------------------------------------------------------------
+
+PFNGLGETERRORPROC realError = nullptr;
+PFNGLGETSTRINGPROC realString = nullptr;
+PFNGLGETSTRINGIPROC realStringI = nullptr;
+PFNGLGETINTEGERVPROC realInteger = nullptr;
+PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC realStatus = nullptr;
+
+GLenum APIENTRY getError() {
+    const uint32_t own = OpenGlInterposer::current ? OpenGlInterposer::current->takeError() : GL_NO_ERROR;
+    return own ? own : realError();
+}
+const GLubyte* APIENTRY getString(GLenum name) {
+    if (name == GL_VERSION && OpenGlInterposer::current && !OpenGlInterposer::current->version.empty())
+        return reinterpret_cast<const GLubyte*>(OpenGlInterposer::current->version.c_str());
+    return realString(name);
+}
+const GLubyte* APIENTRY getStringI(GLenum name, GLuint index) {
+    const GLubyte* text = realStringI(name, index);
+    const bool isHidden = name == GL_EXTENSIONS && text && OpenGlInterposer::current &&
+                          OpenGlInterposer::current->hiddenExtension == reinterpret_cast<const char*>(text);
+    return isHidden ? reinterpret_cast<const GLubyte*>("GL_AGAA_hidden") : text;
+}
+void APIENTRY getInteger(GLenum name, GLint* values) {
+    realInteger(name, values);
+    const bool isOther = OpenGlInterposer::current && OpenGlInterposer::current->version.size() > 2;
+    if (isOther && name == GL_MAJOR_VERSION)
+        *values = OpenGlInterposer::current->version[0] - '0';
+    if (isOther && name == GL_MINOR_VERSION)
+        *values = OpenGlInterposer::current->version[2] - '0';
+}
+GLenum APIENTRY checkStatus(GLuint framebuffer, GLenum target) {
+    const GLenum status = realStatus(framebuffer, target);
+    return OpenGlInterposer::current && !OpenGlInterposer::current->isComplete ? GL_FRAMEBUFFER_UNSUPPORTED : status;
+}
+
+// ---- by name ---------------------------------------------------------------------------------------
+
+template <class F> AgaaGlFunction replace(F& real, AgaaGlFunction found, F own) {
+    real = reinterpret_cast<F>(found);
+    return reinterpret_cast<AgaaGlFunction>(own);
+}
+
+AgaaGlFunction interpose(const std::string& name, AgaaGlFunction found) {
+#define AGAA_ALLOCATING(function, Type)                                   \
+    if (name == function) {                                               \
+        using A = Allocating<function, Type>;                             \
+        return replace(A::real, found, A::call);                          \
+    }
+    AGAA_ALLOCATING("glTextureStorage2D", PFNGLTEXTURESTORAGE2DPROC)
+    AGAA_ALLOCATING("glTextureStorage3D", PFNGLTEXTURESTORAGE3DPROC)
+    AGAA_ALLOCATING("glTextureStorage2DMultisample", PFNGLTEXTURESTORAGE2DMULTISAMPLEPROC)
+    AGAA_ALLOCATING("glTexStorage2D", PFNGLTEXSTORAGE2DPROC)
+    AGAA_ALLOCATING("glTexStorage3D", PFNGLTEXSTORAGE3DPROC)
+    AGAA_ALLOCATING("glTexStorage2DMultisample", PFNGLTEXSTORAGE2DMULTISAMPLEPROC)
+    AGAA_ALLOCATING("glNamedBufferData", PFNGLNAMEDBUFFERDATAPROC)
+    AGAA_ALLOCATING("glNamedBufferStorage", PFNGLNAMEDBUFFERSTORAGEPROC)
+    AGAA_ALLOCATING("glBufferData", PFNGLBUFFERDATAPROC)
+    AGAA_ALLOCATING("glBufferStorage", PFNGLBUFFERSTORAGEPROC)
+#undef AGAA_ALLOCATING
+#define AGAA_OBJECTS(kind, real, own)                                     \
+    if (name == "glCreate" kind)                                          \
+        return replace(Objects<kind>::real, found, Objects<kind>::own);   \
+    if (name == "glDelete" kind)                                          \
+        return replace(Objects<kind>::realDelete, found, Objects<kind>::destroy);
+    AGAA_OBJECTS("Textures", realCreateOf, createOf)
+    AGAA_OBJECTS("Queries", realCreateOf, createOf)
+    AGAA_OBJECTS("Buffers", realCreate, create)
+    AGAA_OBJECTS("Framebuffers", realCreate, create)
+    AGAA_OBJECTS("Renderbuffers", realCreate, create)
+    AGAA_OBJECTS("Samplers", realCreate, create)
+    AGAA_OBJECTS("VertexArrays", realCreate, create)
+#undef AGAA_OBJECTS
+    if (name == "glCreateProgram")
+        return replace(Program<"Program">::realCreate, found, Program<"Program">::create);
+    if (name == "glDeleteProgram")
+        return replace(Program<"Program">::realDelete, found, Program<"Program">::destroy);
+    if (name == "glCreateShader")
+        return replace(Program<"Shader">::realCreateOf, found, Program<"Shader">::createOf);
+    if (name == "glDeleteShader")
+        return replace(Program<"Shader">::realDelete, found, Program<"Shader">::destroy);
+    if (name == "glGetError")
+        return replace(realError, found, getError);
+    if (name == "glGetString")
+        return replace(realString, found, getString);
+    if (name == "glGetStringi")
+        return replace(realStringI, found, getStringI);
+    if (name == "glGetIntegerv")
+        return replace(realInteger, found, getInteger);
+    if (name == "glCheckNamedFramebufferStatus")
+        return replace(realStatus, found, checkStatus);
+    return found;
+}
+
+} // namespace
+
+OpenGlInterposer::OpenGlInterposer() { current = this; }
+OpenGlInterposer::~OpenGlInterposer() { current = nullptr; }
+
+void OpenGlInterposer::chainTo(ContextDescription& description) {
+    next_ = description.gl.getProcAddr;
+    nextUser_ = description.gl.getProcUser;
+    description.gl.getProcAddr = getProcAddr;
+    description.gl.getProcUser = this;
+}
+
+AgaaGlFunction AGAA_CALL OpenGlInterposer::getProcAddr(void* user, const char* name) {
+    const auto& self = *static_cast<const OpenGlInterposer*>(user);
+    const AgaaGlFunction found = self.next_(self.nextUser_, name);
+    return !found || self.missing == "*" || self.missing == name ? nullptr : interpose(name, found);
+}
+
+void OpenGlInterposer::failAt(uint32_t nth, uint32_t error) {
+    remaining_ = nth;
+    error_ = error;
+    pending_ = 0;
+    failed_.clear();
+}
+
+bool OpenGlInterposer::fails(const char* function) {
+    if (!remaining_ || --remaining_)
+        return false;
+    failed_ = function;
+    pending_ = error_;
+    return true;
+}
+
+uint32_t OpenGlInterposer::takeError() {
+    const uint32_t error = pending_;
+    pending_ = 0;
+    return error;
+}
+
+void OpenGlInterposer::count(const char* kind, int64_t difference) {
+    if ((objects[kind] += difference) == 0)
+        objects.erase(kind);
+}
+
+} // namespace agaa::conformance

@@ -1,0 +1,232 @@
+#include "vk_interposer.h"
+
+#include <mutex>
+
+namespace agaa::conformance {
+
+VulkanInterposer* VulkanInterposer::current = nullptr;
+
+namespace {
+
+std::mutex mutex; // functions without a handle may be called from any thread
+
+// ---- functions in place of Vulkan's, each with Vulkan's own ---------------------------------------
+
+enum Function {
+#define AGAA_CREATE(name) create##name,
+#define AGAA_RESULT(name) result##name,
+#include "vk_interposer.inc"
+};
+
+bool failsNow(const char* function, VkResult& error) {
+    return VulkanInterposer::current && VulkanInterposer::current->fails(function, error);
+}
+
+void countNow(const char* kind, int64_t difference) {
+    if (VulkanInterposer::current)
+        VulkanInterposer::current->count(kind, difference);
+}
+
+template <Function id, class F> struct Result;
+template <Function id, class... Arguments> struct Result<id, VkResult(VKAPI_PTR*)(Arguments...)> {
+    static inline VkResult(VKAPI_PTR* real)(Arguments...) = nullptr;
+    static inline const char* name = nullptr;
+    static VKAPI_ATTR VkResult VKAPI_CALL call(Arguments... arguments) {
+        VkResult error;
+        return failsNow(name, error) ? error : real(arguments...);
+    }
+};
+
+template <Function id, class Info, class Handle> struct Create {
+    static inline VkResult(VKAPI_PTR* real)(VkDevice, const Info*, const VkAllocationCallbacks*, Handle*) = nullptr;
+    static inline void(VKAPI_PTR* realDestroy)(VkDevice, Handle, const VkAllocationCallbacks*) = nullptr;
+    static inline const char* name = nullptr;
+    static inline const char* kind = nullptr;
+    static VKAPI_ATTR VkResult VKAPI_CALL call(VkDevice device, const Info* info, const VkAllocationCallbacks* callbacks,
+                                               Handle* out) {
+        VkResult error;
+        if (failsNow(name, error))
+            return error;
+        const VkResult result = real(device, info, callbacks, out);
+        countNow(kind, result == VK_SUCCESS);
+        return result;
+    }
+    static VKAPI_ATTR void VKAPI_CALL destroy(VkDevice device, Handle handle, const VkAllocationCallbacks* callbacks) {
+        countNow(kind, handle ? -1 : 0);
+        realDestroy(device, handle, callbacks);
+    }
+};
+
+using Memory = Create<createMemory, VkMemoryAllocateInfo, VkDeviceMemory>;
+
+PFN_vkCreateComputePipelines realCompute = nullptr;
+PFN_vkDestroyPipeline realDestroyPipeline = nullptr;
+VKAPI_ATTR VkResult VKAPI_CALL createCompute(VkDevice device, VkPipelineCache cache, uint32_t count,
+                                             const VkComputePipelineCreateInfo* infos,
+                                             const VkAllocationCallbacks* callbacks, VkPipeline* out) {
+    VkResult error;
+    if (failsNow("vkCreateComputePipelines", error)) {
+        for (uint32_t i = 0; i < count; ++i)
+            out[i] = VK_NULL_HANDLE;
+        return error;
+    }
+    const VkResult result = realCompute(device, cache, count, infos, callbacks, out);
+    for (uint32_t i = 0; i < count; ++i)
+        countNow("Pipeline", out[i] ? 1 : 0);
+    return result;
+}
+VKAPI_ATTR void VKAPI_CALL destroyPipeline(VkDevice device, VkPipeline pipeline, const VkAllocationCallbacks* callbacks) {
+    countNow("Pipeline", pipeline ? -1 : 0);
+    realDestroyPipeline(device, pipeline, callbacks);
+}
+
+// ---- what devices say of themselves ----------------------------------------------------------------
+
+PFN_vkGetPhysicalDeviceProperties realProperties = nullptr;
+PFN_vkGetPhysicalDeviceProperties2 realProperties2 = nullptr;
+PFN_vkGetPhysicalDeviceQueueFamilyProperties realFamilies = nullptr;
+PFN_vkGetPhysicalDeviceQueueFamilyProperties2 realFamilies2 = nullptr;
+PFN_vkGetPhysicalDeviceImageFormatProperties realFormats = nullptr;
+PFN_vkGetPhysicalDeviceImageFormatProperties2 realFormats2 = nullptr;
+
+void change(VkPhysicalDeviceProperties& properties) {
+    if (VulkanInterposer::current && VulkanInterposer::current->changeProperties)
+        VulkanInterposer::current->changeProperties(properties);
+}
+void change(VkQueueFamilyProperties& family) {
+    if (VulkanInterposer::current && VulkanInterposer::current->changeQueueFamily)
+        VulkanInterposer::current->changeQueueFamily(family);
+}
+
+VKAPI_ATTR void VKAPI_CALL properties(VkPhysicalDevice device, VkPhysicalDeviceProperties* out) {
+    realProperties(device, out);
+    change(*out);
+}
+VKAPI_ATTR void VKAPI_CALL properties2(VkPhysicalDevice device, VkPhysicalDeviceProperties2* out) {
+    realProperties2(device, out);
+    change(out->properties);
+}
+VKAPI_ATTR void VKAPI_CALL families(VkPhysicalDevice device, uint32_t* count, VkQueueFamilyProperties* out) {
+    realFamilies(device, count, out);
+    for (uint32_t i = 0; out && i < *count; ++i)
+        change(out[i]);
+}
+VKAPI_ATTR void VKAPI_CALL families2(VkPhysicalDevice device, uint32_t* count, VkQueueFamilyProperties2* out) {
+    realFamilies2(device, count, out);
+    for (uint32_t i = 0; out && i < *count; ++i)
+        change(out[i].queueFamilyProperties);
+}
+
+bool lacksFormats() { return VulkanInterposer::current && !VulkanInterposer::current->hasImageFormats; }
+VKAPI_ATTR VkResult VKAPI_CALL formats(VkPhysicalDevice device, VkFormat format, VkImageType type, VkImageTiling tiling,
+                                       VkImageUsageFlags usage, VkImageCreateFlags flags, VkImageFormatProperties* out) {
+    VkResult error;
+    if (failsNow("vkGetPhysicalDeviceImageFormatProperties", error))
+        return error;
+    return lacksFormats() ? VK_ERROR_FORMAT_NOT_SUPPORTED : realFormats(device, format, type, tiling, usage, flags, out);
+}
+VKAPI_ATTR VkResult VKAPI_CALL formats2(VkPhysicalDevice device, const VkPhysicalDeviceImageFormatInfo2* info,
+                                        VkImageFormatProperties2* out) {
+    VkResult error;
+    if (failsNow("vkGetPhysicalDeviceImageFormatProperties2", error))
+        return error;
+    return lacksFormats() ? VK_ERROR_FORMAT_NOT_SUPPORTED : realFormats2(device, info, out);
+}
+
+// ---- by name ---------------------------------------------------------------------------------------
+
+template <class F> PFN_vkVoidFunction replace(F& real, PFN_vkVoidFunction found, F own) {
+    real = reinterpret_cast<F>(found);
+    return reinterpret_cast<PFN_vkVoidFunction>(own);
+}
+
+PFN_vkGetDeviceProcAddr realGetDevice = nullptr;
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDevice(VkDevice device, const char* name);
+
+// found: Vulkan's.
+PFN_vkVoidFunction interpose(const std::string& name, PFN_vkVoidFunction found) {
+    if (VulkanInterposer::current && found)
+        VulkanInterposer::current->asked.insert(name);
+    if (!found || (VulkanInterposer::current && VulkanInterposer::current->missing.count(name)))
+        return nullptr;
+#define AGAA_CREATE(type)                                                          \
+    using Create##type = Create<create##type, Vk##type##CreateInfo, Vk##type>;     \
+    if (name == "vkCreate" #type) {                                                \
+        Create##type::name = "vkCreate" #type;                                     \
+        Create##type::kind = #type;                                                \
+        return replace(Create##type::real, found, Create##type::call);             \
+    }                                                                              \
+    if (name == "vkDestroy" #type)                                                 \
+        return replace(Create##type::realDestroy, found, Create##type::destroy);
+#define AGAA_RESULT(type)                                                          \
+    using Result##type = Result<result##type, PFN_vk##type>;                       \
+    if (name == "vk" #type) {                                                      \
+        Result##type::name = "vk" #type;                                           \
+        return replace(Result##type::real, found, Result##type::call);             \
+    }
+#define AGAA_NO_MEMORY
+#include "vk_interposer.inc"
+    if (name == "vkAllocateMemory") {
+        Memory::name = "vkAllocateMemory";
+        Memory::kind = "DeviceMemory";
+        return replace(Memory::real, found, Memory::call);
+    }
+    if (name == "vkFreeMemory")
+        return replace(Memory::realDestroy, found, Memory::destroy);
+    if (name == "vkCreateComputePipelines")
+        return replace(realCompute, found, createCompute);
+    if (name == "vkDestroyPipeline")
+        return replace(realDestroyPipeline, found, destroyPipeline);
+    if (name == "vkGetPhysicalDeviceProperties")
+        return replace(realProperties, found, properties);
+    if (name == "vkGetPhysicalDeviceProperties2")
+        return replace(realProperties2, found, properties2);
+    if (name == "vkGetPhysicalDeviceQueueFamilyProperties")
+        return replace(realFamilies, found, families);
+    if (name == "vkGetPhysicalDeviceQueueFamilyProperties2")
+        return replace(realFamilies2, found, families2);
+    if (name == "vkGetPhysicalDeviceImageFormatProperties")
+        return replace(realFormats, found, formats);
+    if (name == "vkGetPhysicalDeviceImageFormatProperties2")
+        return replace(realFormats2, found, formats2);
+    if (name == "vkGetDeviceProcAddr")
+        return replace(realGetDevice, found, getDevice);
+    return found;
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDevice(VkDevice device, const char* name) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return interpose(name, realGetDevice(device, name));
+}
+
+} // namespace
+
+VulkanInterposer::VulkanInterposer() { current = this; }
+VulkanInterposer::~VulkanInterposer() { current = nullptr; }
+
+AgaaVkFunction AGAA_CALL VulkanInterposer::getProcAddr(void* instance, const char* name) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return interpose(name, vkGetInstanceProcAddr(static_cast<VkInstance>(instance), name));
+}
+
+void VulkanInterposer::failAt(uint32_t nth, VkResult error) {
+    remaining_ = nth;
+    error_ = error;
+    failed_.clear();
+}
+
+bool VulkanInterposer::fails(const char* function, VkResult& error) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (remaining_ && --remaining_ == 0)
+        failed_ = function;
+    error = error_;
+    return failed_ == function;
+}
+
+void VulkanInterposer::count(const char* kind, int64_t difference) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if ((objects[kind] += difference) == 0)
+        objects.erase(kind);
+}
+
+} // namespace agaa::conformance

@@ -1,0 +1,70 @@
+// Devices of Vulkan that the SDK cannot use.
+#include "cases.h"
+#include "creation.h"
+#include "vk_interposer.h"
+
+namespace agaa::conformance {
+
+namespace {
+
+void interpose(ContextDescription& d) { d.vk.getProcAddr = VulkanInterposer::getProcAddr; }
+
+void testDeviceOfOtherSort(Test& test) {
+    VulkanInterposer vulkan;
+    vulkan.changeProperties = [](VkPhysicalDeviceProperties& p) { p.apiVersion = VK_API_VERSION_1_1; };
+    expectContextRefused(test, {"a device of Vulkan 1.1", AGAA_ERROR_UNSUPPORTED, "1.2", interpose});
+    vulkan.changeProperties = nullptr;
+    for (const VkQueueFlags missing : {VK_QUEUE_GRAPHICS_BIT, VK_QUEUE_COMPUTE_BIT}) {
+        vulkan.changeQueueFamily = [=](VkQueueFamilyProperties& p) { p.queueFlags &= ~missing; };
+        expectContextRefused(test, {"a queue family without the flag " + std::to_string(missing), AGAA_ERROR_UNSUPPORTED,
+                                    "queue family", interpose});
+    }
+}
+
+void testFeatures(Test& test) {
+    using Feature = VkBool32 VkPhysicalDeviceFeatures::*;
+    for (const Feature feature : {&VkPhysicalDeviceFeatures::shaderStorageImageExtendedFormats,
+                                  &VkPhysicalDeviceFeatures::shaderStorageImageWriteWithoutFormat}) {
+        VkPhysicalDeviceFeatures2 features =
+            *static_cast<const VkPhysicalDeviceFeatures2*>(test.device().description().vk.enabledFeatures);
+        features.features.*feature = VK_FALSE;
+        expectContextRefused(test, {"enabledFeatures without a feature shaderStorageImage…", AGAA_ERROR_UNSUPPORTED,
+                                    "storage images", [&](ContextDescription& d) { d.vk.enabledFeatures = &features; }});
+    }
+}
+
+// Of extensions and later versions a context can do without.
+bool isCore(const std::string& name) {
+    const std::string end = name.substr(name.size() - 3);
+    return end != "EXT" && end != "KHR" && name.find("Rendering") == std::string::npos;
+}
+
+void testMissing(Test& test) {
+    VulkanInterposer vulkan;
+    expectContextAccepted(test, "functions of the suite", interpose);
+    const std::set<std::string> asked = vulkan.asked;
+    test.require(asked.count("vkGetDeviceProcAddr") && asked.count("vkCreateImage"),
+                 "agaaVkCreateContext does not ask getProcAddr for the functions of Vulkan.");
+    for (const std::string& name : asked) {
+        vulkan.missing = {name};
+        if (isCore(name))
+            expectContextRefused(test, {"no function " + name, AGAA_ERROR_UNSUPPORTED, name, interpose});
+        else
+            expectContextAccepted(test, "no function " + name, interpose);
+    }
+}
+
+void testContextUnsupported(Test& test) {
+    testContextRows(test, rowsOf(wrongVulkanContexts(test.device()), AGAA_ERROR_UNSUPPORTED));
+    testFeatures(test);
+    testDeviceOfOtherSort(test);
+    testMissing(test);
+}
+
+} // namespace
+
+void addVulkanUnsupportedCases(Suite& suite) {
+    suite.add("agaaVkCreateContext/AGAA_ERROR_UNSUPPORTED", {Backend::Vulkan}, testContextUnsupported);
+}
+
+} // namespace agaa::conformance

@@ -1,0 +1,193 @@
+// A pixel's surfaces, of which each has a coverage mask, one depth plane and one normal: fragments are merged into them in the
+// order of the draws, so that few surfaces stand for any number of fragments.
+// Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, sections 3.2 and 3.3, algorithm 1.
+//
+// The surfaces are global; in C++ they are members of a struct. Attributes are the caller's, who repeats what
+// agaa_insertSurface() returns.
+#ifndef AGAA_MATH_SURFACE_MERGE_GLSL
+#define AGAA_MATH_SURFACE_MERGE_GLSL
+#include "real.glsl"
+
+#define AGAA_MAX_KEPT 8u
+#define AGAA_NO_SURFACE 0xFFFFFFFFu
+
+// Depths are smaller nearer to the eye.
+struct agaa_CoveredSurface {
+    uvec4 mask;
+    rvec3 plane;  // depth at the pixel's centre, and its growth per pixel in x and in y
+    rvec2 range;  // least and largest depth: planes seen edge-on extrapolate beyond all bounds
+    rvec3 normal; // unit
+};
+
+// What the second merge gives the surface that takes a discarded one.
+#define AGAA_MERGE_NOTHING 0u
+#define AGAA_MERGE_VISIBLE 1u // the samples that are not behind other surfaces
+#define AGAA_MERGE_ALL 2u     // as the paper
+
+struct agaa_MergeRules {
+    uint limit;  // of surfaces, [1, AGAA_MAX_KEPT]
+    real cosine; // normals merge above it
+    real slack;  // how far apart depths may be that overlap
+    uint second;
+};
+
+// Surface `from` goes into `into` first, by the share `moved` of the result; then the fragment goes to `to`, by the share
+// `share`. AGAA_NO_SURFACE: nothing moves, or the fragment goes nowhere. into = limit: the fragment itself.
+struct agaa_Insertion {
+    uint from, into;
+    real moved;
+    uint to;
+    real share;
+    bool isSecond; // no surface took the fragment, and there was no room
+    uint lost;     // samples that were visible and that no surface has now
+};
+
+agaa_CoveredSurface agaa_kept[AGAA_MAX_KEPT + 1u]; // the last: the fragment in hand
+uint agaa_keptCount;
+
+uint agaa_bitsOf(uvec4 mask) {
+    return uint(bitCount(mask.x) + bitCount(mask.y)) + uint(bitCount(mask.z) + bitCount(mask.w));
+}
+
+// Over the pixel.
+rvec2 agaa_depthInterval(agaa_CoveredSurface s) {
+    const real reach = real(0.5) * (abs(s.plane.y) + abs(s.plane.z));
+    return clamp(rvec2(s.plane.x - reach, s.plane.x + reach), rvec2(s.range.x), rvec2(s.range.y));
+}
+
+// By how much the depths of two surfaces overlap; negative: they are so far apart.
+real agaa_depthOverlap(agaa_CoveredSurface a, agaa_CoveredSurface b) {
+    const rvec2 x = agaa_depthInterval(a);
+    const rvec2 y = agaa_depthInterval(b);
+    return min(x.y, y.y) - max(x.x, y.x);
+}
+
+// Averages by coverage. mask: what of b's coverage goes along; it has a bit. Returns the share of b.
+real agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 mask) {
+    const real ofA = real(agaa_bitsOf(a.mask));
+    const real ofB = real(agaa_bitsOf(mask));
+    const real share = ofB / (ofA + ofB);
+    a.plane += (b.plane - a.plane) * share;
+    a.range = rvec2(min(a.range.x, b.range.x), max(a.range.y, b.range.y));
+    const rvec3 normal = a.normal + (b.normal - a.normal) * share;
+    const real l2 = dot(normal, normal);
+    // Opposite normals of equal weight have no mean.
+    a.normal = l2 > real(1e-12) ? normal * (real(1.0) / sqrt(l2)) : a.normal;
+    a.mask = a.mask | mask;
+    return share;
+}
+
+// Section 3.2: aligned normals and overlapping depths; of several the closest normal, and of those the largest overlap.
+uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
+    uint best = AGAA_NO_SURFACE;
+    real closest = real(0.0);
+    real largest = real(0.0);
+    for (uint i = 0u; i < agaa_keptCount; ++i) {
+        const real cosine = dot(agaa_kept[i].normal, s.normal);
+        const real overlap = agaa_depthOverlap(agaa_kept[i], s);
+        if (cosine > rules.cosine && overlap + rules.slack >= real(0.0) &&
+            (best == AGAA_NO_SURFACE || cosine > closest || (cosine == closest && overlap > largest))) {
+            best = i;
+            closest = cosine;
+            largest = overlap;
+        }
+    }
+    return best;
+}
+
+// Whether a is in front of b by the depths at the pixel's centre; of equal depths the first.
+bool agaa_isInFront(uint a, uint b) {
+    const real x = clamp(agaa_kept[a].plane.x, agaa_kept[a].range.x, agaa_kept[a].range.y);
+    const real y = clamp(agaa_kept[b].plane.x, agaa_kept[b].range.x, agaa_kept[b].range.y);
+    return x < y || (x == y && a < b);
+}
+
+// Samples of surface i that none of `count` covers in front of it: the coarse depth resolve.
+uvec4 agaa_visibleOf(uint i, uint count) {
+    uvec4 visible = agaa_kept[i].mask;
+    for (uint k = 0u; k < count; ++k) {
+        if (k != i && agaa_isInFront(k, i))
+            visible = visible & ~agaa_kept[k].mask;
+    }
+    return visible;
+}
+
+// The one that shows least, but not the closest: without it thin objects pop. Of equals the last. count: 2 or more.
+uint agaa_findLeast(uint count) {
+    uint closest = 0u;
+    for (uint i = 1u; i < count; ++i)
+        closest = agaa_isInFront(i, closest) ? i : closest;
+    uint least = AGAA_NO_SURFACE;
+    uint fewest = 0u;
+    for (uint i = 0u; i < count; ++i) {
+        const uint bits = agaa_bitsOf(agaa_visibleOf(i, count));
+        if (i != closest && (least == AGAA_NO_SURFACE || bits <= fewest)) {
+            least = i;
+            fewest = bits;
+        }
+    }
+    return least;
+}
+
+// Of `count`, the one whose depths overlap most with those of i.
+uint agaa_findOverlapping(uint i, uint count, real slack) {
+    uint best = AGAA_NO_SURFACE;
+    real largest = real(0.0);
+    for (uint k = 0u; k < count; ++k) {
+        const real overlap = agaa_depthOverlap(agaa_kept[k], agaa_kept[i]);
+        if (k != i && overlap + slack >= real(0.0) && (best == AGAA_NO_SURFACE || overlap > largest)) {
+            best = k;
+            largest = overlap;
+        }
+    }
+    return best;
+}
+
+// Section 3.3. The fragment is agaa_kept[rules.limit].
+agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
+    agaa_Insertion done = agaa_Insertion(AGAA_NO_SURFACE, AGAA_NO_SURFACE, real(0.0), AGAA_NO_SURFACE, real(1.0), true, 0u);
+    const uint count = rules.limit + 1u;
+    const uint least = agaa_findLeast(count);
+    const uvec4 visible = agaa_visibleOf(least, count);
+    const uvec4 moving = rules.second == AGAA_MERGE_ALL ? agaa_kept[least].mask : visible;
+    uint taker = AGAA_NO_SURFACE;
+    if (rules.second != AGAA_MERGE_NOTHING && agaa_bitsOf(moving) != 0u)
+        taker = agaa_findOverlapping(least, count, rules.slack);
+    if (taker == AGAA_NO_SURFACE) {
+        done.lost = agaa_bitsOf(visible);
+    } else {
+        const real share = agaa_mergeKept(agaa_kept[taker], agaa_kept[least], moving);
+        if (least == rules.limit) {
+            done.to = taker;
+            done.share = share;
+        } else {
+            done.from = least;
+            done.into = taker;
+            done.moved = share;
+        }
+    }
+    if (least != rules.limit) {
+        agaa_kept[least] = agaa_kept[rules.limit];
+        done.to = least;
+    }
+    return done;
+}
+
+// The fragment covers a sample at least.
+agaa_Insertion agaa_insertSurface(agaa_CoveredSurface s, agaa_MergeRules rules) {
+    agaa_Insertion done = agaa_Insertion(AGAA_NO_SURFACE, AGAA_NO_SURFACE, real(0.0), AGAA_NO_SURFACE, real(1.0), false, 0u);
+    done.to = agaa_findAligned(s, rules);
+    if (done.to != AGAA_NO_SURFACE) {
+        done.share = agaa_mergeKept(agaa_kept[done.to], s, s.mask);
+        return done;
+    }
+    if (agaa_keptCount < rules.limit) {
+        done.to = agaa_keptCount;
+        agaa_kept[agaa_keptCount] = s;
+        agaa_keptCount = agaa_keptCount + 1u;
+        return done;
+    }
+    agaa_kept[rules.limit] = s;
+    return agaa_insertInFull(rules);
+}
+#endif

@@ -1,0 +1,280 @@
+// Algorithm 1 of the DCAA paper, written once more from its text, against the shader's.
+#include "shader_math.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bitset>
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace {
+
+using math_f::KeptSurfaces;
+using Shader = KeptSurfaces::agaa_CoveredSurface;
+using Bits = std::bitset<128>;
+
+struct Surface {
+    Bits coverage;
+    float depth, slopeX, slopeY, nearest, farthest;
+    float normal[3];
+};
+
+// ---- the paper's words ---------------------------------------------------------------------------
+
+// "To test this, we approximate a fragment bounding box using depth derivatives over the pixel extent."
+struct Box {
+    float front, back;
+};
+Box boxOf(const Surface& s) {
+    const float half = 0.5f * (std::fabs(s.slopeX) + std::fabs(s.slopeY));
+    const auto within = [&](float z) { return std::min(std::max(z, s.nearest), s.farthest); };
+    return {within(s.depth - half), within(s.depth + half)};
+}
+float overlapOf(const Surface& a, const Surface& b) {
+    const Box x = boxOf(a), y = boxOf(b);
+    return std::min(x.back, y.back) - std::max(x.front, y.front);
+}
+float dotOf(const Surface& a, const Surface& b) {
+    const float x = a.normal[0] * b.normal[0], y = a.normal[1] * b.normal[1], z = a.normal[2] * b.normal[2];
+    return x + y + z;
+}
+
+// "averaging normals, depths, and material parameters based on a weighted average of the fragment's and surface's coverage"
+void average(Surface& into, const Surface& from, const Bits& bits) {
+    const float share = float(bits.count()) / (float(into.coverage.count()) + float(bits.count()));
+    const auto mix = [share](float& a, float b) { a += (b - a) * share; };
+    mix(into.depth, from.depth);
+    mix(into.slopeX, from.slopeX);
+    mix(into.slopeY, from.slopeY);
+    into.nearest = std::min(into.nearest, from.nearest);
+    into.farthest = std::max(into.farthest, from.farthest);
+    float n[3];
+    for (int i = 0; i < 3; ++i)
+        n[i] = into.normal[i] + (from.normal[i] - into.normal[i]) * share;
+    const float xx = n[0] * n[0], yy = n[1] * n[1], zz = n[2] * n[2];
+    const float squared = xx + yy + zz;
+    if (squared > 1e-12f)
+        for (int i = 0; i < 3; ++i)
+            into.normal[i] = n[i] * (1.0f / std::sqrt(squared));
+    into.coverage |= bits;
+}
+
+struct Rules {
+    size_t limit;
+    float cosine, slack;
+    enum { Nothing, Visible, All } second;
+};
+
+struct Pixel {
+    std::vector<Surface> surfaces;
+    uint32_t lost = 0;
+
+    void insert(Surface in, const Rules& rules) {
+        std::optional<size_t> best;
+        for (size_t i = 0; i < surfaces.size(); ++i) {
+            if (!(dotOf(surfaces[i], in) > rules.cosine) || !(overlapOf(surfaces[i], in) + rules.slack >= 0.0f))
+                continue;
+            const auto rank = [&](size_t k) { return std::pair(dotOf(surfaces[k], in), overlapOf(surfaces[k], in)); };
+            if (!best || rank(i) > rank(*best))
+                best = i;
+        }
+        if (best)
+            return average(surfaces[*best], in, in.coverage);
+        if (surfaces.size() < rules.limit)
+            return surfaces.push_back(in);
+        insertInFull(in, rules);
+    }
+
+private:
+    // "ordering surfaces front to back and use bitwise operations to mask off samples covered by closer surfaces"
+    void insertInFull(const Surface& in, const Rules& rules) {
+        std::vector<Surface> all = surfaces;
+        all.push_back(in);
+        std::vector<size_t> order(all.size());
+        for (size_t i = 0; i < order.size(); ++i)
+            order[i] = i;
+        const auto centre = [&](size_t i) { return std::min(std::max(all[i].depth, all[i].nearest), all[i].farthest); };
+        std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return centre(a) < centre(b); });
+        std::vector<Bits> visible(all.size());
+        Bits covered;
+        for (const size_t i : order) {
+            visible[i] = all[i].coverage & ~covered;
+            covered |= all[i].coverage;
+        }
+        // "we exclude the closest surface when identifying the one with the least coverage"
+        size_t least = order[0] == 0 ? 1 : 0;
+        for (size_t i = 0; i < all.size(); ++i)
+            if (i != order[0] && visible[i].count() <= visible[least].count())
+                least = i;
+        const Bits moving = rules.second == Rules::All ? all[least].coverage : visible[least];
+        std::optional<size_t> taker;
+        if (rules.second != Rules::Nothing && moving.any())
+            for (size_t i = 0; i < all.size(); ++i)
+                if (i != least && overlapOf(all[i], all[least]) + rules.slack >= 0.0f &&
+                    (!taker || overlapOf(all[i], all[least]) > overlapOf(all[*taker], all[least])))
+                    taker = i;
+        if (taker)
+            average(all[*taker], all[least], moving);
+        else
+            lost += uint32_t(visible[least].count());
+        all[least] = all.back(); // without effect on the fragment itself
+        all.pop_back();
+        surfaces = all;
+    }
+};
+
+// ---- random pixels ---------------------------------------------------------------------------------
+
+glm::uvec4 wordsOf(const Bits& bits) {
+    glm::uvec4 words(0u);
+    for (uint32_t i = 0; i < 128; ++i)
+        words[int(i / 32)] |= uint32_t(bits[i]) << (i % 32);
+    return words;
+}
+
+Shader shaderOf(const Surface& s) {
+    return {wordsOf(s.coverage), {s.depth, s.slopeX, s.slopeY}, {s.nearest, s.farthest}, {s.normal[0], s.normal[1], s.normal[2]}};
+}
+
+struct Random {
+    std::mt19937 engine;
+    float operator()(float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine); }
+    uint32_t below(uint32_t n) { return uint32_t(std::uniform_int_distribution<uint32_t>(0, n - 1)(engine)); }
+};
+
+// Few depths and few directions, so that all branches are taken and ties occur.
+Surface randomFragment(Random& random, uint32_t samples) {
+    Surface s{};
+    const uint32_t first = random.below(samples), count = 1 + random.below(samples);
+    for (uint32_t i = 0; i < count; ++i)
+        s.coverage.set((first + i) % samples);
+    s.depth = 0.1f * float(random.below(9));
+    if (random.below(3))
+        s.slopeX = random(-0.2f, 0.2f), s.slopeY = random(-0.2f, 0.2f);
+    s.nearest = s.depth - 0.05f * float(random.below(3));
+    s.farthest = s.depth + 0.05f * float(random.below(3));
+    const float angle = 0.3f * float(random.below(7));
+    s.normal[0] = std::sin(angle);
+    s.normal[2] = std::cos(angle);
+    return s;
+}
+
+void expectEqual(const KeptSurfaces& got, const Pixel& expected) {
+    ASSERT_EQ(got.agaa_keptCount, expected.surfaces.size());
+    for (size_t i = 0; i < expected.surfaces.size(); ++i) {
+        const Shader want = shaderOf(expected.surfaces[i]);
+        const Shader& is = got.agaa_kept[i];
+        ASSERT_EQ(is.mask, want.mask) << i;
+        ASSERT_EQ(is.plane, want.plane) << i;
+        ASSERT_EQ(is.range, want.range) << i;
+        ASSERT_EQ(is.normal, want.normal) << i;
+    }
+}
+
+KeptSurfaces::agaa_MergeRules shaderRules(const Rules& rules) {
+    return {uint32_t(rules.limit), rules.cosine, rules.slack, uint32_t(rules.second)};
+}
+
+std::vector<Surface> randomPixel(Random& random, uint32_t samples) {
+    std::vector<Surface> fragments(random.below(24));
+    for (Surface& s : fragments)
+        s = randomFragment(random, samples);
+    return fragments;
+}
+
+TEST(SurfaceMerge, IsAlgorithm1OfThePaper) {
+    Random random{std::mt19937(1)};
+    uint32_t kinds[4] = {};
+    for (int run = 0; run < 20000; ++run) {
+        const uint32_t samples = 32u << random.below(3);
+        const Rules rules = {1 + random.below(8), std::cos(3.14159265f / 16), random.below(2) ? 2e-6f : 0.0f,
+                             decltype(Rules::second)(random.below(3))};
+        KeptSurfaces shader{};
+        Pixel paper;
+        uint32_t lost = 0;
+        for (const Surface& s : randomPixel(random, samples)) {
+            const auto done = shader.agaa_insertSurface(shaderOf(s), shaderRules(rules));
+            lost += done.lost;
+            ++kinds[!done.isSecond ? done.share < 1 ? 0 : 1 : done.lost ? 2 : 3];
+            paper.insert(s, rules);
+        }
+        ASSERT_NO_FATAL_FAILURE(expectEqual(shader, paper)) << run;
+        ASSERT_EQ(lost, paper.lost);
+    }
+    for (const uint32_t count : kinds)
+        EXPECT_GT(count, 1000u);
+}
+
+// What the caller does with attributes by the answers is what the function does with normals before they are made unit.
+TEST(SurfaceMerge, AnswersSayWhatBecomesOfAttributes) {
+    Random random{std::mt19937(2)};
+    for (int run = 0; run < 5000; ++run) {
+        const Rules rules = {1 + random.below(4), 0.98f, 0.0f, Rules::Visible};
+        KeptSurfaces shader{};
+        float value[9] = {};
+        for (const Surface& s : randomPixel(random, 64)) {
+            const auto done = shader.agaa_insertSurface(shaderOf(s), shaderRules(rules));
+            value[rules.limit] = s.depth;
+            const auto mix = [&](uint32_t to, float from, float share) { value[to] += (from - value[to]) * share; };
+            if (done.from != AGAA_NO_SURFACE)
+                mix(done.into, value[done.from], done.moved);
+            if (done.to != AGAA_NO_SURFACE)
+                done.share < 1 ? mix(done.to, value[rules.limit], done.share) : void(value[done.to] = value[rules.limit]);
+        }
+        for (uint32_t i = 0; i < shader.agaa_keptCount; ++i)
+            ASSERT_EQ(value[i], shader.agaa_kept[i].plane.x) << run;
+    }
+}
+
+// Hard case 51: the result depends on the order, so that a test of the order can fail.
+TEST(SurfaceMerge, DependsOnTheOrder) {
+    Random random{std::mt19937(3)};
+    const Rules rules = {4, 0.98f, 0.0f, Rules::Visible};
+    uint32_t differing = 0, repeated = 0;
+    for (int run = 0; run < 1000; ++run) {
+        std::vector<Surface> fragments(8);
+        for (Surface& s : fragments)
+            s = randomFragment(random, 64);
+        KeptSurfaces results[3] = {};
+        for (const Surface& s : fragments)
+            for (int i = 0; i < 2; ++i)
+                results[i].agaa_insertSurface(shaderOf(s), shaderRules(rules));
+        std::reverse(fragments.begin(), fragments.end());
+        for (const Surface& s : fragments)
+            results[2].agaa_insertSurface(shaderOf(s), shaderRules(rules));
+        const auto same = [](const KeptSurfaces& a, const KeptSurfaces& b) {
+            bool is = a.agaa_keptCount == b.agaa_keptCount;
+            for (uint32_t i = 0; is && i < a.agaa_keptCount; ++i)
+                is = a.agaa_kept[i].mask == b.agaa_kept[i].mask && a.agaa_kept[i].plane == b.agaa_kept[i].plane;
+            return is;
+        };
+        differing += !same(results[0], results[2]);
+        repeated += same(results[0], results[1]);
+    }
+    EXPECT_EQ(repeated, 1000u);
+    EXPECT_GT(differing, 500u);
+}
+
+// Whatever is merged or discarded, no sample is covered that no fragment covered, and none is lost that is not counted.
+TEST(SurfaceMerge, KeepsCoverage) {
+    Random random{std::mt19937(4)};
+    for (int run = 0; run < 5000; ++run) {
+        const Rules rules = {1 + random.below(5), 0.98f, 0.0f, decltype(Rules::second)(random.below(3))};
+        KeptSurfaces shader{};
+        glm::uvec4 all(0u);
+        uint32_t lost = 0;
+        for (const Surface& s : randomPixel(random, 128)) {
+            lost += shader.agaa_insertSurface(shaderOf(s), shaderRules(rules)).lost;
+            all |= wordsOf(s.coverage);
+        }
+        glm::uvec4 kept(0u);
+        for (uint32_t i = 0; i < shader.agaa_keptCount; ++i)
+            kept |= shader.agaa_kept[i].mask;
+        ASSERT_EQ(kept & ~all, glm::uvec4(0u));
+        ASSERT_LE(shader.agaa_bitsOf(all & ~kept), lost);
+    }
+}
+
+} // namespace
