@@ -197,7 +197,7 @@ void addGlStateCases(Suite& suite) {
     suite.add("general/opengl_state_is_restored", gl, testRestored);
     suite.add("general/opengl_state_is_restored/after_failures", gl, testRestoredAfterFailure);
     suite.add("general/opengl_errors_remain", gl, testErrors);
-    suite.add("AGAA_GL_STATE_CALLBACKS/AGAA_ERROR_CALLBACK", gl, testFailingCallbacks);
+    suite.add("AGAA_GL_STATE_CALLBACKS/AGAA_ERROR_CALLBACK/frames", gl, testFailingCallbacks);
     suite.add("general/opengl_state_callbacks_are_in_order", gl, testOrder);
 }
 
