@@ -47,6 +47,7 @@ Suite makeSuite() {
     addVkOutputCases(suite);
     addGlStateCases(suite);
     addGlArgumentCases(suite);
+    addValidationCases(suite);
     return suite;
 }
 

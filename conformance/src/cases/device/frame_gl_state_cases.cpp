@@ -33,13 +33,11 @@ struct Watcher {
 
 // The frame is recorded in unusual state, which must be there again in the callbacks and
 // afterwards.
-AgaaResult recordUnusual(Rig& rig, AgaaFrame& frame, uint32_t failingCall,
-                         const std::string& when) {
+AgaaResult recordUnusual(Rig& rig, AgaaFrame& frame, uint32_t failingCall, const std::string& when) {
     const UnusualState unusual;
     Watcher watcher{rig, {}, failingCall};
     watcher.use(frame);
-    const RecordHook hook = [&](const RecordCall& call, AgaaView view, const AgaaFrame* f,
-                                const void* native) {
+    const RecordHook hook = [&](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
         watcher.entry = readState();
         const AgaaResult result = call(view, f, native);
         expectSameState(rig.test, readState(), watcher.entry, false, "after " + when);
@@ -52,8 +50,7 @@ AgaaResult recordUnusual(Rig& rig, AgaaFrame& frame, uint32_t failingCall,
 
 void testRestored(Test& test) {
     for (const std::string& technique : techniques(test.sdk)) {
-        Rig rig(test,
-                [&](ViewDescription& description) { setTechnique(description, technique, 4); });
+        Rig rig(test, [&](ViewDescription& description) { setTechnique(description, technique, 4); });
         const Image expected = rig.render();
         AgaaFrame frame = rig.nextFrame();
         const std::string what = "a frame of \"" + technique + "\" in unusual state";
@@ -70,14 +67,12 @@ void testRestoredAfterFailure(Test& test) {
         AgaaFrame frame = rig.nextFrame();
         const std::string what = "a frame whose callback fails at call " + std::to_string(call);
         const AgaaResult result = recordUnusual(rig, frame, call, what);
-        test.check(result == AGAA_ERROR_CALLBACK || call > rig.statistics().geometryPasses,
-                   what + " succeeds.");
+        test.check(result == AGAA_ERROR_CALLBACK || call > rig.statistics().geometryPasses, what + " succeeds.");
     }
     // A frame that is refused.
     AgaaFrame frame = rig.nextFrame();
     frame.ambient[0] = -1;
-    test.result(recordUnusual(rig, frame, 0, "a frame that is refused"), AGAA_ERROR_OUT_OF_RANGE,
-                rig.function());
+    test.result(recordUnusual(rig, frame, 0, "a frame that is refused"), AGAA_ERROR_OUT_OF_RANGE, rig.function());
     rig.context.log.lines.clear();
     expectNextFrame(rig, expected, "frames that failed in unusual state");
 }
@@ -88,8 +83,8 @@ void testErrors(Test& test) {
     const Image expected = rig.render();
     AgaaFrame frame = rig.nextFrame();
     GLenum first = GL_NO_ERROR, second = GL_NO_ERROR;
-    const AgaaResult result = rig.record(
-        frame, [&](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
+    const AgaaResult result =
+        rig.record(frame, [&](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
             glEnable(0xFFFF);
             const AgaaResult recorded = call(view, f, native);
             first = glGetError();
@@ -98,11 +93,9 @@ void testErrors(Test& test) {
         });
     rig.device().takeMessages(); // of the error
     test.requireOk(result, rig.function() + " while an OpenGL error is pending");
-    test.check(first == GL_INVALID_ENUM,
-               "an OpenGL error that was pending before a frame is lost.");
+    test.check(first == GL_INVALID_ENUM, "an OpenGL error that was pending before a frame is lost.");
     test.check(second == GL_NO_ERROR, "a frame leaves an OpenGL error.");
-    expectSame(test, rig.device().readOutput(), expected, 32,
-               "a frame while an OpenGL error is pending");
+    expectSame(test, rig.device().readOutput(), expected, 32, "a frame while an OpenGL error is pending");
 }
 
 // ---- AGAA_GL_STATE_CALLBACKS
@@ -119,9 +112,7 @@ struct StateCalls {
         const auto count = uint32_t(std::count(sequence.begin(), sequence.end(), kind));
         return kind == failing && count == failingCall ? AGAA_ERROR_INTERNAL : AGAA_OK;
     }
-    static AgaaResult AGAA_CALL push(void* user) {
-        return static_cast<StateCalls*>(user)->add('p');
-    }
+    static AgaaResult AGAA_CALL push(void* user) { return static_cast<StateCalls*>(user)->add('p'); }
     static AgaaResult AGAA_CALL pop(void* user) {
         setHarmlessState();
         return static_cast<StateCalls*>(user)->add('o');
@@ -149,9 +140,7 @@ struct StateCalls {
 // the end.
 void testOrder(Test& test) {
     for (const std::string& technique : techniques(test.sdk)) {
-        const auto changeView = [&](ViewDescription& description) {
-            setTechnique(description, technique, 4);
-        };
+        const auto changeView = [&](ViewDescription& description) { setTechnique(description, technique, 4); };
         Image expected;
         {
             Rig plain(test, changeView);
@@ -165,11 +154,9 @@ void testOrder(Test& test) {
         std::string promised = "po";
         for (uint32_t i = 0; i < rig.statistics().geometryPasses; ++i)
             promised += "dpo";
-        test.check(calls.sequence == promised,
-                   "the calls of pushState (p), popState (o) and the draw callback (d) are " +
-                       calls.sequence + " in place of " + promised + " (\"" + technique + "\").");
-        expectSame(test, image, expected, 32,
-                   "a frame of \"" + technique + "\" with AGAA_GL_STATE_CALLBACKS");
+        test.check(calls.sequence == promised, "the calls of pushState (p), popState (o) and the draw callback (d) are " +
+                                                   calls.sequence + " in place of " + promised + " (\"" + technique + "\").");
+        expectSame(test, image, expected, 32, "a frame of \"" + technique + "\" with AGAA_GL_STATE_CALLBACKS");
     }
 }
 
@@ -187,9 +174,8 @@ void testFailingCallbacks(Test& test) {
             calls.sequence.clear();
             calls.failing = kind;
             calls.failingCall = i;
-            const std::string what = rig.function() + ", " +
-                                     (kind == 'p' ? "pushState" : "popState") + " fails at call " +
-                                     std::to_string(i);
+            const std::string what =
+                rig.function() + ", " + (kind == 'p' ? "pushState" : "popState") + " fails at call " + std::to_string(i);
             rig.device().fillOutput(0.25f);
             rig.context.log.lines.clear();
             const AgaaResult result = rig.record(frame);
@@ -197,8 +183,7 @@ void testFailingCallbacks(Test& test) {
             expectRefused(test, result, AGAA_ERROR_CALLBACK, rig.context.log, rig.function(), what,
                           kind == 'p' ? "pushState" : "popState");
             const Image untouched(expected.size(), 0.25f);
-            expectSame(test, rig.device().readOutput(), isLast ? expected : untouched, 32,
-                       "the output after " + what);
+            expectSame(test, rig.device().readOutput(), isLast ? expected : untouched, 32, "the output after " + what);
             setHarmlessState();
             rig.device().takeMessages();
             expectNextFrame(rig, expected, what);

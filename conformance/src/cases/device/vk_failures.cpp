@@ -36,8 +36,7 @@ PFN_vkEndCommandBuffer nextEnd = nullptr;
 PFN_vkResetCommandBuffer nextResetBuffer = nullptr;
 PFN_vkResetCommandPool nextResetPool = nullptr;
 
-VKAPI_ATTR VkResult VKAPI_CALL begin(VkCommandBuffer commands,
-                                     const VkCommandBufferBeginInfo* info) {
+VKAPI_ATTR VkResult VKAPI_CALL begin(VkCommandBuffer commands, const VkCommandBufferBeginInfo* info) {
     return failsNow("vkBeginCommandBuffer") ? fault.result : nextBegin(commands, info);
 }
 VKAPI_ATTR VkResult VKAPI_CALL end(VkCommandBuffer commands) {
@@ -45,12 +44,10 @@ VKAPI_ATTR VkResult VKAPI_CALL end(VkCommandBuffer commands) {
     const VkResult result = nextEnd(commands);
     return fails ? fault.result : result;
 }
-VKAPI_ATTR VkResult VKAPI_CALL resetBuffer(VkCommandBuffer commands,
-                                           VkCommandBufferResetFlags flags) {
+VKAPI_ATTR VkResult VKAPI_CALL resetBuffer(VkCommandBuffer commands, VkCommandBufferResetFlags flags) {
     return failsNow("vkResetCommandBuffer") ? fault.result : nextResetBuffer(commands, flags);
 }
-VKAPI_ATTR VkResult VKAPI_CALL resetPool(VkDevice device, VkCommandPool pool,
-                                         VkCommandPoolResetFlags flags) {
+VKAPI_ATTR VkResult VKAPI_CALL resetPool(VkDevice device, VkCommandPool pool, VkCommandPoolResetFlags flags) {
     return failsNow("vkResetCommandPool") ? fault.result : nextResetPool(device, pool, flags);
 }
 
@@ -59,12 +56,10 @@ PFN_vkVoidFunction replace(const char* name, PFN_vkVoidFunction next) {
         const char* name;
         PFN_vkVoidFunction ours;
         PFN_vkVoidFunction* next;
-    } rows[] = {
-        {"vkBeginCommandBuffer", (PFN_vkVoidFunction)begin, (PFN_vkVoidFunction*)&nextBegin},
-        {"vkEndCommandBuffer", (PFN_vkVoidFunction)end, (PFN_vkVoidFunction*)&nextEnd},
-        {"vkResetCommandBuffer", (PFN_vkVoidFunction)resetBuffer,
-         (PFN_vkVoidFunction*)&nextResetBuffer},
-        {"vkResetCommandPool", (PFN_vkVoidFunction)resetPool, (PFN_vkVoidFunction*)&nextResetPool}};
+    } rows[] = {{"vkBeginCommandBuffer", (PFN_vkVoidFunction)begin, (PFN_vkVoidFunction*)&nextBegin},
+                {"vkEndCommandBuffer", (PFN_vkVoidFunction)end, (PFN_vkVoidFunction*)&nextEnd},
+                {"vkResetCommandBuffer", (PFN_vkVoidFunction)resetBuffer, (PFN_vkVoidFunction*)&nextResetBuffer},
+                {"vkResetCommandPool", (PFN_vkVoidFunction)resetPool, (PFN_vkVoidFunction*)&nextResetPool}};
     for (const auto& row : rows)
         if (!std::strcmp(row.name, name)) {
             *row.next = next;
@@ -106,8 +101,7 @@ void testFault(Test& test, const std::vector<VkResult>& results, AgaaResult code
         for (const VkResult result : results) {
             fault = {function, result, false, {}};
             AgaaFrame frame = rig.nextFrame();
-            const std::string what =
-                function + " returns VkResult " + std::to_string(result) + " to " + rig.function();
+            const std::string what = function + " returns VkResult " + std::to_string(result) + " to " + rig.function();
             expectFrameRefused(rig, frame, {code, what, function}, expected);
             fault = {};
         }
@@ -118,8 +112,7 @@ void testFault(Test& test, const std::vector<VkResult>& results, AgaaResult code
 
 void addVkFailureCases(Suite& suite) {
     suite.add("agaaVkRecordFrame/AGAA_ERROR_OUT_OF_MEMORY", {Backend::Vulkan}, [](Test& test) {
-        testFault(test, {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY},
-                  AGAA_ERROR_OUT_OF_MEMORY);
+        testFault(test, {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY}, AGAA_ERROR_OUT_OF_MEMORY);
     });
     suite.add("agaaVkRecordFrame/AGAA_ERROR_DEVICE", {Backend::Vulkan}, [](Test& test) {
         testFault(test, {VK_ERROR_DEVICE_LOST, VK_ERROR_UNKNOWN}, AGAA_ERROR_DEVICE);
