@@ -18,7 +18,9 @@ Suite makeSuite() {
     addOpenGlFaultCases(suite);
     addOpenGlContextCases(suite);
     addOpenGlStateCases(suite);
-    addOpenGlCallbackCases(suite);
+    addOpenGlFrameStateCases(suite);
+    addOpenGlStateCallbackCases(suite);
+    addOpenGlPendingErrorCases(suite);
     addOtherApiCases(suite);
     addVulkanTierCases(suite);
     addOpenGlUnsupportedCases(suite);
@@ -45,7 +47,6 @@ Suite makeSuite() {
     addCounterCases(suite);
     addRepeatedFrameCases(suite);
     addVkOutputCases(suite);
-    addGlStateCases(suite);
     addGlArgumentCases(suite);
     return suite;
 }

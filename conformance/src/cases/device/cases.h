@@ -16,7 +16,9 @@ void addTechniqueCases(Suite& suite);
 void addOpenGlFaultCases(Suite& suite);
 void addOpenGlContextCases(Suite& suite);
 void addOpenGlStateCases(Suite& suite);
-void addOpenGlCallbackCases(Suite& suite);
+void addOpenGlFrameStateCases(Suite& suite);
+void addOpenGlStateCallbackCases(Suite& suite);
+void addOpenGlPendingErrorCases(Suite& suite);
 void addOtherApiCases(Suite& suite);
 void addVulkanTierCases(Suite& suite);
 void addOpenGlUnsupportedCases(Suite& suite);
@@ -43,7 +45,6 @@ void addCoverageImageCases(Suite& suite);
 void addCounterCases(Suite& suite);
 void addRepeatedFrameCases(Suite& suite);
 void addVkOutputCases(Suite& suite);
-void addGlStateCases(Suite& suite);
 void addGlArgumentCases(Suite& suite);
 
 } // namespace agaa::conformance

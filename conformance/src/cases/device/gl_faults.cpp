@@ -105,38 +105,6 @@ void testIncomplete(Test& test, bool isResize) {
     expectNextFrame(rig, image, what);
 }
 
-// Errors of the host are reported, and no call fails for them.
-void testPending(Test& test, const std::string& function) {
-    OwnContext context(test);
-    ViewDescription description(&test.device());
-    OwnView view(test, context.get(), description);
-    context.log.lines.clear();
-    test.device().takeMessages();
-    LogRecorder own;
-    AgaaContext otherContext = nullptr;
-    AgaaView otherView = nullptr;
-    AgaaResult result = AGAA_OK;
-    glEnable(0xFFFF); // GL_INVALID_ENUM
-    if (function == "agaaGlCreateContext") {
-        ContextDescription d = test.device().description();
-        d.desc.log = own.get();
-        result = test.device().createContext(test.sdk, AGAA_HEADER_VERSION, d, &otherContext);
-    } else if (function == "agaaGlCreateView")
-        result = test.device().createView(test.sdk, context.get(), &description.desc, &otherView);
-    else
-        result = test.sdk.agaaResizeView(view.get(), 48, 40);
-    test.result(result, AGAA_OK, function + " after an error of the host");
-    const std::vector<LogLine>& lines = otherContext ? own.lines : context.log.lines;
-    test.check(lines.size() == 1 && lines[0].severity == AGAA_SEVERITY_WARNING && lines[0].code == AGAA_OK &&
-                   lines[0].text.find("0500") != std::string::npos,
-               function + " after GL_INVALID_ENUM does not report this error alone, as a warning" +
-                   (lines.empty() ? "." : ": " + lines[0].text));
-    test.check(glGetError() == GL_NO_ERROR, function + " reports an error of the host, and leaves it.");
-    test.device().takeMessages();
-    test.sdk.agaaDestroyView(otherView);
-    test.sdk.agaaDestroyContext(otherContext);
-}
-
 } // namespace
 
 void addOpenGlFaultCases(Suite& suite) {
@@ -148,8 +116,6 @@ void addOpenGlFaultCases(Suite& suite) {
     gl("agaaResizeView/AGAA_ERROR_DEVICE/opengl", [](Test& test) { testResize(test, failure); });
     gl("agaaResizeView/AGAA_ERROR_OUT_OF_MEMORY/opengl", [](Test& test) { testResize(test, outOfMemory); });
     gl("agaaResizeView/AGAA_ERROR_UNSUPPORTED/opengl", [](Test& test) { testIncomplete(test, true); });
-    for (const std::string function : {"agaaGlCreateContext", "agaaGlCreateView", "agaaResizeView"})
-        gl((function + "/pending_errors").c_str(), [=](Test& test) { testPending(test, function); });
     gl("agaaGlCreateView/AGAA_ERROR_UNSUPPORTED/framebuffers", [](Test& test) { testIncomplete(test, false); });
 }
 
