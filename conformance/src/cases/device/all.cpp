@@ -12,10 +12,9 @@ Suite makeSuite() {
     addTierCases(suite);
     addContextCases(suite);
     addVulkanContextCases(suite);
-    addVulkanFaultCases(suite);
+    addFaultCases(suite);
     addVulkanMemoryCases(suite);
     addTechniqueCases(suite);
-    addOpenGlFaultCases(suite);
     addOpenGlContextCases(suite);
     addOpenGlStateCases(suite);
     addOpenGlFrameStateCases(suite);
@@ -34,7 +33,7 @@ Suite makeSuite() {
     addFrameArgumentCases(suite);
     addFrameOrderCases(suite);
     addFrameCallbackCases(suite);
-    addVkFailureCases(suite);
+    addVulkanFrameFaultCases(suite);
     addFrameCountCases(suite);
     addFrameHeaderCases(suite);
     addDrawPassCases(suite);
