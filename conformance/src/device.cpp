@@ -42,17 +42,20 @@ ViewDescription::ViewDescription(const Device* device) {
     desc.flags = device ? device->viewFlags() : 0;
 }
 
-OwnView::OwnView(Test& test, AgaaContext context, const ViewDescription& description) : test_(test) {
+BareView::BareView(Test& test, AgaaContext context, const ViewDescription& description) : test_(test) {
     test.requireOk(test.device().createView(test.sdk, context, &description.desc, &view_), "creating a view");
-    test.device().setOutput(description.desc.width, description.desc.height);
-    test.device().prepare(test.sdk, view_);
 }
 
-OwnView::~OwnView() {
+BareView::~BareView() {
     if (!view_)
         return;
     test_.device().forget(view_);
     test_.sdk.agaaDestroyView(view_);
+}
+
+OwnView::OwnView(Test& test, AgaaContext context, const ViewDescription& description) : BareView(test, context, description) {
+    test.device().setOutput(description.desc.width, description.desc.height);
+    test.device().prepare(test.sdk, get());
 }
 
 AgaaFrame pixelFrame(const Device& device, const ViewDescription& description, uint64_t i) {

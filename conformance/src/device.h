@@ -114,6 +114,7 @@ struct ViewDescription {
     ViewDescription(const Device* device); // null: of no device
     ViewDescription(const ViewDescription&) = delete;
     ViewDescription& operator=(const ViewDescription&) = delete;
+    std::string technique; // where config names one of a list
     AgaaLayout layout; // "precise"
     AgaaConfig config;
     AgaaAggregation aggregation; // chained to config
@@ -122,18 +123,24 @@ struct ViewDescription {
     AgaaViewDesc desc;
 };
 
-// A view that is destroyed at the end of the test, with its pipelines.
-class OwnView {
+// A view that is destroyed at the end of the test. Nothing is drawn of it: it has no pipelines.
+class BareView {
 public:
-    OwnView(Test& test, AgaaContext context, const ViewDescription& description);
-    ~OwnView();
-    OwnView(const OwnView&) = delete;
-    OwnView& operator=(const OwnView&) = delete;
+    BareView(Test& test, AgaaContext context, const ViewDescription& description);
+    ~BareView();
+    BareView(const BareView&) = delete;
+    BareView& operator=(const BareView&) = delete;
     AgaaView get() const { return view_; }
 
 private:
     Test& test_;
     AgaaView view_ = nullptr;
+};
+
+// With its pipelines, and an output of its size.
+class OwnView : public BareView {
+public:
+    OwnView(Test& test, AgaaContext context, const ViewDescription& description);
 };
 
 // The frame of index i (completed: i - 1) with the camera of setPixelCamera for the description, ambient light 1 and a black

@@ -12,13 +12,14 @@ Suite makeSuite() {
     addTierCases(suite);
     addContextCases(suite);
     addVulkanContextCases(suite);
-    addVulkanFaultCases(suite);
+    addFaultCases(suite);
     addVulkanMemoryCases(suite);
     addTechniqueCases(suite);
-    addOpenGlFaultCases(suite);
     addOpenGlContextCases(suite);
     addOpenGlStateCases(suite);
-    addOpenGlCallbackCases(suite);
+    addOpenGlFrameStateCases(suite);
+    addOpenGlStateCallbackCases(suite);
+    addOpenGlPendingErrorCases(suite);
     addOtherApiCases(suite);
     addVulkanTierCases(suite);
     addOpenGlUnsupportedCases(suite);
@@ -32,7 +33,7 @@ Suite makeSuite() {
     addFrameArgumentCases(suite);
     addFrameOrderCases(suite);
     addFrameCallbackCases(suite);
-    addVkFailureCases(suite);
+    addVulkanFrameFaultCases(suite);
     addFrameCountCases(suite);
     addFrameHeaderCases(suite);
     addDrawPassCases(suite);
@@ -45,7 +46,6 @@ Suite makeSuite() {
     addCounterCases(suite);
     addRepeatedFrameCases(suite);
     addVkOutputCases(suite);
-    addGlStateCases(suite);
     addGlArgumentCases(suite);
     addValidationCases(suite);
     return suite;

@@ -1,5 +1,7 @@
 #include "frame_rig.h"
 
+#include "creation.h"
+
 #include <cmath>
 #include <cstring>
 
@@ -43,9 +45,7 @@ const ViewDescription& Rig::changed(const ChangeView& changeView) {
     return description_;
 }
 
-std::string Rig::function() const {
-    return device().backend() == Backend::Vulkan ? "agaaVkRecordFrame" : "agaaGlRecordFrame";
-}
+std::string Rig::function() const { return apiName(device(), "RecordFrame"); }
 
 AgaaFrame Rig::nextFrame() const {
     return pixelFrame(device(), description_, recorded + 1);
@@ -86,28 +86,12 @@ AgaaFrameStatistics Rig::statistics() {
     return statistics;
 }
 
-void Rig::expectNoMessages(const std::string& what) {
-    for (const std::string& message : device().takeMessages())
-        test.check(false, what + " causes a message: " + message);
-}
+void Rig::expectNoMessages(const std::string& what) { conformance::expectNoMessages(test, what); }
 
 void Rig::expectNoErrors(const std::string& what) {
     for (const LogLine& line : context.log.lines)
         test.check(line.severity == AGAA_SEVERITY_INFO, what + " succeeds and logs: " + line.text);
     context.log.lines.clear();
-}
-
-BareView::BareView(Test& test, AgaaContext context, const ViewDescription& description)
-    : test_(test) {
-    test.requireOk(test.device().createView(test.sdk, context, &description.desc, &view_),
-                   "creating a view");
-}
-
-BareView::~BareView() {
-    if (!view_)
-        return;
-    test_.device().forget(view_);
-    test_.sdk.agaaDestroyView(view_);
 }
 
 void expectFrameRefused(Rig& rig, AgaaFrame& frame, const Refusal& refusal, const Image& expected,
@@ -142,10 +126,8 @@ void expectNextFrame(Rig& rig, const Image& expected, const std::string& after) 
     rig.context.log.lines.clear();
 }
 
-void addRecordCase(Suite& suite, const std::string& promise,
-                   const std::function<void(Test&)>& run) {
-    suite.add("agaaVkRecordFrame/" + promise, {Backend::Vulkan}, run);
-    suite.add("agaaGlRecordFrame/" + promise, {Backend::OpenGl}, run);
+void addRecordCase(Suite& suite, const std::string& promise, const std::function<void(Test&)>& run) {
+    addApiCase(suite, "RecordFrame", promise, run);
 }
 
 const float* pixel(const Image& image, uint32_t width, uint32_t x, uint32_t y) {
@@ -204,8 +186,9 @@ bool needsOneSample(const std::string& technique) {
     return technique == "single" || technique == "fxaa";
 }
 
-void setTechnique(ViewDescription& description, const char* technique, uint32_t samples) {
-    description.config.technique = technique;
+void setTechnique(ViewDescription& description, const std::string& technique, uint32_t samples) {
+    description.technique = technique;
+    description.config.technique = description.technique.c_str();
     description.config.samples = needsOneSample(technique) ? 1 : samples;
 }
 

@@ -49,20 +49,6 @@ public:
     void expectNoErrors(const std::string& what);
 };
 
-// A view of which nothing is drawn: without pipelines.
-class BareView {
-public:
-    BareView(Test& test, AgaaContext context, const ViewDescription& description);
-    ~BareView();
-    BareView(const BareView&) = delete;
-    BareView& operator=(const BareView&) = delete;
-    AgaaView get() const { return view_; }
-
-private:
-    Test& test_;
-    AgaaView view_ = nullptr;
-};
-
 struct Refusal {
     AgaaResult code;
     std::string what;  // as a reader of the failure would write it
@@ -92,10 +78,6 @@ void expectColor(Test& test, const Image& got, uint32_t width, const Area& area,
 
 std::vector<std::string> techniques(const Functions& sdk);
 bool needsOneSample(const std::string& technique); // "single" and "fxaa"
-// The name must live as long as the description.
-void setTechnique(ViewDescription& description, const char* technique, uint32_t samples);
-inline void setTechnique(ViewDescription& description, const std::string& technique, uint32_t samples) {
-    setTechnique(description, technique.c_str(), samples);
-}
+void setTechnique(ViewDescription& description, const std::string& technique, uint32_t samples);
 
 } // namespace agaa::conformance

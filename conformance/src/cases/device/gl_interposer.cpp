@@ -184,30 +184,18 @@ AgaaGlFunction AGAA_CALL OpenGlInterposer::getProcAddr(void* user, const char* n
     return !found || self.missing == "*" || self.missing == name ? nullptr : interpose(name, found);
 }
 
-void OpenGlInterposer::failAt(uint32_t nth, uint32_t error) {
-    remaining_ = nth;
-    error_ = error;
-    pending_ = 0;
-    failed_.clear();
-}
-
 bool OpenGlInterposer::fails(const char* function) {
-    if (!remaining_ || --remaining_)
-        return false;
-    failed_ = function;
-    pending_ = error_;
-    return true;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool isTurn = isTurnOf(function);
+    if (isTurn)
+        pending_ = uint32_t(error_);
+    return isTurn;
 }
 
 uint32_t OpenGlInterposer::takeError() {
     const uint32_t error = pending_;
     pending_ = 0;
     return error;
-}
-
-void OpenGlInterposer::count(const char* kind, int64_t difference) {
-    if ((objects[kind] += difference) == 0)
-        objects.erase(kind);
 }
 
 } // namespace agaa::conformance

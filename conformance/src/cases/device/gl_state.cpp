@@ -3,6 +3,7 @@
 #include "hosts/gl_device.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace agaa::conformance {
 
@@ -23,9 +24,11 @@ constexpr Row switches[] = {
     ROW(GL_SAMPLE_ALPHA_TO_ONE), ROW(GL_SAMPLE_COVERAGE), ROW(GL_SAMPLE_MASK), ROW(GL_SAMPLE_SHADING),
     ROW(GL_COLOR_LOGIC_OP), ROW(GL_DITHER), ROW(GL_FRAMEBUFFER_SRGB), ROW(GL_PRIMITIVE_RESTART),
     ROW(GL_PRIMITIVE_RESTART_FIXED_INDEX), ROW(GL_TEXTURE_CUBE_MAP_SEAMLESS), ROW(GL_CLIP_DISTANCE0),
-    ROW(GL_CLIP_DISTANCE0 + 3), ROW(GL_DEBUG_OUTPUT), ROW(GL_DEBUG_OUTPUT_SYNCHRONOUS)};
+    ROW(GL_CLIP_DISTANCE1), ROW(GL_CLIP_DISTANCE2), ROW(GL_CLIP_DISTANCE3), ROW(GL_CLIP_DISTANCE4), ROW(GL_CLIP_DISTANCE5),
+    ROW(GL_CLIP_DISTANCE6), ROW(GL_CLIP_DISTANCE7), ROW(GL_DEBUG_OUTPUT), ROW(GL_DEBUG_OUTPUT_SYNCHRONOUS)};
 
-constexpr Row integers[] = {
+// Numbers and names. All are read as doubles, which hold every int.
+constexpr Row values[] = {
     ROW(GL_CURRENT_PROGRAM), ROW(GL_PROGRAM_PIPELINE_BINDING), ROW(GL_VERTEX_ARRAY_BINDING), ROW(GL_ARRAY_BUFFER_BINDING),
     ROW(GL_ELEMENT_ARRAY_BUFFER_BINDING), ROW(GL_COPY_READ_BUFFER_BINDING), ROW(GL_COPY_WRITE_BUFFER_BINDING),
     ROW(GL_DRAW_INDIRECT_BUFFER_BINDING), ROW(GL_DISPATCH_INDIRECT_BUFFER_BINDING), ROW(GL_PIXEL_PACK_BUFFER_BINDING),
@@ -45,10 +48,8 @@ constexpr Row integers[] = {
     ROW(GL_UNPACK_IMAGE_HEIGHT), ROW(GL_UNPACK_SKIP_ROWS), ROW(GL_UNPACK_SKIP_PIXELS), ROW(GL_UNPACK_SKIP_IMAGES),
     ROW(GL_UNPACK_ALIGNMENT), ROW(GL_DRAW_BUFFER0), ROW(GL_READ_BUFFER), ROW(GL_SAMPLE_COVERAGE_INVERT),
     ROW(GL_CLAMP_READ_COLOR), ROW(GL_LINE_SMOOTH_HINT), ROW(GL_POLYGON_SMOOTH_HINT), ROW(GL_TEXTURE_COMPRESSION_HINT),
-    ROW(GL_FRAGMENT_SHADER_DERIVATIVE_HINT), ROW(GL_DEBUG_GROUP_STACK_DEPTH), ROW(GL_POINT_SPRITE_COORD_ORIGIN)};
-
-constexpr Row floats[] = {
-    ROWS(GL_DEPTH_RANGE, 2), ROWS(GL_BLEND_COLOR, 4), ROWS(GL_COLOR_CLEAR_VALUE, 4), ROW(GL_DEPTH_CLEAR_VALUE),
+    ROW(GL_FRAGMENT_SHADER_DERIVATIVE_HINT), ROW(GL_POINT_SPRITE_COORD_ORIGIN),
+    ROW(GL_TRANSFORM_FEEDBACK_BINDING), ROWS(GL_DEPTH_RANGE, 2), ROWS(GL_BLEND_COLOR, 4), ROWS(GL_COLOR_CLEAR_VALUE, 4), ROW(GL_DEPTH_CLEAR_VALUE),
     ROW(GL_LINE_WIDTH), ROW(GL_POINT_SIZE), ROW(GL_POINT_FADE_THRESHOLD_SIZE), ROW(GL_POLYGON_OFFSET_FACTOR),
     ROW(GL_POLYGON_OFFSET_UNITS), ROW(GL_SAMPLE_COVERAGE_VALUE), ROW(GL_MIN_SAMPLE_SHADING_VALUE),
     ROWS(GL_PATCH_DEFAULT_INNER_LEVEL, 2), ROWS(GL_PATCH_DEFAULT_OUTER_LEVEL, 4)};
@@ -66,16 +67,19 @@ constexpr Row blending[] = {ROW(GL_BLEND_SRC_RGB), ROW(GL_BLEND_DST_RGB), ROW(GL
 struct Points {
     GLenum limit, binding, start, size;
     const char* text;
+    GLint ofSdk; // so many, from 0 on, are bound by the SDK in draw callbacks
 };
 constexpr Points bufferPoints[] = {
     {GL_MAX_UNIFORM_BUFFER_BINDINGS, GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE,
-     "uniform buffer "},
+     "uniform buffer ", 1},
     {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START,
-     GL_SHADER_STORAGE_BUFFER_SIZE, "storage buffer "},
+     GL_SHADER_STORAGE_BUFFER_SIZE, "storage buffer ", 4},
     {GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS, GL_ATOMIC_COUNTER_BUFFER_BINDING, GL_ATOMIC_COUNTER_BUFFER_START,
-     GL_ATOMIC_COUNTER_BUFFER_SIZE, "atomic counter buffer "},
+     GL_ATOMIC_COUNTER_BUFFER_SIZE, "atomic counter buffer ", 0},
     {GL_MAX_TRANSFORM_FEEDBACK_BUFFERS, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, GL_TRANSFORM_FEEDBACK_BUFFER_START,
-     GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, "transform feedback buffer "}};
+     GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, "transform feedback buffer ", 0}};
+
+constexpr GLint textureUnitsOfSdk = 5;
 
 constexpr Row imageMembers[] = {ROW(GL_IMAGE_BINDING_NAME),  ROW(GL_IMAGE_BINDING_LEVEL),  ROW(GL_IMAGE_BINDING_LAYERED),
                                 ROW(GL_IMAGE_BINDING_LAYER), ROW(GL_IMAGE_BINDING_ACCESS), ROW(GL_IMAGE_BINDING_FORMAT)};
@@ -88,23 +92,13 @@ GLint integer(GLenum name) {
     return value;
 }
 
-std::vector<int64_t> integersOf(const Row& row) {
-    GLint values[4] = {};
-    glGetIntegerv(row.name, values);
-    return {values, values + row.count};
+std::vector<double> valuesOf(const Row& row) {
+    double all[4] = {};
+    glGetDoublev(row.name, all);
+    return {all, all + row.count};
 }
 
-// The bits of the values.
-std::vector<int64_t> floatsOf(const Row& row) {
-    double values[4] = {};
-    glGetDoublev(row.name, values);
-    std::vector<int64_t> bits;
-    for (int i = 0; i < row.count; ++i)
-        bits.push_back(int64_t(values[i] * (1 << 24)));
-    return bits;
-}
-
-void readIndexed(OpenGlState& state) {
+void readIndexed(State& state) {
     for (GLint i = 0; i < integer(GL_MAX_VIEWPORTS); ++i) {
         const std::string at = " of viewport " + std::to_string(i);
         GLfloat viewport[4];
@@ -115,19 +109,19 @@ void readIndexed(OpenGlState& state) {
         glGetDoublei_v(GL_DEPTH_RANGE, GLuint(i), range);
         state.push_back({"rectangle" + at, {viewport, viewport + 4}});
         state.push_back({"scissor rectangle" + at, {scissor, scissor + 4}});
-        state.push_back({"depth range" + at, {int64_t(range[0] * 4096), int64_t(range[1] * 4096)}});
-        state.push_back({"GL_SCISSOR_TEST" + at, {glIsEnabledi(GL_SCISSOR_TEST, GLuint(i))}});
+        state.push_back({"depth range" + at, {range, range + 2}});
+        state.push_back({"GL_SCISSOR_TEST" + at, {double(glIsEnabledi(GL_SCISSOR_TEST, GLuint(i)))}});
     }
     for (GLint i = 0; i < integer(GL_MAX_DRAW_BUFFERS); ++i) {
         const std::string at = " of draw buffer " + std::to_string(i);
         GLboolean mask[4];
         glGetBooleani_v(GL_COLOR_WRITEMASK, GLuint(i), mask);
         state.push_back({"GL_COLOR_WRITEMASK" + at, {mask, mask + 4}});
-        state.push_back({"GL_BLEND" + at, {glIsEnabledi(GL_BLEND, GLuint(i))}});
+        state.push_back({"GL_BLEND" + at, {double(glIsEnabledi(GL_BLEND, GLuint(i)))}});
         for (const Row& row : blending) {
             GLint value = 0;
             glGetIntegeri_v(row.name, GLuint(i), &value);
-            state.push_back({row.text + at, {value}});
+            state.push_back({row.text + at, {double(value)}});
         }
     }
     for (const Points& points : bufferPoints)
@@ -137,43 +131,68 @@ void readIndexed(OpenGlState& state) {
             glGetIntegeri_v(points.binding, GLuint(i), &name);
             glGetInteger64i_v(points.start, GLuint(i), &start);
             glGetInteger64i_v(points.size, GLuint(i), &size);
-            state.push_back({points.text + std::to_string(i), {name, start, size}});
+            state.push_back({points.text + std::to_string(i), {double(name), double(start), double(size)}, i < points.ofSdk});
         }
     for (GLint i = 0; i < integer(GL_MAX_IMAGE_UNITS); ++i)
         for (const Row& row : imageMembers) {
             GLint value = 0;
             glGetIntegeri_v(row.name, GLuint(i), &value);
-            state.push_back({row.text + (" of image unit " + std::to_string(i)), {value}});
+            state.push_back({row.text + (" of image unit " + std::to_string(i)), {double(value)}});
         }
     GLint mask = 0;
     glGetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, &mask);
-    state.push_back({"GL_SAMPLE_MASK_VALUE", {mask}});
+    state.push_back({"GL_SAMPLE_MASK_VALUE", {double(mask)}});
 }
 
-void readTextures(OpenGlState& state) {
+void readTextures(State& state) {
     const GLint active = integer(GL_ACTIVE_TEXTURE);
     const GLint units = std::min(integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS), 64);
     for (GLint i = 0; i < units; ++i) {
         glActiveTexture(GLenum(GL_TEXTURE0 + i));
         for (const Row& row : textureTargets)
-            state.push_back({row.text + (" of unit " + std::to_string(i)), integersOf(row)});
+            state.push_back({row.text + (" of unit " + std::to_string(i)), valuesOf(row), i < textureUnitsOfSdk});
     }
     glActiveTexture(GLenum(active));
 }
 
+std::string textOf(const std::vector<double>& all) {
+    std::string text;
+    for (const double value : all) {
+        char number[40];
+        std::snprintf(number, sizeof number, "%s%.10g", text.empty() ? "" : ", ", value);
+        text += number;
+    }
+    return text;
+}
+
 } // namespace
 
-OpenGlState readOpenGlState() {
-    OpenGlState state;
+State readState() {
+    State state;
     for (const Row& row : switches)
-        state.push_back({row.text, {glIsEnabled(row.name)}});
-    for (const Row& row : integers)
-        state.push_back({row.text, integersOf(row)});
-    for (const Row& row : floats)
-        state.push_back({row.text, floatsOf(row)});
+        state.push_back({row.text, {double(glIsEnabled(row.name))}});
+    for (const Row& row : values)
+        state.push_back({row.text, valuesOf(row)});
+    // The SDK's passes are groups in captures.
+    state.push_back({"GL_DEBUG_GROUP_STACK_DEPTH", {double(integer(GL_DEBUG_GROUP_STACK_DEPTH))}, true});
     readIndexed(state);
     readTextures(state);
     return state;
+}
+
+void expectSameState(Test& test, const State& got, const State& expected, bool inCallback, const std::string& when) {
+    for (size_t i = 0; i < got.size(); ++i)
+        if (got[i].values != expected[i].values && !(inCallback && got[i].isBindingOfSdk))
+            test.check(false, got[i].name + " is " + textOf(got[i].values) + " in place of " + textOf(expected[i].values) + " " +
+                                  when + ".");
+}
+
+OwnOpenGl::OwnOpenGl(Test& outer)
+    : device(makeOpenGlDevice(outer.device().deviceName())), test(outer.sdk, device.get()), outer_(outer) {}
+
+OwnOpenGl::~OwnOpenGl() {
+    for (const std::string& failure : test.failures())
+        outer_.check(false, failure);
 }
 
 } // namespace agaa::conformance

@@ -1,5 +1,6 @@
-// Contexts of OpenGL that the SDK cannot use: none, old ones, and those without a required extension.
+// What the SDK cannot use of OpenGL: no context, old ones, those without a required extension, framebuffers that are not complete.
 #include "cases.h"
+#include "frame_rig.h"
 #include "gl_interposer.h"
 
 #include <EGL/egl.h>
@@ -89,11 +90,36 @@ void testCapsUnsupported(Test& test) {
     });
 }
 
+// Framebuffers that the driver cannot draw to.
+void testIncomplete(Test& test, bool isResize) {
+    OpenGlInterposer gl;
+    Rig rig(test, {}, [&](ContextDescription& d) { gl.chainTo(d); });
+    const Image image = rig.render();
+    const std::map<std::string, int64_t> before = gl.objects;
+    gl.isComplete = false;
+    AgaaView view = nullptr;
+    ViewDescription description(&test.device());
+    const std::string function = isResize ? "agaaResizeView" : "agaaGlCreateView";
+    const AgaaResult result = isResize
+                                  ? test.sdk.agaaResizeView(rig.view.get(), 48, 40)
+                                  : test.device().createView(test.sdk, rig.context.get(), &description.desc, &view);
+    gl.isComplete = true;
+    const std::string what = function + " where framebuffers are not complete";
+    expectRefused(test, result, AGAA_ERROR_UNSUPPORTED, rig.context.log, function, what);
+    test.check(gl.objects == before, what + ": there are " + objectsText(gl.objects) + " where there were " +
+                                         objectsText(before) + ".");
+    expectNextFrame(rig, image, what);
+}
+
 } // namespace
 
 void addOpenGlUnsupportedCases(Suite& suite) {
     suite.add("agaaGlCreateContext/AGAA_ERROR_UNSUPPORTED", {Backend::OpenGl}, testContextUnsupported);
     suite.add("agaaGlGetDeviceCaps/AGAA_ERROR_UNSUPPORTED", {Backend::OpenGl}, testCapsUnsupported);
+    suite.add("agaaGlCreateView/AGAA_ERROR_UNSUPPORTED/framebuffers", {Backend::OpenGl},
+              [](Test& test) { testIncomplete(test, false); });
+    suite.add("agaaResizeView/AGAA_ERROR_UNSUPPORTED/opengl", {Backend::OpenGl},
+              [](Test& test) { testIncomplete(test, true); });
 }
 
 } // namespace agaa::conformance

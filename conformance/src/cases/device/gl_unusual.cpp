@@ -90,7 +90,7 @@ void setFragments() {
                               GL_LINE_SMOOTH, GL_PROGRAM_POINT_SIZE, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE,
                               GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_SAMPLE_SHADING, GL_COLOR_LOGIC_OP, GL_FRAMEBUFFER_SRGB,
                               GL_PRIMITIVE_RESTART, GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_TEXTURE_CUBE_MAP_SEAMLESS,
-                              GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE3, GL_BLEND, GL_SCISSOR_TEST})
+                              GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE3})
         glEnable(name);
     glDisable(GL_MULTISAMPLE);
     glDisable(GL_DITHER);
@@ -162,13 +162,15 @@ void setPixels() {
 } // namespace
 
 void makeStateUnusual() {
-    GLuint vertexArray = 0, pipeline = 0, renderbuffer = 0;
+    GLuint vertexArray = 0, pipeline = 0, renderbuffer = 0, feedback = 0;
     glCreateVertexArrays(1, &vertexArray);
     glBindVertexArray(vertexArray);
     glCreateProgramPipelines(1, &pipeline);
     glBindProgramPipeline(pipeline);
     glCreateRenderbuffers(1, &renderbuffer);
     glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+    glCreateTransformFeedbacks(1, &feedback); // holds the transform feedback buffers
+    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback);
     bindBuffers();
     bindTextures();
     glUseProgram(program());
@@ -178,6 +180,28 @@ void makeStateUnusual() {
     setRasteriser();
     setPixels();
     glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 1, -1, "a group of the host");
+}
+
+void setHarmlessState() {
+    // Fragments; the host sets the rest for each pass.
+    for (const GLenum name : {GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL, GL_POLYGON_SMOOTH,
+                              GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,
+                              GL_COLOR_LOGIC_OP, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART,
+                              GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE3})
+        glDisable(name);
+    glDepthRange(0, 1);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glFrontFace(GL_CCW);
+    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+    // Pixels that the host reads and clears.
+    for (const GLenum target : {GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER})
+        glBindBuffer(target, 0);
+    for (const GLenum name : {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_IMAGE_HEIGHT,
+                              GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES, GL_UNPACK_SWAP_BYTES,
+                              GL_UNPACK_LSB_FIRST, GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_ROWS,
+                              GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES})
+        glPixelStorei(name, 0);
 }
 
 } // namespace agaa::conformance

@@ -33,7 +33,10 @@ template <Function id, class... Arguments> struct Result<id, VkResult(VKAPI_PTR*
     static inline const char* name = nullptr;
     static VKAPI_ATTR VkResult VKAPI_CALL call(Arguments... arguments) {
         VkResult error;
-        return failsNow(name, error) ? error : real(arguments...);
+        const bool fails = failsNow(name, error);
+        if (id == resultEndCommandBuffer && fails)
+            real(arguments...); // Vulkan's command buffer is not in recording state any more
+        return fails ? error : real(arguments...);
     }
 };
 
@@ -209,24 +212,11 @@ AgaaVkFunction AGAA_CALL VulkanInterposer::getProcAddr(void* instance, const cha
     return interpose(name, vkGetInstanceProcAddr(static_cast<VkInstance>(instance), name));
 }
 
-void VulkanInterposer::failAt(uint32_t nth, VkResult error) {
-    remaining_ = nth;
-    error_ = error;
-    failed_.clear();
-}
-
 bool VulkanInterposer::fails(const char* function, VkResult& error) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (remaining_ && --remaining_ == 0)
-        failed_ = function;
-    error = error_;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    isTurnOf(function);
+    error = VkResult(error_);
     return failed_ == function;
-}
-
-void VulkanInterposer::count(const char* kind, int64_t difference) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if ((objects[kind] += difference) == 0)
-        objects.erase(kind);
 }
 
 } // namespace agaa::conformance

@@ -1,6 +1,7 @@
-// Devices of Vulkan that the SDK cannot use.
+// Devices of Vulkan that the SDK cannot use, or not any more.
 #include "cases.h"
 #include "creation.h"
+#include "frame_rig.h"
 #include "vk_interposer.h"
 
 namespace agaa::conformance {
@@ -61,10 +62,26 @@ void testContextUnsupported(Test& test) {
     testMissing(test);
 }
 
+// The device has no images any more of the formats that the view has.
+void testFormats(Test& test) {
+    VulkanInterposer vulkan;
+    Rig rig(test, {}, interpose);
+    const Image image = rig.render();
+    const std::map<std::string, int64_t> before = vulkan.objects;
+    vulkan.hasImageFormats = false;
+    expectRefused(test, test.sdk.agaaResizeView(rig.view.get(), 48, 40), AGAA_ERROR_UNSUPPORTED, rig.context.log,
+                  "agaaResizeView", "agaaResizeView on a device without images");
+    test.check(vulkan.objects == before, "agaaResizeView fails and leaves " + objectsText(vulkan.objects) + ".");
+    expectNextFrame(rig, image, "agaaResizeView on a device without images");
+    vulkan.hasImageFormats = true;
+    test.result(test.sdk.agaaResizeView(rig.view.get(), 48, 40), AGAA_OK, "agaaResizeView after one that failed");
+}
+
 } // namespace
 
 void addVulkanUnsupportedCases(Suite& suite) {
     suite.add("agaaVkCreateContext/AGAA_ERROR_UNSUPPORTED", {Backend::Vulkan}, testContextUnsupported);
+    suite.add("agaaResizeView/AGAA_ERROR_UNSUPPORTED", {Backend::Vulkan}, testFormats);
 }
 
 } // namespace agaa::conformance

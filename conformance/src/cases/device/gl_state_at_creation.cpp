@@ -7,40 +7,27 @@ namespace agaa::conformance {
 
 namespace {
 
-// In a context of its own, whose state the other tests do not see.
-class UnusualContext {
+class UnusualContext : public OwnOpenGl {
 public:
-    explicit UnusualContext(Test& test) : device(makeOpenGlDevice(test.device().deviceName())), test_(test) {
-        const OpenGlState initial = readOpenGlState();
+    explicit UnusualContext(Test& outer) : OwnOpenGl(outer) {
+        const State initial = readState();
         makeStateUnusual();
-        for (const std::string& message : device->takeMessages())
-            test.check(false, "the test makes a message: " + message);
-        state_ = readOpenGlState();
+        expectNoMessages(test, "the test itself");
+        state_ = readState();
         uint32_t equal = 0;
         for (size_t i = 0; i < state_.size(); ++i)
-            equal += initial[i].second == state_[i].second;
+            equal += initial[i].values == state_[i].values;
         test.check(equal * 4 < state_.size(), "the test leaves most of the state as it is at first.");
     }
     void expectUnchanged(const std::string& after) {
-        for (const std::string& message : device->takeMessages())
-            test_.check(false, after + " causes a message: " + message);
-        const OpenGlState now = readOpenGlState();
-        for (size_t i = 0; i < now.size(); ++i)
-            test_.check(now[i].second == state_[i].second, after + " changes " + now[i].first + " from " +
-                                                               text(state_[i].second) + " to " + text(now[i].second) + ".");
+        expectNoMessages(test, after);
+        const State now = readState();
+        expectSameState(test, now, state_, false, "after " + after);
         state_ = now;
     }
-    const std::unique_ptr<Device> device;
 
 private:
-    static std::string text(const std::vector<int64_t>& values) {
-        std::string all;
-        for (const int64_t value : values)
-            all += (all.empty() ? "" : ", ") + std::to_string(value);
-        return all;
-    }
-    Test& test_;
-    OpenGlState state_;
+    State state_;
 };
 
 AgaaResult AGAA_CALL keepState(void*) { return AGAA_OK; }

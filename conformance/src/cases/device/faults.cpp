@@ -1,0 +1,146 @@
+// Functions of the graphics API that fail while contexts and views are created or resized: each in turn.
+#include "cases.h"
+#include "frame_rig.h"
+#include "interposer.h"
+
+#include "hosts/gl_device.h"
+
+#include <vulkan/vulkan.h>
+
+namespace agaa::conformance {
+
+namespace {
+
+struct Fault {
+    int64_t error;
+    AgaaResult expected;
+};
+
+struct Faults {
+    Test& test;
+    const Fault& fault;
+    bool isVulkan = test.device().backend() == Backend::Vulkan;
+    std::unique_ptr<Interposer> api = makeInterposer(test.device());
+
+    std::function<void(ContextDescription&)> chain() const {
+        return [this](ContextDescription& d) { api->chainTo(d); };
+    }
+    void expectObjects(const std::map<std::string, int64_t>& before, const std::string& what) const {
+        test.check(api->objects == before, what + ": there are " + objectsText(api->objects) + " where there were " +
+                                               objectsText(before) + ".");
+    }
+    // Calls while the nth function fails, for every n, until none fails. The objects that exist must be those of before.
+    void forEach(const std::string& function, LogRecorder& log, const std::function<AgaaResult()>& call,
+                 const std::function<void(const std::string&)>& after) const {
+        const std::map<std::string, int64_t> before = api->objects;
+        for (uint32_t n = 1;; ++n) {
+            api->failAt(n, fault.error);
+            const AgaaResult result = call();
+            const std::string failed = api->failed();
+            api->failAt(0, 0);
+            if (failed.empty()) {
+                test.result(result, AGAA_OK, function + " after " + std::to_string(n - 1) + " calls that failed");
+                test.check(n > 1, function + " calls no function that can fail.");
+                return;
+            }
+            const std::string what = function + ", where the function " + std::to_string(n) + ", " + failed +
+                                     ", fails with the error " + std::to_string(fault.error);
+            // OpenGL reports errors at other calls than that which failed.
+            expectRefused(test, result, fault.expected, log, function, what, isVulkan ? failed : "");
+            expectObjects(before, what);
+            if (!isVulkan)
+                test.device().takeMessages(); // of the objects without memory
+            after(what);
+        }
+    }
+};
+
+void testContext(Test& test, const Fault& fault) {
+    const Faults faults{test, fault};
+    const std::string function = apiName(test.device(), "CreateContext");
+    LogRecorder log;
+    AgaaContext context = untouchedHandle<AgaaContext>();
+    const auto create = [&] {
+        ContextDescription description = test.device().description();
+        description.desc.log = log.get();
+        faults.api->chainTo(description);
+        return test.device().createContext(test.sdk, AGAA_HEADER_VERSION, description, &context);
+    };
+    faults.forEach(function, log, create, [&](const std::string& what) {
+        test.check(context == untouchedHandle<AgaaContext>(), what + ", changes outContext.");
+    });
+    if (context == untouchedHandle<AgaaContext>())
+        return;
+    test.result(test.sdk.agaaDestroyContext(context), AGAA_OK, "agaaDestroyContext");
+    faults.expectObjects({}, "agaaDestroyContext");
+    expectNoMessages(test, function);
+}
+
+// Of all sorts of objects: with times, shadows, and a pass of each kind.
+void testView(Test& test, const Fault& fault) {
+    const Faults faults{test, fault};
+    const std::string function = apiName(test.device(), "CreateView");
+    OwnContext context(test, faults.chain());
+    ViewDescription description(&test.device());
+    description.config.flags |= AGAA_CONFIG_TIMESTAMPS;
+    description.facts.shadowMapCount = 1;
+    AgaaView view = untouchedHandle<AgaaView>();
+    const std::map<std::string, int64_t> before = faults.api->objects;
+    faults.forEach(
+        function, context.log, [&] { return test.device().createView(test.sdk, context.get(), &description.desc, &view); },
+        [&](const std::string& what) { test.check(view == untouchedHandle<AgaaView>(), what + ", changes outView."); });
+    if (view == untouchedHandle<AgaaView>())
+        return;
+    test.sdk.agaaDestroyView(view);
+    faults.expectObjects(before, "agaaDestroyView");
+    expectNoMessages(test, function);
+}
+
+void testResize(Test& test, const Fault& fault) {
+    const Faults faults{test, fault};
+    Rig rig(test, {}, faults.chain());
+    const Image image = rig.render();
+    // A frame takes longer than all else, and Vulkan has many functions.
+    const uint32_t stride = faults.isVulkan ? 8 : 1;
+    uint32_t count = 0;
+    faults.forEach(
+        "agaaResizeView", rig.context.log, [&] { return test.sdk.agaaResizeView(rig.view.get(), 48, 40); },
+        [&](const std::string& what) {
+            if (count++ % stride == 0)
+                expectNextFrame(rig, image, what);
+        });
+    test.result(test.sdk.agaaResizeView(rig.view.get(), 32, 24), AGAA_OK, "agaaResizeView back");
+    rig.device().prepare(test.sdk, rig.view.get());
+    expectNextFrame(rig, image, "agaaResizeView back");
+}
+
+} // namespace
+
+void addFaultCases(Suite& suite) {
+    constexpr Fault deviceLost = {VK_ERROR_DEVICE_LOST, AGAA_ERROR_DEVICE};
+    constexpr Fault outOfHostMemory = {VK_ERROR_OUT_OF_HOST_MEMORY, AGAA_ERROR_OUT_OF_MEMORY};
+    constexpr Fault outOfDeviceMemory = {VK_ERROR_OUT_OF_DEVICE_MEMORY, AGAA_ERROR_OUT_OF_MEMORY};
+    constexpr Fault failure = {GL_INVALID_OPERATION, AGAA_ERROR_DEVICE};
+    constexpr Fault outOfMemory = {GL_OUT_OF_MEMORY, AGAA_ERROR_OUT_OF_MEMORY};
+    using Run = void (*)(Test&, const Fault&);
+    const auto add = [&](const std::string& name, Backend backend, Run run, const Fault& fault) {
+        suite.add(name, {backend}, [=](Test& test) { run(test, fault); });
+    };
+    struct Row {
+        const char *vulkan, *openGl;
+        Run run;
+    };
+    for (const Row& row : {Row{"agaaVkCreateContext", "agaaGlCreateContext", testContext},
+                           Row{"agaaVkCreateView", "agaaGlCreateView", testView},
+                           Row{"agaaResizeView", "agaaResizeView", testResize}}) {
+        const std::string vk = row.vulkan, gl = row.openGl;
+        const bool isOne = vk == gl; // function of both APIs
+        add(vk + "/AGAA_ERROR_DEVICE", Backend::Vulkan, row.run, deviceLost);
+        add(vk + "/AGAA_ERROR_OUT_OF_MEMORY" + (isOne ? "/vulkan" : ""), Backend::Vulkan, row.run, outOfDeviceMemory);
+        add(vk + "/AGAA_ERROR_OUT_OF_MEMORY/vulkan_host_memory", Backend::Vulkan, row.run, outOfHostMemory);
+        add(gl + "/AGAA_ERROR_DEVICE" + (isOne ? "/opengl" : ""), Backend::OpenGl, row.run, failure);
+        add(gl + "/AGAA_ERROR_OUT_OF_MEMORY" + (isOne ? "/opengl" : ""), Backend::OpenGl, row.run, outOfMemory);
+    }
+}
+
+} // namespace agaa::conformance
