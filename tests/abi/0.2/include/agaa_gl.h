@@ -55,7 +55,8 @@ AGAA_API AgaaResult AGAA_CALL agaaGlGetRequirements(AgaaGlRequirements* outRequi
  *
  * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
  *           AGAA_ERROR_STRUCT             outCaps is not initialised
- *           AGAA_ERROR_UNSUPPORTED        no context is current, or it is too old
+ *           AGAA_ERROR_UNSUPPORTED        no context is current, or it is too old or lacks a required extension, or
+ *                                         getProcAddr has no pointer of a core function
  * Threads   The thread in which the context is current. */
 AGAA_API AgaaResult AGAA_CALL agaaGlGetDeviceCaps(AgaaGlGetProcAddr getProcAddr, void* getProcUser, const AgaaLog* log,
                                                   AgaaDeviceCaps* outCaps);
@@ -160,8 +161,10 @@ AGAA_API void AGAA_CALL agaaInitGlDeviceDesc(AgaaGlDeviceDesc* outDesc, size_t s
  *                 AGAA_ERROR_INVALID_ARGUMENT   no device is chained, getProcAddr or a needed callback is null, only one of
  *                                               two callbacks is set, or two bindings of one kind are equal
  *                 AGAA_ERROR_OUT_OF_RANGE       a member is out of its range or exceeds a limit of the context
- *                 AGAA_ERROR_UNSUPPORTED        no OpenGL context is current, or it is too old
+ *                 AGAA_ERROR_UNSUPPORTED        no OpenGL context is current, or it is too old or lacks a required extension,
+ *                                               or getProcAddr has no pointer of a core function
  *                 AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
+ *                 AGAA_ERROR_DEVICE             an OpenGL function failed
  * Threads         The thread in which the OpenGL context is current.
  * OpenGL          All state is restored before the call returns. The log reports errors of earlier calls that were pending.
  *                 None of these may be active: transform feedback that is not paused, conditional rendering, a query of
@@ -183,7 +186,17 @@ AGAA_API AgaaResult AGAA_CALL agaaGlGetContextCaps(AgaaContext context, AgaaDevi
  * desc      Read during the call only, with all that it points to.
  * outView   Receives the view; unchanged on failure. Destroy it with agaaDestroyView, before its context.
  *
- * Errors    Those of agaaVkCreateView, with OpenGL in place of Vulkan.
+ * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, the context is a Vulkan context, functions of the host exclude
+ *                                         each other, one has a descriptorSetLayout, or a text of theirs is not valid or does
+ *                                         not compile
+ *           AGAA_ERROR_STRUCT             a struct is not initialised
+ *           AGAA_ERROR_UNKNOWN_STRUCT     a chain holds an unknown struct, a struct twice, or does not end
+ *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, or has an unknown flag or value
+ *           AGAA_ERROR_LAYOUT             the layout is not valid or cannot be packed
+ *           AGAA_ERROR_UNSUPPORTED        no technique has this name, or the context or the library cannot do what was asked
+ *           AGAA_ERROR_TOO_LARGE          a surface exceeds a limit of the context or of 64-bit arithmetic
+ *           AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
+ *           AGAA_ERROR_DEVICE             an OpenGL function failed
  * Threads   The thread in which the OpenGL context is current.
  * OpenGL    All state is restored before the call returns. The log reports errors of earlier calls that were pending. */
 AGAA_API AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* desc, AgaaView* outView);
@@ -235,18 +248,20 @@ AGAA_API void AGAA_CALL agaaInitGlFrame(AgaaGlFrame* outFrame, size_t structSize
 
 /* Runs the segments of a frame in the current context.
  *
- * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer or a texture that the frame needs is null, or the view is a Vulkan view
+ * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer that the frame needs is null, a texture that it needs does not exist or is
+ *                                         of another target, a shadow map has no depth, or the view is a Vulkan view
  *           AGAA_ERROR_STRUCT             a struct is not initialised
- *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, or the camera differs from that of the first segment
+ *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, the output has another size than the view, or the
+ *                                         camera or ditherFrame differs from that of the first segment
  *           AGAA_ERROR_WRONG_ORDER        framesInFlight frames are unfinished, the frame index does not increase, a segment
  *                                         is missing or repeated, or transform feedback is active and not paused
  *           AGAA_ERROR_UNSUPPORTED        the output's format does not support image stores
  *           AGAA_ERROR_CALLBACK           a callback failed. The output is unchanged; earlier passes have run
- *           AGAA_ERROR_OUT_OF_MEMORY, AGAA_ERROR_DEVICE   an OpenGL function failed
  * Threads   The thread in which the OpenGL context is current.
  * OpenGL    AgaaGlDeviceDesc::statePolicy governs the state. None of these may be active: conditional rendering, a query of
- *           GL_TIME_ELAPSED, rectangles of GL_EXT_window_rectangles. The SDK does not look for other OpenGL errors: they
- *           remain for the host's glGetError. Functions of the host (agaa/functions.h) find their resources as bound on entry
+ *           GL_TIME_ELAPSED, rectangles of GL_EXT_window_rectangles. The SDK does not read OpenGL errors: they remain for
+ *           the host's glGetError. Exception: if a texture is of another target, the log reports the errors that were pending,
+ *           and they are lost. Functions of the host (agaa/functions.h) find their resources as bound on entry
  *           or, if the host draws, when the last draw callback returns. The SDK does not use texture units from 17 and other
  *           binding points from 4, except for those named in AgaaGlDeviceDesc. */
 AGAA_API AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame, const AgaaGlFrame* glFrame);

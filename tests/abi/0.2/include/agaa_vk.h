@@ -53,6 +53,7 @@ AGAA_API AgaaResult AGAA_CALL agaaVkGetRequirements(AgaaVkRequirements* outRequi
  * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
  *                  AGAA_ERROR_STRUCT             outCaps is not initialised
  *                  AGAA_ERROR_UNSUPPORTED        a function of Vulkan 1.2 is missing
+ *                  AGAA_ERROR_OUT_OF_MEMORY, AGAA_ERROR_DEVICE   a Vulkan function failed
  * Threads          Any. */
 AGAA_API AgaaResult AGAA_CALL agaaVkGetDeviceCaps(void* instance, void* physicalDevice,
                                                   AgaaVkGetInstanceProcAddr getProcAddr, const AgaaLog* log,
@@ -151,11 +152,15 @@ AGAA_API void AGAA_CALL agaaInitVkAllocator(AgaaVkAllocator* outAllocator, size_
  * outContext      Receives the context; unchanged on failure. Destroy it with agaaDestroyContext.
  *
  * Errors          AGAA_ERROR_VERSION            header and library have different major or minor versions
- *                 AGAA_ERROR_INVALID_ARGUMENT   no device is chained, a handle is null, only one of two callbacks is set, or
- *                                               enabledFeatures is not a VkPhysicalDeviceFeatures2
+ *                 AGAA_ERROR_INVALID_ARGUMENT   no device is chained, a handle, getProcAddr or a callback of AgaaVkAllocator
+ *                                               is null, enabledExtensions is null although there are some, only one of
+ *                                               AgaaContextDesc::allocate and free is set, or enabledFeatures is not a
+ *                                               VkPhysicalDeviceFeatures2
  *                 AGAA_ERROR_OUT_OF_RANGE       a member is out of its range or exceeds a limit of the device
- *                 AGAA_ERROR_UNSUPPORTED        the device is below Vulkan 1.2, lacks a required feature, or lacks dynamic
- *                                               rendering although it was requested
+ *                 AGAA_ERROR_UNSUPPORTED        the device or apiVersion is below Vulkan 1.2, a function is missing, the
+ *                                               queue family lacks graphics or compute, a feature
+ *                                               shaderStorageImage… of AgaaVkRequirements is not enabled, or dynamic
+ *                                               rendering was requested and is not enabled
  *                 AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
  *                 AGAA_ERROR_DEVICE             a Vulkan function failed
  * Threads         Any. */
@@ -176,16 +181,17 @@ AGAA_API AgaaResult AGAA_CALL agaaVkGetContextCaps(AgaaContext context, AgaaDevi
  * desc      Read during the call only, with all that it points to.
  * outView   Receives the view; unchanged on failure. Destroy it with agaaDestroyView, before its context.
  *
- * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, the context is an OpenGL context, or a text of the host does not
- *                                         compile
+ * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, the context is an OpenGL context, functions of the host exclude
+ *                                         each other, or a text of theirs is not valid or does not compile
  *           AGAA_ERROR_STRUCT             a struct is not initialised
  *           AGAA_ERROR_UNKNOWN_STRUCT     a chain holds an unknown struct, a struct twice, or does not end
  *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, or has an unknown flag or value
- *           AGAA_ERROR_LAYOUT             the layout cannot be packed
+ *           AGAA_ERROR_LAYOUT             the layout is not valid or cannot be packed
  *           AGAA_ERROR_UNSUPPORTED        no technique has this name, or the device or the library cannot do what was asked
- *           AGAA_ERROR_TOO_LARGE          a surface exceeds a limit of the device
- *           AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
- *           AGAA_ERROR_CALLBACK           AgaaVkAllocator returned memory that is not aligned, or not mapped
+ *           AGAA_ERROR_TOO_LARGE          a surface exceeds a limit of the device or of 64-bit arithmetic
+ *           AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated, or AgaaVkAllocator failed
+ *           AGAA_ERROR_CALLBACK           AgaaVkAllocator returned no memory, memory that is not aligned or not mapped, or a
+ *                                         reserved member that is not 0
  *           AGAA_ERROR_DEVICE             a Vulkan function failed
  * Threads   One call at a time per context. */
 AGAA_API AgaaResult AGAA_CALL agaaVkCreateView(AgaaContext context, const AgaaViewDesc* desc, AgaaView* outView);
@@ -238,7 +244,8 @@ typedef struct AgaaVkFrame {
     uint64_t outputImage;
     uint64_t outputView;
     uint32_t outputLayoutIn;  /* VkImageLayout; UNDEFINED discards the contents */
-    uint32_t outputLayoutOut; /* VkImageLayout that the SDK leaves, visible to all later commands */
+    uint32_t outputLayoutOut; /* VkImageLayout that the SDK leaves, visible to all later commands; not UNDEFINED and not
+                                 PREINITIALIZED */
     /* One view of a depth array per AgaaFrame::shadows that no AgaaShadowFunction answers for, in SHADER_READ_ONLY_OPTIMAL,
      * readable by compute shaders and with "msaa" by fragment shaders. If the view declares shadow maps and the frame has
      * none, the first element is needed all the same, because descriptors cannot be empty. Other elements are not read. */
@@ -254,7 +261,8 @@ AGAA_API void AGAA_CALL agaaInitVkFrame(AgaaVkFrame* outFrame, size_t structSize
  *
  * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer or a handle that the frame needs is null, or the view is an OpenGL view
  *           AGAA_ERROR_STRUCT             a struct is not initialised
- *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, or the camera differs from that of the first segment
+ *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, or the camera or ditherFrame differs from that of the
+ *                                         first segment
  *           AGAA_ERROR_WRONG_ORDER        framesInFlight frames are unfinished, the frame index does not increase, or a
  *                                         segment is missing or repeated
  *           AGAA_ERROR_CALLBACK           AGAA_VK_RECORDING_SECONDARY: a draw callback failed; nothing is recorded

@@ -38,15 +38,15 @@ typedef enum AgaaResultCode {
     AGAA_NOT_READY = 1,               /* the result does not exist yet */
     AGAA_ERROR_INVALID_ARGUMENT = -1, /* an argument is null or has no valid value */
     AGAA_ERROR_VERSION = -2,          /* the host uses something that this library does not know */
-    AGAA_ERROR_STRUCT = -3,           /* a struct has the wrong sType or a structSize that is too small */
+    AGAA_ERROR_STRUCT = -3,           /* a struct has the wrong sType or structSize */
     AGAA_ERROR_UNKNOWN_STRUCT = -4,   /* a pNext chain holds an unknown struct, a struct twice, or does not end */
     AGAA_ERROR_OUT_OF_RANGE = -5,     /* a value is out of its range */
     AGAA_ERROR_UNSUPPORTED = -6,      /* the device or this library cannot do what was asked */
-    AGAA_ERROR_LAYOUT = -7,           /* a G-buffer layout cannot be packed */
+    AGAA_ERROR_LAYOUT = -7,           /* a G-buffer layout is not valid or cannot be packed */
     AGAA_ERROR_TOO_LARGE = -8,        /* a size exceeds a limit of the device or of 64-bit arithmetic */
     AGAA_ERROR_OUT_OF_MEMORY = -9,    /* memory could not be allocated */
     AGAA_ERROR_DEVICE = -10,          /* the graphics API reported an error */
-    AGAA_ERROR_CALLBACK = -11,        /* a host callback reported a failure */
+    AGAA_ERROR_CALLBACK = -11,        /* a host callback reported a failure or returned an invalid value */
     AGAA_ERROR_PARTIAL = -12,         /* a frame was recorded in part: discard the command buffer */
     AGAA_ERROR_WRONG_ORDER = -13,     /* the call is not allowed at this point */
     AGAA_ERROR_BUFFER_TOO_SMALL = -14, /* the caller's array is too small */
@@ -112,7 +112,7 @@ typedef enum AgaaStructType {
 } AgaaStructType;
 
 /* The first members of every versioned struct. Initialise a struct with its macro AGAA_…_INIT, or with its function
- * agaaInit…, which set these members and the defaults of all others.
+ * agaaInit…, which set these members and the defaults of all others. agaaInit… does nothing if the pointer is null.
  *
  * structSize   sizeof the struct in the header that the host was compiled with; a multiple of 8. Structs grow at their end
  *              only.

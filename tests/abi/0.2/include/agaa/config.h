@@ -48,13 +48,14 @@ typedef struct AgaaLayoutAttribute {
     uint32_t semantic;      /* AgaaSemantic. Each occurs at most once, except CUSTOM */
     uint32_t channels;      /* as given at AgaaSemantic. CUSTOM attributes together have at most
                                AGAA_MAX_CUSTOM_CHANNELS */
-    uint32_t sampleBits;    /* per channel in the multisampled G-buffer: 8, 16, or 10 for 3 channels other than normals.
+    uint32_t sampleBits;    /* per channel in the multisampled G-buffer: 8, 16, or 10 for 3 channels other than NORMAL.
                                All attributes together must fit four attachments */
     uint32_t aggregateBits; /* per channel and sample before summing: [6, 16], or 0: as many as fit n samples into 16 bits
                                or a whole word */
     uint32_t chromaBits;    /* YCBCR: [6, 16] */
     uint32_t encoding;      /* AgaaEncoding */
-    float range;            /* the value of full scale: [1e-6, 65504]; 1 for all but EMISSIVE and CUSTOM */
+    float range;            /* the value of full scale: [1e-6, 65504]; 1 for all but EMISSIVE and CUSTOM, and for
+                               AGAA_FILTER_NORMAL */
     uint32_t filter;        /* AgaaFilter for CUSTOM, 0 for all others */
     /* CUSTOM: the name of the member of AgaaSurfaceInput, AgaaMaterial and AgaaAggregate, which is a float or a vec of
      * `channels`. 1 to 31 letters, digits and single underscores; it begins with a letter, and not with gl_, agaa or
@@ -67,10 +68,12 @@ typedef struct AgaaLayoutAttribute {
 AGAA_API void AGAA_CALL agaaInitLayoutAttribute(AgaaLayoutAttribute* outAttribute);
 
 #define AGAA_MAX_LAYOUT_ATTRIBUTES 13
+/* The layout of a sample and of an aggregate. A member of the layout or of an attribute that has no valid value fails with
+ * AGAA_ERROR_LAYOUT; a reserved member that is not 0 fails with AGAA_ERROR_OUT_OF_RANGE. */
 typedef struct AgaaLayout {
     uint32_t sType;
     uint32_t structSize;
-    const void* pNext;
+    const void* pNext;       /* null */
     uint32_t attributeCount; /* [2, AGAA_MAX_LAYOUT_ATTRIBUTES] */
     uint32_t reserved;       /* 0 */
     AgaaLayoutAttribute attributes[AGAA_MAX_LAYOUT_ATTRIBUTES];
@@ -155,8 +158,9 @@ typedef struct AgaaConfig {
     uint32_t structSize;
     const void* pNext;
     const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa" or "agaa" */
-    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; 1 for "single" and "fxaa" */
-    uint32_t aggregates;      /* c, aggregates of "agaa", [1, 4]; S, surfaces of "sbaa", [1, 6]; at most n are made */
+    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; "single" and "fxaa" use 1 */
+    uint32_t aggregates;      /* c, aggregates of "agaa", [1, 4]; S, surfaces of "sbaa", [1, 6]; at most n are made. [1, 6]
+                                 for other techniques, which do not use it */
     const AgaaLayout* layout; /* null: "precise" */
     uint32_t brdf;            /* AgaaBrdf */
     uint32_t ndf;             /* AgaaNdf */
@@ -167,9 +171,9 @@ typedef struct AgaaConfig {
     float surfaceMaterial; /* largest difference of a material channel, [0, 1]; only "simple_complex" reads it */
     uint32_t shadowTaps;   /* largest number of samples of an aggregate that are looked up in each shadow, [0, 32];
                               0: 8. Affects shadows only: the position of an aggregate is the mean of all its samples */
-    uint32_t visibilityTier; /* AgaaTier. AUTO: the best that runs */
+    uint32_t visibilityTier; /* AgaaTier. AUTO: the best that runs. A tier that cannot run: AGAA_ERROR_UNSUPPORTED */
     uint32_t generationTier; /* AgaaTier. AUTO: the best that runs; GBUFFER if the aggregates fit no storage buffer of the
-                                device */
+                                device. A tier that cannot run: AGAA_ERROR_UNSUPPORTED. Only "agaa" and "sbaa" use it */
     uint64_t flags;          /* AGAA_CONFIG_… */
 } AgaaConfig;
 #define AGAA_CONFIG_INIT                                                                            \
@@ -189,10 +193,10 @@ typedef struct AgaaAggregation {
                                               replaces the distance, as in a perspective view of 90 degrees */
     float aggregateThreshold; /* t: samples start a further aggregate only if they are farther than this from all
                                  others, [0, 1e6] */
-    /* "agaa", bit i: lights of AgaaFrame::shadows[i] are shaded with means over the samples of an aggregate that they
-     * reach, times the share of these samples, so that lit and unlit samples may differ in normal and colour. One tap
-     * per sample replaces shadowTaps. Bits beyond AgaaSceneFacts::shadowMapCount have no effect. Requires the tier IDS
-     * or GBUFFER without AGAA_CONFIG_BUFFERED. AUTO selects one of them; any other tier fails with
+    /* "agaa", bit i in [0, AGAA_MAX_SHADOW_MAPS): lights of AgaaFrame::shadows[i] are shaded with means over the samples of
+     * an aggregate that they reach, times the share of these samples, so that lit and unlit samples may differ in normal and
+     * colour. One tap per sample replaces shadowTaps. Bits from AgaaSceneFacts::shadowMapCount on have no effect. Requires
+     * the tier IDS or GBUFFER without AGAA_CONFIG_BUFFERED. AUTO selects one of them; any other tier fails with
      * AGAA_ERROR_UNSUPPORTED. */
     uint32_t litShadows;
     /* "agaa", [0, 16]: in equation 1, shading normals differ by glossWeight / alpha as much, clamped to [1, 20], where
@@ -312,7 +316,7 @@ AGAA_API void AGAA_CALL agaaInitSceneFacts(AgaaSceneFacts* outFacts, size_t stru
 #define AGAA_VIEW_REVERSED_Z UINT64_C(0x01) /* the near plane has depth 1, the far plane 0; needs a float depth format */
 #define AGAA_VIEW_COMPOSITE UINT64_C(0x02)  /* frames may composite over the contents of the output */
 /* OpenGL: the rasteriser maps z/w in [-1, 1] to depth, which is its default. Without the flag it maps z/w in [0, 1]. The
- * near and far planes of AgaaFrame::projection lie at the ends of that range. */
+ * near and far planes of AgaaFrame::projection lie at the ends of that range. Vulkan: AGAA_ERROR_UNSUPPORTED. */
 #define AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE UINT64_C(0x04)
 
 /* A view. An AgaaGBufferFunction or AgaaFetchFunction, and an AgaaShadowFunction, may be chained (agaa/functions.h). */
@@ -338,9 +342,14 @@ AGAA_API void AGAA_CALL agaaInitViewDesc(AgaaViewDesc* outDesc, size_t structSiz
  * view            The device must have finished every frame that was recorded with the view.
  * width, height   pixels, >= 1.
  *
- * Errors          Those of agaaVkCreateView or agaaGlCreateView, and
- *                 AGAA_ERROR_INVALID_ARGUMENT   the view is null
+ * Errors          AGAA_ERROR_INVALID_ARGUMENT   the view is null, or a text of the host does not compile in the passes of
+ *                                               another tier that AUTO selects at the new size
  *                 AGAA_ERROR_OUT_OF_RANGE       a size is 0
+ *                 AGAA_ERROR_UNSUPPORTED        the device cannot do what the new size needs
+ *                 AGAA_ERROR_TOO_LARGE          a surface exceeds a limit of the device
+ *                 AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
+ *                 AGAA_ERROR_CALLBACK           Vulkan: AgaaVkAllocator returned memory that is not valid
+ *                 AGAA_ERROR_DEVICE             a function of the graphics API failed
  *                 On failure the view keeps its size, its surfaces and their contents.
  * Threads         One call at a time per context.
  * OpenGL          The context must be current. All state is restored before the call returns. The log reports errors of

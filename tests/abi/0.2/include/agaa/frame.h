@@ -88,14 +88,14 @@ AGAA_API void AGAA_CALL agaaInitDrawPass(AgaaDrawPass* outPass, size_t structSiz
 /* Lists the draw passes of a view.
  *
  * count    With passes null, receives the number of draw passes. Otherwise the length of the array on entry, and the
- *          number of draw passes on return.
- * passes   Null, or an array whose elements are all initialised. Strings stay valid until the view is resized or
- *          destroyed.
+ *          number of draw passes on return; unchanged on failure.
+ * passes   Null, or an array whose elements are all initialised; unchanged on failure. Strings stay valid until the view
+ *          is resized or destroyed.
  *
  * Errors   AGAA_ERROR_INVALID_ARGUMENT   the view or count is null
  *          AGAA_ERROR_STRUCT             an element, or a struct chained to it, is not initialised
  *          AGAA_ERROR_UNKNOWN_STRUCT     a chained struct is not the graphics API's AgaaVkDrawPass or AgaaGlDrawPass
- *          AGAA_ERROR_BUFFER_TOO_SMALL   the array is too short; *count is unchanged
+ *          AGAA_ERROR_BUFFER_TOO_SMALL   the array is too short
  * Threads  One call at a time per context. */
 AGAA_API AgaaResult AGAA_CALL agaaGetDrawPasses(AgaaView view, uint32_t* count, AgaaDrawPass* passes);
 
@@ -152,7 +152,7 @@ typedef struct AgaaLight {
     float direction[3]; /* unit vector in shading space, the way the light travels; finite for a point light */
     float color[3];     /* irradiance (directional) or intensity (point, spot), [0, 1e30] */
     float range;        /* (0, 1e18], or 0: infinite */
-    float cosInner;     /* spot: cosines of the half angles, [-1, 1]; cosInner >= cosOuter */
+    float cosInner;     /* spot: cosines of the half angles, [-1, 1]; cosInner >= cosOuter. Not read for other types */
     float cosOuter;
     float radius;       /* of the lamp, [0, 1e15]: the inverse-square law stops here */
     float reserved;     /* 0 */
@@ -195,10 +195,12 @@ typedef struct AgaaFrame {
     uint64_t frameIndex;     /* increases by at least 1 per frame, from 1 */
     uint64_t completedFrame; /* the newest frame that the device is known to have finished, < frameIndex; 0: none */
     uint64_t segments;       /* AGAA_SEGMENT_…, in order, each once per frame */
-    float view[16];          /* from shading to view space: a rotation without reflection or translation. Left-handed hosts:
+    float view[16];          /* from shading to view space: a rotation without reflection or translation; elements 3, 7 and
+                                11 are 0, element 15 is 1. Left-handed hosts:
                                 docs/integration/coordinate-systems.md */
     /* From view space to clip space as the rasteriser uses it, with sub-pixel jitter and the y flip of a negative
-     * viewport height. Perspective (element 11 is -1, element 15 is 0) or orthographic (0 and 1).
+     * viewport height. Perspective (element 11 is -1, element 15 is 0) or orthographic (0 and 1), without shear, roll or an
+     * oblique near plane.
      * Samples whose depth rounds to that of the far plane (1, or 0 with AGAA_VIEW_REVERSED_Z) show the background. With
      * AGAA_VIEW_REVERSED_Z and a float depth, draw nothing at depth 0 exactly, such as a sky: techniques with two geometry
      * passes would count it as drawn twice. "msaa" may also show the background at the fixed-point depth next to that
@@ -206,10 +208,10 @@ typedef struct AgaaFrame {
     float projection[16];
     uint32_t lightCount;  /* [0, AgaaSceneFacts::maxLights] */
     uint32_t shadowCount; /* [0, AgaaSceneFacts::shadowMapCount] */
-    uint32_t lightSize;   /* sizeof(AgaaLight): the distance between elements of lights */
-    uint32_t shadowSize;  /* sizeof(AgaaShadow): the distance between elements of shadows */
-    const AgaaLight* lights;
-    const AgaaShadow* shadows;
+    uint32_t lightSize;   /* sizeof(AgaaLight): the distance between elements of lights; not read without lights */
+    uint32_t shadowSize;  /* sizeof(AgaaShadow): the distance between elements of shadows; not read without shadows */
+    const AgaaLight* lights;   /* may be null without lights */
+    const AgaaShadow* shadows; /* may be null without shadows */
     float ambient[3]; /* radiance from all directions, [0, 65504] */
     /* The colour of pixels without geometry, [0, 65504]. The fourth element is in (0, 65504], or 0 to keep the contents of
      * the output; this needs AGAA_VIEW_COMPOSITE and, on Vulkan, an outputLayoutIn that preserves them. The output receives

@@ -31,8 +31,9 @@ typedef struct AgaaGBufferFunction {
     /* Positions of the n samples in the pixel, as pairs x, y in [0, 1) of gl_FragCoord. Null: the samples are those of a
      * target of the visibility tier, which agaaTexel(pixel, i) and agaaTexelSample(i) address. */
     const float* samplePositions;
-    /* Vulkan: VkDescriptorSetLayout of set 1, for the compute stage, or 0 without resources. All functions of a view have
-     * the same layout. It must exist until the view is destroyed: agaaResizeView uses it again. OpenGL: 0. */
+    /* Vulkan: VkDescriptorSetLayout of set 1, for the compute stage, or 0 without resources. Functions of a view that have
+     * a layout must have the same one (AGAA_ERROR_INVALID_ARGUMENT). It must exist until the view is destroyed:
+     * agaaResizeView uses it again. OpenGL: 0 (AGAA_ERROR_INVALID_ARGUMENT). */
     uint64_t descriptorSetLayout;
     uint32_t depthBits; /* of a fixed-point depth buffer, 16 or 24; 0: a float depth buffer */
     uint32_t reserved;  /* 0 */
@@ -95,7 +96,8 @@ typedef struct AgaaShadowFunction {
     uint32_t structSize;
     const void* pNext;
     const char* glsl;
-    uint32_t shadows;  /* bit i: the function answers for AgaaFrame::shadows[i], whose layerCount is 0 */
+    uint32_t shadows;  /* bit i in [0, AgaaSceneFacts::shadowMapCount): the function answers for AgaaFrame::shadows[i], whose
+                          layerCount is 0; one bit at least */
     uint32_t reserved; /* 0 */
     uint64_t descriptorSetLayout; /* as AgaaGBufferFunction::descriptorSetLayout */
     const char* glslExtensions;   /* as AgaaGBufferFunction::glslExtensions */

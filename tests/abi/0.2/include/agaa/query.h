@@ -72,7 +72,7 @@ AGAA_API void AGAA_CALL agaaInitCapability(AgaaCapability* outCapability, size_t
  *
  * Errors         AGAA_ERROR_INVALID_ARGUMENT   count is null
  *                AGAA_ERROR_STRUCT             caps or an element is not initialised
- *                AGAA_ERROR_OUT_OF_RANGE       a reserved member of caps is not 0
+ *                AGAA_ERROR_OUT_OF_RANGE       a reserved member of caps is not 0, or a flag is unknown
  *                AGAA_ERROR_BUFFER_TOO_SMALL   the array is too short
  * Threads        Any. */
 AGAA_API AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, uint32_t* count,
@@ -158,12 +158,16 @@ AGAA_API void AGAA_CALL agaaInitMemoryReport(AgaaMemoryReport* outReport, size_t
  * caps           Null: an ideal device with every feature.
  * log            May be null.
  * outReport      May be null. Initialised; unchanged on failure.
- * surfaceCount   May be null. With surfaces null, receives the number of surfaces. Otherwise the length of the array on
- *                entry, and the number of surfaces on return.
- * surfaces       Null, or an array whose elements are all initialised.
+ * surfaceCount   May be null if surfaces is null. With surfaces null, receives the number of surfaces. Otherwise the length
+ *                of the array on entry, and the number of surfaces on return. Unchanged on failure.
+ * surfaces       Null, or an array whose elements are all initialised; unchanged on failure.
  *
- * Errors         Those of agaaVkCreateView that concern the description, and
- *                AGAA_ERROR_STRUCT             a struct is not initialised
+ * Errors         AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, functions of the host exclude each other, or their
+ *                                              glslExtensions are not valid
+ *                AGAA_ERROR_LAYOUT             the layout is not valid or cannot be packed
+ *                AGAA_ERROR_UNSUPPORTED        no technique has this name, or the device or the library cannot do what was
+ *                                              asked
+ *                AGAA_ERROR_TOO_LARGE          a surface exceeds a limit of caps or of 64-bit arithmetic
  *                AGAA_ERROR_BUFFER_TOO_SMALL   the array is too short
  * Threads        Any. */
 AGAA_API AgaaResult AGAA_CALL agaaQueryMemory(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
@@ -190,10 +194,8 @@ AGAA_API void AGAA_CALL agaaInitTarget(AgaaTarget* outTarget, size_t structSize)
  * log         May be null.
  * outTarget   Initialised; unchanged on failure.
  *
- * Errors      Those of agaaVkCreateView that concern the description, and
+ * Errors      Those of agaaQueryMemory that concern the description, and
  *             AGAA_ERROR_INVALID_ARGUMENT   outTarget is null
- *             AGAA_ERROR_STRUCT             a struct is not initialised
- *             AGAA_ERROR_TOO_LARGE          the target exceeds AgaaDeviceCaps::maxImageSize
  * Threads     Any. */
 AGAA_API AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
                                               AgaaTarget* outTarget);
@@ -203,10 +205,10 @@ AGAA_API AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const Ag
  * caps     Null: an ideal device with every feature.
  * log      May be null.
  * size     With text null, receives the size in bytes with the final zero. Otherwise the size of the buffer on entry,
- *          and of the text on return.
- * text     Null, or a buffer.
+ *          and of the text on return. Unchanged on failure.
+ * text     Null, or a buffer; unchanged on failure.
  *
- * Errors   Those of agaaVkCreateView that concern the description, and
+ * Errors   Those of agaaQueryMemory that concern the description, and
  *          AGAA_ERROR_INVALID_ARGUMENT   size is null
  *          AGAA_ERROR_BUFFER_TOO_SMALL   the buffer is too small
  * Threads  Any. */
@@ -216,8 +218,8 @@ AGAA_API AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const Aga
 /* Describes a surface of a view, for hosts that use it between segments (depth for their own occlusion, for example) or
  * copy it (AGAA_CONFIG_READBACK). The view owns the surface.
  *
- * name         As in agaaQueryMemory. "depth" exists in every view that draws, "aggregates" in the views that
- *              agaaGetAggregateGlsl is for. Other names may change with the version.
+ * name         That of a surface of agaaQueryMemory with isPerPixel 1. "depth" exists in every view that draws,
+ *              "aggregates" in the views that agaaGetAggregateGlsl is for. Other names may change with the version.
  * outSurface   Initialised; unchanged on failure. Chain an AgaaVkSurface or an AgaaGlSurface to receive the handles, which
  *              stay valid until the view is resized or destroyed.
  *

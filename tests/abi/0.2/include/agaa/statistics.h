@@ -27,7 +27,7 @@ typedef struct AgaaCounters {
     uint64_t shadowTaps;
     uint64_t widenedLobes;  /* shading events whose specular lobe the NDF widened */
     uint64_t shadedPixels;  /* pixels with at least one shading event */
-    uint64_t maxEventsPerPixel;
+    uint64_t maxEventsPerPixel; /* 0 for "msaa" */
     uint64_t aggregates;    /* sum over all pixels; surfaces for "sbaa" */
     uint64_t primitives;    /* tier IDS: primitives that the samples of a pixel show, summed over all pixels; unfetched
                                draws are not counted */
