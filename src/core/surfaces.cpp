@@ -10,14 +10,15 @@ AgaaSurface describeSurface(const Plan& plan, ResourceId id) {
     const Resource& resource = plan.resources[id];
     AgaaSurface surface = AGAA_SURFACE_INIT;
     std::strncpy(surface.name, resource.name.c_str(), sizeof surface.name - 1);
-    if (resource.format != Format::Buffer)
+    if (resource.format != Format::Buffer) {
         std::strncpy(surface.format, formatName(resource.format), sizeof surface.format - 1);
-    surface.width = resource.width;
-    surface.height = resource.height;
+        surface.width = resource.width;
+        surface.height = resource.height;
+        surface.scaleX = resource.width / plan.width;
+        surface.scaleY = resource.height / plan.height;
+    }
     surface.samples = resource.samples;
     surface.layers = resource.layers;
-    surface.scaleX = resource.width / plan.width;
-    surface.scaleY = resource.height / plan.height;
     surface.bytes = checkedMultiply(resource.bytes, resource.copies);
     surface.isPerPixel = resource.isPerPixel();
     surface.firstPass = resource.firstPass;

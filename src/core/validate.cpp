@@ -142,6 +142,8 @@ void checkFrame(const AgaaFrame& frame, const Plan& plan) {
             "AgaaFrame::completedFrame is not before frameIndex.");
     require(frame.draw || plan.geometryPasses() == 0, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::draw is null.");
     checkMatrices(frame, plan.reversedZ);
+    if (!(frame.segments & AGAA_SEGMENT_SHADING))
+        return; // nothing else is read
     checkRange(uint64_t(frame.lightCount), 0, facts.maxLights,
                "AgaaFrame::lightCount (against AgaaSceneFacts::maxLights)");
     checkRange(uint64_t(frame.shadowCount), 0, facts.shadowMapCount,

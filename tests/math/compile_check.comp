@@ -8,6 +8,11 @@
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
 #include "../../src/shaders/math/coverage.glsl"
+#include "../../src/shaders/math/coverage_pattern.glsl"
+#include "../../src/shaders/math/triangle_coverage.glsl"
+#include "../../src/shaders/math/coverage_table.glsl"
+#include "../../src/shaders/math/depth_plane.glsl"
+#include "../../src/shaders/math/triangle_hull.glsl"
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
@@ -82,5 +87,16 @@ void main() {
         agaa_putAggregateId(planes, i, agaa_sampleAggregate[i]);
     }
     planes = agaa_loadedPlanes(agaa_storedPlanes(planes, 32u, 4u), 32u, 4u);
+    const vec3 p = agaa_vertexInPixels(v, x.xy);
+    const uvec4 covered = agaa_triangleCoverage(p, acc, x.yzw, x.xy, 128u) ^
+                          agaa_triangleCoverage(p, acc, x.yzw, x.xy, 64u);
+    const agaa_CoverageLookup found = agaa_findCoverage(p, acc, 128u);
+    acc.x += float(agaa_coverageCount(agaa_foundCoverage(found, covered, 64u)));
+    acc.y += agaa_isInTableEntry(found.entry, 128u, agaa_coveragePosition(id & 63u, 64u)) ? 1.0 : 0.0;
+    acc.z += agaa_isCovered(covered, id & 63u) ? 1.0 : 0.0;
+    const agaa_DepthPlane plane = agaa_depthPlane(p, acc, x.yzw, v, x.xy);
+    acc.x += agaa_depthAt(plane, x.zw) + (agaa_depthsOverlap(plane, plane, x.x) ? 1.0 : 0.0);
+    const agaa_Hull hull = agaa_triangleHull(x, x.yzwx, x.zwxy, vec2(1.0, 0.0), x.xy);
+    acc += hull.vertices[hull.count & 7u].xyz;
     outputs[id] = vec4(acc, float(count + agaa_samplesOfAggregate(planes, 3u)));
 }

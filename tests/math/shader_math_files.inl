@@ -3,6 +3,11 @@
 #undef AGAA_MATH_REAL_GLSL
 #undef AGAA_MATH_SANITISE_GLSL
 #undef AGAA_MATH_COVERAGE_GLSL
+#undef AGAA_MATH_COVERAGE_PATTERN_GLSL
+#undef AGAA_MATH_TRIANGLE_COVERAGE_GLSL
+#undef AGAA_MATH_COVERAGE_TABLE_GLSL
+#undef AGAA_MATH_DEPTH_PLANE_GLSL
+#undef AGAA_MATH_TRIANGLE_HULL_GLSL
 #undef AGAA_MATH_DISPLAY_GLSL
 #undef AGAA_MATH_ENCODING_GLSL
 #undef AGAA_MATH_METADATA_GLSL
@@ -20,6 +25,11 @@
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
 #include "../../src/shaders/math/coverage.glsl"
+#include "../../src/shaders/math/coverage_pattern.glsl"
+#include "../../src/shaders/math/triangle_coverage.glsl"
+#include "../../src/shaders/math/coverage_table.glsl"
+#include "../../src/shaders/math/depth_plane.glsl"
+#include "../../src/shaders/math/triangle_hull.glsl"
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"

@@ -133,10 +133,13 @@ void runMemory(const PlanArguments& arguments, const DeviceArguments& device, bo
     std::vector<AgaaSurface> list(count, AgaaSurface AGAA_SURFACE_INIT);
     sdk.check(agaaQueryMemory(&view, device_, sdk.log(), &report, &count, list.data()));
     if (!asJson) {
-        for (const AgaaSurface& s : list)
-            std::printf("%-34s %-18s %5ux%-5u x%-2u %12llu bytes%s\n", s.name, s.format, s.width,
-                        s.height, s.samples, static_cast<unsigned long long>(s.bytes),
-                        s.isPerPixel ? "" : " (constant)");
+        for (const AgaaSurface& s : list) {
+            char size[32] = "";
+            if (s.width)
+                std::snprintf(size, sizeof size, "%ux%u x%u", s.width, s.height, s.samples);
+            std::printf("%-34s %-18s %16s %12llu bytes%s\n", s.name, s.width ? s.format : "buffer", size,
+                        static_cast<unsigned long long>(s.bytes), s.isPerPixel ? "" : " (constant)");
+        }
         std::printf("%.3f bytes per pixel, %llu in all, %llu at the peak\n", report.bytesPerPixel,
                     static_cast<unsigned long long>(report.totalBytes),
                     static_cast<unsigned long long>(report.peakBytes));

@@ -47,6 +47,7 @@ Suite makeSuite() {
     addRepeatedFrameCases(suite);
     addVkOutputCases(suite);
     addGlArgumentCases(suite);
+    addValidationCases(suite);
     return suite;
 }
 

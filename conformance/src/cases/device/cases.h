@@ -45,5 +45,6 @@ void addCounterCases(Suite& suite);
 void addRepeatedFrameCases(Suite& suite);
 void addVkOutputCases(Suite& suite);
 void addGlArgumentCases(Suite& suite);
+void addValidationCases(Suite& suite);
 
 } // namespace agaa::conformance

@@ -10,14 +10,10 @@ namespace {
 
 constexpr uint32_t columns = 8, rows = 6, pixels = columns * rows;
 
-void expectCount(Test& test, const char* counter, uint64_t got, uint64_t least, uint64_t most,
-                 const std::string& what) {
-    const std::string promised = least == most
-                                     ? std::to_string(least)
-                                     : std::to_string(least) + " to " + std::to_string(most);
-    test.check(got >= least && got <= most, what + ": AgaaCounters::" + counter + " is " +
-                                                std::to_string(got) + " in place of " + promised +
-                                                ".");
+void expectCount(Test& test, const char* counter, uint64_t got, uint64_t least, uint64_t most, const std::string& what) {
+    const std::string promised = least == most ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(most);
+    test.check(got >= least && got <= most,
+               what + ": AgaaCounters::" + counter + " is " + std::to_string(got) + " in place of " + promised + ".");
 }
 
 void addRectangles(Rig& rig, const std::vector<float>& normal = {0, 0, 1}) {
@@ -29,9 +25,7 @@ void addRectangles(Rig& rig, const std::vector<float>& normal = {0, 0, 1}) {
 
 // The name must live as long as the rig.
 Rig::ChangeView ofTechnique(const std::string& technique, uint32_t samples) {
-    return [&technique, samples](ViewDescription& description) {
-        setTechnique(description, technique, samples);
-    };
+    return [&technique, samples](ViewDescription& description) { setTechnique(description, technique, samples); };
 }
 
 uint32_t texelsOf(Rig& rig) { // per pixel
@@ -45,13 +39,13 @@ uint32_t texelsOf(Rig& rig) { // per pixel
 // A rectangle on whole pixels, of one surface: all of its samples are seen once and one event
 // shades a pixel, but for techniques that shade samples, and "msaa", which shades fragments: two
 // where the rectangle's triangles meet.
-void expectRectangle(Test& test, const std::string& technique, uint32_t n) {
-    Rig rig(test, ofTechnique(technique, n));
+void expectRectangle(Rig& rig, const std::string& technique) {
+    Test& test = rig.test;
+    const uint32_t n = rig.description().config.samples;
     addRectangles(rig);
     rig.render();
     const AgaaCounters c = rig.counters();
-    const std::string what =
-        "a rectangle of 48 pixels, \"" + technique + "\", n = " + std::to_string(n);
+    const std::string what = "a rectangle of 48 pixels, \"" + technique + "\", n = " + std::to_string(n);
     const bool shadesFragments = technique == "msaa", shadesSamples = technique == "ssaa";
     const bool aggregates = technique == "agaa" || technique == "sbaa";
     expectCount(test, "visible", c.visible, pixels * n, pixels * n, what);
@@ -60,16 +54,12 @@ void expectRectangle(Test& test, const std::string& technique, uint32_t n) {
     expectCount(test, "overlapping", c.overlapping, 0, 0, what);
     expectCount(test, "ties", c.ties, 0, 0, what);
     expectCount(test, "sanitised", c.sanitised, 0, 0, what);
-    const uint64_t events = shadesSamples     ? pixels * n
-                            : shadesFragments ? pixels * texelsOf(rig)
-                                              : pixels;
-    expectCount(test, "shadingEvents", c.shadingEvents, events,
-                shadesFragments ? 2 * events : events, what);
+    const uint64_t events = shadesSamples ? pixels * n : shadesFragments ? pixels * texelsOf(rig) : pixels;
+    expectCount(test, "shadingEvents", c.shadingEvents, events, shadesFragments ? 2 * events : events, what);
     expectCount(test, "shadedPixels", c.shadedPixels, pixels, pixels, what);
     const uint64_t most = shadesFragments ? 0 : shadesSamples ? n : 1;
     expectCount(test, "maxEventsPerPixel", c.maxEventsPerPixel, most, most, what);
-    expectCount(test, "aggregates", c.aggregates, aggregates ? pixels : 0, aggregates ? pixels : 0,
-                what);
+    expectCount(test, "aggregates", c.aggregates, aggregates ? pixels : 0, aggregates ? pixels : 0, what);
     expectCount(test, "shadowTaps", c.shadowTaps, 0, 0, what);
     expectCount(test, "widenedLobes", c.widenedLobes, 0, 0, what);
     expectCount(test, "primitives", c.primitives, 0, 0, what);
@@ -78,35 +68,44 @@ void expectRectangle(Test& test, const std::string& technique, uint32_t n) {
     expectCount(test, "unannounced", c.unannounced, 0, 0, what);
 }
 
-void testRectangle(Test& test) {
-    for (const std::string& technique : techniques(test.sdk))
-        if (needsOneSample(technique))
-            expectRectangle(test, technique, 1);
-        else
-            for (const uint32_t n : {4u, 8u})
-                expectRectangle(test, technique, n);
+// The validation agrees with the counters.
+void expectValid(Rig& rig, const std::string& technique) {
+    AgaaFrameValidation v = AGAA_FRAME_VALIDATION_INIT;
+    rig.test.requireOk(rig.test.sdk.agaaValidateFrame(rig.view.get(), rig.recorded, &v), "agaaValidateFrame");
+    const AgaaCounters c = rig.counters();
+    const std::string what = "a right frame of \"" + technique + "\"";
+    rig.test.check(v.isValid == 1 && v.invalidPixels == 0 && v.pixelCount == 0, what + " is not valid: " + v.explanation);
+    rig.test.check(v.visible == c.visible && v.once == c.once && v.uncovered == c.uncovered && v.overlapping == c.overlapping &&
+                       v.ties == c.ties && v.misplaced == c.misplaced && v.unannounced == c.unannounced,
+                   what + " has other counts in AgaaFrameValidation than in AgaaCounters.");
+    rig.test.check(v.frameIndex == rig.recorded, what + " is not the frame that was validated.");
 }
 
 // Nothing is drawn.
-void testEmpty(Test& test) {
-    for (const std::string& technique : techniques(test.sdk)) {
-        Rig rig(test, ofTechnique(technique, 4));
-        rig.scene.clear();
+void expectEmpty(Rig& rig, const std::string& technique) {
+    rig.scene.clear();
+    rig.render();
+    const AgaaCounters c = rig.counters(), none = {};
+    rig.test.check(!std::memcmp(&c, &none, sizeof c), "a counter of an empty frame is not 0 (\"" + technique + "\").");
+}
+
+void testTechnique(Test& test, const std::string& technique) {
+    const bool hasScale = technique == "agaa" || technique == "msaa";
+    for (const uint32_t n : hasScale ? std::vector<uint32_t>{4, 8} : std::vector<uint32_t>{4}) {
+        Rig rig(test, ofTechnique(technique, n));
+        expectRectangle(rig, technique);
+        expectEmpty(rig, technique);
+        rig.scene = smallScene(32, 24);
         rig.render();
-        const AgaaCounters c = rig.counters(), none = {};
-        test.check(!std::memcmp(&c, &none, sizeof c),
-                   "a counter of an empty frame is not 0 (\"" + technique + "\").");
+        expectValid(rig, technique);
     }
 }
 
 void testNoCounters(Test& test) {
-    Rig rig(test, [](ViewDescription& description) {
-        description.config.flags &= ~AGAA_CONFIG_COUNTERS;
-    });
+    Rig rig(test, [](ViewDescription& description) { description.config.flags &= ~AGAA_CONFIG_COUNTERS; });
     rig.render();
     const AgaaCounters c = rig.counters(), none = {};
-    test.check(!std::memcmp(&c, &none, sizeof c),
-               "a counter is not 0 without AGAA_CONFIG_COUNTERS.");
+    test.check(!std::memcmp(&c, &none, sizeof c), "a counter is not 0 without AGAA_CONFIG_COUNTERS.");
 }
 
 // A column of pixels shows half of a second wall at another depth and with another normal: two
@@ -156,123 +155,15 @@ void testShadowTaps(Test& test) {
     }
 }
 
-// ---- validation
-// ------------------------------------------------------------------------------------
-
-AgaaFrameValidation validate(Rig& rig) {
-    AgaaFrameValidation validation = AGAA_FRAME_VALIDATION_INIT;
-    rig.test.requireOk(rig.test.sdk.agaaValidateFrame(rig.view.get(), rig.recorded, &validation),
-                       "agaaValidateFrame");
-    return validation;
-}
-
-void testValid(Test& test) {
-    for (const std::string& technique : techniques(test.sdk)) {
-        Rig rig(test, ofTechnique(technique, 4));
-        rig.render();
-        const AgaaFrameValidation v = validate(rig);
-        const AgaaCounters c = rig.counters();
-        const std::string what = "a right frame of \"" + technique + "\"";
-        test.check(v.isValid == 1 && v.invalidPixels == 0 && v.pixelCount == 0,
-                   what + " is not valid: " + v.explanation);
-        test.check(v.visible == c.visible && v.once == c.once && v.uncovered == c.uncovered &&
-                       v.overlapping == c.overlapping && v.ties == c.ties &&
-                       v.misplaced == c.misplaced && v.unannounced == c.unannounced,
-                   what + " has other counts in AgaaFrameValidation than in AgaaCounters.");
-        test.check(v.frameIndex == rig.recorded, what + " is not the frame that was validated.");
-    }
-    Rig rig(test);
-    rig.scene.clear();
-    rig.render();
-    const AgaaFrameValidation v = validate(rig);
-    test.check(v.isValid == 0 && v.visible == 0 && v.explanation[0],
-               "a frame without geometry is valid.");
-}
-
-// The material pass leaves out a rectangle of 12 pixels in front of nothing.
-AgaaFrameValidation validateMissing(Test& test) {
-    Rig rig(test);
-    uint32_t passes = 0;
-    test.requireOk(test.sdk.agaaGetDrawPasses(rig.view.get(), &passes, nullptr),
-                   "agaaGetDrawPasses");
-    if (passes < 2)
-        test.skip("the device has one geometry pass, with which no other can disagree.");
-    addRectangles(rig);
-    const size_t kept = rig.scene.size();
-    Surface surface;
-    addRectangle(rig.scene, 32, 24, 20, 10, 24, 13, 8, surface);
-    rig.device().mistakes.changeScene = [kept](const AgaaDrawTarget& target, const Scene& scene) {
-        return target.pass == AGAA_DRAW_PASS_AGGREGATE
-                   ? Scene(scene.begin(), scene.begin() + long(kept))
-                   : scene;
-    };
-    rig.render();
-    rig.device().mistakes = {};
-    return validate(rig);
-}
-
-bool isMask(const uint32_t* mask, uint32_t first) {
-    return mask[0] == first && !mask[1] && !mask[2] && !mask[3];
-}
-
-void testInvalid(Test& test) {
-    const AgaaFrameValidation v = validateMissing(test);
-    test.check(v.isValid == 0 && v.explanation[0],
-               "a frame with an object that a pass omits is valid.");
-    test.check(v.uncovered == 12 * 4, "AgaaFrameValidation::uncovered is " +
-                                          std::to_string(v.uncovered) + " in place of 48.");
-    test.check(v.invalidPixels == 12,
-               "invalidPixels is " + std::to_string(v.invalidPixels) + " in place of 12.");
-    test.require(v.pixelCount == AGAA_MAX_INVALID_PIXELS,
-                 "pixelCount is " + std::to_string(v.pixelCount) + ".");
-    for (const AgaaInvalidPixel& pixel : v.pixels) {
-        test.check(pixel.x >= 20 && pixel.x < 24 && pixel.y >= 10 && pixel.y < 13,
-                   "an invalid pixel lies elsewhere.");
-        test.check(isMask(pixel.visible, 0xF) && isMask(pixel.uncovered, 0xF) &&
-                       isMask(pixel.overlapping, 0),
-                   "the masks of an invalid pixel are wrong.");
-    }
-}
-
-void testReserved(Test& test) {
-    for (const AgaaInvalidPixel& pixel : validateMissing(test).pixels)
-        test.check(!pixel.reserved[0] && !pixel.reserved[1],
-                   "AgaaInvalidPixel::reserved is not 0.");
-}
-
-// The host draws with another projection than AgaaFrame has.
-void testMisplaced(Test& test) {
-    Rig rig(test);
-    rig.device().mistakes.changeProjection = [](float* projection) {
-        projection[5] = -projection[5];
-    };
-    rig.scene.clear();
-    Surface surface;
-    addRectangle(rig.scene, 32, 24, 4, 2, 12, 8, 8, surface);
-    for (size_t i = 0; i < rig.scene.size(); i += 3) // turned around by the other projection
-        std::swap(rig.scene[i], rig.scene[i + 1]);
-    AgaaFrame frame = rig.nextFrame();
-    test.requireOk(rig.record(frame), rig.function());
-    rig.device().mistakes = {};
-    const AgaaFrameValidation v = validate(rig);
-    test.check(v.misplaced >= pixels, "AgaaFrameValidation::misplaced is " +
-                                          std::to_string(v.misplaced) +
-                                          " for 48 pixels that are drawn elsewhere.");
-    test.check(v.isValid == 0, "a frame with another projection than the host's is valid.");
-}
-
 } // namespace
 
 void addCounterCases(Suite& suite) {
-    suite.both("general/counters_of_a_rectangle", testRectangle);
-    suite.both("general/counters_of_an_empty_frame", testEmpty);
+    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"})
+        suite.both("general/counters_of_flat_scenes/" + std::string(technique),
+                   [technique](Test& test) { testTechnique(test, technique); });
     suite.both("general/counters_are_0_if_not_requested", testNoCounters);
     suite.both("general/counters_of_two_surfaces", testTwoSurfaces);
     suite.both("general/counters_of_shadow_taps", testShadowTaps);
-    suite.both("general/validation_of_right_frames", testValid);
-    suite.both("general/validation_of_an_omitted_object", testInvalid);
-    suite.both("general/validation_of_another_projection", testMisplaced);
-    suite.both("AgaaInvalidPixel.reserved/zero", testReserved);
 }
 
 } // namespace agaa::conformance

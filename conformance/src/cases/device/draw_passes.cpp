@@ -1,6 +1,6 @@
 // agaaGetDrawPasses and what it describes.
 #include "cases.h"
-#include "frame_rig.h"
+#include "pass_list.h"
 
 #include <algorithm>
 #include <cstring>
@@ -12,165 +12,96 @@ namespace {
 
 const AgaaDrawPass initialPass = AGAA_DRAW_PASS_INIT;
 
-// Passes with the struct of the device's API chained to each.
-struct PassList {
-    std::vector<AgaaDrawPass> passes;
-    std::vector<AgaaVkDrawPass> vk;
-    std::vector<AgaaGlDrawPass> gl;
-
-    PassList(Test& test, AgaaView view) {
-        const AgaaVkDrawPass initialVk = AGAA_VK_DRAW_PASS_INIT;
-        const AgaaGlDrawPass initialGl = AGAA_GL_DRAW_PASS_INIT;
-        uint32_t count = 0;
-        test.requireOk(test.sdk.agaaGetDrawPasses(view, &count, nullptr), "agaaGetDrawPasses");
-        passes.assign(count, initialPass);
-        vk.assign(count, initialVk);
-        gl.assign(count, initialGl);
-        for (uint32_t i = 0; i < count; ++i)
-            passes[i].pNext =
-                test.device().backend() == Backend::Vulkan ? static_cast<void*>(&vk[i]) : &gl[i];
-        test.requireOk(test.sdk.agaaGetDrawPasses(view, &count, passes.data()),
-                       "agaaGetDrawPasses");
-        test.require(count == passes.size(), "agaaGetDrawPasses changes the number of passes.");
-    }
-};
-
-using Visit =
-    std::function<void(const ViewDescription&, const PassList&, const std::string& technique)>;
-
-void visitView(Test& test, const OwnContext& context, const ViewDescription& description,
-               const Visit& visit) {
-    const BareView view(test, context.get(), description);
-    visit(description, PassList(test, view.get()),
-          "\"" + std::string(description.config.technique) + "\"");
-}
-
-// Each technique, with n = 4 or 1.
-void forTechniques(Test& test, const Visit& visit) {
-    const OwnContext context(test);
-    for (const std::string& technique : techniques(test.sdk)) {
-        ViewDescription description(&test.device());
-        setTechnique(description, technique, 4);
-        visitView(test, context, description, visit);
-    }
-}
-
-std::string passText(const std::string& technique, const AgaaDrawPass& pass) {
-    return "the draw pass " + std::string(pass.name ? pass.name : "(null)") + " of " + technique;
-}
-
 void testCount(Test& test) {
     Rig rig(test);
     uint32_t count = 77;
-    test.requireOk(test.sdk.agaaGetDrawPasses(rig.view.get(), &count, nullptr),
-                   "agaaGetDrawPasses with passes = null");
+    test.requireOk(test.sdk.agaaGetDrawPasses(rig.view.get(), &count, nullptr), "agaaGetDrawPasses with passes = null");
     rig.render();
-    test.check(count == rig.statistics().geometryPasses,
-               std::to_string(count) + " draw passes, where the statistics have " +
-                   std::to_string(rig.statistics().geometryPasses) + ".");
+    test.check(count == rig.statistics().geometryPasses, std::to_string(count) + " draw passes, where the statistics have " +
+                                                             std::to_string(rig.statistics().geometryPasses) + ".");
     std::vector<AgaaDrawPass> passes(count + 3, initialPass);
     uint32_t length = count + 3;
     test.requireOk(test.sdk.agaaGetDrawPasses(rig.view.get(), &length, passes.data()),
                    "agaaGetDrawPasses with a longer array than needed");
-    test.check(length == count, "agaaGetDrawPasses with a longer array returns " +
-                                    std::to_string(length) + " in count.");
+    test.check(length == count, "agaaGetDrawPasses with a longer array returns " + std::to_string(length) + " in count.");
     for (uint32_t i = count; i < passes.size(); ++i)
         test.check(!std::memcmp(&passes[i], &initialPass, sizeof initialPass),
                    "agaaGetDrawPasses writes beyond the number of passes.");
 }
 
 void testStates(Test& test) {
-    forTechniques(test,
-                  [&](const ViewDescription&, const PassList& list, const std::string& technique) {
-                      for (const AgaaDrawPass& pass : list.passes) {
-                          const AgaaDrawState& state = pass.state;
-                          const std::string what = passText(technique, pass);
-                          test.check(state.depthCompare <= AGAA_COMPARE_ALWAYS,
-                                     what + " has an unknown depthCompare.");
-                          // The first pass finds the nearest fragment; the view's depth grows away
-                          // from the eye.
-                          if (&pass == &list.passes.front())
-                              test.check(state.depthCompare == AGAA_COMPARE_LESS,
-                                         what + " has another depthCompare than LESS.");
-                          else
-                              test.check(state.depthCompare != AGAA_COMPARE_GREATER,
-                                         what + " has the depthCompare GREATER.");
-                      }
-                  });
+    forTechniques(test, [&](const ViewDescription&, const PassList& list, const std::string& technique) {
+        for (const AgaaDrawPass& pass : list.passes) {
+            const AgaaDrawState& state = pass.state;
+            const std::string what = passText(technique, pass);
+            test.check(state.depthCompare <= AGAA_COMPARE_ALWAYS, what + " has an unknown depthCompare.");
+            // The first pass finds the nearest fragment; the view's depth grows away
+            // from the eye.
+            if (&pass == &list.passes.front())
+                test.check(state.depthCompare == AGAA_COMPARE_LESS, what + " has another depthCompare than LESS.");
+            else
+                test.check(state.depthCompare != AGAA_COMPARE_GREATER, what + " has the depthCompare GREATER.");
+        }
+    });
 }
 
 void testReversed(Test& test) {
     const OwnContext context(test);
     ViewDescription description(&test.device());
     description.desc.flags |= AGAA_VIEW_REVERSED_Z;
-    visitView(test, context, description,
-              [&](const ViewDescription&, const PassList& list, const std::string&) {
-                  test.check(list.passes.front().state.depthCompare == AGAA_COMPARE_GREATER,
-                             "the first draw pass of a view with AGAA_VIEW_REVERSED_Z has another "
-                             "depthCompare than GREATER.");
-              });
+    visitView(test, context, description, [&](const ViewDescription&, const PassList& list, const std::string&) {
+        test.check(list.passes.front().state.depthCompare == AGAA_COMPARE_GREATER,
+                   "the first draw pass of a view with AGAA_VIEW_REVERSED_Z has another "
+                   "depthCompare than GREATER.");
+    });
 }
 
 void testStateRanges(Test& test) {
-    forTechniques(test, [&](const ViewDescription&, const PassList& list,
-                            const std::string& technique) {
+    forTechniques(test, [&](const ViewDescription&, const PassList& list, const std::string& technique) {
         for (const AgaaDrawPass& pass : list.passes) {
             const AgaaDrawState& s = pass.state;
             const std::string what = passText(technique, pass);
-            test.check(s.colorWriteMask <= 15,
-                       what + " has the colorWriteMask " + std::to_string(s.colorWriteMask) + ".");
-            test.check(!s.colorAttachmentCount || s.colorWriteMask,
-                       what + " has attachments and writes none.");
+            test.check(s.colorWriteMask <= 15, what + " has the colorWriteMask " + std::to_string(s.colorWriteMask) + ".");
+            test.check(!s.colorAttachmentCount || s.colorWriteMask, what + " has attachments and writes none.");
             test.check(s.colorAttachmentCount <= 8, what + " has more than 8 attachments.");
-            for (const uint32_t flag : {s.depthWrite, s.stencilTest, s.stencilTestMasked,
-                                        s.sampleShading, s.keepFirst, s.conservative})
+            for (const uint32_t flag :
+                 {s.depthWrite, s.stencilTest, s.stencilTestMasked, s.sampleShading, s.keepFirst, s.conservative})
                 test.check(flag <= 1, what + " has a flag that is neither 0 nor 1.");
-            test.check(s.samples && !(s.samples & (s.samples - 1)),
-                       what + " has a number of samples that is no power of 2.");
+            test.check(s.samples && !(s.samples & (s.samples - 1)), what + " has a number of samples that is no power of 2.");
         }
     });
 }
 
 void testReserved(Test& test) {
-    forTechniques(test,
-                  [&](const ViewDescription&, const PassList& list, const std::string& technique) {
-                      for (const AgaaDrawPass& pass : list.passes)
-                          for (const uint32_t word : pass.state.reserved)
-                              test.check(word == 0, passText(technique, pass) +
-                                                        ": AgaaDrawState::reserved is not 0.");
-                      for (const AgaaVkDrawPass& pass : list.vk)
-                          test.check(pass.reserved == 0,
-                                     "AgaaVkDrawPass::reserved of " + technique + " is not 0.");
-                  });
+    forTechniques(test, [&](const ViewDescription&, const PassList& list, const std::string& technique) {
+        for (const AgaaDrawPass& pass : list.passes)
+            for (const uint32_t word : pass.state.reserved)
+                test.check(word == 0, passText(technique, pass) + ": AgaaDrawState::reserved is not 0.");
+        for (const AgaaVkDrawPass& pass : list.vk)
+            test.check(pass.reserved == 0, "AgaaVkDrawPass::reserved of " + technique + " is not 0.");
+    });
 }
 
 void testIds(Test& test) {
-    forTechniques(test,
-                  [&](const ViewDescription&, const PassList& list, const std::string& technique) {
-                      test.check(!list.passes.empty(), technique + " has no draw pass.");
-                      std::set<uint64_t> keys;
-                      for (const AgaaDrawPass& pass : list.passes) {
-                          const std::string what = passText(technique, pass);
-                          test.check(pass.pass >= AGAA_DRAW_PASS_VISIBILITY &&
-                                         pass.pass <= AGAA_DRAW_PASS_FORWARD,
-                                     what + " has an unknown pass.");
-                          test.check(pass.name && pass.glslExtensions && pass.glslDeclarations,
-                                     what + " lacks a name or a text.");
-                          test.check(keys.insert(pass.pipelineKey).second,
-                                     what + " has the pipelineKey of another pass.");
-                      }
-                  });
+    forTechniques(test, [&](const ViewDescription&, const PassList& list, const std::string& technique) {
+        test.check(!list.passes.empty(), technique + " has no draw pass.");
+        std::set<uint64_t> keys;
+        for (const AgaaDrawPass& pass : list.passes) {
+            const std::string what = passText(technique, pass);
+            test.check(pass.pass >= AGAA_DRAW_PASS_VISIBILITY && pass.pass <= AGAA_DRAW_PASS_FORWARD,
+                       what + " has an unknown pass.");
+            test.check(pass.name && pass.glslExtensions && pass.glslDeclarations, what + " lacks a name or a text.");
+            test.check(keys.insert(pass.pipelineKey).second, what + " has the pipelineKey of another pass.");
+        }
+    });
 }
 
 void testStages(Test& test) {
-    forTechniques(test, [&](const ViewDescription&, const PassList& list,
-                            const std::string& technique) {
+    forTechniques(test, [&](const ViewDescription&, const PassList& list, const std::string& technique) {
         uint32_t last = AGAA_STAGE_PREPASS;
         for (const AgaaDrawPass& pass : list.passes) {
-            test.check(pass.stage <= AGAA_STAGE_OTHER,
-                       passText(technique, pass) + " has an unknown stage.");
-            test.check(pass.stage >= last,
-                       passText(technique, pass) + " has an earlier stage than the pass before.");
+            test.check(pass.stage <= AGAA_STAGE_OTHER, passText(technique, pass) + " has an unknown stage.");
+            test.check(pass.stage >= last, passText(technique, pass) + " has an earlier stage than the pass before.");
             last = pass.stage;
         }
     });
@@ -178,13 +109,11 @@ void testStages(Test& test) {
 
 // The target: texels are pixels times the scale, and samples of the texels of a pixel are n.
 void testTargets(Test& test) {
-    forTechniques(test, [&](const ViewDescription& description, const PassList& list,
-                            const std::string& technique) {
+    forTechniques(test, [&](const ViewDescription& description, const PassList& list, const std::string& technique) {
         const AgaaViewDesc& desc = description.desc;
         for (const AgaaDrawPass& pass : list.passes) {
             const std::string what = passText(technique, pass);
-            test.check(pass.width == desc.width * pass.scaleX &&
-                           pass.height == desc.height * pass.scaleY,
+            test.check(pass.width == desc.width * pass.scaleX && pass.height == desc.height * pass.scaleY,
                        what + " has another size than the pixels times the scale.");
             test.check(pass.scaleX * pass.scaleY * pass.state.samples == desc.config->samples,
                        what + " has another number of samples per pixel than the view.");
@@ -199,11 +128,10 @@ void testKeys(Test& test) {
         ViewDescription description(&test.device());
         setTechnique(description, technique, 4);
         std::vector<uint64_t> keys;
-        visitView(test, context, description,
-                  [&](const ViewDescription&, const PassList& list, const std::string&) {
-                      for (const AgaaDrawPass& pass : list.passes)
-                          keys.push_back(pass.pipelineKey);
-                  });
+        visitView(test, context, description, [&](const ViewDescription&, const PassList& list, const std::string&) {
+            for (const AgaaDrawPass& pass : list.passes)
+                keys.push_back(pass.pipelineKey);
+        });
         return keys;
     };
     const auto first = keysOf("agaa"), second = keysOf("agaa"), others = keysOf("msaa");
@@ -214,13 +142,11 @@ void testKeys(Test& test) {
 }
 
 void testVkNative(Test& test) {
-    forTechniques(test, [&](const ViewDescription&, const PassList& list,
-                            const std::string& technique) {
+    forTechniques(test, [&](const ViewDescription&, const PassList& list, const std::string& technique) {
         for (size_t i = 0; i < list.passes.size(); ++i) {
             const std::string what = passText(technique, list.passes[i]);
             for (uint32_t k = 0; k < list.passes[i].state.colorAttachmentCount; ++k)
-                test.check(list.vk[i].colorFormats[k] != 0,
-                           what + " has an attachment without a format.");
+                test.check(list.vk[i].colorFormats[k] != 0, what + " has an attachment without a format.");
             test.check(list.vk[i].descriptorSetLayout != 0, what + " has no descriptorSetLayout.");
             test.check(list.vk[i].depthStencilFormat != 0, what + " has no depthStencilFormat.");
         }
@@ -228,13 +154,11 @@ void testVkNative(Test& test) {
 }
 
 void testGlNative(Test& test) {
-    forTechniques(test, [&](const ViewDescription&, const PassList& list,
-                            const std::string& technique) {
+    forTechniques(test, [&](const ViewDescription&, const PassList& list, const std::string& technique) {
         for (size_t i = 0; i < list.passes.size(); ++i) {
             const std::string what = passText(technique, list.passes[i]);
             for (uint32_t k = 0; k < list.passes[i].state.colorAttachmentCount; ++k)
-                test.check(list.gl[i].colorFormats[k] != 0,
-                           what + " has an attachment without a format.");
+                test.check(list.gl[i].colorFormats[k] != 0, what + " has an attachment without a format.");
             test.check(list.gl[i].framebuffer != 0, what + " has no framebuffer.");
             test.check(list.gl[i].depthStencilFormat != 0, what + " has no depthStencilFormat.");
         }

@@ -29,26 +29,22 @@ struct Recorder {
 std::vector<Call> recordCalls(Test& test) {
     std::vector<Call> calls;
     for (const std::string& technique : techniques(test.sdk)) {
-        Rig rig(test,
-                [&](ViewDescription& description) { setTechnique(description, technique, 4); });
+        Rig rig(test, [&](ViewDescription& description) { setTechnique(description, technique, 4); });
         Recorder recorder{rig.device(), {}};
         rig.render([&](AgaaFrame& frame) {
             frame.draw = Recorder::draw;
             frame.drawUser = &recorder;
         });
         uint32_t count = 0;
-        test.requireOk(test.sdk.agaaGetDrawPasses(rig.view.get(), &count, nullptr),
-                       "agaaGetDrawPasses");
+        test.requireOk(test.sdk.agaaGetDrawPasses(rig.view.get(), &count, nullptr), "agaaGetDrawPasses");
         const AgaaDrawPass initial = AGAA_DRAW_PASS_INIT;
         std::vector<AgaaDrawPass> passes(count, initial);
-        test.requireOk(test.sdk.agaaGetDrawPasses(rig.view.get(), &count, passes.data()),
-                       "agaaGetDrawPasses");
-        test.check(recorder.targets.size() == count,
-                   std::to_string(recorder.targets.size()) + " draw callbacks of \"" + technique +
-                       "\" where there are " + std::to_string(count) + " draw passes.");
+        test.requireOk(test.sdk.agaaGetDrawPasses(rig.view.get(), &count, passes.data()), "agaaGetDrawPasses");
+        test.check(recorder.targets.size() == count, std::to_string(recorder.targets.size()) + " draw callbacks of \"" +
+                                                         technique + "\" where there are " + std::to_string(count) +
+                                                         " draw passes.");
         for (const AgaaDrawTarget& target : recorder.targets)
-            calls.push_back({technique, target, passes, rig.description().desc.width,
-                             rig.description().desc.height});
+            calls.push_back({technique, target, passes, rig.description().desc.width, rig.description().desc.height});
     }
     return calls;
 }
@@ -60,8 +56,7 @@ void forCalls(Test& test, const std::function<void(const Call&, const std::strin
     if (calls.empty())
         calls = recordCalls(test);
     for (const Call& call : calls)
-        check(call, "the draw callback of pass " + std::to_string(call.target.pass) + " of \"" +
-                        call.technique + "\"");
+        check(call, "the draw callback of pass " + std::to_string(call.target.pass) + " of \"" + call.technique + "\"");
 }
 
 const AgaaDrawPass* passOf(const Call& call) {
@@ -74,13 +69,10 @@ const AgaaDrawPass* passOf(const Call& call) {
 void testPass(Test& test) {
     forCalls(test, [&](const Call& call, const std::string& what) {
         const AgaaDrawPass* pass = passOf(call);
-        if (!test.check(pass,
-                        what + " receives a pipelineKey that agaaGetDrawPasses does not list."))
+        if (!test.check(pass, what + " receives a pipelineKey that agaaGetDrawPasses does not list."))
             return;
-        test.check(call.target.pass == pass->pass,
-                   what + " receives the AgaaDrawPassId of another pass.");
-        test.check(call.target.batch == 0,
-                   what + " receives a batch other than 0 in a pass that is drawn once.");
+        test.check(call.target.pass == pass->pass, what + " receives the AgaaDrawPassId of another pass.");
+        test.check(call.target.batch == 0, what + " receives a batch other than 0 in a pass that is drawn once.");
         test.check(!std::memcmp(&call.target.state, &pass->state, sizeof pass->state),
                    what + " receives another AgaaDrawState than AgaaDrawPass has.");
     });
@@ -91,10 +83,9 @@ void testSize(Test& test, bool isWidth) {
         const AgaaDrawTarget& t = call.target;
         const uint32_t got = isWidth ? t.width : t.height, scale = isWidth ? t.scaleX : t.scaleY;
         const uint32_t pixels = isWidth ? call.width : call.height;
-        test.check(got == pixels * scale,
-                   what + " receives the " + (isWidth ? "width " : "height ") +
-                       std::to_string(got) + " for " + std::to_string(pixels) + " pixels of " +
-                       std::to_string(scale) + " texels.");
+        test.check(got == pixels * scale, what + " receives the " + (isWidth ? "width " : "height ") + std::to_string(got) +
+                                              " for " + std::to_string(pixels) + " pixels of " + std::to_string(scale) +
+                                              " texels.");
         const AgaaDrawPass* pass = passOf(call);
         test.check(pass && got == (isWidth ? pass->width : pass->height),
                    what + " receives another size than AgaaDrawPass has.");
@@ -106,16 +97,12 @@ void testHeaderOf(Test& test) {
     forCalls(test, [&](const Call& call, const std::string& what) {
         const AgaaDrawTarget& t = call.target;
         test.check(t.sType == AGAA_STRUCTURE_TYPE_DRAW_TARGET, what + " receives another sType.");
-        const bool isKnown =
-            isSameVersion(test) ? t.structSize == sizeof t : t.structSize >= sizeof t;
-        test.check(isKnown,
-                   what + " receives the structSize " + std::to_string(t.structSize) + ".");
+        const bool isKnown = isSameVersion(test) ? t.structSize == sizeof t : t.structSize >= sizeof t;
+        test.check(isKnown, what + " receives the structSize " + std::to_string(t.structSize) + ".");
         test.check(t.pNext == nullptr, what + " receives a chain.");
-        test.check(
-            (t.commandBuffer != nullptr) == isVk && (t.descriptorSet != 0) == isVk,
-            what + " receives a command buffer or a descriptor set where it must not, or none.");
-        test.check((t.framebuffer != 0) == !isVk,
-                   what + " receives a framebuffer where it must not, or none.");
+        test.check((t.commandBuffer != nullptr) == isVk && (t.descriptorSet != 0) == isVk,
+                   what + " receives a command buffer or a descriptor set where it must not, or none.");
+        test.check((t.framebuffer != 0) == !isVk, what + " receives a framebuffer where it must not, or none.");
         test.check(t.constants == nullptr && t.constantCount == 0, what + " receives constants.");
     });
 }

@@ -37,28 +37,24 @@ struct DrawFailure {
 };
 // "agaa" draws twice, unless the device aggregates from a G-buffer.
 const DrawFailure drawFailures[] = {
-    {"agaa", 1, AGAA_ERROR_CALLBACK},  {"agaa", 2, AGAA_ERROR_CALLBACK},
-    {"agaa", 2, AGAA_NOT_READY},       {"agaa", 1, 12345},
-    {"agaa", 1, AGAA_ERROR_INTERNAL},  {"msaa", 1, AGAA_ERROR_CALLBACK},
-    {"single", 1, AGAA_ERROR_CALLBACK}};
+    {"agaa", 1, AGAA_ERROR_CALLBACK}, {"agaa", 2, AGAA_ERROR_CALLBACK}, {"agaa", 2, AGAA_NOT_READY},       {"agaa", 1, 12345},
+    {"agaa", 1, AGAA_ERROR_INTERNAL}, {"msaa", 1, AGAA_ERROR_CALLBACK}, {"single", 1, AGAA_ERROR_CALLBACK}};
 
 std::string callText(const DrawFailure& row) {
-    return "a draw callback of \"" + std::string(row.technique) + "\" that returns " +
-           std::to_string(row.result) + " at call " + std::to_string(row.call);
+    return "a draw callback of \"" + std::string(row.technique) + "\" that returns " + std::to_string(row.result) +
+           " at call " + std::to_string(row.call);
 }
 
 Rig::ChangeView ofTechnique(const std::string& technique) {
     return [technique](ViewDescription& description) { setTechnique(description, technique, 4); };
 }
 
-void expectDrawFailure(Rig& rig, FailingDraw draw, const std::string& what, AgaaResult code,
-                       const Image& expected) {
+void expectDrawFailure(Rig& rig, FailingDraw draw, const std::string& what, AgaaResult code, const Image& expected) {
     AgaaFrame frame = rig.nextFrame();
     draw.use(frame);
     expectFrameRefused(rig, frame, {code, rig.function() + " with " + what}, expected);
     rig.test.check(draw.calls == draw.failingCall,
-                   what + ": " + std::to_string(draw.calls) +
-                       " draw calls; none is promised after one that fails.");
+                   what + ": " + std::to_string(draw.calls) + " draw calls; none is promised after one that fails.");
 }
 
 void testFailures(Test& test, AgaaResult code, const Rig::ChangeContext& changeContext = {}) {
@@ -68,16 +64,14 @@ void testFailures(Test& test, AgaaResult code, const Rig::ChangeContext& changeC
         const uint32_t passes = rig.statistics().geometryPasses;
         for (const DrawFailure& row : drawFailures)
             if (std::string(row.technique) == technique && row.call <= passes)
-                expectDrawFailure(rig, {rig.device(), row.call, row.result}, callText(row), code,
-                                  expected);
+                expectDrawFailure(rig, {rig.device(), row.call, row.result}, callText(row), code, expected);
     }
 }
 
 void testException(Test& test, AgaaResult code, const Rig::ChangeContext& changeContext = {}) {
     Rig rig(test, {}, changeContext);
     const Image expected = rig.render();
-    expectDrawFailure(rig, {rig.device(), 1, AGAA_OK, true}, "a draw callback that throws", code,
-                      expected);
+    expectDrawFailure(rig, {rig.device(), 1, AGAA_OK, true}, "a draw callback that throws", code, expected);
 }
 
 void recordInline(ContextDescription& description) {
@@ -103,8 +97,7 @@ void testSegment(Test& test) {
     expectRefused(test, result, AGAA_ERROR_CALLBACK, rig.context.log, rig.function(), what);
     rest.draw = nullptr;
     test.requireOk(rig.record(rest), "the same segments after " + what);
-    expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width,
-               "the frame after " + what);
+    expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width, "the frame after " + what);
     expectNextFrame(rig, expected, what);
 }
 
@@ -138,36 +131,27 @@ void testManyFailures(Test& test, AgaaResult code, const Rig::ChangeContext& cha
         FailingDraw draw{rig.device(), 1};
         draw.use(frame);
         rig.context.log.lines.clear();
-        test.result(rig.record(frame), code,
-                    rig.function() + " with a draw callback that fails, time " + std::to_string(i));
+        test.result(rig.record(frame), code, rig.function() + " with a draw callback that fails, time " + std::to_string(i));
     }
     AgaaFrame frame = rig.nextFrame();
     frame.completedFrame = 0;
     test.requireOk(rig.record(frame), "the second of two frames in flight after ten that failed");
-    expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width,
-               "the frame after ten that failed");
+    expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width, "the frame after ten that failed");
     const AgaaFrameStatistics statistics = rig.statistics();
-    test.check(statistics.frameIndex == rig.recorded,
-               "the statistics are of frame " + std::to_string(statistics.frameIndex) +
-                   " in place of " + std::to_string(rig.recorded) + ".");
+    test.check(statistics.frameIndex == rig.recorded, "the statistics are of frame " + std::to_string(statistics.frameIndex) +
+                                                          " in place of " + std::to_string(rig.recorded) + ".");
 }
 
 } // namespace
 
 void addFrameCallbackCases(Suite& suite) {
-    addRecordCase(suite, "AGAA_ERROR_CALLBACK",
-                  [](Test& test) { testFailures(test, AGAA_ERROR_CALLBACK); });
-    addRecordCase(suite, "AGAA_ERROR_CALLBACK/exception",
-                  [](Test& test) { testException(test, AGAA_ERROR_CALLBACK); });
-    addRecordCase(suite, "AGAA_ERROR_CALLBACK/many",
-                  [](Test& test) { testManyFailures(test, AGAA_ERROR_CALLBACK, {}); });
+    addRecordCase(suite, "AGAA_ERROR_CALLBACK", [](Test& test) { testFailures(test, AGAA_ERROR_CALLBACK); });
+    addRecordCase(suite, "AGAA_ERROR_CALLBACK/exception", [](Test& test) { testException(test, AGAA_ERROR_CALLBACK); });
+    addRecordCase(suite, "AGAA_ERROR_CALLBACK/many", [](Test& test) { testManyFailures(test, AGAA_ERROR_CALLBACK, {}); });
     suite.add("agaaVkRecordFrame/AGAA_ERROR_CALLBACK/segment", {Backend::Vulkan}, testSegment);
     suite.add("agaaVkRecordFrame/AGAA_ERROR_PARTIAL", {Backend::Vulkan}, testPartialSegment);
-    suite.add(
-        "agaaVkRecordFrame/AGAA_ERROR_PARTIAL/another_failure", {Backend::Vulkan}, [](Test& test) {
-            test.skip(
-                "a host cannot cause a failure after the first command, except in its callback.");
-        });
+    suite.add("agaaVkRecordFrame/AGAA_ERROR_PARTIAL/another_failure", {Backend::Vulkan},
+              [](Test& test) { test.skip("a host cannot cause a failure after the first command, except in its callback."); });
     suite.add("AGAA_VK_RECORDING_INLINE/AGAA_ERROR_PARTIAL", {Backend::Vulkan},
               [](Test& test) { testFailures(test, AGAA_ERROR_PARTIAL, recordInline); });
     suite.add("AGAA_VK_RECORDING_INLINE/AGAA_ERROR_PARTIAL/exception", {Backend::Vulkan},

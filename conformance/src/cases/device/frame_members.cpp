@@ -15,7 +15,9 @@ FrameParts::FrameParts(const Rig& rig) : frame(rig.nextFrame()) {
 
 namespace {
 
+// "single" has the fewest pipelines.
 void allowLights(ViewDescription& description) {
+    setTechnique(description, "single", 1);
     description.facts.maxLights = 4;
     description.facts.shadowMapCount = 2;
 }
@@ -33,8 +35,7 @@ void accept(Rig& rig, const FrameMember& row, double value) {
     rig.context.log.lines.clear();
     const AgaaResult result = rig.record(parts.frame);
     const std::vector<LogLine> errors = rig.context.log.errors();
-    rig.test.result(result, AGAA_OK,
-                    what + (errors.empty() ? "" : " (\"" + errors[0].text + "\")"));
+    rig.test.result(result, AGAA_OK, what + (errors.empty() ? "" : " (\"" + errors[0].text + "\")"));
     rig.expectNoMessages(what);
     expectFinite(rig.test, rig.device().readOutput(), what);
 }
@@ -60,8 +61,7 @@ void testFrameMember(MemberRig& rig, const FrameMember& row) {
             refuse(rig, row, value);
 }
 
-void addFrameMembers(Suite& suite, const std::string& promise,
-                     const std::vector<FrameMember>& rows) {
+void addFrameMembers(Suite& suite, const std::string& promise, const std::vector<FrameMember>& rows) {
     suite.both(promise, [rows](Test& test) {
         MemberRig rig(test);
         for (const FrameMember& row : rows)

@@ -42,7 +42,6 @@ struct MemberRig : Rig {
 void testFrameMember(MemberRig& rig, const FrameMember& row);
 void addFrameMember(Suite& suite, const FrameMember& row);
 // Several rows in one test; their own promises are not read.
-void addFrameMembers(Suite& suite, const std::string& promise,
-                     const std::vector<FrameMember>& rows);
+void addFrameMembers(Suite& suite, const std::string& promise, const std::vector<FrameMember>& rows);
 
 } // namespace agaa::conformance

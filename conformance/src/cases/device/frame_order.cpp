@@ -6,8 +6,7 @@ namespace agaa::conformance {
 
 namespace {
 
-constexpr uint64_t pre = AGAA_SEGMENT_PREPASS, gen = AGAA_SEGMENT_GENERATION,
-                   shade = AGAA_SEGMENT_SHADING;
+constexpr uint64_t pre = AGAA_SEGMENT_PREPASS, gen = AGAA_SEGMENT_GENERATION, shade = AGAA_SEGMENT_SHADING;
 
 std::string segmentsText(uint64_t segments) {
     std::string text;
@@ -24,9 +23,8 @@ std::string segmentsText(uint64_t segments) {
 // frame must work.
 void expectSegmentsRefused(Rig& rig, uint64_t first, uint64_t second, const Image& expected) {
     AgaaFrame frame = rig.nextFrame();
-    const std::string what =
-        rig.function() + " with" + segmentsText(second) +
-        (first ? " after" + segmentsText(first) : " at the beginning of a frame");
+    const std::string what = rig.function() + " with" + segmentsText(second) +
+                             (first ? " after" + segmentsText(first) : " at the beginning of a frame");
     rig.device().fillOutput(0.25f);
     if (first) {
         frame.segments = first;
@@ -38,11 +36,9 @@ void expectSegmentsRefused(Rig& rig, uint64_t first, uint64_t second, const Imag
     expectRefused(rig.test, result, AGAA_ERROR_WRONG_ORDER, rig.context.log, rig.function(), what);
     frame.segments = AGAA_SEGMENT_ALL & ~first;
     if (frame.segments)
-        rig.test.requireOk(rig.record(frame),
-                           rig.function() + " with the other segments after " + what);
+        rig.test.requireOk(rig.record(frame), rig.function() + " with the other segments after " + what);
     if (first != AGAA_SEGMENT_ALL)
-        expectSame(rig.test, rig.device().readOutput(), expected, rig.description().desc.width,
-                   "the frame after " + what);
+        expectSame(rig.test, rig.device().readOutput(), expected, rig.description().desc.width, "the frame after " + what);
     rig.expectNoMessages(what);
     expectNextFrame(rig, expected, what);
 }
@@ -82,12 +78,12 @@ void testIndices(Test& test) {
         AgaaFrame frame = rig.nextFrame();
         frame.frameIndex = index;
         frame.completedFrame = index - 1;
-        expectFrameRefused(rig, frame,
-                           {AGAA_ERROR_WRONG_ORDER,
-                            rig.function() + " with frameIndex = " + std::to_string(index) +
-                                " after " + std::to_string(rig.recorded),
-                            "frameIndex"},
-                           expected);
+        expectFrameRefused(
+            rig, frame,
+            {AGAA_ERROR_WRONG_ORDER,
+             rig.function() + " with frameIndex = " + std::to_string(index) + " after " + std::to_string(rig.recorded),
+             "frameIndex"},
+            expected);
     }
 }
 
@@ -101,10 +97,8 @@ void testFirstIndex(Test& test) {
         rig.context.log.lines.clear();
         const AgaaResult result = rig.record(frame);
         rig.test.check(result == AGAA_ERROR_WRONG_ORDER || result == AGAA_ERROR_OUT_OF_RANGE,
-                       rig.function() + " with frameIndex = 0 returns " +
-                           test.sdk.agaaResultName(result) + ".");
-        expectRefused(test, result, result, rig.context.log, rig.function(),
-                      rig.function() + " with frameIndex = 0");
+                       rig.function() + " with frameIndex = 0 returns " + test.sdk.agaaResultName(result) + ".");
+        expectRefused(test, result, result, rig.context.log, rig.function(), rig.function() + " with frameIndex = 0");
     }
     rig.render();
 }
@@ -113,16 +107,13 @@ void testFramesInFlight(Test& test) {
     for (const uint32_t inFlight : {1u, 2u, 3u}) {
         Rig rig(test, {}, [inFlight](ContextDescription& c) { c.desc.framesInFlight = inFlight; });
         const Image expected = rig.render(); // frame 1
-        const std::string with =
-            rig.function() + ", framesInFlight = " + std::to_string(inFlight) + ", ";
+        const std::string with = rig.function() + ", framesInFlight = " + std::to_string(inFlight) + ", ";
         for (uint32_t i = 2; i <= inFlight; ++i)
             rig.render([](AgaaFrame& frame) { frame.completedFrame = 0; });
         AgaaFrame frame = rig.nextFrame();
         frame.completedFrame = 0;
-        expectFrameRefused(rig, frame,
-                           {AGAA_ERROR_WRONG_ORDER,
-                            with + "none of " + std::to_string(inFlight) + " frames finished"},
-                           expected);
+        expectFrameRefused(
+            rig, frame, {AGAA_ERROR_WRONG_ORDER, with + "none of " + std::to_string(inFlight) + " frames finished"}, expected);
         // The frame framesInFlight before is finished, and no later one.
         rig.render([inFlight](AgaaFrame& f) { f.completedFrame = f.frameIndex - inFlight; });
     }
@@ -136,8 +127,7 @@ void testCompletedFrame(Test& test) {
         frame.completedFrame = frame.frameIndex + beyond;
         expectFrameRefused(rig, frame,
                            {AGAA_ERROR_OUT_OF_RANGE,
-                            rig.function() +
-                                " with completedFrame = " + std::to_string(frame.completedFrame) +
+                            rig.function() + " with completedFrame = " + std::to_string(frame.completedFrame) +
                                 ", frameIndex = " + std::to_string(frame.frameIndex),
                             "completedFrame"},
                            expected);
@@ -152,10 +142,9 @@ void testSameCamera(Test& test) {
         const char* what;
         std::function<void(AgaaFrame&)> change;
         const char* words;
-    } rows[] = {
-        {"another projection", [](AgaaFrame& f) { f.projection[12] += 0.01f; }, "projection"},
-        {"another view", [](AgaaFrame& f) { f.view[0] = f.view[5] = -1; }, "view"},
-        {"another ditherFrame", [](AgaaFrame& f) { f.ditherFrame = 1; }, "ditherFrame"}};
+    } rows[] = {{"another projection", [](AgaaFrame& f) { f.projection[12] += 0.01f; }, "projection"},
+                {"another view", [](AgaaFrame& f) { f.view[0] = f.view[5] = -1; }, "view"},
+                {"another ditherFrame", [](AgaaFrame& f) { f.ditherFrame = 1; }, "ditherFrame"}};
     for (const auto& row : rows)
         for (const uint64_t first : {pre, pre | gen}) {
             AgaaFrame frame = rig.nextFrame();
@@ -166,15 +155,11 @@ void testSameCamera(Test& test) {
             row.change(rest);
             rig.context.log.lines.clear();
             const AgaaResult result = rig.record(rest);
-            const std::string what =
-                rig.function() + " with " + row.what + " after" + segmentsText(first);
-            expectRefused(test, result, AGAA_ERROR_OUT_OF_RANGE, rig.context.log, rig.function(),
-                          what, row.words);
+            const std::string what = rig.function() + " with " + row.what + " after" + segmentsText(first);
+            expectRefused(test, result, AGAA_ERROR_OUT_OF_RANGE, rig.context.log, rig.function(), what, row.words);
             frame.segments = AGAA_SEGMENT_ALL & ~first;
-            test.requireOk(rig.record(frame),
-                           rig.function() + " with the camera of the first segment after " + what);
-            expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width,
-                       "the frame after " + what);
+            test.requireOk(rig.record(frame), rig.function() + " with the camera of the first segment after " + what);
+            expectSame(test, rig.device().readOutput(), expected, rig.description().desc.width, "the frame after " + what);
         }
 }
 
@@ -184,11 +169,10 @@ void testComposite(Test& test) {
     const Image expected = rig.render();
     AgaaFrame frame = rig.nextFrame();
     frame.background[3] = 0;
-    expectFrameRefused(rig, frame,
-                       {AGAA_ERROR_OUT_OF_RANGE,
-                        rig.function() + " with background[3] = 0 and no AGAA_VIEW_COMPOSITE",
-                        "AGAA_VIEW_COMPOSITE"},
-                       expected);
+    expectFrameRefused(
+        rig, frame,
+        {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with background[3] = 0 and no AGAA_VIEW_COMPOSITE", "AGAA_VIEW_COMPOSITE"},
+        expected);
 }
 
 } // namespace

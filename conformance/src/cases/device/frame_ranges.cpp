@@ -60,12 +60,8 @@ void testPerspective(Test& test) {
             parts.frame.projection[i] = float(v);
         };
     };
-    testFrameMember(rig, {"",
-                          "AgaaFrame::projection for a screen at the distance",
-                          "AgaaFrame::projection",
-                          perspective,
-                          {4, 8, 100},
-                          {}});
+    testFrameMember(
+        rig, {"", "AgaaFrame::projection for a screen at the distance", "AgaaFrame::projection", perspective, {4, 8, 100}, {}});
     for (const int i : {1, 2, 3, 4, 6, 7, 12, 13})
         testFrameMember(rig, {"",
                               elementText("AgaaFrame::projection", i) + " of a perspective",
@@ -73,18 +69,10 @@ void testPerspective(Test& test) {
                               with(i),
                               {},
                               notNumbers({1})});
-    testFrameMember(rig, {"",
-                          "AgaaFrame::projection[14] of a perspective",
-                          "AgaaFrame::projection",
-                          with(14),
-                          {},
-                          notNumbers({0, 0.2})});
-    testFrameMember(rig, {"",
-                          "AgaaFrame::projection[15] of a perspective",
-                          "AgaaFrame::projection",
-                          with(15),
-                          {},
-                          notNumbers({1, -1})});
+    testFrameMember(
+        rig, {"", "AgaaFrame::projection[14] of a perspective", "AgaaFrame::projection", with(14), {}, notNumbers({0, 0.2})});
+    testFrameMember(
+        rig, {"", "AgaaFrame::projection[15] of a perspective", "AgaaFrame::projection", with(15), {}, notNumbers({1, -1})});
 }
 
 void testView(Test& test) {
@@ -113,32 +101,29 @@ void addColors(Suite& suite) {
     suite.both("AgaaFrame.ambient/range", [](Test& test) {
         MemberRig rig(test);
         for (int i = 0; i < 3; ++i)
-            testFrameMember(
-                rig, {"",
-                      elementText("AgaaFrame::ambient", i),
-                      "AgaaFrame::ambient",
-                      [i](FrameParts& parts, double v) { parts.frame.ambient[i] = float(v); },
-                      {0, 1e-30f, 65504},
-                      notNumbers({-1e-20, -1, above(65504)})});
+            testFrameMember(rig, {"",
+                                  elementText("AgaaFrame::ambient", i),
+                                  "AgaaFrame::ambient",
+                                  [i](FrameParts& parts, double v) { parts.frame.ambient[i] = float(v); },
+                                  {0, 1e-30f, 65504},
+                                  notNumbers({-1e-20, -1, above(65504)})});
     });
     suite.both("AgaaFrame.background/range", [](Test& test) {
         MemberRig rig(test);
         for (int i = 0; i < 4; ++i)
-            testFrameMember(
-                rig, {"",
-                      elementText("AgaaFrame::background", i),
-                      "AgaaFrame::background",
-                      [i](FrameParts& parts, double v) { parts.frame.background[i] = float(v); },
-                      {1e-30f, 1, 65504},
-                      notNumbers({-1e-20, -1, above(65504)})});
+            testFrameMember(rig, {"",
+                                  elementText("AgaaFrame::background", i),
+                                  "AgaaFrame::background",
+                                  [i](FrameParts& parts, double v) { parts.frame.background[i] = float(v); },
+                                  {1e-30f, 1, 65504},
+                                  notNumbers({-1e-20, -1, above(65504)})});
         for (int i = 0; i < 3; ++i)
-            testFrameMember(
-                rig, {"",
-                      elementText("AgaaFrame::background", i),
-                      "AgaaFrame::background",
-                      [i](FrameParts& parts, double v) { parts.frame.background[i] = float(v); },
-                      {0},
-                      {}});
+            testFrameMember(rig, {"",
+                                  elementText("AgaaFrame::background", i),
+                                  "AgaaFrame::background",
+                                  [i](FrameParts& parts, double v) { parts.frame.background[i] = float(v); },
+                                  {0},
+                                  {}});
     });
 }
 

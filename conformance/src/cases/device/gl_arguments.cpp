@@ -24,8 +24,7 @@ public:
 };
 
 RecordHook changed(const std::function<void(AgaaGlFrame&)>& change) {
-    return [change](const RecordCall& call, AgaaView view, const AgaaFrame* frame,
-                    const void* native) {
+    return [change](const RecordCall& call, AgaaView view, const AgaaFrame* frame, const void* native) {
         AgaaGlFrame copy = *static_cast<const AgaaGlFrame*>(native);
         change(copy);
         return call(view, frame, &copy);
@@ -35,29 +34,23 @@ RecordHook changed(const std::function<void(AgaaGlFrame&)>& change) {
 void testFormats(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
-    for (const GLenum format :
-         {GL_SRGB8_ALPHA8, GL_RGB8, GL_RGBA4, GL_RGB9_E5, GL_DEPTH_COMPONENT32F}) {
+    for (const GLenum format : {GL_SRGB8_ALPHA8, GL_RGB8, GL_RGBA4, GL_RGB9_E5, GL_DEPTH_COMPONENT32F}) {
         const OwnTexture output(GL_TEXTURE_2D, format, 32, 24);
         AgaaFrame frame = rig.nextFrame();
-        expectFrameRefused(rig, frame,
-                           {AGAA_ERROR_UNSUPPORTED,
-                            rig.function() + " with an output of format " + std::to_string(format),
-                            "outputTexture"},
-                           expected,
-                           changed([&](AgaaGlFrame& f) { f.outputTexture = output.name; }));
+        expectFrameRefused(
+            rig, frame,
+            {AGAA_ERROR_UNSUPPORTED, rig.function() + " with an output of format " + std::to_string(format), "outputTexture"},
+            expected, changed([&](AgaaGlFrame& f) { f.outputTexture = output.name; }));
     }
     for (const GLenum format : {GL_RGBA32F, GL_RGBA16F}) {
         const OwnTexture output(GL_TEXTURE_2D, format, 32, 24);
         AgaaFrame frame = rig.nextFrame();
-        test.requireOk(
-            rig.record(frame, changed([&](AgaaGlFrame& f) { f.outputTexture = output.name; })),
-            rig.function() + " with an output of format " + std::to_string(format));
+        test.requireOk(rig.record(frame, changed([&](AgaaGlFrame& f) { f.outputTexture = output.name; })),
+                       rig.function() + " with an output of format " + std::to_string(format));
         Image image(size_t(32) * 24 * 4);
-        glGetTextureImage(output.name, 0, GL_RGBA, GL_FLOAT, GLsizei(image.size() * sizeof(float)),
-                          image.data());
+        glGetTextureImage(output.name, 0, GL_RGBA, GL_FLOAT, GLsizei(image.size() * sizeof(float)), image.data());
         const float color[] = {expected[0], expected[1], expected[2]};
-        expectColor(test, image, 32, {0, 0, 1, 1}, color, 0.001f,
-                    "an output of format " + std::to_string(format));
+        expectColor(test, image, 32, {0, 0, 1, 1}, color, 0.001f, "an output of format " + std::to_string(format));
     }
 }
 
@@ -68,8 +61,8 @@ void testSizes(Test& test) {
     for (const auto& size : sizes) {
         const OwnTexture output(GL_TEXTURE_2D, GL_RGBA32F, size[0], size[1]);
         AgaaFrame frame = rig.nextFrame();
-        const std::string what = rig.function() + " with an output of " + std::to_string(size[0]) +
-                                 "x" + std::to_string(size[1]) + " for a view of 32x24";
+        const std::string what = rig.function() + " with an output of " + std::to_string(size[0]) + "x" +
+                                 std::to_string(size[1]) + " for a view of 32x24";
         expectFrameRefused(rig, frame, {AGAA_ERROR_OUT_OF_RANGE, what, "outputTexture"}, expected,
                            changed([&](AgaaGlFrame& f) { f.outputTexture = output.name; }));
     }
@@ -84,8 +77,7 @@ void testShadowWithoutDepth(Test& test) {
     frame.shadows = &shadow;
     frame.shadowCount = 1;
     expectFrameRefused(rig, frame,
-                       {AGAA_ERROR_INVALID_ARGUMENT,
-                        rig.function() + " with a shadow map without depth", "shadowTextures[0]"},
+                       {AGAA_ERROR_INVALID_ARGUMENT, rig.function() + " with a shadow map without depth", "shadowTextures[0]"},
                        expected, changed([&](AgaaGlFrame& f) { f.shadowTextures[0] = map.name; }));
 }
 
@@ -98,8 +90,7 @@ void testReserved(Test& test) {
         AgaaFrame frame = rig.nextFrame();
         expectFrameRefused(
             rig, frame,
-            {AGAA_ERROR_OUT_OF_RANGE,
-             rig.function() + " with AgaaGlFrame::reserved = " + std::to_string(value), "reserved"},
+            {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with AgaaGlFrame::reserved = " + std::to_string(value), "reserved"},
             expected, changed([value](AgaaGlFrame& f) { f.reserved = value; }));
     }
 }
@@ -143,19 +134,15 @@ void testFeedback(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
     AgaaFrame frame = rig.nextFrame();
-    expectFrameRefused(
-        rig, frame,
-        {AGAA_ERROR_WRONG_ORDER, rig.function() + " while transform feedback is active",
-         "transform feedback"},
-        expected,
-        [](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
-            const Feedback active;
-            return call(view, f, native);
-        });
+    expectFrameRefused(rig, frame,
+                       {AGAA_ERROR_WRONG_ORDER, rig.function() + " while transform feedback is active", "transform feedback"},
+                       expected, [](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
+                           const Feedback active;
+                           return call(view, f, native);
+                       });
     frame = rig.nextFrame();
     test.requireOk(rig.record(frame,
-                              [](const RecordCall& call, AgaaView view, const AgaaFrame* f,
-                                 const void* native) {
+                              [](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
                                   const Feedback active;
                                   glPauseTransformFeedback();
                                   const AgaaResult result = call(view, f, native);
@@ -164,8 +151,7 @@ void testFeedback(Test& test) {
                               }),
                    rig.function() + " while transform feedback is paused");
     rig.expectNoMessages("a frame while transform feedback is paused");
-    expectSame(test, rig.device().readOutput(), expected, 32,
-               "a frame while transform feedback is paused");
+    expectSame(test, rig.device().readOutput(), expected, 32, "a frame while transform feedback is paused");
 }
 
 } // namespace
@@ -174,8 +160,7 @@ void addGlArgumentCases(Suite& suite) {
     const std::vector<Backend> gl = {Backend::OpenGl};
     suite.add("agaaGlRecordFrame/AGAA_ERROR_UNSUPPORTED", gl, testFormats);
     suite.add("agaaGlRecordFrame/AGAA_ERROR_OUT_OF_RANGE/output_size", gl, testSizes);
-    suite.add("agaaGlRecordFrame/AGAA_ERROR_INVALID_ARGUMENT/shadow_without_depth", gl,
-              testShadowWithoutDepth);
+    suite.add("agaaGlRecordFrame/AGAA_ERROR_INVALID_ARGUMENT/shadow_without_depth", gl, testShadowWithoutDepth);
     suite.add("agaaGlRecordFrame/AGAA_ERROR_WRONG_ORDER/transform_feedback", gl, testFeedback);
     suite.add("AgaaGlFrame.reserved/zero", gl, testReserved);
 }

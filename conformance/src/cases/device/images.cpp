@@ -31,8 +31,7 @@ Scene wall(const Rig& rig, const float* normal = nullptr) {
     if (normal)
         std::copy(normal, normal + 3, surface.normal);
     Scene scene;
-    addRectangle(scene, desc.width, desc.height, 0, 0, float(desc.width), float(desc.height),
-                 distance, surface);
+    addRectangle(scene, desc.width, desc.height, 0, 0, float(desc.width), float(desc.height), distance, surface);
     return scene;
 }
 
@@ -68,8 +67,8 @@ using Irradiance = std::function<float(const float* place)>;
 
 // The light that a pixel receives, times albedo / pi. Techniques shade a pixel at one place or
 // several: the value is between the least and the greatest of the pixel's corners.
-void expectLightAt(Rig& rig, const Image& image, uint32_t x, uint32_t y,
-                   const Irradiance& irradiance, const std::string& what) {
+void expectLightAt(Rig& rig, const Image& image, uint32_t x, uint32_t y, const Irradiance& irradiance,
+                   const std::string& what) {
     float least = INFINITY, greatest = 0;
     for (const float dx : {-0.5f, 0.0f, 0.5f})
         for (const float dy : {-0.5f, 0.0f, 0.5f}) {
@@ -81,71 +80,43 @@ void expectLightAt(Rig& rig, const Image& image, uint32_t x, uint32_t y,
             greatest = std::max(greatest, irradiance(place) / pi);
         }
     const Rgb middle = albedo * (0.5f * (least + greatest));
-    expectColor(rig.test, image, whole(rig).x1, {x, y, x + 1, y + 1}, middle.v,
-                0.003f + 0.5f * (greatest - least), what);
+    expectColor(rig.test, image, whole(rig).x1, {x, y, x + 1, y + 1}, middle.v, 0.003f + 0.5f * (greatest - least), what);
 }
 
-void expectLight(Rig& rig, const Image& image, const Irradiance& irradiance,
-                 const std::string& what) {
+void expectLight(Rig& rig, const Image& image, const Irradiance& irradiance, const std::string& what) {
     const Area area = whole(rig);
     for (uint32_t y = area.y0; y < area.y1; y += 3)
         for (uint32_t x = area.x0; x < area.x1; x += 3)
             expectLightAt(rig, image, x, y, irradiance, what);
 }
 
-// names: of techniques; empty: all.
-void forTechniques(Test& test, const std::function<void(Rig&)>& run,
-                   std::vector<std::string> names = {}) {
-    if (names.empty())
-        names = techniques(test.sdk);
-    for (const std::string& technique : names) {
-        Rig rig(test, [&](ViewDescription& description) {
-            setTechnique(description, technique, 4);
-            diffuseFacts(description);
-        });
-        rig.scene = wall(rig);
-        run(rig);
-    }
-}
-
-// One for each place where the SDK shades: the host's fragments, samples, aggregates.
-const std::vector<std::string> shadingPlaces = {"msaa", "ssaa", "agaa"};
-
 std::string named(const Rig& rig, const std::string& what) {
     return what + " (\"" + rig.description().config.technique + "\")";
 }
 
-void testAmbient(Test& test) {
-    forTechniques(test, [](Rig& rig) {
-        const Image image = rig.render([](AgaaFrame& frame) {
-            frame.ambient[0] = 0.5f;
-            frame.ambient[1] = 2;
-            frame.ambient[2] = 0;
-        });
-        const float expected[] = {0.5f * albedo.v[0], 2 * albedo.v[1], 0};
-        expectColor(rig.test, image, whole(rig).x1, whole(rig), expected, 0.005f,
-                    named(rig, "ambient light (0.5, 2, 0)"));
+void expectAmbient(Rig& rig) {
+    const Image image = rig.render([](AgaaFrame& frame) {
+        frame.ambient[0] = 0.5f;
+        frame.ambient[1] = 2;
+        frame.ambient[2] = 0;
     });
+    const float expected[] = {0.5f * albedo.v[0], 2 * albedo.v[1], 0};
+    expectColor(rig.test, image, whole(rig).x1, whole(rig), expected, 0.005f, named(rig, "ambient light (0.5, 2, 0)"));
 }
 
-void testDirectional(Test& test) {
-    forTechniques(test, [](Rig& rig) {
-        AgaaLight light = lightOfType(AGAA_LIGHT_DIRECTIONAL);
-        light.color[0] = light.color[1] = light.color[2] = 4;
-        expectLight(
-            rig, renderLight(rig, light), [](const float*) { return 4.0f; },
-            named(rig, "a light from the eye"));
-        light.direction[0] = 0.6f;
-        light.direction[2] = -0.8f;
-        expectLight(
-            rig, renderLight(rig, light), [](const float*) { return 4 * 0.8f; },
-            named(rig, "a slanting light"));
-        light.direction[0] = 0;
-        light.direction[2] = 1;
-        expectLight(
-            rig, renderLight(rig, light), [](const float*) { return 0.0f; },
-            named(rig, "a light from behind"));
-    });
+void expectDirectional(Rig& rig) {
+    AgaaLight light = lightOfType(AGAA_LIGHT_DIRECTIONAL);
+    light.color[0] = light.color[1] = light.color[2] = 4;
+    expectLight(
+        rig, renderLight(rig, light), [](const float*) { return 4.0f; }, named(rig, "a light from the eye"));
+    light.direction[0] = 0.6f;
+    light.direction[2] = -0.8f;
+    expectLight(
+        rig, renderLight(rig, light), [](const float*) { return 4 * 0.8f; }, named(rig, "a slanting light"));
+    light.direction[0] = 0;
+    light.direction[2] = 1;
+    expectLight(
+        rig, renderLight(rig, light), [](const float*) { return 0.0f; }, named(rig, "a light from behind"));
 }
 
 // Intensity times cosine over the square of the distance, outside the lamp and within the range.
@@ -165,59 +136,44 @@ AgaaLight lamp() {
     return light;
 }
 
-void testPoint(Test& test) {
-    forTechniques(
-        test,
-        [](Rig& rig) {
-            AgaaLight light = lamp();
-            expectLight(
-                rig, renderLight(rig, light),
-                [&](const float* place) { return pointLight(place, light); },
-                named(rig, "a point light"));
-            light.radius = 12;
-            expectLight(
-                rig, renderLight(rig, light),
-                [&](const float* place) { return pointLight(place, light); },
-                named(rig, "a point light with a radius"));
-            light.radius = 0;
-            light.range = 7.5f;
-            expectLight(
-                rig, renderLight(rig, light), [](const float*) { return 0.0f; },
-                named(rig, "a point light out of its range"));
-        },
-        shadingPlaces);
+void expectPoint(Rig& rig) {
+    AgaaLight light = lamp();
+    expectLight(
+        rig, renderLight(rig, light), [&](const float* place) { return pointLight(place, light); },
+        named(rig, "a point light"));
+    light.radius = 12;
+    expectLight(
+        rig, renderLight(rig, light), [&](const float* place) { return pointLight(place, light); },
+        named(rig, "a point light with a radius"));
+    light.radius = 0;
+    light.range = 7.5f;
+    expectLight(
+        rig, renderLight(rig, light), [](const float*) { return 0.0f; }, named(rig, "a point light out of its range"));
 }
 
-void testSpot(Test& test) {
-    forTechniques(
-        test,
-        [](Rig& rig) {
-            AgaaLight light = lamp();
-            light.type = AGAA_LIGHT_SPOT;
-            light.cosInner = 0.86f; // a circle of radius 4.7 on the wall
-            light.cosOuter = 0.84f;
-            const Image image = renderLight(rig, light);
-            const auto cosine = [&](const float* p) {
-                const float x = p[0] - light.position[0], y = p[1] - light.position[1],
-                            z = p[2] - light.position[2];
-                return -z / std::sqrt(x * x + y * y + z * z);
-            };
-            const Area area = whole(rig);
-            for (uint32_t y = 0; y < area.y1; ++y)
-                for (uint32_t x = 0; x < area.x1; ++x) {
-                    float place[3];
-                    placeOf(rig, x, y, place);
-                    const float c = cosine(place);
-                    if (c < 0.89f && c > 0.80f) // near the edge of the cone
-                        continue;
-                    const bool isInside = c > 0.85f;
-                    expectLightAt(
-                        rig, image, x, y,
-                        [&](const float* p) { return isInside ? pointLight(p, light) : 0.0f; },
-                        named(rig, "a spot light"));
-                }
-        },
-        shadingPlaces);
+void expectSpot(Rig& rig) {
+    AgaaLight light = lamp();
+    light.type = AGAA_LIGHT_SPOT;
+    light.cosInner = 0.86f; // a circle of radius 4.7 on the wall
+    light.cosOuter = 0.84f;
+    const Image image = renderLight(rig, light);
+    const auto cosine = [&](const float* p) {
+        const float x = p[0] - light.position[0], y = p[1] - light.position[1], z = p[2] - light.position[2];
+        return -z / std::sqrt(x * x + y * y + z * z);
+    };
+    const Area area = whole(rig);
+    for (uint32_t y = 0; y < area.y1; ++y)
+        for (uint32_t x = 0; x < area.x1; ++x) {
+            float place[3];
+            placeOf(rig, x, y, place);
+            const float c = cosine(place);
+            if (c < 0.89f && c > 0.80f) // near the edge of the cone
+                continue;
+            const bool isInside = c > 0.85f;
+            expectLightAt(
+                rig, image, x, y, [&](const float* p) { return isInside ? pointLight(p, light) : 0.0f; },
+                named(rig, "a spot light"));
+        }
 }
 
 // All points have this place in a layer.
@@ -228,59 +184,62 @@ void project(float* matrix, float x, float depth) {
     matrix[15] = 1;
 }
 
-void testShadow(Test& test) {
+void expectShadows(Rig& rig) {
     struct Row {
         const char* what;
         float x0, depth0, bias, x1, depth1;
         bool isLit;
     };
     // The stored depth is 0.5.
-    const Row rows[] = {
-        {"in front of the stored depth", 0, 0.25f, 0, 9, 0, true},
-        {"at the stored depth", 0, 0.5f, 0, 9, 0, true},
-        {"behind the stored depth", 0, 0.75f, 0, 9, 0, false},
-        {"behind the stored depth by less than depthBias", 0, 0.75f, 0.3f, 9, 0, true},
-        {"behind the stored depth by more than depthBias", 0, 0.75f, 0.2f, 9, 0, false},
-        {"outside all layers", 9, 0.75f, 0, 9, 0.75f, true},
-        {"in the first of two layers", 0, 0.75f, 0, 0, 0.25f, false},
-        {"in the second layer only", 9, 0.25f, 0, 0, 0.75f, false},
-        {"beyond the depths of the first layer", 0, 1.5f, 0, 0, 0.75f, false}};
-    forTechniques(
-        test,
-        [&](Rig& rig) {
-            rig.device().setShadowDepth(0.5f);
-            AgaaLight light = lightOfType(AGAA_LIGHT_DIRECTIONAL);
-            light.color[0] = light.color[1] = light.color[2] = 4;
-            light.shadowMap = 0;
-            for (const Row& row : rows) {
-                AgaaShadow shadow = AGAA_SHADOW_INIT;
-                shadow.layerCount = 2;
-                shadow.depthBias = row.bias;
-                project(shadow.matrices[0], row.x0, row.depth0);
-                project(shadow.matrices[1], row.x1, row.depth1);
-                expectLight(
-                    rig, renderLight(rig, light, &shadow),
-                    [&](const float*) { return row.isLit ? 4.0f : 0.0f; },
-                    named(rig, std::string("a wall ") + row.what));
-                light.shadowMap = AGAA_NO_SHADOW;
-                expectLight(
-                    rig, renderLight(rig, light, &shadow), [&](const float*) { return 4.0f; },
-                    named(rig, "a light without a shadow"));
-                light.shadowMap = 0;
-            }
-            rig.device().setShadowDepth(1.0f);
-        },
-        shadingPlaces);
+    const Row rows[] = {{"in front of the stored depth", 0, 0.25f, 0, 9, 0, true},
+                        {"at the stored depth", 0, 0.5f, 0, 9, 0, true},
+                        {"behind the stored depth", 0, 0.75f, 0, 9, 0, false},
+                        {"behind the stored depth by less than depthBias", 0, 0.75f, 0.3f, 9, 0, true},
+                        {"behind the stored depth by more than depthBias", 0, 0.75f, 0.2f, 9, 0, false},
+                        {"outside all layers", 9, 0.75f, 0, 9, 0.75f, true},
+                        {"in the first of two layers", 0, 0.75f, 0, 0, 0.25f, false},
+                        {"in the second layer only", 9, 0.25f, 0, 0, 0.75f, false},
+                        {"beyond the depths of the first layer", 0, 1.5f, 0, 0, 0.75f, false}};
+    rig.device().setShadowDepth(0.5f);
+    AgaaLight light = lightOfType(AGAA_LIGHT_DIRECTIONAL);
+    light.color[0] = light.color[1] = light.color[2] = 4;
+    light.shadowMap = 0;
+    for (const Row& row : rows) {
+        AgaaShadow shadow = AGAA_SHADOW_INIT;
+        shadow.layerCount = 2;
+        shadow.depthBias = row.bias;
+        project(shadow.matrices[0], row.x0, row.depth0);
+        project(shadow.matrices[1], row.x1, row.depth1);
+        expectLight(
+            rig, renderLight(rig, light, &shadow), [&](const float*) { return row.isLit ? 4.0f : 0.0f; },
+            named(rig, std::string("a wall ") + row.what));
+        light.shadowMap = AGAA_NO_SHADOW;
+        expectLight(
+            rig, renderLight(rig, light, &shadow), [&](const float*) { return 4.0f; }, named(rig, "a light without a shadow"));
+        light.shadowMap = 0;
+    }
+    rig.device().setShadowDepth(1.0f);
+}
+
+void testLights(Test& test, const char* technique) {
+    Rig rig(test, [&](ViewDescription& description) {
+        setTechnique(description, technique, 4);
+        diffuseFacts(description);
+    });
+    rig.scene = wall(rig);
+    expectAmbient(rig);
+    expectDirectional(rig);
+    expectPoint(rig);
+    expectSpot(rig);
+    expectShadows(rig);
 }
 
 } // namespace
 
 void addImageCases(Suite& suite) {
-    suite.both("general/image_of_ambient_light", testAmbient);
-    suite.both("general/image_of_directional_light", testDirectional);
-    suite.both("general/image_of_point_light", testPoint);
-    suite.both("general/image_of_spot_light", testSpot);
-    suite.both("general/image_of_shadow", testShadow);
+    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"})
+        suite.both("general/images_of_lights/" + std::string(technique),
+                   [technique](Test& test) { testLights(test, technique); });
 }
 
 } // namespace agaa::conformance

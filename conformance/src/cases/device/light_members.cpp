@@ -18,8 +18,7 @@ std::function<void(FrameParts&, double)> ofLight(const Set& set, uint32_t type =
     };
 }
 
-std::function<void(FrameParts&, double)>
-ofShadow(const std::function<void(AgaaShadow&, double)>& set) {
+std::function<void(FrameParts&, double)> ofShadow(const std::function<void(AgaaShadow&, double)>& set) {
     return [set](FrameParts& parts, double value) {
         parts.useShadows();
         parts.useLights();
@@ -41,34 +40,31 @@ void addVectors(Suite& suite) {
     std::vector<FrameMember> positions, colors, directions;
     for (int i = 0; i < 3; ++i) {
         const std::string index = "[" + std::to_string(i) + "]";
-        positions.push_back(
-            {"",
-             "AgaaLight::position" + index,
-             "position",
-             ofLight([i](AgaaLight& light, double v) { light.position[i] = float(v); }),
-             {-1e18f, 0, 1e18f},
-             notNumbers({above(1e18f), below(-1e18f)})});
+        positions.push_back({"",
+                             "AgaaLight::position" + index,
+                             "position",
+                             ofLight([i](AgaaLight& light, double v) { light.position[i] = float(v); }),
+                             {-1e18f, 0, 1e18f},
+                             notNumbers({above(1e18f), below(-1e18f)})});
         colors.push_back({"",
                           "AgaaLight::color" + index,
                           "light 1",
                           ofLight([i](AgaaLight& light, double v) { light.color[i] = float(v); }),
                           {0, 1, 1e30f},
                           notNumbers({-1e-20, -1, above(1e30f)})});
-        directions.push_back(
-            {"",
-             "AgaaLight::direction" + index + " of a point light",
-             "direction",
-             ofLight([i](AgaaLight& light, double v) { light.direction[i] = float(v); }),
-             {0, 5},
-             notNumbers({})});
+        directions.push_back({"",
+                              "AgaaLight::direction" + index + " of a point light",
+                              "direction",
+                              ofLight([i](AgaaLight& light, double v) { light.direction[i] = float(v); }),
+                              {0, 5},
+                              notNumbers({})});
         for (const uint32_t type : {AGAA_LIGHT_DIRECTIONAL, AGAA_LIGHT_SPOT})
-            directions.push_back(
-                {"",
-                 "the length of AgaaLight::direction of a light of type " + std::to_string(type),
-                 "direction",
-                 ofLight(alongAxis(i), type),
-                 {-1, 1},
-                 notNumbers({0, 0.5, 2, -2})});
+            directions.push_back({"",
+                                  "the length of AgaaLight::direction of a light of type " + std::to_string(type),
+                                  "direction",
+                                  ofLight(alongAxis(i), type),
+                                  {-1, 1},
+                                  notNumbers({0, 0.5, 2, -2})});
     }
     addFrameMembers(suite, "AgaaLight.position/range", positions);
     addFrameMembers(suite, "AgaaLight.color/range", colors);
@@ -94,8 +90,7 @@ void addCones(Suite& suite) {
     addFrameMember(suite, {"AgaaLight.cosInner/range",
                            "AgaaLight::cosInner, with cosOuter = 0,",
                            "light 1",
-                           ofLight([](AgaaLight& light, double v) { light.cosInner = float(v); },
-                                   AGAA_LIGHT_SPOT),
+                           ofLight([](AgaaLight& light, double v) { light.cosInner = float(v); }, AGAA_LIGHT_SPOT),
                            {0, 0.5, 1},
                            notNumbers({-1e-6, -1, above(1)})});
     addFrameMember(suite, {"AgaaLight.cosOuter/range",
@@ -111,32 +106,28 @@ void addCones(Suite& suite) {
                            notNumbers({below(-1), above(0.5f), 1})});
     std::vector<FrameMember> others;
     for (const uint32_t type : {AGAA_LIGHT_DIRECTIONAL, AGAA_LIGHT_POINT})
-        others.push_back(
-            {"",
-             "the cosines of a light that has no cone (type " + std::to_string(type) + ")",
-             "",
-             ofLight([](AgaaLight& light, double v) { light.cosInner = light.cosOuter = float(v); },
-                     type),
-             notNumbers({-2, 2}),
-             {}});
+        others.push_back({"",
+                          "the cosines of a light that has no cone (type " + std::to_string(type) + ")",
+                          "",
+                          ofLight([](AgaaLight& light, double v) { light.cosInner = light.cosOuter = float(v); }, type),
+                          notNumbers({-2, 2}),
+                          {}});
     addFrameMembers(suite, "AgaaLight.cosInner/range/no_cone", others);
 }
 
 void addShadows(Suite& suite) {
-    addFrameMember(suite,
-                   {"AgaaShadow.layerCount/range",
-                    "AgaaShadow::layerCount",
-                    "AgaaShadow::layerCount",
-                    ofShadow([](AgaaShadow& shadow, double v) { shadow.layerCount = uint32_t(v); }),
-                    {1, 2, AGAA_MAX_SHADOW_LAYERS},
-                    largeNumbers({0, AGAA_MAX_SHADOW_LAYERS + 1})});
-    addFrameMember(suite,
-                   {"AgaaShadow.depthBias/range",
-                    "AgaaShadow::depthBias",
-                    "AgaaShadow::depthBias",
-                    ofShadow([](AgaaShadow& shadow, double v) { shadow.depthBias = float(v); }),
-                    {0, 0.5, 1},
-                    notNumbers({-1e-20, -1, above(1)})});
+    addFrameMember(suite, {"AgaaShadow.layerCount/range",
+                           "AgaaShadow::layerCount",
+                           "AgaaShadow::layerCount",
+                           ofShadow([](AgaaShadow& shadow, double v) { shadow.layerCount = uint32_t(v); }),
+                           {1, 2, AGAA_MAX_SHADOW_LAYERS},
+                           largeNumbers({0, AGAA_MAX_SHADOW_LAYERS + 1})});
+    addFrameMember(suite, {"AgaaShadow.depthBias/range",
+                           "AgaaShadow::depthBias",
+                           "AgaaShadow::depthBias",
+                           ofShadow([](AgaaShadow& shadow, double v) { shadow.depthBias = float(v); }),
+                           {0, 0.5, 1},
+                           notNumbers({-1e-20, -1, above(1)})});
     addFrameMember(suite, {"AgaaShadow.matrices/range",
                            "AgaaShadow::matrices",
                            "AgaaShadow::matrices",
@@ -146,13 +137,12 @@ void addShadows(Suite& suite) {
                            }),
                            {-1, 0, 1, 1e30f},
                            notNumbers({})});
-    addFrameMember(
-        suite, {"AgaaShadow.matrices/range/unused",
-                "AgaaShadow::matrices beyond layerCount",
-                "",
-                ofShadow([](AgaaShadow& shadow, double v) { shadow.matrices[1][0] = float(v); }),
-                notNumbers({1}),
-                {}});
+    addFrameMember(suite, {"AgaaShadow.matrices/range/unused",
+                           "AgaaShadow::matrices beyond layerCount",
+                           "",
+                           ofShadow([](AgaaShadow& shadow, double v) { shadow.matrices[1][0] = float(v); }),
+                           notNumbers({1}),
+                           {}});
     addFrameMember(suite, {"AgaaLight.shadowMap/range",
                            "AgaaLight::shadowMap",
                            "light 1",
@@ -163,13 +153,12 @@ void addShadows(Suite& suite) {
                            },
                            {0, 1, double(AGAA_NO_SHADOW)},
                            {2, 3, 4, double(AGAA_NO_SHADOW - 1)}});
-    addFrameMember(suite,
-                   {"AgaaLight.shadowMap/range/without_shadows",
-                    "AgaaLight::shadowMap of a frame without shadows",
-                    "light 1",
-                    ofLight([](AgaaLight& light, double v) { light.shadowMap = uint32_t(v); }),
-                    {double(AGAA_NO_SHADOW)},
-                    {0, 1}});
+    addFrameMember(suite, {"AgaaLight.shadowMap/range/without_shadows",
+                           "AgaaLight::shadowMap of a frame without shadows",
+                           "light 1",
+                           ofLight([](AgaaLight& light, double v) { light.shadowMap = uint32_t(v); }),
+                           {double(AGAA_NO_SHADOW)},
+                           {0, 1}});
 }
 
 } // namespace

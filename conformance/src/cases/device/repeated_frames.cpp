@@ -89,22 +89,19 @@ void expectNoHistory(Rig& rig, const Image& expected, const std::string& techniq
     rig.scene.clear();
     rig.render();
     rig.scene = scene;
-    expectSame(rig.test, renderLit(rig), expected, 32,
-               named("a frame after frames of other scenes,", technique));
+    expectSame(rig.test, renderLit(rig), expected, 32, named("a frame after frames of other scenes,", technique));
 }
 
 void expectSameSegments(Rig& rig, const Image& expected, const std::string& technique) {
     AgaaFrame frame = rig.nextFrame();
     lights().use(frame);
     rig.device().fillOutput(0.5f);
-    for (const uint64_t segment :
-         {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING}) {
+    for (const uint64_t segment : {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING}) {
         frame.segments = segment;
         rig.test.requireOk(rig.record(frame), rig.function());
         rig.expectNoMessages(rig.function());
     }
-    expectSame(rig.test, rig.device().readOutput(), expected, 32,
-               named("a frame in three segments,", technique));
+    expectSame(rig.test, rig.device().readOutput(), expected, 32, named("a frame in three segments,", technique));
 }
 
 void testTechnique(Test& test, const char* technique) {
@@ -125,8 +122,7 @@ void testTechnique(Test& test, const char* technique) {
             counters = rig.counters();
         }
         for (int i = 0; i < (view == 0 ? 4 : 1); ++i) {
-            const std::string what =
-                named("a repeated frame of view " + std::to_string(view + 1), technique);
+            const std::string what = named("a repeated frame of view " + std::to_string(view + 1), technique);
             expectSame(test, renderLit(rig), expected, 32, what);
             expectSameCounters(rig, counters, what);
         }
@@ -141,8 +137,7 @@ void testTechnique(Test& test, const char* technique) {
 } // namespace
 
 void addRepeatedFrameCases(Suite& suite) {
-    const std::vector<const char*> tested = {"single",         "fxaa", "msaa", "ssaa",
-                                             "simple_complex", "sbaa", "agaa"};
+    const std::vector<const char*> tested = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"};
     for (const char* technique : tested)
         suite.both("general/repeated_frames_are_equal/" + std::string(technique),
                    [technique](Test& test) { testTechnique(test, technique); });

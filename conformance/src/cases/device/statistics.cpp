@@ -8,6 +8,11 @@ namespace agaa::conformance {
 
 namespace {
 
+// "single" has the fewest pipelines.
+void oneSample(ViewDescription& description) {
+    setTechnique(description, "single", 1);
+}
+
 AgaaFrameStatistics emptyStatistics() {
     const AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
     return statistics;
@@ -57,16 +62,14 @@ void expectCallRefused(Rig& rig, AgaaView view, T* out, AgaaResult code, const s
     else
         rig.test.result(result, code, what);
     if (out)
-        rig.test.check(!std::memcmp(&before, out, sizeof before),
-                       what + " fails and changes the output.");
+        rig.test.check(!std::memcmp(&before, out, sizeof before), what + " fails and changes the output.");
 }
 
 template <class T>
 void testNull(Rig& rig) {
     T out = empty<T>();
     expectCallRefused<T>(rig, nullptr, &out, AGAA_ERROR_INVALID_ARGUMENT, " with a null view");
-    expectCallRefused<T>(rig, rig.view.get(), nullptr, AGAA_ERROR_INVALID_ARGUMENT,
-                         " with a null output");
+    expectCallRefused<T>(rig, rig.view.get(), nullptr, AGAA_ERROR_INVALID_ARGUMENT, " with a null output");
 }
 
 template <class T>
@@ -75,8 +78,7 @@ void testStruct(Rig& rig) {
     wrongType.sType = AGAA_STRUCTURE_TYPE_SURFACE;
     wrongSize.structSize = 8;
     expectCallRefused<T>(rig, rig.view.get(), &wrongType, AGAA_ERROR_STRUCT, " with another sType");
-    expectCallRefused<T>(rig, rig.view.get(), &wrongSize, AGAA_ERROR_STRUCT,
-                         " with structSize = 8");
+    expectCallRefused<T>(rig, rig.view.get(), &wrongSize, AGAA_ERROR_STRUCT, " with structSize = 8");
 }
 
 void withoutCounters(ViewDescription& description) {
@@ -87,8 +89,7 @@ void testNoCounters(Test& test) {
     Rig rig(test, withoutCounters);
     for (int i = 0; i < 2; ++i) { // before and after a frame
         AgaaFrameValidation out = emptyValidation();
-        expectCallRefused(rig, rig.view.get(), &out, AGAA_ERROR_WRONG_ORDER,
-                          " without AGAA_CONFIG_COUNTERS");
+        expectCallRefused(rig, rig.view.get(), &out, AGAA_ERROR_WRONG_ORDER, " without AGAA_CONFIG_COUNTERS");
         rig.render();
     }
 }
@@ -98,7 +99,7 @@ void addErrors(Suite& suite, const std::string& output) {
     const std::string name = std::string(nameOf<T>()) + "/";
     const auto run = [](const std::function<void(Rig&)>& body) {
         return [body](Test& test) {
-            Rig rig(test);
+            Rig rig(test, oneSample);
             rig.render();
             body(rig);
         };
@@ -114,100 +115,85 @@ void addErrors(Suite& suite, const std::string& output) {
 // Whether the bytes from first to the end are those of an initialised struct.
 bool isInitialFrom(const AgaaFrameStatistics& statistics, size_t first, size_t end) {
     const AgaaFrameStatistics initial = emptyStatistics();
-    return !std::memcmp(reinterpret_cast<const char*>(&statistics) + first,
-                        reinterpret_cast<const char*>(&initial) + first, end - first);
+    return !std::memcmp(reinterpret_cast<const char*>(&statistics) + first, reinterpret_cast<const char*>(&initial) + first,
+                        end - first);
 }
 
 void testNotReady(Test& test) {
-    Rig rig(test);
+    Rig rig(test, oneSample);
     AgaaFrameStatistics statistics = emptyStatistics();
     test.result(test.sdk.agaaGetFrameStatistics(rig.view.get(), 0, &statistics), AGAA_NOT_READY,
                 "agaaGetFrameStatistics before the first frame");
     test.check(statistics.payloadBytes && statistics.peakBytes && statistics.geometryPasses,
                "AGAA_NOT_READY comes without bytes or geometryPasses.");
-    test.check(
-        statistics.frameIndex == 0 && statistics.timeSource == 0 &&
-            isInitialFrom(statistics, offsetof(AgaaFrameStatistics, counters), sizeof statistics),
-        "AGAA_NOT_READY comes with more than the bytes and geometryPasses.");
+    test.check(statistics.frameIndex == 0 && statistics.timeSource == 0 &&
+                   isInitialFrom(statistics, offsetof(AgaaFrameStatistics, counters), sizeof statistics),
+               "AGAA_NOT_READY comes with more than the bytes and geometryPasses.");
     test.check(rig.context.log.errors().empty(), "AGAA_NOT_READY is logged as an error.");
     rig.render();
     test.result(test.sdk.agaaGetFrameStatistics(rig.view.get(), 0, &statistics), AGAA_NOT_READY,
                 "agaaGetFrameStatistics with no finished frame");
     for (const uint64_t completed : {UINT64_C(1), UINT64_C(100)}) {
-        test.requireOk(test.sdk.agaaGetFrameStatistics(rig.view.get(), completed, &statistics),
-                       "agaaGetFrameStatistics");
-        test.check(statistics.frameIndex == 1,
-                   "the statistics are not those of the newest finished frame.");
+        test.requireOk(test.sdk.agaaGetFrameStatistics(rig.view.get(), completed, &statistics), "agaaGetFrameStatistics");
+        test.check(statistics.frameIndex == 1, "the statistics are not those of the newest finished frame.");
     }
     rig.render();
-    test.requireOk(test.sdk.agaaGetFrameStatistics(rig.view.get(), 1, &statistics),
-                   "agaaGetFrameStatistics");
-    test.check(statistics.frameIndex == 1,
-               "the statistics are those of a frame after completedFrame.");
+    test.requireOk(test.sdk.agaaGetFrameStatistics(rig.view.get(), 1, &statistics), "agaaGetFrameStatistics");
+    test.check(statistics.frameIndex == 1, "the statistics are those of a frame after completedFrame.");
 }
 
 // A frame counts when all of its segments are recorded.
 void testSegments(Test& test) {
-    Rig rig(test);
+    Rig rig(test, oneSample);
     rig.render();
     AgaaFrame frame = rig.nextFrame();
     frame.segments = AGAA_SEGMENT_PREPASS;
     test.requireOk(rig.record(frame), rig.function());
     AgaaFrameStatistics statistics = emptyStatistics();
-    test.requireOk(test.sdk.agaaGetFrameStatistics(rig.view.get(), 2, &statistics),
-                   "agaaGetFrameStatistics");
-    test.check(statistics.frameIndex == 1,
-               "the statistics are those of a frame that is not completely recorded.");
+    test.requireOk(test.sdk.agaaGetFrameStatistics(rig.view.get(), 2, &statistics), "agaaGetFrameStatistics");
+    test.check(statistics.frameIndex == 1, "the statistics are those of a frame that is not completely recorded.");
     frame.segments = AGAA_SEGMENT_GENERATION | AGAA_SEGMENT_SHADING;
     test.requireOk(rig.record(frame), rig.function());
-    test.requireOk(test.sdk.agaaGetFrameStatistics(rig.view.get(), 2, &statistics),
-                   "agaaGetFrameStatistics");
-    test.check(statistics.frameIndex == 2,
-               "the statistics are not those of the frame that is complete now.");
+    test.requireOk(test.sdk.agaaGetFrameStatistics(rig.view.get(), 2, &statistics), "agaaGetFrameStatistics");
+    test.check(statistics.frameIndex == 2, "the statistics are not those of the frame that is complete now.");
 }
 
 void testValidationNotReady(Test& test) {
-    Rig rig(test);
+    Rig rig(test, oneSample);
     for (int i = 0; i < 2; ++i) {
         AgaaFrameValidation validation = emptyValidation();
         test.result(test.sdk.agaaValidateFrame(rig.view.get(), 0, &validation), AGAA_NOT_READY,
                     "agaaValidateFrame without a finished frame");
         const AgaaFrameValidation initial = emptyValidation();
-        test.check(!std::memcmp(&initial, &validation, sizeof initial),
-                   "AGAA_NOT_READY changes outValidation.");
+        test.check(!std::memcmp(&initial, &validation, sizeof initial), "AGAA_NOT_READY changes outValidation.");
         rig.render();
     }
     AgaaFrameValidation validation = emptyValidation();
-    test.requireOk(test.sdk.agaaValidateFrame(rig.view.get(), rig.recorded, &validation),
-                   "agaaValidateFrame");
-    test.check(validation.frameIndex == rig.recorded,
-               "the validation is not that of the newest finished frame.");
+    test.requireOk(test.sdk.agaaValidateFrame(rig.view.get(), rig.recorded, &validation), "agaaValidateFrame");
+    test.check(validation.frameIndex == rig.recorded, "the validation is not that of the newest finished frame.");
 }
 
-void testPasses(Test& test,
-                const std::function<void(const AgaaPassTime&, const AgaaFrameStatistics&)>& check) {
-    for (const uint64_t flags :
-         {AGAA_CONFIG_COUNTERS, AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS}) {
-        Rig rig(test, [flags](ViewDescription& description) { description.config.flags = flags; });
+void testPasses(Test& test, const std::function<void(const AgaaPassTime&, const AgaaFrameStatistics&)>& check) {
+    for (const uint64_t flags : {AGAA_CONFIG_COUNTERS, AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS}) {
+        Rig rig(test, [flags](ViewDescription& description) {
+            oneSample(description);
+            description.config.flags = flags;
+        });
         rig.render();
         const AgaaFrameStatistics statistics = rig.statistics();
-        test.check(statistics.passCount >= statistics.geometryPasses &&
-                       statistics.passCount <= AGAA_MAX_PASSES,
-                   "AgaaFrameStatistics::passCount is " + std::to_string(statistics.passCount) +
-                       ".");
+        test.check(statistics.passCount >= statistics.geometryPasses && statistics.passCount <= AGAA_MAX_PASSES,
+                   "AgaaFrameStatistics::passCount is " + std::to_string(statistics.passCount) + ".");
         for (uint32_t i = 0; i < statistics.passCount && i < AGAA_MAX_PASSES; ++i)
             check(statistics.passes[i], statistics);
     }
 }
 
 void testTimes(Test& test) {
-    Rig plain(test);
+    Rig plain(test, oneSample);
     plain.render();
-    test.check(plain.statistics().timeSource == AGAA_TIME_NONE,
-               "there are times without AGAA_CONFIG_TIMESTAMPS.");
+    test.check(plain.statistics().timeSource == AGAA_TIME_NONE, "there are times without AGAA_CONFIG_TIMESTAMPS.");
     testPasses(test, [&](const AgaaPassTime& pass, const AgaaFrameStatistics& statistics) {
-        test.check(statistics.timeSource <= AGAA_TIME_CPU_FINISH,
-                   "AgaaFrameStatistics::timeSource is unknown.");
+        test.check(statistics.timeSource <= AGAA_TIME_CPU_FINISH, "AgaaFrameStatistics::timeSource is unknown.");
         test.check(pass.isTimed <= 1 && (statistics.timeSource != AGAA_TIME_NONE || !pass.isTimed),
                    "a pass is timed without a clock.");
         test.check(pass.milliseconds >= 0 && pass.milliseconds < 60000,
@@ -227,8 +213,7 @@ void addStatisticsCases(Suite& suite) {
     suite.both("agaaValidateFrame/returns", testValidationNotReady);
     suite.both("AgaaPassTime.stage/enum", [](Test& test) {
         testPasses(test, [&](const AgaaPassTime& pass, const AgaaFrameStatistics&) {
-            test.check(pass.stage <= AGAA_STAGE_OTHER,
-                       "the pass " + std::string(pass.name) + " has an unknown stage.");
+            test.check(pass.stage <= AGAA_STAGE_OTHER, "the pass " + std::string(pass.name) + " has an unknown stage.");
             test.check(pass.name[0] && std::memchr(pass.name, 0, sizeof pass.name),
                        "a pass has no name, or one without an end.");
         });
@@ -240,12 +225,12 @@ void addStatisticsCases(Suite& suite) {
     });
     suite.both("AgaaFrameStatistics.timeSource/enum", testTimes);
     suite.both("AgaaFrameStatistics.reserved/zero", [](Test& test) {
-        Rig rig(test);
+        Rig rig(test, oneSample);
         rig.render();
         test.check(rig.statistics().reserved == 0, "AgaaFrameStatistics::reserved is not 0.");
     });
     suite.both("AgaaCounters.reserved/zero", [](Test& test) {
-        Rig rig(test);
+        Rig rig(test, oneSample);
         rig.render();
         for (const uint64_t word : rig.counters().reserved)
             test.check(word == 0, "AgaaCounters::reserved is not 0.");

@@ -3,6 +3,7 @@
 #include "frame_rig.h"
 
 #include <cstring>
+#include <map>
 
 namespace agaa::conformance {
 
@@ -41,21 +42,15 @@ struct WrongCall {
 
 const std::vector<WrongCall>& wrongCalls() {
     static const std::vector<WrongCall> calls = {
-        {"a null view", AGAA_ERROR_INVALID_ARGUMENT,
-         [](Arguments& a, Backend) { a.view = nullptr; }},
-        {"a null name", AGAA_ERROR_INVALID_ARGUMENT,
-         [](Arguments& a, Backend) { a.name = nullptr; }},
-        {"a null surface", AGAA_ERROR_INVALID_ARGUMENT,
-         [](Arguments& a, Backend) { a.out = nullptr; }},
-        {"an unknown name", AGAA_ERROR_INVALID_ARGUMENT,
-         [](Arguments& a, Backend) { a.name = "no such surface"; }},
+        {"a null view", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.view = nullptr; }},
+        {"a null name", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.name = nullptr; }},
+        {"a null surface", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.out = nullptr; }},
+        {"an unknown name", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.name = "no such surface"; }},
         {"an empty name", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.name = ""; }},
-        {"a name of other case", AGAA_ERROR_INVALID_ARGUMENT,
-         [](Arguments& a, Backend) { a.name = "Depth"; }},
+        {"a name of other case", AGAA_ERROR_INVALID_ARGUMENT, [](Arguments& a, Backend) { a.name = "Depth"; }},
         {"a surface of another type", AGAA_ERROR_STRUCT,
          [](Arguments& a, Backend) { a.surface.sType = AGAA_STRUCTURE_TYPE_TARGET; }},
-        {"a surface of structSize 8", AGAA_ERROR_STRUCT,
-         [](Arguments& a, Backend) { a.surface.structSize = 8; }},
+        {"a surface of structSize 8", AGAA_ERROR_STRUCT, [](Arguments& a, Backend) { a.surface.structSize = 8; }},
         {"a chained struct of structSize 8", AGAA_ERROR_STRUCT,
          [](Arguments& a, Backend backend) {
              a.native.vk.structSize = a.native.gl.structSize = 8;
@@ -63,8 +58,7 @@ const std::vector<WrongCall>& wrongCalls() {
          }},
         {"the struct of the other API chained", AGAA_ERROR_UNKNOWN_STRUCT,
          [](Arguments& a, Backend backend) { a.surface.pNext = a.native.of(other(backend)); }},
-        {"an unknown struct chained", AGAA_ERROR_UNKNOWN_STRUCT,
-         [](Arguments& a, Backend) { a.surface.pNext = &a.unknown; }}};
+        {"an unknown struct chained", AGAA_ERROR_UNKNOWN_STRUCT, [](Arguments& a, Backend) { a.surface.pNext = &a.unknown; }}};
     return calls;
 }
 
@@ -91,69 +85,74 @@ void testCalls(Test& test, AgaaResult code) {
             expectRefused(test, result, call.code, context.log, "agaaGetSurface", what);
         else
             test.result(result, call.code, what);
-        test.check(!std::memcmp(&before, &a.surface, sizeof before),
-                   what + " fails and changes outSurface.");
-        test.check(!std::memcmp(&nativeBefore, &a.native, sizeof nativeBefore),
-                   what + " fails and changes a chained struct.");
+        test.check(!std::memcmp(&before, &a.surface, sizeof before), what + " fails and changes outSurface.");
+        test.check(!std::memcmp(&nativeBefore, &a.native, sizeof nativeBefore), what + " fails and changes a chained struct.");
     }
 }
 
-using Visit = std::function<void(const AgaaSurface& predicted, const AgaaSurface& got,
-                                 const Native&, const std::string& what)>;
+struct Listed {
+    AgaaSurface predicted, got;
+    Native native;
+    std::string what;
+};
 
-// All surfaces of agaaQueryMemory with isPerPixel 1, of each technique.
-void forSurfaces(Test& test, const Visit& visit) {
-    const OwnContext context(test);
-    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
-    test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps),
-                   "the capabilities of the context");
+void listSurfaces(Test& test, const OwnContext& context, const AgaaDeviceCaps& caps, const std::string& technique,
+                  std::vector<Listed>& list) {
+    ViewDescription description(&test.device());
+    setTechnique(description, technique, 4);
+    const BareView view(test, context.get(), description);
     const AgaaSurface initial = AGAA_SURFACE_INIT;
-    for (const std::string& technique : techniques(test.sdk)) {
-        ViewDescription description(&test.device());
-        setTechnique(description, technique, 4);
-        const BareView view(test, context.get(), description);
-        uint32_t count = 0;
-        test.requireOk(
-            test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, nullptr),
-            "agaaQueryMemory");
-        std::vector<AgaaSurface> predicted(count, initial);
-        test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count,
-                                                predicted.data()),
-                       "agaaQueryMemory");
-        bool hasDepth = false;
-        for (const AgaaSurface& surface : predicted) {
-            if (!surface.isPerPixel)
-                continue;
-            hasDepth = hasDepth || !std::strcmp(surface.name, "depth");
-            Native native;
-            AgaaSurface got = AGAA_SURFACE_INIT;
-            got.pNext = native.of(test.device().backend());
-            const std::string what =
-                "the surface " + std::string(surface.name) + " of \"" + technique + "\"";
-            if (test.result(test.sdk.agaaGetSurface(view.get(), surface.name, &got), AGAA_OK,
-                            "agaaGetSurface for " + what))
-                visit(surface, got, native, what);
-        }
-        test.check(hasDepth, "\"" + technique + "\" has no surface depth.");
+    uint32_t count = 0;
+    test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, nullptr), "agaaQueryMemory");
+    std::vector<AgaaSurface> predicted(count, initial);
+    test.requireOk(test.sdk.agaaQueryMemory(&description.desc, &caps, nullptr, nullptr, &count, predicted.data()),
+                   "agaaQueryMemory");
+    bool hasDepth = false;
+    for (const AgaaSurface& surface : predicted) {
+        if (!surface.isPerPixel)
+            continue;
+        hasDepth = hasDepth || !std::strcmp(surface.name, "depth");
+        Native native;
+        AgaaSurface got = initial;
+        got.pNext = native.of(test.device().backend());
+        const std::string what = "the surface " + std::string(surface.name) + " of \"" + technique + "\"";
+        if (test.result(test.sdk.agaaGetSurface(view.get(), surface.name, &got), AGAA_OK, "agaaGetSurface for " + what))
+            list.push_back({surface, got, native, what});
     }
+    test.check(hasDepth, "\"" + technique + "\" has no surface depth.");
+}
+
+using Visit = std::function<void(const AgaaSurface& predicted, const AgaaSurface& got, const Native&, const std::string& what)>;
+
+// All surfaces of agaaQueryMemory with isPerPixel 1, of each technique; listed once for all tests
+// of a device.
+void forSurfaces(Test& test, const Visit& visit) {
+    static std::map<Backend, std::vector<Listed>> listed;
+    std::vector<Listed>& list = listed[test.device().backend()];
+    if (list.empty()) {
+        const OwnContext context(test);
+        AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+        test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "the capabilities of the context");
+        for (const std::string& technique : techniques(test.sdk))
+            listSurfaces(test, context, caps, technique, list);
+    }
+    for (const Listed& surface : list)
+        visit(surface.predicted, surface.got, surface.native, surface.what);
 }
 
 void testPredicted(Test& test) {
-    forSurfaces(test, [&](const AgaaSurface& predicted, AgaaSurface got, const Native&,
-                          const std::string& what) {
+    forSurfaces(test, [&](const AgaaSurface& predicted, AgaaSurface got, const Native&, const std::string& what) {
         got.pNext = nullptr;
-        test.check(!std::memcmp(&predicted, &got, sizeof got),
-                   what + " differs from that of agaaQueryMemory.");
+        test.check(!std::memcmp(&predicted, &got, sizeof got), what + " differs from that of agaaQueryMemory.");
     });
 }
 
 void testHandles(Test& test) {
     const bool isVk = test.device().backend() == Backend::Vulkan;
-    forSurfaces(test, [&](const AgaaSurface& surface, const AgaaSurface&, const Native& native,
-                          const std::string& what) {
+    forSurfaces(test, [&](const AgaaSurface& surface, const AgaaSurface&, const Native& native, const std::string& what) {
         const bool isBuffer = !surface.format[0];
-        const bool hasImage = isVk ? native.vk.image && native.vk.view && native.vk.format
-                                   : native.gl.texture && native.gl.format;
+        const bool hasImage =
+            isVk ? native.vk.image && native.vk.view && native.vk.format : native.gl.texture && native.gl.format;
         const bool hasBuffer = isVk ? native.vk.buffer != 0 : native.gl.buffer != 0;
         test.check(isBuffer ? hasBuffer && !hasImage : hasImage && !hasBuffer,
                    what + " has no handle, or one that does not fit its format.");
@@ -161,8 +160,7 @@ void testHandles(Test& test) {
 }
 
 void testReserved(Test& test) {
-    forSurfaces(test, [&](const AgaaSurface&, const AgaaSurface& got, const Native& native,
-                          const std::string& what) {
+    forSurfaces(test, [&](const AgaaSurface&, const AgaaSurface& got, const Native& native, const std::string& what) {
         test.check(native.gl.reserved == 0, what + ": AgaaGlSurface::reserved is not 0.");
         test.check(got.reserved == 0, what + ": AgaaSurface::reserved is not 0.");
     });
@@ -171,12 +169,9 @@ void testReserved(Test& test) {
 } // namespace
 
 void addSurfaceCases(Suite& suite) {
-    suite.both("agaaGetSurface/AGAA_ERROR_INVALID_ARGUMENT",
-               [](Test& test) { testCalls(test, AGAA_ERROR_INVALID_ARGUMENT); });
-    suite.both("agaaGetSurface/AGAA_ERROR_STRUCT",
-               [](Test& test) { testCalls(test, AGAA_ERROR_STRUCT); });
-    suite.both("agaaGetSurface/AGAA_ERROR_UNKNOWN_STRUCT",
-               [](Test& test) { testCalls(test, AGAA_ERROR_UNKNOWN_STRUCT); });
+    suite.both("agaaGetSurface/AGAA_ERROR_INVALID_ARGUMENT", [](Test& test) { testCalls(test, AGAA_ERROR_INVALID_ARGUMENT); });
+    suite.both("agaaGetSurface/AGAA_ERROR_STRUCT", [](Test& test) { testCalls(test, AGAA_ERROR_STRUCT); });
+    suite.both("agaaGetSurface/AGAA_ERROR_UNKNOWN_STRUCT", [](Test& test) { testCalls(test, AGAA_ERROR_UNKNOWN_STRUCT); });
     suite.both("agaaGetSurface/outSurface.unchanged", [](Test& test) { testCalls(test, AGAA_OK); });
     suite.add("AgaaGlSurface.reserved/zero", {Backend::OpenGl}, testReserved);
     suite.both("general/surfaces_are_as_predicted", testPredicted);

@@ -18,16 +18,14 @@ void toLayout(const AgaaVkFrame& frame, VkImageLayout from, VkImageLayout to) {
     barrier.image = (VkImage)frame.outputImage;
     barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
     // No writes are made available: the output of the SDK is visible to all later commands.
-    vkCmdPipelineBarrier(static_cast<VkCommandBuffer>(frame.commandBuffer),
-                         VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0,
-                         0, nullptr, 0, nullptr, 1, &barrier);
+    vkCmdPipelineBarrier(static_cast<VkCommandBuffer>(frame.commandBuffer), VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
+                         VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
 }
 
 // Gives the output to the SDK in one layout and takes it back in another one. The host's own is
 // GENERAL.
 RecordHook withLayouts(VkImageLayout in, VkImageLayout out) {
-    return [in, out](const RecordCall& call, AgaaView view, const AgaaFrame* frame,
-                     const void* native) {
+    return [in, out](const RecordCall& call, AgaaView view, const AgaaFrame* frame, const void* native) {
         AgaaVkFrame copy = *static_cast<const AgaaVkFrame*>(native);
         copy.outputLayoutIn = uint32_t(in);
         copy.outputLayoutOut = uint32_t(out);
@@ -41,8 +39,7 @@ RecordHook withLayouts(VkImageLayout in, VkImageLayout out) {
 }
 
 const VkImageLayout layouts[] = {VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
-                                 VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+                                 VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
 
 void testLayouts(Test& test, const char* technique) {
     Rig rig(test, [&](ViewDescription& description) { setTechnique(description, technique, 4); });
@@ -52,9 +49,8 @@ void testLayouts(Test& test, const char* technique) {
     for (const VkImageLayout in : before)
         for (const VkImageLayout out : layouts) {
             AgaaFrame frame = rig.nextFrame();
-            const std::string what =
-                rig.function() + " with outputLayoutIn = " + std::to_string(in) +
-                ", outputLayoutOut = " + std::to_string(out) + ", \"" + technique + "\"";
+            const std::string what = rig.function() + " with outputLayoutIn = " + std::to_string(in) +
+                                     ", outputLayoutOut = " + std::to_string(out) + ", \"" + technique + "\"";
             test.requireOk(rig.record(frame, withLayouts(in, out)), what);
             rig.expectNoMessages(what);
             expectSame(test, rig.device().readOutput(), expected, 32, what);
@@ -69,10 +65,8 @@ void testWrongLayouts(Test& test) {
         AgaaFrame frame = rig.nextFrame();
         expectFrameRefused(
             rig, frame,
-            {AGAA_ERROR_OUT_OF_RANGE,
-             rig.function() + " with outputLayoutOut = " + std::to_string(out), "outputLayoutOut"},
-            expected,
-            [out](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
+            {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with outputLayoutOut = " + std::to_string(out), "outputLayoutOut"},
+            expected, [out](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
                 AgaaVkFrame copy = *static_cast<const AgaaVkFrame*>(native);
                 copy.outputLayoutOut = uint32_t(out);
                 return call(view, f, &copy);
@@ -90,11 +84,10 @@ void testDiscarded(Test& test) {
     const Image expected = rig.render();
     AgaaFrame frame = rig.nextFrame();
     frame.background[3] = 0;
-    expectFrameRefused(rig, frame,
-                       {AGAA_ERROR_OUT_OF_RANGE,
-                        rig.function() + " with background[3] = 0 and outputLayoutIn = UNDEFINED",
-                        "outputLayoutIn"},
-                       expected, withLayouts(VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL));
+    expectFrameRefused(
+        rig, frame,
+        {AGAA_ERROR_OUT_OF_RANGE, rig.function() + " with background[3] = 0 and outputLayoutIn = UNDEFINED", "outputLayoutIn"},
+        expected, withLayouts(VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL));
 }
 
 // Frames that are recorded inline show the same.
@@ -103,8 +96,7 @@ void testWays(Test& test) {
         Image images[2];
         for (const uint32_t recording : {AGAA_VK_RECORDING_SECONDARY, AGAA_VK_RECORDING_INLINE}) {
             Rig rig(
-                test,
-                [&](ViewDescription& description) { setTechnique(description, technique, 4); },
+                test, [&](ViewDescription& description) { setTechnique(description, technique, 4); },
                 [recording](ContextDescription& c) { c.vk.recording = recording; });
             rig.render();
             images[recording] = rig.render();
@@ -133,19 +125,17 @@ void testCommandBuffers(Test& test) {
         frame.draw = CommandBuffers::draw;
         frame.drawUser = &buffers;
         test.requireOk(rig.record(frame,
-                                  [&](const RecordCall& call, AgaaView view, const AgaaFrame* f,
-                                      const void* native) {
+                                  [&](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
                                       own = static_cast<const AgaaVkFrame*>(native)->commandBuffer;
                                       return call(view, f, native);
                                   }),
                        rig.function());
         test.check(!buffers.received.empty(), "no draw callback is called.");
         for (void* received : buffers.received)
-            test.check(
-                (received == own) == (recording == AGAA_VK_RECORDING_INLINE),
-                recording == AGAA_VK_RECORDING_INLINE
-                    ? "a draw callback receives another command buffer than the host's with INLINE."
-                    : "a draw callback receives the host's command buffer with SECONDARY.");
+            test.check((received == own) == (recording == AGAA_VK_RECORDING_INLINE),
+                       recording == AGAA_VK_RECORDING_INLINE
+                           ? "a draw callback receives another command buffer than the host's with INLINE."
+                           : "a draw callback receives the host's command buffer with SECONDARY.");
     }
 }
 

@@ -1,0 +1,67 @@
+// The coverage samples of a pixel and masks of them: 32, 64 or 128 samples, independent of the samples of the target.
+// Source: DCAA (Wang et al., I3D 2016) section 3.1.
+//
+// Samples lie in rows. Along a row they are equally spaced, so that a half-plane covers a span of each row. Every row
+// is shifted by its own phase. The phases and row lengths are chosen by the error of the covered area over edges of any
+// direction, level and upright edges, strips and triangles together: tests/math/coverage_patterns.cpp. The patterns of
+// 32 and 64 samples continue as lattices across pixel borders.
+//
+//   samples   rows   columns   phase of row r
+//        32     16         2   (5 r mod 16) / 16
+//        64     16         4   (7 r mod 16) / 16
+//       128     32         4   (41 r mod 64) / 64
+//
+// Sample row * columns + column is bit i & 31 of word i >> 5 of a mask; words without samples are 0. All coordinates
+// are multiples of 1/512, so that float holds them exactly.
+#ifndef AGAA_MATH_COVERAGE_PATTERN_GLSL
+#define AGAA_MATH_COVERAGE_PATTERN_GLSL
+#include "real.glsl"
+
+uint agaa_coverageColumns(uint samples) {
+    return samples == 32u ? 2u : 4u;
+}
+
+uint agaa_coverageRows(uint samples) {
+    return samples == 128u ? 32u : 16u;
+}
+
+// Where the first sample of a row is, from the left border of the pixel, in units of the spacing of the row's samples.
+real agaa_coveragePhase(uint row, uint samples) {
+    if (samples == 128u) {
+        return (real((row * 41u) & 63u) + real(0.5)) * real(0.015625);
+    }
+    return (real((row * (samples == 64u ? 7u : 5u)) & 15u) + real(0.5)) * real(0.0625);
+}
+
+// From the pixel's centre, in pixels.
+real agaa_coverageRowY(uint row, uint samples) {
+    return (real(row) + real(0.5)) * (samples == 128u ? real(0.03125) : real(0.0625)) - real(0.5);
+}
+
+// From the pixel's centre, in pixels: (-1/2, 1/2).
+rvec2 agaa_coveragePosition(uint i, uint samples) {
+    const uint columns = agaa_coverageColumns(samples);
+    const uint row = i / columns;
+    const real spacing = columns == 2u ? real(0.5) : real(0.25);
+    return rvec2((real(i - row * columns) + agaa_coveragePhase(row, samples)) * spacing - real(0.5),
+                 agaa_coverageRowY(row, samples));
+}
+
+uvec4 agaa_allCoverage(uint samples) {
+    return uvec4(0xFFFFFFFFu, samples > 32u ? 0xFFFFFFFFu : 0u, samples > 64u ? 0xFFFFFFFFu : 0u,
+                 samples > 64u ? 0xFFFFFFFFu : 0u);
+}
+
+uvec4 agaa_coverageComplement(uvec4 mask, uint samples) {
+    return mask ^ agaa_allCoverage(samples);
+}
+
+uint agaa_coverageCount(uvec4 mask) {
+    return uint(bitCount(mask.x) + bitCount(mask.y) + bitCount(mask.z) + bitCount(mask.w));
+}
+
+bool agaa_isCovered(uvec4 mask, uint i) {
+    return ((mask[i >> 5u] >> (i & 31u)) & 1u) != 0u;
+}
+
+#endif
