@@ -61,12 +61,13 @@ typedef struct AgaaConformanceHost {
     uint32_t api;        /* AgaaConformanceApi */
     void* user;
     AgaaContext context;
-    /* Size, facts, flags and functions of the views. The suite replaces the configuration, and of the facts keeps
+    /* Size, facts, flags and functions of the views: an AgaaGBufferFunction without samplePositions, or an AgaaFetchFunction,
+     * may be chained; an AgaaShadowFunction is left out. The suite replaces the configuration, and of the facts keeps
      * AGAA_FACT_ALPHA_MASKED and AGAA_FACT_CUSTOM_DEPTH: it renders with ambient light or one light, without shadows. */
     const AgaaViewDesc* view;
     /* Creates what the engine needs for a view that the suite has created, for example pipelines. May be null. */
     AgaaResult (*prepareView)(void* user, AgaaView view);
-    /* Forgets a view that the suite will destroy next. The device must be idle. May be null. */
+    /* Forgets a view that the suite will destroy next, unless prepareView failed. The device must be idle. May be null. */
     void (*releaseView)(void* user, AgaaView view);
     /* Renders one frame and waits until the device has finished it. The engine sets view, projection, draw and drawUser of
      * the frame, calls agaaVkRecordFrame or agaaGlRecordFrame, and returns its result. The suite has set all other
@@ -75,8 +76,8 @@ typedef struct AgaaConformanceHost {
     /* Returns the messages of validation layers or of OpenGL's debug output since the last call, one per line, valid until
      * the next call; or null if there are none. May be null: then messages are not tested. */
     const char* (*takeMessages)(void* user);
-    /* Leaves alpha-masked objects out of all passes of the frames from now on, or draws them again. May be null: then a wrong
-     * alpha mask cannot be told from other geometry, and fails integration/same_geometry. */
+    /* Leaves alpha-masked objects out of all passes of the frames from now on, or draws them again. May be null: then the
+     * suite cannot distinguish a wrong alpha mask from other geometry, and integration/same_geometry fails. */
     void (*hideMasked)(void* user, uint32_t isHidden);
 } AgaaConformanceHost;
 

@@ -1,4 +1,5 @@
-# The library is compatible with the baseline that scripts/abi-baseline wrote: additions pass, all else fails.
+# The library has the symbols and the soname of the baseline that scripts/abi-baseline wrote. abidiff filters most changes of
+# types: tools/check_abi.py compares those, by the description that is frozen with the headers.
 if(NOT ABIDIFF)
   message(STATUS "abidiff is not installed (package abigail-tools): the baseline is not compared.")
   return()

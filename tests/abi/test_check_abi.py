@@ -1,4 +1,4 @@
-"""tools/check_abi.py finds what would break a host, and lets pass what would not."""
+"""tools/check_abi.py finds incompatible changes and accepts compatible ones, on altered copies of the description.
 import copy
 import json
 import pathlib

@@ -65,6 +65,8 @@ class Backend(unittest.TestCase):
             tests = listed("--backend", backend)
             self.assertEqual(sorted(row["name"] for row in report["results"]), sorted(tests))
             self.assertEqual(report["failed"], 0)
+            if backend != "core" and not report["devices"]:
+                self.skipTest(f"there is no device of {backend}")
             skipped = [f"{row['name']}: {row['reason']}" for row in report["results"] if row["status"] == "skipped"]
             print("\n".join([f"{len(tests)} tests, {len(skipped)} skipped"] + skipped), file=sys.stderr)
             suites = xml.etree.ElementTree.parse(junit_path).getroot()

@@ -7,6 +7,35 @@
 
 namespace agaa::conformance {
 
+namespace {
+
+// Of the structs that the engine chains to its view, those that say where geometry and materials come from. The suite renders
+// without shadows, so that an AgaaShadowFunction has nothing to answer for.
+struct ChainedFunctions {
+    AgaaGBufferFunction gbuffer;
+    AgaaFetchFunction fetch;
+    const void* first = nullptr;
+
+    explicit ChainedFunctions(const void* chain) {
+        for (const auto* link = static_cast<const AgaaStructHeader*>(chain); link;
+             link = static_cast<const AgaaStructHeader*>(link->pNext)) {
+            if (link->sType == AGAA_STRUCTURE_TYPE_GBUFFER_FUNCTION)
+                take(gbuffer, link);
+            else if (link->sType == AGAA_STRUCTURE_TYPE_FETCH_FUNCTION)
+                take(fetch, link);
+        }
+    }
+
+private:
+    template <class T> void take(T& copy, const AgaaStructHeader* link) {
+        copy = *reinterpret_cast<const T*>(link);
+        copy.pNext = first;
+        first = &copy;
+    }
+};
+
+} // namespace
+
 EngineView::EngineView(Test& test, HostTest& hostTest, const ViewChoice& choice)
     : test_(test), hostTest_(hostTest), choice_(choice), width_(hostTest.host.view->width),
       height_(hostTest.host.view->height) {
@@ -28,6 +57,8 @@ EngineView::EngineView(Test& test, HostTest& hostTest, const ViewChoice& choice)
     facts.maxLights = 1;
     facts.shadowMapCount = 0;
     AgaaViewDesc desc = *hostTest.host.view;
+    const ChainedFunctions functions(desc.pNext);
+    desc.pNext = functions.first;
     desc.config = &config;
     desc.facts = &facts;
     const bool isVulkan = hostTest.host.api == AGAA_CONFORMANCE_VULKAN;
@@ -85,6 +116,12 @@ Image EngineView::renderHeadlight() {
     frame.lights = &light;
     frame.lightCount = 1;
     return render(frame);
+}
+
+uint32_t EngineView::drawPasses() const {
+    uint32_t count = 0;
+    test_.requireOk(hostTest_.sdk.agaaGetDrawPasses(view_, &count, nullptr), "agaaGetDrawPasses");
+    return count;
 }
 
 AgaaFrameValidation EngineView::validate() {

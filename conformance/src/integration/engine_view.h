@@ -43,6 +43,7 @@ public:
     // A light of irradiance pi that shines along the camera's direction: albedo times the cosine of the normal.
     Image renderHeadlight();
     AgaaFrameValidation validate();
+    uint32_t drawPasses() const; // of the view
     AgaaCounters counters();
     // Of the newest frame.
     const std::array<float, 16>& projection() const { return projection_; }

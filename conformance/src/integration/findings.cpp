@@ -35,6 +35,7 @@ const Findings& findingsOf(Test& test, HostTest& hostTest) {
         EngineView view(test, hostTest, twoPasses);
         found->twoPassesAgainstGBuffer = differingShare(view.renderAlbedo(), gBuffer);
         found->twoPasses = view.validate();
+        found->passes = view.drawPasses();
     }
     if (!found->isCovered() && hostTest.host.hideMasked) {
         const HiddenMasks hidden(hostTest.host);

@@ -14,6 +14,7 @@ constexpr double largestShare = 0.05;
 
 struct Findings {
     AgaaFrameValidation twoPasses;
+    uint32_t passes = 0; // 1 or 0 where the engine's functions or facts leave nothing for a second pass
     // Without alpha-masked objects. Only if twoPasses is not covered, and the engine can hide them.
     std::optional<AgaaFrameValidation> twoPassesUnmasked;
     uint64_t ties = 0; // of two passes without the stencil test: samples that were written more than once

@@ -114,6 +114,15 @@ void testRange(Test& test) {
     }
 }
 
+void testUnknownFlag(Test& test) {
+    AgaaDeviceCaps caps = capsOfDevices(test)[0];
+    caps.flags |= uint64_t(1) << 63;
+    uint32_t count = 77;
+    test.result(test.sdk.agaaQueryCapabilities(&caps, &count, nullptr), AGAA_ERROR_OUT_OF_RANGE,
+                "agaaQueryCapabilities with an unknown flag of AgaaDeviceCaps");
+    test.check(count == 77, "agaaQueryCapabilities fails and changes count.");
+}
+
 void testTooSmall(Test& test) {
     std::vector<AgaaCapability> rows = capabilitiesOf(test, nullptr);
     for (AgaaCapability& row : rows)
@@ -184,6 +193,7 @@ void addCapabilityCases(Suite& suite) {
     suite.core("agaaQueryCapabilities/AGAA_ERROR_INVALID_ARGUMENT", testInvalid);
     suite.core("agaaQueryCapabilities/AGAA_ERROR_STRUCT", testStruct);
     suite.core("agaaQueryCapabilities/AGAA_ERROR_OUT_OF_RANGE", testRange);
+    suite.core("agaaQueryCapabilities/AGAA_ERROR_OUT_OF_RANGE/flags", testUnknownFlag);
     suite.core("agaaQueryCapabilities/AGAA_ERROR_BUFFER_TOO_SMALL", testTooSmall);
 }
 

@@ -150,8 +150,6 @@ void addFrameCallbackCases(Suite& suite) {
     addRecordCase(suite, "AGAA_ERROR_CALLBACK/many", [](Test& test) { testManyFailures(test, AGAA_ERROR_CALLBACK, {}); });
     suite.add("agaaVkRecordFrame/AGAA_ERROR_CALLBACK/segment", {Backend::Vulkan}, testSegment);
     suite.add("agaaVkRecordFrame/AGAA_ERROR_PARTIAL", {Backend::Vulkan}, testPartialSegment);
-    suite.add("agaaVkRecordFrame/AGAA_ERROR_PARTIAL/another_failure", {Backend::Vulkan},
-              [](Test& test) { test.skip("a host cannot cause a failure after the first command, except in its callback."); });
     suite.add("AGAA_VK_RECORDING_INLINE/AGAA_ERROR_PARTIAL", {Backend::Vulkan},
               [](Test& test) { testFailures(test, AGAA_ERROR_PARTIAL, recordInline); });
     suite.add("AGAA_VK_RECORDING_INLINE/AGAA_ERROR_PARTIAL/exception", {Backend::Vulkan},
