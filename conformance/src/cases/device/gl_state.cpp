@@ -49,7 +49,8 @@ constexpr Row values[] = {
     ROW(GL_UNPACK_ALIGNMENT), ROW(GL_DRAW_BUFFER0), ROW(GL_READ_BUFFER), ROW(GL_SAMPLE_COVERAGE_INVERT),
     ROW(GL_CLAMP_READ_COLOR), ROW(GL_LINE_SMOOTH_HINT), ROW(GL_POLYGON_SMOOTH_HINT), ROW(GL_TEXTURE_COMPRESSION_HINT),
     ROW(GL_FRAGMENT_SHADER_DERIVATIVE_HINT), ROW(GL_POINT_SPRITE_COORD_ORIGIN),
-    ROW(GL_TRANSFORM_FEEDBACK_BINDING), ROWS(GL_DEPTH_RANGE, 2), ROWS(GL_BLEND_COLOR, 4), ROWS(GL_COLOR_CLEAR_VALUE, 4), ROW(GL_DEPTH_CLEAR_VALUE),
+    ROW(GL_TRANSFORM_FEEDBACK_BINDING), ROWS(GL_DEPTH_RANGE, 2), ROWS(GL_BLEND_COLOR, 4), ROWS(GL_COLOR_CLEAR_VALUE, 4),
+    ROW(GL_DEPTH_CLEAR_VALUE),
     ROW(GL_LINE_WIDTH), ROW(GL_POINT_SIZE), ROW(GL_POINT_FADE_THRESHOLD_SIZE), ROW(GL_POLYGON_OFFSET_FACTOR),
     ROW(GL_POLYGON_OFFSET_UNITS), ROW(GL_SAMPLE_COVERAGE_VALUE), ROW(GL_MIN_SAMPLE_SHADING_VALUE),
     ROWS(GL_PATCH_DEFAULT_INNER_LEVEL, 2), ROWS(GL_PATCH_DEFAULT_OUTER_LEVEL, 4)};
@@ -183,8 +184,8 @@ State readState() {
 void expectSameState(Test& test, const State& got, const State& expected, bool inCallback, const std::string& when) {
     for (size_t i = 0; i < got.size(); ++i)
         if (got[i].values != expected[i].values && !(inCallback && got[i].isBindingOfSdk))
-            test.check(false, got[i].name + " is " + textOf(got[i].values) + " in place of " + textOf(expected[i].values) + " " +
-                                  when + ".");
+            test.check(false, got[i].name + " is " + textOf(got[i].values) + " in place of " + textOf(expected[i].values) +
+                                  " " + when + ".");
 }
 
 OwnOpenGl::OwnOpenGl(Test& outer)

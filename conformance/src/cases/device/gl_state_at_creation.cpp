@@ -68,7 +68,8 @@ void testContexts(Test& test) {
 }
 
 // Runs on views of all techniques, with their host functions.
-void forEachView(Test& test, const std::function<void(UnusualContext&, AgaaContext, const ViewParts&, const std::string&)>& run) {
+using RunOnView = std::function<void(UnusualContext&, AgaaContext, const ViewParts&, const std::string& name)>;
+void forEachView(Test& test, const RunOnView& run) {
     UnusualContext host(test);
     LogRecorder log;
     const AgaaContext context = createContext(test, host, AGAA_GL_STATE_RESTORE, log);

@@ -87,9 +87,9 @@ void testOrder(Test& test) {
         test.check(callbacks.order.empty(), "the callbacks are called before the first frame.");
         const Image image = rig.render([&](AgaaFrame& frame) { callbacks.use(frame); });
         const std::string promised = promisedOrder(rig);
-        test.check(callbacks.order == promised, "the calls of pushState (+), popState (-) and the draw callback (d) are " +
-                                                    callbacks.order + " in place of " + promised + " (\"" + technique +
-                                                    "\").");
+        test.check(callbacks.order == promised,
+                   "the calls of pushState (+), popState (-) and the draw callback (d) of \"" + technique + "\" are " +
+                       callbacks.order + " in place of " + promised + ".");
         expectSame(test, image, expected, 32, "a frame of \"" + technique + "\" with AGAA_GL_STATE_CALLBACKS");
     }
 }
@@ -106,8 +106,8 @@ void testFailures(Test& test, const std::string& technique, AgaaResult failure) 
             calls += call;
     for (uint32_t n = 1; n <= calls.size(); ++n) {
         const char* callback = calls[n - 1] == '+' ? "pushState" : "popState";
-        const std::string what = "agaaGlRecordFrame (\"" + technique + "\"), where " + callback + ", call " + std::to_string(n) +
-                                 " of " + std::to_string(calls.size()) + ", fails";
+        const std::string what = "agaaGlRecordFrame (\"" + technique + "\"), where " + callback + ", call " +
+                                 std::to_string(n) + " of " + std::to_string(calls.size()) + ", fails";
         rig.device().fillOutput(untouched);
         rig.context.log.lines.clear();
         AgaaFrame frame = rig.nextFrame();

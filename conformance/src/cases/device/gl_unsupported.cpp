@@ -1,4 +1,4 @@
-// What the SDK cannot use of OpenGL: no context, old ones, those without a required extension, framebuffers that are not complete.
+// What the SDK cannot use of OpenGL: no context, old ones, those without an extension, and incomplete framebuffers.
 #include "cases.h"
 #include "frame_rig.h"
 #include "gl_interposer.h"
