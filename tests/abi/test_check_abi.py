@@ -1,4 +1,4 @@
-"""tools/check_abi.py finds incompatible changes and accepts compatible ones, on altered copies of the description.
+"""tools/check_abi.py finds incompatible changes and accepts compatible ones, on altered copies of the description."""
 import copy
 import json
 import pathlib
