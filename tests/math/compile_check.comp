@@ -13,6 +13,7 @@
 #include "../../src/shaders/math/coverage_table.glsl"
 #include "../../src/shaders/math/depth_plane.glsl"
 #include "../../src/shaders/math/triangle_hull.glsl"
+#include "../../src/shaders/math/surface_merge.glsl"
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
@@ -91,6 +92,9 @@ void main() {
     const uvec4 covered = agaa_triangleCoverage(p, acc, x.yzw, x.xy, 128u) ^
                           agaa_triangleCoverage(p, acc, x.yzw, x.xy, 64u);
     const agaa_CoverageLookup found = agaa_findCoverage(p, acc, 128u);
+    agaa_keptCount = 0u;
+    agaa_CoveredSurface kept = agaa_CoveredSurface(covered, x.xyz, x.xy, vec3(0.0, 0.0, 1.0));
+    acc.y += agaa_insertSurface(kept, agaa_MergeRules(4u, 0.9, 0.0, AGAA_MERGE_VISIBLE)).share;
     acc.x += float(agaa_coverageCount(agaa_foundCoverage(found, covered, 64u)));
     acc.y += agaa_isInTableEntry(found.entry, 128u, agaa_coveragePosition(id & 63u, 64u)) ? 1.0 : 0.0;
     acc.z += agaa_isCovered(covered, id & 63u) ? 1.0 : 0.0;

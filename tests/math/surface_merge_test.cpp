@@ -273,7 +273,7 @@ TEST(SurfaceMerge, KeepsCoverage) {
         for (uint32_t i = 0; i < shader.agaa_keptCount; ++i)
             kept |= shader.agaa_kept[i].mask;
         ASSERT_EQ(kept & ~all, glm::uvec4(0u));
-        ASSERT_LE(shader.agaa_bitsOf(all & ~kept), lost);
+        ASSERT_LE(math_f::agaa_coverageCount(all & ~kept), lost);
     }
 }
 

@@ -6,6 +6,7 @@
 // agaa_insertSurface() returns.
 #ifndef AGAA_MATH_SURFACE_MERGE_GLSL
 #define AGAA_MATH_SURFACE_MERGE_GLSL
+#include "coverage_pattern.glsl"
 #include "real.glsl"
 
 #define AGAA_MAX_KEPT 8u
@@ -45,10 +46,6 @@ struct agaa_Insertion {
 agaa_CoveredSurface agaa_kept[AGAA_MAX_KEPT + 1u]; // the last: the fragment in hand
 uint agaa_keptCount;
 
-uint agaa_bitsOf(uvec4 mask) {
-    return uint(bitCount(mask.x) + bitCount(mask.y)) + uint(bitCount(mask.z) + bitCount(mask.w));
-}
-
 // Over the pixel.
 rvec2 agaa_depthInterval(agaa_CoveredSurface s) {
     const real reach = real(0.5) * (abs(s.plane.y) + abs(s.plane.z));
@@ -64,8 +61,8 @@ real agaa_depthOverlap(agaa_CoveredSurface a, agaa_CoveredSurface b) {
 
 // Averages by coverage. mask: what of b's coverage goes along; it has a bit. Returns the share of b.
 real agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 mask) {
-    const real ofA = real(agaa_bitsOf(a.mask));
-    const real ofB = real(agaa_bitsOf(mask));
+    const real ofA = real(agaa_coverageCount(a.mask));
+    const real ofB = real(agaa_coverageCount(mask));
     const real share = ofB / (ofA + ofB);
     a.plane += (b.plane - a.plane) * share;
     a.range = rvec2(min(a.range.x, b.range.x), max(a.range.y, b.range.y));
@@ -120,7 +117,7 @@ uint agaa_findLeast(uint count) {
     uint least = AGAA_NO_SURFACE;
     uint fewest = 0u;
     for (uint i = 0u; i < count; ++i) {
-        const uint bits = agaa_bitsOf(agaa_visibleOf(i, count));
+        const uint bits = agaa_coverageCount(agaa_visibleOf(i, count));
         if (i != closest && (least == AGAA_NO_SURFACE || bits <= fewest)) {
             least = i;
             fewest = bits;
@@ -151,10 +148,10 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
     const uvec4 visible = agaa_visibleOf(least, count);
     const uvec4 moving = rules.second == AGAA_MERGE_ALL ? agaa_kept[least].mask : visible;
     uint taker = AGAA_NO_SURFACE;
-    if (rules.second != AGAA_MERGE_NOTHING && agaa_bitsOf(moving) != 0u)
+    if (rules.second != AGAA_MERGE_NOTHING && agaa_coverageCount(moving) != 0u)
         taker = agaa_findOverlapping(least, count, rules.slack);
     if (taker == AGAA_NO_SURFACE) {
-        done.lost = agaa_bitsOf(visible);
+        done.lost = agaa_coverageCount(visible);
     } else {
         const real share = agaa_mergeKept(agaa_kept[taker], agaa_kept[least], moving);
         if (least == rules.limit) {
