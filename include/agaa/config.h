@@ -133,6 +133,8 @@ typedef enum AgaaTier {
     AGAA_TIER_GBUFFER = 19, /* one geometry pass into a multisampled G-buffer; a compute pass aggregates its samples */
     AGAA_TIER_IDS = 20,     /* one geometry pass into depth and ids; compute passes fetch the materials by id
                                (AgaaFetchFunction) */
+    AGAA_TIER_FRAGMENT_LISTS = 21, /* one geometry pass appends each fragment to a list of its pixel; a compute pass merges
+                                      the lists in the order of ids (AgaaFetchFunction) */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 
@@ -157,10 +159,11 @@ typedef struct AgaaConfig {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
-    const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa" or "agaa" */
-    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; "single" and "fxaa" use 1 */
-    uint32_t aggregates;      /* c, aggregates of "agaa", [1, 4]; S, surfaces of "sbaa", [1, 6]; at most n are made. [1, 6]
-                                 for other techniques, which do not use it */
+    const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa" or "dcaa" */
+    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; "single" and "fxaa" use 1.
+                                 "dcaa": coverage samples per pixel, 32, 64 or 128 */
+    uint32_t aggregates;      /* c, aggregates of "agaa", [1, 4]; S, surfaces of "sbaa", [1, 6], and of "dcaa", [1, 8]; at
+                                 most n are made. [1, 8] for other techniques, which do not use it */
     const AgaaLayout* layout; /* null: "precise" */
     uint32_t brdf;            /* AgaaBrdf */
     uint32_t ndf;             /* AgaaNdf */
@@ -211,6 +214,30 @@ typedef struct AgaaAggregation {
     {AGAA_STRUCTURE_TYPE_AGGREGATION, (uint32_t)sizeof(AgaaAggregation), NULL, 0.0f, 0.03f, 0.02f, 0, 0.0f, 0}
 AGAA_API void AGAA_CALL agaaInitAggregation(AgaaAggregation* outAggregation, size_t structSize);
 
+/* What the surface that "dcaa" discards gives to another one whose depths overlap it (DCAA section 3.3). */
+typedef enum AgaaMerge {
+    AGAA_MERGE_VISIBLE = 0, /* the samples that it shows */
+    AGAA_MERGE_ALL = 1,     /* all its samples, as in the paper */
+    AGAA_MERGE_NONE = 2,    /* nothing */
+    AGAA_MERGE_MAX_ENUM = 0x7FFFFFFF
+} AgaaMerge;
+
+/* How "dcaa" keeps and merges fragments. Chain it to AgaaConfig. Other techniques check the struct and do not use it. The
+ * smallest cosine between normals that merge is AgaaConfig::surfaceCosine; 0 selects that of pi/16, as in the paper. */
+typedef struct AgaaDecoupledCoverage {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint32_t merge;          /* AgaaMerge */
+    float fragmentsPerPixel; /* that the lists have room for, mean over the view, [1, 256]. The lists have room for 65536
+                                fragments at least, and for no more than one storage buffer of the device holds. Fragments
+                                without room are lost, and AgaaCounters::lostFragments counts them */
+    uint64_t flags;          /* 0 */
+} AgaaDecoupledCoverage;
+#define AGAA_DECOUPLED_COVERAGE_INIT                                                                \
+    {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, (uint32_t)sizeof(AgaaDecoupledCoverage), NULL, AGAA_MERGE_VISIBLE, 8.0f, 0}
+AGAA_API void AGAA_CALL agaaInitDecoupledCoverage(AgaaDecoupledCoverage* outCoverage, size_t structSize);
+
 typedef enum AgaaSeeds {
     AGAA_SEEDS_MAXIMIN = 0,
     AGAA_SEEDS_SUM_OF_SQUARES = 1, /* AGAA algorithm 1 (e) as printed */
@@ -231,7 +258,7 @@ typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_WIDENED = 6,    /* "agaa" and "sbaa", with layouts that store roughness: how far the NDF widens
                                        lobes, as GGX alpha in the widest direction, mean over the covered samples */
     AGAA_DEBUG_VIEW_TIER = 7, /* grey: no aggregation; orange: two geometry passes; blue: from a G-buffer, unfetched draws
-                                 included; green: by ids. Half as bright if the pixel has one shading event. With
+                                 included; green: by ids; yellow: by lists of fragments. Half as bright if the pixel has one shading event. With
                                  AGAA_CONFIG_BUFFERED, unfetched draws are green */
     AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
 } AgaaDebugView;

@@ -16,6 +16,8 @@ typedef enum AgaaDrawPassId {
     AGAA_DRAW_PASS_AGGREGATE = 2,  /* materials, added to aggregates or kept as surfaces; no colour output */
     AGAA_DRAW_PASS_GBUFFER = 3,    /* materials into a multisampled G-buffer */
     AGAA_DRAW_PASS_FORWARD = 4,    /* materials, shaded in the fragment shader, into a multisampled colour target */
+    AGAA_DRAW_PASS_FRAGMENTS = 5,  /* coverage and ids of all fragments, appended to lists; neither depth nor colour. Needs a
+                                      geometry shader (AgaaDrawPass::glslGeometry) */
     AGAA_DRAW_PASS_MAX_ENUM = 0x7FFFFFFF
 } AgaaDrawPassId;
 

@@ -22,6 +22,7 @@ extern "C" {
 #define AGAA_DEVICE_D32S8 UINT64_C(0x80)
 #define AGAA_DEVICE_NO_ALIASING UINT64_C(0x100) /* surfaces cannot share memory (OpenGL) */
 #define AGAA_DEVICE_SOFTWARE UINT64_C(0x200)    /* renders on the CPU, where workgroups do not share memory */
+#define AGAA_DEVICE_GEOMETRY_SHADERS UINT64_C(0x400)
 
 /* What a device can do. agaaVkGetDeviceCaps, agaaVkGetContextCaps, agaaGlGetDeviceCaps and agaaGlGetContextCaps fill it. */
 typedef struct AgaaDeviceCaps {

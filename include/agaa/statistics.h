@@ -37,7 +37,14 @@ typedef struct AgaaCounters {
     uint64_t misplaced;     /* fragments of the first geometry pass that do not lie where the camera places them; slivers
                                cause a few, because their positions extrapolate */
     uint64_t unannounced;   /* tier IDS: fragments whose draw or primitive exceeds the limits of AgaaFetchFunction */
-    uint64_t reserved[16];  /* 0 */
+    /* "dcaa" (DCAA section 3) */
+    uint64_t fragments;     /* in the lists of all pixels: primitives that cover a sample of a pixel */
+    uint64_t mergedFirst;   /* fragments merged into a surface of like normal whose depths overlap */
+    uint64_t mergedSecond;  /* discarded surfaces, fragments included, that another one took samples of */
+    uint64_t discarded;     /* surfaces, fragments included, that were dropped for want of room */
+    uint64_t lostSamples;   /* samples that showed a dropped surface */
+    uint64_t lostFragments; /* for which the lists had no room */
+    uint64_t reserved[10];  /* 0 */
 } AgaaCounters;
 
 #define AGAA_MAX_PASSES 32
@@ -74,7 +81,7 @@ typedef struct AgaaFrameStatistics {
 } AgaaFrameStatistics;
 #define AGAA_FRAME_STATISTICS_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0, 0, 0, 0, 0, 0, \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}}, 0, 0, {{{0}, 0, 0, 0.0, {0, 0}}}}
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}}, 0, 0, {{{0}, 0, 0, 0.0, {0, 0}}}}
 AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatistics, size_t structSize);
 
 /* Reads the statistics of the newest completely recorded frame that is not after completedFrame.

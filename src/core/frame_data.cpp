@@ -55,6 +55,8 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
         out.samples[i][0] = positions[i].x;
         out.samples[i][1] = positions[i].y;
     }
+    out.counts[0] = plan.aggregates;
+    out.counts[1] = uint32_t(plan.poolRecords);
     return out;
 }
 

@@ -44,6 +44,10 @@ void appendGlsl(std::string& out, const std::string& path, std::set<std::string>
     appendLines(out, text, path.substr(0, path.find('/') + 1), seen, hostCode);
 }
 
+void appendGlslText(std::string& out, const std::string& text, std::set<std::string>& seen) {
+    appendLines(out, text, "", seen, {});
+}
+
 // The macros of math/real.glsl, which the host may use for something else, are written out.
 std::string coverageGlsl() {
     std::string text;

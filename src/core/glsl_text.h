@@ -13,6 +13,9 @@ namespace agaa {
 void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
                 const std::string& hostCode = {});
 
+// The same of a text whose #include lines name such files.
+void appendGlslText(std::string& out, const std::string& text, std::set<std::string>& seen);
+
 // As a float literal, whatever the process's locale writes for a decimal point.
 std::string glslNumber(float value);
 

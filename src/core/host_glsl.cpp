@@ -110,7 +110,8 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n"
                                       : "#define AGAA_HELPER false\n";
     defineSwitch(out, "AGAA_PASS", pass.drawPass);
-    defineSwitch(out, "AGAA_NEEDS_MATERIAL", pass.drawPass != AGAA_DRAW_PASS_VISIBILITY);
+    defineSwitch(out, "AGAA_NEEDS_MATERIAL",
+                 pass.drawPass != AGAA_DRAW_PASS_VISIBILITY && pass.drawPass != AGAA_DRAW_PASS_FRAGMENTS);
     defineSwitch(out, "AGAA_SAMPLES", plan.samples);
     defineSwitch(out, "AGAA_HW_SAMPLES", plan.hwSamples);
     define(out, "AGAA_SCALE_X", plan.scaleX);
@@ -138,13 +139,19 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
         define(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
     }
+    if (pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS) {
+        defineSwitch(out, "AGAA_CLIP_Z_FROM_MINUS_ONE", plan.clipZFromMinusOne);
+        out += format("#define AGAA_POOL_RECORDS %lluu\n", static_cast<unsigned long long>(plan.poolRecords));
+        define(out, "AGAA_TARGET_WIDTH", pass.width);
+        define(out, "AGAA_TARGET_HEIGHT", pass.height);
+    }
     defineSwitch(out, "AGAA_FIRST_PASS", pass.clearsDepth);
     if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
         define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
     out += customGlsl(plan.layout);
     const bool writesIds = pass.drawPass == AGAA_DRAW_PASS_VISIBILITY && plan.generationTier == AGAA_TIER_IDS;
     defineSwitch(out, "AGAA_WRITES_IDS", writesIds);
-    if (writesIds) {
+    if (writesIds || pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS) {
         defineSwitch(out, "AGAA_SOME_UNFETCHED", plan.someUnfetched);
         define(out, "AGAA_MAX_DRAWS", plan.maxDraws);
         define(out, "AGAA_MAX_PRIMITIVES", plan.maxPrimitives);
@@ -191,7 +198,12 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
         return out + pass.text;
     switch (pass.drawPass) {
     case AGAA_DRAW_PASS_VISIBILITY:
+        appendGlsl(out, "host/ids.glsl", seen);
         appendGlsl(out, "host/visibility.glsl", seen);
+        break;
+    case AGAA_DRAW_PASS_FRAGMENTS:
+        appendGlsl(out, "host/ids.glsl", seen);
+        appendGlsl(out, "host/fragments.glsl", seen);
         break;
     case AGAA_DRAW_PASS_GBUFFER:
         out += storeAttachments(pass);
@@ -219,7 +231,8 @@ std::string hostGeometry(const Plan& plan, const Pass& pass, const HostDialect& 
     std::set<std::string> seen;
     std::string out = defines(plan, pass, dialect) + places(dialect);
     appendGlsl(out, "passes/frame.glsl", seen);
-    return out + pass.geometryText;
+    appendGlslText(out, pass.geometryText, seen);
+    return out;
 }
 
 uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect) {

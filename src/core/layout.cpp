@@ -24,7 +24,7 @@ static AgaaLayout makeLayout(std::initializer_list<AgaaLayoutAttribute> attribut
     return layout;
 }
 
-std::vector<const char*> layoutNames() { return {"precise", "paper16"}; }
+std::vector<const char*> layoutNames() { return {"precise", "paper16", "dcaa28"}; }
 
 AgaaLayout builtinLayout(const char* name) {
     if (isSameName(name, "paper16"))
@@ -42,6 +42,14 @@ AgaaLayout builtinLayout(const char* name) {
             {AGAA_SEMANTIC_NORMAL, 3, 16, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
             {AGAA_SEMANTIC_SPECULAR, 3, 10, bitsOfHalfWord, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
             {AGAA_SEMANTIC_EMISSIVE, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 16, AGAA_FILTER_MEAN, nullptr, {}},
+        });
+    if (isSameName(name, "dcaa28"))
+        return makeLayout({
+            {AGAA_SEMANTIC_NORMAL, 3, 16, 16, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_DIFFUSE, 3, 8, 8, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_EMISSIVE, 1, 8, 8, 0, AGAA_ENCODING_UNORM, 16, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_SPECULAR, 3, 8, 8, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
+            {AGAA_SEMANTIC_ROUGHNESS, 1, 8, 8, 0, AGAA_ENCODING_UNORM, 1, AGAA_FILTER_MEAN, nullptr, {}},
         });
     fail(AGAA_ERROR_LAYOUT, format("no built-in layout is called \"%.64s\".", name));
 }
@@ -218,8 +226,7 @@ static void forEachAttribute(const Layout& layout, const Visit& visit) {
     }
 }
 
-AggregatePacking packAggregate(const Layout& layout, uint32_t samples) {
-    checkSampleCount(samples, "the number of samples in an aggregate");
+static AggregatePacking pack(const Layout& layout, uint32_t samples, bool hasCoverage) {
     const uint32_t growth = uint32_t(std::countr_zero(samples));
     AggregatePacking packing;
     struct Piece {
@@ -241,8 +248,10 @@ AggregatePacking packAggregate(const Layout& layout, uint32_t samples) {
             pieces.push_back({bits + growth, &field});
         }
     });
-    packing.coverage.bits = samples;
-    pieces.push_back({samples, &packing.coverage});
+    if (hasCoverage) {
+        packing.coverage.bits = samples;
+        pieces.push_back({samples, &packing.coverage});
+    }
     // First fit, longest first: few enough pieces that nothing better is needed.
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const Piece& a, const Piece& b) { return a.bits > b.bits; });
@@ -267,6 +276,17 @@ AggregatePacking packAggregate(const Layout& layout, uint32_t samples) {
         packing.unfilteredWords |= 1u << packing.words++;
     });
     return packing;
+}
+
+AggregatePacking packAggregate(const Layout& layout, uint32_t samples) {
+    checkSampleCount(samples, "the number of samples in an aggregate");
+    return pack(layout, samples, true);
+}
+
+AggregatePacking packMaterial(const Layout& layout) {
+    Layout others = layout;
+    others.attributes[AGAA_SEMANTIC_NORMAL] = {};
+    return pack(others, 1, false);
 }
 
 static Format attachmentFormat(uint32_t bits, uint32_t components) {

@@ -83,6 +83,8 @@ struct AggregatePacking {
     uint32_t bytes() const { return 4 * words; }
 };
 AggregatePacking packAggregate(const Layout& layout, uint32_t samples);
+// The same of one surface whose coverage and normal are kept apart.
+AggregatePacking packMaterial(const Layout& layout);
 
 struct GBufferPacking {
     std::vector<Format> attachments; // at most 4

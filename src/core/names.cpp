@@ -21,6 +21,7 @@ constexpr TierName tiers[] = {
     {AGAA_TIER_PER_SAMPLE, "per-sample"},
     {AGAA_TIER_GBUFFER, "gbuffer"},
     {AGAA_TIER_IDS, "ids"},
+    {AGAA_TIER_FRAGMENT_LISTS, "lists"},
 };
 constexpr const char* stages[] = {"prepass", "definition", "generation", "shading", "other"};
 } // namespace

@@ -155,6 +155,7 @@ struct Pass {
     ResourceId source = noResource;
     ResourceId destination = noResource;
     uint32_t fillValue = 0; // of each word
+    uint64_t fillBytes = 0; // from the beginning, a multiple of 4; 0: all
 };
 
 // Passes that run several times, one after the other. Indirect passes of a group that has nothing left to do dispatch no
@@ -192,6 +193,7 @@ struct Plan : ViewSettings {
     // Counter, or noCounter. 0 before the first has finished, and without AGAA_CONFIG_COUNTERS.
     std::array<uint32_t, 3> feedback{noCounter, noCounter, noCounter};
     uint32_t bytesPerAggregate = 0;
+    uint64_t poolRecords = 0; // fragments that lists of all pixels have room for
     bool runnable = true; // false: a model to be priced, not to be run
 
     uint64_t totalBytes() const;    // per-pixel payload

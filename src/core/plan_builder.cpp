@@ -24,7 +24,7 @@ PlanBuilder::PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, u
     plan.aliases = !(caps.flags & AGAA_DEVICE_NO_ALIASING) && !(plan.config.flags & AGAA_CONFIG_READBACK);
     const Technique& technique = *findTechnique(plan.technique);
     dropUncalledFor(technique);
-    chooseVisibilityTier();
+    chooseVisibilityTier(technique);
     if (technique.maxAggregates)
         chooseGenerationTier(technique);
     checkTierOptions(technique);

@@ -73,7 +73,7 @@ public:
 private:
     bool isSwitchedOn(char letter) const; // of core/permutations.h
     uint32_t listLength() const; // of primitives that a group of lanes takes at a time
-    void chooseVisibilityTier();
+    void chooseVisibilityTier(const Technique& technique);
     void setConstants();
     void checkLimits() const;
     void chooseGenerationTier(const Technique& technique);

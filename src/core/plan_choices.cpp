@@ -82,7 +82,16 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
             "AgaaMeasurement::debugView shows primitives, which only the tier ids without AGAA_CONFIG_BUFFERED counts.");
 }
 
-void PlanBuilder::chooseVisibilityTier() {
+void PlanBuilder::chooseVisibilityTier(const Technique& technique) {
+    if (technique.coverageSamples) {
+        const uint32_t forced = plan.config.visibilityTier;
+        if (forced != AGAA_TIER_AUTO && forced != AGAA_TIER_NATIVE)
+            fail(AGAA_ERROR_UNSUPPORTED, format("visibility cannot run: \"%s\" finds coverage by itself, so that the tier %s "
+                                                "is not for it.", technique.name, agaaTierName(forced)));
+        plan.visibilityTier = AGAA_TIER_NATIVE;
+        note("visibility: " + coverageByEdges(plan.samples).reason);
+        return;
+    }
     if (!plan.samplePositions.empty()) {
         plan.visibilityTier = AGAA_TIER_NATIVE;
         plan.hwSamples = plan.samples;

@@ -25,6 +25,7 @@ struct GenerationQuery {
     bool hostGBuffer = false;     // the host draws it
     bool fetches = false;         // the view has an AgaaFetchFunction
     bool someUnfetched = false;   // it does not answer for all draws
+    uint64_t poolRecords = 0;     // fragments that lists have room for; 0: not asked
     bool needsMaterials = false;  // settings need materials where samples are grouped
     uint64_t aggregateBytes = 0;  // of one buffer, where another tier would need none; 0: not asked
 };
@@ -56,12 +57,16 @@ struct TechniqueSettings {
 struct Technique {
     const char* name;
     uint32_t maxSamples;    // of n
+    // n counts coverage samples, 32, 64 or 128, that the technique finds by itself: targets have one sample.
+    bool coverageSamples;
     uint32_t maxAggregates; // c or S, of techniques with a generation stage; 0: none
     // By where they lie and what they show: lit shadows, gloss, elliptic lobes.
     bool groupsSamples;
     std::span<const GenerationTier* const> tiers; // in the order in which AUTO prefers them
     std::span<const TechniqueSettings* const> settings;
     void (*build)(PlanBuilder& builder);
+
+    uint32_t minSamples() const { return coverageSamples ? 32 : 1; }
 };
 const std::vector<const Technique*>& techniques();
 const Technique* findTechnique(std::string_view name); // null where there is none

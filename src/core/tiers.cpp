@@ -54,6 +54,13 @@ VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, 
     return choice;
 }
 
+VisibilityChoice coverageByEdges(uint32_t samples) {
+    VisibilityChoice choice;
+    choice.tier = AGAA_TIER_NATIVE;
+    choice.reason = format("%u coverage samples by the edges of each triangle.", samples);
+    return choice;
+}
+
 // The techniques that have the tier.
 static std::string owners(uint32_t tier) {
     std::string names;
@@ -117,10 +124,12 @@ static std::vector<GenerationChoice> generationChoices(const Technique& techniqu
 std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
     std::vector<AgaaCapability> rows;
     for (const Technique* technique : techniques())
-        for (uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u}) {
-            if (samples > technique->maxSamples)
+        for (uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u, 64u, 128u}) {
+            if (samples > technique->maxSamples || samples < technique->minSamples())
                 continue;
-            const VisibilityChoice visibility = chooseVisibility(caps, samples, AGAA_TIER_AUTO);
+            const VisibilityChoice visibility = technique->coverageSamples
+                                                    ? coverageByEdges(samples)
+                                                    : chooseVisibility(caps, samples, AGAA_TIER_AUTO);
             const auto addVisibility = [&](const VisibilityChoice& choice) {
                 rows.push_back(capability(*technique, samples, AGAA_STAGE_PREPASS, choice.tier,
                                           choice.tier == AGAA_TIER_NATIVE, choice.relativeCost, choice.reason));
@@ -128,7 +137,8 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
             addVisibility(visibility);
             if (visibility.tier == AGAA_TIER_AUTO)
                 continue; // no later stage can run either
-            const VisibilityChoice scaled = chooseVisibility(caps, samples, AGAA_TIER_SCALED_TARGET);
+            const VisibilityChoice scaled =
+                technique->coverageSamples ? VisibilityChoice{} : chooseVisibility(caps, samples, AGAA_TIER_SCALED_TARGET);
             if (scaled.tier != AGAA_TIER_AUTO && scaled.tier != visibility.tier)
                 addVisibility(scaled);
             if (technique->maxAggregates) {

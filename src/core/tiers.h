@@ -19,6 +19,9 @@ struct VisibilityChoice {
 };
 VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced);
 
+// Of techniques that find coverage by themselves, on any device.
+VisibilityChoice coverageByEdges(uint32_t samples);
+
 struct GenerationChoice {
     const GenerationTier* row = nullptr; // null: cannot run
     std::string reason;                  // one sentence

@@ -45,8 +45,7 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer) {
     require(config.technique, AGAA_ERROR_INVALID_ARGUMENT, "AgaaConfig::technique is null.");
     if (!findTechnique(config.technique))
         fail(AGAA_ERROR_UNSUPPORTED, format("no technique is called \"%.64s\".", config.technique));
-    checkSampleCount(config.samples, "AgaaConfig::samples");
-    checkRange(uint64_t(config.aggregates), 1, 6, "AgaaConfig::aggregates");
+    checkRange(uint64_t(config.aggregates), 1, 8, "AgaaConfig::aggregates");
     checkRange(uint64_t(config.brdf), 0, AGAA_BRDF_GGX, "AgaaConfig::brdf");
     checkRange(uint64_t(config.ndf), 0, AGAA_NDF_SGGX, "AgaaConfig::ndf");
     checkTier(config.visibilityTier, "AgaaConfig::visibilityTier");
@@ -60,6 +59,17 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer) {
                    AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS,
                "AgaaConfig::flags");
     return config;
+}
+
+static uint32_t checkSamples(uint32_t samples, const Technique& technique) {
+    if (!technique.coverageSamples) {
+        checkSampleCount(samples, "AgaaConfig::samples");
+        return std::min(samples, technique.maxSamples);
+    }
+    if (samples != 32 && samples != 64 && samples != 128)
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaConfig::samples is %u; \"%s\" takes 32, 64 or 128 coverage samples.",
+                                             samples, technique.name));
+    return samples;
 }
 
 static AgaaSceneFacts checkFacts(const AgaaSceneFacts* pointer) {
@@ -184,7 +194,7 @@ ViewSettings resolveView(const AgaaViewDesc* pointer) {
     const Technique& technique = *findTechnique(view.config.technique);
     view.config.technique = technique.name; // static storage
     view.technique = technique.name;
-    view.samples = view.config.samples = std::min(view.config.samples, technique.maxSamples);
+    view.samples = view.config.samples = checkSamples(view.config.samples, technique);
     readShadowFunction(desc, view);
     readGBufferFunction(desc, view);
     readFetchFunction(desc, view);

@@ -76,7 +76,7 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
         if (std::strstr(caps.deviceName, software))
             caps.flags |= AGAA_DEVICE_SOFTWARE;
     caps.flags |= AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 |
-                  AGAA_DEVICE_D32S8 | AGAA_DEVICE_NO_ALIASING;
+                  AGAA_DEVICE_D32S8 | AGAA_DEVICE_NO_ALIASING | AGAA_DEVICE_GEOMETRY_SHADERS;
     if (integer(gl, GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) >= 2)
         caps.flags |= AGAA_DEVICE_FRAGMENT_ATOMICS;
     if (gl.ARB_post_depth_coverage)

@@ -178,7 +178,7 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
 // glClearNamedBufferData would read a value by the host's state of unpacking pixels; with none it writes 0.
 static void fillBuffer(const GladGLContext& gl, GLuint buffer, uint64_t bytes, uint32_t value) {
     if (value == 0) {
-        gl.ClearNamedBufferData(buffer, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+        gl.ClearNamedBufferSubData(buffer, GL_R32UI, 0, GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
         return;
     }
     gl.NamedBufferSubData(buffer, 0, sizeof value, &value);
@@ -189,7 +189,8 @@ static void fillBuffer(const GladGLContext& gl, GLuint buffer, uint64_t bytes, u
 void View::runTransfer(const Pass& pass, uint32_t slot) {
     const GladGLContext& gl = context.gl;
     if (pass.kind == PassKind::Fill)
-        fillBuffer(gl, resources->buffer(pass.destination, slot), plan.resources[pass.destination].bytes, pass.fillValue);
+        fillBuffer(gl, resources->buffer(pass.destination, slot),
+                   pass.fillBytes ? pass.fillBytes : plan.resources[pass.destination].bytes, pass.fillValue);
     else
         gl.CopyNamedBufferSubData(resources->buffer(pass.source, slot),
                                   resources->buffer(pass.destination, slot), 0, 0,

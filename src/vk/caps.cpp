@@ -18,7 +18,7 @@ constexpr const char* requiredFeatures[] = {
     "shaderStorageImageExtendedFormats",
     "shaderStorageImageWriteWithoutFormat",
 };
-constexpr const char* optionalFeatures[] = {"dynamicRendering"};
+constexpr const char* optionalFeatures[] = {"dynamicRendering", "geometryShader"};
 constexpr const char* optionalExtensions[] = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME,
                                               VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME};
 
@@ -94,6 +94,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
     const auto set = [&](bool on, uint64_t flag) { caps.flags |= on ? flag : 0; };
     set(properties.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU, AGAA_DEVICE_SOFTWARE);
     set(f.fragmentStoresAndAtomics, AGAA_DEVICE_FRAGMENT_ATOMICS);
+    set(f.geometryShader, AGAA_DEVICE_GEOMETRY_SHADERS);
     set(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
     set(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat,
         AGAA_DEVICE_STORAGE_FORMATS);

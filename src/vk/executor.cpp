@@ -197,7 +197,8 @@ void View::forgetClear(const AgaaFrame& frame) {
 
 void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {
     if (pass.kind == PassKind::Fill) {
-        context.vk.CmdFillBuffer(commands, bufferOf(pass.destination, slot), 0, VK_WHOLE_SIZE, pass.fillValue);
+        context.vk.CmdFillBuffer(commands, bufferOf(pass.destination, slot), 0, pass.fillBytes ? pass.fillBytes : VK_WHOLE_SIZE,
+                                 pass.fillValue);
         return;
     }
     const VkBufferCopy region{0, 0, plan.resources[pass.source].bytes};

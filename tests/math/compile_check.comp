@@ -14,6 +14,7 @@
 #include "../../src/shaders/math/depth_plane.glsl"
 #include "../../src/shaders/math/triangle_hull.glsl"
 #include "../../src/shaders/math/surface_merge.glsl"
+#include "../../src/shaders/math/surface_resolve.glsl"
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"

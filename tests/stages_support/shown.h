@@ -32,14 +32,14 @@ struct Shown {
 std::vector<float> withAlpha(std::span<const float> rgb); // 1
 std::vector<float> withoutAlpha(std::span<const float> rgba);
 
-// The host's show(context, settings, shot), with counters, and by functions where settings ask for the tier ids: views
+// The host's show(context, settings, shot), with counters, and by functions where settings ask for a tier that fetches: views
 // of a type Ids.
 template <class Host>
 Shown showBy(typename Host::Context& context, ViewSettings settings, const Shot& shot) {
     settings.config.flags |= AGAA_CONFIG_COUNTERS;
     std::optional<typename Host::Ids> ids;
     std::optional<typename Host::View> own;
-    if (settings.config.generationTier == AGAA_TIER_IDS)
+    if (settings.fetches())
         ids.emplace(context, settings, shot);
     else
         own.emplace(context, settings).setTriangles(shot.triangles);

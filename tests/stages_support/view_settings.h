@@ -54,6 +54,9 @@ struct ViewSettings {
     const char* surface = "";
     Mistake mistake;
     void (*build)(PlanBuilder&) = nullptr; // of the plan, in place of the technique's
+    bool fetches() const { // materials, by ids
+        return config.generationTier == AGAA_TIER_IDS || config.generationTier == AGAA_TIER_FRAGMENT_LISTS;
+    }
     uint32_t instances = 1; // each shifted by instanceStep against the one before, and a draw of its own
 };
 constexpr uint32_t drawNumber = 5; // of the first instance of all triangles

@@ -77,6 +77,6 @@ void build(PlanBuilder& b) {
 static constexpr const GenerationTier* tiers[] = {&idsTier, &postDepthTier, &perSampleTier, &gbufferTier,
                                                   &mixedSamplesTier};
 static constexpr const TechniqueSettings* settings[] = {&aggregationSettings};
-const Technique agaaTechnique = {"agaa", 32, 4, true, tiers, settings, build};
+const Technique agaaTechnique = {"agaa", 32, false, 4, true, tiers, settings, build};
 
 } // namespace agaa

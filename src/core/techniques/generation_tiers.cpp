@@ -97,6 +97,22 @@ TierAnswer answerIds(const GenerationQuery& q) {
                       : "materials are fetched by the ids that the only geometry pass leaves."};
 }
 
+TierAnswer answerFragmentLists(const GenerationQuery& q) {
+    if (q.hostGBuffer)
+        return {false, "a G-buffer that the host draws has no coverage beyond its samples."};
+    if (!q.fetches)
+        return {false, "the tier lists needs an AgaaFetchFunction."};
+    if (q.someUnfetched)
+        return {false, "the tier lists fetches the materials of all draws; AGAA_FETCH_NOT_ALL_DRAWS must not be set."};
+    if (q.customDepth)
+        return {false, "materials that write depth or discard on their own cannot be fetched by id with their depth."};
+    if (!hasAtomics(q))
+        return {false, "the device has no atomics in fragment shaders."};
+    if (!(q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS))
+        return {false, "the device has no geometry shaders, which give a fragment to every pixel that a triangle touches."};
+    return {true, "fragments are appended to a list for each pixel and merged in the order of their ids."};
+}
+
 } // namespace
 
 const GenerationTier idsTier = {
@@ -116,5 +132,10 @@ const GenerationTier gbufferTier = {
 const GenerationTier mixedSamplesTier = {
     .tier = AGAA_TIER_NV_MIXED_SAMPLES, .relativeCost = 1, .isAutomatic = false, .isModel = true,
     .knowsMaterials = false, .countsPrimitives = false, .offer = nullptr, .answer = answerMixedSamples};
+const GenerationTier fragmentListsTier = {
+    .tier = AGAA_TIER_FRAGMENT_LISTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
+    .countsPrimitives = false,
+    .offer = "with an AgaaFetchFunction, fragments are appended to a list for each pixel and merged in the order of their ids.",
+    .answer = answerFragmentLists};
 
 } // namespace agaa

@@ -9,7 +9,8 @@ namespace agaa {
 const std::vector<const Technique*>& techniques() {
     static const std::vector<const Technique*> table = {
         &singleTechnique, &fxaaTechnique,          &msaaTechnique, &ssaaTechnique,
-        &simpleComplexTechnique, &sbaaTechnique, &agaaTechnique};
+        &simpleComplexTechnique, &sbaaTechnique, &agaaTechnique,
+        &dcaaTechnique};
     return table;
 }
 

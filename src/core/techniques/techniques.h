@@ -12,5 +12,6 @@ extern const Technique ssaaTechnique;
 extern const Technique simpleComplexTechnique;
 extern const Technique sbaaTechnique;
 extern const Technique agaaTechnique;
+extern const Technique dcaaTechnique;
 
 } // namespace agaa

@@ -17,14 +17,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     agaa_out0 = vec4(agaa_unormOfCode(vec2(agaa_encodeHemiOct8(n)), 8u), 0.0, 0.0);
 #endif
 #if AGAA_WRITES_IDS
-    // What the host did not announce is shown as what it did, since ids must name what can be fetched: a primitive as
-    // the last announced, which its draw has; a draw as the first primitive of the last, which may have no other.
-    bool isFetched = AGAA_SOME_UNFETCHED == 0 || s.draw != AGAA_UNFETCHED;
-    if (isFetched && (s.draw >= AGAA_MAX_DRAWS || s.primitive >= AGAA_MAX_PRIMITIVES) && !AGAA_HELPER)
-        agaa_countFragment(AGAA_COUNT_UNANNOUNCED, 1u);
-    uint primitive = s.draw < AGAA_MAX_DRAWS ? min(s.primitive, AGAA_MAX_PRIMITIVES - 1u) : 0u;
-    uint id = (min(s.draw, AGAA_MAX_DRAWS - 1u) << AGAA_PRIMITIVE_BITS | primitive) + 1u;
-    id = isFetched ? id : 0xFFFFFFFFu;
+    uint id = agaa_idOfInput(s);
     uvec4 bytes = uvec4(id, id >> 8u, id >> 16u, id >> 24u) & 255u;
     agaa_out0 = vec4(agaa_unormOfCode(vec2(bytes.xy), 8u), agaa_unormOfCode(vec2(bytes.zw), 8u));
 #endif

@@ -47,6 +47,26 @@ rvec2 agaa_coveragePosition(uint i, uint samples) {
                  agaa_coverageRowY(row, samples));
 }
 
+// The mean position of a mask's samples, of which there is one at least, from the pixel's centre in pixels.
+rvec2 agaa_coverageMiddle(uvec4 mask, uint samples) {
+    const uint columns = agaa_coverageColumns(samples);
+    const uint rows = agaa_coverageRows(samples);
+    const uint rowsOfWord = 32u / columns;
+    const real spacing = columns == 2u ? real(0.5) : real(0.25);
+    rvec2 sum = rvec2(real(0.0));
+    real count = real(0.0);
+    for (uint row = 0u; row < rows; ++row) {
+        const uint bits = (mask[row / rowsOfWord] >> (row % rowsOfWord * columns)) & ((1u << columns) - 1u);
+        const real own = real(bitCount(bits));
+        const real places = real(bitCount(bits & 0xAu) + 2 * bitCount(bits & 0xCu)); // of the columns
+        sum.x += (places + own * agaa_coveragePhase(row, samples)) * spacing;
+        sum.y += own * agaa_coverageRowY(row, samples);
+        count += own;
+    }
+    const real scale = real(1.0) / max(count, real(1.0));
+    return rvec2(sum.x * scale - real(0.5), sum.y * scale);
+}
+
 uvec4 agaa_allCoverage(uint samples) {
     return uvec4(0xFFFFFFFFu, samples > 32u ? 0xFFFFFFFFu : 0u, samples > 64u ? 0xFFFFFFFFu : 0u,
                  samples > 64u ? 0xFFFFFFFFu : 0u);

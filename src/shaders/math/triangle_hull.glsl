@@ -116,6 +116,12 @@ bool agaa_isFiniteVertex(rvec4 v) {
     return agaa_isFinite3(rvec3(v.x, v.y, v.z)) && agaa_isFinite(v.w);
 }
 
+// Clip coordinates x, y, w of the vertices: > 0 where they turn from x to y of ndc, < 0 where the other way.
+real agaa_facing(rvec3 a, rvec3 b, rvec3 c) {
+    const rvec3 s = cross(b, c);
+    return a.x * s.x + a.y * s.y + a.z * s.z;
+}
+
 // The whole image, where the triangle has no bounds.
 agaa_Hull agaa_wholeImage() {
     agaa_Hull hull;

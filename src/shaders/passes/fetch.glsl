@@ -1,26 +1,8 @@
-// Materials of the primitives that a prepass left the ids of, by functions of the host's.
+// Materials of primitives by their ids, by functions of the host's.
 #ifndef AGAA_FETCH_GLSL
 #define AGAA_FETCH_GLSL
 #include "math/barycentrics.glsl"
 #include "passes/host_samples.glsl"
-
-// Four bytes: each is exact in an 8-bit channel, on every device at every sample count.
-layout(AGAA_AT_METADATA) uniform AGAA_TARGET_TEXTURE agaa_ids;
-
-// 0: no geometry.
-uint agaa_idOf(uvec2 pixel, uint i) {
-    uvec4 bytes = uvec4(AGAA_FETCH(agaa_ids, pixel, i) * 255.0 + 0.5);
-    return bytes.x | bytes.y << 8 | bytes.z << 16 | bytes.w << 24;
-}
-
-// False of draws that a G-buffer holds instead (AGAA_FETCH_NOT_ALL_DRAWS).
-bool agaa_isFetched(uint id) {
-#ifdef AGAA_SOME_UNFETCHED
-    return id != 0xFFFFFFFFu;
-#else
-    return true;
-#endif
-}
 
 AgaaPrimitive agaa_primitive(uint id) {
     AgaaPrimitive p;

@@ -16,6 +16,7 @@ layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
     vec4 surface;     // one surface: least cosine, distance in pixels, difference of materials; n
     uvec4 dither;     // AgaaFrame::ditherFrame, then counters of the newest finished frame (Plan::feedback)
     vec4 sampleLocations[64]; // of two samples each: xy, zw in the pixel
+    uvec4 counts; // c; fragments that lists have room for; 0
 } agaa_frame;
 
 vec4 agaa_sampleLocations(uint i) { return agaa_frame.sampleLocations[i]; }
@@ -60,4 +61,8 @@ vec2 agaa_sampleLocation(uint i) {
 
 // n, as a value that compilers do not know: with a constant they unroll loops within loops.
 uint agaa_sampleCount() { return uint(agaa_frame.surface.w); }
+#if AGAA_FRAME_CONSTANTS == 0
+// c, likewise.
+uint agaa_aggregateLimit() { return agaa_frame.counts.x; }
+#endif
 #endif

@@ -12,15 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/tile_pixels.glsl"
 #include "passes/primitives.glsl"
 #include "passes/sums.glsl"
-
-agaa_Stored agaa_storedMaterial(AgaaMaterial m) {
-    vec3 emissive = m.emissive / agaa_frame.ambient.w;
-    if (AGAA_EMISSIVE_CHANNELS == 1u)
-        emissive = vec3(agaa_emissiveFactor(m.diffuse, emissive));
-    agaa_Stored v = agaa_storedSurface(m.diffuse, m.specular, m.normal, m.alpha2, emissive);
-    AGAA_STORE_CUSTOM(m, v)
-    return v;
-}
+#include "passes/stored_material.glsl"
 
 void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
     agaa_clearSums();

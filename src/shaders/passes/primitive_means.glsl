@@ -3,6 +3,7 @@
 #define AGAA_PRIMITIVE_MEANS_GLSL
 #include "passes/aggregate.glsl"
 #include "passes/fetch.glsl"
+#include "passes/sample_ids.glsl"
 #include "passes/pixel_work.glsl"
 
 float agaa_weightOf(uint i, bool isLit) {

@@ -11,6 +11,7 @@
 #endif
 #ifdef AGAA_HOST_FETCH
 #include "passes/fetch.glsl"
+#include "passes/sample_ids.glsl"
 #endif
 #if AGAA_FROM_GBUFFER || defined(AGAA_SOME_UNFETCHED)
 #include "passes/gbuffer.glsl"

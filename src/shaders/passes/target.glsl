@@ -19,10 +19,15 @@ float agaa_sampleViewZ(float depth) {
                                agaa_isOrthographic());
 }
 
-vec3 agaa_sampleViewPosition(uvec2 pixel, uint i, float depth) {
-    vec2 ndc = (vec2(pixel) + agaa_sampleLocation(i)) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
+// place: in the pixel, [0,1].
+vec3 agaa_placeViewPosition(uvec2 pixel, vec2 place, float depth) {
+    vec2 ndc = (vec2(pixel) + place) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
     return agaa_viewPosition(ndc, agaa_sampleViewZ(depth), agaa_frame.projection0.x,
                              agaa_frame.projection0.y, agaa_frame.projection0.z,
                              agaa_frame.projection0.w, agaa_isOrthographic());
+}
+
+vec3 agaa_sampleViewPosition(uvec2 pixel, uint i, float depth) {
+    return agaa_placeViewPosition(pixel, agaa_sampleLocation(i), depth);
 }
 #endif

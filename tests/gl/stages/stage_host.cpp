@@ -56,6 +56,28 @@ void main() {
 }
 )";
 
+// Of passes whose fragments need the corners of their triangle.
+constexpr const char* hullText = R"(
+layout(triangles) in;
+layout(triangle_strip, max_vertices = AGAA_MAX_STRIP) out;
+layout(location = 0) in vec3 positions[];
+layout(location = 1) flat in vec4 materials[][5];
+layout(location = 6) flat in uvec2 draws[];
+layout(location = 0) out vec3 position;
+layout(location = 1) flat out vec4 constants[5];
+layout(location = 6) flat out uvec2 drawn;
+void main() {
+    uint count = agaa_beginPrimitive(gl_in[0].gl_Position, gl_in[1].gl_Position, gl_in[2].gl_Position);
+    for (uint i = 0u; i < count; ++i) {
+        position = positions[0];
+        constants = materials[0];
+        drawn = draws[0];
+        agaa_setVertex(i);
+        EmitVertex();
+    }
+}
+)";
+
 constexpr const char* fragmentText = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) flat in vec4 constants[5];
@@ -181,7 +203,9 @@ Program StageView::program(const AgaaDrawPass& pass, bool isMasked) const {
     const std::string version = versionLine(glslVersion(gl_)), defines = shaderDefines(settings_, pass.pass, isMasked);
     return Program(gl_, version + defines + vertexText,
                    version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText, pass.name,
-                   pass.glslGeometry ? version + pass.glslExtensions + pass.glslGeometry + geometryText : "");
+                   pass.glslGeometry ? version + pass.glslExtensions + pass.glslGeometry +
+                                           (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText)
+                                     : "");
 }
 
 void StageView::setTriangles(const std::vector<Triangle>& triangles) {
@@ -193,7 +217,8 @@ void StageView::setTriangles(const std::vector<Triangle>& triangles) {
         }
     gl_.NamedBufferData(vertices_.get(), GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(), GL_STATIC_DRAW);
     for (uint32_t pass :
-         {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER, AGAA_DRAW_PASS_FORWARD})
+         {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER, AGAA_DRAW_PASS_FORWARD,
+          AGAA_DRAW_PASS_FRAGMENTS})
         runs_[pass] = drawRuns(settings_, triangles, pass);
 }
 

@@ -60,6 +60,31 @@ void main() {
 }
 )";
 
+// Of passes whose fragments need the corners of their triangle.
+constexpr const char* hullText = R"(
+layout(triangles) in;
+layout(triangle_strip, max_vertices = AGAA_MAX_STRIP) out;
+layout(location = 0) in vec3 positions[];
+layout(location = 1) flat in uint triangles[];
+layout(location = 2) in vec2 uvs[];
+layout(location = 3) flat in uint instances[];
+layout(location = 0) out vec3 position;
+layout(location = 1) flat out uint triangle;
+layout(location = 2) out vec2 uv;
+layout(location = 3) flat out uint instance;
+void main() {
+    uint count = agaa_beginPrimitive(gl_in[0].gl_Position, gl_in[1].gl_Position, gl_in[2].gl_Position);
+    for (uint i = 0u; i < count; ++i) {
+        position = positions[0];
+        triangle = triangles[0];
+        uv = uvs[0];
+        instance = instances[0];
+        agaa_setVertex(i);
+        EmitVertex();
+    }
+}
+)";
+
 constexpr const char* fragmentText = R"(
 struct Material { vec4 diffuse, specular, emissive, normal, geometricNormal; };
 layout(std430, set = 1, binding = 1) readonly buffer Materials { Material data[]; } materials;
@@ -240,7 +265,8 @@ void StageView::makePipelines() {
             state.vertexLocations = 0;
             if (pass.glslGeometry && !made.geometry)
                 made.geometry = makeShader(device, ShaderStage::Geometry,
-                                           std::string("#version 450\n") + pass.glslExtensions + pass.glslGeometry + geometryText,
+                                           std::string("#version 450\n") + pass.glslExtensions + pass.glslGeometry +
+                                               (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText),
                                            pass.name);
             state.geometry = made.geometry.get();
             const auto renderPass = (VkRenderPass)pass.native.renderPass;
@@ -256,7 +282,8 @@ void StageView::setTriangles(const std::vector<Triangle>& triangles) {
     vertices_ = arena_.hostBuffer(count * 3 * 2 * sizeof(glm::vec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     materials_ = arena_.hostBuffer(count * sizeof(Material), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     for (uint32_t pass :
-         {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER, AGAA_DRAW_PASS_FORWARD})
+         {AGAA_DRAW_PASS_VISIBILITY, AGAA_DRAW_PASS_AGGREGATE, AGAA_DRAW_PASS_GBUFFER, AGAA_DRAW_PASS_FORWARD,
+          AGAA_DRAW_PASS_FRAGMENTS})
         runs_[pass] = drawRuns(settings_, triangles, pass);
     for (uint32_t i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];

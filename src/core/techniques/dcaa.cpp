@@ -1,0 +1,112 @@
+// `dcaa`: all fragments of a pixel with their coverage, merged into a few surfaces that are shaded once each (Wang et al.,
+// "Decoupled Coverage Anti-Aliasing", I3D 2016).
+#include "core/checked.h"
+#include "core/error.h"
+#include "core/structs.h"
+#include "core/techniques/aggregation.h"
+#include "core/techniques/generation_tiers.h"
+#include "core/techniques/techniques.h"
+#include "core/validate.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace agaa {
+
+namespace {
+
+void readCoverage(const AgaaConfig& config, ViewSettings& view) {
+    const std::optional<AgaaDecoupledCoverage> chained = readChained<AgaaDecoupledCoverage>(&config);
+    if (!chained)
+        return;
+    const AgaaDecoupledCoverage& c = view.coverage = *chained;
+    view.coverage.pNext = nullptr;
+    checkRange(uint64_t(c.merge), 0, AGAA_MERGE_NONE, "AgaaDecoupledCoverage::merge");
+    checkRange(double(c.fragmentsPerPixel), 1.0, 256.0, "AgaaDecoupledCoverage::fragmentsPerPixel");
+    checkFlags(c.flags, 0, "AgaaDecoupledCoverage::flags");
+}
+
+// Words of the buffer of lists: its counts, then the first fragment of each pixel, then the fragments
+// (src/shaders/passes/fragment_lists.glsl).
+struct ListSizes {
+    uint64_t heads, words; // before the fragments; of a fragment
+};
+constexpr uint64_t countWords = 16;
+
+ListSizes listSizes(const PlanBuilder& b) {
+    return {countWords + uint64_t(b.plan.width) * b.plan.height, 2 + b.plan.samples / 32};
+}
+
+ResourceId fragmentLists(PlanBuilder& b) {
+    const ListSizes sizes = listSizes(b);
+    const uint64_t pixels = uint64_t(b.plan.width) * b.plan.height;
+    const double wanted = double(pixels) * double(b.plan.coverage.fragmentsPerPixel);
+    const uint64_t most = b.caps().maxStorageRange / 4;
+    const uint64_t room = std::min<uint64_t>(most > sizes.heads ? (most - sizes.heads) / sizes.words : 0, 0x7FFFFFFF / sizes.words);
+    b.plan.poolRecords = std::min<uint64_t>(std::max<uint64_t>(uint64_t(wanted), 65536), room);
+    if (b.plan.poolRecords < pixels)
+        fail(AGAA_ERROR_TOO_LARGE, format("lists of fragments need room for a fragment a pixel; one storage buffer of the device "
+                                          "has room for %llu, and the view has %llu pixels.",
+                                          static_cast<unsigned long long>(b.plan.poolRecords),
+                                          static_cast<unsigned long long>(pixels)));
+    if (double(b.plan.poolRecords) < wanted)
+        b.note(format("lists: room for %.1f fragments a pixel, because one storage buffer of the device holds no more.",
+                      double(b.plan.poolRecords) / double(pixels)));
+    const uint64_t words = sizes.heads + checkedMultiply(b.plan.poolRecords, sizes.words);
+    return b.itemBuffer("fragments", words, 4);
+}
+
+// A surface keeps the mean over its fragments at the precision that samples have.
+Layout surfaceLayout(Layout layout) {
+    for (AgaaLayoutAttribute& attribute : layout.attributes) {
+        attribute.encoding = AGAA_ENCODING_UNORM;
+        attribute.aggregateBits = std::max(attribute.sampleBits, 6u);
+    }
+    layout.customs.clear(); // nothing reads them: agaaGetAggregateGlsl() is for "agaa"
+    return layout;
+}
+
+void build(PlanBuilder& b) {
+    b.defaultSurface(0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
+    Aggregation surfaces;
+    surfaces.layout = surfaceLayout(b.plan.layout);
+    surfaces.packing = packMaterial(surfaces.layout);
+    const uint32_t geometryWords = b.plan.samples / 32 + 3; // of src/shaders/passes/covered_surface.glsl
+    surfaces.stride = geometryWords + surfaces.packing.words;
+    b.plan.bytesPerAggregate = 4 * surfaces.stride;
+
+    const ResourceId fragments = fragmentLists(b);
+    b.fill("clear lists", AGAA_STAGE_GENERATION, fragments, AGAA_SEGMENT_PREPASS).fillBytes = 4 * listSizes(b).heads;
+    Pass& draw = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, AGAA_SEGMENT_PREPASS);
+    b.bindCommon(draw);
+    draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
+    draw.geometryText = "#include \"host/triangle_hull.glsl\"";
+    b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, fragments, true);
+
+    const ResourceId kept = b.pixelBuffer("surfaces", checkedMultiply(b.plan.aggregates, b.plan.bytesPerAggregate));
+    Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, "merge_fragments", AGAA_SEGMENT_GENERATION);
+    b.bindCommon(merge);
+    b.bindHostFetch(merge);
+    merge.defines += format("#define AGAA_SECOND_MERGE %uu\n", b.plan.coverage.merge);
+    b.bind(merge, slot::Fragments, BindingType::StorageBuffer, fragments, true);
+    b.bind(merge, slot::Aggregates, BindingType::StorageBuffer, kept, true);
+    setRecord(merge, surfaces);
+
+    Pass& shade = b.compute("shade surfaces", AGAA_STAGE_SHADING, "shade_surfaces", AGAA_SEGMENT_SHADING);
+    b.bindCommon(shade);
+    b.bindLighting(shade);
+    b.bindOutput(shade);
+    b.bind(shade, slot::Aggregates, BindingType::StorageBuffer, kept);
+    setRecord(shade, surfaces);
+    b.copyCounters();
+}
+
+constexpr TechniqueSettings coverageSettings = {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, readCoverage};
+constexpr const GenerationTier* tiers[] = {&fragmentListsTier};
+constexpr const TechniqueSettings* settings[] = {&coverageSettings};
+
+} // namespace
+
+const Technique dcaaTechnique = {"dcaa", 128, true, 8, false, tiers, settings, build};
+
+} // namespace agaa

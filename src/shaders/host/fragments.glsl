@@ -1,0 +1,83 @@
+// Fragments pass: the coverage of each fragment, with the id of its primitive, becomes a record in the list of its pixel.
+// Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3.1.
+#include "host/corners.glsl"
+#include "math/barycentrics.glsl"
+#include "math/triangle_coverage.glsl"
+
+layout(location = AGAA_CORNER_LOCATION) flat in vec3 agaa_corner0;
+layout(location = AGAA_CORNER_LOCATION + 1) flat in vec3 agaa_corner1;
+layout(location = AGAA_CORNER_LOCATION + 2) flat in vec3 agaa_corner2;
+
+#if AGAA_STORAGE_IMAGES
+layout(r32ui, AGAA_AT_FRAGMENTS) uniform uimageBuffer agaa_fragments;
+uint agaa_addToFragments(uint word, uint amount) { return imageAtomicAdd(agaa_fragments, int(word), amount); }
+uint agaa_exchangeFragments(uint word, uint value) { return imageAtomicExchange(agaa_fragments, int(word), value); }
+void agaa_setFragments(uint word, uint value) { imageStore(agaa_fragments, int(word), uvec4(value)); }
+#else
+layout(std430, AGAA_AT_FRAGMENTS) buffer agaa_FragmentBlock {
+    uint words[];
+} agaa_fragments;
+uint agaa_addToFragments(uint word, uint amount) { return atomicAdd(agaa_fragments.words[word], amount); }
+uint agaa_exchangeFragments(uint word, uint value) { return atomicExchange(agaa_fragments.words[word], value); }
+void agaa_setFragments(uint word, uint value) { agaa_fragments.words[word] = value; }
+#endif
+#include "passes/fragment_layout.glsl"
+
+// Perspective-correct weights of the triangle's corners at an offset from the pixel's centre, in pixels. Points outside the
+// triangle are moved in. The host weighs its flat attributes by them.
+vec3 agaa_cornerWeights(vec2 offset) {
+    return agaa_barycentrics(agaa_corner0, agaa_corner1, agaa_corner2, gl_FragCoord.xy + offset, vec2(1.0)).at;
+}
+
+#if AGAA_ALPHA_MASKED
+uvec4 agaa_cutoutCoverage(AgaaSurfaceInput s, float alpha, vec2 gradient) {
+    vec4 near = vec4(agaa_sanitiseAlpha(s.alphaNear.x), agaa_sanitiseAlpha(s.alphaNear.y),
+                     agaa_sanitiseAlpha(s.alphaNear.z), agaa_sanitiseAlpha(s.alphaNear.w));
+    uvec4 mask = uvec4(0u);
+    for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
+        vec2 offset = agaa_coveragePosition(i, AGAA_SAMPLES);
+        bool isIn = s.hasAlphaNear ? agaa_isInCutout4(near, s.alphaCutoff, offset)
+                                   : agaa_isInCutout(alpha, s.alphaCutoff, gradient, offset);
+        mask[i >> 5u] |= isIn ? 1u << (i & 31u) : 0u;
+    }
+    return mask;
+}
+
+// It takes derivatives, so it needs uniform control flow.
+uvec4 agaa_alphaCoverage(AgaaSurfaceInput s) {
+    float alpha = agaa_sanitiseAlpha(s.alpha);
+    vec2 gradient = AGAA_FINE_GRADIENT(alpha);
+    s.alphaCutoff = agaa_sanitiseAlpha(s.alphaCutoff + min(gl_FragCoord.x, 0.0)); // as in agaa_alphaMask()
+    if (s.alphaCutoff > 0.0)
+        return agaa_cutoutCoverage(s, alpha, gradient);
+    uvec2 pixel = agaa_hostPixel();
+    uint hash = agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.dither.x);
+    uvec4 mask = uvec4(0u);
+    for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
+        mask[word] = agaa_translucentMask(alpha, 32u, word, AGAA_SAMPLES / 32u, hash);
+    return mask;
+}
+#endif
+
+void agaa_emit(AgaaSurfaceInput s) {
+    uvec4 mask = agaa_triangleCoverage(agaa_corner0, agaa_corner1, agaa_corner2, gl_FragCoord.xy, AGAA_SAMPLES);
+#if AGAA_ALPHA_MASKED
+    mask &= agaa_alphaCoverage(s);
+#endif
+    if (agaa_coverageCount(mask) == 0u || AGAA_HELPER)
+        return;
+    uint id = agaa_idOfInput(s);
+    uint place = agaa_addToFragments(AGAA_LIST_COUNT, 1u);
+    agaa_countFragment(AGAA_COUNT_FRAGMENTS, 1u);
+    if (place >= AGAA_POOL_RECORDS) {
+        agaa_countFragment(AGAA_COUNT_LOST_FRAGMENTS, 1u);
+        return;
+    }
+    uvec2 pixel = agaa_hostPixel();
+    uint base = agaa_recordOf(place + 1u, AGAA_TARGET_WIDTH * AGAA_TARGET_HEIGHT);
+    uint next = agaa_exchangeFragments(agaa_headOf(pixel, AGAA_TARGET_WIDTH), place + 1u);
+    agaa_setFragments(base, id);
+    agaa_setFragments(base + 1u, next);
+    for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
+        agaa_setFragments(base + 2u + word, mask[word]);
+}

@@ -1,0 +1,16 @@
+// Ids of primitives, by which materials are fetched: draw << AGAA_PRIMITIVE_BITS | primitive, from 1 on.
+#ifndef AGAA_HOST_IDS_GLSL
+#define AGAA_HOST_IDS_GLSL
+#ifdef AGAA_MAX_DRAWS
+uint agaa_idOfInput(AgaaSurfaceInput s) {
+    // What the host did not announce is shown as what it did, since ids must name what can be fetched: a primitive as
+    // the last announced, which its draw has; a draw as the first primitive of the last, which may have no other.
+    bool isFetched = AGAA_SOME_UNFETCHED == 0 || s.draw != AGAA_UNFETCHED;
+    if (isFetched && (s.draw >= AGAA_MAX_DRAWS || s.primitive >= AGAA_MAX_PRIMITIVES) && !AGAA_HELPER)
+        agaa_countFragment(AGAA_COUNT_UNANNOUNCED, 1u);
+    uint primitive = s.draw < AGAA_MAX_DRAWS ? min(s.primitive, AGAA_MAX_PRIMITIVES - 1u) : 0u;
+    uint id = (min(s.draw, AGAA_MAX_DRAWS - 1u) << AGAA_PRIMITIVE_BITS | primitive) + 1u;
+    return isFetched ? id : 0xFFFFFFFFu;
+}
+#endif
+#endif

@@ -1,0 +1,45 @@
+// Which of a pixel's samples show a surface, by depth planes.
+// Source: DCAA (Wang et al., I3D 2016) section 3.4.
+#ifndef AGAA_MATH_SURFACE_RESOLVE_GLSL
+#define AGAA_MATH_SURFACE_RESOLVE_GLSL
+#include "coverage_pattern.glsl"
+#include "real.glsl"
+
+// Of the samples that both surfaces cover, those where the second is in front. Planes: depth at the pixel's centre and its
+// growth per pixel in x and in y; smaller depths are nearer. secondWins: who is in front where depths are equal.
+uvec4 agaa_samplesBehind(rvec3 plane, rvec3 second, uvec4 both, bool secondWins, uint samples) {
+    const rvec3 behind = plane - second;
+    const real reach = (abs(behind.y) + abs(behind.z)) * real(0.5);
+    if (behind.x > reach)
+        return both;
+    if (behind.x < -reach)
+        return uvec4(0u);
+    uvec4 hidden = uvec4(0u);
+    for (uint word = 0u; word < samples / 32u; ++word) {
+        uint left = both[word];
+        while (left != 0u) {
+            const uint bit = left & (~left + 1u);
+            const rvec2 at = agaa_coveragePosition(word * 32u + uint(findLSB(left)), samples);
+            const real by = behind.x + (behind.y * at.x + behind.z * at.y);
+            hidden[word] = hidden[word] | (by > real(0.0) || (by == real(0.0) && secondWins) ? bit : 0u);
+            left = left ^ bit;
+        }
+    }
+    return hidden;
+}
+
+// Sample number n of a mask, from 0 on; n is less than the mask's count.
+uint agaa_coveredSample(uvec4 mask, uint n) {
+    uint word = 0u;
+    while (word < 3u && n >= uint(bitCount(mask[word]))) {
+        n -= uint(bitCount(mask[word]));
+        word += 1u;
+    }
+    uint left = mask[word];
+    while (n > 0u) {
+        left = left & (left - 1u);
+        n -= 1u;
+    }
+    return word * 32u + uint(findLSB(left));
+}
+#endif

@@ -1,0 +1,45 @@
+// Surfaces of `dcaa` in memory. The words of one: its coverage, the depth at the pixel's centre, the growth of depth per
+// pixel in x and in y (16 bits each: sign, 8 bits of exponent, 7 of mantissa), the normal (octahedral, 16 bits each), then
+// its material (passes/packing.glsl). No coverage: there is no surface. Depths grow away from the eye; reversed ones are
+// negated.
+#ifndef AGAA_COVERED_SURFACE_GLSL
+#define AGAA_COVERED_SURFACE_GLSL
+#include "math/encoding.glsl"
+#include "math/surface_merge.glsl"
+
+#define AGAA_MASK_WORDS (AGAA_SAMPLES / 32u)
+#define AGAA_DEPTH_WORD AGAA_MASK_WORDS
+#define AGAA_SLOPE_WORD (AGAA_MASK_WORDS + 1u)
+#define AGAA_NORMAL_WORD (AGAA_MASK_WORDS + 2u)
+#define AGAA_MATERIAL_WORD (AGAA_MASK_WORDS + 3u)
+
+uint agaa_surfaceBase(uvec2 pixel, uint a) {
+    return ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE;
+}
+
+// To the nearest; of two the even one.
+uint agaa_packSlope(float slope) {
+    uint bits = floatBitsToUint(slope);
+    return bits + 0x7FFFu + (bits >> 16u & 1u) >> 16u;
+}
+uint agaa_packSlopes(vec2 slopes) { return agaa_packSlope(slopes.x) | agaa_packSlope(slopes.y) << 16u; }
+vec2 agaa_unpackSlopes(uint word) { return vec2(uintBitsToFloat(word << 16u), uintBitsToFloat(word & 0xFFFF0000u)); }
+
+uint agaa_packNormal(vec3 normal) {
+    uvec2 code = uvec2(agaa_encodeOct(normal, 16u) * 65535.0 + 0.5);
+    return code.x | code.y << 16u;
+}
+vec3 agaa_unpackNormal(uint word) { return agaa_decodeOct(vec2(word & 0xFFFFu, word >> 16u) / 65535.0, 16u); }
+
+// As memory gives it back.
+agaa_CoveredSurface agaa_asStored(agaa_CoveredSurface s) {
+    s.plane.yz = agaa_unpackSlopes(agaa_packSlopes(s.plane.yz));
+    float reach = 0.5 * (abs(s.plane.y) + abs(s.plane.z));
+    s.range = vec2(s.plane.x - reach, s.plane.x + reach);
+    s.normal = agaa_unpackNormal(agaa_packNormal(s.normal));
+    return s;
+}
+
+// The depth buffer's, by a depth that grows away from the eye.
+float agaa_deviceDepth(float depth) { return AGAA_FAR_DEPTH != 0u ? depth : -depth; }
+#endif

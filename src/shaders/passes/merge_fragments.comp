@@ -1,0 +1,158 @@
+// Merges the fragments of each pixel, in the order of their ids, into surfaces in memory (DCAA sections 3.2 and 3.3).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define AGAA_REPRESENTED 1
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/target.glsl"
+#include "passes/counters.glsl"
+#include "math/light.glsl"
+#include "math/depth_plane.glsl"
+#include "passes/tile_pixels.glsl"
+#include "passes/fetch.glsl"
+#include "passes/fragment_layout.glsl"
+#include "passes/covered_surface.glsl"
+#include "passes/packing.glsl"
+#include "passes/stored_material.glsl"
+
+layout(std430, AGAA_AT_FRAGMENTS) buffer agaa_FragmentBlock {
+    uint words[];
+} agaa_fragments;
+layout(std430, AGAA_AT_AGGREGATES) buffer agaa_SurfaceBlock {
+    uint words[];
+} agaa_surfaces;
+
+#define AGAA_AGGREGATE_WORD(i) agaa_surfaces.words[i]
+#define AGAA_IMAGE_WIDTH agaa_frame.size.x
+#define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
+#include "passes/stored_aggregate.glsl"
+
+uint agaa_record(uint fragment) { return agaa_recordOf(fragment, agaa_frame.size.x * agaa_frame.size.y); }
+
+// Puts the pixel's list in ascending order of ids and returns its first fragment. Fragments that were drawn in that order
+// come last first, and each is then placed at once.
+uint agaa_sortList(uvec2 pixel) {
+    uint head = 0u;
+    uint rest = agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size.x)];
+    while (rest != 0u) {
+        uint record = agaa_record(rest);
+        uint id = agaa_fragments.words[record];
+        uint before = 0u;
+        uint after = head;
+        bool goesOn = head != 0u && agaa_fragments.words[agaa_record(max(head, 1u))] < id;
+        while (goesOn) {
+            before = after;
+            after = agaa_fragments.words[agaa_record(after) + 1u];
+            goesOn = after != 0u && agaa_fragments.words[agaa_record(max(after, 1u))] < id;
+        }
+        uint next = agaa_fragments.words[record + 1u];
+        agaa_fragments.words[record + 1u] = after;
+        if (before == 0u)
+            head = rest;
+        else
+            agaa_fragments.words[agaa_record(before) + 1u] = rest;
+        rest = next;
+    }
+    return head;
+}
+
+agaa_DepthPlane agaa_planeOf(AgaaPrimitive p, uvec2 pixel) {
+    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
+    vec3 z = vec3(p.a.z, p.b.z, p.c.z);
+#if AGAA_CLIP_Z_FROM_MINUS_ONE
+    z = 0.5 * (z + vec3(p.a.w, p.b.w, p.c.w));
+#endif
+    return agaa_depthPlane(agaa_vertexInPixels(p.a.xyw, pixelsPerNdc), agaa_vertexInPixels(p.b.xyw, pixelsPerNdc),
+                           agaa_vertexInPixels(p.c.xyw, pixelsPerNdc), z, vec2(pixel) + 0.5);
+}
+
+// Of the pixel's surface at `base`.
+agaa_Stored agaa_loadMaterial(uint base) {
+    agaa_base = base + AGAA_MATERIAL_WORD;
+    return agaa_storedMeans();
+}
+
+// Lets a surface have this share of another material.
+void agaa_giveMaterial(uint base, agaa_Stored v, float share) {
+    if (share < 1.0) {
+        agaa_Stored own = agaa_loadMaterial(base);
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) v.member = own.member + (v.member - own.member) * share;
+#include "channels.inc"
+    }
+    agaa_packSurface(v);
+    for (uint w = 0u; w < AGAA_WORDS; ++w)
+        agaa_surfaces.words[base + AGAA_MATERIAL_WORD + w] = agaa_packed[w];
+}
+
+void agaa_countInsertion(agaa_Insertion done, bool isNew) {
+    bool gave = done.from != AGAA_NO_SURFACE || (done.to != AGAA_NO_SURFACE && done.share < 1.0);
+    if (done.isSecond)
+        agaa_count(gave ? AGAA_COUNT_MERGED_SECOND : AGAA_COUNT_DISCARDED, 1u);
+    else if (!isNew)
+        agaa_count(AGAA_COUNT_MERGED_FIRST, 1u);
+    agaa_count(AGAA_COUNT_LOST_SAMPLES, done.lost);
+}
+
+void agaa_insertFragment(uvec2 pixel, uint record, agaa_MergeRules rules) {
+    agaa_CoveredSurface s;
+    s.mask = uvec4(0u);
+    for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
+        s.mask[word] = agaa_fragments.words[record + 2u + word];
+    AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
+    agaa_DepthPlane plane = agaa_planeOf(p, pixel);
+    if (AGAA_FAR_DEPTH != 0u ? plane.range.x >= 1.0 : plane.range.y <= 0.0)
+        return; // at the far plane is background
+    agaa_moveTo(p, pixel, agaa_coverageMiddle(s.mask, AGAA_SAMPLES) + 0.5);
+    AgaaMaterial m = agaa_fetchMaterialThere(p);
+    s.plane = agaa_planeInRange(plane) * (AGAA_FAR_DEPTH != 0u ? 1.0 : -1.0);
+    s.normal = m.normal;
+    s = agaa_asStored(s);
+    rules.slack = abs(s.plane.x) * 9.5367e-7;
+    uint before = agaa_keptCount;
+    agaa_Insertion done = agaa_insertSurface(s, rules);
+    agaa_countInsertion(done, agaa_keptCount > before);
+    if (done.from != AGAA_NO_SURFACE) {
+        agaa_giveMaterial(agaa_surfaceBase(pixel, done.into), agaa_loadMaterial(agaa_surfaceBase(pixel, done.from)), done.moved);
+        agaa_kept[done.into] = agaa_asStored(agaa_kept[done.into]);
+    }
+    if (done.to != AGAA_NO_SURFACE) {
+        agaa_giveMaterial(agaa_surfaceBase(pixel, done.to), agaa_storedMaterial(m), done.share);
+        agaa_kept[done.to] = agaa_asStored(agaa_kept[done.to]);
+    }
+}
+
+void agaa_storeSurface(uint base, uint a) {
+    bool exists = a < agaa_keptCount;
+    agaa_CoveredSurface s = agaa_kept[a];
+    for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
+        agaa_surfaces.words[base + word] = exists ? s.mask[word] : 0u;
+    if (!exists)
+        return;
+    agaa_surfaces.words[base + AGAA_DEPTH_WORD] = floatBitsToUint(s.plane.x);
+    agaa_surfaces.words[base + AGAA_SLOPE_WORD] = agaa_packSlopes(s.plane.yz);
+    agaa_surfaces.words[base + AGAA_NORMAL_WORD] = agaa_packNormal(s.normal);
+}
+
+void agaa_mergePixel(uvec2 pixel) {
+    agaa_MergeRules rules = agaa_MergeRules(agaa_aggregateLimit(), agaa_frame.surface.x, 0.0, AGAA_SECOND_MERGE);
+    agaa_keptCount = 0u;
+    uint fragment = agaa_sortList(pixel);
+    while (fragment != 0u) {
+        uint record = agaa_record(fragment);
+        agaa_insertFragment(pixel, record, rules);
+        fragment = agaa_fragments.words[record + 1u];
+    }
+    for (uint a = 0u; a < agaa_aggregateLimit(); ++a)
+        agaa_storeSurface(agaa_surfaceBase(pixel, a), a);
+}
+
+void main() {
+    agaa_countBegin();
+    uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
+    if (all(lessThan(pixel, agaa_frame.size.xy)))
+        agaa_mergePixel(pixel);
+    agaa_countEnd();
+}

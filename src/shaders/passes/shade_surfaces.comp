@@ -1,0 +1,119 @@
+// Shades each surface of `dcaa` once, weighted by the samples that it shows (DCAA section 3.4).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define AGAA_REPRESENTED 1
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/target.glsl"
+#include "passes/counters.glsl"
+#include "passes/lighting.glsl"
+#include "passes/output.glsl"
+#include "passes/covered_surface.glsl"
+#define AGAA_MAX_EVENTS AGAA_AGGREGATES
+#include "passes/tile.glsl"
+
+layout(std430, AGAA_AT_AGGREGATES) readonly buffer agaa_SurfaceBlock {
+    uint words[];
+} agaa_surfaces;
+
+#define AGAA_AGGREGATE_WORD(i) agaa_surfaces.words[i]
+#define AGAA_IMAGE_WIDTH agaa_frame.size.x
+#define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
+#include "passes/stored_aggregate.glsl"
+#include "math/surface_resolve.glsl"
+
+shared uvec4 agaa_shown[64u * AGAA_AGGREGATES]; // of each surface, the samples that show it
+
+uvec4 agaa_loadMask(uint base) {
+    uvec4 mask = uvec4(0u);
+    for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
+        mask[word] = agaa_surfaces.words[base + word];
+    return mask;
+}
+
+vec3 agaa_loadPlane(uint base) {
+    return vec3(uintBitsToFloat(agaa_surfaces.words[base + AGAA_DEPTH_WORD]),
+                agaa_unpackSlopes(agaa_surfaces.words[base + AGAA_SLOPE_WORD]));
+}
+
+// Returns the samples that surface a loses to the others.
+uvec4 agaa_hiddenSamples(uvec2 pixel, uint a, uvec4 mask, vec3 plane) {
+    uvec4 hidden = uvec4(0u);
+    for (uint other = 0u; other < agaa_aggregateLimit(); ++other) {
+        uint base = agaa_surfaceBase(pixel, other);
+        uvec4 both = agaa_loadMask(base) & mask;
+        if (other != a && agaa_coverageCount(both) != 0u)
+            hidden |= agaa_samplesBehind(plane, agaa_loadPlane(base), both, other < a, AGAA_SAMPLES);
+    }
+    return hidden;
+}
+
+agaa_PixelWork agaa_workOf(uvec2 pixel) {
+    agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
+    uint first = gl_LocalInvocationIndex * AGAA_AGGREGATES;
+    for (uint a = 0u; a < agaa_aggregateLimit(); ++a) {
+        uint base = agaa_surfaceBase(pixel, a);
+        uvec4 mask = agaa_loadMask(base);
+        if (agaa_coverageCount(mask) != 0u)
+            mask &= ~agaa_hiddenSamples(pixel, a, mask, agaa_loadPlane(base));
+        agaa_shown[first + a] = mask;
+        uint count = agaa_coverageCount(mask);
+        work.events[0] |= count != 0u ? 1u << a : 0u;
+        work.covered += count;
+    }
+    agaa_countEvents(agaa_eventsOf(work));
+    agaa_count(AGAA_COUNT_VISIBLE, work.covered);
+    agaa_count(AGAA_COUNT_ONCE, work.covered);
+    agaa_count(AGAA_COUNT_AGGREGATES, agaa_eventsOf(work));
+    agaa_count(AGAA_COUNT_PIXELS, work.events[0] != 0u ? 1u : 0u);
+    return work;
+}
+
+// offset: from the pixel's centre, in pixels.
+vec3 agaa_surfacePosition(uvec2 pixel, vec3 plane, vec2 offset) {
+    float depth = agaa_deviceDepth(plane.x + dot(plane.yz, offset));
+    return agaa_toShadingSpace(agaa_placeViewPosition(pixel, offset + 0.5, depth));
+}
+
+// Shadow taps at up to AGAA_SHADOW_TAPS of the samples, evenly chosen, or in their middle.
+void agaa_tapSurface(uvec2 pixel, vec3 plane, uvec4 mask, vec3 position) {
+#if AGAA_SHADOWS
+    uint count = agaa_coverageCount(mask);
+    uint taps = AGAA_SHADOW_FILTER != 0u ? min(count, AGAA_SHADOW_TAPS) : 1u;
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] = 0.0;
+    if (taps == 1u)
+        agaa_addTaps(position);
+    for (uint j = 0u; j < taps && taps > 1u; ++j) {
+        uint sampleOf = agaa_coveredSample(mask, (2u * j + 1u) * count / (2u * taps));
+        agaa_addTaps(agaa_surfacePosition(pixel, plane, agaa_coveragePosition(sampleOf, AGAA_SAMPLES)));
+    }
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] /= float(taps);
+#endif
+}
+
+vec3 agaa_shadeEvent(uint lane, uint a) {
+    uvec2 pixel = agaa_pixelOf(lane);
+    uint base = agaa_surfaceBase(pixel, a);
+    uvec4 mask = agaa_shown[lane * AGAA_AGGREGATES + a];
+    vec3 plane = agaa_loadPlane(base);
+    vec3 position = agaa_surfacePosition(pixel, plane, agaa_coverageMiddle(mask, AGAA_SAMPLES));
+    agaa_tapSurface(pixel, plane, mask, position);
+    float weight = float(agaa_coverageCount(mask));
+    if (agaa_showsEvents())
+        return agaa_shownOfEvent(a, 0.0) * weight;
+    agaa_base = base + AGAA_MATERIAL_WORD;
+    agaa_Means m = agaa_meansOfStored(agaa_storedMeans());
+    agaa_Surface s = agaa_Surface(m.diffuse, m.specular, m.emissive,
+                                  agaa_unpackNormal(agaa_surfaces.words[base + AGAA_NORMAL_WORD]), 1.0, m.alpha2, 0.0, vec3(0.0));
+    return agaa_lightSurface(s, position) * weight;
+}
+
+void main() {
+    agaa_countBegin();
+    agaa_shadeTile();
+    agaa_countEnd();
+}
