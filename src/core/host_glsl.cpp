@@ -139,7 +139,9 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
         define(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
     }
-    if (pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS) {
+    const bool hasCorners = pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS;
+    defineSwitch(out, "AGAA_HAS_CORNERS", hasCorners);
+    if (hasCorners) {
         defineSwitch(out, "AGAA_CLIP_Z_FROM_MINUS_ONE", plan.clipZFromMinusOne);
         out += format("#define AGAA_POOL_RECORDS %lluu\n", static_cast<unsigned long long>(plan.poolRecords));
         define(out, "AGAA_TARGET_WIDTH", pass.width);
@@ -151,7 +153,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     out += customGlsl(plan.layout);
     const bool writesIds = pass.drawPass == AGAA_DRAW_PASS_VISIBILITY && plan.generationTier == AGAA_TIER_IDS;
     defineSwitch(out, "AGAA_WRITES_IDS", writesIds);
-    if (writesIds || pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS) {
+    if (writesIds || hasCorners) {
         defineSwitch(out, "AGAA_SOME_UNFETCHED", plan.someUnfetched);
         define(out, "AGAA_MAX_DRAWS", plan.maxDraws);
         define(out, "AGAA_MAX_PRIMITIVES", plan.maxPrimitives);

@@ -46,10 +46,13 @@ void checkTechnique(const std::string& technique) {
 
 void checkCounts(const PlanArguments& arguments) {
     const uint32_t n = arguments.samples;
-    if (n == 0 || n > 32 || (n & (n - 1)))
+    const bool isCoverage = arguments.technique == "dcaa";
+    if (isCoverage && n != 32 && n != 64 && n != 128)
+        throw BadArgument("--samples is " + std::to_string(n) + "; coverage samples of dcaa can be 32, 64 or 128.");
+    if (!isCoverage && (n == 0 || n > 32 || (n & (n - 1))))
         throw BadArgument("--samples is " + std::to_string(n) +
                           "; it can be 1, 2, 4, 8, 16 or 32.");
-    const uint32_t most = arguments.technique == "sbaa" ? 6 : 4;
+    const uint32_t most = isCoverage ? 8 : arguments.technique == "sbaa" ? 6 : 4;
     if (arguments.aggregates < 1 || arguments.aggregates > most)
         throw BadArgument("--aggregates is " + std::to_string(arguments.aggregates) + "; it can be 1 to " +
                           std::to_string(most) + ".");
@@ -179,6 +182,9 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.shadowTaps = arguments.shadowTaps;
     config.measurement.shadingCost = arguments.shadingCost;
     config.aggregation.glossWeight = finite(arguments.glossWeight, "--gloss-weight");
+    config.coverage.merge =
+        choice(arguments.merge, "--merge", {{"visible", AGAA_MERGE_VISIBLE}, {"paper", AGAA_MERGE_ALL}, {"none", AGAA_MERGE_NONE}});
+    config.coverage.fragmentsPerPixel = finite(arguments.fragmentsPerPixel, "--fragments-per-pixel");
     config.aggregation.litShadows = arguments.lit ? 1 : 0; // scenes have one
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };
     flag(arguments.splitSurfaces, AGAA_CONFIG_SPLIT_SURFACES);

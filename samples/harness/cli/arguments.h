@@ -53,6 +53,8 @@ struct PlanArguments {
     std::string view = "none";
     std::string preset; // or empty
     double glossWeight = 0;
+    std::string merge = "visible";
+    double fragmentsPerPixel = 8;
     bool noDiffuseFilter = false;
     bool noShadowFilter = false;
     bool shadowAlongDepth = false;

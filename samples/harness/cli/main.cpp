@@ -16,7 +16,7 @@ namespace {
 
 void addPlanOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--technique", a.technique, "see agaa-harness caps: single, ssaa, agaa …");
-    app.add_option("--samples", a.samples, "n: visibility samples per pixel");
+    app.add_option("--samples", a.samples, "n: visibility samples per pixel; dcaa: coverage samples");
     app.add_option("--aggregates", a.aggregates, "c: aggregates per pixel, 1 to 4; S: surfaces of sbaa, 1 to 6");
     app.add_option("--layout", a.layout, "paper16, precise, reference or a JSON file");
     app.add_option("--tier", a.tiers, "native, auto or stage=tier; repeatable")
@@ -35,6 +35,8 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--k-per-distance", a.kPerDistance, "at least this times the distance");
     app.add_option("--threshold", a.threshold, "t: least distance between aggregates");
     app.add_option("--surface", a.surface, "one surface: least cosine, widths of a pixel, material; 0: default");
+    app.add_option("--merge", a.merge, "dcaa: what a discarded surface gives to another, visible, paper or none");
+    app.add_option("--fragments-per-pixel", a.fragmentsPerPixel, "dcaa: that the lists have room for");
     app.add_option("--gloss-weight", a.glossWeight, "agaa by id or from a G-buffer: of shading normals");
     app.add_flag("--lit", a.lit, "agaa by id or from a G-buffer: lit statistics for the lights with shadows");
     app.add_flag("--buffered", a.buffered, "agaa by id or from a G-buffer: aggregates in memory, shaded by a pass of their own");

@@ -55,13 +55,22 @@ std::string PassPrograms::fragmentText(const DrawPass<AgaaGlDrawPass>& pass, con
         }
         text += "#define COPY_OUTPUTS " + copies + "\n";
     }
-    return text + embedded::material_glsl + embedded::material_frag;
+    return text + embedded::material_glsl + embedded::material_inputs_glsl +
+           (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? embedded::corners_frag : embedded::material_frag);
+}
+
+std::string PassPrograms::geometryText(const DrawPass<AgaaGlDrawPass>& pass) const {
+    if (!pass.glslGeometry)
+        return {};
+    return versionLine(glslVersion_) + pass.glslExtensions + "#define HARNESS_GL\n" + pass.glslGeometry +
+           embedded::interface_glsl + embedded::corners_geom;
 }
 
 PassProgram PassPrograms::make(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const {
     PassProgram made;
-    made.program = Program(*gl_, vertexText(glslVersion_, embedded::material_vert),
-                           fragmentText(pass, variant), std::string("material, ") + pass.name);
+    const std::string vertex = std::string(pass.glslGeometry ? "#define FOR_CORNERS\n" : "") + embedded::material_vert;
+    made.program = Program(*gl_, vertexText(glslVersion_, vertex.c_str()),
+                           fragmentText(pass, variant), std::string("material, ") + pass.name, geometryText(pass));
     made.toShading = made.program.uniform("draw.toShading");
     made.normalToShading = made.program.uniform("draw.normalToShading");
     made.seed = made.program.uniform("draw.seed");

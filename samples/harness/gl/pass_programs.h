@@ -35,6 +35,7 @@ public:
 private:
     PassProgram make(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const;
     std::string fragmentText(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const;
+    std::string geometryText(const DrawPass<AgaaGlDrawPass>& pass) const;
 
     const GladGLContext* gl_;
     uint32_t glslVersion_;

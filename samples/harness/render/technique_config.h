@@ -7,16 +7,18 @@ namespace harness {
 
 struct TechniqueConfig : AgaaConfig {
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
+    AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT;
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
 
     TechniqueConfig() : AgaaConfig AGAA_CONFIG_INIT { chain(); }
     TechniqueConfig(const TechniqueConfig& other)
-        : AgaaConfig(other), aggregation(other.aggregation), measurement(other.measurement) {
+        : AgaaConfig(other), aggregation(other.aggregation), coverage(other.coverage), measurement(other.measurement) {
         chain();
     }
     TechniqueConfig& operator=(const TechniqueConfig& other) {
         AgaaConfig::operator=(other);
         aggregation = other.aggregation;
+        coverage = other.coverage;
         measurement = other.measurement;
         chain();
         return *this;
@@ -26,7 +28,8 @@ struct TechniqueConfig : AgaaConfig {
 
 private:
     void chain() {
-        aggregation.pNext = &measurement;
+        aggregation.pNext = &coverage;
+        coverage.pNext = &measurement;
         pNext = &aggregation;
     }
 };

@@ -59,7 +59,8 @@ template <class T> T chainedOr(const AgaaConfig& config, uint32_t sType, const T
 bool isKnown(const AgaaConfig& config) {
     for (auto* next = static_cast<const AgaaStructHeader*>(config.pNext); next;
          next = static_cast<const AgaaStructHeader*>(next->pNext))
-        if (next->sType != AGAA_STRUCTURE_TYPE_AGGREGATION && next->sType != AGAA_STRUCTURE_TYPE_MEASUREMENT)
+        if (next->sType != AGAA_STRUCTURE_TYPE_AGGREGATION && next->sType != AGAA_STRUCTURE_TYPE_MEASUREMENT &&
+            next->sType != AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE)
             return false;
     return true;
 }
@@ -74,6 +75,8 @@ std::string viewKey(const AgaaViewDesc& desc) {
         return {};
     const auto aggregation =
         chainedOr(config, AGAA_STRUCTURE_TYPE_AGGREGATION, AgaaAggregation AGAA_AGGREGATION_INIT);
+    const auto coverage =
+        chainedOr(config, AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, AgaaDecoupledCoverage AGAA_DECOUPLED_COVERAGE_INIT);
     const auto measurement =
         chainedOr(config, AGAA_STRUCTURE_TYPE_MEASUREMENT, AgaaMeasurement AGAA_MEASUREMENT_INIT);
     Key key;
@@ -86,14 +89,15 @@ std::string viewKey(const AgaaViewDesc& desc) {
     for (const uint32_t value :
          {config.samples, config.aggregates, config.brdf, config.ndf, measurement.seeds,
           config.shadowTaps, config.visibilityTier, config.generationTier, measurement.shadingCost,
-          aggregation.litShadows, measurement.debugView})
+          aggregation.litShadows, measurement.debugView, coverage.merge})
         key.add(value);
     for (const float value : {aggregation.characteristicLength, aggregation.characteristicLengthPerDistance,
                               aggregation.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,
-                              config.surfaceMaterial, aggregation.glossWeight})
+                              config.surfaceMaterial, aggregation.glossWeight, coverage.fragmentsPerPixel})
         key.add(value);
     key.add(config.flags);
     key.add(measurement.flags);
+    key.add(coverage.flags);
     key.add(uint32_t(config.layout != nullptr));
     if (config.layout)
         addLayout(key, *config.layout);

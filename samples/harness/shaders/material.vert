@@ -8,15 +8,19 @@ LOCATION(3) in vec2 vertexUv;
 LOCATION(4) in vec4 vertexColor;
 
 // Read at the pixel's centre. Positions and vectors are in shading space.
+#ifndef FOR_CORNERS // corners.geom reads no more than the others
 VARYING(0) out vec3 centrePosition;
+#endif
 VARYING(1) out vec2 centreUv;
 VARYING(2) out float centreAlpha;
+#ifndef FOR_CORNERS
 // Read inside the primitive; see material.frag for why these are not the same.
 VARYING(3) out vec4 insidePosition; // w: 1
 VARYING(4) out vec3 insideNormal;
 VARYING(5) out vec4 insideTangent;
 VARYING(6) out vec2 insideUv;
 VARYING(7) out vec3 insideColor;
+#endif
 VARYING(8) flat out uint primitiveSeed;
 VARYING(9) flat out uint drawIndex;
 
@@ -45,18 +49,21 @@ vec3 rotate(vec4 rows[3], vec3 v) {
 void main() {
     // Sums in an order of their own: compilers are free to choose that of dot() and of matrix products, and of
     // surfaces at equal depth rounding picks the one that shows.
-    centrePosition = transform(draw.toShading, vertexPosition);
+    vec3 position = transform(draw.toShading, vertexPosition);
     mat4 m = camera.viewProjection;
-    gl_Position = ((m[0] * centrePosition.x + m[1] * centrePosition.y) + m[2] * centrePosition.z) + m[3];
+    gl_Position = ((m[0] * position.x + m[1] * position.y) + m[2] * position.z) + m[3];
     centreUv = vertexUv;
     centreAlpha = vertexColor.a;
 
-    insidePosition = vec4(centrePosition, 1.0);
+#ifndef FOR_CORNERS
+    centrePosition = position;
+    insidePosition = vec4(position, 1.0);
     insideNormal = rotate(draw.normalToShading, vertexNormal);
     insideTangent = vec4(rotate(draw.toShading, vertexTangent.xyz),
                             vertexTangent.w * draw.handedness);
     insideUv = vertexUv;
     insideColor = vertexColor.rgb;
+#endif
     // Of the primitive's first vertex.
     uint seed = (draw.seed ^ uint(VERTEX_INDEX)) * 0x9E3779B1u;
     primitiveSeed = seed ^ (seed >> 15);

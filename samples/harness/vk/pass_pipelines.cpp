@@ -12,14 +12,23 @@ namespace {
 std::string fragmentText(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked) {
     return std::string("#version 450\n") + pass.glslExtensions + "\n#define AGAA_ALPHA_MASKED " +
            (isMasked ? "1\n" : "0\n") + pass.glslDeclarations + "\n" + embedded::interface_glsl +
-           embedded::material_glsl + embedded::material_frag;
+           embedded::material_glsl + embedded::material_inputs_glsl +
+           (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? embedded::corners_frag : embedded::material_frag);
+}
+
+std::string geometryText(const DrawPass<AgaaVkDrawPass>& pass) {
+    return std::string("#version 450\n") + pass.glslExtensions + pass.glslGeometry + "\n" + embedded::interface_glsl +
+           embedded::corners_geom;
 }
 
 } // namespace
 
 PassPipelines::PassPipelines(const Device& device, VkDescriptorSetLayout cameraLayout)
     : device_(&device), cameraLayout_(cameraLayout),
-      vertex_(makeShader(device, ShaderStage::Vertex, vulkanText(embedded::material_vert), "material.vert")) {}
+      vertex_(makeShader(device, ShaderStage::Vertex, vulkanText(embedded::material_vert), "material.vert")),
+      cornerVertex_(makeShader(device, ShaderStage::Vertex,
+                               vulkanText((std::string("#define FOR_CORNERS\n") + embedded::material_vert).c_str()),
+                               "material.vert, for corners")) {}
 
 void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& scene,
                             const std::vector<Draw>& draws, VkDescriptorSetLayout materialLayout) {
@@ -28,6 +37,8 @@ void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& s
     if (!program.layout) {
         program.text = text;
         program.layout = makeLayout(pass, materialLayout);
+        if (pass.glslGeometry)
+            program.geometry = makeShader(*device_, ShaderStage::Geometry, geometryText(pass), "corners.geom");
     }
     if (program.text != text)
         throw std::runtime_error(std::string("The SDK gave two shaders of the pass \"") +
@@ -71,8 +82,9 @@ Pipeline PassPipelines::makePipeline(const DrawPass<AgaaVkDrawPass>& pass, const
     state.rasterization.frontFace =
         variant.isMirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE;
     state.fragmentConstant = variant.features;
+    state.geometry = program.geometry.get();
     const VkRenderPass renderPass = (VkRenderPass)pass.native.renderPass;
-    return state.create(*device_, vertex_.get(), program.fragments[variant.isMasked].get(),
+    return state.create(*device_, program.geometry ? cornerVertex_.get() : vertex_.get(), program.fragments[variant.isMasked].get(),
                         program.layout.get(), renderPass,
                         renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
 }

@@ -34,6 +34,7 @@ private:
         std::string text;
         PipelineLayout layout;
         std::array<ShaderModule, 2> fragments; // opaque, masked
+        ShaderModule geometry;                 // where the pass has one
         std::map<Variant, Pipeline> pipelines;
     };
     const Program& program(uint64_t pipelineKey) const;
@@ -43,7 +44,7 @@ private:
 
     const Device* device_;
     VkDescriptorSetLayout cameraLayout_;
-    ShaderModule vertex_;
+    ShaderModule vertex_, cornerVertex_;
     std::map<uint64_t, Program> programs_;
 };
 

@@ -24,9 +24,9 @@ void agaa_setFragments(uint word, uint value) { agaa_fragments.words[word] = val
 #include "passes/fragment_layout.glsl"
 
 // Perspective-correct weights of the triangle's corners at an offset from the pixel's centre, in pixels. Points outside the
-// triangle are moved in. The host weighs its flat attributes by them.
-vec3 agaa_cornerWeights(vec2 offset) {
-    return agaa_barycentrics(agaa_corner0, agaa_corner1, agaa_corner2, gl_FragCoord.xy + offset, vec2(1.0)).at;
+// triangle are moved in. Members: at; dx and dy, their growth per pixel. The host weighs its flat attributes by them.
+agaa_Barycentrics agaa_cornerWeights(vec2 offset) {
+    return agaa_barycentrics(agaa_corner0, agaa_corner1, agaa_corner2, gl_FragCoord.xy + offset, vec2(1.0));
 }
 
 #if AGAA_ALPHA_MASKED

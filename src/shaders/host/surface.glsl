@@ -93,7 +93,7 @@ uint agaa_hostGroup() {
 }
 
 // Where AgaaSurfaceInput::alphaNear wants alpha: from the texel's centre, in pixels, as agaa_dFdx() counts them.
-#define AGAA_ALPHA_POINTS (AGAA_HW_SAMPLES > 1 ? 4u : 0u)
+#define AGAA_ALPHA_POINTS (AGAA_HW_SAMPLES > 1 || AGAA_HAS_CORNERS == 1 ? 4u : 0u)
 vec2 agaa_alphaPoint(uint k) {
     return (vec2(float(k & 1u), float(k >> 1u)) * 0.5 - 0.25) / vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
 }

@@ -44,7 +44,12 @@ struct agaa_Insertion {
 };
 
 agaa_CoveredSurface agaa_kept[AGAA_MAX_KEPT + 1u]; // the last: the fragment in hand
-uint agaa_keptCount;
+uint agaa_keptCount = 0u;
+
+// Before all that reads: compilers warn of reads that they meet before writes.
+void agaa_keep(uint i, agaa_CoveredSurface s) {
+    agaa_kept[i] = s;
+}
 
 // Over the pixel.
 rvec2 agaa_depthInterval(agaa_CoveredSurface s) {
@@ -164,7 +169,7 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
         }
     }
     if (least != rules.limit) {
-        agaa_kept[least] = agaa_kept[rules.limit];
+        agaa_keep(least, agaa_kept[rules.limit]);
         done.to = least;
     }
     return done;
@@ -180,11 +185,11 @@ agaa_Insertion agaa_insertSurface(agaa_CoveredSurface s, agaa_MergeRules rules) 
     }
     if (agaa_keptCount < rules.limit) {
         done.to = agaa_keptCount;
-        agaa_kept[agaa_keptCount] = s;
+        agaa_keep(agaa_keptCount, s);
         agaa_keptCount = agaa_keptCount + 1u;
         return done;
     }
-    agaa_kept[rules.limit] = s;
+    agaa_keep(rules.limit, s);
     return agaa_insertInFull(rules);
 }
 #endif

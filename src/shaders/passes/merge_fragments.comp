@@ -116,11 +116,11 @@ void agaa_insertFragment(uvec2 pixel, uint record, agaa_MergeRules rules) {
     agaa_countInsertion(done, agaa_keptCount > before);
     if (done.from != AGAA_NO_SURFACE) {
         agaa_giveMaterial(agaa_surfaceBase(pixel, done.into), agaa_loadMaterial(agaa_surfaceBase(pixel, done.from)), done.moved);
-        agaa_kept[done.into] = agaa_asStored(agaa_kept[done.into]);
+        agaa_keep(done.into, agaa_asStored(agaa_kept[done.into]));
     }
     if (done.to != AGAA_NO_SURFACE) {
         agaa_giveMaterial(agaa_surfaceBase(pixel, done.to), agaa_storedMaterial(m), done.share);
-        agaa_kept[done.to] = agaa_asStored(agaa_kept[done.to]);
+        agaa_keep(done.to, agaa_asStored(agaa_kept[done.to]));
     }
 }
 

@@ -1,0 +1,33 @@
+// The fragments that corners.geom gives to pixels. The version, the SDK's extensions, interface.glsl, the SDK's
+// declarations, material.glsl and material_inputs.glsl come before this text.
+
+VARYING(0) flat in vec2 cornerUv[3];
+VARYING(3) flat in vec3 cornerAlpha;
+VARYING(4) flat in uint cornerSeed;
+VARYING(5) flat in uint cornerDraw;
+
+vec2 weighedUv(vec3 weights) { return weights.x * cornerUv[0] + weights.y * cornerUv[1] + weights.z * cornerUv[2]; }
+
+void setAlpha(inout AgaaSurfaceInput surface) {
+    agaa_Barycentrics centre = agaa_cornerWeights(vec2(0.0));
+    vec2 dx = weighedUv(centre.dx) * camera.footprint, dy = weighedUv(centre.dy) * camera.footprint;
+    surface.alpha = alphaAt(dot(centre.at, cornerAlpha), weighedUv(centre.at), dx, dy);
+    if ((features & alphaTestBit) != 0u)
+        surface.alphaCutoff = material.alphaCutoff;
+    surface.hasAlphaNear = (features & alphaNearBit) != 0u;
+    for (uint k = 0u; k < AGAA_ALPHA_POINTS && (features & alphaNearBit) != 0u; ++k) {
+        vec3 weights = agaa_cornerWeights(agaa_alphaPoint(k)).at;
+        surface.alphaNear[k] = alphaAt(dot(weights, cornerAlpha), weighedUv(weights), dx, dy);
+    }
+}
+
+void main() {
+    AgaaSurfaceInput surface = agaa_surfaceInput();
+    surface.primitiveSeed = cornerSeed;
+    surface.draw = cornerDraw;
+    surface.primitive = uint(gl_PrimitiveID);
+#if AGAA_ALPHA_MASKED
+    setAlpha(surface);
+#endif
+    agaa_emit(surface);
+}
