@@ -1,11 +1,10 @@
 // Algorithm 1 of the DCAA paper, written once more from its text, against the shader's.
+#include "paper_merge.h"
 #include "shader_math.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bitset>
-#include <optional>
 #include <random>
 #include <vector>
 
@@ -13,117 +12,7 @@ namespace {
 
 using math_f::KeptSurfaces;
 using Shader = KeptSurfaces::agaa_CoveredSurface;
-using Bits = std::bitset<128>;
-
-struct Surface {
-    Bits coverage;
-    float depth, slopeX, slopeY, nearest, farthest;
-    float normal[3];
-};
-
-// ---- the paper's words ---------------------------------------------------------------------------
-
-// "To test this, we approximate a fragment bounding box using depth derivatives over the pixel extent."
-struct Box {
-    float front, back;
-};
-Box boxOf(const Surface& s) {
-    const float half = 0.5f * (std::fabs(s.slopeX) + std::fabs(s.slopeY));
-    const auto within = [&](float z) { return std::min(std::max(z, s.nearest), s.farthest); };
-    return {within(s.depth - half), within(s.depth + half)};
-}
-float overlapOf(const Surface& a, const Surface& b) {
-    const Box x = boxOf(a), y = boxOf(b);
-    return std::min(x.back, y.back) - std::max(x.front, y.front);
-}
-float dotOf(const Surface& a, const Surface& b) {
-    const float x = a.normal[0] * b.normal[0], y = a.normal[1] * b.normal[1], z = a.normal[2] * b.normal[2];
-    return x + y + z;
-}
-
-// "averaging normals, depths, and material parameters based on a weighted average of the fragment's and surface's coverage"
-void average(Surface& into, const Surface& from, const Bits& bits) {
-    const float share = float(bits.count()) / (float(into.coverage.count()) + float(bits.count()));
-    const auto mix = [share](float& a, float b) { a += (b - a) * share; };
-    mix(into.depth, from.depth);
-    mix(into.slopeX, from.slopeX);
-    mix(into.slopeY, from.slopeY);
-    into.nearest = std::min(into.nearest, from.nearest);
-    into.farthest = std::max(into.farthest, from.farthest);
-    float n[3];
-    for (int i = 0; i < 3; ++i)
-        n[i] = into.normal[i] + (from.normal[i] - into.normal[i]) * share;
-    const float xx = n[0] * n[0], yy = n[1] * n[1], zz = n[2] * n[2];
-    const float squared = xx + yy + zz;
-    if (squared > 1e-12f)
-        for (int i = 0; i < 3; ++i)
-            into.normal[i] = n[i] * (1.0f / std::sqrt(squared));
-    into.coverage |= bits;
-}
-
-struct Rules {
-    size_t limit;
-    float cosine, slack;
-    enum { Nothing, Visible, All } second;
-};
-
-struct Pixel {
-    std::vector<Surface> surfaces;
-    uint32_t lost = 0;
-
-    void insert(Surface in, const Rules& rules) {
-        std::optional<size_t> best;
-        for (size_t i = 0; i < surfaces.size(); ++i) {
-            if (!(dotOf(surfaces[i], in) > rules.cosine) || !(overlapOf(surfaces[i], in) + rules.slack >= 0.0f))
-                continue;
-            const auto rank = [&](size_t k) { return std::pair(dotOf(surfaces[k], in), overlapOf(surfaces[k], in)); };
-            if (!best || rank(i) > rank(*best))
-                best = i;
-        }
-        if (best)
-            return average(surfaces[*best], in, in.coverage);
-        if (surfaces.size() < rules.limit)
-            return surfaces.push_back(in);
-        insertInFull(in, rules);
-    }
-
-private:
-    // "ordering surfaces front to back and use bitwise operations to mask off samples covered by closer surfaces"
-    void insertInFull(const Surface& in, const Rules& rules) {
-        std::vector<Surface> all = surfaces;
-        all.push_back(in);
-        std::vector<size_t> order(all.size());
-        for (size_t i = 0; i < order.size(); ++i)
-            order[i] = i;
-        const auto centre = [&](size_t i) { return std::min(std::max(all[i].depth, all[i].nearest), all[i].farthest); };
-        std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return centre(a) < centre(b); });
-        std::vector<Bits> visible(all.size());
-        Bits covered;
-        for (const size_t i : order) {
-            visible[i] = all[i].coverage & ~covered;
-            covered |= all[i].coverage;
-        }
-        // "we exclude the closest surface when identifying the one with the least coverage"
-        size_t least = order[0] == 0 ? 1 : 0;
-        for (size_t i = 0; i < all.size(); ++i)
-            if (i != order[0] && visible[i].count() <= visible[least].count())
-                least = i;
-        const Bits moving = rules.second == Rules::All ? all[least].coverage : visible[least];
-        std::optional<size_t> taker;
-        if (rules.second != Rules::Nothing && moving.any())
-            for (size_t i = 0; i < all.size(); ++i)
-                if (i != least && overlapOf(all[i], all[least]) + rules.slack >= 0.0f &&
-                    (!taker || overlapOf(all[i], all[least]) > overlapOf(all[*taker], all[least])))
-                    taker = i;
-        if (taker)
-            average(all[*taker], all[least], moving);
-        else
-            lost += uint32_t(visible[least].count());
-        all[least] = all.back(); // without effect on the fragment itself
-        all.pop_back();
-        surfaces = all;
-    }
-};
+using namespace paper;
 
 // ---- random pixels ---------------------------------------------------------------------------------
 
@@ -201,7 +90,7 @@ TEST(SurfaceMerge, IsAlgorithm1OfThePaper) {
             paper.insert(s, rules);
         }
         ASSERT_NO_FATAL_FAILURE(expectEqual(shader, paper)) << run;
-        ASSERT_EQ(lost, paper.lost);
+        ASSERT_EQ(lost, paper.lostSamples);
     }
     for (const uint32_t count : kinds)
         EXPECT_GT(count, 1000u);

@@ -1,6 +1,7 @@
 // Decoupled coverage, by what can be seen from outside. Each graphics API instantiates these.
 #pragma once
 
+#include "dcaa_lists.h"
 #include "shown.h"
 
 #include <gtest/gtest.h>
@@ -23,6 +24,20 @@ template <class Host>
 class DcaaCases : public testing::Test {
 protected:
     Shown render(const ViewSettings& settings, const Shot& shot) { return show(context, settings, shot); }
+
+    // What a frame leaves in memory.
+    Kept keep(ViewSettings settings, const Shot& shot) {
+        settings.config.flags |= AGAA_CONFIG_COUNTERS | AGAA_CONFIG_READBACK;
+        typename Host::Ids ids(context, settings, shot);
+        auto& view = ids.view();
+        AgaaFrame frame = view.frame();
+        Host::run(view, [&](typename Host::Frame& native) {
+            ids.bind(native);
+            EXPECT_EQ(Host::recordFrame(view.get(), &frame, &native), AGAA_OK);
+        });
+        return keptOf(settings, view.readBuffer("fragments"), view.readBuffer("surfaces"), view.plan().bytesPerAggregate / 4,
+                      view.statistics().counters);
+    }
 
     typename Host::Context context;
 };
@@ -72,6 +87,69 @@ TYPED_TEST_P(DcaaCases, ShowsWhatManySamplesShow) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(DcaaCases, EdgesCoverTheirShare, ShowsWhatManySamplesShow);
+// Triangles of a thin layer, so that their depths overlap in many pixels.
+inline std::vector<Triangle> tangle(uint32_t count) {
+    std::mt19937 random(7);
+    const auto uniform = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
+    std::vector<Triangle> list;
+    for (uint32_t i = 0; i < count; ++i) {
+        Triangle t;
+        const glm::vec2 centre(uniform(-3.4f, 3.4f), uniform(-2.2f, 2.2f));
+        for (glm::vec3& corner : t.position)
+            corner = {centre.x + uniform(-0.5f, 0.5f), centre.y + uniform(-0.5f, 0.5f), uniform(-4.4f, -4.0f)};
+        t.material = randomMaterial(random);
+        t.material.geometricNormal = glm::vec4(planeNormal(t), 0);
+        t.material.normal = glm::vec4(planeNormal(t), 0.3f);
+        list.push_back(t);
+    }
+    return list;
+}
+
+// Where a pixel keeps every fragment, memory has what algorithm 1 begins with. Merged by the paper's words on the CPU, it is
+// what the device keeps of fewer surfaces.
+TYPED_TEST_P(DcaaCases, MergesAsAlgorithm1OfThePaper) {
+    const Shot shot{.triangles = tangle(170)};
+    for (const uint32_t samples : {64u, 32u, 128u}) {
+        ViewSettings settings = dcaaSettings(samples, 8);
+        settings.config.surfaceCosine = 1; // nothing merges
+        const Kept fragments = this->keep(settings, shot);
+        ASSERT_EQ(fragments.counters.discarded + fragments.counters.mergedFirst + fragments.counters.mergedSecond, 0u)
+            << "a pixel has more than 8 fragments";
+        for (const uint32_t merge : {AGAA_MERGE_VISIBLE, AGAA_MERGE_ALL, AGAA_MERGE_NONE}) {
+            SCOPED_TRACE(std::to_string(samples) + " samples, merge " + std::to_string(merge));
+            if (samples != 64 && merge != AGAA_MERGE_VISIBLE)
+                continue; // the width of masks and the rule are apart
+            settings.config.aggregates = 2;
+            settings.config.surfaceCosine = 0.9f;
+            settings.config.coverage.merge = merge;
+            const Kept kept = this->keep(settings, shot);
+            paper::Pixel sums;
+            for (size_t p = 0; p < kept.pixels.size(); ++p) {
+                paper::Pixel pixel;
+                pixel.store = storeSurface;
+                for (const paper::Surface& fragment : fragments.pixels[p])
+                    pixel.insert(fragment, rulesOf(settings, fragment));
+                expectSame(kept.pixels[p], pixel.surfaces, p);
+                sums.mergedFirst += pixel.mergedFirst;
+                sums.mergedSecond += pixel.mergedSecond;
+                sums.discarded += pixel.discarded;
+                sums.lostSamples += pixel.lostSamples;
+            }
+            EXPECT_EQ(kept.counters.fragments, fragments.counters.fragments);
+            EXPECT_EQ(kept.counters.mergedFirst, sums.mergedFirst);
+            EXPECT_EQ(kept.counters.mergedSecond, sums.mergedSecond);
+            EXPECT_EQ(kept.counters.discarded, sums.discarded);
+            EXPECT_EQ(kept.counters.lostSamples, sums.lostSamples);
+            EXPECT_GT(sums.mergedFirst, 50u);
+            EXPECT_GT(sums.discarded, 10u);
+            EXPECT_EQ(sums.mergedSecond > 10, merge != AGAA_MERGE_NONE);
+            EXPECT_EQ(kept.counters.lostFragments, 0u);
+            std::printf("%u samples, merge %u: %u + %u merged, %u discarded, %u samples lost\n", samples, merge, sums.mergedFirst,
+                        sums.mergedSecond, sums.discarded, sums.lostSamples);
+        }
+    }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(DcaaCases, EdgesCoverTheirShare, ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper);
 
 } // namespace agaa::test

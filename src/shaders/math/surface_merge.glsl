@@ -20,10 +20,10 @@ struct agaa_CoveredSurface {
     rvec3 normal; // unit
 };
 
-// What the second merge gives the surface that takes a discarded one.
-#define AGAA_MERGE_NOTHING 0u
-#define AGAA_MERGE_VISIBLE 1u // the samples that are not behind other surfaces
-#define AGAA_MERGE_ALL 2u     // as the paper
+// What the second merge gives the surface that takes a discarded one, as AgaaMerge.
+#define AGAA_SECOND_VISIBLE 0u // the samples that are not behind other surfaces
+#define AGAA_SECOND_ALL 1u     // as the paper
+#define AGAA_SECOND_NOTHING 2u
 
 struct agaa_MergeRules {
     uint limit;  // of surfaces, [1, AGAA_MAX_KEPT]
@@ -151,9 +151,9 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
     const uint count = rules.limit + 1u;
     const uint least = agaa_findLeast(count);
     const uvec4 visible = agaa_visibleOf(least, count);
-    const uvec4 moving = rules.second == AGAA_MERGE_ALL ? agaa_kept[least].mask : visible;
+    const uvec4 moving = rules.second == AGAA_SECOND_ALL ? agaa_kept[least].mask : visible;
     uint taker = AGAA_NO_SURFACE;
-    if (rules.second != AGAA_MERGE_NOTHING && agaa_coverageCount(moving) != 0u)
+    if (rules.second != AGAA_SECOND_NOTHING && agaa_coverageCount(moving) != 0u)
         taker = agaa_findOverlapping(least, count, rules.slack);
     if (taker == AGAA_NO_SURFACE) {
         done.lost = agaa_coverageCount(visible);

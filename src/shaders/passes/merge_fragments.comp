@@ -74,14 +74,18 @@ agaa_Stored agaa_loadMaterial(uint base) {
     return agaa_storedMeans();
 }
 
+// The share is of b.
+agaa_Stored agaa_mixMaterials(agaa_Stored a, agaa_Stored b, float share) {
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) a.member += (b.member - a.member) * share;
+#include "channels.inc"
+    return a;
+}
+
 // Lets a surface have this share of another material.
 void agaa_giveMaterial(uint base, agaa_Stored v, float share) {
-    if (share < 1.0) {
-        agaa_Stored own = agaa_loadMaterial(base);
-#define AGAA_ATTRIBUTE(semantic, name)
-#define AGAA_CHANNEL(index, name, field, source, attribute, member) v.member = own.member + (v.member - own.member) * share;
-#include "channels.inc"
-    }
+    if (share < 1.0)
+        v = agaa_mixMaterials(agaa_loadMaterial(base), v, share);
     agaa_packSurface(v);
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         agaa_surfaces.words[base + AGAA_MATERIAL_WORD + w] = agaa_packed[w];
@@ -114,12 +118,17 @@ void agaa_insertFragment(uvec2 pixel, uint record, agaa_MergeRules rules) {
     uint before = agaa_keptCount;
     agaa_Insertion done = agaa_insertSurface(s, rules);
     agaa_countInsertion(done, agaa_keptCount > before);
+    agaa_Stored own = agaa_storedMaterial(m);
     if (done.from != AGAA_NO_SURFACE) {
-        agaa_giveMaterial(agaa_surfaceBase(pixel, done.into), agaa_loadMaterial(agaa_surfaceBase(pixel, done.from)), done.moved);
+        agaa_Stored moving = agaa_loadMaterial(agaa_surfaceBase(pixel, done.from));
+        if (done.into == rules.limit)
+            own = agaa_mixMaterials(own, moving, done.moved);
+        else
+            agaa_giveMaterial(agaa_surfaceBase(pixel, done.into), moving, done.moved);
         agaa_keep(done.into, agaa_asStored(agaa_kept[done.into]));
     }
     if (done.to != AGAA_NO_SURFACE) {
-        agaa_giveMaterial(agaa_surfaceBase(pixel, done.to), agaa_storedMaterial(m), done.share);
+        agaa_giveMaterial(agaa_surfaceBase(pixel, done.to), own, done.share);
         agaa_keep(done.to, agaa_asStored(agaa_kept[done.to]));
     }
 }

@@ -1,0 +1,95 @@
+#include "dcaa_lists.h"
+
+#include "shader_math.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+
+namespace agaa::test {
+
+namespace {
+
+constexpr uint32_t countWords = 16; // before the first fragments
+
+float slopeOf(uint32_t half) { return std::bit_cast<float>(half << 16); }
+
+uint32_t packSlope(float slope) {
+    const auto bits = std::bit_cast<uint32_t>(slope);
+    return (bits + 0x7FFFu + (bits >> 16 & 1u)) >> 16;
+}
+
+uint32_t packNormal(const float (&normal)[3]) {
+    const glm::vec2 code = math_f::agaa_encodeOct({normal[0], normal[1], normal[2]}, 16) * 65535.0f + 0.5f;
+    return uint32_t(code.x) | uint32_t(code.y) << 16;
+}
+
+void setNormal(paper::Surface& s, uint32_t word) {
+    const glm::vec3 n = math_f::agaa_decodeOct(glm::vec2(float(word & 0xFFFFu), float(word >> 16)) / 65535.0f, 16);
+    for (int i = 0; i < 3; ++i)
+        s.normal[i] = n[i];
+}
+
+void setPlane(paper::Surface& s, float depth, uint32_t slopeX, uint32_t slopeY) {
+    s.depth = depth;
+    s.slopeX = slopeOf(slopeX);
+    s.slopeY = slopeOf(slopeY);
+    const float reach = 0.5f * (std::fabs(s.slopeX) + std::fabs(s.slopeY));
+    s.nearest = depth - reach;
+    s.farthest = depth + reach;
+}
+
+} // namespace
+
+Kept keptOf(const ViewSettings& settings, const std::vector<uint32_t>& fragments, const std::vector<uint32_t>& surfaces,
+            uint32_t stride, const AgaaCounters& counters) {
+    Kept kept;
+    kept.counters = counters;
+    const uint32_t masks = settings.config.samples / 32, pixels = settings.width * settings.height;
+    for (uint32_t p = 0; p < pixels; ++p) {
+        std::vector<uint32_t>& list = kept.lists.emplace_back();
+        for (uint32_t at = fragments[countWords + p]; at != 0;) {
+            const uint32_t record = countWords + pixels + (at - 1) * (2 + masks);
+            list.push_back(fragments[record]);
+            at = fragments[record + 1];
+        }
+        std::vector<paper::Surface>& own = kept.pixels.emplace_back();
+        for (uint32_t a = 0; a < settings.config.aggregates; ++a) {
+            const uint32_t* words = &surfaces[(size_t(p) * settings.config.aggregates + a) * stride];
+            paper::Surface s{};
+            for (uint32_t i = 0; i < 32 * masks; ++i)
+                s.coverage[i] = words[i / 32] >> (i % 32) & 1;
+            if (s.coverage.none())
+                break;
+            setPlane(s, std::bit_cast<float>(words[masks]), words[masks + 1] & 0xFFFFu, words[masks + 1] >> 16);
+            setNormal(s, words[masks + 2]);
+            own.push_back(s);
+        }
+    }
+    return kept;
+}
+
+void storeSurface(paper::Surface& s) {
+    setPlane(s, s.depth, packSlope(s.slopeX), packSlope(s.slopeY));
+    setNormal(s, packNormal(s.normal));
+}
+
+paper::Rules rulesOf(const ViewSettings& settings, const paper::Surface& fragment) {
+    return {settings.config.aggregates, settings.config.surfaceCosine, std::fabs(fragment.depth) * 9.5367e-7f,
+            decltype(paper::Rules::second)(settings.config.coverage.merge)};
+}
+
+void expectSame(const std::vector<paper::Surface>& got, const std::vector<paper::Surface>& expected, size_t pixel) {
+    ASSERT_EQ(got.size(), expected.size()) << "pixel " << pixel;
+    for (size_t i = 0; i < got.size(); ++i) {
+        SCOPED_TRACE("pixel " + std::to_string(pixel) + ", surface " + std::to_string(i));
+        EXPECT_EQ(got[i].coverage, expected[i].coverage);
+        EXPECT_NEAR(got[i].depth, expected[i].depth, 4e-7f * std::fabs(expected[i].depth));
+        EXPECT_NEAR(got[i].slopeX, expected[i].slopeX, 0.008f * std::fabs(expected[i].slopeX) + 1e-9f);
+        EXPECT_NEAR(got[i].slopeY, expected[i].slopeY, 0.008f * std::fabs(expected[i].slopeY) + 1e-9f);
+        for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(got[i].normal[k], expected[i].normal[k], 1e-4f);
+    }
+}
+
+} // namespace agaa::test
