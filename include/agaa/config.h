@@ -214,11 +214,14 @@ typedef struct AgaaAggregation {
     {AGAA_STRUCTURE_TYPE_AGGREGATION, (uint32_t)sizeof(AgaaAggregation), NULL, 0.0f, 0.03f, 0.02f, 0, 0.0f, 0}
 AGAA_API void AGAA_CALL agaaInitAggregation(AgaaAggregation* outAggregation, size_t structSize);
 
-/* What the surface that "dcaa" discards gives to another one whose depths overlap it (DCAA section 3.3). */
+/* How "dcaa" merges fragments into the surfaces of a pixel. */
 typedef enum AgaaMerge {
-    AGAA_MERGE_VISIBLE = 0, /* the samples that it shows */
-    AGAA_MERGE_ALL = 1,     /* all its samples, as in the paper */
-    AGAA_MERGE_NONE = 2,    /* nothing */
+    AGAA_MERGE_VISIBLE = 0, /* surfaces count by the samples that they show. A fragment merges into a surface of like normal
+                               whose depths overlap if they share no sample. In a full pixel, the pair merges that costs
+                               least, so that no sample is lost */
+    AGAA_MERGE_PAPER = 1,   /* as in the paper (DCAA algorithm 1): whether samples are shared does not matter. In a full pixel,
+                               the surface that shows least goes into one whose depths overlap, or is dropped */
+    AGAA_MERGE_NONE = 2,    /* PAPER without the merge in a full pixel, for comparison */
     AGAA_MERGE_MAX_ENUM = 0x7FFFFFFF
 } AgaaMerge;
 

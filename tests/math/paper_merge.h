@@ -1,4 +1,5 @@
-// Algorithm 1 of the DCAA paper (Wang et al., I3D 2016, sections 3.2 and 3.3), written from its text.
+// Algorithm 1 of the DCAA paper (Wang et al., I3D 2016, sections 3.2 and 3.3), written from its text, and the SDK's own rule
+// (AGAA_MERGE_VISIBLE).
 #pragma once
 
 #include <algorithm>
@@ -40,14 +41,16 @@ inline float dotOf(const Surface& a, const Surface& b) {
 }
 
 // "averaging normals, depths, and material parameters based on a weighted average of the fragment's and surface's coverage"
-inline void average(Surface& into, const Surface& from, const Bits& bits) {
-    const float share = float(bits.count()) / (float(into.coverage.count()) + float(bits.count()));
+inline void average(Surface& into, const Surface& from, const Bits& bits, size_t ofInto, size_t ofFrom, float slack) {
+    const float share = float(ofFrom) / float(ofInto + ofFrom);
     const auto mix = [share](float& a, float b) { a += (b - a) * share; };
-    mix(into.depth, from.depth);
-    mix(into.slopeX, from.slopeX);
-    mix(into.slopeY, from.slopeY);
-    into.nearest = std::min(into.nearest, from.nearest);
-    into.farthest = std::max(into.farthest, from.farthest);
+    if (overlapOf(into, from) + slack >= 0.0f) {
+        mix(into.depth, from.depth);
+        mix(into.slopeX, from.slopeX);
+        mix(into.slopeY, from.slopeY);
+        into.nearest = std::min(into.nearest, from.nearest);
+        into.farthest = std::max(into.farthest, from.farthest);
+    }
     float n[3];
     for (int i = 0; i < 3; ++i)
         n[i] = into.normal[i] + (from.normal[i] - into.normal[i]) * share;
@@ -62,7 +65,7 @@ inline void average(Surface& into, const Surface& from, const Bits& bits) {
 struct Rules {
     size_t limit;
     float cosine, slack;
-    enum { Visible, All, Nothing } second;
+    enum { Visible, Paper, None } rule; // AgaaMerge
 };
 
 struct Pixel {
@@ -75,14 +78,17 @@ struct Pixel {
         for (size_t i = 0; i < surfaces.size(); ++i) {
             if (!(dotOf(surfaces[i], in) > rules.cosine) || !(overlapOf(surfaces[i], in) + rules.slack >= 0.0f))
                 continue;
+            if (rules.rule == Rules::Visible && (surfaces[i].coverage & in.coverage).any())
+                continue;
             const auto rank = [&](size_t k) { return std::pair(dotOf(surfaces[k], in), overlapOf(surfaces[k], in)); };
             if (!best || rank(i) > rank(*best))
                 best = i;
         }
         if (best) {
             ++mergedFirst;
-            average(surfaces[*best], in, in.coverage);
-            return store(surfaces[*best]);
+            Surface& s = surfaces[*best];
+            average(s, in, in.coverage, s.coverage.count(), in.coverage.count(), rules.slack);
+            return store(s);
         }
         if (surfaces.size() < rules.limit)
             return surfaces.push_back(in);
@@ -90,36 +96,21 @@ struct Pixel {
     }
 
 private:
-    // "ordering surfaces front to back and use bitwise operations to mask off samples covered by closer surfaces"
     void insertInFull(const Surface& in, const Rules& rules) {
         std::vector<Surface> all = surfaces;
         all.push_back(in);
-        std::vector<size_t> order(all.size());
-        for (size_t i = 0; i < order.size(); ++i)
-            order[i] = i;
-        const auto centre = [&](size_t i) { return std::min(std::max(all[i].depth, all[i].nearest), all[i].farthest); };
-        std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return centre(a) < centre(b); });
-        std::vector<Bits> visible(all.size());
-        Bits covered;
-        for (const size_t i : order) {
-            visible[i] = all[i].coverage & ~covered;
-            covered |= all[i].coverage;
-        }
-        // "we exclude the closest surface when identifying the one with the least coverage"
-        size_t least = order[0] == 0 ? 1 : 0;
-        for (size_t i = 0; i < all.size(); ++i)
-            if (i != order[0] && visible[i].count() <= visible[least].count())
-                least = i;
-        const Bits moving = rules.second == Rules::All ? all[least].coverage : visible[least];
+        const std::vector<size_t> order = frontToBack(all);
+        const std::vector<Bits> visible = visibleOf(all, order);
+        const bool byCost = rules.rule == Rules::Visible;
+        const size_t least = byCost ? cheapest(all, visible) : showingLeast(visible, order[0]);
+        const Bits moving = byCost ? visible[least] : all[least].coverage;
         std::optional<size_t> taker;
-        if (rules.second != Rules::Nothing && moving.any())
-            for (size_t i = 0; i < all.size(); ++i)
-                if (i != least && overlapOf(all[i], all[least]) + rules.slack >= 0.0f &&
-                    (!taker || overlapOf(all[i], all[least]) > overlapOf(all[*taker], all[least])))
-                    taker = i;
+        if (rules.rule != Rules::None && moving.any())
+            taker = byCost ? std::optional(likest(all, least)) : overlapping(all, least, rules.slack);
         if (taker) {
             ++mergedSecond;
-            average(all[*taker], all[least], moving);
+            const Bits own = byCost ? visible[*taker] : all[*taker].coverage;
+            average(all[*taker], all[least], moving, own.count(), moving.count(), rules.slack);
             store(all[*taker]);
         } else {
             ++discarded;
@@ -128,6 +119,68 @@ private:
         all[least] = all.back(); // without effect on the fragment itself
         all.pop_back();
         surfaces = all;
+    }
+
+    static std::vector<size_t> frontToBack(const std::vector<Surface>& all) {
+        std::vector<size_t> order(all.size());
+        for (size_t i = 0; i < order.size(); ++i)
+            order[i] = i;
+        const auto centre = [&](size_t i) { return std::min(std::max(all[i].depth, all[i].nearest), all[i].farthest); };
+        std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return centre(a) < centre(b); });
+        return order;
+    }
+
+    // "ordering surfaces front to back and use bitwise operations to mask off samples covered by closer surfaces"
+    static std::vector<Bits> visibleOf(const std::vector<Surface>& all, const std::vector<size_t>& order) {
+        std::vector<Bits> visible(all.size());
+        Bits covered;
+        for (const size_t i : order) {
+            visible[i] = all[i].coverage & ~covered;
+            covered |= all[i].coverage;
+        }
+        return visible;
+    }
+
+    // "we exclude the closest surface when identifying the one with the least coverage"
+    static size_t showingLeast(const std::vector<Bits>& visible, size_t closest) {
+        size_t least = closest == 0 ? 1 : 0;
+        for (size_t i = 0; i < visible.size(); ++i)
+            if (i != closest && visible[i].count() <= visible[least].count())
+                least = i;
+        return least;
+    }
+
+    static std::optional<size_t> overlapping(const std::vector<Surface>& all, size_t least, float slack) {
+        std::optional<size_t> taker;
+        for (size_t i = 0; i < all.size(); ++i)
+            if (i != least && overlapOf(all[i], all[least]) + slack >= 0.0f &&
+                (!taker || overlapOf(all[i], all[least]) > overlapOf(all[*taker], all[least])))
+                taker = i;
+        return taker;
+    }
+
+    // Of those whose depths overlap the one of the closest normal, otherwise the nearest in depth.
+    static size_t likest(const std::vector<Surface>& all, size_t i) {
+        const auto rank = [&](size_t k) {
+            const float overlap = overlapOf(all[k], all[i]);
+            return overlap >= 0.0f ? std::pair(1, dotOf(all[k], all[i])) : std::pair(0, overlap);
+        };
+        size_t best = i == 0 ? 1 : 0;
+        for (size_t k = 0; k < all.size(); ++k)
+            if (k != i && rank(k) > rank(best))
+                best = k;
+        return best;
+    }
+
+    // Samples that it shows, times how little it is like what takes it.
+    static size_t cheapest(const std::vector<Surface>& all, const std::vector<Bits>& visible) {
+        std::vector<float> costs;
+        for (size_t i = 0; i < all.size(); ++i) {
+            const size_t taker = likest(all, i);
+            const float apart = overlapOf(all[i], all[taker]) >= 0.0f ? 0.0f : 0.5f;
+            costs.push_back(float(visible[i].count()) * (1.1f - dotOf(all[i], all[taker]) + apart));
+        }
+        return all.size() - 1 - size_t(std::min_element(costs.rbegin(), costs.rend()) - costs.rbegin());
     }
 };
 

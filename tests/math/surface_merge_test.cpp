@@ -1,4 +1,4 @@
-// Algorithm 1 of the DCAA paper, written once more from its text, against the shader's.
+// How fragments merge, written once more in other words, against the shader's.
 #include "paper_merge.h"
 #include "shader_math.h"
 
@@ -63,7 +63,7 @@ void expectEqual(const KeptSurfaces& got, const Pixel& expected) {
 }
 
 KeptSurfaces::agaa_MergeRules shaderRules(const Rules& rules) {
-    return {uint32_t(rules.limit), rules.cosine, rules.slack, uint32_t(rules.second)};
+    return {uint32_t(rules.limit), rules.cosine, rules.slack, uint32_t(rules.rule)};
 }
 
 std::vector<Surface> randomPixel(Random& random, uint32_t samples) {
@@ -79,7 +79,7 @@ TEST(SurfaceMerge, IsAlgorithm1OfThePaper) {
     for (int run = 0; run < 20000; ++run) {
         const uint32_t samples = 32u << random.below(3);
         const Rules rules = {1 + random.below(8), std::cos(3.14159265f / 16), random.below(2) ? 2e-6f : 0.0f,
-                             decltype(Rules::second)(random.below(3))};
+                             decltype(Rules::rule)(random.below(3))};
         KeptSurfaces shader{};
         Pixel paper;
         uint32_t lost = 0;
@@ -100,7 +100,7 @@ TEST(SurfaceMerge, IsAlgorithm1OfThePaper) {
 TEST(SurfaceMerge, AnswersSayWhatBecomesOfAttributes) {
     Random random{std::mt19937(2)};
     for (int run = 0; run < 5000; ++run) {
-        const Rules rules = {1 + random.below(4), 0.98f, 0.0f, Rules::Visible};
+        const Rules rules = {1 + random.below(4), 0.98f, 0.0f, Rules::Paper}; // which averages depths, too
         KeptSurfaces shader{};
         float value[9] = {};
         for (const Surface& s : randomPixel(random, 64)) {
@@ -150,7 +150,7 @@ TEST(SurfaceMerge, DependsOnTheOrder) {
 TEST(SurfaceMerge, KeepsCoverage) {
     Random random{std::mt19937(4)};
     for (int run = 0; run < 5000; ++run) {
-        const Rules rules = {1 + random.below(5), 0.98f, 0.0f, decltype(Rules::second)(random.below(3))};
+        const Rules rules = {1 + random.below(5), 0.98f, 0.0f, decltype(Rules::rule)(random.below(3))};
         KeptSurfaces shader{};
         glm::uvec4 all(0u);
         uint32_t lost = 0;

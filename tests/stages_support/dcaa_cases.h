@@ -115,7 +115,7 @@ TYPED_TEST_P(DcaaCases, MergesAsAlgorithm1OfThePaper) {
         const Kept fragments = this->keep(settings, shot);
         ASSERT_EQ(fragments.counters.discarded + fragments.counters.mergedFirst + fragments.counters.mergedSecond, 0u)
             << "a pixel has more than 8 fragments";
-        for (const uint32_t merge : {AGAA_MERGE_VISIBLE, AGAA_MERGE_ALL, AGAA_MERGE_NONE}) {
+        for (const uint32_t merge : {AGAA_MERGE_VISIBLE, AGAA_MERGE_PAPER, AGAA_MERGE_NONE}) {
             SCOPED_TRACE(std::to_string(samples) + " samples, merge " + std::to_string(merge));
             if (samples != 64 && merge != AGAA_MERGE_VISIBLE)
                 continue; // the width of masks and the rule are apart
@@ -140,7 +140,7 @@ TYPED_TEST_P(DcaaCases, MergesAsAlgorithm1OfThePaper) {
             EXPECT_EQ(kept.counters.mergedSecond, sums.mergedSecond);
             EXPECT_EQ(kept.counters.discarded, sums.discarded);
             EXPECT_EQ(kept.counters.lostSamples, sums.lostSamples);
-            EXPECT_GT(sums.mergedFirst, 50u);
+            EXPECT_GT(sums.mergedFirst, 10u);
             EXPECT_GT(sums.discarded, 10u);
             EXPECT_EQ(sums.mergedSecond > 10, merge != AGAA_MERGE_NONE);
             EXPECT_EQ(kept.counters.lostFragments, 0u);

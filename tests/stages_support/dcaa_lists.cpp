@@ -76,7 +76,7 @@ void storeSurface(paper::Surface& s) {
 
 paper::Rules rulesOf(const ViewSettings& settings, const paper::Surface& fragment) {
     return {settings.config.aggregates, settings.config.surfaceCosine, std::fabs(fragment.depth) * 9.5367e-7f,
-            decltype(paper::Rules::second)(settings.config.coverage.merge)};
+            decltype(paper::Rules::rule)(settings.config.coverage.merge)};
 }
 
 void expectSame(const std::vector<paper::Surface>& got, const std::vector<paper::Surface>& expected, size_t pixel) {

@@ -14,10 +14,10 @@ void setAlpha(inout AgaaSurfaceInput surface) {
     surface.alpha = alphaAt(dot(centre.at, cornerAlpha), weighedUv(centre.at), dx, dy);
     if ((features & alphaTestBit) != 0u)
         surface.alphaCutoff = material.alphaCutoff;
-    surface.hasAlphaNear = (features & alphaNearBit) != 0u;
-    for (uint k = 0u; k < AGAA_ALPHA_POINTS && (features & alphaNearBit) != 0u; ++k) {
+    surface.hasAlphaNear = true; // 64 samples want more than a plane through the centre
+    for (uint k = 0u; k < AGAA_ALPHA_POINTS; ++k) {
         vec3 weights = agaa_cornerWeights(agaa_alphaPoint(k)).at;
-        surface.alphaNear[k] = alphaAt(dot(weights, cornerAlpha), weighedUv(weights), dx, dy);
+        surface.alphaRows[k >> 2u][k & 3u] = alphaAt(dot(weights, cornerAlpha), weighedUv(weights), dx, dy);
     }
 }
 

@@ -87,7 +87,7 @@ void build(PlanBuilder& b) {
     Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, "merge_fragments", AGAA_SEGMENT_GENERATION);
     b.bindCommon(merge);
     b.bindHostFetch(merge);
-    merge.defines += format("#define AGAA_SECOND_MERGE %uu\n", b.plan.coverage.merge);
+    merge.defines += format("#define AGAA_MERGE_RULE %uu\n", b.plan.coverage.merge);
     b.bind(merge, slot::Fragments, BindingType::StorageBuffer, fragments, true);
     b.bind(merge, slot::Aggregates, BindingType::StorageBuffer, kept, true);
     setRecord(merge, surfaces);

@@ -30,13 +30,26 @@ agaa_Barycentrics agaa_cornerWeights(vec2 offset) {
 }
 
 #if AGAA_ALPHA_MASKED
+// Bilinear between the four of 16 points that are nearest.
+bool agaa_isInCutout16(vec4 rows[4], float cutoff, vec2 offset) {
+    vec2 at = offset * 4.0 + 1.5;
+    ivec2 first = ivec2(clamp(floor(at), vec2(0.0), vec2(2.0)));
+    vec2 f = at - vec2(first);
+    vec4 low = rows[first.y], high = rows[first.y + 1];
+    precise float a = (low[first.x] - cutoff) + (low[first.x + 1] - low[first.x]) * f.x;
+    precise float b = (high[first.x] - cutoff) + (high[first.x + 1] - high[first.x]) * f.x;
+    precise float margin = a + (b - a) * f.y;
+    return margin >= 0.0;
+}
+
 uvec4 agaa_cutoutCoverage(AgaaSurfaceInput s, float alpha, vec2 gradient) {
-    vec4 near = vec4(agaa_sanitiseAlpha(s.alphaNear.x), agaa_sanitiseAlpha(s.alphaNear.y),
-                     agaa_sanitiseAlpha(s.alphaNear.z), agaa_sanitiseAlpha(s.alphaNear.w));
+    for (int r = 0; r < 4; ++r)
+        for (int c = 0; c < 4; ++c)
+            s.alphaRows[r][c] = agaa_sanitiseAlpha(s.alphaRows[r][c]);
     uvec4 mask = uvec4(0u);
     for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
         vec2 offset = agaa_coveragePosition(i, AGAA_SAMPLES);
-        bool isIn = s.hasAlphaNear ? agaa_isInCutout4(near, s.alphaCutoff, offset)
+        bool isIn = s.hasAlphaNear ? agaa_isInCutout16(s.alphaRows, s.alphaCutoff, offset)
                                    : agaa_isInCutout(alpha, s.alphaCutoff, gradient, offset);
         mask[i >> 5u] |= isIn ? 1u << (i & 31u) : 0u;
     }

@@ -1,6 +1,7 @@
 // A pixel's surfaces, of which each has a coverage mask, one depth plane and one normal: fragments are merged into them in the
 // order of the draws, so that few surfaces stand for any number of fragments.
-// Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, sections 3.2 and 3.3, algorithm 1.
+// Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, sections 3.2 and 3.3, algorithm 1; for the cost of
+// merging, Ward 1963, "Hierarchical Grouping to Optimize an Objective Function".
 //
 // The surfaces are global; in C++ they are members of a struct. Attributes are the caller's, who repeats what
 // agaa_insertSurface() returns.
@@ -20,16 +21,20 @@ struct agaa_CoveredSurface {
     rvec3 normal; // unit
 };
 
-// What the second merge gives the surface that takes a discarded one, as AgaaMerge.
-#define AGAA_SECOND_VISIBLE 0u // the samples that are not behind other surfaces
-#define AGAA_SECOND_ALL 1u     // as the paper
-#define AGAA_SECOND_NOTHING 2u
+// How surfaces merge, as AgaaMerge.
+// Visible: surfaces count by the samples that they show. At first a fragment merges only where it shares no sample with a
+// surface, because two fragments of one continuous surface never do. In a full pixel the cheapest pair merges, and no sample
+// that shows a surface is lost.
+// Paper: algorithm 1. None: the same without its second merge.
+#define AGAA_RULE_VISIBLE 0u
+#define AGAA_RULE_PAPER 1u
+#define AGAA_RULE_NONE 2u
 
 struct agaa_MergeRules {
     uint limit;  // of surfaces, [1, AGAA_MAX_KEPT]
     real cosine; // normals merge above it
     real slack;  // how far apart depths may be that overlap
-    uint second;
+    uint rule;
 };
 
 // Surface `from` goes into `into` first, by the share `moved` of the result; then the fragment goes to `to`, by the share
@@ -37,11 +42,18 @@ struct agaa_MergeRules {
 struct agaa_Insertion {
     uint from, into;
     real moved;
+    real movedLength; // of the mean of the two normals: 1 where they agree
     uint to;
     real share;
+    real shareLength;
     bool isSecond; // no surface took the fragment, and there was no room
     uint lost;     // samples that were visible and that no surface has now
 };
+
+agaa_Insertion agaa_noInsertion() {
+    return agaa_Insertion(AGAA_NO_SURFACE, AGAA_NO_SURFACE, real(0.0), real(1.0), AGAA_NO_SURFACE, real(1.0), real(1.0), false,
+                          0u);
+}
 
 agaa_CoveredSurface agaa_kept[AGAA_MAX_KEPT + 1u]; // the last: the fragment in hand
 uint agaa_keptCount = 0u;
@@ -57,6 +69,10 @@ rvec2 agaa_depthInterval(agaa_CoveredSurface s) {
     return clamp(rvec2(s.plane.x - reach, s.plane.x + reach), rvec2(s.range.x), rvec2(s.range.y));
 }
 
+real agaa_centreDepth(agaa_CoveredSurface s) {
+    return clamp(s.plane.x, s.range.x, s.range.y);
+}
+
 // By how much the depths of two surfaces overlap; negative: they are so far apart.
 real agaa_depthOverlap(agaa_CoveredSurface a, agaa_CoveredSurface b) {
     const rvec2 x = agaa_depthInterval(a);
@@ -64,19 +80,20 @@ real agaa_depthOverlap(agaa_CoveredSurface a, agaa_CoveredSurface b) {
     return min(x.y, y.y) - max(x.x, y.x);
 }
 
-// Averages by coverage. mask: what of b's coverage goes along; it has a bit. Returns the share of b.
-real agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 mask) {
-    const real ofA = real(agaa_coverageCount(a.mask));
-    const real ofB = real(agaa_coverageCount(mask));
-    const real share = ofB / (ofA + ofB);
-    a.plane += (b.plane - a.plane) * share;
-    a.range = rvec2(min(a.range.x, b.range.x), max(a.range.y, b.range.y));
+// Averages by weights, whose sum is above 0, and depths only where they overlap. mask: what of b's coverage goes along.
+// Returns the share of b, and the length of the mean normal.
+rvec2 agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 mask, uint ofA, uint ofB, real slack) {
+    const real share = real(ofB) / real(ofA + ofB);
+    if (agaa_depthOverlap(a, b) + slack >= real(0.0)) {
+        a.plane += (b.plane - a.plane) * share;
+        a.range = rvec2(min(a.range.x, b.range.x), max(a.range.y, b.range.y));
+    }
     const rvec3 normal = a.normal + (b.normal - a.normal) * share;
     const real l2 = dot(normal, normal);
     // Opposite normals of equal weight have no mean.
     a.normal = l2 > real(1e-12) ? normal * (real(1.0) / sqrt(l2)) : a.normal;
     a.mask = a.mask | mask;
-    return share;
+    return rvec2(share, min(sqrt(l2), real(1.0)));
 }
 
 // Section 3.2: aligned normals and overlapping depths; of several the closest normal, and of those the largest overlap.
@@ -87,7 +104,8 @@ uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
     for (uint i = 0u; i < agaa_keptCount; ++i) {
         const real cosine = dot(agaa_kept[i].normal, s.normal);
         const real overlap = agaa_depthOverlap(agaa_kept[i], s);
-        if (cosine > rules.cosine && overlap + rules.slack >= real(0.0) &&
+        const bool mayMerge = rules.rule != AGAA_RULE_VISIBLE || agaa_coverageCount(agaa_kept[i].mask & s.mask) == 0u;
+        if (mayMerge && cosine > rules.cosine && overlap + rules.slack >= real(0.0) &&
             (best == AGAA_NO_SURFACE || cosine > closest || (cosine == closest && overlap > largest))) {
             best = i;
             closest = cosine;
@@ -99,8 +117,8 @@ uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
 
 // Whether a is in front of b by the depths at the pixel's centre; of equal depths the first.
 bool agaa_isInFront(uint a, uint b) {
-    const real x = clamp(agaa_kept[a].plane.x, agaa_kept[a].range.x, agaa_kept[a].range.y);
-    const real y = clamp(agaa_kept[b].plane.x, agaa_kept[b].range.x, agaa_kept[b].range.y);
+    const real x = agaa_centreDepth(agaa_kept[a]);
+    const real y = agaa_centreDepth(agaa_kept[b]);
     return x < y || (x == y && a < b);
 }
 
@@ -114,7 +132,8 @@ uvec4 agaa_visibleOf(uint i, uint count) {
     return visible;
 }
 
-// The one that shows least, but not the closest: without it thin objects pop. Of equals the last. count: 2 or more.
+// Section 3.3: the one that shows least, but not the closest: without it thin objects pop. Of equals the last. count: 2 or
+// more.
 uint agaa_findLeast(uint count) {
     uint closest = 0u;
     for (uint i = 1u; i < count; ++i)
@@ -145,27 +164,71 @@ uint agaa_findOverlapping(uint i, uint count, real slack) {
     return best;
 }
 
-// Section 3.3. The fragment is agaa_kept[rules.limit].
+// Of `count`, which are 2 or more, the one that takes surface i best: of those whose depths overlap the one of the closest
+// normal, otherwise the nearest in depth.
+uint agaa_findTaker(uint i, uint count) {
+    uint best = AGAA_NO_SURFACE;
+    bool bestOverlaps = false;
+    real highest = real(0.0);
+    for (uint k = 0u; k < count; ++k) {
+        const real overlap = agaa_depthOverlap(agaa_kept[k], agaa_kept[i]);
+        const bool overlaps = overlap >= real(0.0);
+        const real rank = overlaps ? dot(agaa_kept[k].normal, agaa_kept[i].normal) : overlap;
+        if (k != i && (best == AGAA_NO_SURFACE || (overlaps && !bestOverlaps) ||
+                       (overlaps == bestOverlaps && rank > highest))) {
+            best = k;
+            bestOverlaps = overlaps;
+            highest = rank;
+        }
+    }
+    return best;
+}
+
+// The one that costs least to merge into its taker: samples that it shows, times how little the two are alike. The weights of
+// a difference in depth, and of each sample as such, are by measurement. Of equals the last.
+uint agaa_findCheapest(uint count) {
+    uint cheapest = 0u;
+    real lowest = real(0.0);
+    for (uint i = 0u; i < count; ++i) {
+        const uint taker = agaa_findTaker(i, count);
+        const real apart = agaa_depthOverlap(agaa_kept[i], agaa_kept[taker]) >= real(0.0) ? real(0.0) : real(0.5);
+        const real unlike = real(1.1) - dot(agaa_kept[i].normal, agaa_kept[taker].normal) + apart;
+        const real cost = real(agaa_coverageCount(agaa_visibleOf(i, count))) * unlike;
+        if (i == 0u || cost <= lowest) {
+            cheapest = i;
+            lowest = cost;
+        }
+    }
+    return cheapest;
+}
+
+// The fragment is agaa_kept[rules.limit].
 agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
-    agaa_Insertion done = agaa_Insertion(AGAA_NO_SURFACE, AGAA_NO_SURFACE, real(0.0), AGAA_NO_SURFACE, real(1.0), true, 0u);
+    agaa_Insertion done = agaa_noInsertion();
+    done.isSecond = true;
     const uint count = rules.limit + 1u;
-    const uint least = agaa_findLeast(count);
+    const bool byCost = rules.rule == AGAA_RULE_VISIBLE;
+    const uint least = byCost ? agaa_findCheapest(count) : agaa_findLeast(count);
     const uvec4 visible = agaa_visibleOf(least, count);
-    const uvec4 moving = rules.second == AGAA_SECOND_ALL ? agaa_kept[least].mask : visible;
+    const uvec4 moving = byCost ? visible : agaa_kept[least].mask;
     uint taker = AGAA_NO_SURFACE;
-    if (rules.second != AGAA_SECOND_NOTHING && agaa_coverageCount(moving) != 0u)
-        taker = agaa_findOverlapping(least, count, rules.slack);
+    if (rules.rule != AGAA_RULE_NONE && agaa_coverageCount(moving) != 0u)
+        taker = byCost ? agaa_findTaker(least, count) : agaa_findOverlapping(least, count, rules.slack);
     if (taker == AGAA_NO_SURFACE) {
         done.lost = agaa_coverageCount(visible);
     } else {
-        const real share = agaa_mergeKept(agaa_kept[taker], agaa_kept[least], moving);
+        const uvec4 own = byCost ? agaa_visibleOf(taker, count) : agaa_kept[taker].mask;
+        const rvec2 merged = agaa_mergeKept(agaa_kept[taker], agaa_kept[least], moving, agaa_coverageCount(own),
+                                            agaa_coverageCount(moving), rules.slack);
         if (least == rules.limit) {
             done.to = taker;
-            done.share = share;
+            done.share = merged.x;
+            done.shareLength = merged.y;
         } else {
             done.from = least;
             done.into = taker;
-            done.moved = share;
+            done.moved = merged.x;
+            done.movedLength = merged.y;
         }
     }
     if (least != rules.limit) {
@@ -177,10 +240,13 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
 
 // The fragment covers a sample at least.
 agaa_Insertion agaa_insertSurface(agaa_CoveredSurface s, agaa_MergeRules rules) {
-    agaa_Insertion done = agaa_Insertion(AGAA_NO_SURFACE, AGAA_NO_SURFACE, real(0.0), AGAA_NO_SURFACE, real(1.0), false, 0u);
+    agaa_Insertion done = agaa_noInsertion();
     done.to = agaa_findAligned(s, rules);
     if (done.to != AGAA_NO_SURFACE) {
-        done.share = agaa_mergeKept(agaa_kept[done.to], s, s.mask);
+        const rvec2 merged = agaa_mergeKept(agaa_kept[done.to], s, s.mask, agaa_coverageCount(agaa_kept[done.to].mask),
+                                            agaa_coverageCount(s.mask), rules.slack);
+        done.share = merged.x;
+        done.shareLength = merged.y;
         return done;
     }
     if (agaa_keptCount < rules.limit) {

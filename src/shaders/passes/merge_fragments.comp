@@ -74,18 +74,20 @@ agaa_Stored agaa_loadMaterial(uint base) {
     return agaa_storedMeans();
 }
 
-// The share is of b.
-agaa_Stored agaa_mixMaterials(agaa_Stored a, agaa_Stored b, float share) {
+// The share is of b. normalLength: of the mean normal, by which lobes widen.
+agaa_Stored agaa_mixMaterials(agaa_Stored a, agaa_Stored b, float share, float normalLength) {
 #define AGAA_ATTRIBUTE(semantic, name)
 #define AGAA_CHANNEL(index, name, field, source, attribute, member) a.member += (b.member - a.member) * share;
 #include "channels.inc"
+    if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF != 0u)
+        a.alpha2 = agaa_toksvigAlpha2(a.alpha2, normalLength);
     return a;
 }
 
 // Lets a surface have this share of another material.
-void agaa_giveMaterial(uint base, agaa_Stored v, float share) {
+void agaa_giveMaterial(uint base, agaa_Stored v, float share, float normalLength) {
     if (share < 1.0)
-        v = agaa_mixMaterials(agaa_loadMaterial(base), v, share);
+        v = agaa_mixMaterials(agaa_loadMaterial(base), v, share, normalLength);
     agaa_packSurface(v);
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         agaa_surfaces.words[base + AGAA_MATERIAL_WORD + w] = agaa_packed[w];
@@ -100,6 +102,15 @@ void agaa_countInsertion(agaa_Insertion done, bool isNew) {
     agaa_count(AGAA_COUNT_LOST_SAMPLES, done.lost);
 }
 
+// Of a curved primitive, normals spread over the samples that it covers: the mean normal is shorter by half of their variance.
+void agaa_widenByCurvature(inout AgaaMaterial m, uvec4 mask) {
+    if (AGAA_HAS_SPECULAR == 0u || AGAA_NDF == 0u)
+        return;
+    float share = float(agaa_coverageCount(mask)) / float(AGAA_SAMPLES);
+    float variance = share * (dot(m.normalDx, m.normalDx) + dot(m.normalDy, m.normalDy)) / 12.0; // of a square pixel
+    m.alpha2 = agaa_toksvigAlpha2(m.alpha2, max(1.0 - 0.5 * variance, 0.0));
+}
+
 void agaa_insertFragment(uvec2 pixel, uint record, agaa_MergeRules rules) {
     agaa_CoveredSurface s;
     s.mask = uvec4(0u);
@@ -111,6 +122,7 @@ void agaa_insertFragment(uvec2 pixel, uint record, agaa_MergeRules rules) {
         return; // at the far plane is background
     agaa_moveTo(p, pixel, agaa_coverageMiddle(s.mask, AGAA_SAMPLES) + 0.5);
     AgaaMaterial m = agaa_fetchMaterialThere(p);
+    agaa_widenByCurvature(m, s.mask);
     s.plane = agaa_planeInRange(plane) * (AGAA_FAR_DEPTH != 0u ? 1.0 : -1.0);
     s.normal = m.normal;
     s = agaa_asStored(s);
@@ -122,13 +134,13 @@ void agaa_insertFragment(uvec2 pixel, uint record, agaa_MergeRules rules) {
     if (done.from != AGAA_NO_SURFACE) {
         agaa_Stored moving = agaa_loadMaterial(agaa_surfaceBase(pixel, done.from));
         if (done.into == rules.limit)
-            own = agaa_mixMaterials(own, moving, done.moved);
+            own = agaa_mixMaterials(own, moving, done.moved, done.movedLength);
         else
-            agaa_giveMaterial(agaa_surfaceBase(pixel, done.into), moving, done.moved);
+            agaa_giveMaterial(agaa_surfaceBase(pixel, done.into), moving, done.moved, done.movedLength);
         agaa_keep(done.into, agaa_asStored(agaa_kept[done.into]));
     }
     if (done.to != AGAA_NO_SURFACE) {
-        agaa_giveMaterial(agaa_surfaceBase(pixel, done.to), own, done.share);
+        agaa_giveMaterial(agaa_surfaceBase(pixel, done.to), own, done.share, done.shareLength);
         agaa_keep(done.to, agaa_asStored(agaa_kept[done.to]));
     }
 }
@@ -146,7 +158,7 @@ void agaa_storeSurface(uint base, uint a) {
 }
 
 void agaa_mergePixel(uvec2 pixel) {
-    agaa_MergeRules rules = agaa_MergeRules(agaa_aggregateLimit(), agaa_frame.surface.x, 0.0, AGAA_SECOND_MERGE);
+    agaa_MergeRules rules = agaa_MergeRules(agaa_aggregateLimit(), agaa_frame.surface.x, 0.0, AGAA_MERGE_RULE);
     agaa_keptCount = 0u;
     uint fragment = agaa_sortList(pixel);
     while (fragment != 0u) {
