@@ -34,7 +34,7 @@ std::vector<SweepRow> sweepRows(bool quick) {
     if (quick)
         return {{"single"}, {"fxaa"}, {"msaa", 8}, {"ssaa", 8}, {"simple_complex", 8}, {"sbaa", 8, 2},
                 {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}, {"agaa", 8, 2, 1, AGAA_TIER_IDS},
-                {"agaa", 8, 4, 1, AGAA_TIER_IDS, "accurate"}};
+                {"agaa", 8, 4, 1, AGAA_TIER_IDS, "accurate"}, {"dcaa", 64, 4}};
     std::vector<SweepRow> rows = {{"single"}, {"fxaa"}, {"msaa", 8}};
     for (uint32_t n : {4u, 8u, 16u, 32u}) {
         rows.push_back({"ssaa", n});
@@ -60,6 +60,8 @@ std::vector<SweepRow> sweepRows(bool quick) {
         rows.push_back({"agaa", 8, 4, 1, tier, "accurate"});
         rows.push_back({"agaa", 32, 4, 1, tier, "accurate"});
     }
+    for (uint32_t surfaces : {4u, 8u})
+        rows.push_back({"dcaa", 64, surfaces});
     // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
     const auto addHeavier = [&](SweepRow row, std::initializer_list<uint32_t> costs) {
         for (uint32_t cost : costs) {

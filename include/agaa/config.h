@@ -233,12 +233,15 @@ typedef struct AgaaDecoupledCoverage {
     const void* pNext;
     uint32_t merge;          /* AgaaMerge */
     float fragmentsPerPixel; /* that the lists have room for, mean over the view, [1, 256]. The lists have room for 65536
-                                fragments at least, and for no more than one storage buffer of the device holds. Fragments
-                                without room are lost, and AgaaCounters::lostFragments counts them */
+                                fragments at least, and for no more than one storage buffer of the device holds */
+    uint32_t maxBatches;     /* how often the scene may be drawn in a frame, [1, 16]. If the lists have too little room, the
+                                tiles of the view are divided among the draws after the first. Fragments that find no room in
+                                the last draw are lost, and AgaaCounters::lostFragments counts them */
+    uint32_t reserved;       /* 0 */
     uint64_t flags;          /* 0 */
 } AgaaDecoupledCoverage;
 #define AGAA_DECOUPLED_COVERAGE_INIT                                                                \
-    {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, (uint32_t)sizeof(AgaaDecoupledCoverage), NULL, AGAA_MERGE_VISIBLE, 8.0f, 0}
+    {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, (uint32_t)sizeof(AgaaDecoupledCoverage), NULL, AGAA_MERGE_VISIBLE, 8.0f, 1, 0, 0}
 AGAA_API void AGAA_CALL agaaInitDecoupledCoverage(AgaaDecoupledCoverage* outCoverage, size_t structSize);
 
 typedef enum AgaaSeeds {

@@ -109,15 +109,23 @@ static AgaaCapability capability(const Technique& technique, uint32_t samples, A
 
 // What is taken where the host neither asks nor offers anything, then all else that runs, then what needs an offer.
 static std::vector<GenerationChoice> generationChoices(const Technique& technique, const GenerationQuery& query) {
-    std::vector<GenerationChoice> choices = {chooseGeneration(technique, query, AGAA_TIER_AUTO)};
+    const GenerationChoice automatic = chooseGeneration(technique, query, AGAA_TIER_AUTO);
+    std::vector<GenerationChoice> choices;
+    if (automatic.row)
+        choices.push_back(automatic);
     for (const GenerationTier* row : technique.tiers) {
         const GenerationChoice choice = chooseGeneration(technique, query, row->tier);
-        if (choice.row && choice.row != choices.front().row && !row->isModel)
+        if (choice.row && choice.row != automatic.row && !row->isModel)
             choices.push_back(choice);
     }
+    GenerationQuery offered = query;
+    offered.fetches = true;
+    TierAnswer refusal{false, automatic.reason};
     for (const GenerationTier* row : technique.tiers)
-        if (row->offer)
+        if (row->offer && (refusal = row->answer(offered)).runs)
             choices.push_back({row, row->offer});
+    if (choices.empty())
+        choices.push_back({nullptr, refusal.reason});
     return choices;
 }
 
@@ -146,8 +154,9 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
                                           AGAA_TIER_NATIVE, true, 1, "a compute pass."));
                 const GenerationQuery query{.caps = caps, .hwSamples = visibility.hwSamples};
                 for (const GenerationChoice& choice : generationChoices(*technique, query))
-                    rows.push_back(capability(*technique, samples, AGAA_STAGE_GENERATION, choice.row->tier, false,
-                                              choice.row->relativeCost, choice.reason));
+                    rows.push_back(capability(*technique, samples, AGAA_STAGE_GENERATION,
+                                              choice.row ? choice.row->tier : AGAA_TIER_AUTO, false,
+                                              choice.row ? choice.row->relativeCost : 0, choice.reason));
             }
             rows.push_back(capability(*technique, samples, AGAA_STAGE_SHADING, AGAA_TIER_NATIVE, true,
                                       1, "a compute pass."));

@@ -64,6 +64,13 @@ inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
     view.facts = &facts;
     view.flags = spec.viewFlags;
     view.pNext = spec.chained;
+    AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
+    if (findTechnique(spec.technique)->coverageSamples) { // which has numbers of samples of its own, and fetches
+        config.samples = std::max(spec.samples, 32u);
+        fetch.glsl = "";
+        fetch.maxDraws = fetch.maxPrimitives = 1;
+        view.pNext = spec.chained ? spec.chained : &fetch;
+    }
     return makePlan(resolveView(&view), caps, 2);
 }
 

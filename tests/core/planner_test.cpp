@@ -156,7 +156,7 @@ TEST(Planner, EveryCapabilityCanBePlanned) {
             }
             if (!isFirst)
                 (isVisibility ? spec.visibilityTier : spec.generationTier) = row.tier;
-            if (row.tier == AGAA_TIER_IDS)
+            if (row.tier == AGAA_TIER_IDS || row.tier == AGAA_TIER_FRAGMENT_LISTS)
                 spec.chained = &fetch;
             const Plan plan = planFor(spec, caps);
             EXPECT_EQ(uint32_t(isVisibility ? plan.visibilityTier : plan.generationTier), row.tier);
@@ -266,7 +266,7 @@ TEST(Planner, FoldedAggregatesInMemoryAreNotFiltered) {
 
 void expectShadersOf(const ViewSpec& spec) {
     for (const Pass& pass : planFor(spec, fourSampleDevice()).passes)
-        EXPECT_TRUE(pass.kind != PassKind::Compute || !embeddedSpirv(pass.shader).empty()) << pass.shader;
+        EXPECT_TRUE(pass.kind != PassKind::Compute || !pass.hostCode.empty() || !embeddedSpirv(pass.shader).empty()) << pass.shader;
 }
 
 TEST(Planner, EveryShaderOfEveryPlanIsInTheLibrary) {

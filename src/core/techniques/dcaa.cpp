@@ -23,6 +23,8 @@ void readCoverage(const AgaaConfig& config, ViewSettings& view) {
     view.coverage.pNext = nullptr;
     checkRange(uint64_t(c.merge), 0, AGAA_MERGE_NONE, "AgaaDecoupledCoverage::merge");
     checkRange(double(c.fragmentsPerPixel), 1.0, 256.0, "AgaaDecoupledCoverage::fragmentsPerPixel");
+    checkRange(uint64_t(c.maxBatches), 1, 16, "AgaaDecoupledCoverage::maxBatches");
+    checkReserved(c.reserved, "AgaaDecoupledCoverage::reserved");
     checkFlags(c.flags, 0, "AgaaDecoupledCoverage::flags");
 }
 
