@@ -57,6 +57,7 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     }
     out.counts[0] = plan.aggregates;
     out.counts[1] = uint32_t(plan.poolRecords);
+    out.counts[2] = plan.coverage.maxBatches;
     return out;
 }
 

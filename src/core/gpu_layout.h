@@ -20,7 +20,7 @@ struct FrameConstants {
     uint32_t ditherFrame;  // AgaaFrame::ditherFrame
     uint32_t feedback[3];  // counters of the newest finished frame, by Plan::feedback
     float samples[128][2]; // xy in the pixel, [0;1]
-    uint32_t counts[4];    // c; fragments that lists have room for; 0
+    uint32_t counts[4];    // c; fragments that lists have room for; draws of the scene at most; 0
 };
 static_assert(sizeof(FrameConstants) == 64 + 32 + 16 * 7 + 1024);
 

@@ -163,6 +163,10 @@ struct Pass {
 struct Repeat {
     uint32_t firstPass = 0, lastPass = 0;
     uint32_t times = 1;
+    // A word of this buffer is 0 from the turn on that has nothing to do: executors that can read it may end the repetition
+    // there.
+    ResourceId goesOn = noResource;
+    uint64_t goesOnOffset = 0; // bytes
 };
 
 // A pass as it runs. batch: of the repetitions of its group, from 0.

@@ -267,14 +267,35 @@ private:
 
 } // namespace
 
+// Whether the repetition has nothing left to do.
+bool View::endsBefore(const Step& step, uint32_t slot) const {
+    for (const Repeat& repeat : plan.repeats) {
+        if (repeat.firstPass != step.pass || repeat.goesOn == noResource)
+            continue;
+        context.gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        GLuint goesOn = 1;
+        context.gl.GetNamedBufferSubData(resources->buffer(repeat.goesOn, slot), GLintptr(repeat.goesOnOffset), sizeof goesOn,
+                                         &goesOn);
+        return goesOn == 0;
+    }
+    return false;
+}
+
 void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot,
                      HostState& state) {
     GLint groups = 0;
     context.gl.GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &groups);
+    bool ended = false; // the repetition at hand
     for (const Step& step : steps) {
         const Pass& pass = plan.passes[step.pass];
         if (!(pass.segment & frame.segments))
             continue;
+        ended = step.batch > 0 && (ended || endsBefore(step, slot));
+        if (ended) {
+            if (clock && step.isLast)
+                clock->end(slot, step.pass);
+            continue;
+        }
         std::optional<DebugGroup> group;
         if (groups < context.mostDebugGroups)
             group.emplace(context.gl, "agaa " + pass.name);

@@ -62,6 +62,7 @@ private:
     // Returns the output's format where the frame shades.
     GLenum checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
+    bool endsBefore(const Step& step, uint32_t slot) const;
     void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot,
                    HostState& state);
     void runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot, HostState& state);

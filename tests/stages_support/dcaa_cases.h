@@ -150,6 +150,43 @@ TYPED_TEST_P(DcaaCases, MergesAsAlgorithm1OfThePaper) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(DcaaCases, EdgesCoverTheirShare, ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper);
+// Layers over the whole view, which is larger than a pool of the smallest size: tiles are drawn in several batches, and the
+// image is the one of a pool with room for all.
+TYPED_TEST_P(DcaaCases, BatchesShowWhatOneDrawShows) {
+    Shot shot;
+    std::mt19937 random(5);
+    for (int layer = 0; layer < 5; ++layer)
+        for (const Triangle& t : rectangle(float(10 * layer), float(7 * layer), 322, 242, float(1 + layer), randomMaterial(random)))
+            shot.triangles.push_back(t);
+    ViewSettings settings = dcaaSettings();
+    settings.width = 322;
+    settings.height = 242;
+    settings.projection = pixelOrthographic(322, 242, 10);
+    const Shown whole = this->render(settings, shot);
+    EXPECT_EQ(whole.counters.lostFragments, 0u);
+    settings.config.coverage.fragmentsPerPixel = 1;
+    settings.config.coverage.maxBatches = 8;
+    const Shown divided = this->render(settings, shot);
+    EXPECT_EQ(divided.rgb, whole.rgb);
+    EXPECT_EQ(divided.counters.fragments, whole.counters.fragments);
+    EXPECT_EQ(divided.counters.lostFragments, 0u);
+    EXPECT_GT(whole.counters.fragments, 4u * 322 * 242);
+    // With too few draws fragments are lost, and counted.
+    settings.config.coverage.maxBatches = 3;
+    const Shown few = this->render(settings, shot);
+    EXPECT_NE(few.rgb, whole.rgb);
+    EXPECT_GT(few.counters.lostFragments, 0u);
+    EXPECT_EQ(few.counters.fragments, whole.counters.fragments);
+    settings.config.coverage.maxBatches = 1;
+    EXPECT_GT(this->render(settings, shot).counters.lostFragments, few.counters.lostFragments);
+    // One that is enough is not followed by others.
+    settings.config.coverage.fragmentsPerPixel = 8;
+    settings.config.coverage.maxBatches = 8;
+    const Shown enough = this->render(settings, shot);
+    EXPECT_EQ(enough.rgb, whole.rgb);
+    EXPECT_EQ(enough.counters.fragments, whole.counters.fragments);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(DcaaCases, BatchesShowWhatOneDrawShows, EdgesCoverTheirShare, ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper);
 
 } // namespace agaa::test

@@ -40,7 +40,7 @@ protected:
         settings.width = size.width;
         settings.height = size.height;
         settings.flags = viewFlags;
-        settings.chained = row.tier == AGAA_TIER_IDS ? &fetch : nullptr;
+        settings.chained = settings.fetches() ? &fetch : nullptr;
         const AgaaViewDesc desc = viewDesc(settings);
         const Prediction predicted = predict(desc, context.caps());
         Created& created = context.created();

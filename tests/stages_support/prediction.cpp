@@ -43,6 +43,8 @@ const std::vector<PayloadRow>& payloadRows() {
                 list.push_back({"agaa", n, AGAA_TIER_IDS, flags, AGAA_FETCH_NOT_ALL_DRAWS});
             }
         }
+        for (const uint32_t n : {32u, 64u, 128u})
+            list.push_back({"dcaa", n, AGAA_TIER_FRAGMENT_LISTS});
         return list;
     }();
     return rows;

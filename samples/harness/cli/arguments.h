@@ -55,6 +55,7 @@ struct PlanArguments {
     double glossWeight = 0;
     std::string merge = "visible";
     double fragmentsPerPixel = 8;
+    uint32_t maxBatches = 1;
     bool noDiffuseFilter = false;
     bool noShadowFilter = false;
     bool shadowAlongDepth = false;

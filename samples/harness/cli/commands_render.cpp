@@ -97,7 +97,13 @@ json countersJson(const AgaaCounters& c) {
             {"primitives", c.primitives},
             {"materials", c.materials},
             {"misplaced", c.misplaced},
-            {"unannounced", c.unannounced}};
+            {"unannounced", c.unannounced},
+            {"fragments", c.fragments},
+            {"mergedFirst", c.mergedFirst},
+            {"mergedSecond", c.mergedSecond},
+            {"discarded", c.discarded},
+            {"lostSamples", c.lostSamples},
+            {"lostFragments", c.lostFragments}};
 }
 
 json messagesJson(Renderer& renderer) {

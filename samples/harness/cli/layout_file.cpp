@@ -60,7 +60,7 @@ AgaaLayout readLayout(const std::string& nameOrFile) {
     std::ifstream stream(nameOrFile);
     if (!stream)
         throw BadArgument("--layout is \"" + nameOrFile +
-                          "\"; it can be paper16, precise, reference or a readable JSON file.");
+                          "\"; it can be paper16, precise, dcaa28, reference or a readable JSON file.");
     try {
         return parseLayout(nlohmann::json::parse(stream), nameOrFile);
     } catch (const nlohmann::json::exception& error) {

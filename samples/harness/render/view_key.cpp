@@ -89,7 +89,7 @@ std::string viewKey(const AgaaViewDesc& desc) {
     for (const uint32_t value :
          {config.samples, config.aggregates, config.brdf, config.ndf, measurement.seeds,
           config.shadowTaps, config.visibilityTier, config.generationTier, measurement.shadingCost,
-          aggregation.litShadows, measurement.debugView, coverage.merge})
+          aggregation.litShadows, measurement.debugView, coverage.merge, coverage.maxBatches})
         key.add(value);
     for (const float value : {aggregation.characteristicLength, aggregation.characteristicLengthPerDistance,
                               aggregation.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,

@@ -29,14 +29,18 @@ void readCoverage(const AgaaConfig& config, ViewSettings& view) {
 }
 
 // Words of the buffer of lists: its counts, then the first fragment of each pixel, then the fragments
-// (src/shaders/passes/fragment_lists.glsl).
+// (src/shaders/passes/fragment_layout.glsl).
 struct ListSizes {
     uint64_t heads, words; // before the fragments; of a fragment
 };
-constexpr uint64_t countWords = 16;
+constexpr uint64_t countWords = 16, goesOnWord = 3;
+
+bool hasBatches(const PlanBuilder& b) { return b.plan.coverage.maxBatches > 1; }
 
 ListSizes listSizes(const PlanBuilder& b) {
-    return {countWords + uint64_t(b.plan.width) * b.plan.height, 2 + b.plan.samples / 32};
+    const auto tiles = [](uint32_t pixels) { return (uint64_t(pixels) + 7) / 8; };
+    const uint64_t words = hasBatches(b) ? tiles(b.plan.width) * tiles(b.plan.height) : 0;
+    return {countWords + uint64_t(b.plan.width) * b.plan.height + words, 2 + b.plan.samples / 32};
 }
 
 ResourceId fragmentLists(PlanBuilder& b) {
@@ -68,6 +72,14 @@ Layout surfaceLayout(Layout layout) {
     return layout;
 }
 
+// A group that decides what a draw of the scene is for.
+void addBatchPass(PlanBuilder& b, const char* name, const char* shader, ResourceId fragments) {
+    Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, AGAA_SEGMENT_PREPASS);
+    b.bindCommon(pass);
+    b.bind(pass, slot::Fragments, BindingType::StorageBuffer, fragments, true);
+    pass.dispatch = {.kind = DispatchKind::Items, .items = 1};
+}
+
 void build(PlanBuilder& b) {
     b.defaultSurface(0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
     Aggregation surfaces;
@@ -85,14 +97,24 @@ void build(PlanBuilder& b) {
     draw.geometryText = "#include \"host/triangle_hull.glsl\"";
     b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, fragments, true);
 
+    const auto firstOfBatch = uint32_t(b.plan.passes.size() - 1);
+    if (hasBatches(b))
+        addBatchPass(b, "divide tiles", "divide_tiles", fragments);
     const ResourceId kept = b.pixelBuffer("surfaces", checkedMultiply(b.plan.aggregates, b.plan.bytesPerAggregate));
-    Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, "merge_fragments", AGAA_SEGMENT_GENERATION);
+    // A repetition lies in one segment.
+    Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, "merge_fragments",
+                            hasBatches(b) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
     b.bindCommon(merge);
     b.bindHostFetch(merge);
     merge.defines += format("#define AGAA_MERGE_RULE %uu\n", b.plan.coverage.merge);
     b.bind(merge, slot::Fragments, BindingType::StorageBuffer, fragments, true);
     b.bind(merge, slot::Aggregates, BindingType::StorageBuffer, kept, true);
     setRecord(merge, surfaces);
+    if (hasBatches(b)) {
+        addBatchPass(b, "next batch", "next_batch", fragments);
+        b.plan.repeats.push_back({firstOfBatch, uint32_t(b.plan.passes.size() - 1), b.plan.coverage.maxBatches, fragments,
+                                  4 * goesOnWord});
+    }
 
     Pass& shade = b.compute("shade surfaces", AGAA_STAGE_SHADING, "shade_surfaces", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);

@@ -10,6 +10,7 @@ layout(location = AGAA_CORNER_LOCATION + 2) flat in vec3 agaa_corner2;
 
 #if AGAA_STORAGE_IMAGES
 layout(r32ui, AGAA_AT_FRAGMENTS) uniform uimageBuffer agaa_fragments;
+uint agaa_readFragments(uint word) { return imageLoad(agaa_fragments, int(word)).x; }
 uint agaa_addToFragments(uint word, uint amount) { return imageAtomicAdd(agaa_fragments, int(word), amount); }
 uint agaa_exchangeFragments(uint word, uint value) { return imageAtomicExchange(agaa_fragments, int(word), value); }
 void agaa_setFragments(uint word, uint value) { imageStore(agaa_fragments, int(word), uvec4(value)); }
@@ -17,6 +18,7 @@ void agaa_setFragments(uint word, uint value) { imageStore(agaa_fragments, int(w
 layout(std430, AGAA_AT_FRAGMENTS) buffer agaa_FragmentBlock {
     uint words[];
 } agaa_fragments;
+uint agaa_readFragments(uint word) { return agaa_fragments.words[word]; }
 uint agaa_addToFragments(uint word, uint amount) { return atomicAdd(agaa_fragments.words[word], amount); }
 uint agaa_exchangeFragments(uint word, uint value) { return atomicExchange(agaa_fragments.words[word], value); }
 void agaa_setFragments(uint word, uint value) { agaa_fragments.words[word] = value; }
@@ -79,16 +81,29 @@ void agaa_emit(AgaaSurfaceInput s) {
 #endif
     if (agaa_coverageCount(mask) == 0u || AGAA_HELPER)
         return;
-    uint id = agaa_idOfInput(s);
+    uvec2 pixel = agaa_hostPixel();
+    uvec2 size = uvec2(AGAA_TARGET_WIDTH, AGAA_TARGET_HEIGHT);
+    bool isFirstDraw = true;
+#if AGAA_HAS_BATCHES
+    uint batch = agaa_readFragments(AGAA_LIST_BATCH);
+    isFirstDraw = batch == 0u;
+    if (isFirstDraw)
+        agaa_addToFragments(agaa_tileOf(pixel, size), 1u);
+    else if (agaa_readFragments(agaa_tileOf(pixel, size)) != batch)
+        return;
+#endif
     uint place = agaa_addToFragments(AGAA_LIST_COUNT, 1u);
-    agaa_countFragment(AGAA_COUNT_FRAGMENTS, 1u);
+    uint id = agaa_idOfInput(s);
+    if (isFirstDraw)
+        agaa_countFragment(AGAA_COUNT_FRAGMENTS, 1u);
     if (place >= AGAA_POOL_RECORDS) {
-        agaa_countFragment(AGAA_COUNT_LOST_FRAGMENTS, 1u);
+        // After the first of several draws there is room in another.
+        if (AGAA_HAS_BATCHES == 0 || !isFirstDraw)
+            agaa_countFragment(AGAA_COUNT_LOST_FRAGMENTS, 1u);
         return;
     }
-    uvec2 pixel = agaa_hostPixel();
-    uint base = agaa_recordOf(place + 1u, AGAA_TARGET_WIDTH * AGAA_TARGET_HEIGHT);
-    uint next = agaa_exchangeFragments(agaa_headOf(pixel, AGAA_TARGET_WIDTH), place + 1u);
+    uint base = agaa_recordOf(place + 1u, size, AGAA_HAS_BATCHES == 1);
+    uint next = agaa_exchangeFragments(agaa_headOf(pixel, size), place + 1u);
     agaa_setFragments(base, id);
     agaa_setFragments(base + 1u, next);
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)

@@ -16,7 +16,7 @@ layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
     vec4 surface;     // one surface: least cosine, distance in pixels, difference of materials; n
     uvec4 dither;     // AgaaFrame::ditherFrame, then counters of the newest finished frame (Plan::feedback)
     vec4 sampleLocations[64]; // of two samples each: xy, zw in the pixel
-    uvec4 counts; // c; fragments that lists have room for; 0
+    uvec4 counts; // c; fragments that lists have room for; draws of the scene at most; 0
 } agaa_frame;
 
 vec4 agaa_sampleLocations(uint i) { return agaa_frame.sampleLocations[i]; }

@@ -29,13 +29,14 @@ layout(std430, AGAA_AT_AGGREGATES) buffer agaa_SurfaceBlock {
 #define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
 #include "passes/stored_aggregate.glsl"
 
-uint agaa_record(uint fragment) { return agaa_recordOf(fragment, agaa_frame.size.x * agaa_frame.size.y); }
+bool agaa_hasBatches() { return agaa_frame.counts.z > 1u; }
+uint agaa_record(uint fragment) { return agaa_recordOf(fragment, agaa_frame.size.xy, agaa_hasBatches()); }
 
 // Puts the pixel's list in ascending order of ids and returns its first fragment. Fragments that were drawn in that order
 // come last first, and each is then placed at once.
 uint agaa_sortList(uvec2 pixel) {
     uint head = 0u;
-    uint rest = agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size.x)];
+    uint rest = agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size.xy)];
     while (rest != 0u) {
         uint record = agaa_record(rest);
         uint id = agaa_fragments.words[record];
@@ -170,10 +171,24 @@ void agaa_mergePixel(uvec2 pixel) {
         agaa_storeSurface(agaa_surfaceBase(pixel, a), a);
 }
 
+// Whether this draw kept all fragments of the group's tile.
+bool agaa_isTilesTurn() {
+    if (!agaa_hasBatches())
+        return true;
+    uint batch = agaa_fragments.words[AGAA_LIST_BATCH];
+    if (agaa_fragments.words[AGAA_LIST_BATCHES] == 1u)
+        return batch == 0u;
+    return batch != 0u && agaa_fragments.words[agaa_tileOf(gl_WorkGroupID.xy * 8u, agaa_frame.size.xy)] == batch;
+}
+
 void main() {
     agaa_countBegin();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
+    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
+    bool turn = agaa_isTilesTurn();
+    if (isInside && turn)
         agaa_mergePixel(pixel);
+    else if (isInside && agaa_fragments.words[AGAA_LIST_BATCH] == 0u)
+        agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size.xy)] = 0u; // a further draw makes the list anew
     agaa_countEnd();
 }
