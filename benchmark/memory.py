@@ -30,6 +30,27 @@ WAYS = [  # name, options
 ]
 
 
+COVERAGE = """
+`dcaa` keeps a record for each fragment, here for eight a pixel, and a few surfaces. Its paper counts 112 bytes per pixel
+for four surfaces with 64 samples, without the fragments, which it merges at once.
+
+The 640x360 view keeps, in bytes per pixel:
+"""
+COVERAGE_WAYS = [  # name, options, surface; None: all
+    ("four surfaces, layout `dcaa28`", ["--aggregates", "4", "--layout", "dcaa28"], "surfaces"),
+    ("four surfaces, layout `precise`", ["--aggregates", "4"], "surfaces"),
+    ("lists of fragments", ["--aggregates", "4"], "fragments"),
+    ("`dcaa` S=4", ["--aggregates", "4"], None),
+    ("`dcaa` S=4, layout `dcaa28`", ["--aggregates", "4", "--layout", "dcaa28"], None),
+]
+
+
+def part(memory, surface, pixels=640 * 360):
+    if surface is None:
+        return round(memory["bytesPerPixel"], 2)
+    return round(sum(s["bytes"] for s in memory["surfaces"] if s["name"] == surface) / pixels, 2)
+
+
 def report(harness, options):
     done = subprocess.run([harness, "memory", "--json", *options], check=True, capture_output=True, text=True)
     return json.loads(done.stdout)
@@ -69,6 +90,12 @@ the paper counts eight bits.
     for (name, _), row in zip(WAYS, reports):
         print(f"| {name} | " + " | ".join(map(cell, row)) + " |")
     print(models(reports[2], reports[1]))
+    print(COVERAGE)
+    counts = ("32", "64", "128")
+    print("| way | " + " | ".join(f"{n} samples" for n in counts) + " |\n|---|" + "---:|" * len(counts))
+    for name, options, surface in COVERAGE_WAYS:
+        row = [report(arguments.harness, ["--technique", "dcaa", "--samples", n, *options]) for n in counts]
+        print(f"| {name} | " + " | ".join(f"{part(memory, surface):g}" for memory in row) + " |")
 
 
 if __name__ == "__main__":

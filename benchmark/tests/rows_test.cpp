@@ -68,7 +68,7 @@ TEST(SweepRows, PlansCanBeMade) {
         AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
         fetch.glsl = "";
         fetch.maxDraws = fetch.maxPrimitives = 1;
-        if (row.generationTier == AGAA_TIER_IDS || row.technique == "dcaa")
+        if (config.fetches())
             view.pNext = &fetch;
         size_t size = 0;
         EXPECT_EQ(agaaPlanToJson(&view, nullptr, nullptr, &size, nullptr), AGAA_OK) << row.name();

@@ -47,7 +47,8 @@ std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration,
     caps.maxStorageRange = uint64_t(128) << 20;
     caps.flags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS |
                  AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_DYNAMIC_RENDERING |
-                 AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8;
+                 AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8 |
+                 AGAA_DEVICE_GEOMETRY_SHADERS;
     return caps;
 }
 
@@ -60,7 +61,7 @@ AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& fa
     view.config = &configuration.config;
     view.facts = &facts;
     view.flags = reversedZ && !configuration.isModel ? AGAA_VIEW_REVERSED_Z : 0;
-    if (configuration.config.generationTier == AGAA_TIER_IDS)
+    if (configuration.config.fetches())
         view.pNext = &fetch;
     return view;
 }

@@ -42,8 +42,7 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     desc.flags = viewFlags() | (settings.reversedZ ? AGAA_VIEW_REVERSED_Z : 0) |
                  (settings.background.a == 0 ? AGAA_VIEW_COMPOSITE : 0);
     AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
-    const uint32_t tier = settings.config.generationTier;
-    if (tier == AGAA_TIER_IDS || tier == AGAA_TIER_FRAGMENT_LISTS || settings.config.technique == std::string_view("dcaa")) {
+    if (settings.config.fetches()) {
         fetch = *fetchFunction();
         fetch.flags = settings.unfetchedEvery ? AGAA_FETCH_NOT_ALL_DRAWS : 0;
         desc.pNext = &fetch;

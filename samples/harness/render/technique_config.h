@@ -3,6 +3,8 @@
 
 #include "agaa_sdk.h"
 
+#include <string_view>
+
 namespace harness {
 
 struct TechniqueConfig : AgaaConfig {
@@ -24,6 +26,11 @@ struct TechniqueConfig : AgaaConfig {
         return *this;
     }
 
+    // Whether views need an AgaaFetchFunction.
+    bool fetches() const {
+        return generationTier == AGAA_TIER_IDS || generationTier == AGAA_TIER_FRAGMENT_LISTS ||
+               std::string_view(technique) == "dcaa";
+    }
     AgaaResult applyPreset(const char* name) { return agaaApplyPreset(name, this, &aggregation, &measurement); }
 
 private:
