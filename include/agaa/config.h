@@ -225,6 +225,11 @@ typedef enum AgaaMerge {
     AGAA_MERGE_MAX_ENUM = 0x7FFFFFFF
 } AgaaMerge;
 
+/* Bits of AgaaDecoupledCoverage::flags. */
+#define AGAA_COVERAGE_EXACT UINT64_C(0x01) /* keep all fragments and shade those that show at a sample: the reference of the
+                                              merging ways. AgaaConfig::aggregates is not used; maxBatches must be 1, otherwise
+                                              the view fails with AGAA_ERROR_UNSUPPORTED */
+
 /* How "dcaa" keeps and merges fragments. Chain it to AgaaConfig. Other techniques check the struct and do not use it. The
  * smallest cosine between normals that merge is AgaaConfig::surfaceCosine; 0 selects that of pi/16, as in the paper. */
 typedef struct AgaaDecoupledCoverage {
@@ -238,7 +243,7 @@ typedef struct AgaaDecoupledCoverage {
                                 tiles of the view are divided among the draws after the first. Fragments that find no room in
                                 the last draw are lost, and AgaaCounters::lostFragments counts them */
     uint32_t reserved;       /* 0 */
-    uint64_t flags;          /* 0 */
+    uint64_t flags;          /* AGAA_COVERAGE_… */
 } AgaaDecoupledCoverage;
 #define AGAA_DECOUPLED_COVERAGE_INIT                                                                \
     {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, (uint32_t)sizeof(AgaaDecoupledCoverage), NULL, AGAA_MERGE_VISIBLE, 8.0f, 1, 0, 0}

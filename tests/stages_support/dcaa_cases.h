@@ -80,6 +80,9 @@ TYPED_TEST_P(DcaaCases, ShowsWhatManySamplesShow) {
     for (const uint32_t surfaces : {1u, 2u, 4u, 8u}) {
         const Shown shown = this->render(dcaaSettings(64, surfaces), shot);
         const Difference d = compare(shown.rgb, truth.rgb);
+        if (surfaces > 1)
+            EXPECT_GT(d.psnr, eight + 3);
+        EXPECT_EQ(shown.counters.lostSamples, 0u);
         std::printf("%u surfaces: PSNR %.1f dB (ssaa 8: %.1f), fragments %llu, merged %llu + %llu, discarded %llu\n", surfaces,
                     d.psnr, eight, (unsigned long long)shown.counters.fragments, (unsigned long long)shown.counters.mergedFirst,
                     (unsigned long long)shown.counters.mergedSecond, (unsigned long long)shown.counters.discarded);
@@ -150,6 +153,29 @@ TYPED_TEST_P(DcaaCases, MergesAsAlgorithm1OfThePaper) {
     }
 }
 
+// All fragments of these pixels find a surface of their own, so that merging does nothing.
+TYPED_TEST_P(DcaaCases, ExactShowsWhatSurfacesWithoutMergingShow) {
+    const Shot shot{.triangles = tangle(170), .change = addAmbient};
+    for (const uint32_t samples : {32u, 64u, 128u}) {
+        SCOPED_TRACE(samples);
+        ViewSettings settings = dcaaSettings(samples, 8);
+        settings.config.surfaceCosine = 1;
+        const Shown surfaces = this->render(settings, shot);
+        EXPECT_EQ(surfaces.counters.discarded + surfaces.counters.mergedSecond, 0u);
+        settings.config.coverage.flags = AGAA_COVERAGE_EXACT;
+        const Shown exact = this->render(settings, shot);
+        const Difference d = compare(exact.rgb, surfaces.rgb);
+        std::printf("%u samples: PSNR %.1f dB\n", samples, d.psnr);
+        EXPECT_GE(d.psnr, 60) << "what memory rounds";
+        EXPECT_EQ(exact.counters.fragments, surfaces.counters.fragments);
+        EXPECT_EQ(exact.counters.visible, surfaces.counters.visible);
+        EXPECT_NEAR(double(exact.counters.shadingEvents), double(surfaces.counters.shadingEvents),
+                    0.01 * double(surfaces.counters.shadingEvents));
+        settings.config.coverage.maxBatches = 2;
+        expectRefused(this->context, settings, AGAA_ERROR_UNSUPPORTED, "exact in batches");
+    }
+}
+
 // Layers over the whole view, which is larger than a pool of the smallest size: tiles are drawn in several batches, and the
 // image is the one of a pool with room for all.
 TYPED_TEST_P(DcaaCases, BatchesShowWhatOneDrawShows) {
@@ -187,6 +213,6 @@ TYPED_TEST_P(DcaaCases, BatchesShowWhatOneDrawShows) {
     EXPECT_EQ(enough.counters.fragments, whole.counters.fragments);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(DcaaCases, BatchesShowWhatOneDrawShows, EdgesCoverTheirShare, ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper);
+REGISTER_TYPED_TEST_SUITE_P(DcaaCases, ExactShowsWhatSurfacesWithoutMergingShow, BatchesShowWhatOneDrawShows, EdgesCoverTheirShare, ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper);
 
 } // namespace agaa::test

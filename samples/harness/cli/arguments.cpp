@@ -186,6 +186,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
         choice(arguments.merge, "--merge", {{"visible", AGAA_MERGE_VISIBLE}, {"paper", AGAA_MERGE_PAPER}, {"none", AGAA_MERGE_NONE}});
     config.coverage.fragmentsPerPixel = finite(arguments.fragmentsPerPixel, "--fragments-per-pixel");
     config.coverage.maxBatches = arguments.maxBatches;
+    config.coverage.flags = arguments.exact ? AGAA_COVERAGE_EXACT : 0;
     config.aggregation.litShadows = arguments.lit ? 1 : 0; // scenes have one
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };
     flag(arguments.splitSurfaces, AGAA_CONFIG_SPLIT_SURFACES);

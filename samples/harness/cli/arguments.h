@@ -56,6 +56,7 @@ struct PlanArguments {
     std::string merge = "visible";
     double fragmentsPerPixel = 8;
     uint32_t maxBatches = 1;
+    bool exact = false;
     bool noDiffuseFilter = false;
     bool noShadowFilter = false;
     bool shadowAlongDepth = false;

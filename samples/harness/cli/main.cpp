@@ -38,6 +38,7 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--merge", a.merge, "dcaa: what a discarded surface gives to another, visible, paper or none");
     app.add_option("--fragments-per-pixel", a.fragmentsPerPixel, "dcaa: that the lists have room for");
     app.add_option("--max-batches", a.maxBatches, "dcaa: draws of the scene where the lists have too little room");
+    app.add_flag("--exact", a.exact, "dcaa: keep and shade all fragments that show");
     app.add_option("--gloss-weight", a.glossWeight, "agaa by id or from a G-buffer: of shading normals");
     app.add_flag("--lit", a.lit, "agaa by id or from a G-buffer: lit statistics for the lights with shadows");
     app.add_flag("--buffered", a.buffered, "agaa by id or from a G-buffer: aggregates in memory, shaded by a pass of their own");

@@ -25,7 +25,7 @@ void readCoverage(const AgaaConfig& config, ViewSettings& view) {
     checkRange(double(c.fragmentsPerPixel), 1.0, 256.0, "AgaaDecoupledCoverage::fragmentsPerPixel");
     checkRange(uint64_t(c.maxBatches), 1, 16, "AgaaDecoupledCoverage::maxBatches");
     checkReserved(c.reserved, "AgaaDecoupledCoverage::reserved");
-    checkFlags(c.flags, 0, "AgaaDecoupledCoverage::flags");
+    checkFlags(c.flags, AGAA_COVERAGE_EXACT, "AgaaDecoupledCoverage::flags");
 }
 
 // Words of the buffer of lists: its counts, then the first fragment of each pixel, then the fragments
@@ -35,12 +35,14 @@ struct ListSizes {
 };
 constexpr uint64_t countWords = 16, goesOnWord = 3;
 
+bool isExact(const PlanBuilder& b) { return b.plan.coverage.flags & AGAA_COVERAGE_EXACT; }
+uint32_t planeWords(const PlanBuilder& b) { return isExact(b) ? 3 : 0; }
 bool hasBatches(const PlanBuilder& b) { return b.plan.coverage.maxBatches > 1; }
 
 ListSizes listSizes(const PlanBuilder& b) {
     const auto tiles = [](uint32_t pixels) { return (uint64_t(pixels) + 7) / 8; };
     const uint64_t words = hasBatches(b) ? tiles(b.plan.width) * tiles(b.plan.height) : 0;
-    return {countWords + uint64_t(b.plan.width) * b.plan.height + words, 2 + b.plan.samples / 32};
+    return {countWords + uint64_t(b.plan.width) * b.plan.height + words, 2 + b.plan.samples / 32 + planeWords(b)};
 }
 
 ResourceId fragmentLists(PlanBuilder& b) {
@@ -80,7 +82,39 @@ void addBatchPass(PlanBuilder& b, const char* name, const char* shader, Resource
     pass.dispatch = {.kind = DispatchKind::Items, .items = 1};
 }
 
+ResourceId drawFragments(PlanBuilder& b) {
+    const ResourceId fragments = fragmentLists(b);
+    b.fill("clear lists", AGAA_STAGE_GENERATION, fragments, AGAA_SEGMENT_PREPASS).fillBytes = 4 * listSizes(b).heads;
+    Pass& draw = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, AGAA_SEGMENT_PREPASS);
+    b.bindCommon(draw);
+    draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
+    draw.geometryText = "#include \"host/triangle_hull.glsl\"";
+    b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, fragments, true);
+    return fragments;
+}
+
+void bindFragments(PlanBuilder& b, Pass& pass, ResourceId fragments) {
+    b.bindHostFetch(pass);
+    pass.defines += format("#define AGAA_PLANE_WORDS %uu\n", planeWords(b));
+    b.bind(pass, slot::Fragments, BindingType::StorageBuffer, fragments, true);
+}
+
+// What shows of each fragment is shaded: the reference of the merging ways.
+void buildExact(PlanBuilder& b) {
+    require(!hasBatches(b), AGAA_ERROR_UNSUPPORTED,
+            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; AGAA_COVERAGE_EXACT needs all fragments at once.");
+    const ResourceId fragments = drawFragments(b);
+    Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING, "shade_fragments", AGAA_SEGMENT_SHADING);
+    b.bindCommon(shade);
+    bindFragments(b, shade, fragments);
+    b.bindLighting(shade);
+    b.bindOutput(shade);
+    b.copyCounters();
+}
+
 void build(PlanBuilder& b) {
+    if (isExact(b))
+        return buildExact(b);
     b.defaultSurface(0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
     Aggregation surfaces;
     surfaces.layout = surfaceLayout(b.plan.layout);
@@ -89,14 +123,7 @@ void build(PlanBuilder& b) {
     surfaces.stride = geometryWords + surfaces.packing.words;
     b.plan.bytesPerAggregate = 4 * surfaces.stride;
 
-    const ResourceId fragments = fragmentLists(b);
-    b.fill("clear lists", AGAA_STAGE_GENERATION, fragments, AGAA_SEGMENT_PREPASS).fillBytes = 4 * listSizes(b).heads;
-    Pass& draw = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, AGAA_SEGMENT_PREPASS);
-    b.bindCommon(draw);
-    draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
-    draw.geometryText = "#include \"host/triangle_hull.glsl\"";
-    b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, fragments, true);
-
+    const ResourceId fragments = drawFragments(b);
     const auto firstOfBatch = uint32_t(b.plan.passes.size() - 1);
     if (hasBatches(b))
         addBatchPass(b, "divide tiles", "divide_tiles", fragments);
@@ -105,9 +132,8 @@ void build(PlanBuilder& b) {
     Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, "merge_fragments",
                             hasBatches(b) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
     b.bindCommon(merge);
-    b.bindHostFetch(merge);
+    bindFragments(b, merge, fragments);
     merge.defines += format("#define AGAA_MERGE_RULE %uu\n", b.plan.coverage.merge);
-    b.bind(merge, slot::Fragments, BindingType::StorageBuffer, fragments, true);
     b.bind(merge, slot::Aggregates, BindingType::StorageBuffer, kept, true);
     setRecord(merge, surfaces);
     if (hasBatches(b)) {

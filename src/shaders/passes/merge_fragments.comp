@@ -12,14 +12,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "math/depth_plane.glsl"
 #include "passes/tile_pixels.glsl"
 #include "passes/fetch.glsl"
-#include "passes/fragment_layout.glsl"
+#include "passes/fragments.glsl"
 #include "passes/covered_surface.glsl"
 #include "passes/packing.glsl"
 #include "passes/stored_material.glsl"
 
-layout(std430, AGAA_AT_FRAGMENTS) buffer agaa_FragmentBlock {
-    uint words[];
-} agaa_fragments;
 layout(std430, AGAA_AT_AGGREGATES) buffer agaa_SurfaceBlock {
     uint words[];
 } agaa_surfaces;
@@ -28,9 +25,6 @@ layout(std430, AGAA_AT_AGGREGATES) buffer agaa_SurfaceBlock {
 #define AGAA_IMAGE_WIDTH agaa_frame.size.x
 #define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
 #include "passes/stored_aggregate.glsl"
-
-bool agaa_hasBatches() { return agaa_frame.counts.z > 1u; }
-uint agaa_record(uint fragment) { return agaa_recordOf(fragment, agaa_frame.size.xy, agaa_hasBatches()); }
 
 // Puts the pixel's list in ascending order of ids and returns its first fragment. Fragments that were drawn in that order
 // come last first, and each is then placed at once.
@@ -57,16 +51,6 @@ uint agaa_sortList(uvec2 pixel) {
         rest = next;
     }
     return head;
-}
-
-agaa_DepthPlane agaa_planeOf(AgaaPrimitive p, uvec2 pixel) {
-    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
-    vec3 z = vec3(p.a.z, p.b.z, p.c.z);
-#if AGAA_CLIP_Z_FROM_MINUS_ONE
-    z = 0.5 * (z + vec3(p.a.w, p.b.w, p.c.w));
-#endif
-    return agaa_depthPlane(agaa_vertexInPixels(p.a.xyw, pixelsPerNdc), agaa_vertexInPixels(p.b.xyw, pixelsPerNdc),
-                           agaa_vertexInPixels(p.c.xyw, pixelsPerNdc), z, vec2(pixel) + 0.5);
 }
 
 // Of the pixel's surface at `base`.
@@ -103,28 +87,17 @@ void agaa_countInsertion(agaa_Insertion done, bool isNew) {
     agaa_count(AGAA_COUNT_LOST_SAMPLES, done.lost);
 }
 
-// Of a curved primitive, normals spread over the samples that it covers: the mean normal is shorter by half of their variance.
-void agaa_widenByCurvature(inout AgaaMaterial m, uvec4 mask) {
-    if (AGAA_HAS_SPECULAR == 0u || AGAA_NDF == 0u)
-        return;
-    float share = float(agaa_coverageCount(mask)) / float(AGAA_SAMPLES);
-    float variance = share * (dot(m.normalDx, m.normalDx) + dot(m.normalDy, m.normalDy)) / 12.0; // of a square pixel
-    m.alpha2 = agaa_toksvigAlpha2(m.alpha2, max(1.0 - 0.5 * variance, 0.0));
-}
-
 void agaa_insertFragment(uvec2 pixel, uint record, agaa_MergeRules rules) {
     agaa_CoveredSurface s;
-    s.mask = uvec4(0u);
-    for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
-        s.mask[word] = agaa_fragments.words[record + 2u + word];
+    s.mask = agaa_maskOf(record);
     AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
     agaa_DepthPlane plane = agaa_planeOf(p, pixel);
-    if (AGAA_FAR_DEPTH != 0u ? plane.range.x >= 1.0 : plane.range.y <= 0.0)
-        return; // at the far plane is background
+    if (agaa_isFar(plane))
+        return;
     agaa_moveTo(p, pixel, agaa_coverageMiddle(s.mask, AGAA_SAMPLES) + 0.5);
     AgaaMaterial m = agaa_fetchMaterialThere(p);
     agaa_widenByCurvature(m, s.mask);
-    s.plane = agaa_planeInRange(plane) * (AGAA_FAR_DEPTH != 0u ? 1.0 : -1.0);
+    s.plane = agaa_growingDepth(plane);
     s.normal = m.normal;
     s = agaa_asStored(s);
     rules.slack = abs(s.plane.x) * 9.5367e-7;

@@ -22,7 +22,7 @@ layout(std430, AGAA_AT_AGGREGATES) readonly buffer agaa_SurfaceBlock {
 #define AGAA_IMAGE_WIDTH agaa_frame.size.x
 #define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
 #include "passes/stored_aggregate.glsl"
-#include "math/surface_resolve.glsl"
+#include "passes/covered_place.glsl"
 
 shared uvec4 agaa_shown[64u * AGAA_AGGREGATES]; // of each surface, the samples that show it
 
@@ -69,30 +69,6 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     agaa_count(AGAA_COUNT_AGGREGATES, agaa_eventsOf(work));
     agaa_count(AGAA_COUNT_PIXELS, work.events[0] != 0u ? 1u : 0u);
     return work;
-}
-
-// offset: from the pixel's centre, in pixels.
-vec3 agaa_surfacePosition(uvec2 pixel, vec3 plane, vec2 offset) {
-    float depth = agaa_deviceDepth(plane.x + dot(plane.yz, offset));
-    return agaa_toShadingSpace(agaa_placeViewPosition(pixel, offset + 0.5, depth));
-}
-
-// Shadow taps at up to AGAA_SHADOW_TAPS of the samples, evenly chosen, or in their middle.
-void agaa_tapSurface(uvec2 pixel, vec3 plane, uvec4 mask, vec3 position) {
-#if AGAA_SHADOWS
-    uint count = agaa_coverageCount(mask);
-    uint taps = AGAA_SHADOW_FILTER != 0u ? min(count, AGAA_SHADOW_TAPS) : 1u;
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] = 0.0;
-    if (taps == 1u)
-        agaa_addTaps(position);
-    for (uint j = 0u; j < taps && taps > 1u; ++j) {
-        uint sampleOf = agaa_coveredSample(mask, (2u * j + 1u) * count / (2u * taps));
-        agaa_addTaps(agaa_surfacePosition(pixel, plane, agaa_coveragePosition(sampleOf, AGAA_SAMPLES)));
-    }
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] /= float(taps);
-#endif
 }
 
 vec3 agaa_shadeEvent(uint lane, uint a) {
