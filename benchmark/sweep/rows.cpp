@@ -20,13 +20,27 @@ std::string SweepRow::name() const {
     return text.str();
 }
 
+// No row loses fragments: lists that are merged are drawn again where a scene is dense, exact ones have room for it.
+static void applyCoverage(const std::string& preset, TechniqueConfig& config) {
+    if (preset == "exact") {
+        config.coverage.flags = AGAA_COVERAGE_EXACT;
+        config.coverage.fragmentsPerPixel = 48;
+        return;
+    }
+    config.coverage.maxBatches = 8;
+    if (preset == "paper")
+        config.coverage.merge = AGAA_MERGE_PAPER;
+}
+
 void SweepRow::apply(TechniqueConfig& config) const {
     config.technique = technique.c_str();
     config.samples = samples;
     config.aggregates = std::max(aggregates, 1u);
     config.measurement.shadingCost = shadingCost;
     config.generationTier = generationTier;
-    if (!preset.empty() && config.applyPreset(preset.c_str()) != AGAA_OK)
+    if (technique == "dcaa")
+        applyCoverage(preset, config);
+    else if (!preset.empty() && config.applyPreset(preset.c_str()) != AGAA_OK)
         throw std::invalid_argument("There is no preset \"" + preset + "\".");
 }
 
@@ -62,6 +76,8 @@ std::vector<SweepRow> sweepRows(bool quick) {
     }
     for (uint32_t surfaces : {4u, 8u})
         rows.push_back({"dcaa", 64, surfaces});
+    for (const char* preset : {"paper", "exact"})
+        rows.push_back({"dcaa", 64, 4, 1, AGAA_TIER_AUTO, preset});
     // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
     const auto addHeavier = [&](SweepRow row, std::initializer_list<uint32_t> costs) {
         for (uint32_t cost : costs) {
@@ -69,7 +85,7 @@ std::vector<SweepRow> sweepRows(bool quick) {
             rows.push_back(row);
         }
     };
-    for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_IDS}})
+    for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_IDS}, {"dcaa", 64, 4}})
         addHeavier(row, {4, 16});
     for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"sbaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
                                 {"agaa", 8, 4, 1, AGAA_TIER_GBUFFER, "accurate"}, {"simple_complex", 32},

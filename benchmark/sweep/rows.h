@@ -14,7 +14,7 @@ struct SweepRow {
     uint32_t aggregates = 0; // c or S; 0 where neither
     uint32_t shadingCost = 1;
     uint32_t generationTier = AGAA_TIER_AUTO;
-    std::string preset = {}; // that aggregates are of; or none
+    std::string preset = {}; // that aggregates are of; of dcaa "paper" or "exact"; or none
 
     // Of files: "agaa-8-2", "agaa-8-accurate"; with the cost and the tier where they are not the usual.
     std::string name() const;

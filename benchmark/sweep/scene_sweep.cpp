@@ -158,7 +158,7 @@ void SceneSweep::takeTurn(uint32_t round, uint64_t flags, bool withHeavier,
 }
 
 const Image* SceneSweep::sameSamples(const SweepRow& row) {
-    if (row.samples == 1 || row.technique == "ssaa")
+    if (row.samples == 1 || row.samples > 32 || row.technique == "ssaa") // ssaa has 32 at most
         return nullptr;
     const auto found = sameSamples_.find(row.samples);
     if (found != sameSamples_.end())
