@@ -10,6 +10,11 @@ FIELDS = ["frameMs", "passes", "shadingEventsPerPixel", "geometryPasses", "bytes
           "apiMessages"]
 
 
+def options(technique):
+    """Of the command line; dcaa counts coverage samples."""
+    return ["--technique", technique] + (["--samples", "64", "--aggregates", "4"] if technique == "dcaa" else [])
+
+
 class Render(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -25,17 +30,17 @@ class Render(unittest.TestCase):
                             *arguments)
 
     def test_counting_changes_no_pixel(self):
-        for technique in ("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"):
+        for technique in ("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"):
             with self.subTest(technique=technique):
                 counted, bare = self.path("counted.exr"), self.path("bare.exr")
-                self.render("--technique", technique, "--exr", counted, size="48x27")
-                self.render("--technique", technique, "--exr", bare, "--no-counters", size="48x27")
+                self.render(*options(technique), "--exr", counted, size="48x27")
+                self.render(*options(technique), "--exr", bare, "--no-counters", size="48x27")
                 self.assertEqual(harness.data("compare", counted, bare)["maxAbs"], 0)
 
     def test_every_technique(self):
-        for technique in ("single", "ssaa", "agaa"):
+        for technique in ("single", "ssaa", "agaa", "dcaa"):
             with self.subTest(technique=technique):
-                data = self.render("--technique", technique, "--frames", "2")
+                data = self.render(*options(technique), "--frames", "2")
                 for field in FIELDS:
                     self.assertIn(field, data)
                 counters = data["counters"]
