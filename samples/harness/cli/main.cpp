@@ -131,8 +131,8 @@ int run(int argc, char** argv) {
     RenderArguments renderArguments;
     CLI::App* render = command("render", "render a scene through the SDK");
     addRenderOptions(*render, renderArguments);
-    render->add_option("--alpha-points", renderArguments.alphaPoints, "where cut-outs read alpha in a texel: 1 or 4")
-        ->check(CLI::IsMember({1u, 4u}));
+    render->add_option("--alpha-points", renderArguments.alphaPoints, "where cut-outs read alpha in a texel: 1, 4 or, of dcaa, which has 4 at least, 16")
+        ->check(CLI::IsMember({1u, 4u, 16u}));
 
     RenderArguments referenceArguments;
     CLI::App* reference = command("reference", "a jittered, accumulated reference image");

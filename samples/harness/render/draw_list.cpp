@@ -70,7 +70,7 @@ std::vector<Draw> makeDrawList(const Scene& scene, const glm::dvec3& worldOffset
         draw.mesh = instance.mesh;
         draw.instance = i;
         draw.isMasked = options.useMasked && isMasked(scene, mesh);
-        draw.readsAlphaNear = draw.isMasked && options.readAlphaNear;
+        draw.alphaPoints = draw.isMasked ? options.alphaPoints : 1;
         draw.isMirrored = glm::determinant(glm::dmat3(instance.transform)) < 0;
         draw.toShading = toShadingSpace(instance.transform, worldOffset, eye);
         if (!isOutside(mesh, clip * draw.toShading, options.clipMargin))

@@ -14,13 +14,13 @@ struct Draw {
     bool isMasked = false;
     bool isMirrored = false; // the transform turns triangles inside out
     bool isFetched = true;   // by id, where the frame fetches
-    bool readsAlphaNear = false; // cut-outs: at four points of each texel
+    uint32_t alphaPoints = 1; // of cut-outs, in each texel
     glm::dmat4 toShading{1};
 };
 
 struct DrawListOptions {
     bool useMasked = true; // false: every material counts as opaque
-    bool readAlphaNear = false; // cut-outs read alpha at four points of each texel of the target
+    uint32_t alphaPoints = 1; // where cut-outs read alpha in each texel of the target: 1, 4 or 16
     double clipMargin = 0; // culling keeps what is this far outside, as a part of the clip volume
     uint32_t shuffleSeed = 0; // != 0: the order within opaque and within masked is shuffled by it
 };

@@ -76,8 +76,10 @@ Variant variantOf(const Scene& scene, const Draw& draw) {
     const uint32_t material = scene.meshes[draw.mesh].material;
     variant.features = materialFeatures(scene, material);
     const uint32_t tested = 1u << materialTextureCount;
-    if (draw.readsAlphaNear && (variant.features & tested))
+    if (draw.alphaPoints > 1 && (variant.features & tested))
         variant.features |= tested << 1;
+    if (draw.alphaPoints > 4 && (variant.features & tested))
+        variant.features |= tested << 2;
     variant.isDoubleSided =
         material < scene.materials.size() && scene.materials[material].doubleSided;
     return variant;

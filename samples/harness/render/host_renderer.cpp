@@ -56,7 +56,7 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     input.lights = toAgaaLights(settings.lights, settings.worldOffset, input.camera.eye);
     DrawListOptions options;
     options.useMasked = input.useMasked = (facts.flags & AGAA_FACT_ALPHA_MASKED) != 0;
-    options.readAlphaNear = settings.alphaPoints > 1;
+    options.alphaPoints = settings.alphaPoints;
     // Some targets are a pixel wider than the image on each side, or shifted by a part of one.
     options.clipMargin = 4.0 / std::min(settings.width, settings.height);
     options.shuffleSeed = settings.drawOrderSeed;

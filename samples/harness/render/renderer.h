@@ -45,7 +45,7 @@ struct RenderSettings {
     uint32_t frames = 1;
     uint32_t warmup = 0;
     double footprint = 1;       // width over which textures are filtered, in pixels (0;1]; not of the tier IDS
-    uint32_t alphaPoints = 1;   // where cut-outs read alpha in a texel of the target: 1 or 4
+    uint32_t alphaPoints = 1;   // where cut-outs read alpha in a texel of the target: 1, 4 or 16
     uint32_t ditherFrame = 0;   // AgaaFrame::ditherFrame
     uint32_t unfetchedEvery = 0; // tier IDS: each so-manieth draw is one that cannot be fetched
     bool splitSegments = false; // record each segment by a call of its own

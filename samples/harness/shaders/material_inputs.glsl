@@ -24,6 +24,7 @@ const uint metalRoughBit = 4u;
 const uint emissiveBit = 8u;
 const uint alphaTestBit = 16u;
 const uint alphaNearBit = 32u;
+const uint alphaRowsBit = 64u;
 
 // Alpha is taken at the texel's centre, or near it. Everything else is evaluated inside the primitive, but which samples
 // survive the depth test, and so what counts as inside, differs between passes, and all passes must agree about

@@ -45,14 +45,17 @@ bool agaa_isInCutout16(vec4 rows[4], float cutoff, vec2 offset) {
 }
 
 uvec4 agaa_cutoutCoverage(AgaaSurfaceInput s, float alpha, vec2 gradient) {
+    vec4 near = vec4(agaa_sanitiseAlpha(s.alphaNear.x), agaa_sanitiseAlpha(s.alphaNear.y),
+                     agaa_sanitiseAlpha(s.alphaNear.z), agaa_sanitiseAlpha(s.alphaNear.w));
     for (int r = 0; r < 4; ++r)
         for (int c = 0; c < 4; ++c)
             s.alphaRows[r][c] = agaa_sanitiseAlpha(s.alphaRows[r][c]);
     uvec4 mask = uvec4(0u);
     for (uint i = 0u; i < AGAA_SAMPLES; ++i) {
         vec2 offset = agaa_coveragePosition(i, AGAA_SAMPLES);
-        bool isIn = s.hasAlphaNear ? agaa_isInCutout16(s.alphaRows, s.alphaCutoff, offset)
-                                   : agaa_isInCutout(alpha, s.alphaCutoff, gradient, offset);
+        bool isIn = s.hasAlphaRows   ? agaa_isInCutout16(s.alphaRows, s.alphaCutoff, offset)
+                    : s.hasAlphaNear ? agaa_isInCutout4(near, s.alphaCutoff, offset)
+                                     : agaa_isInCutout(alpha, s.alphaCutoff, gradient, offset);
         mask[i >> 5u] |= isIn ? 1u << (i & 31u) : 0u;
     }
     return mask;

@@ -12,7 +12,8 @@ struct AgaaSurfaceInput {
     bool hasAlphaNear;    // of cut-outs: alphaNear is set; alpha is then read at n = 1 only
     vec4 alphaNear;       // alpha at agaa_alphaPoint(0) to (3), by the same rules as alpha
 #if AGAA_HAS_CORNERS
-    vec4 alphaRows[4];    // in place of alphaNear where AGAA_HAS_CORNERS is 1: at agaa_alphaPoint(4 r + c) in row r, column c
+    bool hasAlphaRows;    // of cut-outs where AGAA_HAS_CORNERS is 1: alphaRows is set, in place of alphaNear
+    vec4 alphaRows[4];    // alpha at agaa_alphaRowPoint(r, c) in row r, column c
 #endif
     uint primitiveSeed;   // of translucent surfaces: differs between primitives that may overlap, and is the
                           // same in every pass
@@ -37,6 +38,7 @@ AgaaSurfaceInput agaa_surfaceInput() {
     s.hasAlphaNear = false;
     s.alphaNear = vec4(1.0);
 #if AGAA_HAS_CORNERS
+    s.hasAlphaRows = false;
     for (int r = 0; r < 4; ++r)
         s.alphaRows[r] = vec4(1.0);
 #endif
@@ -100,15 +102,11 @@ uint agaa_hostGroup() {
 }
 
 // Where AgaaSurfaceInput::alphaNear wants alpha: from the texel's centre, in pixels, as agaa_dFdx() counts them.
-#if AGAA_HAS_CORNERS
-#define AGAA_ALPHA_POINTS 16u
-vec2 agaa_alphaPoint(uint k) { return vec2(float(k & 3u), float(k >> 2u)) * 0.25 - 0.375; }
-#else
-#define AGAA_ALPHA_POINTS (AGAA_HW_SAMPLES > 1 ? 4u : 0u)
+#define AGAA_ALPHA_POINTS (AGAA_HW_SAMPLES > 1 || AGAA_HAS_CORNERS == 1 ? 4u : 0u)
 vec2 agaa_alphaPoint(uint k) {
     return (vec2(float(k & 1u), float(k >> 1u)) * 0.5 - 0.25) / vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
 }
-#endif
+vec2 agaa_alphaRowPoint(uint r, uint c) { return vec2(float(c), float(r)) * 0.25 - 0.375; }
 
 // From the texel's centre to its sample i, in texels.
 vec2 agaa_sampleOffset(uint i) {
