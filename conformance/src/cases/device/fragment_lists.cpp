@@ -100,6 +100,29 @@ void testBatches(Test& test) {
     }
 }
 
+// The constants of a frame, which the geometry shader reads too, come in each way.
+void testConstants(Test& test) {
+    Image expected;
+    for (const uint32_t constants : {AGAA_GL_CONSTANTS_BLOCK, AGAA_GL_CONSTANTS_UNIFORMS, AGAA_GL_CONSTANTS_TEXELS}) {
+        Rig rig(test, withCoverage([](AgaaDecoupledCoverage&) {}), [=](ContextDescription& d) {
+            d.gl.constants = constants;
+            d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; // a unit of its own, if it is one
+        });
+        const Image image = rig.render();
+        if (constants == AGAA_GL_CONSTANTS_BLOCK)
+            expected = image;
+        else
+            expectSame(test, image, expected, 32, "\"dcaa\" with AgaaGlDeviceDesc::constants = " + std::to_string(constants));
+        rig.scene = manyLayers();
+        rig.render();
+        const AgaaCounters c = rig.counters();
+        test.check(c.lostFragments == c.fragments - leastRoom, "\"dcaa\" with AgaaGlDeviceDesc::constants = " +
+                                                                   std::to_string(constants) + " loses " +
+                                                                   std::to_string(c.lostFragments) + " of " +
+                                                                   std::to_string(c.fragments) + " fragments.");
+    }
+}
+
 // A device on which the host does not enable geometry shaders.
 void testNoGeometryShaders(Test& test) {
     ContextDescription right = test.device().description();
@@ -123,6 +146,7 @@ void testNoGeometryShaders(Test& test) {
 void addFragmentListCases(Suite& suite) {
     suite.both("AgaaDecoupledCoverage.merge/images", testMerges);
     suite.both("AgaaDecoupledCoverage.maxBatches/draws", testBatches);
+    suite.add("AgaaGlDeviceDesc.constants/enum/dcaa", {Backend::OpenGl}, testConstants);
     suite.add("AGAA_DEVICE_GEOMETRY_SHADERS/AGAA_ERROR_UNSUPPORTED", {Backend::Vulkan}, testNoGeometryShaders);
 }
 
