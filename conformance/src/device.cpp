@@ -16,23 +16,43 @@ OwnContext::~OwnContext() {
         test_.result(test_.sdk.agaaDestroyContext(context_), AGAA_OK, "agaaDestroyContext(a context without views)");
 }
 
+AgaaFetchFunction emptyFetch() {
+    AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
+    fetch.glsl = "void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {}\n"
+                 "void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {}\n";
+    fetch.maxDraws = 16;
+    fetch.maxPrimitives = 1000;
+    return fetch;
+}
+
+bool needsOneSample(const std::string& technique) { return technique == "single" || technique == "fxaa"; }
+
+bool hasCoverageSamples(const std::string& technique) { return technique == "dcaa"; }
+
+uint32_t samplesOf(const std::string& technique, uint32_t samples) {
+    return needsOneSample(technique) ? 1 : hasCoverageSamples(technique) ? 16 * samples : samples;
+}
+
 ViewDescription::ViewDescription(const Device* device) {
     const AgaaLayout initialLayout = AGAA_LAYOUT_INIT;
     const AgaaConfig initialConfig = AGAA_CONFIG_INIT;
     const AgaaAggregation initialAggregation = AGAA_AGGREGATION_INIT;
+    const AgaaDecoupledCoverage initialCoverage = AGAA_DECOUPLED_COVERAGE_INIT;
     const AgaaMeasurement initialMeasurement = AGAA_MEASUREMENT_INIT;
     const AgaaSceneFacts initialFacts = AGAA_SCENE_FACTS_INIT;
     const AgaaViewDesc initialDesc = AGAA_VIEW_DESC_INIT;
     layout = initialLayout;
     config = initialConfig;
     aggregation = initialAggregation;
+    coverage = initialCoverage;
     measurement = initialMeasurement;
     facts = initialFacts;
     desc = initialDesc;
     config.samples = 4;
     config.flags = AGAA_CONFIG_COUNTERS;
     config.pNext = &aggregation;
-    aggregation.pNext = &measurement;
+    aggregation.pNext = &coverage;
+    coverage.pNext = &measurement;
     facts.shadowMapCount = 0;
     facts.maxLights = 4;
     desc.width = 32;
@@ -40,6 +60,17 @@ ViewDescription::ViewDescription(const Device* device) {
     desc.config = &config;
     desc.facts = &facts;
     desc.flags = device ? device->viewFlags() : 0;
+    sceneFetch = device ? device->sceneFetch() : emptyFetch();
+}
+
+void ViewDescription::setTechnique(const std::string& name, uint32_t samples) {
+    technique = name;
+    config.technique = technique.c_str();
+    config.samples = samplesOf(name, samples);
+    if (!hasCoverageSamples(name))
+        return;
+    sceneFetch.pNext = desc.pNext;
+    desc.pNext = &sceneFetch;
 }
 
 BareView::BareView(Test& test, AgaaContext context, const ViewDescription& description) : test_(test) {

@@ -71,6 +71,10 @@ public:
     static AgaaResult AGAA_CALL drawCallback(void* device, const AgaaDrawTarget* target) {
         return static_cast<Device*>(device)->draw(*target);
     }
+    // Fetches the triangles of the scene of record(), for views of this device.
+    virtual AgaaFetchFunction sceneFetch() const = 0;
+    // Binds again what sceneFetch() reads during record(), after a test that changed OpenGL's bindings.
+    virtual void bindScene() const {}
     // All shadow maps of all frames have this depth from now on, at first 1.
     virtual void setShadowDepth(float depth) = 0;
     // Linear RGBA, row 0 first.
@@ -87,7 +91,8 @@ public:
 };
 
 // Of the first device of the API, or the one whose name contains `name`. Throws Skipped with the reason if there is none.
-// The Vulkan device has exactly the features that agaaVkGetRequirements requires or, with options, also the optional ones.
+// The Vulkan device has the features that agaaVkGetRequirements requires, and geometryShader where there is one; with options,
+// also the other optional ones.
 std::unique_ptr<Device> makeVulkanDevice(const Functions& sdk, const std::string& name, bool withOptions = false);
 std::unique_ptr<Device> makeOpenGlDevice(const std::string& name);
 
@@ -108,17 +113,29 @@ private:
     AgaaContext context_ = nullptr;
 };
 
+// A fetch function of no scene.
+AgaaFetchFunction emptyFetch();
+
+// n of a technique where "ssaa" has `samples`: 1 for "single" and "fxaa"; 16 times as many coverage samples for "dcaa".
+uint32_t samplesOf(const std::string& technique, uint32_t samples);
+bool needsOneSample(const std::string& technique);       // "single" and "fxaa"
+bool hasCoverageSamples(const std::string& technique);   // "dcaa", which needs an AgaaFetchFunction
+
 // Config, facts and description of a view of 32 x 24 pixels, "agaa" with n = 4, counters, no shadows, ambient light; tests
 // change it before they create the view.
 struct ViewDescription {
     ViewDescription(const Device* device); // null: of no device
     ViewDescription(const ViewDescription&) = delete;
     ViewDescription& operator=(const ViewDescription&) = delete;
-    std::string technique; // where config names one of a list
+    // Selects a technique with n = samplesOf(name, samples), and chains sceneFetch if the technique needs it. Call it once.
+    void setTechnique(const std::string& name, uint32_t samples);
+    std::string technique; // that setTechnique() names
     AgaaLayout layout; // "precise"
     AgaaConfig config;
-    AgaaAggregation aggregation; // chained to config
-    AgaaMeasurement measurement; // chained to aggregation
+    AgaaAggregation aggregation;    // chained to config
+    AgaaDecoupledCoverage coverage; // chained to aggregation
+    AgaaMeasurement measurement;    // chained to coverage
+    AgaaFetchFunction sceneFetch;   // chained to desc by setTechnique() where the technique needs it
     AgaaSceneFacts facts;
     AgaaViewDesc desc;
 };

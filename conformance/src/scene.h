@@ -8,7 +8,7 @@
 
 namespace agaa::conformance {
 
-struct Vertex {
+struct Vertex { // fetchShader() reads it as words
     float position[3]; // in shading space
     float normal[3];
     float diffuse[4]; // alpha in the fourth

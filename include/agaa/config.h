@@ -176,7 +176,8 @@ typedef struct AgaaConfig {
                               0: 8. Affects shadows only: the position of an aggregate is the mean of all its samples */
     uint32_t visibilityTier; /* AgaaTier. AUTO: the best that runs. A tier that cannot run: AGAA_ERROR_UNSUPPORTED */
     uint32_t generationTier; /* AgaaTier. AUTO: the best that runs; GBUFFER if the aggregates fit no storage buffer of the
-                                device. A tier that cannot run: AGAA_ERROR_UNSUPPORTED. Only "agaa" and "sbaa" use it */
+                                device. A tier that cannot run: AGAA_ERROR_UNSUPPORTED. Only "agaa", "sbaa" and
+                                "dcaa" use it */
     uint64_t flags;          /* AGAA_CONFIG_… */
 } AgaaConfig;
 #define AGAA_CONFIG_INIT                                                                            \
@@ -261,16 +262,17 @@ typedef enum AgaaSeeds {
 typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_NONE = 0,
     AGAA_DEBUG_VIEW_EVENTS = 1,     /* number of shading events */
-    AGAA_DEBUG_VIEW_AGGREGATES = 2, /* number of aggregates of "agaa", or of surfaces of "sbaa" */
+    AGAA_DEBUG_VIEW_AGGREGATES = 2, /* number of aggregates of "agaa", or of surfaces of "sbaa" and "dcaa" */
     AGAA_DEBUG_VIEW_CLUSTERS = 3,   /* a colour per aggregate or surface, mixed by their shares of samples */
     AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tier IDS without BUFFERED: number of primitives that samples show */
     AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that reaches the covered samples; 1
                                        without shadows */
     AGAA_DEBUG_VIEW_WIDENED = 6,    /* "agaa" and "sbaa", with layouts that store roughness: how far the NDF widens
-                                       lobes, as GGX alpha in the widest direction, mean over the covered samples */
+                                       lobes, as GGX alpha in the widest direction, mean over the covered samples. 0 for
+                                       "dcaa", which keeps the widened roughness alone */
     AGAA_DEBUG_VIEW_TIER = 7, /* grey: no aggregation; orange: two geometry passes; blue: from a G-buffer, unfetched draws
-                                 included; green: by ids; yellow: by lists of fragments. Half as bright if the pixel has one shading event. With
-                                 AGAA_CONFIG_BUFFERED, unfetched draws are green */
+                                 included; green: by ids; yellow: by lists of fragments. Half as bright if the pixel has
+                                 one shading event. With AGAA_CONFIG_BUFFERED, unfetched draws are green */
     AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
 } AgaaDebugView;
 
@@ -331,7 +333,8 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
 #define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04)
 #define AGAA_FACT_AMBIENT UINT64_C(0x08)
 /* Materials write depth or discard on their own, so that no second pass can draw them again at equal depth. "agaa" and
- * "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa" fails with AGAA_ERROR_UNSUPPORTED. */
+ * "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa" and "dcaa" fail with
+ * AGAA_ERROR_UNSUPPORTED. */
 #define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10)
 #define AGAA_FACT_ALL_SHADED (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED | AGAA_FACT_AMBIENT)
 

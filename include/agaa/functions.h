@@ -21,7 +21,7 @@ extern "C" {
  *     bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m)
  * which returns whether sample i, [0, n), shows geometry, and provides its depth as the host's depth buffer holds it and
  * its material. Colours are in [0, 1], emission is in [0, range] of the layout. Non-finite values are replaced by the
- * lowest value of their range. Not for "msaa" (AGAA_ERROR_UNSUPPORTED), and not with an AgaaFetchFunction
+ * lowest value of their range. Not for "msaa" and "dcaa" (AGAA_ERROR_UNSUPPORTED), and not with an AgaaFetchFunction
  * (AGAA_ERROR_INVALID_ARGUMENT). */
 typedef struct AgaaGBufferFunction {
     uint32_t sType;
@@ -52,13 +52,14 @@ AGAA_API void AGAA_CALL agaaInitGBufferFunction(AgaaGBufferFunction* outFunction
  * visibility pass these draws set AgaaSurfaceInput::draw to AGAA_UNFETCHED. A second geometry pass (AGAA_DRAW_PASS_GBUFFER
  * with depthCompare EQUAL) draws only them into a multisampled G-buffer. The number AGAA_UNFETCHED takes one id. At equal
  * depth the first draw is shown; without a stencil format or with AGAA_MEASURE_NO_STENCIL, the last unfetched draw. Excludes
- * AGAA_FACT_CUSTOM_DEPTH (AGAA_ERROR_UNSUPPORTED). */
+ * AGAA_FACT_CUSTOM_DEPTH and "dcaa" (AGAA_ERROR_UNSUPPORTED). */
 #define AGAA_FETCH_NOT_ALL_DRAWS UINT64_C(0x01)
 
-/* Materials by id, for "agaa" with the tier IDS, which AUTO then selects. Chain it to AgaaViewDesc. The visibility pass
- * stores, beside depth, the draw and the primitive of each sample (AgaaSurfaceInput::draw, ::primitive). Compute passes find
- * the primitives of a pixel, evaluate the material of each once, at the mean position of its samples, group the samples
- * and shade. The text defines
+/* Materials by id, for "agaa" with the tier IDS, which AUTO then selects, and for "dcaa", which requires it. Chain it to
+ * AgaaViewDesc. With the tier IDS, the visibility pass stores, beside depth, the draw and the primitive of each sample
+ * (AgaaSurfaceInput::draw, ::primitive). Compute passes find the primitives of a pixel, evaluate the material of each once,
+ * at the mean position of its samples, group the samples and shade. "dcaa" evaluates the material of each fragment.
+ * The text defines
  *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)
  * The first provides the clip coordinates of a triangle as the vertex shader computes them, with the y direction of
@@ -66,7 +67,7 @@ AGAA_API void AGAA_CALL agaaInitGBufferFunction(AgaaGBufferFunction* outFunction
  * All samples of the primitive in the pixel share this material. They share its normal too, unless the function provides
  * derivatives of the normal. With AGAA_CONFIG_FINE_MATERIALS the samples of one texel share a material, and derivatives of
  * normals are not used. Colours are in [0, 1], emission is in [0, range] of the layout. Non-finite values are replaced by
- * the lowest value of their range. Only the visibility pass tests alpha. */
+ * the lowest value of their range. Only the visibility pass and the fragments pass test alpha. */
 typedef struct AgaaFetchFunction {
     uint32_t sType;
     uint32_t structSize;

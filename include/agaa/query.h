@@ -64,7 +64,8 @@ AGAA_API void AGAA_CALL agaaInitCapability(AgaaCapability* outCapability, size_t
 
 /* Lists how each technique runs each stage. The first entry of a technique, n and stage is the tier that AUTO selects,
  * unless a view is too large for it. Further entries run if AgaaConfig asks for their tier, or if the host provides the
- * functions that they need.
+ * functions that they need. All entries of "dcaa" need an AgaaFetchFunction. If a stage cannot run (the tier AUTO), no
+ * view of its technique and n can be created.
  *
  * caps           Null: an ideal device.
  * count          With capabilities null, receives the number of entries. Otherwise the length of the array on entry, and
@@ -181,7 +182,7 @@ typedef struct AgaaTarget {
     uint32_t structSize;
     const void* pNext;       /* null */
     uint32_t width, height;  /* texels */
-    uint32_t samples;        /* per texel */
+    uint32_t samples;        /* per texel. 1 for "dcaa", whose n samples are not those of the target */
     uint32_t scaleX, scaleY; /* texels per pixel */
     uint32_t geometryPasses; /* 0: the host draws the G-buffer (AgaaGBufferFunction), with this size and these samples
                                 unless the function gives sample positions */
@@ -219,8 +220,9 @@ AGAA_API AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const Aga
 /* Describes a surface of a view, for hosts that use it between segments (depth for their own occlusion, for example) or
  * copy it (AGAA_CONFIG_READBACK). The view owns the surface.
  *
- * name         That of a surface of agaaQueryMemory with isPerPixel 1. "depth" exists in every view that draws,
- *              "aggregates" in the views that agaaGetAggregateGlsl is for. Other names may change with the version.
+ * name         That of a surface of agaaQueryMemory with isPerPixel 1. "depth" exists in every view that draws, except
+ *              views of "dcaa"; "aggregates" exists in the views that agaaGetAggregateGlsl is for. Other names may change
+ *              with the version.
  * outSurface   Initialised; unchanged on failure. Chain an AgaaVkSurface or an AgaaGlSurface to receive the handles, which
  *              stay valid until the view is resized or destroyed.
  *

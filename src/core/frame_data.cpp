@@ -69,7 +69,8 @@ std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& cons
     std::copy_n(constants.size, 4, &out[4 * 6]);
     out[4 * 11] = float(constants.ditherFrame & 0xFFFF);
     out[4 * 11 + 1] = float(constants.ditherFrame >> 16);
-    out[4 * 11 + 2] = out[4 * 11 + 3] = 0;
+    out[4 * 11 + 2] = float(plan.poolRecords & 0xFFFF);
+    out[4 * 11 + 3] = float(plan.poolRecords >> 16);
     return out;
 }
 

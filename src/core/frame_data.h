@@ -14,7 +14,7 @@ namespace agaa {
 FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
                               const SamplePositions& positions, const CounterBuffer* newest = nullptr);
 // The same for `uniform vec4 agaa_constants[constantVectors]` (frame.glsl): whole numbers as floats, the number of a
-// dither frame in two halves.
+// dither frame and the room of lists of fragments in two halves each.
 uint32_t constantVectors(const Plan& plan);
 std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& constants);
 // Fills an upload buffer of the plan; destination holds as many bytes as the resource.

@@ -143,13 +143,10 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     defineSwitch(out, "AGAA_HAS_CORNERS", hasCorners);
     if (hasCorners) {
         defineSwitch(out, "AGAA_CLIP_Z_FROM_MINUS_ONE", plan.clipZFromMinusOne);
-        out += format("#define AGAA_POOL_RECORDS %lluu\n", static_cast<unsigned long long>(plan.poolRecords));
         define(out, "AGAA_PLANE_WORDS", plan.coverage.flags & AGAA_COVERAGE_EXACT ? 3 : 0);
         // OpenGL ends the repetition on the CPU, and its geometry shaders may read no storage blocks.
         defineSwitch(out, "AGAA_HAS_BATCHES", plan.coverage.maxBatches > 1);
         defineSwitch(out, "AGAA_SKIPS_BATCHES", plan.coverage.maxBatches > 1 && !dialect.openGl);
-        define(out, "AGAA_TARGET_WIDTH", pass.width);
-        define(out, "AGAA_TARGET_HEIGHT", pass.height);
     }
     defineSwitch(out, "AGAA_FIRST_PASS", pass.clearsDepth);
     if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)

@@ -29,6 +29,7 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
     const auto keep = [&](VkBool32 on, uint64_t flag) { caps.flags &= on ? ~UINT64_C(0) : ~flag; };
     const VkPhysicalDeviceFeatures& f = core->features;
     keep(f.fragmentStoresAndAtomics, AGAA_DEVICE_FRAGMENT_ATOMICS);
+    keep(f.geometryShader, AGAA_DEVICE_GEOMETRY_SHADERS);
     keep(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
     keep(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat,
          AGAA_DEVICE_STORAGE_FORMATS);

@@ -83,8 +83,9 @@ TYPED_TEST_P(DcaaCases, ShowsWhatManySamplesShow) {
     for (const uint32_t surfaces : {1u, 2u, 4u, 8u}) {
         const Shown shown = this->render(dcaaSettings(64, surfaces), shot);
         const Difference d = compare(shown.rgb, truth.rgb);
-        if (surfaces > 1)
+        if (surfaces > 1) {
             EXPECT_GT(d.psnr, eight + 3);
+        }
         EXPECT_EQ(shown.counters.lostSamples, 0u);
         std::printf("%u surfaces: PSNR %.1f dB (ssaa 8: %.1f), fragments %llu, merged %llu + %llu, discarded %llu\n", surfaces,
                     d.psnr, eight, (unsigned long long)shown.counters.fragments, (unsigned long long)shown.counters.mergedFirst,

@@ -2,6 +2,7 @@
 #include "drawing.h"
 #include "gl_draw_state.h"
 #include "gl_programs.h"
+#include "host_shaders.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,6 +12,7 @@ namespace agaa::conformance {
 namespace {
 
 constexpr GLenum outputFormat = GL_RGBA32F;
+constexpr GLuint fetchBinding = 6; // beyond those that the SDK's passes use
 
 struct Attribute {
     GLint size;
@@ -35,6 +37,15 @@ public:
         glDeleteTextures(1, &output_);
         glDeleteTextures(1, &shadow_);
         glDeleteVertexArrays(1, &vertexArray_);
+    }
+
+    AgaaFetchFunction sceneFetch() const override {
+        static const std::string text = fetchShader("binding = 6");
+        AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
+        fetch.glsl = text.c_str();
+        fetch.maxDraws = 1;
+        fetch.maxPrimitives = mostPrimitives;
+        return fetch;
     }
 
     Backend backend() const override { return Backend::OpenGl; }
@@ -117,6 +128,7 @@ public:
         glClearTexImage(shadow_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
     }
 
+    void bindScene() const override { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, fetchBinding, vertices_); }
     AgaaResult record(const Functions& sdk, AgaaView view, AgaaFrame& frame, const Scene& scene) override;
     AgaaResult draw(const AgaaDrawTarget& target) override;
 
@@ -124,10 +136,11 @@ private:
     static AgaaGlFunction AGAA_CALL getProcAddr(void*, const char* name) { return eglGetProcAddress(name); }
 
     GLuint upload(const Scene& scene) {
+        std::vector<char> bytes(sceneBytes(scene));
+        writeScene(bytes.data(), clipFromShading_, scene);
         GLuint buffer = 0;
         glCreateBuffers(1, &buffer);
-        glNamedBufferStorage(buffer, GLsizeiptr(std::max<size_t>(scene.size(), 1) * sizeof(Vertex)),
-                             scene.empty() ? nullptr : scene.data(), 0);
+        glNamedBufferStorage(buffer, GLsizeiptr(bytes.size()), bytes.data(), 0);
         uploads_.push_back(buffer);
         return buffer;
     }
@@ -159,6 +172,7 @@ AgaaResult OpenGlDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& 
         frame.drawUser = this;
     }
     vertices_ = upload(scene);
+    bindScene();
     AgaaGlFrame native = AGAA_GL_FRAME_INIT;
     native.outputTexture = output_;
     for (uint32_t& map : native.shadowTextures)
@@ -188,6 +202,7 @@ AgaaResult OpenGlDevice::draw(const AgaaDrawTarget& target) {
         drawScene(changed, upload(changed), *programs, target, state);
     } else
         drawScene(*scene_, vertices_, *programs, target, state);
+    bindScene(); // some tests change the bindings before the callback
     return AGAA_OK;
 }
 
@@ -196,7 +211,7 @@ void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlPr
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, GLsizei(target.width), GLsizei(target.height));
     setDrawState(state, mistakes.blends);
-    glVertexArrayVertexBuffer(vertexArray_, 0, vertices, 0, sizeof(Vertex));
+    glVertexArrayVertexBuffer(vertexArray_, 0, vertices, matrixBytes, sizeof(Vertex));
     glBindVertexArray(vertexArray_);
     for (const DrawRange& range : drawRanges(scene)) {
         const GLuint program = range.isMasked ? programs.masked : programs.opaque;

@@ -1,5 +1,6 @@
 // The suite's host on Vulkan.
 #include "drawing.h"
+#include "host_shaders.h"
 #include "vk_memory.h"
 #include "vk_pipelines.h"
 
@@ -14,10 +15,20 @@ constexpr VkFormat outputFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 class VulkanDevice : public Device {
 public:
     VulkanDevice(const Functions& sdk, const std::string& name, bool withOptions)
-        : api_(sdk, name, withOptions), pipelines_(api_, mistakes), commands_(api_) {
+        : api_(sdk, name, withOptions), pipelines_(api_, mistakes), commands_(api_), functionSet_(api_) {
         setShadowDepth(1.0f);
     }
     ~VulkanDevice() override { vkDeviceWaitIdle(api_.device); }
+
+    AgaaFetchFunction sceneFetch() const override {
+        static const std::string text = fetchShader("set = 1, binding = 0");
+        AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
+        fetch.glsl = text.c_str();
+        fetch.maxDraws = 1;
+        fetch.maxPrimitives = mostPrimitives;
+        fetch.descriptorSetLayout = (uint64_t)functionSet_.layout;
+        return fetch;
+    }
 
     Backend backend() const override { return Backend::Vulkan; }
     std::string deviceName() const override { return api_.deviceName; }
@@ -141,10 +152,10 @@ private:
     }
 
     VkBuffer upload(const Scene& scene) {
-        uploads_.push_back(std::make_unique<VulkanBuffer>(
-            api_, std::max<size_t>(scene.size(), 1) * sizeof(Vertex),
-            VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT));
-        std::memcpy(uploads_.back()->mapped, scene.data(), scene.size() * sizeof(Vertex));
+        uploads_.push_back(std::make_unique<VulkanBuffer>(api_, sceneBytes(scene),
+                                                          VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                                              VK_BUFFER_USAGE_TRANSFER_DST_BIT));
+        writeScene(uploads_.back()->mapped, clipFromShading_, scene);
         return uploads_.back()->buffer;
     }
 
@@ -160,6 +171,7 @@ private:
     VulkanApi api_;
     VulkanPipelines pipelines_;
     VulkanCommands commands_;
+    VulkanFunctionSet functionSet_;
     std::unique_ptr<VulkanImage> output_, shadow_;
     std::map<AgaaContext, uint32_t> setOfContext_;
     std::map<AgaaView, uint32_t> setOfView_;
@@ -184,8 +196,9 @@ AgaaResult VulkanDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& 
     }
     const VkCommandBuffer commands = commands_.begin();
     vertices_ = upload(scene);
+    functionSet_.write(vertices_);
     if (mistakes.forgetsBarrier && !scene.empty()) // vertices that are there already, from a command that nothing waits for
-        vkCmdUpdateBuffer(commands, vertices_, 0, std::min<size_t>(scene.size() * sizeof(Vertex), 65536) & ~size_t(3),
+        vkCmdUpdateBuffer(commands, vertices_, matrixBytes, std::min<size_t>(scene.size() * sizeof(Vertex), 65536) & ~size_t(3),
                           scene.data());
     AgaaVkFrame native = AGAA_VK_FRAME_INIT;
     native.commandBuffer = commands;
@@ -194,6 +207,7 @@ AgaaResult VulkanDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& 
     native.outputLayoutIn = native.outputLayoutOut = VK_IMAGE_LAYOUT_GENERAL;
     for (uint64_t& map : native.shadowViews)
         map = (uint64_t)shadow_->view;
+    native.functionSet = (uint64_t)functionSet_.set;
     if (changeVkFrame)
         changeVkFrame(native);
     const AgaaResult result = sdk.agaaVkRecordFrame(view, &frame, &native);
@@ -225,7 +239,7 @@ AgaaResult VulkanDevice::draw(const AgaaDrawTarget& target) {
     const VkDescriptorSet set = setOf(target);
     const VkViewport viewport = {0.0f, 0.0f, float(target.width), float(target.height), 0.0f, 1.0f};
     const VkRect2D scissor = {{0, 0}, {target.width, target.height}};
-    const VkDeviceSize offset = 0;
+    const VkDeviceSize offset = matrixBytes;
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scissor);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->layout, setOfView_[view_], 1, &set, 0,

@@ -1,8 +1,17 @@
 #include "drawing.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace agaa::conformance {
+
+size_t sceneBytes(const Scene& scene) { return matrixBytes + std::max<size_t>(scene.size(), 1) * sizeof(Vertex); }
+
+void writeScene(void* to, const float* matrix, const Scene& scene) {
+    std::memcpy(to, matrix, matrixBytes);
+    if (!scene.empty())
+        std::memcpy(static_cast<char*>(to) + matrixBytes, scene.data(), scene.size() * sizeof(Vertex));
+}
 
 std::vector<DrawRange> drawRanges(const Scene& scene) {
     std::vector<DrawRange> ranges;

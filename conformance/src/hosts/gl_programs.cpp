@@ -54,10 +54,17 @@ void attach(GLuint program, GLenum stage, const std::string& text) {
         throw std::runtime_error(std::string("a shader of the suite's host does not compile: ") + message);
 }
 
-GLuint createProgram(const std::string& vertices, const std::string& fragments) {
+// Empty for passes that need none.
+std::string geometryText(const AgaaDrawPass& pass, const ShaderDialect& dialect) {
+    return pass.glslGeometry ? versionText(dialect.glslVersion) + pass.glslExtensions + pass.glslGeometry + geometryShader : "";
+}
+
+GLuint createProgram(const std::string& vertices, const std::string& geometry, const std::string& fragments) {
     const GLuint program = glCreateProgram();
     try {
         attach(program, GL_VERTEX_SHADER, vertices);
+        if (!geometry.empty())
+            attach(program, GL_GEOMETRY_SHADER, geometry);
         attach(program, GL_FRAGMENT_SHADER, fragments);
         glLinkProgram(program);
         GLint isLinked = 0;
@@ -101,8 +108,9 @@ void OpenGlPrograms::prepare(const Functions& sdk, AgaaView view, const ShaderDi
         if (programs_.count(key))
             continue;
         OpenGlProgram& program = programs_[key]; // there, so that it is destroyed if the second one fails
-        program.opaque = createProgram(vertices, fragmentText(pass, dialect, false));
-        program.masked = createProgram(vertices, fragmentText(pass, dialect, true));
+        const std::string geometry = geometryText(pass, dialect);
+        program.opaque = createProgram(vertices, geometry, fragmentText(pass, dialect, false));
+        program.masked = createProgram(vertices, geometry, fragmentText(pass, dialect, true));
     }
 }
 

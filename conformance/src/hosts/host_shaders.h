@@ -2,6 +2,8 @@
 // demands.
 #pragma once
 
+#include <string>
+
 namespace agaa::conformance {
 
 // After "#version 450" and, on OpenGL, `#define ON_OPENGL`.
@@ -39,6 +41,65 @@ void main() {
 }
 )";
 
+// After the version, AgaaDrawPass::glslExtensions and ::glslGeometry. All vertices of a strip have the attributes of the
+// triangle's first corner. The other corners differ in the position alone, which the pass does not read.
+inline const char* const geometryShader = R"(
+layout(triangles) in;
+layout(triangle_strip, max_vertices = AGAA_MAX_STRIP) out;
+layout(location = 0) in vec3 positions[];
+layout(location = 1) flat in vec3 normals[];
+layout(location = 2) flat in vec4 diffuses[];
+layout(location = 3) flat in vec3 speculars[];
+layout(location = 4) flat in float roughnesses[];
+layout(location = 5) flat in vec3 emissives[];
+layout(location = 6) flat in uint primitives[];
+layout(location = 0) out vec3 position;
+layout(location = 1) flat out vec3 normal;
+layout(location = 2) flat out vec4 diffuse;
+layout(location = 3) flat out vec3 specular;
+layout(location = 4) flat out float roughness;
+layout(location = 5) flat out vec3 emissive;
+layout(location = 6) flat out uint primitive;
+void main() {
+    uint count = agaa_beginPrimitive(gl_in[0].gl_Position, gl_in[1].gl_Position, gl_in[2].gl_Position);
+    for (uint i = 0u; i < count; ++i) {
+        position = positions[0];
+        normal = normals[0];
+        diffuse = diffuses[0];
+        specular = speculars[0];
+        roughness = roughnesses[0];
+        emissive = emissives[0];
+        primitive = primitives[0];
+        agaa_setVertex(i);
+        EmitVertex();
+    }
+}
+)";
+
+// AgaaFetchFunction::glsl, with the place of the buffer of writeScene(). Words are those of Vertex.
+inline std::string fetchShader(const char* place) {
+    return std::string("layout(std430, ") + place + R"() readonly buffer SceneBlock { mat4 clipFromShading; float words[]; } scene;
+vec3 sceneVector(uint vertex, uint word) {
+    uint first = 18u * vertex + word;
+    return vec3(scene.words[first], scene.words[first + 1u], scene.words[first + 2u]);
+}
+vec4 sceneCorner(uint vertex) { return scene.clipFromShading * vec4(sceneVector(vertex, 0u), 1.0); }
+void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {
+    a = sceneCorner(3u * primitive);
+    b = sceneCorner(3u * primitive + 1u);
+    c = sceneCorner(3u * primitive + 2u);
+}
+void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {
+    uint vertex = 3u * p.primitive;
+    m.normal = sceneVector(vertex, 3u);
+    m.diffuse = sceneVector(vertex, 6u);
+    m.specular = sceneVector(vertex, 10u);
+    m.alpha2 = scene.words[18u * vertex + 13u];
+    m.emissive = sceneVector(vertex, 14u);
+}
+)";
+}
+
 // After the version, the extensions, `#define AGAA_ALPHA_MASKED 1` for isMasked, and the declarations.
 inline const char* const fragmentShader = R"(
 layout(location = 0) in vec3 position;
@@ -55,7 +116,7 @@ void main() {
     s.alpha = diffuse.a;
     s.alphaCutoff = 0.5;
     s.primitiveSeed = primitive;
-#if AGAA_WRITES_IDS
+#if AGAA_WRITES_IDS || AGAA_HAS_CORNERS
     s.draw = 0u;
     s.primitive = primitive;
 #endif

@@ -200,6 +200,7 @@ void VulkanApi::createDevice(const Functions& sdk, bool withOptions) {
             throw Skipped{"the device lacks the required feature " + std::string(name) + "."};
         *wanted = VK_TRUE;
     }
+    enabledFeatures.features.geometryShader = available.geometryShader; // "dcaa" needs it
     if (withOptions)
         enableOptions(requirements);
     const float priority = 1.0f;

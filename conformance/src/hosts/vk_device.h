@@ -24,7 +24,8 @@ private:
 
 class VulkanApi {
 public:
-    // A device with exactly what agaaVkGetRequirements requires or, with options, also with what it lists as optional.
+    // A device with what agaaVkGetRequirements requires, and geometry shaders where the device has them; with options, also
+    // with all else that it lists as optional.
     VulkanApi(const Functions& sdk, const std::string& name, bool withOptions);
     ~VulkanApi();
     VulkanApi(const VulkanApi&) = delete;

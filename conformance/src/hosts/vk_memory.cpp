@@ -109,6 +109,44 @@ void VulkanCommands::submit() {
 
 void VulkanCommands::discard() { checkVk(vkResetCommandPool(api_.device, pool_, 0), "vkResetCommandPool"); }
 
+VulkanFunctionSet::VulkanFunctionSet(const VulkanApi& api) : api_(api) {
+    const VkDescriptorSetLayoutBinding binding = {0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+    VkDescriptorSetLayoutCreateInfo layoutInfo{};
+    layoutInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    layoutInfo.bindingCount = 1;
+    layoutInfo.pBindings = &binding;
+    checkVk(vkCreateDescriptorSetLayout(api.device, &layoutInfo, nullptr, &layout), "vkCreateDescriptorSetLayout");
+    const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1};
+    VkDescriptorPoolCreateInfo poolInfo{};
+    poolInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    poolInfo.maxSets = 1;
+    poolInfo.poolSizeCount = 1;
+    poolInfo.pPoolSizes = &size;
+    checkVk(vkCreateDescriptorPool(api.device, &poolInfo, nullptr, &pool_), "vkCreateDescriptorPool");
+    VkDescriptorSetAllocateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+    info.descriptorPool = pool_;
+    info.descriptorSetCount = 1;
+    info.pSetLayouts = &layout;
+    checkVk(vkAllocateDescriptorSets(api.device, &info, &set), "vkAllocateDescriptorSets");
+}
+
+VulkanFunctionSet::~VulkanFunctionSet() {
+    vkDestroyDescriptorPool(api_.device, pool_, nullptr);
+    vkDestroyDescriptorSetLayout(api_.device, layout, nullptr);
+}
+
+void VulkanFunctionSet::write(VkBuffer buffer) {
+    const VkDescriptorBufferInfo info = {buffer, 0, VK_WHOLE_SIZE};
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    write.pBufferInfo = &info;
+    vkUpdateDescriptorSets(api_.device, 1, &write, 0, nullptr);
+}
+
 void imageBarrier(VkCommandBuffer commands, const VulkanImage& image, VkImageLayout from, VkImageLayout to) {
     VkImageMemoryBarrier barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;

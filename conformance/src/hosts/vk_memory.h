@@ -32,6 +32,23 @@ struct VulkanImage { // optimal tiling, one level, in GENERAL
     VkImageView view = VK_NULL_HANDLE;
 };
 
+// What the functions of the host read: a storage buffer at binding 0, in compute shaders.
+class VulkanFunctionSet {
+public:
+    explicit VulkanFunctionSet(const VulkanApi& api);
+    ~VulkanFunctionSet();
+    VulkanFunctionSet(const VulkanFunctionSet&) = delete;
+    VulkanFunctionSet& operator=(const VulkanFunctionSet&) = delete;
+
+    void write(VkBuffer buffer); // while no commands that use the set are pending
+    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+    VkDescriptorSet set = VK_NULL_HANDLE;
+
+private:
+    const VulkanApi& api_;
+    VkDescriptorPool pool_ = VK_NULL_HANDLE;
+};
+
 // One command buffer, which is waited for.
 class VulkanCommands {
 public:

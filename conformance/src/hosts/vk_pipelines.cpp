@@ -144,17 +144,21 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
     AgaaDrawState state = pass.state;
     if (mistakes_.changeState)
         mistakes_.changeState(pass.pass, state);
-    VkPipelineShaderStageCreateInfo stages[2]{};
-    for (VkPipelineShaderStageCreateInfo& stage : stages) {
-        stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-        stage.pName = "main";
-    }
-    stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
-    stages[0].module = shaders_.vertex(std::string("#version 450\n") + vertexShader);
-    stages[1].stage = VK_SHADER_STAGE_FRAGMENT_BIT;
-    stages[1].module = shaders_.fragment(std::string("#version 450\n") + pass.glslExtensions +
-                                         (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") + pass.glslDeclarations +
-                                         fragmentShader);
+    std::vector<VkPipelineShaderStageCreateInfo> stages;
+    const auto addStage = [&](VkShaderStageFlagBits stage, const std::string& text) {
+        VkPipelineShaderStageCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+        info.stage = stage;
+        info.module = shaders_.find(stage, "#version 450\n" + text);
+        info.pName = "main";
+        stages.push_back(info);
+    };
+    addStage(VK_SHADER_STAGE_VERTEX_BIT, vertexShader);
+    if (pass.glslGeometry)
+        addStage(VK_SHADER_STAGE_GEOMETRY_BIT, std::string(pass.glslExtensions) + pass.glslGeometry + geometryShader);
+    addStage(VK_SHADER_STAGE_FRAGMENT_BIT, std::string(pass.glslExtensions) +
+                                               (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") + pass.glslDeclarations +
+                                               fragmentShader);
     const VkVertexInputBindingDescription binding = {0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
     std::vector<VkVertexInputAttributeDescription> inputs;
     for (const Attribute& attribute : attributes)
@@ -195,8 +199,8 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
     VkGraphicsPipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
     info.pNext = native.renderPass ? nullptr : &rendering;
-    info.stageCount = 2;
-    info.pStages = stages;
+    info.stageCount = uint32_t(stages.size());
+    info.pStages = stages.data();
     info.pVertexInputState = &input;
     info.pInputAssemblyState = &assembly;
     info.pViewportState = &viewport;

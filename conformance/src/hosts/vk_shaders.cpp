@@ -15,11 +15,17 @@ VulkanShaders::~VulkanShaders() {
     glslang_finalize_process();
 }
 
-VkShaderModule VulkanShaders::find(const std::string& text, bool isVertex) {
+static glslang_stage_t compilerStage(VkShaderStageFlagBits stage) {
+    return stage == VK_SHADER_STAGE_VERTEX_BIT     ? GLSLANG_STAGE_VERTEX
+           : stage == VK_SHADER_STAGE_GEOMETRY_BIT ? GLSLANG_STAGE_GEOMETRY
+                                                   : GLSLANG_STAGE_FRAGMENT;
+}
+
+VkShaderModule VulkanShaders::find(VkShaderStageFlagBits vkStage, const std::string& text) {
     const auto found = modules_.find(text);
     if (found != modules_.end())
         return found->second;
-    const glslang_stage_t stage = isVertex ? GLSLANG_STAGE_VERTEX : GLSLANG_STAGE_FRAGMENT;
+    const glslang_stage_t stage = compilerStage(vkStage);
     const int messages = GLSLANG_MSG_SPV_RULES_BIT | GLSLANG_MSG_VULKAN_RULES_BIT;
     glslang_input_t input{};
     input.language = GLSLANG_SOURCE_GLSL;

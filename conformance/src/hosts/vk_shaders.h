@@ -15,11 +15,9 @@ public:
     VulkanShaders& operator=(const VulkanShaders&) = delete;
 
     // Modules are kept by their text. Throws std::runtime_error with the compiler's message.
-    VkShaderModule vertex(const std::string& text) { return find(text, true); }
-    VkShaderModule fragment(const std::string& text) { return find(text, false); }
+    VkShaderModule find(VkShaderStageFlagBits stage, const std::string& text);
 
 private:
-    VkShaderModule find(const std::string& text, bool isVertex);
     const VulkanApi& api_;
     std::unordered_map<std::string, VkShaderModule> modules_;
 };

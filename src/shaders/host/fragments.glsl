@@ -85,7 +85,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     if (agaa_coverageCount(mask) == 0u || AGAA_HELPER)
         return;
     uvec2 pixel = agaa_hostPixel();
-    uvec2 size = uvec2(AGAA_TARGET_WIDTH, AGAA_TARGET_HEIGHT);
+    uvec2 size = agaa_frame.size.xy;
     bool isFirstDraw = true;
 #if AGAA_HAS_BATCHES
     uint batch = agaa_readFragments(AGAA_LIST_BATCH);
@@ -99,7 +99,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     uint id = agaa_idOfInput(s);
     if (isFirstDraw)
         agaa_countFragment(AGAA_COUNT_FRAGMENTS, 1u);
-    if (place >= AGAA_POOL_RECORDS) {
+    if (place >= agaa_fragmentRoom()) {
         // After the first of several draws there is room in another.
         if (AGAA_HAS_BATCHES == 0 || !isFirstDraw)
             agaa_countFragment(AGAA_COUNT_LOST_FRAGMENTS, 1u);

@@ -26,7 +26,7 @@ bool agaa_isHullMirrored;
 // a, b, c: clip coordinates of the vertices, as the host's vertex shader gives them. Returns the number of vertices of the
 // strip, 0 where there is nothing in front of the near plane. The strip faces as the triangle does.
 uint agaa_beginPrimitive(vec4 a, vec4 b, vec4 c) {
-    vec2 pixelsPerNdc = 0.5 * vec2(AGAA_TARGET_WIDTH, AGAA_TARGET_HEIGHT);
+    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
 #if AGAA_FAR_DEPTH == 0
     vec2 nearPlane = vec2(-1.0, 1.0);
 #elif AGAA_CLIP_Z_FROM_MINUS_ONE

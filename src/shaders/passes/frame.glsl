@@ -20,6 +20,7 @@ layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
 } agaa_frame;
 
 vec4 agaa_sampleLocations(uint i) { return agaa_frame.sampleLocations[i]; }
+uint agaa_fragmentRoom() { return agaa_frame.counts.y; }
 #else
 // The same for hosts without uniform blocks: 12 vectors, then sample locations.
 struct agaa_FrameConstants {
@@ -37,11 +38,16 @@ uvec4 agaa_constantDither() {
     uvec4 halves = agaa_constantWords(11u);
     return uvec4(halves.x | halves.y << 16u, 0u, 0u, 0u);
 }
+uint agaa_fragmentRoom() {
+    uvec4 halves = agaa_constantWords(11u);
+    return halves.z | halves.w << 16u;
+}
 #else
 layout(AGAA_AT_FRAME) uniform usamplerBuffer agaa_constantTexels;
 uvec4 agaa_constantWords(uint i) { return texelFetch(agaa_constantTexels, int(i)); }
 vec4 agaa_constant(uint i) { return uintBitsToFloat(agaa_constantWords(i)); }
 uvec4 agaa_constantDither() { return agaa_constantWords(11u); }
+uint agaa_fragmentRoom() { return agaa_constantWords(76u).y; }
 #endif
 
 agaa_FrameConstants agaa_loadFrame() {

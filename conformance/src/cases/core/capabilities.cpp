@@ -170,7 +170,7 @@ std::vector<AgaaDeviceCaps> capsOfDevices(Test& test) {
     for (const uint32_t counts : {0x3Fu, 0x0Fu, 0x05u, 0x01u, 0x3Eu, 0u})
         for (const uint64_t without : {UINT64_C(0), uint64_t(AGAA_DEVICE_POST_DEPTH_COVERAGE),
                                        AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_SAMPLE_RATE_SHADING,
-                                       uint64_t(AGAA_DEVICE_FRAGMENT_ATOMICS), idealDeviceFlags}) {
+                                       uint64_t(AGAA_DEVICE_FRAGMENT_ATOMICS), uint64_t(AGAA_DEVICE_GEOMETRY_SHADERS), idealDeviceFlags}) {
             all.push_back(ideal);
             all.back().sampleCounts = counts;
             all.back().flags &= ~without;

@@ -101,6 +101,7 @@ const std::vector<Change>& extremes() {
         [](ViewParts& p) { p.config.flags = 0x3F, p.measurement.flags = 0x1F; },
         [](ViewParts& p) { p.config.surfaceDistance = 1e6f, p.aggregation.aggregateThreshold = 1e6f; },
         [](ViewParts& p) { p.aggregation.characteristicLength = std::numeric_limits<float>::denorm_min(); },
+        [](ViewParts& p) { p.coverage.fragmentsPerPixel = 256, p.coverage.maxBatches = 16; },
         [](ViewParts& p) { p.measurement.shadingCost = 64, p.config.shadowTaps = 32, p.config.ndf = AGAA_NDF_SGGX; },
         [](ViewParts& p) { p.caps.flags = 0, p.config.flags = 0; },
         [](ViewParts& p) { p.caps.flags = idealDeviceFlags | AGAA_DEVICE_NO_ALIASING | AGAA_DEVICE_SOFTWARE; },
@@ -108,9 +109,9 @@ const std::vector<Change>& extremes() {
         [](ViewParts& p) { p.caps.sampleCounts = 0, p.caps.maxImageSize = 0, p.caps.maxStorageRange = 0; },
         [](ViewParts& p) { p.caps.maxImageSize = 0xFFFFFFFF, p.caps.maxStorageRange = ~UINT64_C(0); },
         [](ViewParts& p) { p.desc.width = p.desc.height = p.caps.maxImageSize = 0xFFFFFFFF, p.caps.maxStorageRange = ~UINT64_C(0); },
-        [](ViewParts& p) { p.chain(p.gbuffer); },
-        [](ViewParts& p) { p.chain(p.fetch), p.fetch.flags = AGAA_FETCH_NOT_ALL_DRAWS; },
-        [](ViewParts& p) { p.chain(p.fetch), p.fetch.maxDraws = 0xFFFFFFFF, p.fetch.maxPrimitives = 1; },
+        [](ViewParts& p) { p.chainAlone(p.gbuffer); },
+        [](ViewParts& p) { p.chainAlone(p.fetch), p.fetch.flags = AGAA_FETCH_NOT_ALL_DRAWS; },
+        [](ViewParts& p) { p.chainAlone(p.fetch), p.fetch.maxDraws = 0xFFFFFFFF, p.fetch.maxPrimitives = 1; },
     };
     return changes;
 }
@@ -119,12 +120,13 @@ const std::vector<Change>& extremes() {
 void testNoInternalError(Test& test) {
     std::vector<ViewQuery> queries = viewQueries();
     queries.push_back(aggregateGlslQuery);
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"})
-        for (const uint32_t samples : {1u, 4u, 32u})
+    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"})
+        for (const uint32_t samples : hasCoverageSamples(technique) ? std::vector<uint32_t>{32, 64, 128}
+                                                                    : std::vector<uint32_t>{1, 4, 32})
             for (const uint32_t aggregates : {1u, 4u})
                 for (size_t i = 0; i < extremes().size(); ++i) {
                     ViewParts parts(test.sdk, nullptr);
-                    parts.config.technique = technique;
+                    parts.setTechnique(technique, samples);
                     parts.config.samples = samples;
                     parts.config.aggregates = aggregates;
                     extremes()[i](parts);

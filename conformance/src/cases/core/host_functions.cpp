@@ -3,24 +3,26 @@
 #include "structs.h"
 #include "view_parts.h"
 
+#include <set>
+
 namespace agaa::conformance {
 
 namespace {
 
 using Change = std::function<void(ViewParts&)>;
 
-constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"};
+constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"};
 
-// What the technique shades by itself is accepted, "msaa" is refused.
-void testNotForMsaa(Test& test, const std::string& name, const Change& chain) {
+// All techniques accept the function, except those in `refusing`.
+void testNotFor(Test& test, const std::set<std::string>& refusing, const std::string& name, const Change& chain) {
     for (const char* technique : techniques) {
         ViewParts parts(test.sdk, nullptr);
         parts.facts.shadowMapCount = 1;
-        parts.config.technique = technique;
+        parts.setTechnique(technique, 4);
         chain(parts);
         const std::string what = std::string("\"") + technique + "\" and an " + name;
-        if (technique == std::string("msaa"))
-            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what, name);
+        if (refusing.count(technique))
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what, technique == std::string("msaa") ? name : "G-buffer");
         else
             expectAccepted(test, parts, what);
     }
@@ -67,6 +69,23 @@ void testNotAllDraws(Test& test) {
             expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "AGAA_FETCH_NOT_ALL_DRAWS and AGAA_FACT_CUSTOM_DEPTH",
                               "AGAA_FETCH_NOT_ALL_DRAWS");
         }
+}
+
+// Lists hold the fragments of all draws, and their materials are fetched.
+void testFragmentLists(Test& test) {
+    for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS}) {
+        ViewParts parts(test.sdk, nullptr);
+        parts.setTechnique("dcaa", 4);
+        parts.config.generationTier = tier;
+        const std::string found = generationTierOf(test, parts);
+        test.check(found == test.sdk.agaaTierName(AGAA_TIER_FRAGMENT_LISTS),
+                   "\"dcaa\" with generationTier = " + std::to_string(tier) + " uses the tier " + found + ".");
+        parts.sceneFetch.flags = AGAA_FETCH_NOT_ALL_DRAWS;
+        expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "\"dcaa\" and AGAA_FETCH_NOT_ALL_DRAWS",
+                          "AGAA_FETCH_NOT_ALL_DRAWS");
+        parts.desc.pNext = nullptr;
+        expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "\"dcaa\" without an AgaaFetchFunction", "AgaaFetchFunction");
+    }
 }
 
 void testAutoSelectsIds(Test& test) {
@@ -122,7 +141,7 @@ void testDebugRows(Test& test, const std::vector<DebugRow>& rows) {
 }
 
 Change technique(const char* name) {
-    return [=](ViewParts& p) { p.config.technique = name; };
+    return [=](ViewParts& p) { p.setTechnique(name, 4); };
 }
 
 Change tierOf(uint32_t tier, uint64_t flags) {
@@ -142,13 +161,14 @@ void testDebugViews(Test& test) {
             rows.push_back({std::string("\"") + name + "\"", false, view, technique(name)});
         rows.push_back({"\"sbaa\"", true, view, technique("sbaa")});
         rows.push_back({"\"agaa\"", true, view, technique("agaa")});
+        rows.push_back({"\"dcaa\"", true, view, technique("dcaa")});
     }
     const uint32_t primitives = AGAA_DEBUG_VIEW_PRIMITIVES;
     rows.push_back({"the tier IDS", true, primitives, tierOf(AGAA_TIER_IDS, 0)});
     rows.push_back({"the tier IDS and BUFFERED", false, primitives, tierOf(AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED)});
     rows.push_back({"the tier GBUFFER", false, primitives, tierOf(AGAA_TIER_GBUFFER, 0)});
     rows.push_back({"the tier POST_DEPTH_ATOMICS", false, primitives, tierOf(AGAA_TIER_POST_DEPTH_ATOMICS, 0)});
-    for (const char* name : {"single", "fxaa", "ssaa", "simple_complex", "sbaa"})
+    for (const char* name : {"single", "fxaa", "ssaa", "simple_complex", "sbaa", "dcaa"})
         rows.push_back({std::string("\"") + name + "\"", false, primitives, technique(name)});
     testDebugRows(test, rows);
 }
@@ -170,14 +190,15 @@ void testWidened(Test& test) {
 
 void addHostFunctionCases(Suite& suite) {
     suite.core("AgaaGBufferFunction/AGAA_ERROR_UNSUPPORTED", [](Test& test) {
-        testNotForMsaa(test, "AgaaGBufferFunction", [](ViewParts& p) { p.chain(p.gbuffer); });
+        testNotFor(test, {"msaa", "dcaa"}, "AgaaGBufferFunction", [](ViewParts& p) { p.chainAlone(p.gbuffer); });
     });
     suite.core("AgaaShadowFunction/AGAA_ERROR_UNSUPPORTED", [](Test& test) {
-        testNotForMsaa(test, "AgaaShadowFunction", [](ViewParts& p) { p.chain(p.shadow); });
+        testNotFor(test, {"msaa"}, "AgaaShadowFunction", [](ViewParts& p) { p.chain(p.shadow); });
     });
     suite.core("AgaaGBufferFunction/AGAA_ERROR_INVALID_ARGUMENT", testTwoSources);
     suite.core("AgaaGBufferFunction/tier", testGBufferTiers);
     suite.core("AgaaFetchFunction/tier", testAutoSelectsIds);
+    suite.core("AGAA_TIER_FRAGMENT_LISTS/AGAA_ERROR_UNSUPPORTED", testFragmentLists);
     suite.core("AgaaShadowFunction.shadows/range", testShadowBits);
     suite.core("AGAA_FETCH_NOT_ALL_DRAWS/AGAA_ERROR_UNSUPPORTED", testNotAllDraws);
     suite.core("AgaaDebugView/AGAA_ERROR_UNSUPPORTED", testDebugViews);

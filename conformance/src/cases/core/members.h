@@ -10,7 +10,7 @@ namespace agaa::conformance {
 
 // Values are doubles, which hold every float and every uint32_t.
 struct MemberRow {
-    const char* promise; // AgaaConfig.samples/range
+    std::string promise; // AgaaConfig.samples/range
     const char* member;  // as the sentence names it, and the test's own sentences: AgaaConfig::samples
     std::function<void(ViewParts&, double)> set;
     std::vector<double> accepted, refused;

@@ -8,16 +8,27 @@ namespace {
 
 uint32_t whole(double value) { return uint32_t(value); }
 
+void useDcaa(ViewParts& parts) { parts.setTechnique("dcaa", 4); }
+
 void addConfig(Suite& suite) {
     addMember(suite, {"AgaaConfig.samples/range", "AgaaConfig::samples",
                       [](ViewParts& p, double x) { p.config.samples = whole(x); },
-                      {1, 2, 4, 8, 16, 32}, largeNumbers({0, 3, 5, 6, 7, 12, 24, 31, 33, 64, 65536})});
+                      {1, 2, 4, 8, 16, 32}, largeNumbers({0, 3, 5, 6, 7, 12, 24, 31, 33, 64, 128, 65536})});
+    addMember(suite, {"AgaaConfig.samples/range/dcaa", "AgaaConfig::samples",
+                      [](ViewParts& p, double x) { p.config.samples = whole(x); }, {32, 64, 128},
+                      largeNumbers({0, 1, 2, 4, 8, 16, 31, 33, 63, 65, 96, 127, 129, 256}), useDcaa});
     addMember(suite, {"AgaaConfig.aggregates/range", "AgaaConfig::aggregates",
                       [](ViewParts& p, double x) { p.config.aggregates = whole(x); },
                       {1, 2, 3, 4}, largeNumbers({0, 5, 6, 7})});
     addMember(suite, {"AgaaConfig.aggregates/range/sbaa", "AgaaConfig::aggregates",
                       [](ViewParts& p, double x) { p.config.aggregates = whole(x); },
                       {1, 2, 3, 4, 5, 6}, largeNumbers({0, 7}), [](ViewParts& p) { p.config.technique = "sbaa"; }});
+    addMember(suite, {"AgaaConfig.aggregates/range/dcaa", "AgaaConfig::aggregates",
+                      [](ViewParts& p, double x) { p.config.aggregates = whole(x); },
+                      {1, 2, 3, 4, 5, 6, 7, 8}, largeNumbers({0, 9}), useDcaa});
+    addMember(suite, {"AgaaConfig.aggregates/range/ssaa", "AgaaConfig::aggregates",
+                      [](ViewParts& p, double x) { p.config.aggregates = whole(x); },
+                      {1, 2, 7, 8}, largeNumbers({0, 9}), [](ViewParts& p) { p.config.technique = "ssaa"; }});
     addMember(suite, {"AgaaConfig.surfaceCosine/range", "AgaaConfig::surfaceCosine",
                       [](ViewParts& p, double x) { p.config.surfaceCosine = float(x); },
                       {0, below(1), 1}, notNumbers({below(0), -1, above(1), 2})});
@@ -45,7 +56,7 @@ void addConfig(Suite& suite) {
 
 // Tiers that need other parts, and tiers of another stage, are in unsupported.cpp.
 void addTiers(Suite& suite) {
-    const std::vector<double> unknown = {5, 15, AGAA_TIER_IDS + 1};
+    const std::vector<double> unknown = {5, 15, AGAA_TIER_FRAGMENT_LISTS + 1};
     addMember(suite, {"AgaaConfig.visibilityTier/enum", "AgaaConfig::visibilityTier",
                       [](ViewParts& p, double x) { p.config.visibilityTier = whole(x); },
                       {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET}, largeNumbers({}), nullptr, unknown});
@@ -54,10 +65,14 @@ void addTiers(Suite& suite) {
                       {AGAA_TIER_AUTO, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
                        AGAA_TIER_GBUFFER, AGAA_TIER_IDS},
                       largeNumbers({}), [](ViewParts& p) { p.chain(p.fetch); }, unknown});
+    addMember(suite, {"AgaaConfig.generationTier/enum/dcaa", "AgaaConfig::generationTier",
+                      [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
+                      {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS}, largeNumbers({}), useDcaa, unknown});
     // Techniques without a stage for it check the member all the same.
     addMember(suite, {"AgaaConfig.generationTier/enum/ssaa", "AgaaConfig::generationTier",
                       [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
-                      {AGAA_TIER_AUTO}, largeNumbers({}), [](ViewParts& p) { p.config.technique = "ssaa"; }, unknown});
+                      {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS}, largeNumbers({}),
+                      [](ViewParts& p) { p.config.technique = "ssaa"; }, unknown});
 }
 
 void addAggregation(Suite& suite) {
@@ -84,6 +99,33 @@ void addAggregation(Suite& suite) {
     addMember(suite, {"AgaaAggregation.litShadows/range", "AgaaAggregation::litShadows",
                       [](ViewParts& p, double x) { p.aggregation.litShadows = whole(x); },
                       {0, 1, 2, 8, 15}, largeNumbers({}), [](ViewParts& p) { p.facts.shadowMapCount = 1; }, {16}});
+}
+
+// Of "dcaa", and of techniques that check the struct and do not use it.
+void addDecoupledCoverage(Suite& suite) {
+    struct Use {
+        const char* variant;
+        void (*prepare)(ViewParts&);
+    };
+    for (const Use& use : {Use{"", useDcaa}, Use{"/agaa", nullptr},
+                           Use{"/single", [](ViewParts& p) { p.setTechnique("single", 4); }}}) {
+        const auto add = [&](const char* promise, const char* member, void (*set)(ViewParts&, double),
+                             std::vector<double> accepted, std::vector<double> refused, std::vector<double> today = {}) {
+            addMember(suite, {std::string("AgaaDecoupledCoverage.") + promise + use.variant, member, set, std::move(accepted), std::move(refused), use.prepare,
+                              std::move(today)});
+        };
+        add("merge/enum", "AgaaDecoupledCoverage::merge", [](ViewParts& p, double x) { p.coverage.merge = whole(x); },
+            {AGAA_MERGE_VISIBLE, AGAA_MERGE_PAPER, AGAA_MERGE_NONE}, largeNumbers({}), {AGAA_MERGE_NONE + 1});
+        add("fragmentsPerPixel/range", "AgaaDecoupledCoverage::fragmentsPerPixel",
+            [](ViewParts& p, double x) { p.coverage.fragmentsPerPixel = float(x); }, {1, above(1), 8, below(256), 256},
+            notNumbers({0, -1, below(1), above(256), 3e38}));
+        add("maxBatches/range", "AgaaDecoupledCoverage::maxBatches",
+            [](ViewParts& p, double x) { p.coverage.maxBatches = whole(x); }, {1, 2, 15, 16}, largeNumbers({0, 17, 32}));
+        add("reserved/zero", "AgaaDecoupledCoverage::reserved",
+            [](ViewParts& p, double x) { p.coverage.reserved = whole(x); }, {0}, largeNumbers({}), {1});
+    }
+    addFlags(suite, {"AgaaDecoupledCoverage.flags/flags", "AgaaDecoupledCoverage::flags",
+                     [](ViewParts& p, uint64_t flags) { p.coverage.flags = flags; }, AGAA_COVERAGE_EXACT, useDcaa});
 }
 
 void addMeasurement(Suite& suite) {
@@ -114,6 +156,7 @@ void addConfigMemberCases(Suite& suite) {
     addConfig(suite);
     addTiers(suite);
     addAggregation(suite);
+    addDecoupledCoverage(suite);
     addMeasurement(suite);
     suite.core("AgaaConfig.layout/null", [](Test& test) {
         ViewParts parts(test.sdk, nullptr);

@@ -69,9 +69,9 @@ void testSurfacesNull(Test& test) {
 
 // The functions have the same answer for a null pointer and for a device with every feature.
 void testCapsNull(Test& test) {
-    for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"}) {
+    for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"}) {
         ViewParts parts(test.sdk, nullptr);
-        parts.config.technique = technique;
+        parts.setTechnique(technique, 4);
         AgaaMemoryReport withNull = initialReport, withCaps = initialReport;
         test.requireOk(test.sdk.agaaQueryMemory(&parts.desc, nullptr, nullptr, &withNull, nullptr, nullptr),
                        std::string("agaaQueryMemory of \"") + technique + "\" with caps = null");

@@ -13,7 +13,7 @@ namespace agaa::conformance {
 
 namespace {
 
-constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"};
+constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"};
 
 std::string nameOf(const ViewParts& p) {
     return std::string("\"") + p.config.technique + "\", n = " + std::to_string(p.config.samples) + ", tier " +
@@ -24,14 +24,17 @@ std::string nameOf(const ViewParts& p) {
 // Views of every technique, n and tier that an ideal device runs.
 void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
     for (const char* technique : techniques)
-        for (const uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u})
+        for (const uint32_t samples : hasCoverageSamples(technique) ? std::vector<uint32_t>{32, 64, 128}
+                                                                    : std::vector<uint32_t>{1, 2, 4, 8, 16, 32})
             for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER,
-                                        AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES}) {
+                                        AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_FRAGMENT_LISTS}) {
+                const bool isList = tier == AGAA_TIER_FRAGMENT_LISTS;
                 const bool isAgaa = technique == std::string("agaa"), isSbaa = technique == std::string("sbaa");
-                if (tier != AGAA_TIER_AUTO && !isAgaa && !(isSbaa && tier != AGAA_TIER_IDS))
+                if (tier != AGAA_TIER_AUTO && !(isAgaa && !isList) && !(isSbaa && !isList && tier != AGAA_TIER_IDS) &&
+                    !(isList && hasCoverageSamples(technique)))
                     continue;
                 ViewParts parts(test.sdk, nullptr);
-                parts.config.technique = technique;
+                parts.setTechnique(technique, samples);
                 parts.config.samples = samples;
                 parts.config.generationTier = tier;
                 if (tier == AGAA_TIER_IDS)
@@ -87,8 +90,9 @@ void checkSurfaces(Test& test, ViewParts& parts) {
         test.check(isBuffer || (s.width == parts.desc.width * s.scaleX && s.height == parts.desc.height * s.scaleY),
                    what + ": the size is not the scale times the view's.");
     }
-    test.check(names.count("depth") == (target.geometryPasses > 0),
-               callWith("agaaQueryMemory", nameOf(parts)) + ": \"depth\" does not exist in exactly the views that draw.");
+    const bool hasDepth = target.geometryPasses > 0 && !hasCoverageSamples(parts.config.technique);
+    test.check(names.count("depth") == hasDepth, callWith("agaaQueryMemory", nameOf(parts)) +
+                                                     ": \"depth\" does not exist in exactly the views that draw into depth.");
 }
 
 void checkTarget(Test& test, ViewParts& parts) {
@@ -97,7 +101,7 @@ void checkTarget(Test& test, ViewParts& parts) {
     test.requireOk(test.sdk.agaaQueryTarget(&parts.desc, &parts.caps, nullptr, &t), call);
     test.check(t.width == parts.desc.width * t.scaleX && t.height == parts.desc.height * t.scaleY,
                call + ": the size is not the scale times the view's.");
-    const bool isOne = parts.config.technique == std::string("single") || parts.config.technique == std::string("fxaa");
+    const bool isOne = needsOneSample(parts.config.technique) || hasCoverageSamples(parts.config.technique);
     const uint32_t promised = isOne ? 1 : parts.config.samples;
     test.check(t.scaleX * t.scaleY * t.samples == promised,
                call + ": a pixel has " + std::to_string(t.scaleX * t.scaleY * t.samples) + " samples where " +
@@ -127,11 +131,11 @@ void checkGrowth(Test& test, ViewParts& parts) {
     for (const auto& [width, height] : {std::pair<uint32_t, uint32_t>{parts.desc.width + 8, parts.desc.height},
                                         {parts.desc.width, parts.desc.height + 8}, {1920, 1080}}) {
         ViewParts larger(test.sdk, nullptr);
-        larger.config.technique = parts.config.technique;
+        larger.setTechnique(parts.config.technique, 4);
         larger.config.samples = parts.config.samples;
         larger.config.generationTier = parts.config.generationTier;
         if (parts.desc.pNext)
-            larger.chain(larger.fetch);
+            larger.chainAlone(larger.fetch);
         larger.desc.width = width;
         larger.desc.height = height;
         const AgaaMemoryReport report = reportOf(test, larger);
@@ -146,7 +150,7 @@ void checkGrowth(Test& test, ViewParts& parts) {
 void testNoSharing(Test& test) {
     for (const char* technique : techniques) {
         ViewParts parts(test.sdk, nullptr);
-        parts.config.technique = technique;
+        parts.setTechnique(technique, 4);
         parts.config.flags = AGAA_CONFIG_READBACK;
         const AgaaMemoryReport report = reportOf(test, parts);
         test.check(report.peakBytes == report.totalBytes,
@@ -169,11 +173,12 @@ void testEqualNames(Test& test) {
     test.check(planText(test, parts) == expected, "agaaPlanToJson writes different plans for \"simple-complex\" and \"simple_complex\".");
 }
 
-// A row that can run has a plan with its tier; one that cannot is refused with a sentence.
-void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row) {
+// A row that can run has a plan with its tier; one that cannot is refused with a sentence. canRun: all stages of the technique
+// and n can run; otherwise there is no plan.
+void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row, bool canRun) {
     ViewParts parts(test.sdk, nullptr);
     parts.caps = caps;
-    parts.config.technique = row.technique;
+    parts.setTechnique(row.technique, 4);
     parts.config.samples = row.samples;
     parts.config.flags = 0;
     const bool isVisibility = row.stage == AGAA_STAGE_PREPASS;
@@ -184,7 +189,7 @@ void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapabilit
     if (row.tier == AGAA_TIER_IDS)
         parts.chain(parts.fetch);
     const std::string what = nameOf(parts) + ", stage " + std::to_string(row.stage) + ", tier " + std::to_string(row.tier);
-    if (row.tier == AGAA_TIER_AUTO)
+    if (row.tier == AGAA_TIER_AUTO || !canRun)
         return expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what);
     expectAccepted(test, parts, what);
     const auto plan = nlohmann::json::parse(planText(test, parts));
@@ -198,7 +203,7 @@ void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapabilit
 void checkFirst(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row) {
     ViewParts parts(test.sdk, nullptr);
     parts.caps = caps;
-    parts.config.technique = row.technique;
+    parts.setTechnique(row.technique, 4);
     parts.config.samples = row.samples;
     parts.config.flags = 0;
     const auto plan = nlohmann::json::parse(planText(test, parts));
@@ -209,12 +214,18 @@ void checkFirst(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& ro
 
 void testCapabilities(Test& test) {
     for (const AgaaDeviceCaps& caps : capsOfDevices(test)) {
-        std::set<std::string> seen;
-        for (const AgaaCapability& row : capabilitiesOf(test, &caps)) {
-            checkCapability(test, caps, row);
-            const std::string key = std::string(row.technique) + std::to_string(row.samples) + '/' + std::to_string(row.stage);
+        const std::vector<AgaaCapability> rows = capabilitiesOf(test, &caps);
+        std::set<std::string> seen, failing; // technique and n of rows that cannot run
+        const auto nameOfPlan = [](const AgaaCapability& row) { return std::string(row.technique) + std::to_string(row.samples); };
+        for (const AgaaCapability& row : rows)
+            if (row.tier == AGAA_TIER_AUTO)
+                failing.insert(nameOfPlan(row));
+        for (const AgaaCapability& row : rows) {
+            const bool canRun = !failing.count(nameOfPlan(row));
+            checkCapability(test, caps, row, canRun);
+            const std::string key = nameOfPlan(row) + '/' + std::to_string(row.stage);
             const bool isChoice = row.stage == AGAA_STAGE_PREPASS || row.stage == AGAA_STAGE_GENERATION;
-            if (seen.insert(key).second && isChoice && row.tier != AGAA_TIER_AUTO)
+            if (seen.insert(key).second && isChoice && canRun)
                 checkFirst(test, caps, row);
         }
     }

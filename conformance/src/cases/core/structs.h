@@ -9,7 +9,7 @@ struct StructRow {
     std::string name;
     uint32_t sType;
     size_t size;      // in these headers
-    size_t firstSize; // in version 0.2: no host has a smaller one
+    size_t firstSize; // in version 0.2, or the first one that has it: no host has a smaller one
     std::vector<unsigned char> initial; // AGAA_…_INIT
     std::function<void(const Functions&, void* structure, size_t structSize)> init; // agaaInit…
 };

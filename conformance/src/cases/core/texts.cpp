@@ -142,7 +142,7 @@ void testAggregatesUnsupported(Test& test) {
             p.chain(p.fetch);
         };
     };
-    const auto technique = [](const char* name) { return [=](ViewParts& p) { p.config.technique = name; }; };
+    const auto technique = [](const char* name) { return [=](ViewParts& p) { p.setTechnique(name, 4); }; };
     for (const Row& row : {Row{"post-depth atomics", true, tier(AGAA_TIER_POST_DEPTH_ATOMICS, 0)},
                            Row{"per-sample atomics", true, tier(AGAA_TIER_PER_SAMPLE, 0)},
                            Row{"GBUFFER", false, tier(AGAA_TIER_GBUFFER, 0)},
@@ -152,7 +152,7 @@ void testAggregatesUnsupported(Test& test) {
                            Row{"\"single\"", false, technique("single")}, Row{"\"fxaa\"", false, technique("fxaa")},
                            Row{"\"msaa\"", false, technique("msaa")}, Row{"\"ssaa\"", false, technique("ssaa")},
                            Row{"\"simple_complex\"", false, technique("simple_complex")},
-                           Row{"\"sbaa\"", false, technique("sbaa")}}) {
+                           Row{"\"sbaa\"", false, technique("sbaa")}, Row{"\"dcaa\"", false, technique("dcaa")}}) {
         ViewParts parts(test.sdk, nullptr);
         row.change(parts);
         LogRecorder log;

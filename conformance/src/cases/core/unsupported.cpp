@@ -103,10 +103,10 @@ void testGlossWeight(Test& test) {
 }
 
 void testReservedTier(Test& test, uint32_t tier, const std::string& name) {
-    for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"})
+    for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"})
         testRows(test, {{std::string("\"") + technique + "\" and visibilityTier = " + name, unsupported,
                          [=](ViewParts& p) {
-                             p.config.technique = technique;
+                             p.setTechnique(technique, 4);
                              p.config.visibilityTier = tier;
                          },
                          ""}});
@@ -115,12 +115,36 @@ void testReservedTier(Test& test, uint32_t tier, const std::string& name) {
 // A tier of the other stage.
 void testOtherStage(Test& test) {
     for (const uint32_t tier : {AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
-                                AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
+                                AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_FRAGMENT_LISTS})
         testRows(test, {{"visibilityTier = " + std::to_string(tier), unsupported,
                          [=](ViewParts& p) { p.config.visibilityTier = tier; }, ""}});
     for (const uint32_t tier : {AGAA_TIER_NATIVE, AGAA_TIER_NV_MULTICAST, AGAA_TIER_SCALED_TARGET, AGAA_TIER_LAYERS})
-        testRows(test, {{"generationTier = " + std::to_string(tier), unsupported,
-                         [=](ViewParts& p) { p.config.generationTier = tier; }, ""}});
+        for (const char* technique : {"agaa", "dcaa"})
+            testRows(test, {{std::string("\"") + technique + "\" and generationTier = " + std::to_string(tier), unsupported,
+                             [=](ViewParts& p) {
+                                 p.setTechnique(technique, 4);
+                                 p.config.generationTier = tier;
+                             },
+                             ""}});
+}
+
+// A generation tier of other techniques.
+void testOtherTechnique(Test& test) {
+    const auto with = [](const char* technique, uint32_t tier) {
+        return [=](ViewParts& p) {
+            p.setTechnique(technique, 4);
+            p.config.generationTier = tier;
+            p.desc.pNext = nullptr;
+            p.chain(p.fetch);
+        };
+    };
+    for (const char* technique : {"agaa", "sbaa"})
+        testRows(test, {{std::string("\"") + technique + "\" and AGAA_TIER_FRAGMENT_LISTS", unsupported,
+                         with(technique, AGAA_TIER_FRAGMENT_LISTS), ""}});
+    for (const uint32_t tier : {AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
+                                AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
+        testRows(test, {{"\"dcaa\" and generationTier = " + std::to_string(tier), unsupported, with("dcaa", tier), ""}});
+    testRows(test, {{"\"sbaa\" and AGAA_TIER_IDS", unsupported, with("sbaa", AGAA_TIER_IDS), ""}});
 }
 
 void testMixedSamples(Test& test) {
@@ -156,7 +180,7 @@ void testCounters(Test& test) {
 void testCustomDepth(Test& test) {
     const auto with = [](const char* technique, uint32_t tier, bool fetches) {
         return [=](ViewParts& p) {
-            p.config.technique = technique;
+            p.setTechnique(technique, 4);
             p.config.generationTier = tier;
             p.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
             if (fetches)
@@ -170,6 +194,7 @@ void testCustomDepth(Test& test) {
                     {"\"sbaa\"" + fact, AGAA_OK, with("sbaa", 0, false), "gbuffer"},
                     {"\"single\"" + fact, AGAA_OK, with("single", 0, false), ""},
                     {"\"ssaa\"" + fact, AGAA_OK, with("ssaa", 0, false), ""},
+                    {"\"dcaa\"" + fact, unsupported, with("dcaa", 0, false), ""},
                     {"the tier POST_DEPTH_ATOMICS" + fact, unsupported, with("agaa", AGAA_TIER_POST_DEPTH_ATOMICS, false), ""},
                     {"the tier PER_SAMPLE" + fact, unsupported, with("sbaa", AGAA_TIER_PER_SAMPLE, false), ""}});
 }
@@ -201,6 +226,34 @@ void testGenerationTier(Test& test) {
     }
     const auto ids = [](ViewParts& p) { p.config.generationTier = AGAA_TIER_IDS; };
     testRows(test, {{"the tier IDS without an AgaaFetchFunction", unsupported, ids, ""}});
+    // "dcaa" has one tier.
+    for (const uint64_t feature : {AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_DEVICE_GEOMETRY_SHADERS})
+        for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS}) {
+            const auto lists = [=](uint64_t without) {
+                return [=](ViewParts& p) {
+                    p.setTechnique("dcaa", 4);
+                    p.config.generationTier = tier;
+                    p.config.flags = 0;
+                    p.caps.flags &= ~without;
+                };
+            };
+            testRows(test, {{"\"dcaa\"", AGAA_OK, lists(0), test.sdk.agaaTierName(AGAA_TIER_FRAGMENT_LISTS)},
+                            {"\"dcaa\" on a device that lacks a feature of its tier", unsupported, lists(feature), ""}});
+        }
+}
+
+// All fragments are needed at once.
+void testExact(Test& test) {
+    const auto with = [](const char* technique, uint32_t maxBatches) {
+        return [=](ViewParts& p) {
+            p.setTechnique(technique, 4);
+            p.coverage.flags = AGAA_COVERAGE_EXACT;
+            p.coverage.maxBatches = maxBatches;
+        };
+    };
+    testRows(test, {{"AGAA_COVERAGE_EXACT", AGAA_OK, with("dcaa", 1), ""},
+                    {"AGAA_COVERAGE_EXACT and maxBatches = 2", unsupported, with("dcaa", 2), ""},
+                    {"\"agaa\", AGAA_COVERAGE_EXACT and maxBatches = 2", AGAA_OK, with("agaa", 2), ""}});
 }
 
 void testVisibilityTier(Test& test) {
@@ -213,6 +266,17 @@ void testVisibilityTier(Test& test) {
     testRows(test, {{"the tier NATIVE on a device without multisampling", unsupported, with(AGAA_TIER_NATIVE), ""},
                     {"the tier SCALED on a device without multisampling", AGAA_OK, with(AGAA_TIER_SCALED_TARGET), ""},
                     {"the tier AUTO on a device without multisampling", AGAA_OK, with(AGAA_TIER_AUTO), ""}});
+    // Its targets have one sample.
+    const auto ofDcaa = [](uint32_t tier) {
+        return [=](ViewParts& p) {
+            p.setTechnique("dcaa", 4);
+            p.config.visibilityTier = tier;
+            p.caps.sampleCounts = 1;
+        };
+    };
+    testRows(test, {{"\"dcaa\" and the tier NATIVE", AGAA_OK, ofDcaa(AGAA_TIER_NATIVE), ""},
+                    {"\"dcaa\" and the tier AUTO", AGAA_OK, ofDcaa(AGAA_TIER_AUTO), ""},
+                    {"\"dcaa\" and the tier SCALED", unsupported, ofDcaa(AGAA_TIER_SCALED_TARGET), ""}});
 }
 
 void testSampleCounts(Test& test) {
@@ -246,6 +310,8 @@ void addUnsupportedCases(Suite& suite) {
                [](Test& test) { testReservedTier(test, AGAA_TIER_LAYERS, "AGAA_TIER_LAYERS"); });
     suite.core("AGAA_TIER_NV_MIXED_SAMPLES/AGAA_ERROR_UNSUPPORTED/queries", testMixedSamples);
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_stage", testOtherStage);
+    suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_technique", testOtherTechnique);
+    suite.core("AGAA_COVERAGE_EXACT/AGAA_ERROR_UNSUPPORTED", testExact);
     suite.core("AGAA_CONFIG_COUNTERS/AGAA_ERROR_UNSUPPORTED", testCounters);
     suite.core("AGAA_FACT_CUSTOM_DEPTH/AGAA_ERROR_UNSUPPORTED", testCustomDepth);
     suite.core("AgaaConfig.generationTier/AGAA_ERROR_UNSUPPORTED", testGenerationTier);

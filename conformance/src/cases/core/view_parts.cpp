@@ -8,9 +8,6 @@ namespace {
 
 constexpr const char* hostSample =
     "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }\n";
-constexpr const char* hostFetch =
-    "void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {}\n"
-    "void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {}\n";
 constexpr const char* hostShadow = "float agaaHostShadow(uint shadow, vec3 position) { return 1.0; }\n";
 
 AgaaResult queryMemory(const Functions& sdk, const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log) {
@@ -51,13 +48,10 @@ ViewParts::ViewParts(const Functions& sdk, const Device* device) : ViewDescripti
     sdk.agaaInitLayout(&layout, sizeof layout);
     sdk.agaaGetBuiltinLayout("precise", &layout);
     sdk.agaaInitGBufferFunction(&gbuffer, sizeof gbuffer);
-    sdk.agaaInitFetchFunction(&fetch, sizeof fetch);
     sdk.agaaInitShadowFunction(&shadow, sizeof shadow);
     sdk.agaaInitAggregation(&spare, sizeof spare);
     gbuffer.glsl = hostSample;
-    fetch.glsl = hostFetch;
-    fetch.maxDraws = 16;
-    fetch.maxPrimitives = 1000;
+    fetch = emptyFetch();
     shadow.glsl = hostShadow;
     shadow.shadows = 1;
     caps = idealCaps();

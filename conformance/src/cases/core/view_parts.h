@@ -11,7 +11,7 @@ struct ViewParts : ViewDescription {
     ViewParts(const Functions& sdk, const Device* device);
 
     AgaaGBufferFunction gbuffer; // chained to desc by chain()
-    AgaaFetchFunction fetch;
+    AgaaFetchFunction fetch; // of no scene
     AgaaShadowFunction shadow;
     AgaaDeviceCaps caps;   // of an ideal device; not read by devices
     AgaaAggregation spare; // for chains that hold a struct twice
@@ -21,6 +21,11 @@ struct ViewParts : ViewDescription {
         function.pNext = desc.pNext;
         desc.pNext = &function;
     }
+    // In place of the functions that are chained.
+    template <class T> void chainAlone(T& function) {
+        desc.pNext = nullptr;
+        chain(function);
+    }
     void useLayout() { config.layout = &layout; }
     const AgaaViewDesc* get() const { return isNull ? nullptr : &desc; }
 };
@@ -29,7 +34,7 @@ struct ViewParts : ViewDescription {
 constexpr uint64_t idealDeviceFlags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS |
                                       AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_DYNAMIC_RENDERING |
                                       AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_NV_MIXED_SAMPLES | AGAA_DEVICE_D24S8 |
-                                      AGAA_DEVICE_D32S8;
+                                      AGAA_DEVICE_D32S8 | AGAA_DEVICE_GEOMETRY_SHADERS;
 
 struct ViewQuery {
     const char* name;

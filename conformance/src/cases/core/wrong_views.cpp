@@ -45,6 +45,8 @@ void addStructs(Rows& rows) {
                     [](ViewParts& p) { p.facts.structSize = 4; }});
     rows.push_back({"AgaaAggregation::structSize = 8", AGAA_ERROR_STRUCT, "AgaaAggregation",
                     [](ViewParts& p) { p.aggregation.structSize = 8; }});
+    rows.push_back({"AgaaDecoupledCoverage::structSize = 8", AGAA_ERROR_STRUCT, "AgaaDecoupledCoverage",
+                    [](ViewParts& p) { p.coverage.structSize = 8; }});
     rows.push_back({"AgaaMeasurement::structSize = 8", AGAA_ERROR_STRUCT, "AgaaMeasurement",
                     [](ViewParts& p) { p.measurement.structSize = 8; }});
     rows.push_back({"AgaaLayout::sType = 0", AGAA_ERROR_STRUCT, "AgaaLayout", [](ViewParts& p) {
@@ -82,6 +84,12 @@ void addRanges(Rows& rows) {
     add("AgaaAggregation::characteristicLength = infinity", "characteristicLength",
         [](ViewParts& p) { p.aggregation.characteristicLength = INFINITY; });
     add("AgaaAggregation::reserved = 0x7FFFFFFF", "reserved", [](ViewParts& p) { p.aggregation.reserved = 0x7FFFFFFF; });
+    add("\"dcaa\" and AgaaConfig::samples = 4", "samples", [](ViewParts& p) {
+        p.setTechnique("dcaa", 4);
+        p.config.samples = 4;
+    });
+    add("AgaaDecoupledCoverage::merge = 0x7FFFFFFF", "merge", [](ViewParts& p) { p.coverage.merge = 0x7FFFFFFF; });
+    add("AgaaDecoupledCoverage::maxBatches = 0", "maxBatches", [](ViewParts& p) { p.coverage.maxBatches = 0; });
     add("AgaaMeasurement::shadingCost = 0", "shadingCost", [](ViewParts& p) { p.measurement.shadingCost = 0; });
     add("AgaaSceneFacts::maxLights = 4097", "maxLights", [](ViewParts& p) { p.facts.maxLights = 4097; });
     add("AgaaSceneFacts::shadowMapCount = 5", "shadowMapCount", [](ViewParts& p) { p.facts.shadowMapCount = 5; });
@@ -159,6 +167,10 @@ void addOthers(Rows& rows) {
     rows.push_back({"\"msaa\" and an AgaaGBufferFunction", AGAA_ERROR_UNSUPPORTED, "AgaaGBufferFunction", [](ViewParts& p) {
                         p.config.technique = "msaa";
                         p.chain(p.gbuffer);
+                    }});
+    rows.push_back({"\"dcaa\" without an AgaaFetchFunction", AGAA_ERROR_UNSUPPORTED, "AgaaFetchFunction", [](ViewParts& p) {
+                        p.setTechnique("dcaa", 4);
+                        p.desc.pNext = nullptr;
                     }});
     rows.push_back({"\"ssaa\" and AGAA_DEBUG_VIEW_CLUSTERS", AGAA_ERROR_UNSUPPORTED, "debugView", [](ViewParts& p) {
                         p.config.technique = "ssaa";

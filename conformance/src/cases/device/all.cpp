@@ -10,6 +10,7 @@ Suite makeSuite() {
     addGeneralCases(suite);
     addHostMemoryCases(suite);
     addTierCases(suite);
+    addFragmentListCases(suite);
     addContextCases(suite);
     addVulkanContextCases(suite);
     addFaultCases(suite);

@@ -8,6 +8,7 @@ namespace agaa::conformance {
 void addGeneralCases(Suite& suite);
 void addHostMemoryCases(Suite& suite);
 void addTierCases(Suite& suite);
+void addFragmentListCases(Suite& suite);
 void addContextCases(Suite& suite);
 void addVulkanContextCases(Suite& suite);
 void addFaultCases(Suite& suite);

@@ -104,11 +104,11 @@ void testConstants(Test& test) {
             useOwnUnit(d);
             d.gl.constants = constants;
         });
-        for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"}) {
+        for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"}) {
             const std::string what = "agaaGlCreateView of \"" + std::string(technique) + "\" with AgaaGlDeviceDesc::constants = " +
                                      std::to_string(constants);
             ViewDescription description(&test.device());
-            description.config.technique = technique;
+            description.setTechnique(technique, 4);
             AgaaView view = nullptr;
             const AgaaResult result = test.device().createView(test.sdk, context.get(), &description.desc, &view);
             if (constants != AGAA_GL_CONSTANTS_BLOCK && !std::strcmp(technique, "msaa"))

@@ -47,7 +47,7 @@ void expectRectangle(Rig& rig, const std::string& technique) {
     const AgaaCounters c = rig.counters();
     const std::string what = "a rectangle of 48 pixels, \"" + technique + "\", n = " + std::to_string(n);
     const bool shadesFragments = technique == "msaa", shadesSamples = technique == "ssaa";
-    const bool aggregates = technique == "agaa" || technique == "sbaa";
+    const bool aggregates = technique == "agaa" || technique == "sbaa" || technique == "dcaa";
     expectCount(test, "visible", c.visible, pixels * n, pixels * n, what);
     expectCount(test, "once", c.once, pixels * n, pixels * n, what);
     expectCount(test, "uncovered", c.uncovered, 0, 0, what);
@@ -63,7 +63,16 @@ void expectRectangle(Rig& rig, const std::string& technique) {
     expectCount(test, "shadowTaps", c.shadowTaps, 0, 0, what);
     expectCount(test, "widenedLobes", c.widenedLobes, 0, 0, what);
     expectCount(test, "primitives", c.primitives, 0, 0, what);
-    expectCount(test, "materials", c.materials, 0, 0, what);
+    // Of "dcaa", a fragment for each triangle that covers a sample of a pixel. Both are of one surface.
+    const bool hasFragments = technique == "dcaa";
+    expectCount(test, "fragments", c.fragments, hasFragments ? pixels : 0, hasFragments ? 2 * pixels : 0, what);
+    expectCount(test, "materials", c.materials, c.fragments, c.fragments, what);
+    expectCount(test, "mergedFirst", c.mergedFirst, hasFragments ? c.fragments - pixels : 0,
+                hasFragments ? c.fragments - pixels : 0, what);
+    expectCount(test, "mergedSecond", c.mergedSecond, 0, 0, what);
+    expectCount(test, "discarded", c.discarded, 0, 0, what);
+    expectCount(test, "lostSamples", c.lostSamples, 0, 0, what);
+    expectCount(test, "lostFragments", c.lostFragments, 0, 0, what);
     expectCount(test, "misplaced", c.misplaced, 0, 0, what);
     expectCount(test, "unannounced", c.unannounced, 0, 0, what);
 }
@@ -111,8 +120,11 @@ void testNoCounters(Test& test) {
 // A column of pixels shows half of a second wall at another depth and with another normal: two
 // aggregates there.
 void testTwoSurfaces(Test& test) {
-    for (const std::string technique : {"agaa", "sbaa"}) {
+    for (const std::string technique : {"agaa", "sbaa", "dcaa"}) {
+        if (!obstacleOf(test, technique).empty())
+            continue;
         Rig rig(test, ofTechnique(technique, 4));
+        const uint64_t n = rig.description().config.samples;
         rig.scene.clear();
         Surface wall, side;
         side.normal[0] = 0.8f;
@@ -123,8 +135,8 @@ void testTwoSurfaces(Test& test) {
         rig.render();
         const AgaaCounters c = rig.counters();
         const std::string what = "an edge in a column of 24 pixels, \"" + technique + "\"";
-        expectCount(test, "visible", c.visible, 768 * 4, 768 * 4, what);
-        expectCount(test, "once", c.once, 768 * 4, 768 * 4, what);
+        expectCount(test, "visible", c.visible, 768 * n, 768 * n, what);
+        expectCount(test, "once", c.once, 768 * n, 768 * n, what);
         expectCount(test, "aggregates", c.aggregates, 768 + 24, 768 + 24, what);
         expectCount(test, "shadingEvents", c.shadingEvents, 768 + 24, 768 + 24, what);
         expectCount(test, "shadedPixels", c.shadedPixels, 768, 768, what);
@@ -134,7 +146,9 @@ void testTwoSurfaces(Test& test) {
 
 // An event of a flat pixel looks up each of its samples at most, and one at least.
 void testShadowTaps(Test& test) {
-    for (const char* technique : {"single", "ssaa", "agaa"}) {
+    for (const char* technique : {"single", "ssaa", "agaa", "dcaa"}) {
+        if (!obstacleOf(test, technique).empty())
+            continue;
         Rig rig(test, [&](ViewDescription& description) {
             setTechnique(description, technique, 4);
             description.facts.shadowMapCount = 1;
@@ -149,7 +163,8 @@ void testShadowTaps(Test& test) {
             frame.lightCount = frame.shadowCount = 1;
         });
         const uint64_t n = rig.description().config.samples;
-        const uint64_t least = std::string(technique) == "agaa" ? pixels : pixels * n;
+        const bool isShared = std::string(technique) == "agaa" || std::string(technique) == "dcaa";
+        const uint64_t least = isShared ? pixels : pixels * n;
         expectCount(test, "shadowTaps", rig.counters().shadowTaps, least, pixels * n,
                     "a rectangle of 48 pixels in a shadow map, \"" + std::string(technique) + "\"");
     }
@@ -158,7 +173,7 @@ void testShadowTaps(Test& test) {
 } // namespace
 
 void addCounterCases(Suite& suite) {
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"})
+    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"})
         suite.both("general/counters_of_flat_scenes/" + std::string(technique),
                    [technique](Test& test) { testTechnique(test, technique); });
     suite.both("general/counters_are_0_if_not_requested", testNoCounters);

@@ -85,7 +85,9 @@ void expectEdge(Rig& rig, float fraction, const std::string& technique) {
     uint32_t count = 2;
     rig.test.requireOk(rig.test.sdk.agaaGetDrawPasses(rig.view.get(), &count, passes.data()), "agaaGetDrawPasses");
     // Columns of the pattern.
-    const float step = 1.0f / float(passes[0].state.samples * passes[0].scaleX);
+    const uint32_t perTexel = hasCoverageSamples(rig.description().config.technique) ? rig.description().config.samples
+                                                                                    : passes[0].state.samples;
+    const float step = 1.0f / float(perTexel * passes[0].scaleX);
     for (uint32_t y = 0; y < 24; ++y) {
         const float share = *pixel(image, 32, 10, y);
         rig.test.check(std::fabs(share - (1 - fraction)) <= step + 0.01f,
@@ -104,6 +106,16 @@ void testManySamples(Test& test) {
             Rig rig(test, [&](ViewDescription& description) { setTechnique(description, technique, samples); });
             expectEdges(rig, "\"" + technique + "\"");
         }
+}
+
+void testCoverageSamples(Test& test) {
+    for (const uint32_t samples : {32u, 64u, 128u}) {
+        Rig rig(test, [&](ViewDescription& description) {
+            setTechnique(description, "dcaa", 4);
+            description.config.samples = samples;
+        });
+        expectEdges(rig, "\"dcaa\"");
+    }
 }
 
 // With one sample, its place decides: all or nothing.
@@ -183,10 +195,11 @@ void testImages(Test& test, const char* name) {
 } // namespace
 
 void addCoverageImageCases(Suite& suite) {
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"})
+    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"})
         suite.both("general/images_of_surfaces/" + std::string(technique),
                    [technique](Test& test) { testImages(test, technique); });
     suite.both("general/image_of_an_edge/many_samples", testManySamples);
+    suite.both("general/image_of_an_edge/coverage_samples", testCoverageSamples);
     suite.both("general/image_of_an_edge/one_sample", testOneSample);
 }
 

@@ -37,7 +37,9 @@ void testStates(Test& test) {
             test.check(state.depthCompare <= AGAA_COMPARE_ALWAYS, what + " has an unknown depthCompare.");
             // The first pass finds the nearest fragment; the view's depth grows away
             // from the eye.
-            if (&pass == &list.passes.front())
+            if (pass.pass == AGAA_DRAW_PASS_FRAGMENTS) // the lists keep all fragments
+                test.check(state.depthCompare == AGAA_COMPARE_ALWAYS, what + " has another depthCompare than ALWAYS.");
+            else if (&pass == &list.passes.front())
                 test.check(state.depthCompare == AGAA_COMPARE_LESS, what + " has another depthCompare than LESS.");
             else
                 test.check(state.depthCompare != AGAA_COMPARE_GREATER, what + " has the depthCompare GREATER.");
@@ -88,9 +90,11 @@ void testIds(Test& test) {
         std::set<uint64_t> keys;
         for (const AgaaDrawPass& pass : list.passes) {
             const std::string what = passText(technique, pass);
-            test.check(pass.pass >= AGAA_DRAW_PASS_VISIBILITY && pass.pass <= AGAA_DRAW_PASS_FORWARD,
+            test.check(pass.pass >= AGAA_DRAW_PASS_VISIBILITY && pass.pass <= AGAA_DRAW_PASS_FRAGMENTS,
                        what + " has an unknown pass.");
             test.check(pass.name && pass.glslExtensions && pass.glslDeclarations, what + " lacks a name or a text.");
+            test.check((pass.glslGeometry != nullptr) == (pass.pass == AGAA_DRAW_PASS_FRAGMENTS),
+                       what + (pass.glslGeometry ? " has" : " lacks") + " a text for a geometry shader.");
             test.check(keys.insert(pass.pipelineKey).second, what + " has the pipelineKey of another pass.");
         }
     });
@@ -107,6 +111,9 @@ void testStages(Test& test) {
     });
 }
 
+// Whether the pass has depth and colour. The pass FRAGMENTS has neither, and one sample per pixel for each n.
+bool hasAttachments(const AgaaDrawPass& pass) { return pass.pass != AGAA_DRAW_PASS_FRAGMENTS; }
+
 // The target: texels are pixels times the scale, and samples of the texels of a pixel are n.
 void testTargets(Test& test) {
     forTechniques(test, [&](const ViewDescription& description, const PassList& list, const std::string& technique) {
@@ -115,7 +122,8 @@ void testTargets(Test& test) {
             const std::string what = passText(technique, pass);
             test.check(pass.width == desc.width * pass.scaleX && pass.height == desc.height * pass.scaleY,
                        what + " has another size than the pixels times the scale.");
-            test.check(pass.scaleX * pass.scaleY * pass.state.samples == desc.config->samples,
+            const uint32_t promised = hasAttachments(pass) ? desc.config->samples : 1;
+            test.check(pass.scaleX * pass.scaleY * pass.state.samples == promised,
                        what + " has another number of samples per pixel than the view.");
         }
     });
@@ -135,6 +143,10 @@ void testKeys(Test& test) {
         return keys;
     };
     const auto first = keysOf("agaa"), second = keysOf("agaa"), others = keysOf("msaa");
+    if (obstacleOf(test, "dcaa").empty())
+        for (const uint64_t key : keysOf("dcaa"))
+            test.check(std::find(first.begin(), first.end(), key) == first.end(),
+                       "\"agaa\" and \"dcaa\" have a pipelineKey in common.");
     test.check(first == second, "two equal views have different pipelineKeys.");
     for (const uint64_t key : others)
         test.check(std::find(first.begin(), first.end(), key) == first.end(),
@@ -148,7 +160,8 @@ void testVkNative(Test& test) {
             for (uint32_t k = 0; k < list.passes[i].state.colorAttachmentCount; ++k)
                 test.check(list.vk[i].colorFormats[k] != 0, what + " has an attachment without a format.");
             test.check(list.vk[i].descriptorSetLayout != 0, what + " has no descriptorSetLayout.");
-            test.check(list.vk[i].depthStencilFormat != 0, what + " has no depthStencilFormat.");
+            test.check((list.vk[i].depthStencilFormat != 0) == hasAttachments(list.passes[i]),
+                       what + " has a depthStencilFormat without depth, or none.");
         }
     });
 }
@@ -160,7 +173,8 @@ void testGlNative(Test& test) {
             for (uint32_t k = 0; k < list.passes[i].state.colorAttachmentCount; ++k)
                 test.check(list.gl[i].colorFormats[k] != 0, what + " has an attachment without a format.");
             test.check(list.gl[i].framebuffer != 0, what + " has no framebuffer.");
-            test.check(list.gl[i].depthStencilFormat != 0, what + " has no depthStencilFormat.");
+            test.check((list.gl[i].depthStencilFormat != 0) == hasAttachments(list.passes[i]),
+                       what + " has a depthStencilFormat without depth, or none.");
         }
     });
 }

@@ -28,7 +28,7 @@ struct Recorder {
 
 std::vector<Call> recordCalls(Test& test) {
     std::vector<Call> calls;
-    for (const std::string& technique : techniques(test.sdk)) {
+    for (const std::string& technique : techniques(test)) {
         Rig rig(test, [&](ViewDescription& description) { setTechnique(description, technique, 4); });
         Recorder recorder{rig.device(), {}};
         rig.render([&](AgaaFrame& frame) {

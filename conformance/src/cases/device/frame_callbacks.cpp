@@ -38,7 +38,8 @@ struct DrawFailure {
 // "agaa" draws twice, unless the device aggregates from a G-buffer.
 const DrawFailure drawFailures[] = {
     {"agaa", 1, AGAA_ERROR_CALLBACK}, {"agaa", 2, AGAA_ERROR_CALLBACK}, {"agaa", 2, AGAA_NOT_READY},       {"agaa", 1, 12345},
-    {"agaa", 1, AGAA_ERROR_INTERNAL}, {"msaa", 1, AGAA_ERROR_CALLBACK}, {"single", 1, AGAA_ERROR_CALLBACK}};
+    {"agaa", 1, AGAA_ERROR_INTERNAL}, {"msaa", 1, AGAA_ERROR_CALLBACK}, {"single", 1, AGAA_ERROR_CALLBACK},
+    {"dcaa", 1, AGAA_ERROR_CALLBACK}};
 
 std::string callText(const DrawFailure& row) {
     return "a draw callback of \"" + std::string(row.technique) + "\" that returns " + std::to_string(row.result) +
@@ -58,7 +59,9 @@ void expectDrawFailure(Rig& rig, FailingDraw draw, const std::string& what, Agaa
 }
 
 void testFailures(Test& test, AgaaResult code, const Rig::ChangeContext& changeContext = {}) {
-    for (const char* technique : {"agaa", "msaa", "single"}) {
+    for (const char* technique : {"agaa", "msaa", "single", "dcaa"}) {
+        if (!obstacleOf(test, technique).empty())
+            continue;
         Rig rig(test, ofTechnique(technique), changeContext);
         const Image expected = rig.render();
         const uint32_t passes = rig.statistics().geometryPasses;

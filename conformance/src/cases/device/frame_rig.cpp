@@ -42,6 +42,9 @@ Rig::Rig(Test& theTest, const ChangeView& changeView, const ChangeContext& chang
 const ViewDescription& Rig::changed(const ChangeView& changeView) {
     if (changeView)
         changeView(description_);
+    const std::string obstacle = obstacleOf(test, description_.config.technique);
+    if (!obstacle.empty())
+        test.skip(obstacle);
     return description_;
 }
 
@@ -174,22 +177,31 @@ void expectColor(Test& test, const Image& got, uint32_t width, const Area& area,
         }
 }
 
-std::vector<std::string> techniques(const Functions& sdk) {
-    uint32_t count = 0;
-    sdk.agaaGetNames(AGAA_NAMES_TECHNIQUES, &count, nullptr);
-    std::vector<const char*> names(count);
-    sdk.agaaGetNames(AGAA_NAMES_TECHNIQUES, &count, names.data());
-    return {names.begin(), names.end()};
+std::string obstacleOf(Test& test, const std::string& technique) {
+    if (!hasCoverageSamples(technique))
+        return {};
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    test.requireOk(test.device().getDeviceCaps(test.sdk, nullptr, &caps), "asking for the capabilities of the device");
+    const bool hasGeometry = caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS, hasAtomics = caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS;
+    return !hasGeometry  ? "\"" + technique + "\" needs geometry shaders, which the device lacks."
+           : !hasAtomics ? "\"" + technique + "\" needs atomics in fragment shaders, which the device lacks."
+                         : "";
 }
 
-bool needsOneSample(const std::string& technique) {
-    return technique == "single" || technique == "fxaa";
+std::vector<std::string> techniques(Test& test) {
+    uint32_t count = 0;
+    test.sdk.agaaGetNames(AGAA_NAMES_TECHNIQUES, &count, nullptr);
+    std::vector<const char*> names(count);
+    test.sdk.agaaGetNames(AGAA_NAMES_TECHNIQUES, &count, names.data());
+    std::vector<std::string> able;
+    for (const char* name : names)
+        if (obstacleOf(test, name).empty())
+            able.push_back(name);
+    return able;
 }
 
 void setTechnique(ViewDescription& description, const std::string& technique, uint32_t samples) {
-    description.technique = technique;
-    description.config.technique = description.technique.c_str();
-    description.config.samples = needsOneSample(technique) ? 1 : samples;
+    description.setTechnique(technique, samples);
 }
 
 } // namespace agaa::conformance

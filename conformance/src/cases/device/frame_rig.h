@@ -19,6 +19,7 @@ public:
     using ChangeContext = std::function<void(ContextDescription&)>;
     using ChangeFrame = std::function<void(AgaaFrame&)>;
 
+    // Skips the test if the device cannot run the technique.
     explicit Rig(Test& test, const ChangeView& changeView = {}, const ChangeContext& changeContext = {});
 
     Test& test;
@@ -76,8 +77,10 @@ struct Area {
 void expectColor(Test& test, const Image& got, uint32_t width, const Area& area, const float* rgb, float tolerance,
                  const std::string& what);
 
-std::vector<std::string> techniques(const Functions& sdk);
-bool needsOneSample(const std::string& technique); // "single" and "fxaa"
+// Returns why the device cannot run a technique, or an empty text.
+std::string obstacleOf(Test& test, const std::string& technique);
+// The names that the library lists, without those that the device cannot run. The tests of a single technique skip instead.
+std::vector<std::string> techniques(Test& test);
 void setTechnique(ViewDescription& description, const std::string& technique, uint32_t samples);
 
 } // namespace agaa::conformance

@@ -75,7 +75,7 @@ std::string promisedOrder(Rig& rig) {
 }
 
 void testOrder(Test& test) {
-    for (const std::string& technique : techniques(test.sdk)) {
+    for (const std::string& technique : techniques(test)) {
         const auto changeView = [&](ViewDescription& description) { setTechnique(description, technique, 4); };
         Image expected;
         {
@@ -136,7 +136,7 @@ void addOpenGlStateCallbackCases(Suite& suite) {
             testFailures(test, "agaa", failure);
     });
     suite.add("AGAA_GL_STATE_CALLBACKS/AGAA_ERROR_CALLBACK/frames", {Backend::OpenGl}, [](Test& test) {
-        for (const std::string& technique : techniques(test.sdk))
+        for (const std::string& technique : techniques(test))
             if (technique != "agaa")
                 testFailures(test, technique, AGAA_ERROR_INTERNAL);
     });

@@ -33,6 +33,7 @@ AgaaResult recordUnusual(Rig& rig, AgaaFrame& frame, uint32_t failingCall, const
     frame.drawUser = &watcher;
     const RecordHook hook = [&](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
         makeStateUnusual();
+        rig.device().bindScene(); // the host's own binding
         watcher.entry = readState();
         const AgaaResult result = call(view, f, native);
         expectSameState(rig.test, readState(), watcher.entry, false, "after " + what);
@@ -43,7 +44,7 @@ AgaaResult recordUnusual(Rig& rig, AgaaFrame& frame, uint32_t failingCall, const
 }
 
 void testRestored(Test& outer) {
-    for (const std::string& technique : techniques(outer.sdk)) {
+    for (const std::string& technique : techniques(outer)) {
         OwnOpenGl own(outer);
         Rig rig(own.test, [&](ViewDescription& description) { setTechnique(description, technique, 4); });
         const Image expected = rig.render();

@@ -35,7 +35,7 @@ void forTechniques(Test& test, const VisitPasses& visit) {
     std::vector<Entry>& entries = listed[test.device().backend()];
     if (entries.empty()) {
         const OwnContext context(test);
-        for (const std::string& technique : techniques(test.sdk)) {
+        for (const std::string& technique : techniques(test)) {
             const auto description = std::make_shared<ViewDescription>(&test.device());
             setTechnique(*description, technique, 4);
             visitView(test, context, *description, [&](const ViewDescription&, const PassList& list, const std::string& name) {

@@ -15,7 +15,7 @@ struct PassList {
 
 using VisitPasses = std::function<void(const ViewDescription&, const PassList&, const std::string& technique)>;
 void visitView(Test& test, const OwnContext& context, const ViewDescription& description, const VisitPasses& visit);
-// Each technique, with n = 4 or 1. Passes are listed once for all tests of a device.
+// Each technique that the device runs, with n = 4, or as many as samplesOf() says. Passes are listed once for all tests of a device.
 void forTechniques(Test& test, const VisitPasses& visit);
 std::string passText(const std::string& technique, const AgaaDrawPass& pass);
 

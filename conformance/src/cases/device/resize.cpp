@@ -114,7 +114,7 @@ std::vector<uint64_t> keysOf(Test& test, AgaaView view) {
 
 // A view that is resized shows what a view shows that was created with the size. Pipelines are kept.
 void testSuccess(Test& test) {
-    const std::vector<std::string> names = techniques(test.sdk);
+    const std::vector<std::string> names = techniques(test);
     for (const std::string& name : names) {
         const auto use = [&](ViewDescription& d) { setTechnique(d, name, 4); };
         const auto useSmall = [&](ViewDescription& d) {

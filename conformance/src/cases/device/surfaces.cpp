@@ -119,7 +119,8 @@ void listSurfaces(Test& test, const OwnContext& context, const AgaaDeviceCaps& c
         if (test.result(test.sdk.agaaGetSurface(view.get(), surface.name, &got), AGAA_OK, "agaaGetSurface for " + what))
             list.push_back({surface, got, native, what});
     }
-    test.check(hasDepth, "\"" + technique + "\" has no surface depth.");
+    test.check(hasDepth != hasCoverageSamples(technique),
+               "\"" + technique + (hasDepth ? "\" has a surface depth." : "\" has no surface depth."));
 }
 
 using Visit = std::function<void(const AgaaSurface& predicted, const AgaaSurface& got, const Native&, const std::string& what)>;
@@ -133,7 +134,7 @@ void forSurfaces(Test& test, const Visit& visit) {
         const OwnContext context(test);
         AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
         test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "the capabilities of the context");
-        for (const std::string& technique : techniques(test.sdk))
+        for (const std::string& technique : techniques(test))
             listSurfaces(test, context, caps, technique, list);
     }
     for (const Listed& surface : list)

@@ -1,5 +1,5 @@
-// Every technique runs on every device that has what AgaaVkRequirements and AgaaGlRequirements require, in the memory that
-// agaaQueryMemory predicts.
+// Every technique runs on every device that has what AgaaVkRequirements and AgaaGlRequirements require, "dcaa" where the device
+// also has geometry shaders, in the memory that agaaQueryMemory predicts.
 #include "cases.h"
 #include "creation.h"
 #include "frame_rig.h"
@@ -14,7 +14,7 @@ std::string quoted(const std::string& technique) { return "\"" + technique + "\"
 // All techniques show the colours of smallScene, with views of one context at the same time.
 void testTechniques(Test& test) {
     OwnContext context(test);
-    const std::vector<std::string> names = techniques(test.sdk);
+    const std::vector<std::string> names = techniques(test);
     test.check(names.size() >= 7, "agaaGetNames lists fewer than seven techniques.");
     std::vector<std::unique_ptr<ViewDescription>> descriptions;
     std::vector<std::unique_ptr<OwnView>> views;
@@ -145,7 +145,7 @@ const std::vector<Variant>& variants() {
     static const std::vector<Variant> all = {
         {"", [](ViewDescription&) {}},
         {" of 31 x 7 pixels", [](ViewDescription& d) { d.desc.width = 31, d.desc.height = 7; }},
-        {" with n = 8", [](ViewDescription& d) { d.config.samples = needsOneSample(d.config.technique) ? 1 : 8; }},
+        {" with n = 8", [](ViewDescription& d) { d.config.samples = samplesOf(d.config.technique, 8); }},
         {" without counters", [](ViewDescription& d) { d.config.flags = 0; }},
         {" with READBACK and times",
          [](ViewDescription& d) { d.config.flags |= AGAA_CONFIG_READBACK | AGAA_CONFIG_TIMESTAMPS; }},
@@ -162,7 +162,7 @@ void testMemory(Test& test) {
         if (isVulkan)
             memory->chainTo(d);
     });
-    for (const std::string& name : techniques(test.sdk))
+    for (const std::string& name : techniques(test))
         for (const auto& [text, change] : variants()) {
             const std::string what = quoted(name) + text;
             ViewDescription description(&test.device());

@@ -1,0 +1,153 @@
+// "dcaa": lists of fragments, and contexts that cannot run it.
+#include "cases.h"
+#include "creation.h"
+#include "frame_rig.h"
+
+#include <vulkan/vulkan.h>
+
+namespace agaa::conformance {
+
+namespace {
+
+constexpr uint64_t leastRoom = 65536; // fragments, of the lists of a small view
+
+Rig::ChangeView withCoverage(const std::function<void(AgaaDecoupledCoverage&)>& change) {
+    return [change](ViewDescription& description) {
+        setTechnique(description, "dcaa", 4);
+        change(description.coverage);
+    };
+}
+
+// All show the small scene, where no pixel shows more than two surfaces.
+void testMerges(Test& test) {
+    struct Way {
+        uint32_t merge;
+        uint64_t flags;
+    };
+    for (const Way& way : {Way{AGAA_MERGE_VISIBLE, 0}, Way{AGAA_MERGE_PAPER, 0}, Way{AGAA_MERGE_NONE, 0},
+                           Way{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT}}) {
+        Rig rig(test, withCoverage([way](AgaaDecoupledCoverage& c) { c.merge = way.merge, c.flags = way.flags; }));
+        const Image image = rig.render();
+        const std::string what = "AgaaDecoupledCoverage::merge = " + std::to_string(way.merge) +
+                                 ", flags = " + std::to_string(way.flags);
+        const float second[] = {0.25f, 0.5f, 0.5f}, masked[] = {0.25f, 0.75f, 0.5f};
+        expectColor(test, image, 32, {8, 12, 32, 24}, second, 0.01f, what + ": the second rectangle");
+        expectColor(test, image, 32, {16, 0, 24, 12}, masked, 0.01f, what + ": the masked rectangle");
+        const AgaaCounters c = rig.counters();
+        test.check(c.lostFragments == 0 && c.lostSamples == 0, what + ": fragments or samples are lost.");
+    }
+}
+
+// Layers in front of each other that fill the view: more fragments than the lists have room for. From back to front.
+Scene manyLayers() {
+    Scene scene;
+    Surface surface;
+    for (int i = 0; i < 100; ++i) {
+        surface.diffuse[0] = i == 99 ? 0.25f : 0.75f;
+        addRectangle(scene, 32, 24, 0, 0, 32, 24, 12 - 0.1f * float(i), surface);
+    }
+    return scene;
+}
+
+struct Batches {
+    Device& device;
+    std::vector<uint32_t> numbers;
+    static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
+        auto& self = *static_cast<Batches*>(user);
+        self.numbers.push_back(target->batch);
+        return self.device.draw(*target);
+    }
+};
+
+// A frame, whose draw callbacks must be numbered from 0 and be no more than maxBatches.
+Image renderBatches(Rig& rig, uint32_t maxBatches, const std::string& what) {
+    Batches batches{rig.device(), {}};
+    const Image image = rig.render([&](AgaaFrame& frame) {
+        frame.draw = Batches::draw;
+        frame.drawUser = &batches;
+    });
+    rig.test.check(!batches.numbers.empty() && batches.numbers.size() <= maxBatches,
+                   what + " draws the scene " + std::to_string(batches.numbers.size()) + " times.");
+    for (size_t i = 0; i < batches.numbers.size(); ++i)
+        rig.test.check(batches.numbers[i] == i, what + ": AgaaDrawTarget::batch is " + std::to_string(batches.numbers[i]) +
+                                                    " in draw callback " + std::to_string(i) + ".");
+    return image;
+}
+
+void testBatches(Test& test) {
+    Image small;
+    for (const uint32_t maxBatches : {1u, 4u}) {
+        Rig rig(test, withCoverage([=](AgaaDecoupledCoverage& c) { c.fragmentsPerPixel = 1, c.maxBatches = maxBatches; }));
+        const std::string what = "AgaaDecoupledCoverage::maxBatches = " + std::to_string(maxBatches);
+        for (Vertex& vertex : rig.scene)
+            vertex.isMasked = 0;
+        const Image image = renderBatches(rig, maxBatches, what);
+        if (maxBatches == 1)
+            small = image;
+        else
+            expectSame(test, image, small, 32, what + ": a scene that the lists have room for");
+        rig.scene = manyLayers();
+        const Image layers = renderBatches(rig, maxBatches, what);
+        const AgaaCounters c = rig.counters();
+        test.check(c.fragments > leastRoom, what + ": AgaaCounters::fragments is " + std::to_string(c.fragments) +
+                                                " for 100 rectangles of 768 pixels.");
+        const uint64_t lost = maxBatches == 1 ? c.fragments - leastRoom : 0;
+        test.check(c.lostFragments == lost, what + ": AgaaCounters::lostFragments is " + std::to_string(c.lostFragments) +
+                                                " in place of " + std::to_string(lost) + ".");
+        const float front[] = {0.25f, 0.5f, 0.5f};
+        if (maxBatches > 1)
+            expectColor(test, layers, 32, {0, 0, 32, 24}, front, 0.01f, what + ": the layer in front");
+    }
+}
+
+// The constants of a frame, which the geometry shader reads too, come in each way.
+void testConstants(Test& test) {
+    Image expected;
+    for (const uint32_t constants : {AGAA_GL_CONSTANTS_BLOCK, AGAA_GL_CONSTANTS_UNIFORMS, AGAA_GL_CONSTANTS_TEXELS}) {
+        Rig rig(test, withCoverage([](AgaaDecoupledCoverage&) {}), [=](ContextDescription& d) {
+            d.gl.constants = constants;
+            d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; // a unit of its own, if it is one
+        });
+        const Image image = rig.render();
+        if (constants == AGAA_GL_CONSTANTS_BLOCK)
+            expected = image;
+        else
+            expectSame(test, image, expected, 32, "\"dcaa\" with AgaaGlDeviceDesc::constants = " + std::to_string(constants));
+        rig.scene = manyLayers();
+        rig.render();
+        const AgaaCounters c = rig.counters();
+        test.check(c.lostFragments == c.fragments - leastRoom, "\"dcaa\" with AgaaGlDeviceDesc::constants = " +
+                                                                   std::to_string(constants) + " loses " +
+                                                                   std::to_string(c.lostFragments) + " of " +
+                                                                   std::to_string(c.fragments) + " fragments.");
+    }
+}
+
+// A device on which the host does not enable geometry shaders.
+void testNoGeometryShaders(Test& test) {
+    ContextDescription right = test.device().description();
+    VkPhysicalDeviceFeatures2 features = *static_cast<const VkPhysicalDeviceFeatures2*>(right.vk.enabledFeatures);
+    features.features.geometryShader = VK_FALSE;
+    OwnContext context(test, [&](ContextDescription& d) { d.vk.enabledFeatures = &features; });
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "agaaVkGetContextCaps");
+    test.check(!(caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS),
+               "agaaVkGetContextCaps has the flag GEOMETRY_SHADERS where the host enables none.");
+    ViewDescription description(&test.device());
+    setTechnique(description, "dcaa", 4);
+    AgaaView view = nullptr;
+    expectRefused(test, test.device().createView(test.sdk, context.get(), &description.desc, &view), AGAA_ERROR_UNSUPPORTED,
+                  context.log, "agaaVkCreateView", "agaaVkCreateView of \"dcaa\" without geometry shaders", "geometry shaders");
+    test.check(!view, "agaaVkCreateView fails and returns a view.");
+}
+
+} // namespace
+
+void addFragmentListCases(Suite& suite) {
+    suite.both("AgaaDecoupledCoverage.merge/images", testMerges);
+    suite.both("AgaaDecoupledCoverage.maxBatches/draws", testBatches);
+    suite.add("AgaaGlDeviceDesc.constants/enum/dcaa", {Backend::OpenGl}, testConstants);
+    suite.add("AGAA_DEVICE_GEOMETRY_SHADERS/AGAA_ERROR_UNSUPPORTED", {Backend::Vulkan}, testNoGeometryShaders);
+}
+
+} // namespace agaa::conformance
