@@ -22,7 +22,7 @@ std::vector<Access> accessesOf(const Pass& pass) {
     const bool isDraw = pass.kind == PassKind::HostDraw;
     const auto add = [&](ResourceId resource, Use use) {
         if (resource != noResource)
-            list.push_back({resource, use, isDraw, !pass.geometryText.empty()});
+            list.push_back({resource, use, isDraw});
     };
     for (const Binding& binding : pass.bindings)
         add(binding.resource, useOf(binding));

@@ -24,7 +24,6 @@ struct Access {
     ResourceId resource = noResource;
     Use use = Use::Uniform;
     bool isDraw = false; // by fragments, else by compute shaders
-    bool inGeometry = false; // and by the host's geometry shader
 
     bool writes() const { return use == Use::Color || use == Use::Depth || use == Use::CopyTo || stores(); }
     bool stores() const { return use == Use::StorageWrite || use == Use::ImageWrite; } // of shaders

@@ -144,9 +144,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     if (hasCorners) {
         defineSwitch(out, "AGAA_CLIP_Z_FROM_MINUS_ONE", plan.clipZFromMinusOne);
         define(out, "AGAA_PLANE_WORDS", plan.coverage.flags & AGAA_COVERAGE_EXACT ? 3 : 0);
-        // OpenGL ends the repetition on the CPU, and its geometry shaders may read no storage blocks.
         defineSwitch(out, "AGAA_HAS_BATCHES", plan.coverage.maxBatches > 1);
-        defineSwitch(out, "AGAA_SKIPS_BATCHES", plan.coverage.maxBatches > 1 && !dialect.openGl);
     }
     defineSwitch(out, "AGAA_FIRST_PASS", pass.clearsDepth);
     if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)

@@ -71,9 +71,8 @@ void BarrierTracker::use(ResourceId id, const VkAccess& access) {
 }
 
 VkAccess vkAccess(const Plan& plan, const Access& access) {
-    const VkPipelineStageFlags geometry = access.inGeometry ? VK_PIPELINE_STAGE_GEOMETRY_SHADER_BIT : 0;
-    const VkPipelineStageFlags shader = access.isDraw ? VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | geometry
-                                                      : VkPipelineStageFlags(VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT);
+    const VkPipelineStageFlags shader = access.isDraw ? VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT
+                                                      : VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
     switch (access.use) {
     case Use::Uniform:
         return {shader, VK_ACCESS_UNIFORM_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};

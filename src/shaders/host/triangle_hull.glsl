@@ -12,13 +12,6 @@ layout(location = AGAA_CORNER_LOCATION) flat out vec3 agaa_corner0;
 layout(location = AGAA_CORNER_LOCATION + 1) flat out vec3 agaa_corner1;
 layout(location = AGAA_CORNER_LOCATION + 2) flat out vec3 agaa_corner2;
 
-#if AGAA_SKIPS_BATCHES
-layout(std430, AGAA_AT_FRAGMENTS) readonly buffer agaa_FragmentBlock {
-    uint words[];
-} agaa_fragments;
-#include "passes/fragment_layout.glsl"
-#endif
-
 agaa_Hull agaa_hull;
 vec3 agaa_hullCorners[3];
 bool agaa_isHullMirrored;
@@ -35,10 +28,6 @@ uint agaa_beginPrimitive(vec4 a, vec4 b, vec4 c) {
     vec2 nearPlane = vec2(1.0, 0.0);
 #endif
     agaa_hull = agaa_triangleHull(a, b, c, nearPlane, pixelsPerNdc);
-#if AGAA_SKIPS_BATCHES
-    if (agaa_fragments.words[AGAA_LIST_BATCH] != 0u && agaa_fragments.words[AGAA_LIST_GOES_ON] == 0u)
-        agaa_hull.count = 0u; // an earlier draw was the last that is needed
-#endif
     agaa_hullCorners[0] = agaa_vertexInPixels(a.xyw, pixelsPerNdc);
     agaa_hullCorners[1] = agaa_vertexInPixels(b.xyw, pixelsPerNdc);
     agaa_hullCorners[2] = agaa_vertexInPixels(c.xyw, pixelsPerNdc);
