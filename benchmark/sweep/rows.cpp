@@ -85,7 +85,8 @@ std::vector<SweepRow> sweepRows(bool quick) {
             rows.push_back(row);
         }
     };
-    for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_IDS}, {"dcaa", 64, 4}})
+    for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_IDS},
+                                {"dcaa", 64, 4}})
         addHeavier(row, {4, 16});
     for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"sbaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
                                 {"agaa", 8, 4, 1, AGAA_TIER_GBUFFER, "accurate"}, {"simple_complex", 32},
