@@ -34,6 +34,7 @@
     using glm::cross;                                                                              \
     using glm::dot;                                                                                \
     using glm::exp;                                                                                \
+    using glm::findLSB;                                                                            \
     using glm::findMSB;                                                                            \
     using glm::floor;                                                                              \
     using glm::log;                                                                                \

@@ -21,6 +21,7 @@
 #undef AGAA_MATH_SURFACES_GLSL
 #undef AGAA_MATH_RECORDS_GLSL
 #undef AGAA_MATH_SURFACE_MERGE_GLSL
+#undef AGAA_MATH_SURFACE_RESOLVE_GLSL
 
 #include "../../src/shaders/math/real.glsl"
 #include "../../src/shaders/math/sanitise.glsl"
@@ -29,6 +30,7 @@
 #include "../../src/shaders/math/triangle_coverage.glsl"
 #include "../../src/shaders/math/coverage_table.glsl"
 #include "../../src/shaders/math/depth_plane.glsl"
+#include "../../src/shaders/math/surface_resolve.glsl"
 #include "../../src/shaders/math/triangle_hull.glsl"
 #include "../../src/shaders/math/display.glsl"
 #include "../../src/shaders/math/encoding.glsl"
