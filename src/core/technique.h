@@ -25,7 +25,6 @@ struct GenerationQuery {
     bool hostGBuffer = false;     // the host draws it
     bool fetches = false;         // the view has an AgaaFetchFunction
     bool someUnfetched = false;   // it does not answer for all draws
-    uint64_t poolRecords = 0;     // fragments that lists have room for; 0: not asked
     bool needsMaterials = false;  // settings need materials where samples are grouped
     uint64_t aggregateBytes = 0;  // of one buffer, where another tier would need none; 0: not asked
 };
