@@ -143,7 +143,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     defineSwitch(out, "AGAA_HAS_CORNERS", hasCorners);
     if (hasCorners) {
         defineSwitch(out, "AGAA_CLIP_Z_FROM_MINUS_ONE", plan.clipZFromMinusOne);
-        define(out, "AGAA_PLANE_WORDS", plan.coverage.flags & AGAA_COVERAGE_EXACT ? 3 : 0);
+        define(out, "AGAA_OWN_WORDS", plan.ownWords);
         defineSwitch(out, "AGAA_HAS_BATCHES", plan.coverage.maxBatches > 1);
     }
     defineSwitch(out, "AGAA_FIRST_PASS", pass.clearsDepth);

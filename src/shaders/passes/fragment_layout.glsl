@@ -1,9 +1,8 @@
 // Words of the buffer of lists: counts, the first fragment of each pixel, where the scene may be drawn again a word for each
 // tile of 8 by 8 pixels, then the fragments.
 //
-// A fragment is the id of its primitive, the next fragment of its pixel, its coverage, and where lists are shaded without
-// merging its depth plane. Fragments are numbered from 1; 0
-// ends a list.
+// A fragment is the id of its primitive, the next fragment of its pixel, its coverage, and AGAA_OWN_WORDS of the passes that
+// read lists. Fragments are numbered from 1; 0 ends a list.
 //
 // Batches: the first draw of the scene counts the fragments of each tile. If all of them found room, it was the only one.
 // Otherwise tiles are divided among further draws, which keep the fragments of their tiles alone.
@@ -14,10 +13,10 @@
 #define AGAA_LIST_BATCHES 2u // draws that are needed, known after the first
 #define AGAA_LIST_GOES_ON 3u // 0: no further draw is needed
 #define AGAA_LIST_HEADS 16u  // where the first fragments begin
-#ifndef AGAA_PLANE_WORDS
-#define AGAA_PLANE_WORDS 0u // of a fragment's depth plane, where it is kept
+#ifndef AGAA_OWN_WORDS
+#define AGAA_OWN_WORDS 0u // of a fragment, that passes after the draw of the scene write
 #endif
-#define AGAA_FRAGMENT_WORDS (2u + AGAA_SAMPLES / 32u + AGAA_PLANE_WORDS)
+#define AGAA_FRAGMENT_WORDS (2u + AGAA_SAMPLES / 32u + AGAA_OWN_WORDS)
 
 uint agaa_headOf(uvec2 pixel, uvec2 size) { return AGAA_LIST_HEADS + pixel.y * size.x + pixel.x; }
 

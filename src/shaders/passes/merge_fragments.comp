@@ -12,7 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "math/depth_plane.glsl"
 #include "passes/tile_pixels.glsl"
 #include "passes/fetch.glsl"
-#include "passes/fragments.glsl"
+#include "passes/sorted_list.glsl"
 #include "passes/covered_surface.glsl"
 #include "passes/packing.glsl"
 #include "passes/stored_material.glsl"
@@ -25,33 +25,6 @@ layout(std430, AGAA_AT_AGGREGATES) buffer agaa_SurfaceBlock {
 #define AGAA_IMAGE_WIDTH agaa_frame.size.x
 #define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
 #include "passes/stored_aggregate.glsl"
-
-// Puts the pixel's list in ascending order of ids and returns its first fragment. Fragments that were drawn in that order
-// come last first, and each is then placed at once.
-uint agaa_sortList(uvec2 pixel) {
-    uint head = 0u;
-    uint rest = agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size.xy)];
-    while (rest != 0u) {
-        uint record = agaa_record(rest);
-        uint id = agaa_fragments.words[record];
-        uint before = 0u;
-        uint after = head;
-        bool goesOn = head != 0u && agaa_fragments.words[agaa_record(max(head, 1u))] < id;
-        while (goesOn) {
-            before = after;
-            after = agaa_fragments.words[agaa_record(after) + 1u];
-            goesOn = after != 0u && agaa_fragments.words[agaa_record(max(after, 1u))] < id;
-        }
-        uint next = agaa_fragments.words[record + 1u];
-        agaa_fragments.words[record + 1u] = after;
-        if (before == 0u)
-            head = rest;
-        else
-            agaa_fragments.words[agaa_record(before) + 1u] = rest;
-        rest = next;
-    }
-    return head;
-}
 
 // Of the pixel's surface at `base`.
 agaa_Stored agaa_loadMaterial(uint base) {

@@ -1,0 +1,85 @@
+#include "core/techniques/fragment_lists.h"
+
+#include "core/checked.h"
+#include "core/error.h"
+#include "core/structs.h"
+#include "core/validate.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace agaa {
+
+bool hasBatches(const PlanBuilder& b) { return b.plan.coverage.maxBatches > 1; }
+
+namespace {
+
+void readCoverage(const AgaaConfig& config, ViewSettings& view) {
+    const std::optional<AgaaDecoupledCoverage> chained = readChained<AgaaDecoupledCoverage>(&config);
+    if (!chained)
+        return;
+    const AgaaDecoupledCoverage& c = view.coverage = *chained;
+    view.coverage.pNext = nullptr;
+    checkRange(uint64_t(c.merge), 0, AGAA_MERGE_NONE, "AgaaDecoupledCoverage::merge");
+    checkRange(double(c.fragmentsPerPixel), 1.0, 256.0, "AgaaDecoupledCoverage::fragmentsPerPixel");
+    checkRange(uint64_t(c.maxBatches), 1, 16, "AgaaDecoupledCoverage::maxBatches");
+    checkReserved(c.reserved, "AgaaDecoupledCoverage::reserved");
+    checkFlags(c.flags, AGAA_COVERAGE_EXACT, "AgaaDecoupledCoverage::flags");
+}
+
+// Words of the buffer of lists: its counts, then the first fragment of each pixel, then the fragments
+// (src/shaders/passes/fragment_layout.glsl).
+struct ListSizes {
+    uint64_t heads, words; // before the fragments; of a fragment
+};
+constexpr uint64_t countWords = 16;
+
+ListSizes listSizes(const PlanBuilder& b) {
+    const auto tiles = [](uint32_t pixels) { return (uint64_t(pixels) + 7) / 8; };
+    const uint64_t words = hasBatches(b) ? tiles(b.plan.width) * tiles(b.plan.height) : 0;
+    return {countWords + uint64_t(b.plan.width) * b.plan.height + words, 2 + b.plan.samples / 32 + b.plan.ownWords};
+}
+
+ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
+    const uint64_t pixels = uint64_t(b.plan.width) * b.plan.height;
+    const double wanted = double(pixels) * double(b.plan.coverage.fragmentsPerPixel);
+    const uint64_t most = b.caps().maxStorageRange / 4;
+    const uint64_t room = std::min<uint64_t>(most > sizes.heads ? (most - sizes.heads) / sizes.words : 0, 0x7FFFFFFF / sizes.words);
+    b.plan.poolRecords = std::min<uint64_t>(std::max<uint64_t>(uint64_t(wanted), 65536), room);
+    if (b.plan.poolRecords < pixels)
+        fail(AGAA_ERROR_TOO_LARGE, format("lists of fragments need room for a fragment a pixel; one storage buffer of the device "
+                                          "has room for %llu, and the view has %llu pixels.",
+                                          static_cast<unsigned long long>(b.plan.poolRecords),
+                                          static_cast<unsigned long long>(pixels)));
+    if (double(b.plan.poolRecords) < wanted)
+        b.note(format("lists: room for %.1f fragments a pixel, because one storage buffer of the device holds no more.",
+                      double(b.plan.poolRecords) / double(pixels)));
+    const uint64_t words = sizes.heads + checkedMultiply(b.plan.poolRecords, sizes.words);
+    return b.itemBuffer("fragments", words, 4);
+}
+
+} // namespace
+
+FragmentLists drawFragments(PlanBuilder& b, uint32_t ownWords) {
+    b.plan.ownWords = ownWords;
+    const ListSizes sizes = listSizes(b);
+    FragmentLists lists{makeLists(b, sizes)};
+    b.fill("clear lists", AGAA_STAGE_GENERATION, lists.buffer, AGAA_SEGMENT_PREPASS).fillBytes = 4 * sizes.heads;
+    Pass& draw = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, AGAA_SEGMENT_PREPASS);
+    lists.firstPass = uint32_t(b.plan.passes.size() - 1);
+    b.bindCommon(draw);
+    draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
+    draw.geometryText = "#include \"host/triangle_hull.glsl\"";
+    b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, lists.buffer, true);
+    return lists;
+}
+
+void FragmentLists::bind(PlanBuilder& b, Pass& pass) const {
+    b.bindHostFetch(pass);
+    pass.defines += format("#define AGAA_OWN_WORDS %uu\n", b.plan.ownWords);
+    b.bind(pass, slot::Fragments, BindingType::StorageBuffer, buffer, true);
+}
+
+const TechniqueSettings coverageSettings = {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, readCoverage};
+
+} // namespace agaa

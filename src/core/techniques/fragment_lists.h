@@ -1,0 +1,26 @@
+// All fragments of each pixel in a list in memory (Wang et al., I3D 2016, section 3.1), for techniques that resolve
+// visibility from them.
+#pragma once
+
+#include "core/plan_builder.h"
+#include "core/technique.h"
+
+namespace agaa {
+
+struct FragmentLists {
+    ResourceId buffer = noResource;
+    uint32_t firstPass = 0; // the draw of the scene
+
+    void bind(PlanBuilder& b, Pass& pass) const; // with the host's functions
+};
+
+// The scene is drawn again where fragments found no room.
+bool hasBatches(const PlanBuilder& b);
+inline constexpr uint64_t goesOnOffset = 12; // of the word that ends the repetition, in bytes
+
+// ownWords: of a fragment, that passes after the draw of the scene write.
+FragmentLists drawFragments(PlanBuilder& b, uint32_t ownWords);
+
+extern const TechniqueSettings coverageSettings;
+
+} // namespace agaa
