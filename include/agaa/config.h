@@ -135,6 +135,8 @@ typedef enum AgaaTier {
                                (AgaaFetchFunction) */
     AGAA_TIER_FRAGMENT_LISTS = 21, /* one geometry pass appends each fragment to a list of its pixel; a compute pass merges
                                       the lists in the order of ids (AgaaFetchFunction) */
+    AGAA_TIER_FRAGMENTS = 22, /* "agaa": the same lists; a compute pass clusters the fragments that show at 32, 64 or 128
+                                 coverage samples, and shades the aggregates (AgaaFetchFunction) */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 

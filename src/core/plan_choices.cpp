@@ -19,7 +19,8 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
                           .someUnfetched = plan.someUnfetched,
                           .needsMaterials = plan.aggregation.litShadows || plan.aggregation.glossWeight > 0 || config.ndf > AGAA_NDF_TOKSVIG};
     // Other tiers shade at once, without aggregates in memory.
-    if (technique.groupsSamples && !(config.flags & AGAA_CONFIG_BUFFERED))
+    const bool isInMemory = technique.groupsSamples && !technique.hasCoverageSamples(config.generationTier);
+    if (isInMemory && !(config.flags & AGAA_CONFIG_BUFFERED))
         query.aggregateBytes = aggregateBytes();
     const GenerationChoice choice = chooseGeneration(technique, query, config.generationTier);
     if (!choice.row)
@@ -83,7 +84,7 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
 }
 
 void PlanBuilder::chooseVisibilityTier(const Technique& technique) {
-    if (technique.coverageSamples) {
+    if (technique.hasCoverageSamples(plan.config.generationTier)) {
         const uint32_t forced = plan.config.visibilityTier;
         if (forced != AGAA_TIER_AUTO && forced != AGAA_TIER_NATIVE)
             fail(AGAA_ERROR_UNSUPPORTED, format("visibility cannot run: \"%s\" finds coverage by itself, so that the tier %s "

@@ -42,6 +42,8 @@ struct GenerationTier {
     bool isModel;                // priced, never run
     bool knowsMaterials;         // where samples are grouped
     bool countsPrimitives;
+    // n counts coverage samples, 32, 64 or 128, that the tier finds by itself: targets have one sample.
+    bool hasCoverageSamples;
     const char* offer;           // listed although the answer depends on what the host brings; null: on nothing
     TierAnswer (*answer)(const GenerationQuery& query);
 };
@@ -55,9 +57,7 @@ struct TechniqueSettings {
 
 struct Technique {
     const char* name;
-    uint32_t maxSamples;    // of n
-    // n counts coverage samples, 32, 64 or 128, that the technique finds by itself: targets have one sample.
-    bool coverageSamples;
+    uint32_t maxSamples;    // of n, of tiers without coverage samples; 0: there are none
     uint32_t maxAggregates; // c or S, of techniques with a generation stage; 0: none
     // By where they lie and what they show: lit shadows, gloss, elliptic lobes.
     bool groupsSamples;
@@ -65,7 +65,8 @@ struct Technique {
     std::span<const TechniqueSettings* const> settings;
     void (*build)(PlanBuilder& builder);
 
-    uint32_t minSamples() const { return coverageSamples ? 32 : 1; }
+    // Whether n counts coverage samples with this tier, or with what AUTO may take.
+    bool hasCoverageSamples(uint32_t generationTier) const;
 };
 const std::vector<const Technique*>& techniques();
 const Technique* findTechnique(std::string_view name); // null where there is none

@@ -4,6 +4,7 @@
 #include "core/technique.h"
 #include "core/validate.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -108,12 +109,18 @@ static AgaaCapability capability(const Technique& technique, uint32_t samples, A
 }
 
 // What is taken where the host neither asks nor offers anything, then all else that runs, then what needs an offer.
-static std::vector<GenerationChoice> generationChoices(const Technique& technique, const GenerationQuery& query) {
-    const GenerationChoice automatic = chooseGeneration(technique, query, AGAA_TIER_AUTO);
+// isCoverage: of the tiers with coverage samples, or of the others.
+static std::vector<GenerationChoice> generationChoices(const Technique& technique, const GenerationQuery& query,
+                                                       bool isCoverage) {
+    const GenerationChoice automatic = technique.hasCoverageSamples(AGAA_TIER_AUTO) == isCoverage
+                                           ? chooseGeneration(technique, query, AGAA_TIER_AUTO)
+                                           : GenerationChoice{};
     std::vector<GenerationChoice> choices;
     if (automatic.row)
         choices.push_back(automatic);
     for (const GenerationTier* row : technique.tiers) {
+        if (row->hasCoverageSamples != isCoverage)
+            continue;
         const GenerationChoice choice = chooseGeneration(technique, query, row->tier);
         if (choice.row && choice.row != automatic.row && !row->isModel)
             choices.push_back(choice);
@@ -122,45 +129,69 @@ static std::vector<GenerationChoice> generationChoices(const Technique& techniqu
     offered.fetches = true;
     TierAnswer refusal{false, automatic.reason};
     for (const GenerationTier* row : technique.tiers)
-        if (row->offer && (refusal = row->answer(offered)).runs)
+        if (row->hasCoverageSamples == isCoverage && row->offer && (refusal = row->answer(offered)).runs)
             choices.push_back({row, row->offer});
     if (choices.empty())
         choices.push_back({nullptr, refusal.reason});
     return choices;
 }
 
+namespace {
+
+void addVisibility(std::vector<AgaaCapability>& rows, const Technique& technique, uint32_t samples,
+                   const VisibilityChoice& choice) {
+    rows.push_back(capability(technique, samples, AGAA_STAGE_PREPASS, choice.tier, choice.tier == AGAA_TIER_NATIVE,
+                              choice.relativeCost, choice.reason));
+}
+
+void addGeneration(std::vector<AgaaCapability>& rows, const Technique& technique, uint32_t samples,
+                   const GenerationQuery& query, bool isCoverage) {
+    for (const GenerationChoice& choice : generationChoices(technique, query, isCoverage))
+        rows.push_back(capability(technique, samples, AGAA_STAGE_GENERATION, choice.row ? choice.row->tier : AGAA_TIER_AUTO,
+                                  false, choice.row ? choice.row->relativeCost : 0, choice.reason));
+}
+
+void addShading(std::vector<AgaaCapability>& rows, const Technique& technique, uint32_t samples) {
+    rows.push_back(capability(technique, samples, AGAA_STAGE_SHADING, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
+}
+
+// Of samples that the device rasterises.
+void addDeviceSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& caps, const Technique& technique,
+                      uint32_t samples) {
+    const VisibilityChoice visibility = chooseVisibility(caps, samples, AGAA_TIER_AUTO);
+    addVisibility(rows, technique, samples, visibility);
+    if (visibility.tier == AGAA_TIER_AUTO)
+        return; // no later stage can run either
+    const VisibilityChoice scaled = chooseVisibility(caps, samples, AGAA_TIER_SCALED_TARGET);
+    if (scaled.tier != AGAA_TIER_AUTO && scaled.tier != visibility.tier)
+        addVisibility(rows, technique, samples, scaled);
+    if (technique.maxAggregates) {
+        rows.push_back(capability(technique, samples, AGAA_STAGE_DEFINITION, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
+        addGeneration(rows, technique, samples, {.caps = caps, .hwSamples = visibility.hwSamples}, false);
+    }
+    addShading(rows, technique, samples);
+}
+
+void addCoverageSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& caps, const Technique& technique,
+                        uint32_t samples) {
+    addVisibility(rows, technique, samples, coverageByEdges(samples));
+    addGeneration(rows, technique, samples, {.caps = caps}, true);
+    addShading(rows, technique, samples);
+}
+
+} // namespace
+
 std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
     std::vector<AgaaCapability> rows;
-    for (const Technique* technique : techniques())
-        for (uint32_t samples : {1u, 2u, 4u, 8u, 16u, 32u, 64u, 128u}) {
-            if (samples > technique->maxSamples || samples < technique->minSamples())
-                continue;
-            const VisibilityChoice visibility = technique->coverageSamples
-                                                    ? coverageByEdges(samples)
-                                                    : chooseVisibility(caps, samples, AGAA_TIER_AUTO);
-            const auto addVisibility = [&](const VisibilityChoice& choice) {
-                rows.push_back(capability(*technique, samples, AGAA_STAGE_PREPASS, choice.tier,
-                                          choice.tier == AGAA_TIER_NATIVE, choice.relativeCost, choice.reason));
-            };
-            addVisibility(visibility);
-            if (visibility.tier == AGAA_TIER_AUTO)
-                continue; // no later stage can run either
-            const VisibilityChoice scaled =
-                technique->coverageSamples ? VisibilityChoice{} : chooseVisibility(caps, samples, AGAA_TIER_SCALED_TARGET);
-            if (scaled.tier != AGAA_TIER_AUTO && scaled.tier != visibility.tier)
-                addVisibility(scaled);
-            if (technique->maxAggregates) {
-                rows.push_back(capability(*technique, samples, AGAA_STAGE_DEFINITION,
-                                          AGAA_TIER_NATIVE, true, 1, "a compute pass."));
-                const GenerationQuery query{.caps = caps, .hwSamples = visibility.hwSamples};
-                for (const GenerationChoice& choice : generationChoices(*technique, query))
-                    rows.push_back(capability(*technique, samples, AGAA_STAGE_GENERATION,
-                                              choice.row ? choice.row->tier : AGAA_TIER_AUTO, false,
-                                              choice.row ? choice.row->relativeCost : 0, choice.reason));
-            }
-            rows.push_back(capability(*technique, samples, AGAA_STAGE_SHADING, AGAA_TIER_NATIVE, true,
-                                      1, "a compute pass."));
-        }
+    for (const Technique* technique : techniques()) {
+        for (uint32_t samples = 1; samples <= technique->maxSamples; samples *= 2)
+            addDeviceSamples(rows, caps, *technique, samples);
+        // At 32, where tiers of both kinds may run, those of the device are listed.
+        const bool isCoverage = std::ranges::any_of(technique->tiers, [](const GenerationTier* row) { return row->hasCoverageSamples; });
+        for (uint32_t samples : {32u, 64u, 128u})
+            if (isCoverage && samples > technique->maxSamples)
+                addCoverageSamples(rows, caps, *technique, samples);
+    }
     return rows;
 }
 

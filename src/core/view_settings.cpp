@@ -61,8 +61,12 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer) {
     return config;
 }
 
-static uint32_t checkSamples(uint32_t samples, const Technique& technique) {
-    if (!technique.coverageSamples) {
+static uint32_t checkSamples(uint32_t samples, const Technique& technique, uint32_t generationTier) {
+    if (!technique.hasCoverageSamples(generationTier)) {
+        for (const GenerationTier* row : technique.tiers)
+            if (row->hasCoverageSamples && (samples == 64 || samples == 128))
+                fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaConfig::samples is %u, which \"%s\" takes with the tier %s alone.",
+                                                     samples, technique.name, agaaTierName(row->tier)));
         checkSampleCount(samples, "AgaaConfig::samples");
         return std::min(samples, technique.maxSamples);
     }
@@ -194,7 +198,7 @@ ViewSettings resolveView(const AgaaViewDesc* pointer) {
     const Technique& technique = *findTechnique(view.config.technique);
     view.config.technique = technique.name; // static storage
     view.technique = technique.name;
-    view.samples = view.config.samples = checkSamples(view.config.samples, technique);
+    view.samples = view.config.samples = checkSamples(view.config.samples, technique, view.config.generationTier);
     readShadowFunction(desc, view);
     readGBufferFunction(desc, view);
     readFetchFunction(desc, view);

@@ -62,7 +62,7 @@ TEST(Planner, UploadsAreReadInOneSegmentEach) {
     for (const Technique* technique : techniques())
         for (uint64_t flags : {uint64_t(0), AGAA_CONFIG_BUFFERED | AGAA_CONFIG_COUNTERS}) {
             ViewSpec spec{.technique = technique->name, .configFlags = flags};
-            spec.samples = std::min(technique->maxSamples, 8u);
+            spec.samples = technique->maxSamples ? std::min(technique->maxSamples, 8u) : 32u;
             const Plan plan = planFor(spec, fourSampleDevice());
             for (const Resource& resource : plan.resources) {
                 const bool isUpload = resource.content != UploadContent::None;

@@ -44,7 +44,8 @@ const std::vector<PayloadRow>& payloadRows() {
             }
         }
         for (const uint32_t n : {32u, 64u, 128u})
-            list.push_back({"dcaa", n, AGAA_TIER_FRAGMENT_LISTS});
+            for (const auto& [technique, tier] : {std::pair("dcaa", AGAA_TIER_FRAGMENT_LISTS), std::pair("agaa", AGAA_TIER_FRAGMENTS)})
+                list.push_back({technique, n, tier});
         return list;
     }();
     return rows;

@@ -55,7 +55,8 @@ struct ViewSettings {
     Mistake mistake;
     void (*build)(PlanBuilder&) = nullptr; // of the plan, in place of the technique's
     bool fetches() const { // materials, by ids
-        return config.generationTier == AGAA_TIER_IDS || config.generationTier == AGAA_TIER_FRAGMENT_LISTS;
+        return config.generationTier == AGAA_TIER_IDS || config.generationTier == AGAA_TIER_FRAGMENT_LISTS ||
+               config.generationTier == AGAA_TIER_FRAGMENTS;
     }
     uint32_t instances = 1; // each shifted by instanceStep against the one before, and a draw of its own
 };

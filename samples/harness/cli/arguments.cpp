@@ -44,15 +44,14 @@ void checkTechnique(const std::string& technique) {
     throw BadArgument("--technique is \"" + technique + "\"; it can be " + list + ".");
 }
 
-void checkCounts(const PlanArguments& arguments) {
+void checkCounts(const PlanArguments& arguments, bool isCoverage) {
     const uint32_t n = arguments.samples;
-    const bool isCoverage = arguments.technique == "dcaa";
     if (isCoverage && n != 32 && n != 64 && n != 128)
-        throw BadArgument("--samples is " + std::to_string(n) + "; coverage samples of dcaa can be 32, 64 or 128.");
+        throw BadArgument("--samples is " + std::to_string(n) + "; coverage samples can be 32, 64 or 128.");
     if (!isCoverage && (n == 0 || n > 32 || (n & (n - 1))))
         throw BadArgument("--samples is " + std::to_string(n) +
                           "; it can be 1, 2, 4, 8, 16 or 32.");
-    const uint32_t most = isCoverage ? 8 : arguments.technique == "sbaa" ? 6 : 4;
+    const uint32_t most = arguments.technique == "dcaa" ? 8 : arguments.technique == "sbaa" ? 6 : 4;
     if (arguments.aggregates < 1 || arguments.aggregates > most)
         throw BadArgument("--aggregates is " + std::to_string(arguments.aggregates) + "; it can be 1 to " +
                           std::to_string(most) + ".");
@@ -154,7 +153,6 @@ void requireBackend(const std::string& name) {
 
 Configuration::Configuration(const PlanArguments& arguments) {
     checkTechnique(arguments.technique);
-    checkCounts(arguments);
     size = parseSize(arguments.size);
     layout = readLayout(arguments.layout);
     config.layout = &layout;
@@ -209,6 +207,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
                                {"tier", AGAA_DEBUG_VIEW_TIER}});
     for (const std::string& tier : arguments.tiers)
         setTier(config, tier, isModel);
+    checkCounts(arguments, config.coversByEdges());
     if (arguments.preset.empty())
         return;
     if (config.applyPreset(arguments.preset.c_str()) != AGAA_OK)

@@ -26,10 +26,14 @@ struct TechniqueConfig : AgaaConfig {
         return *this;
     }
 
+    // Whether n counts coverage samples.
+    bool coversByEdges() const {
+        const std::string_view name = technique;
+        return name == "dcaa" || (name == "agaa" && generationTier == AGAA_TIER_FRAGMENTS);
+    }
     // Whether views need an AgaaFetchFunction.
     bool fetches() const {
-        return generationTier == AGAA_TIER_IDS || generationTier == AGAA_TIER_FRAGMENT_LISTS ||
-               std::string_view(technique) == "dcaa";
+        return generationTier == AGAA_TIER_IDS || generationTier == AGAA_TIER_FRAGMENT_LISTS || coversByEdges();
     }
     AgaaResult applyPreset(const char* name) { return agaaApplyPreset(name, this, &aggregation, &measurement); }
 

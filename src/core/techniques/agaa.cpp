@@ -1,5 +1,7 @@
 // `agaa`: prepass, aggregate definition, AG-buffer generation, shading (Crassin et al. 2016, section 3).
+#include "core/error.h"
 #include "core/techniques/aggregation.h"
+#include "core/techniques/fragment_lists.h"
 #include "core/techniques/generation_tiers.h"
 #include "core/techniques/techniques.h"
 
@@ -54,12 +56,29 @@ void buildNative(PlanBuilder& b) {
     b.plan.bytesPerAggregate = uint32_t(bytes);
 }
 
+// What lists of fragments show at coverage samples is clustered and shaded at once.
+void shadeFromFragments(PlanBuilder& b) {
+    require(!hasBatches(b), AGAA_ERROR_UNSUPPORTED,
+            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; the tier fragments needs all fragments at once.");
+    require(!(b.plan.config.flags & AGAA_CONFIG_BUFFERED), AGAA_ERROR_UNSUPPORTED,
+            "AGAA_CONFIG_BUFFERED is not for the tier fragments, which shades aggregates at once.");
+    const FragmentLists lists = drawFragments(b, 4); // a depth plane, the aggregate
+    Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_fragments", AGAA_SEGMENT_SHADING);
+    b.bindCommon(shade);
+    lists.bind(b, shade);
+    b.bindLighting(shade);
+    b.bindOutput(shade);
+    b.copyCounters();
+}
+
 void build(PlanBuilder& b) {
     if (b.plan.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
         return buildNative(b);
     b.defaultSurface(0.98f, 1.0f, 1.0f);
     if (b.plan.config.flags & AGAA_CONFIG_SPLIT_SURFACES)
         b.plan.config.surfaceCosine = 2.0f; // that no two normals have
+    if (b.plan.generationTier == AGAA_TIER_FRAGMENTS)
+        return shadeFromFragments(b);
     const bool byIds = b.plan.generationTier == AGAA_TIER_IDS;
     const bool fromGBuffer = b.plan.generationTier == AGAA_TIER_GBUFFER;
     if ((byIds || fromGBuffer) && !(b.plan.config.flags & AGAA_CONFIG_BUFFERED))
@@ -75,8 +94,8 @@ void build(PlanBuilder& b) {
 } // namespace
 
 static constexpr const GenerationTier* tiers[] = {&idsTier, &postDepthTier, &perSampleTier, &gbufferTier,
-                                                  &mixedSamplesTier};
-static constexpr const TechniqueSettings* settings[] = {&aggregationSettings};
-const Technique agaaTechnique = {"agaa", 32, false, 4, true, tiers, settings, build};
+                                                  &mixedSamplesTier, &fragmentsTier};
+static constexpr const TechniqueSettings* settings[] = {&aggregationSettings, &coverageSettings};
+const Technique agaaTechnique = {"agaa", 32, 4, true, tiers, settings, build};
 
 } // namespace agaa

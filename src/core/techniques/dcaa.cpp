@@ -89,6 +89,6 @@ constexpr const TechniqueSettings* settings[] = {&coverageSettings};
 
 } // namespace
 
-const Technique dcaaTechnique = {"dcaa", 128, true, 8, false, tiers, settings, build};
+const Technique dcaaTechnique = {"dcaa", 0, 8, false, tiers, settings, build};
 
 } // namespace agaa

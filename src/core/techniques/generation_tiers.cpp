@@ -97,45 +97,64 @@ TierAnswer answerIds(const GenerationQuery& q) {
                       : "materials are fetched by the ids that the only geometry pass leaves."};
 }
 
-TierAnswer answerFragmentLists(const GenerationQuery& q) {
+// Why fragments cannot be kept in lists; empty where they can.
+std::string listsRefusal(const GenerationQuery& q, AgaaTier tier) {
     if (q.hostGBuffer)
-        return {false, "a G-buffer that the host draws has no coverage beyond its samples."};
+        return "a G-buffer that the host draws has no coverage beyond its samples.";
     if (!q.fetches)
-        return {false, "the tier lists needs an AgaaFetchFunction."};
+        return format("the tier %s needs an AgaaFetchFunction.", agaaTierName(tier));
     if (q.someUnfetched)
-        return {false, "the tier lists fetches the materials of all draws; AGAA_FETCH_NOT_ALL_DRAWS must not be set."};
+        return format("the tier %s fetches the materials of all draws; AGAA_FETCH_NOT_ALL_DRAWS must not be set.",
+                      agaaTierName(tier));
     if (q.customDepth)
-        return {false, "materials that write depth or discard on their own cannot be fetched by id with their depth."};
+        return "materials that write depth or discard on their own cannot be fetched by id with their depth.";
     if (!hasAtomics(q))
-        return {false, "the device has no atomics in fragment shaders."};
+        return "the device has no atomics in fragment shaders.";
     if (!(q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS))
-        return {false, "the device has no geometry shaders, which give a fragment to every pixel that a triangle touches."};
+        return "the device has no geometry shaders, which give a fragment to every pixel that a triangle touches.";
+    return {};
+}
+
+TierAnswer answerFragmentLists(const GenerationQuery& q) {
+    if (std::string refusal = listsRefusal(q, AGAA_TIER_FRAGMENT_LISTS); !refusal.empty())
+        return {false, refusal};
     return {true, "fragments are appended to a list for each pixel and merged in the order of their ids."};
+}
+
+TierAnswer answerFragments(const GenerationQuery& q) {
+    if (std::string refusal = listsRefusal(q, AGAA_TIER_FRAGMENTS); !refusal.empty())
+        return {false, refusal};
+    return {true, "fragments are appended to a list for each pixel; those that show are clustered by a compute pass."};
 }
 
 } // namespace
 
 const GenerationTier idsTier = {
     .tier = AGAA_TIER_IDS, .relativeCost = idsCost, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = true,
+    .countsPrimitives = true, .hasCoverageSamples = false,
     .offer = "with an AgaaFetchFunction, materials are fetched by the ids that the only geometry pass leaves.",
     .answer = answerIds};
 const GenerationTier postDepthTier = {
     .tier = AGAA_TIER_POST_DEPTH_ATOMICS, .relativeCost = 1, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = false, .countsPrimitives = false, .offer = nullptr, .answer = answerPostDepth};
+    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr, .answer = answerPostDepth};
 const GenerationTier perSampleTier = {
     .tier = AGAA_TIER_PER_SAMPLE, .relativeCost = perSampleCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = false, .countsPrimitives = false, .offer = nullptr, .answer = answerPerSample};
+    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr, .answer = answerPerSample};
 const GenerationTier gbufferTier = {
     .tier = AGAA_TIER_GBUFFER, .relativeCost = gbufferCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = true, .countsPrimitives = false, .offer = nullptr, .answer = answerGBuffer};
+    .knowsMaterials = true, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr, .answer = answerGBuffer};
 const GenerationTier mixedSamplesTier = {
     .tier = AGAA_TIER_NV_MIXED_SAMPLES, .relativeCost = 1, .isAutomatic = false, .isModel = true,
-    .knowsMaterials = false, .countsPrimitives = false, .offer = nullptr, .answer = answerMixedSamples};
+    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr, .answer = answerMixedSamples};
 const GenerationTier fragmentListsTier = {
     .tier = AGAA_TIER_FRAGMENT_LISTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false,
+    .countsPrimitives = false, .hasCoverageSamples = true,
     .offer = "with an AgaaFetchFunction, fragments are appended to a list for each pixel and merged in the order of their ids.",
     .answer = answerFragmentLists};
+const GenerationTier fragmentsTier = {
+    .tier = AGAA_TIER_FRAGMENTS, .relativeCost = 1, .isAutomatic = false, .isModel = false, .knowsMaterials = true,
+    .countsPrimitives = true, .hasCoverageSamples = true,
+    .offer = "with an AgaaFetchFunction, the fragments that show at coverage samples are clustered by a compute pass.",
+    .answer = answerFragments};
 
 } // namespace agaa

@@ -40,6 +40,6 @@ static void build(PlanBuilder& b) {
     b.copyCounters();
 }
 
-const Technique msaaTechnique = {"msaa", 32, false, 0, false, {}, {}, build};
+const Technique msaaTechnique = {"msaa", 32, 0, false, {}, {}, build};
 
 } // namespace agaa

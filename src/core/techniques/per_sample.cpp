@@ -46,9 +46,9 @@ void buildSimpleComplex(PlanBuilder& b) {
 
 } // namespace
 
-const Technique singleTechnique = {"single", 1, false, 0, false, {}, {}, buildPerSample};
-const Technique ssaaTechnique = {"ssaa", 32, false, 0, false, {}, {}, buildPerSample};
-const Technique fxaaTechnique = {"fxaa", 1, false, 0, false, {}, {}, buildFxaa};
-const Technique simpleComplexTechnique = {"simple_complex", 32, false, 0, false, {}, {}, buildSimpleComplex};
+const Technique singleTechnique = {"single", 1, 0, false, {}, {}, buildPerSample};
+const Technique ssaaTechnique = {"ssaa", 32, 0, false, {}, {}, buildPerSample};
+const Technique fxaaTechnique = {"fxaa", 1, 0, false, {}, {}, buildFxaa};
+const Technique simpleComplexTechnique = {"simple_complex", 32, 0, false, {}, {}, buildSimpleComplex};
 
 } // namespace agaa

@@ -21,6 +21,13 @@ const Technique* findTechnique(std::string_view name) {
     return nullptr;
 }
 
+bool Technique::hasCoverageSamples(uint32_t generationTier) const {
+    for (const GenerationTier* row : tiers)
+        if (generationTier == AGAA_TIER_AUTO ? row->isAutomatic : row->tier == AgaaTier(generationTier))
+            return row->hasCoverageSamples;
+    return maxSamples == 0;
+}
+
 std::vector<uint32_t> settingsTypes() {
     std::vector<uint32_t> types;
     for (const Technique* technique : techniques())

@@ -12,6 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
 #include "passes/aggregate.glsl"
+#include "passes/samples.glsl"
 #include "passes/grouping.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "passes/tile.glsl"
@@ -24,7 +25,7 @@ void agaa_weighNormals(uvec2 pixel, uint covered) { agaa_weighFetchedNormals(pix
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
     agaa_PixelSamples samples = agaa_loadSamples(pixel);
-    uint count = agaa_groupSamples(pixel, samples);
+    uint count = agaa_groupSamples(pixel, samples, agaa_sampleCount());
     uint base = gl_LocalInvocationIndex * AGAA_AGGREGATES;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
         agaa_masks[base + a] = a == 0u && count == 1u ? samples.covered : 0u;

@@ -8,6 +8,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/constants.glsl"
 #include "passes/frame.glsl"
 #include "passes/target.glsl"
+#include "passes/samples.glsl"
 #include "passes/grouping.glsl"
 #include "math/metadata.glsl"
 
@@ -27,7 +28,7 @@ void main() {
         return;
     agaa_PixelSamples samples = agaa_loadSamples(pixel);
     uvec2 planes = uvec2(0u);
-    if (agaa_groupSamples(pixel, samples) > 1u) {
+    if (agaa_groupSamples(pixel, samples, agaa_sampleCount()) > 1u) {
         for (uint i = 0u; i < agaa_sampleCount(); ++i)
             if ((samples.covered >> i & 1u) != 0u)
                 agaa_putAggregateId(planes, i, agaa_sampleAggregate[i]);

@@ -6,7 +6,10 @@
 #include "passes/fetch.glsl"
 #include "passes/fragment_layout.glsl"
 
-layout(std430, AGAA_AT_FRAGMENTS) buffer agaa_FragmentBlock {
+#ifndef AGAA_LISTS_QUALIFIER
+#define AGAA_LISTS_QUALIFIER // coherent: lanes read what others wrote
+#endif
+layout(std430, AGAA_AT_FRAGMENTS) AGAA_LISTS_QUALIFIER buffer agaa_FragmentBlock {
     uint words[];
 } agaa_fragments;
 bool agaa_hasBatches() { return agaa_frame.counts.z > 1u; }

@@ -2,7 +2,7 @@
 #ifndef AGAA_PRIMITIVE_MEANS_GLSL
 #define AGAA_PRIMITIVE_MEANS_GLSL
 #include "passes/aggregate.glsl"
-#include "passes/fetch.glsl"
+#include "passes/fetched_means.glsl"
 #include "passes/sample_ids.glsl"
 #include "passes/pixel_work.glsl"
 
@@ -13,13 +13,6 @@ float agaa_weightOf(uint i, bool isLit) {
 #endif
     return 1.0;
 }
-
-// Sums of places in the pixel and of their products, over samples of the weight scale * agaa_weightOf().
-struct agaa_Places {
-    float weight;
-    vec2 sum;
-    vec3 products; // xx, yy, xy
-};
 
 agaa_Places agaa_placesOf(uint samples, float scale, bool isLit) {
     agaa_Places p = agaa_Places(0.0, vec2(0.0), vec3(0.0));
@@ -34,39 +27,12 @@ agaa_Places agaa_placesOf(uint samples, float scale, bool isLit) {
     return p;
 }
 
-// Normals of a primitive that grow evenly across the pixel: as one in their middle, with the spread around it.
-void agaa_addCurved(inout agaa_Means m, AgaaMaterial material, agaa_Places places) {
-    vec2 middle = places.sum / places.weight;
-    vec3 n = material.normal + middle.x * material.normalDx + middle.y * material.normalDy;
-    float scale = inversesqrt(max(dot(n, n), 1e-6));
-    n *= scale;
-    vec3 u = scale * material.normalDx;
-    vec3 v = scale * material.normalDy;
-    vec3 spread = places.products / places.weight - vec3(middle * middle, middle.x * middle.y);
-    spread.xy = max(spread.xy, vec2(0.0));
-    vec3 squares = spread.x * u * u + spread.y * v * v + 2.0 * spread.z * u * v;
-    float total = 1.0 + max(squares.x + squares.y + squares.z, 0.0);
-    m.normal += places.weight * inversesqrt(total) * n;
-    if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF >= agaa_ndfLean) {
-        float share = places.weight / total;
-        agaa_addNormalMoments(m.moments, share, n);
-        m.moments.squares += share * squares;
-        m.moments.mixed += share * (spread.x * u.yzx * u.zxy + spread.y * v.yzx * v.zxy +
-                                    spread.z * (u.yzx * v.zxy + u.zxy * v.yzx));
-    }
-}
-
 // Adds these samples of a primitive.
 void agaa_addPrimitive(inout agaa_Means m, AgaaMaterial material, uint samples, float scale, bool isLit) {
     bool isCurved = agaa_isCurvedMaterial(material);
     agaa_Places places = agaa_placesOf(isCurved || isLit ? samples : 0u, scale, isLit);
     float weight = isCurved || isLit ? places.weight : scale * float(bitCount(samples));
-    agaa_Surface s = agaa_surfaceOfMaterial(material);
-    agaa_addMaterial(m, weight, s);
-    if (!isCurved)
-        agaa_addNormal(m, weight, s.normal);
-    else if (weight > 0.0)
-        agaa_addCurved(m, material, places);
+    agaa_addFetched(m, material, weight, places);
 }
 
 // count: of the pixel's aggregates; uncovered: samples beside the covered ones that no pass gave a material.

@@ -2,6 +2,7 @@
 // middle of the samples that its primitive has in a pixel, and the grouping of samples in pixels of several.
 #ifndef AGAA_PRIMITIVES_GLSL
 #define AGAA_PRIMITIVES_GLSL
+#include "passes/samples.glsl"
 #include "passes/grouping.glsl"
 #include "passes/debug_view.glsl"
 
@@ -145,8 +146,7 @@ agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
     do {
         if ((covered >> i & 1u) != 0u) {
             vec3 normal = agaa_listPlane[agaa_samplePrimitive[i]];
-            uvec3 c = uvec3((normal * 0.5 + 0.5) * 2047.0 + 0.5);
-            agaa_addSample(samples, pixel, i, normal, ((c.x * 2048u + c.y) * 2048u + c.z) * 2654435761u >> 16);
+            agaa_addSample(samples, pixel, i, normal, agaa_codeOfNormal(normal));
         }
     } while (++i < agaa_sampleCount());
     return agaa_withDistance(samples);
@@ -179,7 +179,7 @@ void agaa_weighNormals(uvec2 pixel, uint covered) {
 void agaa_groupListed(uint lane) {
     uvec2 pixel = agaa_pixelOf(lane);
     agaa_PixelSamples samples = agaa_listedSamples(pixel, lane);
-    uint count = agaa_groupSamples(pixel, samples);
+    uint count = agaa_groupSamples(pixel, samples, agaa_sampleCount());
     agaa_aggregateCount[lane] = count;
     uint base = lane * AGAA_AGGREGATES;
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a)

@@ -2,7 +2,7 @@
 #ifndef AGAA_SAMPLES_GLSL
 #define AGAA_SAMPLES_GLSL
 #include "math/encoding.glsl"
-#include "math/clustering.glsl"
+#include "passes/pixel_samples.glsl"
 #include "passes/sample_depth.glsl"
 #include "passes/stored.glsl"
 
@@ -41,43 +41,12 @@ bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 }
 #endif
 
-// Whether samples of one plane may be in several aggregates (AGAA_CONFIG_SPLIT_SURFACES): the planner then asks for a
-// cosine that no two normals have.
-bool agaa_splitsSurfaces() { return AGAA_AGGREGATES > 1u && agaa_frame.surface.x > 1.0; }
-
-struct agaa_PixelSamples {
-    uint covered;
-    float nearest;  // distance
-    float nearestZ; // along the view
-};
-
-// Normals, for the clustering alone, as long as their gloss makes differences count: w = weight / alpha, [1;20].
-void agaa_weighNormal(uint i, vec3 shadingNormal, float alpha2) {
-    float w = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) * inversesqrt(max(alpha2, agaa_minAlpha2())), 1.0, 20.0);
-    agaa_sampleNormal[i] = sqrt(w) * shadingNormal;
-}
-
-agaa_PixelSamples agaa_noSamples() { return agaa_PixelSamples(0u, 3.0e38, 3.0e38); }
-
-// While samples are added, the distance is its square.
-agaa_PixelSamples agaa_withDistance(agaa_PixelSamples samples) {
-    samples.nearest = sqrt(samples.nearest);
-    return samples;
-}
-
 // One more sample that shows geometry. normal: in the frame of the positions; code: equal for equal normals.
 void agaa_addSample(inout agaa_PixelSamples samples, uvec2 pixel, uint i, vec3 normal, uint code) {
-    samples.covered |= 1u << i;
     float depth = agaa_depthOf(pixel, i);
-    vec3 position = agaa_sampleViewPosition(pixel, i, depth);
-    uvec2 place = uvec2(agaa_sampleLocation(i) * 128.0);
     float quantum = agaa_frame.projection1.w;
     quantum = quantum < 0.0 ? -quantum * depth : quantum; // float formats: relative
-    float depthStep = agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x, agaa_frame.projection1.y,
-                                        agaa_isOrthographic(), quantum);
-    agaa_setSample(i, position, normal, depthStep, floatBitsToUint(depth), code << 16 | place.x << 8 | place.y);
-    samples.nearest = min(samples.nearest, dot(position, position));
-    samples.nearestZ = min(samples.nearestZ, abs(position.z));
+    agaa_addPlaced(samples, i, agaa_sampleViewPosition(pixel, i, depth), depth, quantum, agaa_sampleLocation(i), normal, code);
 }
 
 #ifndef AGAA_HOST_FETCH
@@ -124,14 +93,4 @@ agaa_PixelSamples agaa_loadSamples(uvec2 pixel) {
     return agaa_withDistance(samples);
 }
 #endif
-
-float agaa_pixelCharacteristicLength(agaa_PixelSamples samples) {
-    float distance = agaa_scaleDistance(samples.nearest, agaa_frame.projection0.x, agaa_isOrthographic());
-    return agaa_characteristicLength(agaa_frame.cluster.x, agaa_frame.cluster.y, distance);
-}
-
-// How far from its plane a surface may be, beside the steps of depth.
-float agaa_surfaceWidth(agaa_PixelSamples samples) {
-    return agaa_frame.surface.y * agaa_pixelWidth(samples.nearestZ);
-}
 #endif
