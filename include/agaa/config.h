@@ -106,9 +106,9 @@ typedef enum AgaaBrdf {
 
 /* How the spread of normals in an aggregate widens the specular lobe (AGAA section 3.5.2). LEAN and SGGX widen it by the
  * spread in each direction, so that lobes become elliptic: use them for thin geometry with sharp highlights. They need
- * the normal of each sample: the tier must be IDS or GBUFFER without AGAA_CONFIG_BUFFERED. AUTO selects IDS with an
- * AgaaFetchFunction and GBUFFER without; any other tier fails with AGAA_ERROR_UNSUPPORTED. Techniques other than "agaa",
- * and views without specular light, use TOKSVIG instead. */
+ * the normal of each sample: the tier must be FRAGMENTS, or IDS or GBUFFER without AGAA_CONFIG_BUFFERED. Up to 32 samples,
+ * AUTO selects IDS with an AgaaFetchFunction and GBUFFER without; any other tier fails with AGAA_ERROR_UNSUPPORTED.
+ * Techniques other than "agaa", and views without specular light, use TOKSVIG instead. */
 typedef enum AgaaNdf {
     AGAA_NDF_NONE = 0,    /* no widening, for ablation */
     AGAA_NDF_TOKSVIG = 1, /* isotropic, by the length of the mean normal (Toksvig 2005) */
@@ -135,8 +135,9 @@ typedef enum AgaaTier {
                                (AgaaFetchFunction) */
     AGAA_TIER_FRAGMENT_LISTS = 21, /* one geometry pass appends each fragment to a list of its pixel; a compute pass merges
                                       the lists in the order of ids (AgaaFetchFunction) */
-    AGAA_TIER_FRAGMENTS = 22, /* "agaa": the same lists; a compute pass clusters the fragments that show at 32, 64 or 128
-                                 coverage samples, and shades the aggregates (AgaaFetchFunction) */
+    AGAA_TIER_FRAGMENTS = 22, /* "agaa" at 32, 64 or 128 coverage samples: the same lists; a compute pass clusters the
+                                 fragments that show, and shades the aggregates (AgaaFetchFunction). AUTO selects it at 64
+                                 and 128 */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 
@@ -148,8 +149,8 @@ typedef enum AgaaTier {
 #define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x08) /* "agaa": cluster samples of one surface like all others (AGAA 3.3), so
                                                      that their distance may separate them */
 #define AGAA_CONFIG_BUFFERED UINT64_C(0x10) /* "agaa": with the tiers IDS and GBUFFER too, aggregates go to the surface
-                                               "aggregates", and a pass of its own shades them. Excludes litShadows and
-                                               the elliptic NDFs */
+                                               "aggregates", and a pass of its own shades them. Excludes litShadows, the
+                                               elliptic NDFs and the tier FRAGMENTS */
 #define AGAA_CONFIG_FINE_MATERIALS UINT64_C(0x20) /* tier IDS: evaluate a primitive's material for each texel of the target
                                                      that shows it, at the place where a G-buffer has it: the centre,
                                                      or the first covered sample. Derivatives of normals are not used.
@@ -163,7 +164,7 @@ typedef struct AgaaConfig {
     const void* pNext;
     const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa" or "dcaa" */
     uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; "single" and "fxaa" use 1.
-                                 "dcaa": coverage samples per pixel, 32, 64 or 128 */
+                                 "dcaa", and "agaa" with the tier FRAGMENTS: coverage samples per pixel, 32, 64 or 128 */
     uint32_t aggregates;      /* c, aggregates of "agaa", [1, 4]; S, surfaces of "sbaa", [1, 6], and of "dcaa", [1, 8]; at
                                  most n are made. [1, 8] for other techniques, which do not use it */
     const AgaaLayout* layout; /* null: "precise" */
@@ -202,13 +203,13 @@ typedef struct AgaaAggregation {
     /* "agaa", bit i in [0, AGAA_MAX_SHADOW_MAPS): lights of AgaaFrame::shadows[i] are shaded with means over the samples of
      * an aggregate that they reach, times the share of these samples, so that lit and unlit samples may differ in normal and
      * colour. One tap per sample replaces shadowTaps. Bits from AgaaSceneFacts::shadowMapCount on have no effect. Requires
-     * the tier IDS or GBUFFER without AGAA_CONFIG_BUFFERED. AUTO selects one of them; any other tier fails with
-     * AGAA_ERROR_UNSUPPORTED. */
+     * the tier FRAGMENTS, or IDS or GBUFFER without AGAA_CONFIG_BUFFERED. AUTO selects one of them; any other tier fails
+     * with AGAA_ERROR_UNSUPPORTED. */
     uint32_t litShadows;
     /* "agaa", [0, 16]: in equation 1, shading normals differ by glossWeight / alpha as much, clamped to [1, 20], where
      * alpha is GGX alpha; the term stays at most 1. Equal normals with different roughness differ too. Glossy surfaces
-     * are split earlier. 0, and views without specular light, use normals alone. Requires the tier IDS or GBUFFER, which
-     * know materials before they group samples. AUTO selects one of them; any other tier fails with
+     * are split earlier. 0, and views without specular light, use normals alone. Requires the tier IDS, FRAGMENTS or
+     * GBUFFER, which know materials before they group samples. AUTO selects one of them; any other tier fails with
      * AGAA_ERROR_UNSUPPORTED. */
     float glossWeight;
     uint32_t reserved; /* 0 */
@@ -233,7 +234,8 @@ typedef enum AgaaMerge {
                                               merging ways. AgaaConfig::aggregates is not used; maxBatches must be 1, otherwise
                                               the view fails with AGAA_ERROR_UNSUPPORTED */
 
-/* How "dcaa" keeps and merges fragments. Chain it to AgaaConfig. Other techniques check the struct and do not use it. The
+/* How "dcaa" keeps and merges fragments. Chain it to AgaaConfig. "agaa" with the tier FRAGMENTS uses fragmentsPerPixel, and
+ * maxBatches must be 1, otherwise the view fails with AGAA_ERROR_UNSUPPORTED. Others check the struct and do not use it. The
  * smallest cosine between normals that merge is AgaaConfig::surfaceCosine; 0 selects that of pi/16, as in the paper. */
 typedef struct AgaaDecoupledCoverage {
     uint32_t sType;
@@ -266,7 +268,8 @@ typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_EVENTS = 1,     /* number of shading events */
     AGAA_DEBUG_VIEW_AGGREGATES = 2, /* number of aggregates of "agaa", or of surfaces of "sbaa" and "dcaa" */
     AGAA_DEBUG_VIEW_CLUSTERS = 3,   /* a colour per aggregate or surface, mixed by their shares of samples */
-    AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tier IDS without BUFFERED: number of primitives that samples show */
+    AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tiers FRAGMENTS, and IDS without BUFFERED: number of primitives that samples
+                                       show */
     AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that reaches the covered samples; 1
                                        without shadows */
     AGAA_DEBUG_VIEW_WIDENED = 6,    /* "agaa" and "sbaa", with layouts that store roughness: how far the NDF widens
@@ -335,8 +338,8 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
 #define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04)
 #define AGAA_FACT_AMBIENT UINT64_C(0x08)
 /* Materials write depth or discard on their own, so that no second pass can draw them again at equal depth. "agaa" and
- * "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa" and "dcaa" fail with
- * AGAA_ERROR_UNSUPPORTED. */
+ * "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa", "dcaa" and the tier
+ * FRAGMENTS fail with AGAA_ERROR_UNSUPPORTED. */
 #define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10)
 #define AGAA_FACT_ALL_SHADED (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED | AGAA_FACT_AMBIENT)
 

@@ -17,10 +17,10 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
                           .hostGBuffer = plan.hostGBuffer,
                           .fetches = plan.maxDraws > 0,
                           .someUnfetched = plan.someUnfetched,
+                          .coverageSamples = technique.countsCoverage(config.generationTier, plan.samples),
                           .needsMaterials = plan.aggregation.litShadows || plan.aggregation.glossWeight > 0 || config.ndf > AGAA_NDF_TOKSVIG};
     // Other tiers shade at once, without aggregates in memory.
-    const bool isInMemory = technique.groupsSamples && !technique.hasCoverageSamples(config.generationTier);
-    if (isInMemory && !(config.flags & AGAA_CONFIG_BUFFERED))
+    if (technique.groupsSamples && !query.coverageSamples && !(config.flags & AGAA_CONFIG_BUFFERED))
         query.aggregateBytes = aggregateBytes();
     const GenerationChoice choice = chooseGeneration(technique, query, config.generationTier);
     if (!choice.row)
@@ -64,12 +64,12 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
     const bool knowsMaterials = generation_ && generation_->knowsMaterials;
     const bool buffered = config.flags & AGAA_CONFIG_BUFFERED;
     require(plan.aggregation.glossWeight == 0 || knowsMaterials, AGAA_ERROR_UNSUPPORTED,
-            "AgaaAggregation::glossWeight needs the tier ids or gbuffer, which know materials when they group samples.");
+            "AgaaAggregation::glossWeight needs the tier ids, fragments or gbuffer, which know materials when they group samples.");
     require(plan.aggregation.litShadows == 0 || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaAggregation::litShadows needs the tier ids or gbuffer without AGAA_CONFIG_BUFFERED, which know materials "
+            "AgaaAggregation::litShadows needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED, which know materials "
             "and shadows in one pass.");
     require(config.ndf <= AGAA_NDF_TOKSVIG || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::ndf needs the tier ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic lobes, whose "
+            "AgaaConfig::ndf needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic lobes, whose "
             "spread is not kept in memory.");
     const uint32_t view = plan.measurement.debugView;
     const bool ofAggregates = view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_CLUSTERS ||
@@ -80,11 +80,11 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
             "AgaaMeasurement::debugView shows widened lobes, which a layout with folded roughness cannot tell.");
     const bool countsPrimitives = generation_ && generation_->countsPrimitives;
     require(view != AGAA_DEBUG_VIEW_PRIMITIVES || (countsPrimitives && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaMeasurement::debugView shows primitives, which only the tier ids without AGAA_CONFIG_BUFFERED counts.");
+            "AgaaMeasurement::debugView shows primitives, which only the tiers fragments, and ids without AGAA_CONFIG_BUFFERED, count.");
 }
 
 void PlanBuilder::chooseVisibilityTier(const Technique& technique) {
-    if (technique.hasCoverageSamples(plan.config.generationTier)) {
+    if (technique.countsCoverage(plan.config.generationTier, plan.samples)) {
         const uint32_t forced = plan.config.visibilityTier;
         if (forced != AGAA_TIER_AUTO && forced != AGAA_TIER_NATIVE)
             fail(AGAA_ERROR_UNSUPPORTED, format("visibility cannot run: \"%s\" finds coverage by itself, so that the tier %s "

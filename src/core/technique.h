@@ -25,6 +25,7 @@ struct GenerationQuery {
     bool hostGBuffer = false;     // the host draws it
     bool fetches = false;         // the view has an AgaaFetchFunction
     bool someUnfetched = false;   // it does not answer for all draws
+    bool coverageSamples = false; // AUTO: of the tiers that have them
     bool needsMaterials = false;  // settings need materials where samples are grouped
     uint64_t aggregateBytes = 0;  // of one buffer, where another tier would need none; 0: not asked
 };
@@ -65,8 +66,8 @@ struct Technique {
     std::span<const TechniqueSettings* const> settings;
     void (*build)(PlanBuilder& builder);
 
-    // Whether n counts coverage samples with this tier, or with what AUTO may take.
-    bool hasCoverageSamples(uint32_t generationTier) const;
+    // Whether n counts coverage samples: the tier, or with AUTO n itself, decides.
+    bool countsCoverage(uint32_t generationTier, uint32_t samples) const;
 };
 const std::vector<const Technique*>& techniques();
 const Technique* findTechnique(std::string_view name); // null where there is none

@@ -77,7 +77,8 @@ GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery qu
     query.isForced = forced != AGAA_TIER_AUTO;
     GenerationChoice choice;
     for (const GenerationTier* row : technique.tiers) {
-        if (query.isForced ? row->tier != AgaaTier(forced) : !row->isAutomatic)
+        if (query.isForced ? row->tier != AgaaTier(forced)
+                           : !row->isAutomatic || row->hasCoverageSamples != query.coverageSamples)
             continue;
         const TierAnswer answer = row->answer(query);
         choice.reason = answer.reason;
@@ -109,17 +110,13 @@ static AgaaCapability capability(const Technique& technique, uint32_t samples, A
 }
 
 // What is taken where the host neither asks nor offers anything, then all else that runs, then what needs an offer.
-// isCoverage: of the tiers with coverage samples, or of the others.
-static std::vector<GenerationChoice> generationChoices(const Technique& technique, const GenerationQuery& query,
-                                                       bool isCoverage) {
-    const GenerationChoice automatic = technique.hasCoverageSamples(AGAA_TIER_AUTO) == isCoverage
-                                           ? chooseGeneration(technique, query, AGAA_TIER_AUTO)
-                                           : GenerationChoice{};
+static std::vector<GenerationChoice> generationChoices(const Technique& technique, const GenerationQuery& query) {
+    const GenerationChoice automatic = chooseGeneration(technique, query, AGAA_TIER_AUTO);
     std::vector<GenerationChoice> choices;
     if (automatic.row)
         choices.push_back(automatic);
     for (const GenerationTier* row : technique.tiers) {
-        if (row->hasCoverageSamples != isCoverage)
+        if (row->hasCoverageSamples != query.coverageSamples)
             continue;
         const GenerationChoice choice = chooseGeneration(technique, query, row->tier);
         if (choice.row && choice.row != automatic.row && !row->isModel)
@@ -129,7 +126,7 @@ static std::vector<GenerationChoice> generationChoices(const Technique& techniqu
     offered.fetches = true;
     TierAnswer refusal{false, automatic.reason};
     for (const GenerationTier* row : technique.tiers)
-        if (row->hasCoverageSamples == isCoverage && row->offer && (refusal = row->answer(offered)).runs)
+        if (row->hasCoverageSamples == query.coverageSamples && row->offer && (refusal = row->answer(offered)).runs)
             choices.push_back({row, row->offer});
     if (choices.empty())
         choices.push_back({nullptr, refusal.reason});
@@ -145,8 +142,8 @@ void addVisibility(std::vector<AgaaCapability>& rows, const Technique& technique
 }
 
 void addGeneration(std::vector<AgaaCapability>& rows, const Technique& technique, uint32_t samples,
-                   const GenerationQuery& query, bool isCoverage) {
-    for (const GenerationChoice& choice : generationChoices(technique, query, isCoverage))
+                   const GenerationQuery& query) {
+    for (const GenerationChoice& choice : generationChoices(technique, query))
         rows.push_back(capability(technique, samples, AGAA_STAGE_GENERATION, choice.row ? choice.row->tier : AGAA_TIER_AUTO,
                                   false, choice.row ? choice.row->relativeCost : 0, choice.reason));
 }
@@ -167,7 +164,7 @@ void addDeviceSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& c
         addVisibility(rows, technique, samples, scaled);
     if (technique.maxAggregates) {
         rows.push_back(capability(technique, samples, AGAA_STAGE_DEFINITION, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
-        addGeneration(rows, technique, samples, {.caps = caps, .hwSamples = visibility.hwSamples}, false);
+        addGeneration(rows, technique, samples, {.caps = caps, .hwSamples = visibility.hwSamples});
     }
     addShading(rows, technique, samples);
 }
@@ -175,7 +172,7 @@ void addDeviceSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& c
 void addCoverageSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& caps, const Technique& technique,
                         uint32_t samples) {
     addVisibility(rows, technique, samples, coverageByEdges(samples));
-    addGeneration(rows, technique, samples, {.caps = caps}, true);
+    addGeneration(rows, technique, samples, {.caps = caps, .coverageSamples = true});
     addShading(rows, technique, samples);
 }
 
@@ -186,10 +183,9 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
     for (const Technique* technique : techniques()) {
         for (uint32_t samples = 1; samples <= technique->maxSamples; samples *= 2)
             addDeviceSamples(rows, caps, *technique, samples);
-        // At 32, where tiers of both kinds may run, those of the device are listed.
-        const bool isCoverage = std::ranges::any_of(technique->tiers, [](const GenerationTier* row) { return row->hasCoverageSamples; });
+        // At 32, where tiers of both kinds may run, AUTO takes samples of the device.
         for (uint32_t samples : {32u, 64u, 128u})
-            if (isCoverage && samples > technique->maxSamples)
+            if (technique->countsCoverage(AGAA_TIER_AUTO, samples))
                 addCoverageSamples(rows, caps, *technique, samples);
     }
     return rows;

@@ -62,11 +62,7 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer) {
 }
 
 static uint32_t checkSamples(uint32_t samples, const Technique& technique, uint32_t generationTier) {
-    if (!technique.hasCoverageSamples(generationTier)) {
-        for (const GenerationTier* row : technique.tiers)
-            if (row->hasCoverageSamples && (samples == 64 || samples == 128))
-                fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaConfig::samples is %u, which \"%s\" takes with the tier %s alone.",
-                                                     samples, technique.name, agaaTierName(row->tier)));
+    if (!technique.countsCoverage(generationTier, samples)) {
         checkSampleCount(samples, "AgaaConfig::samples");
         return std::min(samples, technique.maxSamples);
     }

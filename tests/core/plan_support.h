@@ -65,7 +65,7 @@ inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
     view.flags = spec.viewFlags;
     view.pNext = spec.chained;
     AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
-    if (findTechnique(spec.technique)->hasCoverageSamples(config.generationTier)) { // which has numbers of samples of its own, and fetches
+    if (findTechnique(spec.technique)->countsCoverage(config.generationTier, config.samples)) { // which has numbers of samples of its own, and fetches
         config.samples = std::max(spec.samples, 32u);
         fetch.glsl = "";
         fetch.maxDraws = fetch.maxPrimitives = 1;

@@ -160,7 +160,7 @@ TEST(Planner, EveryCapabilityCanBePlanned) {
             }
             if (!isFirst)
                 (isVisibility ? spec.visibilityTier : spec.generationTier) = row.tier;
-            if (row.tier == AGAA_TIER_IDS || row.tier == AGAA_TIER_FRAGMENT_LISTS)
+            if (row.tier == AGAA_TIER_IDS || row.tier == AGAA_TIER_FRAGMENT_LISTS || row.tier == AGAA_TIER_FRAGMENTS)
                 spec.chained = &fetch;
             const Plan plan = planFor(spec, caps);
             EXPECT_EQ(uint32_t(isVisibility ? plan.visibilityTier : plan.generationTier), row.tier);
@@ -218,6 +218,31 @@ TEST(Planner, CoverageSamplesAre32Or64Or128) {
     AgaaDeviceCaps caps = idealDevice();
     caps.flags &= ~AGAA_DEVICE_GEOMETRY_SHADERS;
     EXPECT_THROW(planFor({.technique = "dcaa", .samples = 64}, caps), Error);
+}
+
+// Of "agaa": at 64 and 128 AUTO takes coverage samples, at 32 the device's.
+TEST(Planner, FragmentsAreATierOfCoverageSamples) {
+    AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
+    fetch.glsl = "";
+    fetch.maxDraws = fetch.maxPrimitives = 1;
+    ViewSpec spec{.technique = "agaa", .samples = 64, .aggregates = 2, .chained = &fetch};
+    for (const uint32_t samples : {64u, 128u}) {
+        spec.samples = samples;
+        const Plan plan = planFor(spec, idealDevice());
+        EXPECT_EQ(plan.generationTier, AGAA_TIER_FRAGMENTS);
+        EXPECT_EQ(plan.hwSamples, 1u);
+        EXPECT_EQ(plan.geometryPasses(), 1u);
+        // Eight fragments of id, next, mask, plane and aggregate; the first of each pixel, and the counts.
+        const uint64_t pixels = uint64_t(spec.width) * spec.height;
+        EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * (24 + samples / 8)) * pixels + 64);
+        EXPECT_EQ(plan.totalBytes(), bytesOf(plan, "fragments"));
+    }
+    spec.samples = 32;
+    EXPECT_EQ(planFor(spec, idealDevice()).generationTier, AGAA_TIER_IDS);
+    spec.generationTier = AGAA_TIER_FRAGMENTS;
+    EXPECT_EQ(planFor(spec, idealDevice()).generationTier, AGAA_TIER_FRAGMENTS);
+    spec.technique = "sbaa";
+    EXPECT_THROW(planFor(spec, idealDevice()), Error);
 }
 
 // Such materials are drawn once: no pass can test against a depth that they have yet to write.

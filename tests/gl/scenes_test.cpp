@@ -50,6 +50,7 @@ std::vector<Row> rowsOf(const TestScene& scene) {
             {"agaa", 8, 2, 0.001, AGAA_TIER_IDS}, {"agaa", 8, 2, 0.001, AGAA_TIER_GBUFFER},
             {"agaa", 8, 4, 0.001, AGAA_TIER_IDS, "accurate"}, {"agaa", 8, 4, 0.001, AGAA_TIER_GBUFFER, "accurate"},
             {"sbaa", 8, 2},   {"sbaa", 32, 6}, {"simple_complex", 16, 1}, {"dcaa", 64, 4},
+            {"agaa", 64, 4, 0.001, AGAA_TIER_FRAGMENTS, "accurate"},
             {"fxaa", 1, 1, 0.005}}; // it decides at thresholds, where last bits tell
 }
 
@@ -64,7 +65,7 @@ TEST_P(GlScenes, EverySampleCountsOnceAndVulkanAgrees) {
         s.config.samples = row.samples;
         s.config.aggregates = row.aggregates;
         s.config.generationTier = row.tier;
-        s.config.coverage.fragmentsPerPixel = 128; // of dcaa: small images of dense scenes have many
+        s.config.coverage.fragmentsPerPixel = 128; // small images of dense scenes have many
         if (*row.preset) {
             ASSERT_EQ(s.config.applyPreset(row.preset), AGAA_OK);
         }

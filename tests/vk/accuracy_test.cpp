@@ -126,6 +126,31 @@ TEST(PolishedTubes, EllipticLobesErrLessThanShadingEachSample) {
     EXPECT_LT(elliptic, 0.7 * round);
 }
 
+// Fragments at 64 coverage samples, grouped by the preset `accurate`, err less than eight samples that are each shaded; with
+// lit shadows, lobes along thin tubes and cut-outs.
+TEST(FragmentsAtCoverageSamples, ErrLessThanEightShadedSamples) {
+    for (const char* name : {"metal", "foliage"}) {
+        const Scene scene = loadScene(name);
+        sharedRenderer().load(scene);
+        RenderSettings s = settingsFor({name, name, {}}, scene, 160, 90);
+        s.alphaPoints = 4;
+        const Reference truth = renderReference(sharedRenderer(), s, 128);
+        const auto error = [&] { return compareImages(truth.image, sharedRenderer().render(s).image).mseTm; };
+        s.config.technique = "ssaa";
+        s.config.samples = 8;
+        const double eight = error();
+        ASSERT_EQ(s.config.applyPreset("accurate"), AGAA_OK);
+        s.config.samples = 64;
+        s.config.generationTier = AGAA_TIER_FRAGMENTS;
+        s.config.coverage.fragmentsPerPixel = 64;
+        const double fragments = error();
+        std::printf("%s: mseTm of fragments %.3g, %.2f of ssaa 8, whose reference has %.3g\n", name, fragments, fragments / eight,
+                    truth.splitHalfMseTm);
+        EXPECT_LE(fragments, 0.6 * eight);
+        EXPECT_TRUE(sharedRenderer().takeMessages().empty());
+    }
+}
+
 // Normals of vertices face the viewer and away in turn, so that they turn fast inside each triangle and cross length 0.
 TEST(TurningNormals, AccurateByIdHasNoFireflies) {
     constexpr int cells = 40;

@@ -29,7 +29,7 @@ struct TechniqueConfig : AgaaConfig {
     // Whether n counts coverage samples.
     bool coversByEdges() const {
         const std::string_view name = technique;
-        return name == "dcaa" || (name == "agaa" && generationTier == AGAA_TIER_FRAGMENTS);
+        return name == "dcaa" || (name == "agaa" && (generationTier == AGAA_TIER_FRAGMENTS || samples > 32));
     }
     // Whether views need an AgaaFetchFunction.
     bool fetches() const {

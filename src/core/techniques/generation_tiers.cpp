@@ -152,7 +152,7 @@ const GenerationTier fragmentListsTier = {
     .offer = "with an AgaaFetchFunction, fragments are appended to a list for each pixel and merged in the order of their ids.",
     .answer = answerFragmentLists};
 const GenerationTier fragmentsTier = {
-    .tier = AGAA_TIER_FRAGMENTS, .relativeCost = 1, .isAutomatic = false, .isModel = false, .knowsMaterials = true,
+    .tier = AGAA_TIER_FRAGMENTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
     .countsPrimitives = true, .hasCoverageSamples = true,
     .offer = "with an AgaaFetchFunction, the fragments that show at coverage samples are clustered by a compute pass.",
     .answer = answerFragments};

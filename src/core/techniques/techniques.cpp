@@ -21,10 +21,11 @@ const Technique* findTechnique(std::string_view name) {
     return nullptr;
 }
 
-bool Technique::hasCoverageSamples(uint32_t generationTier) const {
+bool Technique::countsCoverage(uint32_t generationTier, uint32_t samples) const {
     for (const GenerationTier* row : tiers)
-        if (generationTier == AGAA_TIER_AUTO ? row->isAutomatic : row->tier == AgaaTier(generationTier))
-            return row->hasCoverageSamples;
+        if (row->hasCoverageSamples &&
+            (generationTier == AGAA_TIER_AUTO ? samples > maxSamples : row->tier == AgaaTier(generationTier)))
+            return true;
     return maxSamples == 0;
 }
 

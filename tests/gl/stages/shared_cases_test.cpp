@@ -3,6 +3,7 @@
 
 #include "coverage_cases.h"
 #include "dcaa_cases.h"
+#include "fragments_cases.h"
 #include "debug_view_cases.h"
 #include "hard_geometry_cases.h"
 #include "hard_material_cases.h"
@@ -19,6 +20,7 @@ namespace {
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ValidationTest, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PlanCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DcaaCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FragmentsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardGeometryCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CoverageCases, OpenGLHost);
