@@ -29,6 +29,11 @@ bool needsOneSample(const std::string& technique) { return technique == "single"
 
 bool hasCoverageSamples(const std::string& technique) { return technique == "dcaa"; }
 
+bool countsCoverage(const AgaaConfig& config) {
+    const bool isFragments = config.generationTier == AGAA_TIER_FRAGMENTS || config.samples > 32;
+    return hasCoverageSamples(config.technique) || (config.technique == std::string("agaa") && isFragments);
+}
+
 uint32_t samplesOf(const std::string& technique, uint32_t samples) {
     return needsOneSample(technique) ? 1 : hasCoverageSamples(technique) ? 16 * samples : samples;
 }

@@ -119,6 +119,7 @@ AgaaFetchFunction emptyFetch();
 // n of a technique where "ssaa" has `samples`: 1 for "single" and "fxaa"; 16 times as many coverage samples for "dcaa".
 uint32_t samplesOf(const std::string& technique, uint32_t samples);
 bool needsOneSample(const std::string& technique);       // "single" and "fxaa"
+bool countsCoverage(const AgaaConfig& config); // whether n counts coverage samples: targets have one
 bool hasCoverageSamples(const std::string& technique);   // "dcaa", which needs an AgaaFetchFunction
 
 // Config, facts and description of a view of 32 x 24 pixels, "agaa" with n = 4, counters, no shadows, ambient light; tests

@@ -71,6 +71,33 @@ void testNotAllDraws(Test& test) {
         }
 }
 
+// AUTO selects the tier where n is beyond the samples of devices.
+void testFragments(Test& test) {
+    for (const uint32_t samples : {32u, 64u, 128u})
+        for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENTS}) {
+            ViewParts parts(test.sdk, nullptr);
+            parts.config.samples = samples;
+            parts.config.generationTier = tier;
+            if (tier == AGAA_TIER_FRAGMENTS || samples > 32)
+                expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "the tier FRAGMENTS without an AgaaFetchFunction",
+                                  "AgaaFetchFunction");
+            parts.chain(parts.fetch);
+            const std::string found = generationTierOf(test, parts);
+            const uint32_t expected = samples > 32 ? uint32_t(AGAA_TIER_FRAGMENTS) : tier ? tier : uint32_t(AGAA_TIER_IDS);
+            test.check(found == test.sdk.agaaTierName(expected), "\"agaa\" with n = " + std::to_string(samples) +
+                                                                     " and generationTier = " + std::to_string(tier) +
+                                                                     " uses the tier " + found + ".");
+            if (expected != AGAA_TIER_FRAGMENTS)
+                continue;
+            parts.fetch.flags = AGAA_FETCH_NOT_ALL_DRAWS;
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "the tier FRAGMENTS and AGAA_FETCH_NOT_ALL_DRAWS",
+                              "AGAA_FETCH_NOT_ALL_DRAWS");
+            parts.fetch.flags = 0;
+            parts.facts.flags |= AGAA_FACT_CUSTOM_DEPTH;
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "the tier FRAGMENTS and AGAA_FACT_CUSTOM_DEPTH", "depth");
+        }
+}
+
 // Lists hold the fragments of all draws, and their materials are fetched.
 void testFragmentLists(Test& test) {
     for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS}) {
@@ -199,6 +226,7 @@ void addHostFunctionCases(Suite& suite) {
     suite.core("AgaaGBufferFunction/tier", testGBufferTiers);
     suite.core("AgaaFetchFunction/tier", testAutoSelectsIds);
     suite.core("AGAA_TIER_FRAGMENT_LISTS/AGAA_ERROR_UNSUPPORTED", testFragmentLists);
+    suite.core("AGAA_TIER_FRAGMENTS/AGAA_ERROR_UNSUPPORTED", testFragments);
     suite.core("AgaaShadowFunction.shadows/range", testShadowBits);
     suite.core("AGAA_FETCH_NOT_ALL_DRAWS/AGAA_ERROR_UNSUPPORTED", testNotAllDraws);
     suite.core("AgaaDebugView/AGAA_ERROR_UNSUPPORTED", testDebugViews);

@@ -13,7 +13,8 @@ void useDcaa(ViewParts& parts) { parts.setTechnique("dcaa", 4); }
 void addConfig(Suite& suite) {
     addMember(suite, {"AgaaConfig.samples/range", "AgaaConfig::samples",
                       [](ViewParts& p, double x) { p.config.samples = whole(x); },
-                      {1, 2, 4, 8, 16, 32}, largeNumbers({0, 3, 5, 6, 7, 12, 24, 31, 33, 64, 128, 65536})});
+                      {1, 2, 4, 8, 16, 32, 64, 128}, largeNumbers({0, 3, 5, 6, 7, 12, 24, 31, 33, 96, 256, 65536}),
+                      [](ViewParts& p) { p.chain(p.fetch); }});
     addMember(suite, {"AgaaConfig.samples/range/dcaa", "AgaaConfig::samples",
                       [](ViewParts& p, double x) { p.config.samples = whole(x); }, {32, 64, 128},
                       largeNumbers({0, 1, 2, 4, 8, 16, 31, 33, 63, 65, 96, 127, 129, 256}), useDcaa});
@@ -56,7 +57,7 @@ void addConfig(Suite& suite) {
 
 // Tiers that need other parts, and tiers of another stage, are in unsupported.cpp.
 void addTiers(Suite& suite) {
-    const std::vector<double> unknown = {5, 15, AGAA_TIER_FRAGMENT_LISTS + 1};
+    const std::vector<double> unknown = {5, 15, AGAA_TIER_FRAGMENTS + 1};
     addMember(suite, {"AgaaConfig.visibilityTier/enum", "AgaaConfig::visibilityTier",
                       [](ViewParts& p, double x) { p.config.visibilityTier = whole(x); },
                       {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET}, largeNumbers({}), nullptr, unknown});

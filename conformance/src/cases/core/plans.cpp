@@ -25,10 +25,17 @@ std::string nameOf(const ViewParts& p) {
 void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
     for (const char* technique : techniques)
         for (const uint32_t samples : hasCoverageSamples(technique) ? std::vector<uint32_t>{32, 64, 128}
-                                                                    : std::vector<uint32_t>{1, 2, 4, 8, 16, 32})
+                                      : technique == std::string("agaa")
+                                          ? std::vector<uint32_t>{1, 2, 4, 8, 16, 32, 64, 128}
+                                          : std::vector<uint32_t>{1, 2, 4, 8, 16, 32})
             for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER,
-                                        AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_FRAGMENT_LISTS}) {
+                                        AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_FRAGMENT_LISTS,
+                                        AGAA_TIER_FRAGMENTS}) {
                 const bool isList = tier == AGAA_TIER_FRAGMENT_LISTS;
+                const bool isFragments = tier == AGAA_TIER_FRAGMENTS || (samples > 32 && technique == std::string("agaa"));
+                if (isFragments && (samples < 32 || technique != std::string("agaa") ||
+                                    (tier != AGAA_TIER_FRAGMENTS && tier != AGAA_TIER_AUTO)))
+                    continue;
                 const bool isAgaa = technique == std::string("agaa"), isSbaa = technique == std::string("sbaa");
                 if (tier != AGAA_TIER_AUTO && !(isAgaa && !isList) && !(isSbaa && !isList && tier != AGAA_TIER_IDS) &&
                     !(isList && hasCoverageSamples(technique)))
@@ -37,7 +44,7 @@ void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
                 parts.setTechnique(technique, samples);
                 parts.config.samples = samples;
                 parts.config.generationTier = tier;
-                if (tier == AGAA_TIER_IDS)
+                if (tier == AGAA_TIER_IDS || isFragments)
                     parts.chain(parts.fetch);
                 check(parts);
             }
@@ -90,7 +97,7 @@ void checkSurfaces(Test& test, ViewParts& parts) {
         test.check(isBuffer || (s.width == parts.desc.width * s.scaleX && s.height == parts.desc.height * s.scaleY),
                    what + ": the size is not the scale times the view's.");
     }
-    const bool hasDepth = target.geometryPasses > 0 && !hasCoverageSamples(parts.config.technique);
+    const bool hasDepth = target.geometryPasses > 0 && !countsCoverage(parts.config);
     test.check(names.count("depth") == hasDepth, callWith("agaaQueryMemory", nameOf(parts)) +
                                                      ": \"depth\" does not exist in exactly the views that draw into depth.");
 }
@@ -101,7 +108,7 @@ void checkTarget(Test& test, ViewParts& parts) {
     test.requireOk(test.sdk.agaaQueryTarget(&parts.desc, &parts.caps, nullptr, &t), call);
     test.check(t.width == parts.desc.width * t.scaleX && t.height == parts.desc.height * t.scaleY,
                call + ": the size is not the scale times the view's.");
-    const bool isOne = needsOneSample(parts.config.technique) || hasCoverageSamples(parts.config.technique);
+    const bool isOne = needsOneSample(parts.config.technique) || countsCoverage(parts.config);
     const uint32_t promised = isOne ? 1 : parts.config.samples;
     test.check(t.scaleX * t.scaleY * t.samples == promised,
                call + ": a pixel has " + std::to_string(t.scaleX * t.scaleY * t.samples) + " samples where " +
@@ -186,7 +193,7 @@ void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapabilit
         parts.config.visibilityTier = row.tier;
     else if (row.stage == AGAA_STAGE_GENERATION)
         parts.config.generationTier = row.tier;
-    if (row.tier == AGAA_TIER_IDS)
+    if (row.tier == AGAA_TIER_IDS || (countsCoverage(parts.config) && !hasCoverageSamples(row.technique)))
         parts.chain(parts.fetch);
     const std::string what = nameOf(parts) + ", stage " + std::to_string(row.stage) + ", tier " + std::to_string(row.tier);
     if (row.tier == AGAA_TIER_AUTO || !canRun)
@@ -206,6 +213,8 @@ void checkFirst(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& ro
     parts.setTechnique(row.technique, 4);
     parts.config.samples = row.samples;
     parts.config.flags = 0;
+    if (countsCoverage(parts.config) && !hasCoverageSamples(row.technique))
+        parts.chain(parts.fetch);
     const auto plan = nlohmann::json::parse(planText(test, parts));
     const std::string tier = plan.at("tiers").value(row.stage == AGAA_STAGE_PREPASS ? "visibility" : "generation", "");
     test.check(tier == test.sdk.agaaTierName(row.tier), "agaaQueryCapabilities lists another tier first than AUTO selects for " +

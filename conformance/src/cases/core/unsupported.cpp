@@ -115,7 +115,7 @@ void testReservedTier(Test& test, uint32_t tier, const std::string& name) {
 // A tier of the other stage.
 void testOtherStage(Test& test) {
     for (const uint32_t tier : {AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
-                                AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_FRAGMENT_LISTS})
+                                AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_FRAGMENTS})
         testRows(test, {{"visibilityTier = " + std::to_string(tier), unsupported,
                          [=](ViewParts& p) { p.config.visibilityTier = tier; }, ""}});
     for (const uint32_t tier : {AGAA_TIER_NATIVE, AGAA_TIER_NV_MULTICAST, AGAA_TIER_SCALED_TARGET, AGAA_TIER_LAYERS})
@@ -142,9 +142,10 @@ void testOtherTechnique(Test& test) {
         testRows(test, {{std::string("\"") + technique + "\" and AGAA_TIER_FRAGMENT_LISTS", unsupported,
                          with(technique, AGAA_TIER_FRAGMENT_LISTS), ""}});
     for (const uint32_t tier : {AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
-                                AGAA_TIER_GBUFFER, AGAA_TIER_IDS})
+                                AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_FRAGMENTS})
         testRows(test, {{"\"dcaa\" and generationTier = " + std::to_string(tier), unsupported, with("dcaa", tier), ""}});
-    testRows(test, {{"\"sbaa\" and AGAA_TIER_IDS", unsupported, with("sbaa", AGAA_TIER_IDS), ""}});
+    for (const uint32_t tier : {AGAA_TIER_IDS, AGAA_TIER_FRAGMENTS})
+        testRows(test, {{"\"sbaa\" and generationTier = " + std::to_string(tier), unsupported, with("sbaa", tier), ""}});
 }
 
 void testMixedSamples(Test& test) {
@@ -256,6 +257,22 @@ void testExact(Test& test) {
                     {"\"agaa\", AGAA_COVERAGE_EXACT and maxBatches = 2", AGAA_OK, with("agaa", 2), ""}});
 }
 
+// The tier FRAGMENTS of "agaa" groups and shades all fragments in one pass.
+void testFragmentsAtOnce(Test& test) {
+    const auto fragments = [](uint32_t maxBatches, uint64_t flags) {
+        return [=](ViewParts& p) {
+            p.chain(p.fetch);
+            p.config.samples = 64;
+            p.config.flags |= flags;
+            p.coverage.maxBatches = maxBatches;
+            p.coverage.flags = AGAA_COVERAGE_EXACT; // is of "dcaa"
+        };
+    };
+    testRows(test, {{"the tier FRAGMENTS", AGAA_OK, fragments(1, 0), ""},
+                    {"the tier FRAGMENTS and maxBatches = 2", unsupported, fragments(2, 0), ""},
+                    {"the tier FRAGMENTS and AGAA_CONFIG_BUFFERED", unsupported, fragments(1, AGAA_CONFIG_BUFFERED), ""}});
+}
+
 void testVisibilityTier(Test& test) {
     const auto with = [](uint32_t tier) {
         return [=](ViewParts& p) {
@@ -312,6 +329,7 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_stage", testOtherStage);
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_technique", testOtherTechnique);
     suite.core("AGAA_COVERAGE_EXACT/AGAA_ERROR_UNSUPPORTED", testExact);
+    suite.core("AgaaDecoupledCoverage/AGAA_ERROR_UNSUPPORTED", testFragmentsAtOnce);
     suite.core("AGAA_CONFIG_COUNTERS/AGAA_ERROR_UNSUPPORTED", testCounters);
     suite.core("AGAA_FACT_CUSTOM_DEPTH/AGAA_ERROR_UNSUPPORTED", testCustomDepth);
     suite.core("AgaaConfig.generationTier/AGAA_ERROR_UNSUPPORTED", testGenerationTier);
