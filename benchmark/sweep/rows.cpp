@@ -20,11 +20,13 @@ std::string SweepRow::name() const {
     return text.str();
 }
 
+constexpr float roomForAll = 48; // fragments per pixel of the densest scene
+
 // No row loses fragments: lists that are merged are drawn again where a scene is dense, exact ones have room for it.
 static void applyCoverage(const std::string& preset, TechniqueConfig& config) {
     if (preset == "exact") {
         config.coverage.flags = AGAA_COVERAGE_EXACT;
-        config.coverage.fragmentsPerPixel = 48;
+        config.coverage.fragmentsPerPixel = roomForAll;
         return;
     }
     config.coverage.maxBatches = 8;
@@ -42,6 +44,8 @@ void SweepRow::apply(TechniqueConfig& config) const {
         applyCoverage(preset, config);
     else if (!preset.empty() && config.applyPreset(preset.c_str()) != AGAA_OK)
         throw std::invalid_argument("There is no preset \"" + preset + "\".");
+    if (generationTier == AGAA_TIER_FRAGMENTS)
+        config.coverage.fragmentsPerPixel = roomForAll;
 }
 
 std::vector<SweepRow> sweepRows(bool quick) {
@@ -78,6 +82,8 @@ std::vector<SweepRow> sweepRows(bool quick) {
         rows.push_back({"dcaa", 64, surfaces});
     for (const char* preset : {"paper", "exact"})
         rows.push_back({"dcaa", 64, 4, 1, AGAA_TIER_AUTO, preset});
+    rows.push_back({"agaa", 64, 2, 1, AGAA_TIER_FRAGMENTS});
+    rows.push_back({"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"});
     // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
     const auto addHeavier = [&](SweepRow row, std::initializer_list<uint32_t> costs) {
         for (uint32_t cost : costs) {
@@ -85,10 +91,10 @@ std::vector<SweepRow> sweepRows(bool quick) {
             rows.push_back(row);
         }
     };
-    for (const SweepRow& row : {SweepRow{"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_IDS},
-                                {"dcaa", 64, 4}})
+    for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_IDS},
+                                {"dcaa", 64, 4}, {"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"}})
         addHeavier(row, {4, 16});
-    for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"sbaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
+    for (const SweepRow& row : {SweepRow{"sbaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
                                 {"agaa", 8, 4, 1, AGAA_TIER_GBUFFER, "accurate"}, {"simple_complex", 32},
                                 {"agaa", 32, 2}, {"agaa", 32, 2, 1, AGAA_TIER_GBUFFER}, {"agaa", 32, 2, 1, AGAA_TIER_IDS}})
         addHeavier(row, {4});

@@ -31,7 +31,7 @@ class Coverage(unittest.TestCase):
     def test_times_are_of_the_same_turn_and_cost(self):
         text = document(row("ssaa", 8, 0, 0.4, 10), row("dcaa", 64, 4, 0.2, 30), row("dcaa", 64, 4, 0.2, 40, cost=4),
                         row("ssaa", 8, 0, 0.4, 80, cost=4))
-        self.assertIn("| a\\_b | 3.00 (3.00 to 3.00) | not measured | 0.50 (0.50 to 0.50) |", text)
+        self.assertIn("| a\\_b | 3.00 (3.00 to 3.00) | not measured | 0.50 (0.50 to 0.50) | not measured |", text)
 
     def test_scenes_without_the_rows_are_left_out(self):
         self.assertIn("No scene has the rows.", document(row("ssaa", 8, 0, 0.4, 10)))

@@ -148,6 +148,18 @@ TEST(BuiltinScenes, TheListNamesEveryScene) {
     EXPECT_FALSE(makeBuiltinScene("").has_value());
 }
 
+TEST(BuiltinScenes, BladesAreAsManyAsTheNameSays) {
+    const uint64_t none = makeBuiltinScene("blades-0")->placedTriangles();
+    EXPECT_GT(none, 1000u) << "the railing and the ground";
+    for (const uint32_t count : {1u, 500u, 8000u}) {
+        const Scene scene = *makeBuiltinScene("blades-" + std::to_string(count));
+        EXPECT_EQ(scene.placedTriangles() - none, 5u * count);
+        EXPECT_EQ(scene.name, "blades-" + std::to_string(count));
+    }
+    for (const char* name : {"blades-", "blades-x", "blades-1x", "blades--1", "blades-100001", "blades-99999999999"})
+        EXPECT_FALSE(makeBuiltinScene(name).has_value()) << name;
+}
+
 TEST(BuiltinScenes, FoliageIsMaskedAndTheCityIsNormalMapped) {
     const Scene foliage = *makeBuiltinScene("foliage");
     bool masked = false;

@@ -78,7 +78,7 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
     addPlanOptions(app, a.plan);
     addShadingOptions(app, a.plan);
     addDeviceOptions(app, a.device);
-    app.add_option("--scene", a.scene, "a built-in scene, .gltf or .glb");
+    app.add_option("--scene", a.scene, "a built-in scene, blades-N, .gltf or .glb");
     app.add_option("--camera", a.camera, "ex,ey,ez,tx,ty,tz,fovDegrees");
     app.add_option("--jitter", a.jitter, "x,y in pixels");
     app.add_option("--frames", a.frames)->check(CLI::Range(1u, 100000u));

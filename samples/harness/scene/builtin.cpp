@@ -2,9 +2,13 @@
 
 #include "scene/builtin/scenes.h"
 
+#include <charconv>
+
 namespace harness {
 
 namespace {
+
+constexpr std::string_view bladesName = "blades-";
 
 struct Entry {
     BuiltinScene description;
@@ -40,15 +44,35 @@ const std::vector<BuiltinScene>& builtinScenes() {
     return scenes;
 }
 
+namespace {
+
+Scene finished(Scene scene, std::string_view name, std::string_view stresses) {
+    scene.name = std::string(name);
+    scene.stresses = std::string(stresses);
+    updateBounds(scene);
+    return scene;
+}
+
+// Of "blades-N", N in [0, 100000]; empty where the name is another.
+std::optional<uint32_t> bladesOf(std::string_view name) {
+    if (!name.starts_with(bladesName))
+        return std::nullopt;
+    name.remove_prefix(bladesName.size());
+    uint32_t count = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), count);
+    if (error != std::errc() || end != name.data() + name.size() || count > 100000)
+        return std::nullopt;
+    return count;
+}
+
+} // namespace
+
 std::optional<Scene> makeBuiltinScene(std::string_view name) {
     for (const Entry& entry : kEntries)
-        if (entry.description.name == name) {
-            Scene scene = entry.make();
-            scene.name = std::string(entry.description.name);
-            scene.stresses = std::string(entry.description.stresses);
-            updateBounds(scene);
-            return scene;
-        }
+        if (entry.description.name == name)
+            return finished(entry.make(), name, entry.description.stresses);
+    if (const std::optional<uint32_t> count = bladesOf(name))
+        return finished(builtin::makeBlades(*count), name, "Blades of grass behind a railing, as many as the name says.");
     return std::nullopt;
 }
 

@@ -17,7 +17,7 @@ struct BuiltinScene {
 
 const std::vector<BuiltinScene>& builtinScenes();
 
-// Empty where the name is not a built-in scene.
+// A scene of the list, or "blades-N", N in [0, 100000]: a ladder of densities. Empty where the name is neither.
 std::optional<Scene> makeBuiltinScene(std::string_view name);
 
 } // namespace harness

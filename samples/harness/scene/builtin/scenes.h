@@ -10,5 +10,6 @@ Scene makeFoliage();
 Scene makeFurball();
 Scene makeMetal();
 Scene makeCity();
+Scene makeBlades(uint32_t count);
 
 } // namespace harness::builtin
