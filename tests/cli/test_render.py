@@ -37,6 +37,26 @@ class Render(unittest.TestCase):
                 self.render(*options(technique), "--exr", bare, "--no-counters", size="48x27")
                 self.assertEqual(harness.data("compare", counted, bare)["maxAbs"], 0)
 
+    def test_fragments_at_coverage_samples(self):
+        data = self.render("--preset", "accurate", "--samples", "64", "--fragments-per-pixel", "64")
+        self.assertEqual(data["tiers"]["generation"], "fragments")
+        self.assertEqual(data["predictedBytes"], data["memoryBytes"])
+        self.assertEqual(data["apiMessages"], [])
+        counters = data["counters"]
+        self.assertEqual(counters["lostFragments"], 0)
+        self.assertEqual(counters["once"], counters["visible"])
+        self.assertGreater(counters["fragments"], counters["primitives"])
+        self.assertGreater(counters["primitives"], counters["aggregates"])
+        self.assertLessEqual(counters["maxEventsPerPixel"], 4)
+        plain = self.path("plain.exr")
+        fragments = ["--technique", "agaa", "--samples", "64"]
+        self.render(*fragments, "--exr", plain, size="48x27")
+        for view in ("events", "clusters", "primitives", "lit", "widened", "tier"):
+            with self.subTest(view=view):
+                image = self.path("view.exr")
+                self.render(*fragments, "--view", view, "--exr", image, size="48x27")
+                self.assertGreater(harness.data("compare", image, plain)["mse"], 0)
+
     def test_every_technique(self):
         for technique in ("single", "ssaa", "agaa", "dcaa"):
             with self.subTest(technique=technique):

@@ -213,7 +213,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
     if (config.applyPreset(arguments.preset.c_str()) != AGAA_OK)
         throw BadArgument("--preset is \"" + arguments.preset + "\"; it can be paper, fast, balanced or accurate.");
     // The sample engine can fetch, and does where a preset is for that.
-    if (arguments.preset != "paper" && config.generationTier == AGAA_TIER_AUTO)
+    if (arguments.preset != "paper" && config.generationTier == AGAA_TIER_AUTO && !config.coversByEdges())
         config.generationTier = AGAA_TIER_IDS;
 }
 
