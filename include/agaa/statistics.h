@@ -45,7 +45,8 @@ typedef struct AgaaCounters {
     uint64_t discarded;     /* surfaces, fragments included, that were dropped for want of room */
     uint64_t lostSamples;   /* samples that showed a dropped surface */
     uint64_t lostFragments; /* for which the lists had no room */
-    uint64_t reserved[10];  /* 0 */
+    uint64_t batches;       /* "dcaa" that merges: draws of the scene that the frame needed, [1, maxBatches] */
+    uint64_t reserved[9];   /* 0 */
 } AgaaCounters;
 
 #define AGAA_MAX_PASSES 32
@@ -82,7 +83,7 @@ typedef struct AgaaFrameStatistics {
 } AgaaFrameStatistics;
 #define AGAA_FRAME_STATISTICS_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0, 0, 0, 0, 0, 0, \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}}, 0, 0, {{{0}, 0, 0, 0.0, {0, 0}}}}
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}}, 0, 0, {{{0}, 0, 0, 0.0, {0, 0}}}}
 AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatistics, size_t structSize);
 
 /* Reads the statistics of the newest completely recorded frame that is not after completedFrame.

@@ -241,6 +241,9 @@ TYPED_TEST_P(DcaaCases, BatchesShowWhatOneDrawShows) {
     EXPECT_EQ(divided.rgb, whole.rgb);
     EXPECT_EQ(divided.counters.fragments, whole.counters.fragments);
     EXPECT_EQ(divided.counters.lostFragments, 0u);
+    EXPECT_EQ(whole.counters.batches, 1u);
+    EXPECT_GE(divided.counters.batches, 6u) << "one that counts, and five that each have room for a layer";
+    EXPECT_LE(divided.counters.batches, 8u);
     EXPECT_GT(whole.counters.fragments, 4u * 322 * 242);
     // With too few draws fragments are lost, and counted.
     settings.config.coverage.maxBatches = 3;
@@ -256,6 +259,7 @@ TYPED_TEST_P(DcaaCases, BatchesShowWhatOneDrawShows) {
     const Shown enough = this->render(settings, shot);
     EXPECT_EQ(enough.rgb, whole.rgb);
     EXPECT_EQ(enough.counters.fragments, whole.counters.fragments);
+    EXPECT_EQ(enough.counters.batches, 1u);
 }
 
 REGISTER_TYPED_TEST_SUITE_P(DcaaCases, IdsDecideTheOrder, TrianglesThroughTheEyePlaneShowWhatSamplesShow, ExactShowsWhatSurfacesWithoutMergingShow, BatchesShowWhatOneDrawShows, EdgesCoverTheirShare, ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper);

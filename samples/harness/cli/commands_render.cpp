@@ -103,7 +103,8 @@ json countersJson(const AgaaCounters& c) {
             {"mergedSecond", c.mergedSecond},
             {"discarded", c.discarded},
             {"lostSamples", c.lostSamples},
-            {"lostFragments", c.lostFragments}};
+            {"lostFragments", c.lostFragments},
+            {"batches", c.batches}};
 }
 
 json messagesJson(Renderer& renderer) {

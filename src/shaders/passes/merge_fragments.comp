@@ -127,8 +127,16 @@ bool agaa_isTilesTurn() {
     return batch != 0u && agaa_fragments.words[agaa_tileOf(gl_WorkGroupID.xy * 8u, agaa_frame.size.xy)] == batch;
 }
 
+// Whether anything is left for this draw.
+bool agaa_isDrawNeeded() {
+    uint batch = agaa_fragments.words[AGAA_LIST_BATCH];
+    return batch == 0u || batch < agaa_fragments.words[AGAA_LIST_BATCHES];
+}
+
 void main() {
     agaa_countBegin();
+    if (gl_WorkGroupID.xy == uvec2(0u) && gl_LocalInvocationIndex == 0u && agaa_isDrawNeeded())
+        agaa_count(AGAA_COUNT_BATCHES, 1u);
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
     bool turn = agaa_isTilesTurn();

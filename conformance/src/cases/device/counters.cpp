@@ -73,6 +73,7 @@ void expectRectangle(Rig& rig, const std::string& technique) {
     expectCount(test, "discarded", c.discarded, 0, 0, what);
     expectCount(test, "lostSamples", c.lostSamples, 0, 0, what);
     expectCount(test, "lostFragments", c.lostFragments, 0, 0, what);
+    expectCount(test, "batches", c.batches, hasFragments ? 1 : 0, hasFragments ? 1 : 0, what);
     expectCount(test, "misplaced", c.misplaced, 0, 0, what);
     expectCount(test, "unannounced", c.unannounced, 0, 0, what);
 }

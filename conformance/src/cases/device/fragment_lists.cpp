@@ -94,6 +94,8 @@ void testBatches(Test& test) {
         const uint64_t lost = maxBatches == 1 ? c.fragments - leastRoom : 0;
         test.check(c.lostFragments == lost, what + ": AgaaCounters::lostFragments is " + std::to_string(c.lostFragments) +
                                                 " in place of " + std::to_string(lost) + ".");
+        test.check(maxBatches == 1 ? c.batches == 1 : c.batches >= 2 && c.batches <= maxBatches,
+                   what + ": AgaaCounters::batches is " + std::to_string(c.batches) + ".");
         const float front[] = {0.25f, 0.5f, 0.5f};
         if (maxBatches > 1)
             expectColor(test, layers, 32, {0, 0, 32, 24}, front, 0.01f, what + ": the layer in front");
