@@ -142,6 +142,9 @@ class Render(unittest.TestCase):
 
     def test_caps(self):
         data = harness.data("caps", "--backend", self.backend)
+        self.assertIn("fragment-atomics", data["features"])
+        without = harness.data("caps", "--backend", self.backend, "--no-conditional-rendering")
+        self.assertEqual(without["features"], [f for f in data["features"] if f != "conditional-rendering"])
         self.assertEqual(data["backend"], self.backend)
         self.assertIn(1, data["sampleCounts"])
         for row in data["tiers"]:

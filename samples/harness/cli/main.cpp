@@ -64,6 +64,7 @@ void addDeviceOptions(CLI::App& app, DeviceArguments& a) {
     app.add_option("--backend", a.backend, "vk or gl");
     app.add_flag("--render-pass", a.renderPass, "VkRenderPass instead of dynamic rendering");
     app.add_flag("--inline-recording", a.inlineRecording);
+    app.add_flag("--no-conditional-rendering", a.noConditionalRendering, "vk: run all batches, needed or not");
     app.add_flag("--no-validation", a.noValidation);
     app.add_flag("--compatibility-profile", a.compatibilityProfile, "gl");
     app.add_flag("--clip-z-from-minus-one", a.clipZFromMinusOne, "gl: its default depth convention");
