@@ -37,6 +37,8 @@ private:
 // which are the least that the SDK runs on. Empty: the ideal device of the papers' model.
 std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration,
                                              const DeviceArguments& device) {
+    if (configuration.fitsFragments)
+        throw BadArgument("--fragments-per-pixel auto draws a frame; it is for render and reference.");
     if (!device.backend.empty())
         return makeRenderer(device)->caps();
     if (configuration.isModel)
