@@ -94,7 +94,7 @@ typedef struct AgaaVkDeviceDesc {
     uint32_t enabledExtensionCount;
     uint32_t descriptorSet; /* index of the SDK's descriptor set in the host's pipeline layouts, [0, 7] */
     /* VkPhysicalDeviceFeatures2 with the chain that was passed to vkCreateDevice. Null: the host enabled every feature of
-     * AgaaVkRequirements that the device has. */
+     * AgaaVkRequirements that the device has; conditionalRendering is then not used. */
     const void* enabledFeatures;
     uint64_t pipelineCache; /* VkPipelineCache that outlives the context, or 0: the SDK uses an empty cache of its own */
 } AgaaVkDeviceDesc;
@@ -237,7 +237,7 @@ typedef struct AgaaVkFrame {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;   /* null */
-    void* commandBuffer; /* primary, recording, outside rendering */
+    void* commandBuffer; /* primary, recording, outside rendering and conditional rendering */
     /* The output: a 2D image with one layer and the size of the view, with usage STORAGE (and SAMPLED with
      * AGAA_VIEW_COMPOSITE), in a float format whose storage view can be written without a format. The shading segment needs
      * it. */

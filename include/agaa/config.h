@@ -242,11 +242,14 @@ typedef struct AgaaDecoupledCoverage {
     uint32_t structSize;
     const void* pNext;
     uint32_t merge;          /* AgaaMerge */
-    float fragmentsPerPixel; /* that the lists have room for, mean over the view, [1, 256]. The lists have room for 65536
+    float fragmentsPerPixel; /* that the lists have room for, mean over the view, [1, 256]. A frame needs
+                                AgaaCounters::fragments divided by the number of pixels. The lists have room for 65536
                                 fragments at least, and for no more than one storage buffer of the device holds */
     uint32_t maxBatches;     /* how often the scene may be drawn in a frame, [1, 16]. If the lists have too little room, the
                                 tiles of the view are divided among the draws after the first. Fragments that find no room in
-                                the last draw are lost, and AgaaCounters::lostFragments counts them */
+                                the last draw are lost, and AgaaCounters::lostFragments counts them. Vulkan records all
+                                draws in each frame; the device skips those that are not needed if it has
+                                AGAA_DEVICE_CONDITIONAL_RENDERING, and otherwise runs all */
     uint32_t reserved;       /* 0 */
     uint64_t flags;          /* AGAA_COVERAGE_… */
 } AgaaDecoupledCoverage;

@@ -129,7 +129,8 @@ typedef struct AgaaDrawTarget {
  *
  * Returns   AGAA_OK, or any other value to abandon the frame.
  * Vulkan    The SDK begins and ends rendering. Nothing is bound; viewport and scissor are not set. The callback records its
- *           commands inline and executes no command buffers of its own.
+ *           commands inline and executes no command buffers of its own. With AGAA_DEVICE_CONDITIONAL_RENDERING, batches
+ *           after the first are within conditional rendering, and the callback begins none in them.
  * OpenGL    The host's state is as it was on entry to agaaGlRecordFrame, except for the bindings named in
  *           AgaaGlDeviceDesc. The callback binds the framebuffer and sets the viewport and AgaaDrawState.
  * Threads   The thread that records. The callback must not call the SDK and must not throw; an exception that the SDK can

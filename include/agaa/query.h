@@ -23,6 +23,8 @@ extern "C" {
 #define AGAA_DEVICE_NO_ALIASING UINT64_C(0x100) /* surfaces cannot share memory (OpenGL) */
 #define AGAA_DEVICE_SOFTWARE UINT64_C(0x200)    /* renders on the CPU, where workgroups do not share memory */
 #define AGAA_DEVICE_GEOMETRY_SHADERS UINT64_C(0x400)
+#define AGAA_DEVICE_CONDITIONAL_RENDERING UINT64_C(0x800) /* VK_EXT_conditional_rendering: the device skips batches that are
+                                                             not needed (AgaaDecoupledCoverage::maxBatches) */
 
 /* What a device can do. agaaVkGetDeviceCaps, agaaVkGetContextCaps, agaaGlGetDeviceCaps and agaaGlGetContextCaps fill it. */
 typedef struct AgaaDeviceCaps {

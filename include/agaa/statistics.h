@@ -39,7 +39,7 @@ typedef struct AgaaCounters {
                                cause a few, because their positions extrapolate */
     uint64_t unannounced;   /* tier IDS: fragments whose draw or primitive exceeds the limits of AgaaFetchFunction */
     /* "dcaa" (DCAA section 3) */
-    uint64_t fragments;     /* in the lists of all pixels: primitives that cover a sample of a pixel */
+    uint64_t fragments;     /* primitives that cover a sample of a pixel, also those for which the lists had no room */
     uint64_t mergedFirst;   /* fragments merged into a surface of like normal whose depths overlap */
     uint64_t mergedSecond;  /* discarded surfaces, fragments included, that another one took samples of */
     uint64_t discarded;     /* surfaces, fragments included, that were dropped for want of room */

@@ -18,6 +18,7 @@ enum class Use {
     CopyFrom,
     CopyTo,      // or filled
     Indirect,    // arguments of a dispatch
+    Condition,   // word that says whether a step has anything to do (Step::goesOn)
 };
 
 struct Access {

@@ -54,12 +54,35 @@ std::vector<Step> Plan::steps() const {
             continue;
         }
         for (uint32_t batch = 0; batch < repeat->times; ++batch)
-            for (uint32_t pass = repeat->firstPass; pass <= repeat->lastPass; ++pass)
+            for (uint32_t pass = repeat->firstPass; pass <= repeat->lastPass; ++pass) {
                 list.push_back({pass, batch, batch == 0, batch + 1 == repeat->times});
+                if (batch > 0 && pass < repeat->lastPass) {
+                    list.back().goesOn = repeat->goesOn;
+                    list.back().goesOnOffset = repeat->goesOnOffset;
+                }
+            }
         i = repeat->lastPass + 1;
         ++repeat;
     }
     return list;
+}
+
+void checkRepeats(const Plan& plan) {
+    for (const Repeat& repeat : plan.repeats) {
+        if (repeat.goesOn == noResource)
+            continue;
+        for (uint32_t i = repeat.firstPass; i <= repeat.lastPass; ++i) {
+            const Pass& pass = plan.passes[i];
+            require(pass.kind == PassKind::Compute || pass.kind == PassKind::HostDraw, AGAA_ERROR_INTERNAL,
+                    "a repetition that ends early fills or copies.");
+            require(!pass.clearsColor && !pass.clearsDepth, AGAA_ERROR_INTERNAL,
+                    "a repetition that ends early clears targets.");
+        }
+        const std::vector<Binding>& bindings = plan.passes[repeat.lastPass].bindings;
+        require(std::any_of(bindings.begin(), bindings.end(),
+                            [&](const Binding& b) { return b.resource == repeat.goesOn && b.writes; }),
+                AGAA_ERROR_INTERNAL, "the last pass of a repetition does not write the word that ends it.");
+    }
 }
 
 ResourceId Plan::surface(const char* surfaceName) const {

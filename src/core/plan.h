@@ -163,8 +163,9 @@ struct Pass {
 struct Repeat {
     uint32_t firstPass = 0, lastPass = 0;
     uint32_t times = 1;
-    // A word of this buffer is 0 from the turn on that has nothing to do: executors that can read it may end the repetition
-    // there.
+    // A word of this buffer is 0 from the turn on that has nothing to do. Executors that can read it may end the repetition
+    // there, or run only the last pass of such a turn. After the first turn the last pass alone changes the word. The group
+    // draws without clearing, and dispatches: nothing else can be skipped.
     ResourceId goesOn = noResource;
     uint64_t goesOnOffset = 0; // bytes
 };
@@ -174,6 +175,9 @@ struct Step {
     uint32_t pass = 0;
     uint32_t batch = 0;
     bool isFirst = true, isLast = true; // of the pass's steps
+    // The step has nothing to do where this word of a buffer is 0.
+    ResourceId goesOn = noResource;
+    uint64_t goesOnOffset = 0; // bytes
 };
 
 // config and depthBits are those that run.
@@ -221,6 +225,9 @@ struct ArenaBlock {
     uint64_t offset = 0; // out
 };
 uint64_t placeBlocks(std::vector<ArenaBlock>& blocks);
+
+// Fails where a repetition that a word ends holds what an executor could not skip.
+void checkRepeats(const Plan& plan);
 
 std::string planToJson(const Plan& plan);
 

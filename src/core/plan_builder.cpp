@@ -472,6 +472,7 @@ void PlanBuilder::checkLimits() const {
 Plan PlanBuilder::finish() {
     findLifetimes();
     checkLimits();
+    checkRepeats(plan);
     return std::move(plan);
 }
 

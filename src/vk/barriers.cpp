@@ -97,6 +97,9 @@ VkAccess vkAccess(const Plan& plan, const Access& access) {
         return {VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
     case Use::CopyTo:
         return {VK_PIPELINE_STAGE_TRANSFER_BIT, 0, VK_ACCESS_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED};
+    case Use::Condition:
+        return {VK_PIPELINE_STAGE_CONDITIONAL_RENDERING_BIT_EXT, VK_ACCESS_CONDITIONAL_RENDERING_READ_BIT_EXT, 0,
+                VK_IMAGE_LAYOUT_UNDEFINED};
     case Use::Indirect:
         break;
     }

@@ -18,9 +18,10 @@ constexpr const char* requiredFeatures[] = {
     "shaderStorageImageExtendedFormats",
     "shaderStorageImageWriteWithoutFormat",
 };
-constexpr const char* optionalFeatures[] = {"dynamicRendering", "geometryShader"};
+constexpr const char* optionalFeatures[] = {"dynamicRendering", "geometryShader", "conditionalRendering"};
 constexpr const char* optionalExtensions[] = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME,
-                                              VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME};
+                                              VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,
+                                              VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME};
 
 std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk,
                                                     VkPhysicalDevice device) {
@@ -31,6 +32,15 @@ std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk,
     check(vk.EnumerateDeviceExtensionProperties(device, nullptr, &count, list.data()),
           "vkEnumerateDeviceExtensionProperties");
     return list;
+}
+
+// Of a device that has the extension.
+bool rendersConditionally(const InstanceTable& vk, VkPhysicalDevice device) {
+    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{};
+    conditional.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT;
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &conditional, {}};
+    vk.GetPhysicalDeviceFeatures2(device, &features);
+    return conditional.conditionalRendering;
 }
 
 // Sample counts that depth, normals and G-buffers of any layout can be rendered and fetched with, but for what the
@@ -105,6 +115,8 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
         const std::string_view name = extension.extensionName;
         set(name == VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME, AGAA_DEVICE_POST_DEPTH_COVERAGE);
         set(name == VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME, AGAA_DEVICE_DYNAMIC_RENDERING);
+        set(name == VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME && rendersConditionally(vk, device),
+            AGAA_DEVICE_CONDITIONAL_RENDERING);
     }
     VkSampleCountFlags counts = usableSamples(vk, device, limits, VK_FORMAT_D32_SFLOAT);
     for (VkFormat depth : {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT})

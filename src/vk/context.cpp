@@ -21,6 +21,9 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
         caps.flags &= ~AGAA_DEVICE_POST_DEPTH_COVERAGE;
     if (apiVersion < VK_API_VERSION_1_3 && !enabled(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME))
         caps.flags &= ~AGAA_DEVICE_DYNAMIC_RENDERING;
+    // Hosts that enable the extensions of AgaaVkRequirements by name need not know the features of all of them.
+    if (!enabled(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME) || !desc.enabledFeatures)
+        caps.flags &= ~AGAA_DEVICE_CONDITIONAL_RENDERING;
     if (!desc.enabledFeatures)
         return;
     const auto* core = static_cast<const VkPhysicalDeviceFeatures2*>(desc.enabledFeatures);
@@ -33,7 +36,7 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
     keep(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
     keep(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat,
          AGAA_DEVICE_STORAGE_FORMATS);
-    VkBool32 dynamicRendering = VK_FALSE;
+    VkBool32 dynamicRendering = VK_FALSE, conditionalRendering = VK_FALSE;
     for (const auto* next = static_cast<const VkBaseInStructure*>(core->pNext); next;
          next = next->pNext) {
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES)
@@ -43,8 +46,12 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
             dynamicRendering |=
                 reinterpret_cast<const VkPhysicalDeviceDynamicRenderingFeatures*>(next)
                     ->dynamicRendering;
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT)
+            conditionalRendering |=
+                reinterpret_cast<const VkPhysicalDeviceConditionalRenderingFeaturesEXT*>(next)->conditionalRendering;
     }
     keep(dynamicRendering, AGAA_DEVICE_DYNAMIC_RENDERING);
+    keep(conditionalRendering, AGAA_DEVICE_CONDITIONAL_RENDERING);
 }
 
 static VkSampler createSampler(const Context& context, VkFilter filter, bool compare) {
@@ -110,8 +117,8 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, co
         log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
                   "the device does not rasterise at the standard sample locations; positions of "
                   "samples are approximate.");
-    vk = loadDeviceTable(instanceFunctions, desc.getProcAddr, instance, device,
-                             dynamicRendering);
+    conditionalRendering = caps.flags & AGAA_DEVICE_CONDITIONAL_RENDERING;
+    vk = loadDeviceTable(instanceFunctions, desc.getProcAddr, instance, device, {dynamicRendering, conditionalRendering});
     try {
         createObjects();
     } catch (...) {

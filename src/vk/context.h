@@ -22,6 +22,7 @@ public:
     VkDevice device;
     uint32_t queueFamily;
     bool dynamicRendering = false;
+    bool conditionalRendering = false;
     bool secondary = true; // draw callbacks get a command buffer of ours
     uint32_t descriptorSet;
     VkPipelineCache pipelineCache; // the host's, or ownCache_

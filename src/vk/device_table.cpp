@@ -18,7 +18,7 @@ InstanceTable loadInstanceTable(AgaaVkGetInstanceProcAddr getProcAddr, VkInstanc
 }
 
 DeviceTable loadDeviceTable(const InstanceTable& functions, AgaaVkGetInstanceProcAddr getProcAddr,
-                            VkInstance instance, VkDevice device, bool dynamicRendering) {
+                            VkInstance instance, VkDevice device, OptionalFunctions wanted) {
     DeviceTable table;
     const auto find = [&](auto& slot, const char* name) {
         slot = reinterpret_cast<std::remove_reference_t<decltype(slot)>>(
@@ -32,11 +32,15 @@ DeviceTable loadDeviceTable(const InstanceTable& functions, AgaaVkGetInstancePro
 #define AGAA_VK_LOAD(name) load(table.name, "vk" #name);
     AGAA_VK_DEVICE_FUNCTIONS(AGAA_VK_LOAD)
 #undef AGAA_VK_LOAD
-    if (dynamicRendering) {
+    if (wanted.dynamicRendering) {
         if (!find(table.CmdBeginRendering, "vkCmdBeginRendering"))
             load(table.CmdBeginRendering, "vkCmdBeginRenderingKHR");
         if (!find(table.CmdEndRendering, "vkCmdEndRendering"))
             load(table.CmdEndRendering, "vkCmdEndRenderingKHR");
+    }
+    if (wanted.conditionalRendering) {
+        load(table.CmdBeginConditionalRenderingEXT, "vkCmdBeginConditionalRenderingEXT");
+        load(table.CmdEndConditionalRenderingEXT, "vkCmdEndConditionalRenderingEXT");
     }
     const auto optional = [&](auto& slot, const char* name) {
         slot = reinterpret_cast<std::remove_reference_t<decltype(slot)>>(getProcAddr(instance, name));

@@ -82,16 +82,25 @@ struct DeviceTable {
     // Dynamic rendering; null with VkRenderPass.
     PFN_vkCmdBeginRendering CmdBeginRendering = nullptr;
     PFN_vkCmdEndRendering CmdEndRendering = nullptr;
+    // Conditional rendering; null where the host did not enable it.
+    PFN_vkCmdBeginConditionalRenderingEXT CmdBeginConditionalRenderingEXT = nullptr;
+    PFN_vkCmdEndConditionalRenderingEXT CmdEndConditionalRenderingEXT = nullptr;
     // Debug utilities; null where the host's instance has them not.
     PFN_vkCmdBeginDebugUtilsLabelEXT CmdBeginDebugUtilsLabelEXT = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT CmdEndDebugUtilsLabelEXT = nullptr;
     PFN_vkSetDebugUtilsObjectNameEXT SetDebugUtilsObjectNameEXT = nullptr;
 };
 
+// What the host enabled.
+struct OptionalFunctions {
+    bool dynamicRendering = false;
+    bool conditionalRendering = false;
+};
+
 // Both throw AGAA_ERROR_UNSUPPORTED naming the first function that is missing.
 InstanceTable loadInstanceTable(AgaaVkGetInstanceProcAddr getProcAddr, VkInstance instance);
 DeviceTable loadDeviceTable(const InstanceTable& functions, AgaaVkGetInstanceProcAddr getProcAddr,
-                            VkInstance instance, VkDevice device, bool dynamicRendering);
+                            VkInstance instance, VkDevice device, OptionalFunctions wanted);
 
 // Throws where a Vulkan call failed.
 void check(VkResult result, const char* call);

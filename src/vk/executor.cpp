@@ -130,11 +130,35 @@ void View::writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, 
                                     nullptr);
 }
 
+bool View::isConditional(const Step& step) const { return context.conditionalRendering && step.goesOn != noResource; }
+
+// Draws and dispatches up to endCondition() do nothing where the step has nothing to do. Barriers, timestamps and what
+// begins and ends rendering stand outside or are not affected.
+void View::beginCondition(const Step& step, uint32_t slot, VkCommandBuffer commands) const {
+    if (!isConditional(step))
+        return;
+    VkConditionalRenderingBeginInfoEXT info{};
+    info.sType = VK_STRUCTURE_TYPE_CONDITIONAL_RENDERING_BEGIN_INFO_EXT;
+    info.buffer = bufferOf(step.goesOn, slot);
+    info.offset = step.goesOnOffset;
+    context.vk.CmdBeginConditionalRenderingEXT(commands, &info);
+}
+
+void View::endCondition(const Step& step, VkCommandBuffer commands) const {
+    if (isConditional(step))
+        context.vk.CmdEndConditionalRenderingEXT(commands);
+}
+
+// The condition begins and ends in the command buffer that the host gets, within the render pass: the device need not have
+// inheritedConditionalRendering.
 AgaaResult View::callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands) {
     AgaaDrawTarget target = drawTarget(plan, plan.passes[step.pass], passes[step.pass].host, commands,
                                        passes[step.pass].sets[slot]);
     target.batch = step.batch;
-    return contained([&] { return frame.draw(frame.drawUser, &target); });
+    beginCondition(step, slot, commands);
+    const AgaaResult result = contained([&] { return frame.draw(frame.drawUser, &target); });
+    endCondition(step, commands);
+    return result;
 }
 
 // Draw callbacks record into command buffers of ours first: one that fails leaves the host's untouched.
@@ -221,6 +245,8 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
                                          text.c_str(), {}};
         vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
     }
+    if (isConditional(step))
+        barriers->use(step.goesOn, vkAccess(plan, {step.goesOn, Use::Condition, false}));
     barriers->usePass(pass);
     const Resource* output = nullptr; // where the pass uses it
     for (const Binding& binding : pass.bindings)
@@ -249,7 +275,9 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
         endHostRendering(context, commands);
         break;
     case PassKind::Compute:
+        beginCondition(step, slot, commands);
         recordCompute(vkFrame, index, slot, commands);
+        endCondition(step, commands);
         break;
     case PassKind::Fill:
     case PassKind::Copy:

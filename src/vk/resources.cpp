@@ -93,6 +93,8 @@ static VkBufferUsageFlags bufferUsage(Use use) {
         return VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
     case Use::Indirect:
         return VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+    case Use::Condition:
+        return VK_BUFFER_USAGE_CONDITIONAL_RENDERING_BIT_EXT;
     default:
         return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     }
@@ -153,6 +155,9 @@ void ViewResources::createBuffers(const Plan& plan, ResourceId id, std::vector<R
         info.usage = usageOf(plan, id, bufferUsage, VkBufferUsageFlags(VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
         if (resource.outlivesFrame) // cleared before the first frame
             info.usage |= VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+        for (const Repeat& repeat : plan.repeats)
+            if (repeat.goesOn == id && context_.conditionalRendering)
+                info.usage |= bufferUsage(Use::Condition);
         if (!info.usage) // of lights in a plan without lighting
             info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
         info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;

@@ -67,6 +67,9 @@ private:
     void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot,
                       bool begins);
     void writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot);
+    bool isConditional(const Step& step) const; // the device reads Step::goesOn
+    void beginCondition(const Step& step, uint32_t slot, VkCommandBuffer commands) const;
+    void endCondition(const Step& step, VkCommandBuffer commands) const;
     AgaaResult callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands);
     AgaaResult recordSecondaries(const AgaaFrame& frame, uint32_t slot);
     // secondary: of the host draws among the steps.

@@ -45,6 +45,9 @@ WRONG = [
     ["reference", "--footprint", "texel"],
     ["render", "--alpha-points", "2"],
     ["render", "--dither-frame", "-1"],
+    ["render", "--fragments-per-pixel", "many"],
+    ["plan", "--technique", "dcaa", "--samples", "64", "--fragments-per-pixel", "auto"],
+    ["memory", "--technique", "dcaa", "--samples", "64", "--fragments-per-pixel", "auto"],
     ["sweep", "--jpeg", "0"],
 ]
 

@@ -160,8 +160,29 @@ class Render(unittest.TestCase):
             self.assertEqual((data["counters"]["uncovered"], data["counters"]["overlapping"]), (0, 0))
         self.assertGreater(harness.data("compare", self.path("1.exr"), self.path("4.exr"))["maxAbs"], 0.01)
 
+    # The lists have room for 65536 fragments at least, 4.6 a pixel.
+    def test_lists_have_the_room_that_a_frame_needs(self):
+        def lists(scene, room):
+            return self.render(*options("dcaa"), "--fragments-per-pixel", room, "--frames", "1", "--no-timestamps",
+                               size="160x90", scene=scene)
+
+        dense, sparse = lists("foliage", "8"), lists("metal", "8")
+        self.assertGreater(dense["counters"]["lostFragments"], 0)
+        self.assertEqual(sparse["counters"]["lostFragments"], 0)
+        for fixed in (dense, sparse):
+            fitted = lists(fixed["scene"], "auto")
+            self.assertEqual(fitted["counters"]["fragments"], fixed["counters"]["fragments"])
+            self.assertEqual(fitted["counters"]["lostFragments"], 0)
+            self.assertEqual(fitted["apiMessages"], [])
+            self.assertAlmostEqual(fitted["fragmentsPerPixel"], 1.125 * fixed["counters"]["fragments"] / (160 * 90), 4)
+            self.assertEqual(fitted["memoryBytes"] < fixed["memoryBytes"], fixed is sparse)
+            self.assertEqual(fitted["fragmentsPerPixel"] < 8, fixed is sparse)
+
     def test_caps(self):
         data = harness.data("caps", "--backend", self.backend)
+        self.assertIn("fragment-atomics", data["features"])
+        without = harness.data("caps", "--backend", self.backend, "--no-conditional-rendering")
+        self.assertEqual(without["features"], [f for f in data["features"] if f != "conditional-rendering"])
         self.assertEqual(data["backend"], self.backend)
         self.assertIn(1, data["sampleCounts"])
         for row in data["tiers"]:

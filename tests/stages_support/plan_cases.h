@@ -47,6 +47,30 @@ inline void bindWords(PlanBuilder& b, Pass& pass, ResourceId words, bool writes 
     b.bind(pass, slot::Aggregates, BindingType::StorageBuffer, words, writes);
 }
 
+// A group whose word ends it after three turns of six. Its draw and its first dispatch would count further turns. Shows how
+// often the draw, the first dispatch and the last pass ran.
+inline void buildEndingGroup(PlanBuilder& b) {
+    const ResourceId words = b.pixelBuffer("words", 4);
+    b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING);
+    const auto first = uint32_t(b.plan.passes.size());
+    Pass& draw = b.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_SHADING);
+    b.bindCommon(draw);
+    draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
+    draw.text = "layout(std430, AGAA_AT_FRAGMENTS) buffer Words { uint words[]; };\n"
+                "void agaa_emit(AgaaSurfaceInput s) {\n    if (agaa_hostPixel() == uvec2(0u))\n"
+                "        atomicAdd(words[0], 1u);\n}\n";
+    b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
+    Pass& work = planPass(b, "work", wordsText, "    if (item == 0u)\n        ++words[1];\n");
+    dispatchItems(work, 1);
+    bindWords(b, work, words, true);
+    Pass& decide = planPass(b, "decide", wordsText,
+                            "    if (item != 0u)\n        return;\n    ++words[2];\n    words[3] = words[2] < 3u ? 1u : 0u;\n");
+    dispatchItems(decide, 1);
+    bindWords(b, decide, words, true);
+    b.plan.repeats.push_back({first, first + 2, 6, words, 12});
+    bindWords(b, showPixels(b, wordsText, "vec3(words[0], words[1], words[2])"), words);
+}
+
 template <class Host>
 class PlanCases : public testing::Test {
 protected:
@@ -147,6 +171,17 @@ TYPED_TEST_P(PlanCases, GroupsRepeatUntilABufferEndsThem) {
     const auto images = this->render(build);
     EXPECT_EQ(images[0][0], 3.0f);
     EXPECT_EQ(images[0][1], 5.0f);
+}
+
+TYPED_TEST_P(PlanCases, AWordEndsGroups) {
+    const auto images = this->render(buildEndingGroup, 2, rectangle(0, 0, planWidth, planHeight, 5, Material{}));
+    const uint32_t drawn = TypeParam::skips(this->context) ? 3 : 6;
+    for (const std::vector<float>& image : images) {
+        EXPECT_EQ(image[0], float(drawn));
+        EXPECT_EQ(image[1], float(drawn));
+        EXPECT_GE(image[2], 3.0f);
+        EXPECT_LE(image[2], 6.0f);
+    }
 }
 
 // One pass that ends its own repetition, and shows how often it ran.
@@ -364,7 +399,7 @@ TYPED_TEST_P(PlanCases, ATechniqueIsAFileAndAShader) {
 REGISTER_TYPED_TEST_SUITE_P(PlanCases, ItemsAreDispatchedInRows, AnEarlierPassSaysHowManyGroups,
                             GroupsRepeatUntilABufferEndsThem, BuffersOutliveFrames, CountersComeBackInConstants,
                             DrawsWithoutDepthAreClearedToColours, DrawsWithoutTargetsStore,
-                            ATechniqueIsAFileAndAShader, PassesEndThemselves,
+                            ATechniqueIsAFileAndAShader, PassesEndThemselves, AWordEndsGroups,
                             DrawsHaveTextAndBuffersOfTheirOwn, MasksHaveRoomFor128Samples);
 
 } // namespace agaa::test

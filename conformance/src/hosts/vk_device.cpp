@@ -220,7 +220,7 @@ void VulkanApi::createDevice(const Functions& sdk, bool withOptions) {
     vkGetDeviceQueue(device, queueFamily, 0, &queue);
 }
 
-// Dynamic rendering, by whichever of both ways the device has, and the extensions.
+// Dynamic and conditional rendering, the former by whichever of both ways the device has, and the extensions.
 void VulkanApi::enableOptions(const AgaaVkRequirements& requirements) {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physicalDevice, &properties);
@@ -243,6 +243,16 @@ void VulkanApi::enableOptions(const AgaaVkRequirements& requirements) {
         features13.dynamicRendering = VK_TRUE;
         enabledFeatures.pNext = &features13;
     }
+    if (!hasDeviceExtension(physicalDevice, VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME))
+        return;
+    conditionalRendering.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT;
+    VkPhysicalDeviceFeatures2 has{};
+    has.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    has.pNext = &conditionalRendering;
+    vkGetPhysicalDeviceFeatures2(physicalDevice, &has);
+    conditionalRendering.inheritedConditionalRendering = VK_FALSE;
+    conditionalRendering.pNext = enabledFeatures.pNext;
+    enabledFeatures.pNext = &conditionalRendering;
 }
 
 } // namespace agaa::conformance

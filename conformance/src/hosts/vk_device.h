@@ -40,6 +40,7 @@ public:
     VkPhysicalDeviceFeatures2 enabledFeatures{};
     VkPhysicalDeviceVulkan13Features features13{};             // chained if it is used
     VkPhysicalDeviceDynamicRenderingFeatures dynamicRendering{}; // chained if it is used
+    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditionalRendering{}; // chained if it is used
     std::vector<const char*> enabledExtensions;
     std::string deviceName, driverName;
     Messages messages;

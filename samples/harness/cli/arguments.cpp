@@ -182,7 +182,10 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.aggregation.glossWeight = finite(arguments.glossWeight, "--gloss-weight");
     config.coverage.merge =
         choice(arguments.merge, "--merge", {{"visible", AGAA_MERGE_VISIBLE}, {"paper", AGAA_MERGE_PAPER}, {"none", AGAA_MERGE_NONE}});
-    config.coverage.fragmentsPerPixel = finite(arguments.fragmentsPerPixel, "--fragments-per-pixel");
+    fitsFragments = arguments.fragmentsPerPixel == "auto";
+    if (!fitsFragments)
+        config.coverage.fragmentsPerPixel =
+            finite(parseNumbers(arguments.fragmentsPerPixel, 1, "--fragments-per-pixel")[0], "--fragments-per-pixel");
     config.coverage.maxBatches = arguments.maxBatches;
     config.coverage.flags = arguments.exact ? AGAA_COVERAGE_EXACT : 0;
     config.aggregation.litShadows = arguments.lit ? 1 : 0; // scenes have one

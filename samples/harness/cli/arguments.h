@@ -54,7 +54,7 @@ struct PlanArguments {
     std::string preset; // or empty
     double glossWeight = 0;
     std::string merge = "visible";
-    double fragmentsPerPixel = 8;
+    std::string fragmentsPerPixel = "8"; // or auto
     uint32_t maxBatches = 1;
     bool exact = false;
     bool noDiffuseFilter = false;
@@ -69,6 +69,7 @@ struct Configuration {
     AgaaLayout layout = AGAA_LAYOUT_INIT;
     std::string technique; // that config points to
     TechniqueConfig config;
+    bool fitsFragments = false; // --fragments-per-pixel auto: a frame decides
     bool isModel = false; // --tier native: the papers' model, on an ideal device
     Size size;
 

@@ -11,6 +11,7 @@ namespace harness {
 struct DeviceArguments {
     std::string backend; // empty: no device is asked for
     bool renderPass = false;
+    bool noConditionalRendering = false;
     bool inlineRecording = false;
     bool noValidation = false;
     uint32_t keptViews = 2;

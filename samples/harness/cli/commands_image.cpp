@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 
 #include "image/metrics.h"
+#include "render/fragment_room.h"
 #include "render/reference.h"
 
 #include <nlohmann/json.hpp>
@@ -22,6 +23,8 @@ void runReference(const RenderArguments& arguments, bool asJson) {
     RenderSettings settings = renderSettings(arguments, configuration, scene);
     const auto renderer = makeRenderer(arguments.device);
     renderer->load(scene);
+    if (configuration.fitsFragments)
+        fitFragmentRoom(*renderer, settings);
     const auto begin = std::chrono::steady_clock::now();
     auto told = begin;
     const auto tell = [&](uint32_t done) {

@@ -37,6 +37,8 @@ private:
 // which are the least that the SDK runs on. Empty: the ideal device of the papers' model.
 std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration,
                                              const DeviceArguments& device) {
+    if (configuration.fitsFragments)
+        throw BadArgument("--fragments-per-pixel auto draws a frame; it is for render and reference.");
     if (!device.backend.empty())
         return makeRenderer(device)->caps();
     if (configuration.isModel)
@@ -81,6 +83,26 @@ json surfaceJson(const AgaaSurface& s) {
             {"bytes", s.bytes}};
 }
 
+// Of AgaaDeviceCaps::flags.
+json featuresJson(uint64_t flags) {
+    json names = json::array();
+    for (const auto& [flag, name] : {std::pair{AGAA_DEVICE_POST_DEPTH_COVERAGE, "post-depth-coverage"},
+                                     {AGAA_DEVICE_FRAGMENT_ATOMICS, "fragment-atomics"},
+                                     {AGAA_DEVICE_SAMPLE_RATE_SHADING, "sample-rate-shading"},
+                                     {AGAA_DEVICE_DYNAMIC_RENDERING, "dynamic-rendering"},
+                                     {AGAA_DEVICE_STORAGE_FORMATS, "storage-formats"},
+                                     {AGAA_DEVICE_NV_MIXED_SAMPLES, "nv-mixed-samples"},
+                                     {AGAA_DEVICE_D24S8, "d24s8"},
+                                     {AGAA_DEVICE_D32S8, "d32s8"},
+                                     {AGAA_DEVICE_NO_ALIASING, "no-aliasing"},
+                                     {AGAA_DEVICE_SOFTWARE, "software"},
+                                     {AGAA_DEVICE_GEOMETRY_SHADERS, "geometry-shaders"},
+                                     {AGAA_DEVICE_CONDITIONAL_RENDERING, "conditional-rendering"}})
+        if (flags & flag)
+            names.push_back(name);
+    return names;
+}
+
 void print(const json& object) { std::cout << object.dump(2) << '\n'; }
 
 } // namespace
@@ -109,11 +131,12 @@ void runCaps(const DeviceArguments& arguments, bool asJson) {
                {"device", caps.deviceName},
                {"driver", caps.driverName},
                {"sampleCounts", counts},
+               {"features", featuresJson(caps.flags)},
                {"tiers", tiers}});
         return;
     }
-    std::printf("%s, %s\nsamples per pixel: %s\n", caps.deviceName, caps.driverName,
-                counts.dump().c_str());
+    std::printf("%s, %s\nsamples per pixel: %s\nfeatures: %s\n", caps.deviceName, caps.driverName, counts.dump().c_str(),
+                featuresJson(caps.flags).dump().c_str());
     for (const AgaaCapability& row : rows)
         std::printf("%-7s n=%-2u %-10s %-18s %s\n", row.technique, row.samples,
                     agaaStageName(row.stage), row.tier ? agaaTierName(row.tier) : "none",
@@ -220,6 +243,7 @@ std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments) {
     options.validation = !arguments.noValidation;
     options.keptViews = arguments.keptViews;
     options.renderPass = arguments.renderPass;
+    options.noConditionalRendering = arguments.noConditionalRendering;
     options.inlineRecording = arguments.inlineRecording;
     options.compatibilityProfile = arguments.compatibilityProfile;
     options.clipZFromMinusOne = arguments.clipZFromMinusOne;

@@ -1,5 +1,6 @@
 // render: frames through the SDK, with times, counters and bytes.
 #include "cli/commands.h"
+#include "render/fragment_room.h"
 #include "render/quantiles.h"
 
 #include "image/image.h"
@@ -186,9 +187,11 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     if (!arguments.camera.empty())
         parseCamera(arguments.camera); // before the scene is loaded
     const Scene scene = loadSceneArgument(arguments.scene);
-    const RenderSettings settings = renderSettings(arguments, configuration, scene);
+    RenderSettings settings = renderSettings(arguments, configuration, scene);
     const auto renderer = makeRenderer(arguments.device);
     renderer->load(scene);
+    if (configuration.fitsFragments)
+        fitFragmentRoom(*renderer, settings);
     const Measurement m = measure(*renderer, settings, arguments);
     if (!arguments.png.empty()) {
         Image shown = m.plain.image;
@@ -200,7 +203,9 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     }
     if (!arguments.exr.empty())
         writeExr(arguments.exr, m.plain.image);
-    const json out = resultJson(m, arguments, *renderer, configuration.size);
+    json out = resultJson(m, arguments, *renderer, configuration.size);
+    if (arguments.plan.technique == "dcaa")
+        out["fragmentsPerPixel"] = settings.config.coverage.fragmentsPerPixel;
     if (asJson) {
         std::cout << out.dump(2) << '\n';
         return;
@@ -209,6 +214,8 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     std::printf("frame %.1f ms (median), %.1f bytes per pixel, %u geometry passes\n",
                 out["frameMs"]["median"].get<double>(), m.plain.memory.bytesPerPixel,
                 m.plain.statistics.back().geometryPasses);
+    if (configuration.fitsFragments && out.contains("fragmentsPerPixel"))
+        std::printf("lists have room for %.2f fragments per pixel\n", out["fragmentsPerPixel"].get<double>());
     for (const json& pass : out["passes"])
         if (!pass["ms"].is_null())
             std::printf("  %-20s %8.2f ms\n", pass["name"].get<std::string>().c_str(),

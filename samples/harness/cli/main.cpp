@@ -36,7 +36,7 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--threshold", a.threshold, "t: least distance between aggregates");
     app.add_option("--surface", a.surface, "one surface: least cosine, widths of a pixel, material; 0: default");
     app.add_option("--merge", a.merge, "dcaa: what a discarded surface gives to another, visible, paper or none");
-    app.add_option("--fragments-per-pixel", a.fragmentsPerPixel, "dcaa: that the lists have room for");
+    app.add_option("--fragments-per-pixel", a.fragmentsPerPixel, "dcaa: that the lists have room for; auto: as a frame needs");
     app.add_option("--max-batches", a.maxBatches, "dcaa: draws of the scene where the lists have too little room");
     app.add_flag("--exact", a.exact, "dcaa: keep and shade all fragments that show");
     app.add_option("--gloss-weight", a.glossWeight, "agaa by id or from a G-buffer: of shading normals");
@@ -64,6 +64,7 @@ void addDeviceOptions(CLI::App& app, DeviceArguments& a) {
     app.add_option("--backend", a.backend, "vk or gl");
     app.add_flag("--render-pass", a.renderPass, "VkRenderPass instead of dynamic rendering");
     app.add_flag("--inline-recording", a.inlineRecording);
+    app.add_flag("--no-conditional-rendering", a.noConditionalRendering, "vk: run all batches, needed or not");
     app.add_flag("--no-validation", a.noValidation);
     app.add_flag("--compatibility-profile", a.compatibilityProfile, "gl");
     app.add_flag("--clip-z-from-minus-one", a.clipZFromMinusOne, "gl: its default depth convention");

@@ -17,6 +17,7 @@ struct RendererOptions {
     bool validation = true;      // API validation and synchronisation validation, where installed
     bool renderPass = false;     // Vulkan: VkRenderPass instead of dynamic rendering
     bool inlineRecording = false; // Vulkan: callbacks record into the host's command buffer
+    bool noConditionalRendering = false; // Vulkan: the device runs all batches, needed or not
     uint32_t shadowMapSize = 2048;
     uint32_t keptViews = 2; // of the SDK: measurements take turns between views
     // OpenGL

@@ -81,7 +81,7 @@ Device::Device(const RendererOptions& options) {
     try {
         createInstance(options.validation);
         choosePhysicalDevice();
-        createDevice(!options.renderPass);
+        createDevice(options);
     } catch (...) {
         destroy();
         throw;
@@ -186,7 +186,11 @@ void Device::choosePhysicalDevice() {
             : VK_API_VERSION_1_2;
 }
 
-void Device::createDevice(bool useDynamicRendering) {
+void Device::createDevice(const RendererOptions& options) {
+    const auto isUnwanted = [&](std::string_view feature) {
+        return (feature == "dynamicRendering" && options.renderPass) ||
+               (feature == "conditionalRendering" && options.noConditionalRendering);
+    };
     AgaaVkRequirements requirements = AGAA_VK_REQUIREMENTS_INIT;
     if (agaaVkGetRequirements(&requirements) != AGAA_OK)
         throw std::runtime_error("The SDK did not say what it requires of a Vulkan device.");
@@ -207,23 +211,21 @@ void Device::createDevice(bool useDynamicRendering) {
             extensions_.push_back(wanted);
         return isThere;
     };
-    bool hasRenderingExtension = false;
-    bool hasSyncExtension = false;
+    FeatureChain::Extensions has;
     for (uint32_t i = 0; i < requirements.optionalDeviceExtensionCount; ++i) {
         const char* extension = requirements.optionalDeviceExtensions[i];
-        const bool isRendering =
-            std::strcmp(extension, VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME) == 0;
-        if (isRendering && !useDynamicRendering)
+        const auto is = [extension](const char* name) { return std::strcmp(extension, name) == 0; };
+        if ((is(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME) && isUnwanted("dynamicRendering")) ||
+            (is(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME) && isUnwanted("conditionalRendering")) || !enable(extension))
             continue;
-        const bool isEnabled = enable(extension);
-        hasRenderingExtension |= isEnabled && isRendering;
-        hasSyncExtension |=
-            isEnabled && std::strcmp(extension, VK_KHR_SYNCHRONIZATION_2_EXTENSION_NAME) == 0;
+        has.dynamicRendering |= is(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME);
+        has.synchronization2 |= is(VK_KHR_SYNCHRONIZATION_2_EXTENSION_NAME);
+        has.conditionalRendering |= is(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
     }
 
-    FeatureChain supported(apiVersion_, hasRenderingExtension, hasSyncExtension);
+    FeatureChain supported(apiVersion_, has);
     supported.query(physicalDevice_);
-    FeatureChain enabled(apiVersion_, hasRenderingExtension, hasSyncExtension);
+    FeatureChain& enabled = enabled_.emplace(apiVersion_, has);
     for (uint32_t i = 0; i < requirements.requiredFeatureCount; ++i) {
         const std::string feature = requirements.requiredFeatures[i];
         if (!supported.isSet(feature))
@@ -233,9 +235,8 @@ void Device::createDevice(bool useDynamicRendering) {
     }
     for (uint32_t i = 0; i < requirements.optionalFeatureCount; ++i) {
         const std::string_view feature = requirements.optionalFeatures[i];
-        if ((feature == "dynamicRendering" && !useDynamicRendering) || !supported.isSet(feature))
-            continue;
-        enabled.set(feature);
+        if (!isUnwanted(feature) && supported.isSet(feature))
+            enabled.set(feature);
     }
     // The sample engine's own wish. Mesa's software rasteriser (22.3) takes wrong texels with it at
     // the edges of triangles.

@@ -4,9 +4,11 @@
 #include "agaa_vk.h"
 #include "render/renderer.h"
 #include "vk/check.h"
+#include "vk/features.h"
 #include "vk/messenger.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,7 @@ public:
     uint32_t queueFamily() const { return queueFamily_; }
     uint32_t apiVersion() const { return apiVersion_; }
     const std::vector<const char*>& extensions() const { return extensions_; }
+    const void* features() const { return enabled_->chain(); } // VkPhysicalDeviceFeatures2, of those that are enabled
     const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
     const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
     std::string name() const { return properties_.deviceName; }
@@ -48,7 +51,7 @@ public:
 private:
     void createInstance(bool useValidation);
     void choosePhysicalDevice();
-    void createDevice(bool useDynamicRendering);
+    void createDevice(const RendererOptions& options);
     void destroy();
 
     MessageCollector messages_;
@@ -65,6 +68,7 @@ private:
     VkPhysicalDeviceProperties properties_{};
     VkPhysicalDeviceMemoryProperties memory_{};
     std::vector<const char*> extensions_;
+    std::optional<FeatureChain> enabled_;
     bool hasDynamicRendering_ = false;
     bool hasAnisotropy_ = false;
     bool hasPrimitiveIds_ = false; // in fragment shaders

@@ -2,14 +2,14 @@
 
 namespace harness::vk {
 
-FeatureChain::FeatureChain(uint32_t apiVersion, bool hasDynamicRendering,
-                           bool hasSynchronization2) {
+FeatureChain::FeatureChain(uint32_t apiVersion, const Extensions& has) {
     core_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     v11_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES;
     v12_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
     v13_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
     dynamicRendering_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES;
     synchronization2_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SYNCHRONIZATION_2_FEATURES;
+    conditionalRendering_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT;
     core_.pNext = &v11_;
     v11_.pNext = &v12_;
     hasV13_ = apiVersion >= VK_API_VERSION_1_3;
@@ -21,10 +21,12 @@ FeatureChain::FeatureChain(uint32_t apiVersion, bool hasDynamicRendering,
     };
     if (hasV13_)
         append(v13_);
-    if (!hasV13_ && hasDynamicRendering)
+    if (!hasV13_ && has.dynamicRendering)
         append(dynamicRendering_);
-    if (!hasV13_ && hasSynchronization2)
+    if (!hasV13_ && has.synchronization2)
         append(synchronization2_);
+    if (has.conditionalRendering)
+        append(conditionalRendering_);
 }
 
 void FeatureChain::query(VkPhysicalDevice device) {
@@ -81,6 +83,7 @@ const VkBool32* FeatureChain::find(std::string_view name) const {
     FEATURE(v12_, vulkanMemoryModel);
     FEATURE(v12_, shaderOutputViewportIndex);
     FEATURE(v12_, shaderOutputLayer);
+    FEATURE(conditionalRendering_, conditionalRendering); // not set where it is not in the chain
     if (hasV13_) {
         FEATURE(v13_, dynamicRendering);
         FEATURE(v13_, synchronization2);

@@ -10,9 +10,11 @@ namespace harness::vk {
 // The chain of feature structs that a device of the given API version knows.
 class FeatureChain {
 public:
-    // hasDynamicRendering, hasSynchronization2: the extensions of these names, where the version is
-    // below the one that took them into the core.
-    FeatureChain(uint32_t apiVersion, bool hasDynamicRendering, bool hasSynchronization2);
+    // Extensions of these names, of which the first two matter where the version is below the one that took them into the core.
+    struct Extensions {
+        bool dynamicRendering = false, synchronization2 = false, conditionalRendering = false;
+    };
+    FeatureChain(uint32_t apiVersion, const Extensions& has);
     FeatureChain(const FeatureChain&) = delete;
     FeatureChain& operator=(const FeatureChain&) = delete;
 
@@ -32,6 +34,7 @@ private:
     VkPhysicalDeviceVulkan13Features v13_{};
     VkPhysicalDeviceDynamicRenderingFeatures dynamicRendering_{};
     VkPhysicalDeviceSynchronization2Features synchronization2_{};
+    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditionalRendering_{};
     bool hasV13_ = false;
 };
 

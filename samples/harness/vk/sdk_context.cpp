@@ -23,6 +23,7 @@ void SdkContext::createContext(const Device& device, const RendererOptions& opti
     desc.getProcAddr = Device::getProcAddr;
     desc.enabledExtensions = device.extensions().data();
     desc.enabledExtensionCount = uint32_t(device.extensions().size());
+    desc.enabledFeatures = device.features();
     desc.rendering = options.renderPass ? AGAA_VK_RENDERING_RENDER_PASS : AGAA_VK_RENDERING_AUTO;
     desc.recording =
         options.inlineRecording ? AGAA_VK_RECORDING_INLINE : AGAA_VK_RECORDING_SECONDARY;

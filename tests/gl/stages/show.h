@@ -60,6 +60,8 @@ struct OpenGLHost {
         change(desc);
         return desc;
     }
+    // Whether turns of a group that have nothing to do are skipped.
+    static bool skips(const Context&) { return true; }
     static std::vector<float> rgba(const View& view) { return view.image(); }
     static ShadowMap shadowMap(const Context& context, float depth) {
         return test::shadowMap(context.egl().gl(), depth);

@@ -20,6 +20,7 @@ namespace {
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ValidationTest, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PlanCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(VulkanRenderPass, PlanCases, VulkanRenderPassHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(VulkanUnconditional, PlanCases, VulkanUnconditionalHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DcaaCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FragmentsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);

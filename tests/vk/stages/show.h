@@ -38,6 +38,12 @@ struct VulkanHost {
     // Of a context that change(desc) changes.
     template <class Change>
     static HostOptions changed(const Change& change) { return {.change = change}; }
+    // Whether turns of a group that have nothing to do are skipped.
+    static bool skips(const Context& context) {
+        AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+        EXPECT_EQ(agaaVkGetContextCaps(context.get(), &caps), AGAA_OK);
+        return caps.flags & AGAA_DEVICE_CONDITIONAL_RENDERING;
+    }
     static std::vector<float> rgba(const View& view) { return withAlpha(view.image().rgb); }
     static ShadowMap shadowMap(const Context&, float depth) { return ShadowMap({depth}, 4); }
     static void setShadowMap(Frame& frame, const ShadowMap& map) { frame.shadowViews[0] = map.view(); }
@@ -63,6 +69,18 @@ struct RenderPassContext : StageContext {
 struct VulkanRenderPassHost {
     using Context = RenderPassContext;
     using View = StageView;
+    static bool skips(const Context& context) { return VulkanHost::skips(context); }
+    static std::vector<float> rgba(const View& view) { return VulkanHost::rgba(view); }
+};
+
+// Whose device runs turns that have nothing to do.
+struct UnconditionalContext : StageContext {
+    UnconditionalContext() : StageContext({.change = [](auto& desc) { desc.device.enabledFeatures = nullptr; }}) {}
+};
+struct VulkanUnconditionalHost {
+    using Context = UnconditionalContext;
+    using View = StageView;
+    static bool skips(const Context& context) { return VulkanHost::skips(context); }
     static std::vector<float> rgba(const View& view) { return VulkanHost::rgba(view); }
 };
 

@@ -169,6 +169,7 @@ VulkanContextDesc contextDesc(const HostOptions& options) {
     desc.device.getProcAddr = options.getProcAddr;
     desc.device.enabledExtensions = device.extensions().data();
     desc.device.enabledExtensionCount = uint32_t(device.extensions().size());
+    desc.device.enabledFeatures = device.features();
     desc.device.rendering = options.renderPass ? AGAA_VK_RENDERING_RENDER_PASS : AGAA_VK_RENDERING_AUTO;
     desc.device.recording = options.inlineRecording ? AGAA_VK_RECORDING_INLINE : AGAA_VK_RECORDING_SECONDARY;
     desc.framesInFlight = options.framesInFlight;

@@ -32,7 +32,7 @@ void addCaps(Suite& suite) {
                       [](ViewParts& p, double x) { p.caps.reserved = whole(x); }, {0}, largeNumbers({}), nullptr, {1}});
     addFlags(suite, {"AgaaDeviceCaps.flags/flags", "AgaaDeviceCaps::flags",
                      [](ViewParts& p, uint64_t flags) { p.caps.flags = flags; },
-                     idealDeviceFlags | AGAA_DEVICE_NO_ALIASING | AGAA_DEVICE_SOFTWARE,
+                     idealDeviceFlags | AGAA_DEVICE_NO_ALIASING | AGAA_DEVICE_SOFTWARE | AGAA_DEVICE_CONDITIONAL_RENDERING,
                      [](ViewParts& p) { p.config.flags = 0; }});
 }
 

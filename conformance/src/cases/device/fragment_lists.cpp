@@ -143,6 +143,39 @@ void testNoGeometryShaders(Test& test) {
     test.check(!view, "agaaVkCreateView fails and returns a view.");
 }
 
+bool skipsBatches(Test& test, AgaaContext context) {
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    test.requireOk(test.device().getContextCaps(test.sdk, context, &caps), "agaaVkGetContextCaps");
+    return caps.flags & AGAA_DEVICE_CONDITIONAL_RENDERING;
+}
+
+// The device skips batches where the host enables that, which no image shows.
+void testConditionalRendering(Test& test) {
+    const std::unique_ptr<Device> device = makeVulkanDevice(test.sdk, test.device().deviceName(), true);
+    Test inner(test.sdk, device.get());
+    try {
+        VkPhysicalDeviceFeatures2 features =
+            *static_cast<const VkPhysicalDeviceFeatures2*>(device->description().vk.enabledFeatures);
+        features.pNext = nullptr;
+        const auto inBatches = withCoverage([](AgaaDecoupledCoverage& c) { c.fragmentsPerPixel = 1, c.maxBatches = 8; });
+        Rig all(inner, inBatches, [&](ContextDescription& d) { d.vk.enabledFeatures = &features; }), needed(inner, inBatches);
+        if (!skipsBatches(inner, needed.context.get()))
+            test.skip("the device has no VK_EXT_conditional_rendering.");
+        inner.check(!skipsBatches(inner, all.context.get()),
+                    "agaaVkGetContextCaps has the flag CONDITIONAL_RENDERING where the host does not enable the feature.");
+        for (const bool isFull : {false, true}) {
+            if (isFull)
+                all.scene = needed.scene = manyLayers();
+            const std::string scene = isFull ? "a scene that needs batches" : "a scene that needs one batch";
+            expectSame(inner, needed.render(), all.render(), 32, "AGAA_DEVICE_CONDITIONAL_RENDERING: " + scene);
+        }
+        needed.expectNoMessages("AGAA_DEVICE_CONDITIONAL_RENDERING");
+    } catch (const Aborted&) {
+    }
+    for (const std::string& failure : inner.failures())
+        test.check(false, failure);
+}
+
 } // namespace
 
 void addFragmentListCases(Suite& suite) {
@@ -150,6 +183,7 @@ void addFragmentListCases(Suite& suite) {
     suite.both("AgaaDecoupledCoverage.maxBatches/draws", testBatches);
     suite.add("AgaaGlDeviceDesc.constants/enum/dcaa", {Backend::OpenGl}, testConstants);
     suite.add("AGAA_DEVICE_GEOMETRY_SHADERS/AGAA_ERROR_UNSUPPORTED", {Backend::Vulkan}, testNoGeometryShaders);
+    suite.add("AGAA_DEVICE_CONDITIONAL_RENDERING/images", {Backend::Vulkan}, testConditionalRendering);
 }
 
 } // namespace agaa::conformance

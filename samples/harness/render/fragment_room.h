@@ -1,0 +1,15 @@
+// Room in the lists of "dcaa", from what a frame asked for.
+#pragma once
+
+#include "render/renderer.h"
+
+namespace harness {
+
+// AgaaDecoupledCoverage::fragmentsPerPixel for frames that have an eighth more fragments than this one.
+float roomForFragments(uint64_t fragments, uint32_t width, uint32_t height);
+
+// Draws one frame with little room, which counts all fragments, and sets the room in settings. Other techniques than "dcaa"
+// have no lists, and nothing happens.
+void fitFragmentRoom(Renderer& renderer, RenderSettings& settings);
+
+} // namespace harness
