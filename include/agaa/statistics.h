@@ -45,7 +45,7 @@ typedef struct AgaaCounters {
     uint64_t discarded;     /* surfaces, fragments included, that were dropped for want of room */
     uint64_t lostSamples;   /* samples that showed a dropped surface */
     uint64_t lostFragments; /* for which the lists had no room */
-    uint64_t batches;       /* "dcaa" that merges: draws of the scene that the frame needed, [1, maxBatches] */
+    uint64_t batches;       /* "dcaa" that merges: draws of the scene that the frame needed, 1 to maxBatches */
     uint64_t reserved[9];   /* 0 */
 } AgaaCounters;
 
