@@ -135,6 +135,8 @@ typedef enum AgaaTier {
                                (AgaaFetchFunction) */
     AGAA_TIER_FRAGMENT_LISTS = 21, /* one geometry pass appends each fragment to a list of its pixel; a compute pass merges
                                       the lists in the order of ids (AgaaFetchFunction) */
+    AGAA_TIER_MATERIAL_LISTS = 23, /* the same with fragments that carry their materials, which the host's fragment shader
+                                      evaluates */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 

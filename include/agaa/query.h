@@ -63,9 +63,9 @@ typedef struct AgaaCapability {
 AGAA_API void AGAA_CALL agaaInitCapability(AgaaCapability* outCapability, size_t structSize);
 
 /* Lists how each technique runs each stage. The first entry of a technique, n and stage is the tier that AUTO selects,
- * unless a view is too large for it. Further entries run if AgaaConfig asks for their tier, or if the host provides the
- * functions that they need. All entries of "dcaa" need an AgaaFetchFunction. If a stage cannot run (the tier AUTO), no
- * view of its technique and n can be created.
+ * unless a view is too large for it or the host provides functions. Further entries run if AgaaConfig asks for their tier,
+ * or if the host provides the functions that they need. If a stage cannot run (the tier AUTO), no view of its technique and
+ * n can be created.
  *
  * caps           Null: an ideal device.
  * count          With capabilities null, receives the number of entries. Otherwise the length of the array on entry, and

@@ -22,6 +22,7 @@ constexpr TierName tiers[] = {
     {AGAA_TIER_GBUFFER, "gbuffer"},
     {AGAA_TIER_IDS, "ids"},
     {AGAA_TIER_FRAGMENT_LISTS, "lists"},
+    {AGAA_TIER_MATERIAL_LISTS, "material-lists"},
 };
 constexpr const char* stages[] = {"prepass", "definition", "generation", "shading", "other"};
 } // namespace

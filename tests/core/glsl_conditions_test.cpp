@@ -99,7 +99,9 @@ void expectDefined(const Plan& plan, const Pass& pass, const std::string& what) 
 }
 
 TEST_F(GlslConditions, NameWhatIsDefined) {
-    const Case cases[] = {{"single"},
+    const Case cases[] = {{"dcaa"},
+                          {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+                          {"single"},
                           {"fxaa"},
                           {"msaa"},
                           {"ssaa"},

@@ -44,7 +44,8 @@ const std::vector<PayloadRow>& payloadRows() {
             }
         }
         for (const uint32_t n : {32u, 64u, 128u})
-            list.push_back({"dcaa", n, AGAA_TIER_FRAGMENT_LISTS});
+            for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS})
+                list.push_back({"dcaa", n, tier});
         return list;
     }();
     return rows;

@@ -26,10 +26,10 @@ struct TechniqueConfig : AgaaConfig {
         return *this;
     }
 
-    // Whether views need an AgaaFetchFunction.
+    // Whether views need an AgaaFetchFunction, or AUTO prefers one.
     bool fetches() const {
         return generationTier == AGAA_TIER_IDS || generationTier == AGAA_TIER_FRAGMENT_LISTS ||
-               std::string_view(technique) == "dcaa";
+               (generationTier == AGAA_TIER_AUTO && std::string_view(technique) == "dcaa");
     }
     AgaaResult applyPreset(const char* name) { return agaaApplyPreset(name, this, &aggregation, &measurement); }
 

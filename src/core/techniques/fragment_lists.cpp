@@ -77,6 +77,10 @@ FragmentLists drawFragments(PlanBuilder& b, uint32_t ownWords) {
 void FragmentLists::bind(PlanBuilder& b, Pass& pass) const {
     b.bindHostFetch(pass);
     pass.defines += format("#define AGAA_OWN_WORDS %uu\n", b.plan.ownWords);
+    bindAlone(b, pass);
+}
+
+void FragmentLists::bindAlone(PlanBuilder& b, Pass& pass) const {
     b.bind(pass, slot::Fragments, BindingType::StorageBuffer, buffer, true);
 }
 

@@ -97,9 +97,13 @@ TierAnswer answerIds(const GenerationQuery& q) {
                       : "materials are fetched by the ids that the only geometry pass leaves."};
 }
 
+constexpr const char* noCoverageReason = "a G-buffer that the host draws has no coverage beyond its samples.";
+constexpr const char* noGeometryReason =
+    "the device has no geometry shaders, which give a fragment to every pixel that a triangle touches.";
+
 TierAnswer answerFragmentLists(const GenerationQuery& q) {
     if (q.hostGBuffer)
-        return {false, "a G-buffer that the host draws has no coverage beyond its samples."};
+        return {false, noCoverageReason};
     if (!q.fetches)
         return {false, "the tier lists needs an AgaaFetchFunction."};
     if (q.someUnfetched)
@@ -109,8 +113,20 @@ TierAnswer answerFragmentLists(const GenerationQuery& q) {
     if (!hasAtomics(q))
         return {false, "the device has no atomics in fragment shaders."};
     if (!(q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS))
-        return {false, "the device has no geometry shaders, which give a fragment to every pixel that a triangle touches."};
+        return {false, noGeometryReason};
     return {true, "fragments are appended to a list for each pixel and merged in the order of their ids."};
+}
+
+TierAnswer answerMaterialLists(const GenerationQuery& q) {
+    if (q.hostGBuffer)
+        return {false, noCoverageReason};
+    if (q.customDepth)
+        return {false, "materials that write depth or discard on their own have other samples than their edges and alpha say."};
+    if (!hasAtomics(q))
+        return {false, "the device has no atomics in fragment shaders."};
+    if (!(q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS))
+        return {false, noGeometryReason};
+    return {true, "fragments carry their materials in a list for each pixel and are merged in the order of their numbers."};
 }
 
 } // namespace
@@ -137,5 +153,8 @@ const GenerationTier fragmentListsTier = {
     .countsPrimitives = false,
     .offer = "with an AgaaFetchFunction, fragments are appended to a list for each pixel and merged in the order of their ids.",
     .answer = answerFragmentLists};
+const GenerationTier materialListsTier = {
+    .tier = AGAA_TIER_MATERIAL_LISTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
+    .countsPrimitives = false, .offer = nullptr, .answer = answerMaterialLists};
 
 } // namespace agaa

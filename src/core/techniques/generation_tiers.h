@@ -11,5 +11,6 @@ extern const GenerationTier perSampleTier;
 extern const GenerationTier gbufferTier;
 extern const GenerationTier mixedSamplesTier;
 extern const GenerationTier fragmentListsTier;
+extern const GenerationTier materialListsTier;
 
 } // namespace agaa

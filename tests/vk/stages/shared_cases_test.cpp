@@ -1,6 +1,7 @@
 // What tests of all graphics APIs share, by Vulkan.
 #include "show.h"
 
+#include "carried_cases.h"
 #include "coverage_cases.h"
 #include "dcaa_cases.h"
 #include "debug_view_cases.h"
@@ -20,6 +21,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ValidationTest, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PlanCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(VulkanRenderPass, PlanCases, VulkanRenderPassHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DcaaCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CarriedCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CoverageCases, VulkanHost);

@@ -27,8 +27,9 @@ void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
         for (const uint32_t samples : hasCoverageSamples(technique) ? std::vector<uint32_t>{32, 64, 128}
                                                                     : std::vector<uint32_t>{1, 2, 4, 8, 16, 32})
             for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER,
-                                        AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_FRAGMENT_LISTS}) {
-                const bool isList = tier == AGAA_TIER_FRAGMENT_LISTS;
+                                        AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_FRAGMENT_LISTS,
+                                        AGAA_TIER_MATERIAL_LISTS}) {
+                const bool isList = tier == AGAA_TIER_FRAGMENT_LISTS || tier == AGAA_TIER_MATERIAL_LISTS;
                 const bool isAgaa = technique == std::string("agaa"), isSbaa = technique == std::string("sbaa");
                 if (tier != AGAA_TIER_AUTO && !(isAgaa && !isList) && !(isSbaa && !isList && tier != AGAA_TIER_IDS) &&
                     !(isList && hasCoverageSamples(technique)))
@@ -199,13 +200,14 @@ void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapabilit
     test.check(tier == test.sdk.agaaTierName(row.tier), callWith("agaaPlanToJson", what) + " names the tier " + tier + ".");
 }
 
-// The first entry is what AUTO selects.
+// The first entry is what AUTO selects where the host offers no functions.
 void checkFirst(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row) {
     ViewParts parts(test.sdk, nullptr);
     parts.caps = caps;
     parts.setTechnique(row.technique, 4);
     parts.config.samples = row.samples;
     parts.config.flags = 0;
+    parts.desc.pNext = nullptr;
     const auto plan = nlohmann::json::parse(planText(test, parts));
     const std::string tier = plan.at("tiers").value(row.stage == AGAA_STAGE_PREPASS ? "visibility" : "generation", "");
     test.check(tier == test.sdk.agaaTierName(row.tier), "agaaQueryCapabilities lists another tier first than AUTO selects for " +
