@@ -137,6 +137,8 @@ typedef enum AgaaTier {
                                       the lists in the order of ids (AgaaFetchFunction) */
     AGAA_TIER_MATERIAL_LISTS = 23, /* the same with fragments that carry their materials, which the host's fragment shader
                                       evaluates */
+    AGAA_TIER_FRAGMENT_INTERLOCK = 24, /* the same without lists: the host's fragment shader merges each fragment in the order
+                                          of the draws. AUTO does not select it */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 

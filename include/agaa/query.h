@@ -23,6 +23,7 @@ extern "C" {
 #define AGAA_DEVICE_NO_ALIASING UINT64_C(0x100) /* surfaces cannot share memory (OpenGL) */
 #define AGAA_DEVICE_SOFTWARE UINT64_C(0x200)    /* renders on the CPU, where workgroups do not share memory */
 #define AGAA_DEVICE_GEOMETRY_SHADERS UINT64_C(0x400)
+#define AGAA_DEVICE_FRAGMENT_INTERLOCK UINT64_C(0x1000) /* ordered critical sections for each pixel in fragment shaders */
 
 /* What a device can do. agaaVkGetDeviceCaps, agaaVkGetContextCaps, agaaGlGetDeviceCaps and agaaGlGetContextCaps fill it. */
 typedef struct AgaaDeviceCaps {

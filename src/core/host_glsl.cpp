@@ -99,9 +99,13 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
     return out;
 }
 
+bool mergesInOrder(const Plan& plan, const Pass& pass) {
+    return pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS && plan.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK;
+}
+
 bool needsMaterial(const Plan& plan, const Pass& pass) {
     if (pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS)
-        return plan.generationTier == AGAA_TIER_MATERIAL_LISTS;
+        return plan.generationTier == AGAA_TIER_MATERIAL_LISTS || mergesInOrder(plan, pass);
     return pass.drawPass != AGAA_DRAW_PASS_VISIBILITY;
 }
 
@@ -163,6 +167,11 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_HAS_SPECULAR", c[AGAA_HAS_SPECULAR]);
         define(out, "AGAA_NDF", c[AGAA_NDF]);
         out += packing(c);
+    }
+    if (mergesInOrder(plan, pass)) {
+        define(out, "AGAA_AGGREGATES", plan.aggregates);
+        define(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
+        define(out, "AGAA_MERGE_RULE", c[AGAA_MERGE_RULE]);
     }
     defineSwitch(out, "AGAA_FIRST_PASS", pass.clearsDepth);
     if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
@@ -226,7 +235,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
             out += fields(pass.constants);
             appendGlsl(out, "host/carried_material.glsl", seen);
         }
-        appendGlsl(out, "host/fragments.glsl", seen);
+        appendGlsl(out, mergesInOrder(plan, pass) ? "host/merge_in_order.glsl" : "host/fragments.glsl", seen);
         break;
     case AGAA_DRAW_PASS_GBUFFER:
         out += storeAttachments(pass);

@@ -19,6 +19,8 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
     };
     if (!enabled(VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME))
         caps.flags &= ~AGAA_DEVICE_POST_DEPTH_COVERAGE;
+    if (!enabled(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME))
+        caps.flags &= ~AGAA_DEVICE_FRAGMENT_INTERLOCK;
     if (apiVersion < VK_API_VERSION_1_3 && !enabled(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME))
         caps.flags &= ~AGAA_DEVICE_DYNAMIC_RENDERING;
     if (!desc.enabledFeatures)
@@ -33,7 +35,7 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
     keep(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
     keep(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat,
          AGAA_DEVICE_STORAGE_FORMATS);
-    VkBool32 dynamicRendering = VK_FALSE;
+    VkBool32 dynamicRendering = VK_FALSE, interlock = VK_FALSE;
     for (const auto* next = static_cast<const VkBaseInStructure*>(core->pNext); next;
          next = next->pNext) {
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES)
@@ -43,8 +45,12 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
             dynamicRendering |=
                 reinterpret_cast<const VkPhysicalDeviceDynamicRenderingFeatures*>(next)
                     ->dynamicRendering;
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADER_INTERLOCK_FEATURES_EXT)
+            interlock |= reinterpret_cast<const VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT*>(next)
+                             ->fragmentShaderPixelInterlock;
     }
     keep(dynamicRendering, AGAA_DEVICE_DYNAMIC_RENDERING);
+    keep(interlock, AGAA_DEVICE_FRAGMENT_INTERLOCK);
 }
 
 static VkSampler createSampler(const Context& context, VkFilter filter, bool compare) {

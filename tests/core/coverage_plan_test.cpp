@@ -4,7 +4,12 @@
 #include "core/error.h"
 #include "core/host_glsl.h"
 
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace agaa::test {
 namespace {
@@ -71,6 +76,69 @@ TEST(CoveragePlan, WhatFragmentsCannotCarryIsRefused) {
         caps.flags &= ~flag;
         EXPECT_NE(refusal(carried(), caps).find("the device has no"), std::string::npos) << flag;
     }
+}
+
+// No lists, and no more than the surfaces; AUTO does not select it.
+TEST(CoveragePlan, InterlockKeepsSurfacesAlone) {
+    ViewSpec spec = carried();
+    spec.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
+    const Plan plan = planFor(spec, idealDevice());
+    EXPECT_EQ(plan.generationTier, AGAA_TIER_FRAGMENT_INTERLOCK);
+    EXPECT_EQ(plan.totalBytes(), 112u * spec.width * spec.height);
+    EXPECT_EQ(plan.poolRecords, 0u);
+    EXPECT_EQ(plan.geometryPasses(), 1u);
+    AgaaDeviceCaps caps = idealDevice();
+    caps.flags &= ~AGAA_DEVICE_FRAGMENT_INTERLOCK;
+    EXPECT_THROW(planFor(spec, caps), Error);
+    spec.change = [](TechniqueConfig& config) { config.coverage.flags = AGAA_COVERAGE_EXACT; };
+    EXPECT_THROW(planFor(spec, idealDevice()), Error);
+    spec = carried();
+    spec.generationTier = AGAA_TIER_AUTO;
+    EXPECT_EQ(planFor(spec, idealDevice()).generationTier, AGAA_TIER_MATERIAL_LISTS);
+}
+
+// No driver of the tests has the extension: the text is compiled, and says what it needs.
+TEST(CoveragePlan, InterlockCompiles) {
+    glslang::InitializeProcess();
+    for (const char* masked : {"0", "1"})
+        for (const uint64_t flags : {UINT64_C(0), uint64_t(AGAA_CONFIG_COUNTERS)}) {
+            ViewSpec spec = carried();
+            spec.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
+            spec.configFlags = flags;
+            const Plan plan = planFor(spec, idealDevice());
+            const auto pass = std::ranges::find(plan.passes, PassKind::HostDraw, &Pass::kind);
+            ASSERT_NE(pass, plan.passes.end());
+            HostDialect dialect;
+            for (const bool openGl : {false, true}) {
+                dialect.openGl = openGl;
+                const std::string text = "#version 450\n" + hostExtensions(*pass, dialect) + "#define AGAA_ALPHA_MASKED " + masked +
+                                         "\n" + hostDeclarations(plan, *pass, dialect) +
+                                         "void main() {\n    AgaaSurfaceInput s = agaa_surfaceInput();\n    agaa_emit(s);\n}\n";
+                glslang::TShader shader(EShLangFragment);
+                const char* source = text.c_str();
+                shader.setStrings(&source, 1);
+                if (!openGl) {
+                    shader.setEnvInput(glslang::EShSourceGlsl, EShLangFragment, glslang::EShClientVulkan, 100);
+                    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
+                    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
+                }
+                const auto messages = openGl ? EShMsgDefault : EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
+                ASSERT_TRUE(shader.parse(GetDefaultResources(), openGl ? 110 : 450, false, messages)) << shader.getInfoLog();
+                glslang::TProgram program;
+                program.addShader(&shader);
+                ASSERT_TRUE(program.link(messages)) << program.getInfoLog();
+                if (openGl)
+                    continue;
+                std::vector<uint32_t> words;
+                glslang::GlslangToSpv(*program.getIntermediate(EShLangFragment), words);
+                constexpr uint32_t opCapability = 17, pixelInterlock = 5378;
+                bool isNamed = false;
+                for (size_t at = 5; at < words.size(); at += words[at] >> 16)
+                    isNamed |= (words[at] & 0xFFFF) == opCapability && words[at + 1] == pixelInterlock;
+                EXPECT_TRUE(isNamed);
+            }
+        }
+    glslang::FinalizeProcess();
 }
 
 // Hosts evaluate materials where the text says so.

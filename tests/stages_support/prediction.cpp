@@ -44,7 +44,7 @@ const std::vector<PayloadRow>& payloadRows() {
             }
         }
         for (const uint32_t n : {32u, 64u, 128u})
-            for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS})
+            for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK})
                 list.push_back({"dcaa", n, tier});
         return list;
     }();

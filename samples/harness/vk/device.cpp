@@ -209,6 +209,7 @@ void Device::createDevice(bool useDynamicRendering) {
     };
     bool hasRenderingExtension = false;
     bool hasSyncExtension = false;
+    bool hasInterlock = false;
     for (uint32_t i = 0; i < requirements.optionalDeviceExtensionCount; ++i) {
         const char* extension = requirements.optionalDeviceExtensions[i];
         const bool isRendering =
@@ -219,11 +220,12 @@ void Device::createDevice(bool useDynamicRendering) {
         hasRenderingExtension |= isEnabled && isRendering;
         hasSyncExtension |=
             isEnabled && std::strcmp(extension, VK_KHR_SYNCHRONIZATION_2_EXTENSION_NAME) == 0;
+        hasInterlock |= isEnabled && std::strcmp(extension, VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME) == 0;
     }
 
-    FeatureChain supported(apiVersion_, hasRenderingExtension, hasSyncExtension);
+    FeatureChain supported(apiVersion_, hasRenderingExtension, hasSyncExtension, hasInterlock);
     supported.query(physicalDevice_);
-    FeatureChain enabled(apiVersion_, hasRenderingExtension, hasSyncExtension);
+    FeatureChain enabled(apiVersion_, hasRenderingExtension, hasSyncExtension, hasInterlock);
     for (uint32_t i = 0; i < requirements.requiredFeatureCount; ++i) {
         const std::string feature = requirements.requiredFeatures[i];
         if (!supported.isSet(feature))

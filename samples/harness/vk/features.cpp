@@ -3,13 +3,14 @@
 namespace harness::vk {
 
 FeatureChain::FeatureChain(uint32_t apiVersion, bool hasDynamicRendering,
-                           bool hasSynchronization2) {
+                           bool hasSynchronization2, bool hasInterlock) {
     core_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     v11_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES;
     v12_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
     v13_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
     dynamicRendering_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES;
     synchronization2_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SYNCHRONIZATION_2_FEATURES;
+    interlock_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADER_INTERLOCK_FEATURES_EXT;
     core_.pNext = &v11_;
     v11_.pNext = &v12_;
     hasV13_ = apiVersion >= VK_API_VERSION_1_3;
@@ -25,6 +26,8 @@ FeatureChain::FeatureChain(uint32_t apiVersion, bool hasDynamicRendering,
         append(dynamicRendering_);
     if (!hasV13_ && hasSynchronization2)
         append(synchronization2_);
+    if (hasInterlock)
+        append(interlock_);
 }
 
 void FeatureChain::query(VkPhysicalDevice device) {
@@ -81,6 +84,7 @@ const VkBool32* FeatureChain::find(std::string_view name) const {
     FEATURE(v12_, vulkanMemoryModel);
     FEATURE(v12_, shaderOutputViewportIndex);
     FEATURE(v12_, shaderOutputLayer);
+    FEATURE(interlock_, fragmentShaderPixelInterlock);
     if (hasV13_) {
         FEATURE(v13_, dynamicRendering);
         FEATURE(v13_, synchronization2);

@@ -11,8 +11,8 @@ namespace harness::vk {
 class FeatureChain {
 public:
     // hasDynamicRendering, hasSynchronization2: the extensions of these names, where the version is
-    // below the one that took them into the core.
-    FeatureChain(uint32_t apiVersion, bool hasDynamicRendering, bool hasSynchronization2);
+    // below the one that took them into the core. hasInterlock: VK_EXT_fragment_shader_interlock.
+    FeatureChain(uint32_t apiVersion, bool hasDynamicRendering, bool hasSynchronization2, bool hasInterlock);
     FeatureChain(const FeatureChain&) = delete;
     FeatureChain& operator=(const FeatureChain&) = delete;
 
@@ -32,6 +32,7 @@ private:
     VkPhysicalDeviceVulkan13Features v13_{};
     VkPhysicalDeviceDynamicRenderingFeatures dynamicRendering_{};
     VkPhysicalDeviceSynchronization2Features synchronization2_{};
+    VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock_{};
     bool hasV13_ = false;
 };
 

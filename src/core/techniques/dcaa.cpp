@@ -34,6 +34,7 @@ void addBatchPass(PlanBuilder& b, const char* name, const char* shader, Resource
 bool isExact(const PlanBuilder& b) { return b.plan.coverage.flags & AGAA_COVERAGE_EXACT; }
 
 bool carriesMaterials(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_MATERIAL_LISTS; }
+bool mergesInOrder(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK; }
 
 Aggregation keptSurfaces(const PlanBuilder& b) {
     Aggregation surfaces;
@@ -66,6 +67,8 @@ void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& su
 void buildExact(PlanBuilder& b) {
     require(!hasBatches(b), AGAA_ERROR_UNSUPPORTED,
             "AgaaDecoupledCoverage::maxBatches is for lists that are merged; AGAA_COVERAGE_EXACT needs all fragments at once.");
+    require(!mergesInOrder(b), AGAA_ERROR_UNSUPPORTED,
+            "AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier interlock does not keep.");
     const Aggregation surfaces = keptSurfaces(b);
     const FragmentLists lists = drawScene(b, surfaces, 3); // a depth plane
     Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING, carriesMaterials(b) ? "shade_carried" : "shade_fragments",
@@ -76,17 +79,26 @@ void buildExact(PlanBuilder& b) {
     b.copyCounters();
 }
 
-void build(PlanBuilder& b) {
-    if (isExact(b))
-        return buildExact(b);
-    b.defaultSurface(0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
-    const Aggregation surfaces = keptSurfaces(b);
-    b.plan.bytesPerAggregate = 4 * surfaces.stride;
+ResourceId surfaceBuffer(PlanBuilder& b) {
+    return b.pixelBuffer("surfaces", checkedMultiply(b.plan.aggregates, b.plan.bytesPerAggregate));
+}
 
+ResourceId mergeInOrder(PlanBuilder& b, const Aggregation& surfaces) {
+    const ResourceId kept = surfaceBuffer(b);
+    b.fill("clear surfaces", AGAA_STAGE_GENERATION, kept, AGAA_SEGMENT_PREPASS);
+    Pass& draw = drawTriangles(b);
+    draw.extensions.push_back("fragment_shader_interlock");
+    draw.constants[AGAA_MERGE_RULE] = b.plan.coverage.merge;
+    setRecord(draw, surfaces);
+    b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, kept, true);
+    return kept;
+}
+
+ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
     const FragmentLists lists = drawScene(b, surfaces, 0);
     if (hasBatches(b))
         addBatchPass(b, "divide tiles", "divide_tiles", lists.buffer);
-    const ResourceId kept = b.pixelBuffer("surfaces", checkedMultiply(b.plan.aggregates, b.plan.bytesPerAggregate));
+    const ResourceId kept = surfaceBuffer(b);
     // A repetition lies in one segment.
     Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, carriesMaterials(b) ? "merge_carried" : "merge_fragments",
                             hasBatches(b) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
@@ -98,7 +110,16 @@ void build(PlanBuilder& b) {
         b.plan.repeats.push_back({lists.firstPass, uint32_t(b.plan.passes.size() - 1), b.plan.coverage.maxBatches,
                                   lists.buffer, goesOnOffset});
     }
+    return kept;
+}
 
+void build(PlanBuilder& b) {
+    if (isExact(b))
+        return buildExact(b);
+    b.defaultSurface(0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
+    const Aggregation surfaces = keptSurfaces(b);
+    b.plan.bytesPerAggregate = 4 * surfaces.stride;
+    const ResourceId kept = mergesInOrder(b) ? mergeInOrder(b, surfaces) : mergeLists(b, surfaces);
     Pass& shade = b.compute("shade surfaces", AGAA_STAGE_SHADING, "shade_surfaces", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     b.bindLighting(shade);
@@ -108,7 +129,7 @@ void build(PlanBuilder& b) {
     b.copyCounters();
 }
 
-constexpr const GenerationTier* tiers[] = {&fragmentListsTier, &materialListsTier};
+constexpr const GenerationTier* tiers[] = {&fragmentListsTier, &materialListsTier, &interlockTier};
 constexpr const TechniqueSettings* settings[] = {&coverageSettings};
 
 } // namespace

@@ -15,6 +15,9 @@ struct FragmentLists {
     void bindAlone(PlanBuilder& b, Pass& pass) const;
 };
 
+// A draw of the scene with a fragment for each pixel that a triangle touches.
+Pass& drawTriangles(PlanBuilder& b);
+
 // The scene is drawn again where fragments found no room.
 bool hasBatches(const PlanBuilder& b);
 inline constexpr uint64_t goesOnOffset = 12; // of the word that ends the repetition, in bytes

@@ -129,6 +129,14 @@ TierAnswer answerMaterialLists(const GenerationQuery& q) {
     return {true, "fragments carry their materials in a list for each pixel and are merged in the order of their numbers."};
 }
 
+TierAnswer answerInterlock(const GenerationQuery& q) {
+    if (const TierAnswer lists = answerMaterialLists(q); !lists.runs)
+        return lists;
+    if (!(q.caps.flags & AGAA_DEVICE_FRAGMENT_INTERLOCK))
+        return {false, "the device has no interlock of fragment shaders, which orders the fragments of a pixel."};
+    return {true, "fragments are merged in the order of the draws by the shader that draws them."};
+}
+
 } // namespace
 
 const GenerationTier idsTier = {
@@ -156,5 +164,9 @@ const GenerationTier fragmentListsTier = {
 const GenerationTier materialListsTier = {
     .tier = AGAA_TIER_MATERIAL_LISTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
     .countsPrimitives = false, .offer = nullptr, .answer = answerMaterialLists};
+// Not automatic: it was run on no device that orders fragments.
+const GenerationTier interlockTier = {
+    .tier = AGAA_TIER_FRAGMENT_INTERLOCK, .relativeCost = 1, .isAutomatic = false, .isModel = false, .knowsMaterials = true,
+    .countsPrimitives = false, .offer = nullptr, .answer = answerInterlock};
 
 } // namespace agaa

@@ -12,5 +12,6 @@ extern const GenerationTier gbufferTier;
 extern const GenerationTier mixedSamplesTier;
 extern const GenerationTier fragmentListsTier;
 extern const GenerationTier materialListsTier;
+extern const GenerationTier interlockTier;
 
 } // namespace agaa

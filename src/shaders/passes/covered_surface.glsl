@@ -17,13 +17,15 @@ uint agaa_surfaceBase(uvec2 pixel, uint a) {
     return ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE;
 }
 
+agaa_CoveredSurface agaa_surfaceOfWords(uvec4 mask, uint depth, uint slopes, uint normal) {
+    vec3 plane = vec3(uintBitsToFloat(depth), agaa_unpackSlopes(slopes));
+    float reach = 0.5 * (abs(plane.y) + abs(plane.z));
+    return agaa_CoveredSurface(mask, plane, vec2(plane.x - reach, plane.x + reach), agaa_unpackNormal(normal));
+}
+
 // As memory gives it back.
 agaa_CoveredSurface agaa_asStored(agaa_CoveredSurface s) {
-    s.plane.yz = agaa_unpackSlopes(agaa_packSlopes(s.plane.yz));
-    float reach = 0.5 * (abs(s.plane.y) + abs(s.plane.z));
-    s.range = vec2(s.plane.x - reach, s.plane.x + reach);
-    s.normal = agaa_unpackNormal(agaa_packNormal(s.normal));
-    return s;
+    return agaa_surfaceOfWords(s.mask, floatBitsToUint(s.plane.x), agaa_packSlopes(s.plane.yz), agaa_packNormal(s.normal));
 }
 
 // The depth buffer's, by a depth that grows away from the eye.

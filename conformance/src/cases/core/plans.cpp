@@ -28,8 +28,9 @@ void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
                                                                     : std::vector<uint32_t>{1, 2, 4, 8, 16, 32})
             for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER,
                                         AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_FRAGMENT_LISTS,
-                                        AGAA_TIER_MATERIAL_LISTS}) {
-                const bool isList = tier == AGAA_TIER_FRAGMENT_LISTS || tier == AGAA_TIER_MATERIAL_LISTS;
+                                        AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK}) {
+                const bool isList = tier == AGAA_TIER_FRAGMENT_LISTS || tier == AGAA_TIER_MATERIAL_LISTS ||
+                                    tier == AGAA_TIER_FRAGMENT_INTERLOCK;
                 const bool isAgaa = technique == std::string("agaa"), isSbaa = technique == std::string("sbaa");
                 if (tier != AGAA_TIER_AUTO && !(isAgaa && !isList) && !(isSbaa && !isList && tier != AGAA_TIER_IDS) &&
                     !(isList && hasCoverageSamples(technique)))
