@@ -138,6 +138,10 @@ typedef enum AgaaTier {
     AGAA_TIER_FRAGMENTS = 22, /* "agaa" at 32, 64 or 128 coverage samples: the same lists; a compute pass clusters the
                                  fragments that show, and shades the aggregates (AgaaFetchFunction). AUTO selects it at 64
                                  and 128 */
+    AGAA_TIER_MATERIAL_LISTS = 23, /* the same with fragments that carry their materials, which the host's fragment shader
+                                      evaluates */
+    AGAA_TIER_FRAGMENT_INTERLOCK = 24, /* the same without lists: the host's fragment shader merges each fragment in the order
+                                          of the draws. AUTO does not select it */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 

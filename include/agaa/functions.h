@@ -52,14 +52,15 @@ AGAA_API void AGAA_CALL agaaInitGBufferFunction(AgaaGBufferFunction* outFunction
  * visibility pass these draws set AgaaSurfaceInput::draw to AGAA_UNFETCHED. A second geometry pass (AGAA_DRAW_PASS_GBUFFER
  * with depthCompare EQUAL) draws only them into a multisampled G-buffer. The number AGAA_UNFETCHED takes one id. At equal
  * depth the first draw is shown; without a stencil format or with AGAA_MEASURE_NO_STENCIL, the last unfetched draw. Excludes
- * AGAA_FACT_CUSTOM_DEPTH, "dcaa" and the tier FRAGMENTS (AGAA_ERROR_UNSUPPORTED). */
+ * AGAA_FACT_CUSTOM_DEPTH and the tiers FRAGMENT_LISTS and FRAGMENTS (AGAA_ERROR_UNSUPPORTED); "dcaa" then uses the tier
+ * MATERIAL_LISTS, which fetches nothing. */
 #define AGAA_FETCH_NOT_ALL_DRAWS UINT64_C(0x01)
 
-/* Materials by id, for "agaa" with the tier IDS, which AUTO then selects, and for the tier FRAGMENTS and "dcaa", which
- * require it. Chain it to AgaaViewDesc. With the tier IDS, the visibility pass stores, beside depth, the draw and the primitive of each sample
- * (AgaaSurfaceInput::draw, ::primitive). Compute passes find the primitives of a pixel, evaluate the material of each once,
- * at the mean position of its samples, group the samples and shade. "dcaa" evaluates the material of each fragment, and the
- * tier FRAGMENTS that of each fragment that shows.
+/* Materials by id, for "agaa" with the tier IDS or FRAGMENTS and for "dcaa" with the tier FRAGMENT_LISTS, which AUTO then
+ * selects. Chain it to AgaaViewDesc. With the tier IDS, the visibility pass stores, beside depth, the draw and the primitive
+ * of each sample (AgaaSurfaceInput::draw, ::primitive). Compute passes find the primitives of a pixel, evaluate the material
+ * of each once, at the mean position of its samples, group the samples and shade. The tier FRAGMENT_LISTS evaluates the
+ * material of each fragment, the tier FRAGMENTS that of each fragment that shows.
  * The text defines
  *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)

@@ -25,6 +25,7 @@ extern "C" {
 #define AGAA_DEVICE_GEOMETRY_SHADERS UINT64_C(0x400)
 #define AGAA_DEVICE_CONDITIONAL_RENDERING UINT64_C(0x800) /* VK_EXT_conditional_rendering: the device skips batches that are
                                                              not needed (AgaaDecoupledCoverage::maxBatches) */
+#define AGAA_DEVICE_FRAGMENT_INTERLOCK UINT64_C(0x1000) /* ordered critical sections for each pixel in fragment shaders */
 
 /* What a device can do. agaaVkGetDeviceCaps, agaaVkGetContextCaps, agaaGlGetDeviceCaps and agaaGlGetContextCaps fill it. */
 typedef struct AgaaDeviceCaps {
@@ -65,9 +66,9 @@ typedef struct AgaaCapability {
 AGAA_API void AGAA_CALL agaaInitCapability(AgaaCapability* outCapability, size_t structSize);
 
 /* Lists how each technique runs each stage. The first entry of a technique, n and stage is the tier that AUTO selects,
- * unless a view is too large for it. Further entries run if AgaaConfig asks for their tier, or if the host provides the
- * functions that they need. All entries of "dcaa" need an AgaaFetchFunction. If a stage cannot run (the tier AUTO), no
- * view of its technique and n can be created.
+ * unless a view is too large for it or the host provides functions. Further entries run if AgaaConfig asks for their tier,
+ * or if the host provides the functions that they need. If a stage cannot run (the tier AUTO), no view of its technique and
+ * n can be created.
  *
  * caps           Null: an ideal device.
  * count          With capabilities null, receives the number of entries. Otherwise the length of the array on entry, and

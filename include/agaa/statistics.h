@@ -33,8 +33,8 @@ typedef struct AgaaCounters {
                                unfetched draws are not counted */
     uint64_t materials;     /* tier IDS: material evaluations, one per primitive and pixel or, with
                                AGAA_CONFIG_FINE_MATERIALS, per primitive and texel; two in pixels of one primitive whose
-                               shading normals belong to several surfaces. "dcaa": one per fragment that has room. Tier
-                               FRAGMENTS: one per fragment that shows, for each use */
+                               shading normals belong to several surfaces. Tier FRAGMENT_LISTS: one per fragment that has
+                               room. Tier FRAGMENTS: one per fragment that shows, for each use */
     uint64_t misplaced;     /* fragments of the first geometry pass that do not lie where the camera places them; slivers
                                cause a few, because their positions extrapolate */
     uint64_t unannounced;   /* tier IDS: fragments whose draw or primitive exceeds the limits of AgaaFetchFunction */
@@ -45,7 +45,8 @@ typedef struct AgaaCounters {
     uint64_t discarded;     /* surfaces, fragments included, that were dropped for want of room */
     uint64_t lostSamples;   /* samples that showed a dropped surface */
     uint64_t lostFragments; /* for which the lists had no room */
-    uint64_t batches;       /* "dcaa" that merges: draws of the scene that the frame needed, 1 to maxBatches */
+    uint64_t batches;       /* "dcaa" that merges lists: draws of the scene that the frame needed, 1 to
+                               maxBatches */
     uint64_t reserved[9];   /* 0 */
 } AgaaCounters;
 

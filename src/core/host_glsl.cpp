@@ -99,6 +99,26 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
     return out;
 }
 
+bool mergesInOrder(const Plan& plan, const Pass& pass) {
+    return pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS && plan.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK;
+}
+
+bool needsMaterial(const Plan& plan, const Pass& pass) {
+    if (pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS)
+        return plan.generationTier == AGAA_TIER_MATERIAL_LISTS || mergesInOrder(plan, pass);
+    return pass.drawPass != AGAA_DRAW_PASS_VISIBILITY;
+}
+
+// Of passes that pack attributes (passes/packing.glsl).
+std::string packing(const Constants& c) {
+    std::string out;
+    define(out, "AGAA_MAX_WORDS", c[AGAA_WORDS]);
+    define(out, "AGAA_UNFILTERED_WORDS", c[AGAA_UNFILTERED_WORDS]);
+    define(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
+    define(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
+    return out;
+}
+
 std::string defines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
     std::string out;
     const Constants& c = pass.constants;
@@ -110,8 +130,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n"
                                       : "#define AGAA_HELPER false\n";
     defineSwitch(out, "AGAA_PASS", pass.drawPass);
-    defineSwitch(out, "AGAA_NEEDS_MATERIAL",
-                 pass.drawPass != AGAA_DRAW_PASS_VISIBILITY && pass.drawPass != AGAA_DRAW_PASS_FRAGMENTS);
+    defineSwitch(out, "AGAA_NEEDS_MATERIAL", needsMaterial(plan, pass));
     defineSwitch(out, "AGAA_SAMPLES", plan.samples);
     defineSwitch(out, "AGAA_HW_SAMPLES", plan.hwSamples);
     define(out, "AGAA_SCALE_X", plan.scaleX);
@@ -133,11 +152,8 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         const auto isNormals = [](const Binding& binding) { return binding.slot == host_slot::Normals; };
         defineSwitch(out, "AGAA_CHECKS_FAR_PLANE",
                      std::any_of(pass.bindings.begin(), pass.bindings.end(), isNormals));
-        define(out, "AGAA_MAX_WORDS", c[AGAA_WORDS]);
-        define(out, "AGAA_UNFILTERED_WORDS", c[AGAA_UNFILTERED_WORDS]);
         define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
-        define(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
-        define(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
+        out += packing(c);
     }
     const bool hasCorners = pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS;
     defineSwitch(out, "AGAA_HAS_CORNERS", hasCorners);
@@ -146,13 +162,24 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_OWN_WORDS", plan.ownWords);
         defineSwitch(out, "AGAA_HAS_BATCHES", plan.coverage.maxBatches > 1);
     }
+    if (hasCorners && needsMaterial(plan, pass)) {
+        defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
+        define(out, "AGAA_HAS_SPECULAR", c[AGAA_HAS_SPECULAR]);
+        define(out, "AGAA_NDF", c[AGAA_NDF]);
+        out += packing(c);
+    }
+    if (mergesInOrder(plan, pass)) {
+        define(out, "AGAA_AGGREGATES", plan.aggregates);
+        define(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
+        define(out, "AGAA_MERGE_RULE", c[AGAA_MERGE_RULE]);
+    }
     defineSwitch(out, "AGAA_FIRST_PASS", pass.clearsDepth);
     if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
         define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
     out += customGlsl(plan.layout);
     const bool writesIds = pass.drawPass == AGAA_DRAW_PASS_VISIBILITY && plan.generationTier == AGAA_TIER_IDS;
     defineSwitch(out, "AGAA_WRITES_IDS", writesIds);
-    if (writesIds || hasCorners) {
+    if (writesIds || (hasCorners && plan.maxDraws)) {
         defineSwitch(out, "AGAA_SOME_UNFETCHED", plan.someUnfetched);
         define(out, "AGAA_MAX_DRAWS", plan.maxDraws);
         define(out, "AGAA_MAX_PRIMITIVES", plan.maxPrimitives);
@@ -204,7 +231,11 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
         break;
     case AGAA_DRAW_PASS_FRAGMENTS:
         appendGlsl(out, "host/ids.glsl", seen);
-        appendGlsl(out, "host/fragments.glsl", seen);
+        if (needsMaterial(plan, pass)) {
+            out += fields(pass.constants);
+            appendGlsl(out, "host/carried_material.glsl", seen);
+        }
+        appendGlsl(out, mergesInOrder(plan, pass) ? "host/merge_in_order.glsl" : "host/fragments.glsl", seen);
         break;
     case AGAA_DRAW_PASS_GBUFFER:
         out += storeAttachments(pass);

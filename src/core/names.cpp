@@ -23,6 +23,8 @@ constexpr TierName tiers[] = {
     {AGAA_TIER_IDS, "ids"},
     {AGAA_TIER_FRAGMENT_LISTS, "lists"},
     {AGAA_TIER_FRAGMENTS, "fragments"},
+    {AGAA_TIER_MATERIAL_LISTS, "material-lists"},
+    {AGAA_TIER_FRAGMENT_INTERLOCK, "interlock"},
 };
 constexpr const char* stages[] = {"prepass", "definition", "generation", "shading", "other"};
 } // namespace

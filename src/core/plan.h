@@ -202,7 +202,7 @@ struct Plan : ViewSettings {
     std::array<uint32_t, 3> feedback{noCounter, noCounter, noCounter};
     uint32_t bytesPerAggregate = 0;
     uint64_t poolRecords = 0; // fragments that lists of all pixels have room for
-    uint32_t ownWords = 0;    // of each, that passes after the draw of the scene write
+    uint32_t ownWords = 0;    // of each, beside id, next fragment and coverage
     bool runnable = true; // false: a model to be priced, not to be run
 
     uint64_t totalBytes() const;    // per-pixel payload

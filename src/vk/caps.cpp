@@ -18,10 +18,12 @@ constexpr const char* requiredFeatures[] = {
     "shaderStorageImageExtendedFormats",
     "shaderStorageImageWriteWithoutFormat",
 };
-constexpr const char* optionalFeatures[] = {"dynamicRendering", "geometryShader", "conditionalRendering"};
+constexpr const char* optionalFeatures[] = {"dynamicRendering", "geometryShader", "conditionalRendering",
+                                            "fragmentShaderPixelInterlock"};
 constexpr const char* optionalExtensions[] = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME,
                                               VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,
-                                              VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME};
+                                              VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME,
+                                              VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME};
 
 std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk,
                                                     VkPhysicalDevice device) {
@@ -67,6 +69,15 @@ VkSampleCountFlags usableSamples(const InstanceTable& vk, VkPhysicalDevice devic
         restrict(format, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
     restrict(depth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
     return counts;
+}
+
+// Of a device that has the extension.
+bool hasPixelInterlock(const InstanceTable& vk, VkPhysicalDevice device) {
+    VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADER_INTERLOCK_FEATURES_EXT, nullptr, 0, 0, 0};
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &interlock, {}};
+    vk.GetPhysicalDeviceFeatures2(device, &features);
+    return interlock.fragmentShaderPixelInterlock;
 }
 
 bool rendersAndSamples(const InstanceTable& vk, VkPhysicalDevice device, VkFormat format) {
@@ -117,6 +128,8 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
         set(name == VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME, AGAA_DEVICE_DYNAMIC_RENDERING);
         set(name == VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME && rendersConditionally(vk, device),
             AGAA_DEVICE_CONDITIONAL_RENDERING);
+        set(name == VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME && hasPixelInterlock(vk, device),
+            AGAA_DEVICE_FRAGMENT_INTERLOCK);
     }
     VkSampleCountFlags counts = usableSamples(vk, device, limits, VK_FORMAT_D32_SFLOAT);
     for (VkFormat depth : {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT})

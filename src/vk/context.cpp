@@ -19,6 +19,8 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
     };
     if (!enabled(VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME))
         caps.flags &= ~AGAA_DEVICE_POST_DEPTH_COVERAGE;
+    if (!enabled(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME))
+        caps.flags &= ~AGAA_DEVICE_FRAGMENT_INTERLOCK;
     if (apiVersion < VK_API_VERSION_1_3 && !enabled(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME))
         caps.flags &= ~AGAA_DEVICE_DYNAMIC_RENDERING;
     // Hosts that enable the extensions of AgaaVkRequirements by name need not know the features of all of them.
@@ -36,7 +38,7 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
     keep(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
     keep(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat,
          AGAA_DEVICE_STORAGE_FORMATS);
-    VkBool32 dynamicRendering = VK_FALSE, conditionalRendering = VK_FALSE;
+    VkBool32 dynamicRendering = VK_FALSE, conditionalRendering = VK_FALSE, interlock = VK_FALSE;
     for (const auto* next = static_cast<const VkBaseInStructure*>(core->pNext); next;
          next = next->pNext) {
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES)
@@ -49,9 +51,13 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT)
             conditionalRendering |=
                 reinterpret_cast<const VkPhysicalDeviceConditionalRenderingFeaturesEXT*>(next)->conditionalRendering;
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADER_INTERLOCK_FEATURES_EXT)
+            interlock |= reinterpret_cast<const VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT*>(next)
+                             ->fragmentShaderPixelInterlock;
     }
     keep(dynamicRendering, AGAA_DEVICE_DYNAMIC_RENDERING);
     keep(conditionalRendering, AGAA_DEVICE_CONDITIONAL_RENDERING);
+    keep(interlock, AGAA_DEVICE_FRAGMENT_INTERLOCK);
 }
 
 static VkSampler createSampler(const Context& context, VkFilter filter, bool compare) {

@@ -99,7 +99,10 @@ void expectDefined(const Plan& plan, const Pass& pass, const std::string& what) 
 }
 
 TEST_F(GlslConditions, NameWhatIsDefined) {
-    const Case cases[] = {{"single"},
+    const Case cases[] = {{"dcaa"},
+                          {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+                          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK},
+                          {"single"},
                           {"fxaa"},
                           {"msaa"},
                           {"ssaa"},
@@ -130,7 +133,9 @@ TEST_F(GlslConditions, NameWhatIsDefined) {
                 spec.viewFlags = viewFlags;
                 spec.shadowMaps = shadowMaps;
                 spec.change = [&](TechniqueConfig& config) { config.aggregation.litShadows = each.litShadows & shadowMaps; };
-                const Plan plan = planFor(spec, fourSampleDevice());
+                AgaaDeviceCaps caps = fourSampleDevice();
+                caps.flags |= AGAA_DEVICE_FRAGMENT_INTERLOCK;
+                const Plan plan = planFor(spec, caps);
                 for (const Pass& pass : plan.passes)
                     expectDefined(plan, pass, std::string(each.technique) + " " + pass.name);
             }

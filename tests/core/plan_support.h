@@ -27,6 +27,7 @@ struct ViewSpec {
     uint32_t maxLights = 64;
     uint64_t viewFlags = 0;
     const void* chained = nullptr;                 // to the view
+    bool fetches = true;                           // of techniques with coverage samples, where nothing else is chained
     std::function<void(TechniqueConfig&)> change = {}; // of what else there is
 };
 
@@ -65,11 +66,12 @@ inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
     view.flags = spec.viewFlags;
     view.pNext = spec.chained;
     AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
-    if (findTechnique(spec.technique)->countsCoverage(config.generationTier, config.samples)) { // which has numbers of samples of its own, and fetches
+    // Of other numbers of samples.
+    if (findTechnique(spec.technique)->countsCoverage(config.generationTier, config.samples)) {
         config.samples = std::max(spec.samples, 32u);
         fetch.glsl = "";
         fetch.maxDraws = fetch.maxPrimitives = 1;
-        view.pNext = spec.chained ? spec.chained : &fetch;
+        view.pNext = spec.chained || !spec.fetches ? spec.chained : &fetch;
     }
     return makePlan(resolveView(&view), caps, 2);
 }

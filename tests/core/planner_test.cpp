@@ -146,6 +146,7 @@ TEST(Planner, EveryCapabilityCanBePlanned) {
             ViewSpec spec;
             spec.technique = row.technique;
             spec.samples = row.samples;
+            spec.fetches = false;
             const bool isVisibility = row.stage == AGAA_STAGE_PREPASS;
             const bool isGeneration = row.stage == AGAA_STAGE_GENERATION;
             if (!isVisibility && !isGeneration)

@@ -13,12 +13,12 @@
 
 namespace agaa::test {
 
-inline ViewSettings dcaaSettings(uint32_t samples = 64, uint32_t surfaces = 4) {
+inline ViewSettings dcaaSettings(uint32_t samples = 64, uint32_t surfaces = 4, uint32_t tier = AGAA_TIER_FRAGMENT_LISTS) {
     ViewSettings settings;
     settings.config.technique = "dcaa";
     settings.config.samples = samples;
     settings.config.aggregates = surfaces;
-    settings.config.generationTier = AGAA_TIER_FRAGMENT_LISTS;
+    settings.config.generationTier = tier;
     settings.facts.shadowMapCount = 0;
     return settings;
 }
@@ -28,19 +28,7 @@ class DcaaCases : public testing::Test {
 protected:
     Shown render(const ViewSettings& settings, const Shot& shot) { return show(context, settings, shot); }
 
-    // What a frame leaves in memory.
-    Kept keep(ViewSettings settings, const Shot& shot) {
-        settings.config.flags |= AGAA_CONFIG_COUNTERS | AGAA_CONFIG_READBACK;
-        typename Host::Ids ids(context, settings, shot);
-        auto& view = ids.view();
-        AgaaFrame frame = view.frame();
-        Host::run(view, [&](typename Host::Frame& native) {
-            ids.bind(native);
-            EXPECT_EQ(Host::recordFrame(view.get(), &frame, &native), AGAA_OK);
-        });
-        return keptOf(settings, view.readBuffer("fragments"), view.readBuffer("surfaces"), view.plan().bytesPerAggregate / 4,
-                      view.statistics().counters);
-    }
+    Kept keep(const ViewSettings& settings, const Shot& shot) { return keepFrame<Host>(context, settings, shot); }
 
     typename Host::Context context;
 };
@@ -201,9 +189,10 @@ TYPED_TEST_P(DcaaCases, TrianglesThroughTheEyePlaneShowWhatSamplesShow) {
 // All fragments of these pixels find a surface of their own, so that merging does nothing.
 TYPED_TEST_P(DcaaCases, ExactShowsWhatSurfacesWithoutMergingShow) {
     const Shot shot{.triangles = tangle(170), .change = addAmbient};
-    for (const uint32_t samples : {32u, 64u, 128u}) {
+    for (const auto& [samples, tier] : {std::pair{32u, AGAA_TIER_FRAGMENT_LISTS}, {64u, AGAA_TIER_FRAGMENT_LISTS},
+                                        {128u, AGAA_TIER_FRAGMENT_LISTS}, {64u, AGAA_TIER_MATERIAL_LISTS}}) {
         SCOPED_TRACE(samples);
-        ViewSettings settings = dcaaSettings(samples, 8);
+        ViewSettings settings = dcaaSettings(samples, 8, tier);
         settings.config.surfaceCosine = 1;
         const Shown surfaces = this->render(settings, shot);
         EXPECT_EQ(surfaces.counters.discarded + surfaces.counters.mergedSecond, 0u);
@@ -229,37 +218,40 @@ TYPED_TEST_P(DcaaCases, BatchesShowWhatOneDrawShows) {
     for (int layer = 0; layer < 5; ++layer)
         for (const Triangle& t : rectangle(float(10 * layer), float(7 * layer), 322, 242, float(1 + layer), randomMaterial(random)))
             shot.triangles.push_back(t);
-    ViewSettings settings = dcaaSettings();
-    settings.width = 322;
-    settings.height = 242;
-    settings.projection = pixelOrthographic(322, 242, 10);
-    const Shown whole = this->render(settings, shot);
-    EXPECT_EQ(whole.counters.lostFragments, 0u);
-    settings.config.coverage.fragmentsPerPixel = 1;
-    settings.config.coverage.maxBatches = 8;
-    const Shown divided = this->render(settings, shot);
-    EXPECT_EQ(divided.rgb, whole.rgb);
-    EXPECT_EQ(divided.counters.fragments, whole.counters.fragments);
-    EXPECT_EQ(divided.counters.lostFragments, 0u);
-    EXPECT_EQ(whole.counters.batches, 1u);
-    EXPECT_GE(divided.counters.batches, 6u) << "one that counts, and five that each have room for a layer";
-    EXPECT_LE(divided.counters.batches, 8u);
-    EXPECT_GT(whole.counters.fragments, 4u * 322 * 242);
-    // With too few draws fragments are lost, and counted.
-    settings.config.coverage.maxBatches = 3;
-    const Shown few = this->render(settings, shot);
-    EXPECT_NE(few.rgb, whole.rgb);
-    EXPECT_GT(few.counters.lostFragments, 0u);
-    EXPECT_EQ(few.counters.fragments, whole.counters.fragments);
-    settings.config.coverage.maxBatches = 1;
-    EXPECT_GT(this->render(settings, shot).counters.lostFragments, few.counters.lostFragments);
-    // One that is enough is not followed by others.
-    settings.config.coverage.fragmentsPerPixel = 8;
-    settings.config.coverage.maxBatches = 8;
-    const Shown enough = this->render(settings, shot);
-    EXPECT_EQ(enough.rgb, whole.rgb);
-    EXPECT_EQ(enough.counters.fragments, whole.counters.fragments);
-    EXPECT_EQ(enough.counters.batches, 1u);
+    for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS}) {
+        SCOPED_TRACE(agaaTierName(tier));
+        ViewSettings settings = dcaaSettings(64, 4, tier);
+        settings.width = 322;
+        settings.height = 242;
+        settings.projection = pixelOrthographic(322, 242, 10);
+        const Shown whole = this->render(settings, shot);
+        EXPECT_EQ(whole.counters.lostFragments, 0u);
+        settings.config.coverage.fragmentsPerPixel = 1;
+        settings.config.coverage.maxBatches = 8;
+        const Shown divided = this->render(settings, shot);
+        EXPECT_EQ(divided.rgb, whole.rgb);
+        EXPECT_EQ(divided.counters.fragments, whole.counters.fragments);
+        EXPECT_EQ(divided.counters.lostFragments, 0u);
+        EXPECT_EQ(whole.counters.batches, 1u);
+        EXPECT_GE(divided.counters.batches, 6u) << "one that counts, and five that each have room for a layer";
+        EXPECT_LE(divided.counters.batches, 8u);
+        EXPECT_GT(whole.counters.fragments, 4u * 322 * 242);
+        // With too few draws fragments are lost, and counted.
+        settings.config.coverage.maxBatches = 3;
+        const Shown few = this->render(settings, shot);
+        EXPECT_NE(few.rgb, whole.rgb);
+        EXPECT_GT(few.counters.lostFragments, 0u);
+        EXPECT_EQ(few.counters.fragments, whole.counters.fragments);
+        settings.config.coverage.maxBatches = 1;
+        EXPECT_GT(this->render(settings, shot).counters.lostFragments, few.counters.lostFragments);
+        // One that is enough is not followed by others.
+        settings.config.coverage.fragmentsPerPixel = 8;
+        settings.config.coverage.maxBatches = 8;
+        const Shown enough = this->render(settings, shot);
+        EXPECT_EQ(enough.rgb, whole.rgb);
+        EXPECT_EQ(enough.counters.fragments, whole.counters.fragments);
+        EXPECT_EQ(enough.counters.batches, 1u);
+    }
 }
 
 REGISTER_TYPED_TEST_SUITE_P(DcaaCases, IdsDecideTheOrder, TrianglesThroughTheEyePlaneShowWhatSamplesShow, ExactShowsWhatSurfacesWithoutMergingShow, BatchesShowWhatOneDrawShows, EdgesCoverTheirShare, ShowsWhatManySamplesShow, MergesAsAlgorithm1OfThePaper);

@@ -41,21 +41,22 @@ void setPlane(paper::Surface& s, float depth, uint32_t slopeX, uint32_t slopeY) 
 
 } // namespace
 
-Kept keptOf(const ViewSettings& settings, const std::vector<uint32_t>& fragments, const std::vector<uint32_t>& surfaces,
-            uint32_t stride, const AgaaCounters& counters) {
+Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const AgaaCounters& counters) {
     Kept kept;
     kept.counters = counters;
     const uint32_t masks = settings.config.samples / 32, pixels = settings.width * settings.height;
+    const std::vector<uint32_t>& fragments = buffers.fragments;
     for (uint32_t p = 0; p < pixels; ++p) {
         std::vector<uint32_t>& list = kept.lists.emplace_back();
-        for (uint32_t at = fragments[countWords + p]; at != 0;) {
-            const uint32_t record = countWords + pixels + (at - 1) * (2 + masks);
+        for (uint32_t at = fragments.empty() ? 0 : fragments[countWords + p]; at != 0;) {
+            const uint32_t record = countWords + pixels + (at - 1) * (2 + masks + buffers.ownWords);
             list.push_back(fragments[record]);
             at = fragments[record + 1];
         }
         std::vector<paper::Surface>& own = kept.pixels.emplace_back();
+        std::vector<uint32_t>& ownWords = kept.words.emplace_back();
         for (uint32_t a = 0; a < settings.config.aggregates; ++a) {
-            const uint32_t* words = &surfaces[(size_t(p) * settings.config.aggregates + a) * stride];
+            const uint32_t* words = &buffers.surfaces[(size_t(p) * settings.config.aggregates + a) * buffers.stride];
             paper::Surface s{};
             for (uint32_t i = 0; i < 32 * masks; ++i)
                 s.coverage[i] = words[i / 32] >> (i % 32) & 1;
@@ -64,6 +65,7 @@ Kept keptOf(const ViewSettings& settings, const std::vector<uint32_t>& fragments
             setPlane(s, std::bit_cast<float>(words[masks]), words[masks + 1] & 0xFFFFu, words[masks + 1] >> 16);
             setNormal(s, words[masks + 2]);
             own.push_back(s);
+            ownWords.insert(ownWords.end(), words, words + buffers.stride);
         }
     }
     return kept;

@@ -1,7 +1,7 @@
 // What `dcaa` leaves in memory, read back.
 #pragma once
 
-#include "view_settings.h"
+#include "shown.h"
 
 #include "paper_merge.h"
 
@@ -12,12 +12,33 @@ namespace agaa::test {
 struct Kept {
     std::vector<std::vector<uint32_t>> lists;          // of each pixel, the ids of its fragments, last drawn first
     std::vector<std::vector<paper::Surface>> pixels;   // the surfaces of each
+    std::vector<std::vector<uint32_t>> words;          // theirs
     AgaaCounters counters{};
+    std::vector<float> rgb;                            // the image
 };
 
-// fragments, surfaces: the buffers; stride: words of a surface.
-Kept keptOf(const ViewSettings& settings, const std::vector<uint32_t>& fragments, const std::vector<uint32_t>& surfaces,
-            uint32_t stride, const AgaaCounters& counters);
+// Buffers, and the words of what they hold. Without lists there are no fragments.
+struct KeptBuffers {
+    std::vector<uint32_t> fragments, surfaces;
+    uint32_t ownWords = 0; // of a fragment, beside id, next fragment and mask
+    uint32_t stride = 0;   // of a surface
+};
+Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const AgaaCounters& counters);
+
+// What a frame leaves in memory.
+template <class Host>
+Kept keepFrame(typename Host::Context& context, ViewSettings settings, const Shot& shot) {
+    settings.config.flags |= AGAA_CONFIG_READBACK;
+    return showBy<Host>(context, settings, shot, [&](typename Host::View& view) {
+        const auto& plan = view.plan();
+        KeptBuffers buffers{{}, view.readBuffer("surfaces"), plan.ownWords, plan.bytesPerAggregate / 4};
+        if (plan.poolRecords)
+            buffers.fragments = view.readBuffer("fragments");
+        Kept kept = keptOf(settings, buffers, view.statistics().counters);
+        kept.rgb = withoutAlpha(Host::rgba(view));
+        return kept;
+    });
+}
 
 // Rounds to what memory keeps.
 void storeSurface(paper::Surface& surface);

@@ -5,6 +5,8 @@
 #include "prediction.h"
 #include "view_settings.h"
 
+#include "core/handles.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +44,11 @@ protected:
         settings.flags = viewFlags;
         settings.chained = settings.fetches() ? &fetch : nullptr;
         const AgaaViewDesc desc = viewDesc(settings);
-        const Prediction predicted = predict(desc, context.caps());
+        // Views are made, and not drawn.
+        AgaaDeviceCaps caps = context.caps();
+        caps.flags |= AGAA_DEVICE_FRAGMENT_INTERLOCK;
+        context.get()->caps.flags |= AGAA_DEVICE_FRAGMENT_INTERLOCK;
+        const Prediction predicted = predict(desc, caps);
         Created& created = context.created();
         created = {};
         AgaaView view = nullptr;

@@ -44,8 +44,9 @@ const std::vector<PayloadRow>& payloadRows() {
             }
         }
         for (const uint32_t n : {32u, 64u, 128u})
-            for (const auto& [technique, tier] : {std::pair("dcaa", AGAA_TIER_FRAGMENT_LISTS), std::pair("agaa", AGAA_TIER_FRAGMENTS)})
-                list.push_back({technique, n, tier});
+            for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK,
+                                        AGAA_TIER_FRAGMENTS})
+                list.push_back({tier == AGAA_TIER_FRAGMENTS ? "agaa" : "dcaa", n, tier});
         return list;
     }();
     return rows;

@@ -32,10 +32,10 @@ struct Shown {
 std::vector<float> withAlpha(std::span<const float> rgb); // 1
 std::vector<float> withoutAlpha(std::span<const float> rgba);
 
-// The host's show(context, settings, shot), with counters, and by functions where settings ask for a tier that fetches: views
-// of a type Ids.
-template <class Host>
-Shown showBy(typename Host::Context& context, ViewSettings settings, const Shot& shot) {
+// A frame with counters, and by functions where settings ask for a tier that fetches: views of a type Ids. Returns
+// what(view).
+template <class Host, class What>
+auto showBy(typename Host::Context& context, ViewSettings settings, const Shot& shot, const What& what) {
     settings.config.flags |= AGAA_CONFIG_COUNTERS;
     std::optional<typename Host::Ids> ids;
     std::optional<typename Host::View> own;
@@ -54,13 +54,21 @@ Shown showBy(typename Host::Context& context, ViewSettings settings, const Shot&
             ids->bind(native);
         EXPECT_EQ(Host::recordFrame(view.get(), &frame, &native), AGAA_OK);
     });
-    const AgaaFrameStatistics statistics = view.statistics();
-    Shown shown;
-    shown.rgb = withoutAlpha(Host::rgba(view));
-    shown.counters = statistics.counters;
-    shown.geometryPasses = statistics.geometryPasses;
-    EXPECT_EQ(agaaValidateFrame(view.get(), frame.frameIndex, &shown.validation), AGAA_OK);
-    return shown;
+    return what(view);
+}
+
+// The host's show(context, settings, shot).
+template <class Host>
+Shown showBy(typename Host::Context& context, const ViewSettings& settings, const Shot& shot) {
+    return showBy<Host>(context, settings, shot, [](typename Host::View& view) {
+        const AgaaFrameStatistics statistics = view.statistics();
+        Shown shown;
+        shown.rgb = withoutAlpha(Host::rgba(view));
+        shown.counters = statistics.counters;
+        shown.geometryPasses = statistics.geometryPasses;
+        EXPECT_EQ(agaaValidateFrame(view.get(), view.frameIndex(), &shown.validation), AGAA_OK);
+        return shown;
+    });
 }
 
 // Ambient light of a quarter.

@@ -1,5 +1,7 @@
 #include "view_settings.h"
 
+#include <gtest/gtest.h>
+
 #include <cstring>
 
 namespace agaa::test {
@@ -64,6 +66,21 @@ glm::mat4 clipMatrix(const ViewSettings& settings, uint32_t pass) {
         for (int column = 0; column < 4; ++column)
             clip[column][2] *= settings.mistake.materialDepth;
     return clip;
+}
+
+std::string rasterisedInOrder(std::string text) {
+    const auto erase = [&](std::string_view part) {
+        const size_t at = text.find(part);
+        if (at != std::string::npos)
+            text.erase(at, part.size());
+        return at != std::string::npos;
+    };
+    if (!erase("#extension GL_ARB_fragment_shader_interlock : require\n"))
+        return text;
+    const bool merges = erase("layout(pixel_interlock_ordered) in;\n"); // geometry shaders do not
+    EXPECT_EQ(erase("beginInvocationInterlockARB();"), merges);
+    EXPECT_EQ(erase("endInvocationInterlockARB()"), merges);
+    return text;
 }
 
 std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMasked) {

@@ -86,6 +86,9 @@ std::vector<Run> drawRuns(const ViewSettings& settings, const std::vector<Triang
                           uint32_t pass);
 AgaaDrawState drawState(const ViewSettings& settings, const AgaaDrawState& wanted, uint32_t pass);
 glm::mat4 clipMatrix(const ViewSettings& settings, uint32_t pass);
+// The text of a shader without interlock, for devices that rasterise the fragments of a pixel in order. Other text is not
+// changed.
+std::string rasterisedInOrder(std::string text);
 // Defines for the material shader.
 std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMasked);
 

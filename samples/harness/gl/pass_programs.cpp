@@ -68,7 +68,8 @@ std::string PassPrograms::geometryText(const DrawPass<AgaaGlDrawPass>& pass) con
 
 PassProgram PassPrograms::make(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const {
     PassProgram made;
-    const std::string vertex = std::string(pass.glslGeometry ? "#define FOR_CORNERS\n" : "") + embedded::material_vert;
+    const std::string vertex = "#define FOR_CORNERS " + std::to_string(cornerOutputs(pass)) + "\n" +
+                               embedded::material_vert;
     made.program = Program(*gl_, vertexText(glslVersion_, vertex.c_str()),
                            fragmentText(pass, variant), std::string("material, ") + pass.name, geometryText(pass));
     made.toShading = made.program.uniform("draw.toShading");

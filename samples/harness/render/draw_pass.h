@@ -4,6 +4,7 @@
 #include "agaa_sdk.h"
 
 #include <functional>
+#include <string_view>
 #include <vector>
 
 namespace harness {
@@ -12,6 +13,13 @@ namespace harness {
 template <class Native> struct DrawPass : AgaaDrawPass {
     Native native;
 };
+
+// Which outputs the vertex shader of a pass needs: FOR_CORNERS of material.vert. Geometry shaders read some of them.
+inline int cornerOutputs(const AgaaDrawPass& pass) {
+    if (!pass.glslGeometry)
+        return 0;
+    return std::string_view(pass.glslDeclarations).find("#define AGAA_NEEDS_MATERIAL 1") == std::string_view::npos ? 1 : 2;
+}
 
 // check: throws where a result is an error.
 template <class Native>

@@ -31,9 +31,10 @@ struct TechniqueConfig : AgaaConfig {
         const std::string_view name = technique;
         return name == "dcaa" || (name == "agaa" && (generationTier == AGAA_TIER_FRAGMENTS || samples > 32));
     }
-    // Whether views need an AgaaFetchFunction.
+    // Whether views need an AgaaFetchFunction, or AUTO prefers one.
     bool fetches() const {
-        return generationTier == AGAA_TIER_IDS || generationTier == AGAA_TIER_FRAGMENT_LISTS || coversByEdges();
+        return generationTier == AGAA_TIER_IDS || generationTier == AGAA_TIER_FRAGMENT_LISTS ||
+               generationTier == AGAA_TIER_FRAGMENTS || (generationTier == AGAA_TIER_AUTO && coversByEdges());
     }
     AgaaResult applyPreset(const char* name) { return agaaApplyPreset(name, this, &aggregation, &measurement); }
 

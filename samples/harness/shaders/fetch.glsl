@@ -93,15 +93,6 @@ vec4 fetchValue(int kind, int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
     return (FETCH_LARGE >> kind & 1) != 0 ? fetchTexel(fetchValues, layer, wrap, uv, dx, dy) : vec4(1.0);
 }
 
-// What a change of the vertices' normal is of the unit normal; a normal map turns with it.
-vec3 ofUnitNormal(SurfacePoint p, vec3 change) {
-    float squared = dot(p.normal, p.normal);
-    if (squared <= 0.0)
-        return vec3(0.0);
-    vec3 across = (change - p.normal * (dot(p.normal, change) / squared)) * inversesqrt(squared);
-    return p.isFront ? across : -across;
-}
-
 void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     FetchDraw draw = fetchDraw(primitive.draw);
     SurfacePoint p;

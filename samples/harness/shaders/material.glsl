@@ -60,6 +60,15 @@ vec3 shadingNormal(SurfacePoint p, float normalScale) {
     return facing < 0.0 ? normalize(n - toViewer * (facing - 1e-3)) : n;
 }
 
+// What a change of the vertices' normal is of the unit normal; a normal map turns with it.
+vec3 ofUnitNormal(SurfacePoint p, vec3 change) {
+    float squared = dot(p.normal, p.normal);
+    if (squared <= 0.0)
+        return vec3(0.0);
+    vec3 across = (change - p.normal * (dot(p.normal, change) / squared)) * inversesqrt(squared);
+    return p.isFront ? across : -across;
+}
+
 // Filtering of a normal map shortens the mean of normals that point apart (Toksvig 2005); scale: of their slopes.
 float widenedAlpha2(float alpha2, float meanLength, float scale) {
     const float rounding = 0.0068; // of three components of 8 bits

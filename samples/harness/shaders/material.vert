@@ -7,18 +7,25 @@ LOCATION(2) in vec4 vertexTangent;
 LOCATION(3) in vec2 vertexUv;
 LOCATION(4) in vec4 vertexColor;
 
+// Outputs: 0 all, 1 those that corners.geom reads for coverage, 2 those that it reads for materials.
+#ifndef FOR_CORNERS
+#define FOR_CORNERS 0
+#endif
+
 // Read at the pixel's centre. Positions and vectors are in shading space.
-#ifndef FOR_CORNERS // corners.geom reads no more than the others
+#if FOR_CORNERS != 1
 VARYING(0) out vec3 centrePosition;
 #endif
 VARYING(1) out vec2 centreUv;
 VARYING(2) out float centreAlpha;
-#ifndef FOR_CORNERS
 // Read inside the primitive; see material.frag for why these are not the same.
+#if FOR_CORNERS == 0
 VARYING(3) out vec4 insidePosition; // w: 1
+VARYING(6) out vec2 insideUv;
+#endif
+#if FOR_CORNERS != 1
 VARYING(4) out vec3 insideNormal;
 VARYING(5) out vec4 insideTangent;
-VARYING(6) out vec2 insideUv;
 VARYING(7) out vec3 insideColor;
 #endif
 VARYING(8) flat out uint primitiveSeed;
@@ -55,13 +62,15 @@ void main() {
     centreUv = vertexUv;
     centreAlpha = vertexColor.a;
 
-#ifndef FOR_CORNERS
-    centrePosition = position;
+#if FOR_CORNERS == 0
     insidePosition = vec4(position, 1.0);
+    insideUv = vertexUv;
+#endif
+#if FOR_CORNERS != 1
+    centrePosition = position;
     insideNormal = rotate(draw.normalToShading, vertexNormal);
     insideTangent = vec4(rotate(draw.toShading, vertexTangent.xyz),
                             vertexTangent.w * draw.handedness);
-    insideUv = vertexUv;
     insideColor = vertexColor.rgb;
 #endif
     // Of the primitive's first vertex.

@@ -221,6 +221,7 @@ void Device::createDevice(const RendererOptions& options) {
         has.dynamicRendering |= is(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME);
         has.synchronization2 |= is(VK_KHR_SYNCHRONIZATION_2_EXTENSION_NAME);
         has.conditionalRendering |= is(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
+        has.interlock |= is(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME);
     }
 
     FeatureChain supported(apiVersion_, has);

@@ -12,7 +12,7 @@ class FeatureChain {
 public:
     // Extensions of these names, of which the first two matter where the version is below the one that took them into the core.
     struct Extensions {
-        bool dynamicRendering = false, synchronization2 = false, conditionalRendering = false;
+        bool dynamicRendering = false, synchronization2 = false, conditionalRendering = false, interlock = false;
     };
     FeatureChain(uint32_t apiVersion, const Extensions& has);
     FeatureChain(const FeatureChain&) = delete;
@@ -35,6 +35,7 @@ private:
     VkPhysicalDeviceDynamicRenderingFeatures dynamicRendering_{};
     VkPhysicalDeviceSynchronization2Features synchronization2_{};
     VkPhysicalDeviceConditionalRenderingFeaturesEXT conditionalRendering_{};
+    VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock_{};
     bool hasV13_ = false;
 };
 

@@ -24,11 +24,7 @@ std::string geometryText(const DrawPass<AgaaVkDrawPass>& pass) {
 } // namespace
 
 PassPipelines::PassPipelines(const Device& device, VkDescriptorSetLayout cameraLayout)
-    : device_(&device), cameraLayout_(cameraLayout),
-      vertex_(makeShader(device, ShaderStage::Vertex, vulkanText(embedded::material_vert), "material.vert")),
-      cornerVertex_(makeShader(device, ShaderStage::Vertex,
-                               vulkanText((std::string("#define FOR_CORNERS\n") + embedded::material_vert).c_str()),
-                               "material.vert, for corners")) {}
+    : device_(&device), cameraLayout_(cameraLayout) {}
 
 void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& scene,
                             const std::vector<Draw>& draws, VkDescriptorSetLayout materialLayout) {
@@ -37,6 +33,12 @@ void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& s
     if (!program.layout) {
         program.text = text;
         program.layout = makeLayout(pass, materialLayout);
+        ShaderModule& vertex = vertices_[size_t(cornerOutputs(pass))];
+        if (!vertex) {
+            const std::string body = "#define FOR_CORNERS " + std::to_string(cornerOutputs(pass)) + "\n" + embedded::material_vert;
+            vertex = makeShader(*device_, ShaderStage::Vertex, vulkanText(body.c_str()), "material.vert");
+        }
+        program.vertex = &vertex;
         if (pass.glslGeometry)
             program.geometry = makeShader(*device_, ShaderStage::Geometry, geometryText(pass), "corners.geom");
     }
@@ -84,7 +86,7 @@ Pipeline PassPipelines::makePipeline(const DrawPass<AgaaVkDrawPass>& pass, const
     state.fragmentConstant = variant.features;
     state.geometry = program.geometry.get();
     const VkRenderPass renderPass = (VkRenderPass)pass.native.renderPass;
-    return state.create(*device_, program.geometry ? cornerVertex_.get() : vertex_.get(), program.fragments[variant.isMasked].get(),
+    return state.create(*device_, program.vertex->get(), program.fragments[variant.isMasked].get(),
                         program.layout.get(), renderPass,
                         renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
 }

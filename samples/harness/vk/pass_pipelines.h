@@ -35,6 +35,7 @@ private:
         PipelineLayout layout;
         std::array<ShaderModule, 2> fragments; // opaque, masked
         ShaderModule geometry;                 // where the pass has one
+        const ShaderModule* vertex = nullptr;
         std::map<Variant, Pipeline> pipelines;
     };
     const Program& program(uint64_t pipelineKey) const;
@@ -44,7 +45,7 @@ private:
 
     const Device* device_;
     VkDescriptorSetLayout cameraLayout_;
-    ShaderModule vertex_, cornerVertex_;
+    std::array<ShaderModule, 3> vertices_; // by cornerOutputs()
     std::map<uint64_t, Program> programs_;
 };
 

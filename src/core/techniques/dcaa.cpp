@@ -33,48 +33,93 @@ void addBatchPass(PlanBuilder& b, const char* name, const char* shader, Resource
 
 bool isExact(const PlanBuilder& b) { return b.plan.coverage.flags & AGAA_COVERAGE_EXACT; }
 
+bool carriesMaterials(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_MATERIAL_LISTS; }
+bool mergesInOrder(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK; }
+
+Aggregation keptSurfaces(const PlanBuilder& b) {
+    Aggregation surfaces;
+    surfaces.layout = surfaceLayout(b.plan.layout);
+    surfaces.packing = packMaterial(surfaces.layout);
+    const uint32_t geometryWords = b.plan.samples / 32 + 3; // of src/shaders/passes/covered_surface.glsl
+    surfaces.stride = geometryWords + surfaces.packing.words;
+    return surfaces;
+}
+
+// otherWords: of fragments that do not carry the words of a surface.
+FragmentLists drawScene(PlanBuilder& b, const Aggregation& surfaces, uint32_t otherWords) {
+    if (!carriesMaterials(b))
+        return drawFragments(b, otherWords);
+    const FragmentLists lists = drawFragments(b, surfaces.stride - b.plan.samples / 32);
+    setRecord(b.plan.passes[lists.firstPass], surfaces);
+    return lists;
+}
+
+void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& surfaces, Pass& pass) {
+    b.bindCommon(pass);
+    if (carriesMaterials(b))
+        lists.bindAlone(b, pass);
+    else
+        lists.bind(b, pass);
+    setRecord(pass, surfaces);
+}
+
 // What shows of each fragment is shaded: the reference of the merging ways.
 void buildExact(PlanBuilder& b) {
     require(!hasBatches(b), AGAA_ERROR_UNSUPPORTED,
             "AgaaDecoupledCoverage::maxBatches is for lists that are merged; AGAA_COVERAGE_EXACT needs all fragments at once.");
-    const FragmentLists lists = drawFragments(b, 3); // a depth plane
-    Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING, "shade_fragments", AGAA_SEGMENT_SHADING);
-    b.bindCommon(shade);
-    lists.bind(b, shade);
+    require(!mergesInOrder(b), AGAA_ERROR_UNSUPPORTED,
+            "AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier interlock does not keep.");
+    const Aggregation surfaces = keptSurfaces(b);
+    const FragmentLists lists = drawScene(b, surfaces, 3); // a depth plane
+    Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING, carriesMaterials(b) ? "shade_carried" : "shade_fragments",
+                            AGAA_SEGMENT_SHADING);
+    readLists(b, lists, surfaces, shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
     b.copyCounters();
+}
+
+ResourceId surfaceBuffer(PlanBuilder& b) {
+    return b.pixelBuffer("surfaces", checkedMultiply(b.plan.aggregates, b.plan.bytesPerAggregate));
+}
+
+ResourceId mergeInOrder(PlanBuilder& b, const Aggregation& surfaces) {
+    const ResourceId kept = surfaceBuffer(b);
+    b.fill("clear surfaces", AGAA_STAGE_GENERATION, kept, AGAA_SEGMENT_PREPASS);
+    Pass& draw = drawTriangles(b);
+    draw.extensions.push_back("fragment_shader_interlock");
+    draw.constants[AGAA_MERGE_RULE] = b.plan.coverage.merge;
+    setRecord(draw, surfaces);
+    b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, kept, true);
+    return kept;
+}
+
+ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
+    const FragmentLists lists = drawScene(b, surfaces, 0);
+    if (hasBatches(b))
+        addBatchPass(b, "divide tiles", "divide_tiles", lists.buffer);
+    const ResourceId kept = surfaceBuffer(b);
+    // A repetition lies in one segment.
+    Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, carriesMaterials(b) ? "merge_carried" : "merge_fragments",
+                            hasBatches(b) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
+    readLists(b, lists, surfaces, merge);
+    merge.constants[AGAA_MERGE_RULE] = b.plan.coverage.merge;
+    b.bind(merge, slot::Aggregates, BindingType::StorageBuffer, kept, true);
+    if (hasBatches(b)) {
+        addBatchPass(b, "next batch", "next_batch", lists.buffer);
+        b.plan.repeats.push_back({lists.firstPass, uint32_t(b.plan.passes.size() - 1), b.plan.coverage.maxBatches,
+                                  lists.buffer, goesOnOffset});
+    }
+    return kept;
 }
 
 void build(PlanBuilder& b) {
     if (isExact(b))
         return buildExact(b);
     b.defaultSurface(0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
-    Aggregation surfaces;
-    surfaces.layout = surfaceLayout(b.plan.layout);
-    surfaces.packing = packMaterial(surfaces.layout);
-    const uint32_t geometryWords = b.plan.samples / 32 + 3; // of src/shaders/passes/covered_surface.glsl
-    surfaces.stride = geometryWords + surfaces.packing.words;
+    const Aggregation surfaces = keptSurfaces(b);
     b.plan.bytesPerAggregate = 4 * surfaces.stride;
-
-    const FragmentLists lists = drawFragments(b, 0);
-    if (hasBatches(b))
-        addBatchPass(b, "divide tiles", "divide_tiles", lists.buffer);
-    const ResourceId kept = b.pixelBuffer("surfaces", checkedMultiply(b.plan.aggregates, b.plan.bytesPerAggregate));
-    // A repetition lies in one segment.
-    Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, "merge_fragments",
-                            hasBatches(b) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
-    b.bindCommon(merge);
-    lists.bind(b, merge);
-    merge.defines += format("#define AGAA_MERGE_RULE %uu\n", b.plan.coverage.merge);
-    b.bind(merge, slot::Aggregates, BindingType::StorageBuffer, kept, true);
-    setRecord(merge, surfaces);
-    if (hasBatches(b)) {
-        addBatchPass(b, "next batch", "next_batch", lists.buffer);
-        b.plan.repeats.push_back({lists.firstPass, uint32_t(b.plan.passes.size() - 1), b.plan.coverage.maxBatches,
-                                  lists.buffer, goesOnOffset});
-    }
-
+    const ResourceId kept = mergesInOrder(b) ? mergeInOrder(b, surfaces) : mergeLists(b, surfaces);
     Pass& shade = b.compute("shade surfaces", AGAA_STAGE_SHADING, "shade_surfaces", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
     b.bindLighting(shade);
@@ -84,7 +129,7 @@ void build(PlanBuilder& b) {
     b.copyCounters();
 }
 
-constexpr const GenerationTier* tiers[] = {&fragmentListsTier};
+constexpr const GenerationTier* tiers[] = {&fragmentListsTier, &materialListsTier, &interlockTier};
 constexpr const TechniqueSettings* settings[] = {&coverageSettings};
 
 } // namespace

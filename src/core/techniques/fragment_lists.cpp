@@ -60,16 +60,21 @@ ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
 
 } // namespace
 
+Pass& drawTriangles(PlanBuilder& b) {
+    Pass& draw = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, AGAA_SEGMENT_PREPASS);
+    b.bindCommon(draw);
+    draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
+    draw.geometryText = "#include \"host/triangle_hull.glsl\"";
+    return draw;
+}
+
 FragmentLists drawFragments(PlanBuilder& b, uint32_t ownWords) {
     b.plan.ownWords = ownWords;
     const ListSizes sizes = listSizes(b);
     FragmentLists lists{makeLists(b, sizes)};
     b.fill("clear lists", AGAA_STAGE_GENERATION, lists.buffer, AGAA_SEGMENT_PREPASS).fillBytes = 4 * sizes.heads;
-    Pass& draw = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, AGAA_SEGMENT_PREPASS);
+    Pass& draw = drawTriangles(b);
     lists.firstPass = uint32_t(b.plan.passes.size() - 1);
-    b.bindCommon(draw);
-    draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
-    draw.geometryText = "#include \"host/triangle_hull.glsl\"";
     b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, lists.buffer, true);
     return lists;
 }
@@ -77,6 +82,10 @@ FragmentLists drawFragments(PlanBuilder& b, uint32_t ownWords) {
 void FragmentLists::bind(PlanBuilder& b, Pass& pass) const {
     b.bindHostFetch(pass);
     pass.defines += format("#define AGAA_OWN_WORDS %uu\n", b.plan.ownWords);
+    bindAlone(b, pass);
+}
+
+void FragmentLists::bindAlone(PlanBuilder& b, Pass& pass) const {
     b.bind(pass, slot::Fragments, BindingType::StorageBuffer, buffer, true);
 }
 

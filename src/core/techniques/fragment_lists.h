@@ -12,13 +12,17 @@ struct FragmentLists {
     uint32_t firstPass = 0; // the draw of the scene
 
     void bind(PlanBuilder& b, Pass& pass) const; // with the host's functions
+    void bindAlone(PlanBuilder& b, Pass& pass) const;
 };
+
+// A draw of the scene with a fragment for each pixel that a triangle touches.
+Pass& drawTriangles(PlanBuilder& b);
 
 // The scene is drawn again where fragments found no room.
 bool hasBatches(const PlanBuilder& b);
 inline constexpr uint64_t goesOnOffset = 12; // of the word that ends the repetition, in bytes
 
-// ownWords: of a fragment, that passes after the draw of the scene write.
+// ownWords: of a fragment, that passes after the draw of the scene write, or the draw with materials.
 FragmentLists drawFragments(PlanBuilder& b, uint32_t ownWords);
 
 extern const TechniqueSettings coverageSettings;

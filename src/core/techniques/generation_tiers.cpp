@@ -97,10 +97,14 @@ TierAnswer answerIds(const GenerationQuery& q) {
                       : "materials are fetched by the ids that the only geometry pass leaves."};
 }
 
-// Why fragments cannot be kept in lists; empty where they can.
+constexpr const char* noCoverageReason = "a G-buffer that the host draws has no coverage beyond its samples.";
+constexpr const char* noGeometryReason =
+    "the device has no geometry shaders, which give a fragment to every pixel that a triangle touches.";
+
+// Why fragments that are fetched cannot be kept in lists; empty where they can.
 std::string listsRefusal(const GenerationQuery& q, AgaaTier tier) {
     if (q.hostGBuffer)
-        return "a G-buffer that the host draws has no coverage beyond its samples.";
+        return noCoverageReason;
     if (!q.fetches)
         return format("the tier %s needs an AgaaFetchFunction.", agaaTierName(tier));
     if (q.someUnfetched)
@@ -111,7 +115,7 @@ std::string listsRefusal(const GenerationQuery& q, AgaaTier tier) {
     if (!hasAtomics(q))
         return "the device has no atomics in fragment shaders.";
     if (!(q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS))
-        return "the device has no geometry shaders, which give a fragment to every pixel that a triangle touches.";
+        return noGeometryReason;
     return {};
 }
 
@@ -125,6 +129,26 @@ TierAnswer answerFragments(const GenerationQuery& q) {
     if (std::string refusal = listsRefusal(q, AGAA_TIER_FRAGMENTS); !refusal.empty())
         return {false, refusal};
     return {true, "fragments are appended to a list for each pixel; those that show are clustered by a compute pass."};
+}
+
+TierAnswer answerMaterialLists(const GenerationQuery& q) {
+    if (q.hostGBuffer)
+        return {false, noCoverageReason};
+    if (q.customDepth)
+        return {false, "materials that write depth or discard on their own have other samples than their edges and alpha say."};
+    if (!hasAtomics(q))
+        return {false, "the device has no atomics in fragment shaders."};
+    if (!(q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS))
+        return {false, noGeometryReason};
+    return {true, "fragments carry their materials in a list for each pixel and are merged in the order of their numbers."};
+}
+
+TierAnswer answerInterlock(const GenerationQuery& q) {
+    if (const TierAnswer lists = answerMaterialLists(q); !lists.runs)
+        return lists;
+    if (!(q.caps.flags & AGAA_DEVICE_FRAGMENT_INTERLOCK))
+        return {false, "the device has no interlock of fragment shaders, which orders the fragments of a pixel."};
+    return {true, "fragments are merged in the order of the draws by the shader that draws them."};
 }
 
 } // namespace
@@ -156,5 +180,12 @@ const GenerationTier fragmentsTier = {
     .countsPrimitives = true, .hasCoverageSamples = true,
     .offer = "with an AgaaFetchFunction, the fragments that show at coverage samples are clustered by a compute pass.",
     .answer = answerFragments};
+const GenerationTier materialListsTier = {
+    .tier = AGAA_TIER_MATERIAL_LISTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
+    .countsPrimitives = false, .hasCoverageSamples = true, .offer = nullptr, .answer = answerMaterialLists};
+// Not automatic: it was run on no device that orders fragments.
+const GenerationTier interlockTier = {
+    .tier = AGAA_TIER_FRAGMENT_INTERLOCK, .relativeCost = 1, .isAutomatic = false, .isModel = false, .knowsMaterials = true,
+    .countsPrimitives = false, .hasCoverageSamples = true, .offer = nullptr, .answer = answerInterlock};
 
 } // namespace agaa

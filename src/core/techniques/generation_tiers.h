@@ -10,6 +10,6 @@ extern const GenerationTier postDepthTier;
 extern const GenerationTier perSampleTier;
 extern const GenerationTier gbufferTier;
 extern const GenerationTier mixedSamplesTier;
-extern const GenerationTier fragmentListsTier, fragmentsTier;
+extern const GenerationTier fragmentListsTier, materialListsTier, interlockTier, fragmentsTier;
 
 } // namespace agaa

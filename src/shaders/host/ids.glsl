@@ -13,4 +13,16 @@ uint agaa_idOfInput(AgaaSurfaceInput s) {
     return isFetched ? id : 0xFFFFFFFFu;
 }
 #endif
+
+#if AGAA_HAS_CORNERS
+// By which the fragments of a pixel merge. Views without an AgaaFetchFunction announce no numbers: beyond 65536 primitives
+// of a draw, primitives of different draws may share one.
+uint agaa_orderOfInput(AgaaSurfaceInput s) {
+#ifdef AGAA_MAX_DRAWS
+    return agaa_idOfInput(s);
+#else
+    return s.draw * 65536u + s.primitive;
+#endif
+}
+#endif
 #endif

@@ -24,6 +24,9 @@ struct AgaaSurfaceInput {
     vec3 emissive;        // radiance, [0,range of the layout]; brighter: scaled to that, in the same hue
     vec3 normal;          // shading normal, unit
     float alpha2;         // [4.1e-6,1]
+#if AGAA_HAS_CORNERS
+    vec3 normalDx, normalDy; // where AGAA_HAS_CORNERS is 1: derivatives of `normal` by the image's x and y, as in AgaaMaterial
+#endif
     AGAA_CUSTOM_MEMBERS   // attributes of the layout's own (AGAA_SEMANTIC_CUSTOM), in their range
 };
 
@@ -50,6 +53,9 @@ AgaaSurfaceInput agaa_surfaceInput() {
     s.emissive = vec3(0.0);
     s.normal = vec3(0.0, 0.0, 1.0);
     s.alpha2 = 1.0;
+#if AGAA_HAS_CORNERS
+    s.normalDx = s.normalDy = vec3(0.0);
+#endif
     AGAA_CLEAR_CUSTOM(s)
     return s;
 }

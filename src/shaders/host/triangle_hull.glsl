@@ -8,13 +8,24 @@
 
 #define AGAA_MAX_STRIP 8 // of layout(triangle_strip, max_vertices = AGAA_MAX_STRIP) out
 
-layout(location = AGAA_CORNER_LOCATION) flat out vec3 agaa_corner0;
-layout(location = AGAA_CORNER_LOCATION + 1) flat out vec3 agaa_corner1;
-layout(location = AGAA_CORNER_LOCATION + 2) flat out vec3 agaa_corner2;
+AGAA_CORNER_AT(0) flat out AGAA_CORNER agaa_corner0;
+AGAA_CORNER_AT(1) flat out AGAA_CORNER agaa_corner1;
+AGAA_CORNER_AT(2) flat out AGAA_CORNER agaa_corner2;
 
 agaa_Hull agaa_hull;
-vec3 agaa_hullCorners[3];
+AGAA_CORNER agaa_hullCorners[3];
 bool agaa_isHullMirrored;
+
+AGAA_CORNER agaa_cornerOf(vec4 clip, vec2 pixelsPerNdc) {
+    vec3 corner = agaa_vertexInPixels(clip.xyw, pixelsPerNdc);
+#if !AGAA_NEEDS_MATERIAL
+    return corner;
+#elif AGAA_CLIP_Z_FROM_MINUS_ONE
+    return vec4(corner, 0.5 * (clip.z + clip.w));
+#else
+    return vec4(corner, clip.z);
+#endif
+}
 
 // a, b, c: clip coordinates of the vertices, as the host's vertex shader gives them. Returns the number of vertices of the
 // strip, 0 where there is nothing in front of the near plane. The strip faces as the triangle does.
@@ -28,9 +39,9 @@ uint agaa_beginPrimitive(vec4 a, vec4 b, vec4 c) {
     vec2 nearPlane = vec2(1.0, 0.0);
 #endif
     agaa_hull = agaa_triangleHull(a, b, c, nearPlane, pixelsPerNdc);
-    agaa_hullCorners[0] = agaa_vertexInPixels(a.xyw, pixelsPerNdc);
-    agaa_hullCorners[1] = agaa_vertexInPixels(b.xyw, pixelsPerNdc);
-    agaa_hullCorners[2] = agaa_vertexInPixels(c.xyw, pixelsPerNdc);
+    agaa_hullCorners[0] = agaa_cornerOf(a, pixelsPerNdc);
+    agaa_hullCorners[1] = agaa_cornerOf(b, pixelsPerNdc);
+    agaa_hullCorners[2] = agaa_cornerOf(c, pixelsPerNdc);
     agaa_isHullMirrored = agaa_facing(a.xyw, b.xyw, c.xyw) < 0.0;
     return agaa_hull.count;
 }

@@ -4,8 +4,8 @@
 // negated.
 #ifndef AGAA_COVERED_SURFACE_GLSL
 #define AGAA_COVERED_SURFACE_GLSL
-#include "math/encoding.glsl"
 #include "math/surface_merge.glsl"
+#include "passes/packed_plane.glsl"
 
 #define AGAA_MASK_WORDS (AGAA_SAMPLES / 32u)
 #define AGAA_DEPTH_WORD AGAA_MASK_WORDS
@@ -17,27 +17,15 @@ uint agaa_surfaceBase(uvec2 pixel, uint a) {
     return ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE;
 }
 
-// To the nearest; of two the even one.
-uint agaa_packSlope(float slope) {
-    uint bits = floatBitsToUint(slope);
-    return bits + 0x7FFFu + (bits >> 16u & 1u) >> 16u;
+agaa_CoveredSurface agaa_surfaceOfWords(uvec4 mask, uint depth, uint slopes, uint normal) {
+    vec3 plane = vec3(uintBitsToFloat(depth), agaa_unpackSlopes(slopes));
+    float reach = 0.5 * (abs(plane.y) + abs(plane.z));
+    return agaa_CoveredSurface(mask, plane, vec2(plane.x - reach, plane.x + reach), agaa_unpackNormal(normal));
 }
-uint agaa_packSlopes(vec2 slopes) { return agaa_packSlope(slopes.x) | agaa_packSlope(slopes.y) << 16u; }
-vec2 agaa_unpackSlopes(uint word) { return vec2(uintBitsToFloat(word << 16u), uintBitsToFloat(word & 0xFFFF0000u)); }
-
-uint agaa_packNormal(vec3 normal) {
-    uvec2 code = uvec2(agaa_encodeOct(normal, 16u) * 65535.0 + 0.5);
-    return code.x | code.y << 16u;
-}
-vec3 agaa_unpackNormal(uint word) { return agaa_decodeOct(vec2(word & 0xFFFFu, word >> 16u) / 65535.0, 16u); }
 
 // As memory gives it back.
 agaa_CoveredSurface agaa_asStored(agaa_CoveredSurface s) {
-    s.plane.yz = agaa_unpackSlopes(agaa_packSlopes(s.plane.yz));
-    float reach = 0.5 * (abs(s.plane.y) + abs(s.plane.z));
-    s.range = vec2(s.plane.x - reach, s.plane.x + reach);
-    s.normal = agaa_unpackNormal(agaa_packNormal(s.normal));
-    return s;
+    return agaa_surfaceOfWords(s.mask, floatBitsToUint(s.plane.x), agaa_packSlopes(s.plane.yz), agaa_packNormal(s.normal));
 }
 
 // The depth buffer's, by a depth that grows away from the eye.

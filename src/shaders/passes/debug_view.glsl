@@ -27,7 +27,7 @@ vec3 agaa_tierColor(uint tier) {
         return vec3(0.5);
     if (tier == 19u)
         return vec3(0.0, 0.17, 0.9);
-    if (tier == 21u || tier == 22u)
+    if (tier >= 21u)
         return vec3(0.8, 0.7, 0.0);
     return tier == 20u ? vec3(0.0, 0.6, 0.2) : vec3(0.9, 0.4, 0.0);
 }

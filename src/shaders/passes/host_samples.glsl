@@ -1,7 +1,7 @@
 // Materials that functions of the host's give, and samples of a G-buffer of its own.
 #ifndef AGAA_HOST_SAMPLES_GLSL
 #define AGAA_HOST_SAMPLES_GLSL
-#include "math/ndf.glsl"
+#include "passes/curvature.glsl"
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH)
 // What functions leave alone; as in agaa_surfaceInput().
 AgaaMaterial agaa_defaultMaterial() {
@@ -25,14 +25,7 @@ uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
     m.normal = agaa_sanitiseNormal(m.normal, bad);
     m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
     AGAA_SANITISE_CUSTOM(m, bad)
-    bool isKnown = agaa_isFinite3(m.normalDx) && agaa_isFinite3(m.normalDy);
-    bad |= isKnown ? 0u : 1u;
-    float steepest = isKnown ? max(dot(m.normalDx, m.normalDx), dot(m.normalDy, m.normalDy)) : 0.0;
-    // A change that widens no lobe is none, so that flat primitives take the short way in spite of rounding; a line says
-    // no more of a normal than one unit a pixel.
-    float scale = steepest < 1e-8 || !agaa_isFinite(steepest) ? 0.0 : min(inversesqrt(steepest), 1.0);
-    m.normalDx = scale > 0.0 ? scale * m.normalDx : vec3(0.0);
-    m.normalDy = scale > 0.0 ? scale * m.normalDy : vec3(0.0);
+    bad |= agaa_sanitiseNormalChange(m.normalDx, m.normalDy);
     return bad;
 }
 #endif

@@ -1,5 +1,4 @@
-// Shades each fragment of a pixel that shows at a sample, without merging: the depths of all fragments are compared at each
-// sample. DCAA's reference.
+// Shades each fragment of a pixel that shows at a sample, with the material that the host fetches by id. DCAA's reference.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -15,54 +14,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/covered_place.glsl"
 #include "passes/shown_fragments.glsl"
 
-// Radiance, or agaa_shownOfEvent(), times the number of samples.
-vec3 agaa_shadeFragment(uvec2 pixel, uint record, uvec4 mask) {
-    vec3 plane = agaa_keptPlane(record);
-    vec2 middle = agaa_coverageMiddle(mask, AGAA_SAMPLES);
-    vec3 position = agaa_surfacePosition(pixel, plane, middle);
-    agaa_tapSurface(pixel, plane, mask, position);
-    float weight = float(agaa_coverageCount(mask));
-    if (agaa_showsEvents())
-        return agaa_shownOfEvent(0u, 0.0) * weight;
+agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle) {
     AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
     agaa_moveTo(p, pixel, middle + 0.5);
     AgaaMaterial m = agaa_fetchMaterialThere(p);
     agaa_widenByCurvature(m, mask);
-    return agaa_lightSurface(agaa_surfaceOfMaterial(m), position) * weight;
+    return agaa_surfaceOfMaterial(m);
 }
-
-void agaa_shadePixel(uvec2 pixel) {
-    uint head = agaa_resolveList(pixel);
-    vec3 color = vec3(0.0);
-    uint covered = 0u;
-    uint events = 0u;
-    uint fragment = head;
-    while (fragment != 0u) {
-        uint record = agaa_record(fragment);
-        uvec4 mask = agaa_maskOf(record);
-        uint count = agaa_coverageCount(mask);
-        if (count != 0u) {
-            color += agaa_shadeFragment(pixel, record, mask);
-            covered += count;
-            ++events;
-        }
-        fragment = agaa_nextOf(record);
-    }
-    agaa_countEvents(events);
-    agaa_count(AGAA_COUNT_VISIBLE, covered);
-    agaa_count(AGAA_COUNT_ONCE, covered);
-    agaa_count(AGAA_COUNT_AGGREGATES, events);
-    agaa_count(AGAA_COUNT_PIXELS, events != 0u ? 1u : 0u);
-    if (AGAA_DEBUG_VIEW != 0u)
-        agaa_writeOutput(pixel, agaa_shownOfPixel(events, color / float(max(covered, 1u))), AGAA_SAMPLES);
-    else
-        agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), covered);
-}
-
-void main() {
-    agaa_countBegin();
-    uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
-        agaa_shadePixel(pixel);
-    agaa_countEnd();
-}
+#include "passes/shade_lists.glsl"

@@ -2,7 +2,7 @@
 // AGAA_AGGREGATE_WORD, AGAA_IMAGE_WIDTH and AGAA_EMISSIVE_RANGE where they are.
 #ifndef AGAA_STORED_AGGREGATE_GLSL
 #define AGAA_STORED_AGGREGATE_GLSL
-#include "passes/means.glsl"
+#include "passes/stored_means.glsl"
 #include "math/encoding.glsl"
 #include "math/ndf.glsl"
 #include "math/records.glsl"
@@ -55,27 +55,6 @@ agaa_Stored agaa_storedMeans() {
 #define AGAA_CHANNEL(index, name, field, source, attribute, member) v.member = agaa_meanOf(field);
 #include "channels.inc"
     return v;
-}
-
-agaa_Means agaa_meansOfStored(agaa_Stored v) {
-    agaa_Means m;
-    m.moments = agaa_NormalMoments(vec3(0.0), vec3(0.0)); // memory has no place for them
-    m.diffuse = v.diffuse;
-    m.normal = v.normal;
-    m.lengthBound = agaa_storedLengthBound(1u, agaa_fieldBits(AGAA_FIELD_NORMAL_X));
-    m.specular = vec3(0.0);
-    m.alpha2 = 1.0;
-    if (AGAA_HAS_SPECULAR != 0u) {
-        m.specular = AGAA_YCBCR_SPECULAR != 0u ? max(agaa_yCbCrToRgb(v.specular), vec3(0.0)) : v.specular;
-        if (agaa_fieldBits(AGAA_FIELD_ROUGHNESS) != 0u)
-            m.alpha2 = v.alpha2;
-    }
-    m.emissive = vec3(0.0);
-    if (AGAA_EMISSIVE_CHANNELS == 3u)
-        m.emissive = AGAA_EMISSIVE_RANGE * v.emissive;
-    if (AGAA_EMISSIVE_CHANNELS == 1u)
-        m.emissive = AGAA_EMISSIVE_RANGE * v.emissive.x * m.diffuse;
-    return m;
 }
 
 void agaa_selectAggregate(uvec2 pixel, uint a) {

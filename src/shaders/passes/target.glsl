@@ -6,6 +6,9 @@
 #include "math/sanitise.glsl"
 #include "passes/host_code.glsl"
 
+#ifndef AGAA_MULTISAMPLED // passes that read no target
+#define AGAA_MULTISAMPLED 0
+#endif
 #if AGAA_MULTISAMPLED
 #define AGAA_TARGET_TEXTURE sampler2DMS
 #define AGAA_FETCH(image, pixel, i) texelFetch(image, agaaTexel(pixel, i), agaaTexelSample(i))

@@ -1,6 +1,7 @@
 // What tests of all graphics APIs share, by OpenGL.
 #include "show.h"
 
+#include "carried_cases.h"
 #include "coverage_cases.h"
 #include "dcaa_cases.h"
 #include "fragments_cases.h"
@@ -8,6 +9,7 @@
 #include "hard_geometry_cases.h"
 #include "hard_material_cases.h"
 #include "ids_cases.h"
+#include "interlock_cases.h"
 #include "left_handed_cases.h"
 #include "lifetime_cases.h"
 #include "plan_cases.h"
@@ -21,6 +23,8 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ValidationTest, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PlanCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DcaaCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FragmentsCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CarriedCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, InterlockCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardGeometryCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CoverageCases, OpenGLHost);

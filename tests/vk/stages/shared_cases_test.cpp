@@ -1,6 +1,7 @@
 // What tests of all graphics APIs share, by Vulkan.
 #include "show.h"
 
+#include "carried_cases.h"
 #include "coverage_cases.h"
 #include "dcaa_cases.h"
 #include "fragments_cases.h"
@@ -8,6 +9,7 @@
 #include "hard_geometry_cases.h"
 #include "hard_material_cases.h"
 #include "ids_cases.h"
+#include "interlock_cases.h"
 #include "left_handed_cases.h"
 #include "lifetime_cases.h"
 #include "plan_cases.h"
@@ -23,6 +25,8 @@ INSTANTIATE_TYPED_TEST_SUITE_P(VulkanRenderPass, PlanCases, VulkanRenderPassHost
 INSTANTIATE_TYPED_TEST_SUITE_P(VulkanUnconditional, PlanCases, VulkanUnconditionalHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DcaaCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FragmentsCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CarriedCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, InterlockCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CoverageCases, VulkanHost);

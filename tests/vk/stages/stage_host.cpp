@@ -258,16 +258,17 @@ void StageView::makePipelines() {
         layout.pPushConstantRanges = &push;
         made.layout = make<PipelineLayout>(device.get(), vkCreatePipelineLayout, layout, "create a pipeline layout");
         for (int masked : {0, 1}) {
-            const std::string text = std::string("#version 450\n") + pass.glslExtensions +
-                                     shaderDefines(settings_, pass.pass, masked != 0) + pass.glslDeclarations +
-                                     fragmentText;
+            const std::string text =
+                rasterisedInOrder(std::string("#version 450\n") + pass.glslExtensions +
+                                  shaderDefines(settings_, pass.pass, masked != 0) + pass.glslDeclarations + fragmentText);
             made.fragments[masked] = makeShader(device, ShaderStage::Fragment, text, pass.name);
             PipelineState state(pass, masked != 0);
             state.vertexLocations = 0;
             if (pass.glslGeometry && !made.geometry)
                 made.geometry = makeShader(device, ShaderStage::Geometry,
-                                           std::string("#version 450\n") + pass.glslExtensions + pass.glslGeometry +
-                                               (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText),
+                                           rasterisedInOrder(std::string("#version 450\n") + pass.glslExtensions +
+                                                             pass.glslGeometry +
+                                                             (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText)),
                                            pass.name);
             state.geometry = made.geometry.get();
             const auto renderPass = (VkRenderPass)pass.native.renderPass;

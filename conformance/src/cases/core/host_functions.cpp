@@ -98,20 +98,29 @@ void testFragments(Test& test) {
         }
 }
 
-// Lists hold the fragments of all draws, and their materials are fetched.
+// Lists hold the fragments of all draws. Materials that are not fetched for all are carried by fragments.
 void testFragmentLists(Test& test) {
-    for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS}) {
+    const auto expectTier = [&](const ViewParts& parts, uint32_t tier, const std::string& what) {
+        const std::string found = generationTierOf(test, parts);
+        test.check(found == test.sdk.agaaTierName(tier), what + " uses the tier " + found + ".");
+    };
+    for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS}) {
         ViewParts parts(test.sdk, nullptr);
         parts.setTechnique("dcaa", 4);
         parts.config.generationTier = tier;
-        const std::string found = generationTierOf(test, parts);
-        test.check(found == test.sdk.agaaTierName(AGAA_TIER_FRAGMENT_LISTS),
-                   "\"dcaa\" with generationTier = " + std::to_string(tier) + " uses the tier " + found + ".");
+        const std::string what = "\"dcaa\" with generationTier = " + std::to_string(tier);
+        expectTier(parts, tier == AGAA_TIER_AUTO ? uint32_t(AGAA_TIER_FRAGMENT_LISTS) : tier, what);
         parts.sceneFetch.flags = AGAA_FETCH_NOT_ALL_DRAWS;
-        expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "\"dcaa\" and AGAA_FETCH_NOT_ALL_DRAWS",
-                          "AGAA_FETCH_NOT_ALL_DRAWS");
+        if (tier == AGAA_TIER_FRAGMENT_LISTS)
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what + " and AGAA_FETCH_NOT_ALL_DRAWS",
+                              "AGAA_FETCH_NOT_ALL_DRAWS");
+        else
+            expectTier(parts, AGAA_TIER_MATERIAL_LISTS, what + " and AGAA_FETCH_NOT_ALL_DRAWS");
         parts.desc.pNext = nullptr;
-        expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, "\"dcaa\" without an AgaaFetchFunction", "AgaaFetchFunction");
+        if (tier == AGAA_TIER_FRAGMENT_LISTS)
+            expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what + " without an AgaaFetchFunction", "AgaaFetchFunction");
+        else
+            expectTier(parts, AGAA_TIER_MATERIAL_LISTS, what + " without an AgaaFetchFunction");
     }
 }
 

@@ -57,7 +57,7 @@ void addConfig(Suite& suite) {
 
 // Tiers that need other parts, and tiers of another stage, are in unsupported.cpp.
 void addTiers(Suite& suite) {
-    const std::vector<double> unknown = {5, 15, AGAA_TIER_FRAGMENTS + 1};
+    const std::vector<double> unknown = {5, 15, AGAA_TIER_FRAGMENT_INTERLOCK + 1};
     addMember(suite, {"AgaaConfig.visibilityTier/enum", "AgaaConfig::visibilityTier",
                       [](ViewParts& p, double x) { p.config.visibilityTier = whole(x); },
                       {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET}, largeNumbers({}), nullptr, unknown});
@@ -68,11 +68,11 @@ void addTiers(Suite& suite) {
                       largeNumbers({}), [](ViewParts& p) { p.chain(p.fetch); }, unknown});
     addMember(suite, {"AgaaConfig.generationTier/enum/dcaa", "AgaaConfig::generationTier",
                       [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
-                      {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS}, largeNumbers({}), useDcaa, unknown});
+                      {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK}, largeNumbers({}), useDcaa, unknown});
     // Techniques without a stage for it check the member all the same.
     addMember(suite, {"AgaaConfig.generationTier/enum/ssaa", "AgaaConfig::generationTier",
                       [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
-                      {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS}, largeNumbers({}),
+                      {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK}, largeNumbers({}),
                       [](ViewParts& p) { p.config.technique = "ssaa"; }, unknown});
 }
 

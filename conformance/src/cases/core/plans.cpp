@@ -30,8 +30,9 @@ void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
                                           : std::vector<uint32_t>{1, 2, 4, 8, 16, 32})
             for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER,
                                         AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_FRAGMENT_LISTS,
-                                        AGAA_TIER_FRAGMENTS}) {
-                const bool isList = tier == AGAA_TIER_FRAGMENT_LISTS;
+                                        AGAA_TIER_FRAGMENTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK}) {
+                const bool isList = tier == AGAA_TIER_FRAGMENT_LISTS || tier == AGAA_TIER_MATERIAL_LISTS ||
+                                    tier == AGAA_TIER_FRAGMENT_INTERLOCK;
                 const bool isFragments = tier == AGAA_TIER_FRAGMENTS || (samples > 32 && technique == std::string("agaa"));
                 if (isFragments && (samples < 32 || technique != std::string("agaa") ||
                                     (tier != AGAA_TIER_FRAGMENTS && tier != AGAA_TIER_AUTO)))
@@ -206,13 +207,14 @@ void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapabilit
     test.check(tier == test.sdk.agaaTierName(row.tier), callWith("agaaPlanToJson", what) + " names the tier " + tier + ".");
 }
 
-// The first entry is what AUTO selects.
+// The first entry is what AUTO selects where the host offers no functions.
 void checkFirst(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row) {
     ViewParts parts(test.sdk, nullptr);
     parts.caps = caps;
     parts.setTechnique(row.technique, 4);
     parts.config.samples = row.samples;
     parts.config.flags = 0;
+    parts.desc.pNext = nullptr;
     if (countsCoverage(parts.config) && !hasCoverageSamples(row.technique))
         parts.chain(parts.fetch);
     const auto plan = nlohmann::json::parse(planText(test, parts));

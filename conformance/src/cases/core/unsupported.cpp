@@ -115,7 +115,8 @@ void testReservedTier(Test& test, uint32_t tier, const std::string& name) {
 // A tier of the other stage.
 void testOtherStage(Test& test) {
     for (const uint32_t tier : {AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
-                                AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_FRAGMENTS})
+                                AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_FRAGMENTS,
+                                AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK})
         testRows(test, {{"visibilityTier = " + std::to_string(tier), unsupported,
                          [=](ViewParts& p) { p.config.visibilityTier = tier; }, ""}});
     for (const uint32_t tier : {AGAA_TIER_NATIVE, AGAA_TIER_NV_MULTICAST, AGAA_TIER_SCALED_TARGET, AGAA_TIER_LAYERS})
@@ -140,7 +141,11 @@ void testOtherTechnique(Test& test) {
     };
     for (const char* technique : {"agaa", "sbaa"})
         testRows(test, {{std::string("\"") + technique + "\" and AGAA_TIER_FRAGMENT_LISTS", unsupported,
-                         with(technique, AGAA_TIER_FRAGMENT_LISTS), ""}});
+                         with(technique, AGAA_TIER_FRAGMENT_LISTS), ""},
+                        {std::string("\"") + technique + "\" and AGAA_TIER_MATERIAL_LISTS", unsupported,
+                         with(technique, AGAA_TIER_MATERIAL_LISTS), ""},
+                        {std::string("\"") + technique + "\" and AGAA_TIER_FRAGMENT_INTERLOCK", unsupported,
+                         with(technique, AGAA_TIER_FRAGMENT_INTERLOCK), ""}});
     for (const uint32_t tier : {AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
                                 AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_FRAGMENTS})
         testRows(test, {{"\"dcaa\" and generationTier = " + std::to_string(tier), unsupported, with("dcaa", tier), ""}});
@@ -227,9 +232,10 @@ void testGenerationTier(Test& test) {
     }
     const auto ids = [](ViewParts& p) { p.config.generationTier = AGAA_TIER_IDS; };
     testRows(test, {{"the tier IDS without an AgaaFetchFunction", unsupported, ids, ""}});
-    // "dcaa" has one tier.
+    // All tiers of "dcaa" need them.
     for (const uint64_t feature : {AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_DEVICE_GEOMETRY_SHADERS})
-        for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS}) {
+        for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS,
+                                    AGAA_TIER_FRAGMENT_INTERLOCK}) {
             const auto lists = [=](uint64_t without) {
                 return [=](ViewParts& p) {
                     p.setTechnique("dcaa", 4);
@@ -238,8 +244,21 @@ void testGenerationTier(Test& test) {
                     p.caps.flags &= ~without;
                 };
             };
-            testRows(test, {{"\"dcaa\"", AGAA_OK, lists(0), test.sdk.agaaTierName(AGAA_TIER_FRAGMENT_LISTS)},
+            const uint32_t taken = tier == AGAA_TIER_AUTO ? uint32_t(AGAA_TIER_FRAGMENT_LISTS) : tier;
+            testRows(test, {{"\"dcaa\"", AGAA_OK, lists(0), test.sdk.agaaTierName(taken)},
                             {"\"dcaa\" on a device that lacks a feature of its tier", unsupported, lists(feature), ""}});
+        }
+    for (const uint64_t without : {UINT64_C(0), AGAA_DEVICE_FRAGMENT_INTERLOCK})
+        for (const uint64_t flags : {UINT64_C(0), AGAA_COVERAGE_EXACT}) {
+            const auto interlock = [=](ViewParts& p) {
+                p.setTechnique("dcaa", 4);
+                p.config.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
+                p.coverage.flags = flags;
+                p.caps.flags &= ~without;
+            };
+            testRows(test, {{"the tier FRAGMENT_INTERLOCK, AgaaDecoupledCoverage::flags = " + std::to_string(flags) +
+                                 (without ? ", without the feature" : ""),
+                             without || flags ? unsupported : AGAA_OK, interlock, ""}});
         }
 }
 

@@ -168,8 +168,9 @@ void addOthers(Rows& rows) {
                         p.config.technique = "msaa";
                         p.chain(p.gbuffer);
                     }});
-    rows.push_back({"\"dcaa\" without an AgaaFetchFunction", AGAA_ERROR_UNSUPPORTED, "AgaaFetchFunction", [](ViewParts& p) {
+    rows.push_back({"the tier FRAGMENT_LISTS without an AgaaFetchFunction", AGAA_ERROR_UNSUPPORTED, "AgaaFetchFunction", [](ViewParts& p) {
                         p.setTechnique("dcaa", 4);
+                        p.config.generationTier = AGAA_TIER_FRAGMENT_LISTS;
                         p.desc.pNext = nullptr;
                     }});
     rows.push_back({"\"ssaa\" and AGAA_DEBUG_VIEW_CLUSTERS", AGAA_ERROR_UNSUPPORTED, "debugView", [](ViewParts& p) {

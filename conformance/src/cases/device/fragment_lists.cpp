@@ -11,9 +11,12 @@ namespace {
 
 constexpr uint64_t leastRoom = 65536; // fragments, of the lists of a small view
 
-Rig::ChangeView withCoverage(const std::function<void(AgaaDecoupledCoverage&)>& change) {
-    return [change](ViewDescription& description) {
+Rig::ChangeView withCoverage(uint32_t tier, const std::function<void(AgaaDecoupledCoverage&)>& change) {
+    return [tier, change](ViewDescription& description) {
         setTechnique(description, "dcaa", 4);
+        description.config.generationTier = tier;
+        if (tier == AGAA_TIER_MATERIAL_LISTS)
+            description.desc.pNext = nullptr;
         change(description.coverage);
     };
 }
@@ -23,13 +26,16 @@ void testMerges(Test& test) {
     struct Way {
         uint32_t merge;
         uint64_t flags;
+        uint32_t tier = AGAA_TIER_FRAGMENT_LISTS;
     };
     for (const Way& way : {Way{AGAA_MERGE_VISIBLE, 0}, Way{AGAA_MERGE_PAPER, 0}, Way{AGAA_MERGE_NONE, 0},
-                           Way{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT}}) {
-        Rig rig(test, withCoverage([way](AgaaDecoupledCoverage& c) { c.merge = way.merge, c.flags = way.flags; }));
+                           Way{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT},
+                           Way{AGAA_MERGE_VISIBLE, 0, AGAA_TIER_MATERIAL_LISTS},
+                           Way{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT, AGAA_TIER_MATERIAL_LISTS}}) {
+        Rig rig(test, withCoverage(way.tier, [way](AgaaDecoupledCoverage& c) { c.merge = way.merge, c.flags = way.flags; }));
         const Image image = rig.render();
         const std::string what = "AgaaDecoupledCoverage::merge = " + std::to_string(way.merge) +
-                                 ", flags = " + std::to_string(way.flags);
+                                 ", flags = " + std::to_string(way.flags) + ", tier " + test.sdk.agaaTierName(way.tier);
         const float second[] = {0.25f, 0.5f, 0.5f}, masked[] = {0.25f, 0.75f, 0.5f};
         expectColor(test, image, 32, {8, 12, 32, 24}, second, 0.01f, what + ": the second rectangle");
         expectColor(test, image, 32, {16, 0, 24, 12}, masked, 0.01f, what + ": the masked rectangle");
@@ -77,7 +83,7 @@ Image renderBatches(Rig& rig, uint32_t maxBatches, const std::string& what) {
 void testBatches(Test& test) {
     Image small;
     for (const uint32_t maxBatches : {1u, 4u}) {
-        Rig rig(test, withCoverage([=](AgaaDecoupledCoverage& c) { c.fragmentsPerPixel = 1, c.maxBatches = maxBatches; }));
+        Rig rig(test, withCoverage(AGAA_TIER_AUTO, [=](AgaaDecoupledCoverage& c) { c.fragmentsPerPixel = 1, c.maxBatches = maxBatches; }));
         const std::string what = "AgaaDecoupledCoverage::maxBatches = " + std::to_string(maxBatches);
         for (Vertex& vertex : rig.scene)
             vertex.isMasked = 0;
@@ -106,7 +112,7 @@ void testBatches(Test& test) {
 void testConstants(Test& test) {
     Image expected;
     for (const uint32_t constants : {AGAA_GL_CONSTANTS_BLOCK, AGAA_GL_CONSTANTS_UNIFORMS, AGAA_GL_CONSTANTS_TEXELS}) {
-        Rig rig(test, withCoverage([](AgaaDecoupledCoverage&) {}), [=](ContextDescription& d) {
+        Rig rig(test, withCoverage(AGAA_TIER_AUTO, [](AgaaDecoupledCoverage&) {}), [=](ContextDescription& d) {
             d.gl.constants = constants;
             d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; // a unit of its own, if it is one
         });

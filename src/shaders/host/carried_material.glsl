@@ -1,0 +1,27 @@
+// What a fragment carries beside its coverage.
+#include "host/fragment_coverage.glsl"
+#include "passes/carried.glsl"
+#include "passes/curvature.glsl"
+#include "passes/growing_depth.glsl"
+#include "passes/packed_plane.glsl"
+#include "passes/packing.glsl"
+
+uint agaa_carried[AGAA_CARRIED_WORDS]; // by agaa_carry()
+
+// False where the triangle is at the far plane, which is background.
+bool agaa_carry(AgaaSurfaceInput s, uvec4 mask) {
+    agaa_DepthPlane plane = agaa_depthPlane(agaa_corner0.xyz, agaa_corner1.xyz, agaa_corner2.xyz,
+                                            vec3(agaa_corner0.w, agaa_corner1.w, agaa_corner2.w), gl_FragCoord.xy);
+    vec3 kept = agaa_growingDepth(plane);
+    uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE) | agaa_sanitiseNormalChange(s.normalDx, s.normalDy);
+    if (bad != 0u)
+        agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
+    s.alpha2 = agaa_widenedByCurvature(s.alpha2, s.normalDx, s.normalDy, mask);
+    agaa_packSurface(agaa_storedInput(s));
+    agaa_carried[0] = floatBitsToUint(kept.x);
+    agaa_carried[1] = agaa_packSlopes(kept.yz);
+    agaa_carried[2] = agaa_packNormal(s.normal);
+    for (uint w = 0u; w < AGAA_WORDS; ++w)
+        agaa_carried[3u + w] = agaa_packed[w];
+    return !agaa_isFar(plane);
+}

@@ -1,0 +1,79 @@
+// Fragments pass of devices with fragment shader interlock: each fragment merges into the surfaces of its pixel, in the order
+// of the draws and without lists (Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3).
+#include "host/fragment_coverage.glsl"
+
+layout(pixel_interlock_ordered) in;
+
+#if AGAA_STORAGE_IMAGES
+layout(r32ui, AGAA_AT_AGGREGATES) coherent uniform uimageBuffer agaa_surfaces;
+uint agaa_readSurfaces(uint word) { return imageLoad(agaa_surfaces, int(word)).x; }
+void agaa_setSurfaces(uint word, uint value) { imageStore(agaa_surfaces, int(word), uvec4(value)); }
+#else
+layout(std430, AGAA_AT_AGGREGATES) coherent buffer agaa_SurfaceBlock {
+    uint words[];
+} agaa_surfaces;
+uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
+void agaa_setSurfaces(uint word, uint value) { agaa_surfaces.words[word] = value; }
+#endif
+#if AGAA_FRAME_CONSTANTS != 0
+uint agaa_aggregateLimit() { return AGAA_AGGREGATES; }
+#endif
+void agaa_count(uint counter, uint amount) {
+    if (amount != 0u)
+        agaa_countFragment(counter, amount);
+}
+#include "passes/merged_surfaces.glsl"
+
+bool agaa_merges = false; // the fragment at hand covers a sample
+
+// All that is not of the pixel's other fragments, before the critical section.
+void agaa_prepareMerge(AgaaSurfaceInput s) {
+    uvec4 mask = agaa_coverageOf(s);
+    if (agaa_coverageCount(mask) == 0u || AGAA_HELPER)
+        return;
+    agaa_merges = agaa_carry(s, mask);
+    agaa_count(AGAA_COUNT_FRAGMENTS, agaa_merges ? 1u : 0u);
+}
+
+void agaa_loadSurfaces(uvec2 pixel) {
+    agaa_keptCount = 0u;
+    bool exists = true;
+    for (uint a = 0u; a < agaa_aggregateLimit() && exists; ++a) {
+        uint base = agaa_surfaceBase(pixel, a);
+        uvec4 mask = uvec4(0u);
+        for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
+            mask[word] = agaa_readSurfaces(base + word);
+        exists = agaa_coverageCount(mask) != 0u;
+        if (exists) {
+            agaa_keep(a, agaa_surfaceOfWords(mask, agaa_readSurfaces(base + AGAA_DEPTH_WORD),
+                                             agaa_readSurfaces(base + AGAA_SLOPE_WORD),
+                                             agaa_readSurfaces(base + AGAA_NORMAL_WORD)));
+            agaa_keptCount = a + 1u;
+        }
+    }
+}
+
+// The critical section.
+void agaa_mergeInOrder() {
+    if (!agaa_merges)
+        return;
+    uvec2 pixel = agaa_hostPixel();
+    agaa_CoveredSurface s =
+        agaa_asStored(agaa_surfaceOfWords(agaa_covered, agaa_carried[0], agaa_carried[1], agaa_carried[2]));
+    for (uint w = 0u; w < AGAA_WORDS; ++w)
+        agaa_packed[w] = agaa_carried[3u + w];
+    agaa_Stored own = agaa_unpackSurface();
+    agaa_loadSurfaces(pixel);
+    agaa_Insertion done = agaa_insertFragment(pixel, s, own);
+    if (done.from != AGAA_NO_SURFACE && done.into != agaa_aggregateLimit())
+        agaa_storeSurface(agaa_surfaceBase(pixel, done.into), agaa_kept[done.into]);
+    if (done.to != AGAA_NO_SURFACE)
+        agaa_storeSurface(agaa_surfaceBase(pixel, done.to), agaa_kept[done.to]);
+}
+
+// GLSL has the critical section in main() alone, outside of all branches.
+#define agaa_emit(s) \
+    agaa_prepareMerge(s); \
+    beginInvocationInterlockARB(); \
+    agaa_mergeInOrder(); \
+    endInvocationInterlockARB()

@@ -1,0 +1,6 @@
+// What fragments that carry materials have beside number, next fragment and coverage: the words of a surface but its mask
+// (passes/covered_surface.glsl).
+#ifndef AGAA_CARRIED_GLSL
+#define AGAA_CARRIED_GLSL
+#define AGAA_CARRIED_WORDS (3u + AGAA_WORDS)
+#endif

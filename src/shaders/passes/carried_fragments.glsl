@@ -1,0 +1,26 @@
+// Lists of fragments that carry their materials.
+#ifndef AGAA_CARRIED_FRAGMENTS_GLSL
+#define AGAA_CARRIED_FRAGMENTS_GLSL
+#define AGAA_CARRIES_MATERIALS
+#include "passes/carried.glsl"
+#define AGAA_OWN_WORDS AGAA_CARRIED_WORDS
+#include "math/coverage_pattern.glsl"
+#include "passes/list_order.glsl"
+#include "passes/packed_plane.glsl"
+#include "passes/unpacking.glsl"
+
+#define AGAA_PLANE_WORD (2u + AGAA_SAMPLES / 32u)
+
+vec3 agaa_keptPlane(uint record) {
+    uint at = record + AGAA_PLANE_WORD;
+    return vec3(uintBitsToFloat(agaa_fragments.words[at]), agaa_unpackSlopes(agaa_fragments.words[at + 1u]));
+}
+
+vec3 agaa_keptNormal(uint record) { return agaa_unpackNormal(agaa_fragments.words[record + AGAA_PLANE_WORD + 2u]); }
+
+agaa_Stored agaa_keptMaterial(uint record) {
+    for (uint w = 0u; w < AGAA_WORDS; ++w)
+        agaa_packed[w] = agaa_fragments.words[record + AGAA_PLANE_WORD + 3u + w];
+    return agaa_unpackSurface();
+}
+#endif

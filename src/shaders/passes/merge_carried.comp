@@ -1,0 +1,23 @@
+// Merges the fragments of each pixel, which carry their materials, into surfaces in memory (DCAA sections 3.2 and 3.3).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/target.glsl"
+#include "passes/counters.glsl"
+#include "math/light.glsl"
+#include "passes/tile_pixels.glsl"
+#include "passes/carried_fragments.glsl"
+#include "passes/covered_surface.glsl"
+
+bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own) {
+    s.mask = agaa_maskOf(record);
+    s.plane = agaa_keptPlane(record);
+    s.normal = agaa_keptNormal(record);
+    s = agaa_asStored(s);
+    own = agaa_keptMaterial(record);
+    return true;
+}
+#include "passes/merge_lists.glsl"

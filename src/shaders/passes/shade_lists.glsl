@@ -1,0 +1,51 @@
+// Shades each fragment of a pixel that shows at a sample, without merging: the depths of all fragments are compared at each
+// sample. DCAA's reference. The including text defines agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask,
+// vec2 middle) for the samples of the mask, whose middle that is.
+
+// Radiance, or agaa_shownOfEvent(), times the number of samples.
+vec3 agaa_shadeFragment(uvec2 pixel, uint record, uvec4 mask) {
+    vec3 plane = agaa_keptPlane(record);
+    vec2 middle = agaa_coverageMiddle(mask, AGAA_SAMPLES);
+    vec3 position = agaa_surfacePosition(pixel, plane, middle);
+    agaa_tapSurface(pixel, plane, mask, position);
+    float weight = float(agaa_coverageCount(mask));
+    if (agaa_showsEvents())
+        return agaa_shownOfEvent(0u, 0.0) * weight;
+    return agaa_lightSurface(agaa_materialOf(pixel, record, mask, middle), position) * weight;
+}
+
+void agaa_shadePixel(uvec2 pixel) {
+    uint head = agaa_resolveList(pixel);
+    vec3 color = vec3(0.0);
+    uint covered = 0u;
+    uint events = 0u;
+    uint fragment = head;
+    while (fragment != 0u) {
+        uint record = agaa_record(fragment);
+        uvec4 mask = agaa_maskOf(record);
+        uint count = agaa_coverageCount(mask);
+        if (count != 0u) {
+            color += agaa_shadeFragment(pixel, record, mask);
+            covered += count;
+            ++events;
+        }
+        fragment = agaa_nextOf(record);
+    }
+    agaa_countEvents(events);
+    agaa_count(AGAA_COUNT_VISIBLE, covered);
+    agaa_count(AGAA_COUNT_ONCE, covered);
+    agaa_count(AGAA_COUNT_AGGREGATES, events);
+    agaa_count(AGAA_COUNT_PIXELS, events != 0u ? 1u : 0u);
+    if (AGAA_DEBUG_VIEW != 0u)
+        agaa_writeOutput(pixel, agaa_shownOfPixel(events, color / float(max(covered, 1u))), AGAA_SAMPLES);
+    else
+        agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), covered);
+}
+
+void main() {
+    agaa_countBegin();
+    uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
+    if (all(lessThan(pixel, agaa_frame.size.xy)))
+        agaa_shadePixel(pixel);
+    agaa_countEnd();
+}

@@ -1,0 +1,161 @@
+// Plans of "dcaa" whose fragments carry their materials.
+#include "plan_support.h"
+
+#include "core/error.h"
+#include "core/host_glsl.h"
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace agaa::test {
+namespace {
+
+ViewSpec carried() {
+    return {.technique = "dcaa", .samples = 64, .aggregates = 4, .layout = "dcaa28",
+            .generationTier = AGAA_TIER_MATERIAL_LISTS, .fetches = false};
+}
+
+uint64_t bytesOf(const Plan& plan, const std::string& name) { return plan.resources[plan.surface(name.c_str())].bytes; }
+
+// Number, next fragment, coverage, depth plane, normal and material.
+TEST(CoveragePlan, FragmentsWithMaterialsAreOf36Bytes) {
+    ViewSpec spec = carried();
+    const Plan plan = planFor(spec, idealDevice());
+    const uint64_t pixels = uint64_t(spec.width) * spec.height;
+    EXPECT_EQ(plan.bytesPerAggregate, 28u);
+    EXPECT_EQ(bytesOf(plan, "surfaces"), 112 * pixels);
+    EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * 36) * pixels + 64);
+    for (const auto& [samples, bytes] : {std::pair{32u, 32u}, {128u, 44u}}) {
+        spec.samples = samples;
+        EXPECT_EQ(bytesOf(planFor(spec, idealDevice()), "fragments"), (4 + 8 * bytes) * pixels + 64) << samples;
+    }
+}
+
+// AUTO fetches where the host can for all draws. Otherwise fragments carry their materials.
+TEST(CoveragePlan, FragmentsCarryMaterialsThatCannotBeFetched) {
+    AgaaFetchFunction all = AGAA_FETCH_FUNCTION_INIT;
+    all.glsl = "";
+    all.maxDraws = all.maxPrimitives = 1;
+    AgaaFetchFunction some = all;
+    some.flags = AGAA_FETCH_NOT_ALL_DRAWS;
+    ViewSpec spec = carried();
+    const auto tierWith = [&](const AgaaFetchFunction* fetch, uint32_t tier) {
+        spec.chained = fetch;
+        spec.generationTier = tier;
+        return planFor(spec, fourSampleDevice()).generationTier;
+    };
+    EXPECT_EQ(tierWith(&all, AGAA_TIER_AUTO), AGAA_TIER_FRAGMENT_LISTS);
+    for (const AgaaFetchFunction* fetch : std::initializer_list<const AgaaFetchFunction*>{&some, nullptr})
+        EXPECT_EQ(tierWith(fetch, AGAA_TIER_AUTO), AGAA_TIER_MATERIAL_LISTS);
+    EXPECT_EQ(tierWith(&all, AGAA_TIER_MATERIAL_LISTS), AGAA_TIER_MATERIAL_LISTS);
+}
+
+TEST(CoveragePlan, WhatFragmentsCannotCarryIsRefused) {
+    const auto refusal = [](const ViewSpec& spec, const AgaaDeviceCaps& caps) {
+        try {
+            planFor(spec, caps);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, AGAA_ERROR_UNSUPPORTED);
+            return error.message;
+        }
+        return std::string("none");
+    };
+    ViewSpec depth = carried();
+    depth.facts |= AGAA_FACT_CUSTOM_DEPTH;
+    EXPECT_NE(refusal(depth, idealDevice()).find("discard on their own"), std::string::npos);
+    ViewSpec other = carried();
+    other.technique = "agaa";
+    other.samples = 8;
+    EXPECT_NE(refusal(other, idealDevice()).find("the tier material-lists is for"), std::string::npos);
+    for (const uint64_t flag : {AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_DEVICE_GEOMETRY_SHADERS}) {
+        AgaaDeviceCaps caps = idealDevice();
+        caps.flags &= ~flag;
+        EXPECT_NE(refusal(carried(), caps).find("the device has no"), std::string::npos) << flag;
+    }
+}
+
+// No lists, and no more than the surfaces; AUTO does not select it.
+TEST(CoveragePlan, InterlockKeepsSurfacesAlone) {
+    ViewSpec spec = carried();
+    spec.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
+    const Plan plan = planFor(spec, idealDevice());
+    EXPECT_EQ(plan.generationTier, AGAA_TIER_FRAGMENT_INTERLOCK);
+    EXPECT_EQ(plan.totalBytes(), 112u * spec.width * spec.height);
+    EXPECT_EQ(plan.poolRecords, 0u);
+    EXPECT_EQ(plan.geometryPasses(), 1u);
+    AgaaDeviceCaps caps = idealDevice();
+    caps.flags &= ~AGAA_DEVICE_FRAGMENT_INTERLOCK;
+    EXPECT_THROW(planFor(spec, caps), Error);
+    spec.change = [](TechniqueConfig& config) { config.coverage.flags = AGAA_COVERAGE_EXACT; };
+    EXPECT_THROW(planFor(spec, idealDevice()), Error);
+    spec = carried();
+    spec.generationTier = AGAA_TIER_AUTO;
+    EXPECT_EQ(planFor(spec, idealDevice()).generationTier, AGAA_TIER_MATERIAL_LISTS);
+}
+
+// No driver of the tests has the extension: the text is compiled, and says what it needs.
+TEST(CoveragePlan, InterlockCompiles) {
+    glslang::InitializeProcess();
+    for (const char* masked : {"0", "1"})
+        for (const uint64_t flags : {UINT64_C(0), uint64_t(AGAA_CONFIG_COUNTERS)}) {
+            ViewSpec spec = carried();
+            spec.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
+            spec.configFlags = flags;
+            const Plan plan = planFor(spec, idealDevice());
+            const auto pass = std::ranges::find(plan.passes, PassKind::HostDraw, &Pass::kind);
+            ASSERT_NE(pass, plan.passes.end());
+            HostDialect dialect;
+            for (const bool openGl : {false, true}) {
+                dialect.openGl = openGl;
+                const std::string text = "#version 450\n" + hostExtensions(*pass, dialect) + "#define AGAA_ALPHA_MASKED " + masked +
+                                         "\n" + hostDeclarations(plan, *pass, dialect) +
+                                         "void main() {\n    AgaaSurfaceInput s = agaa_surfaceInput();\n    agaa_emit(s);\n}\n";
+                glslang::TShader shader(EShLangFragment);
+                const char* source = text.c_str();
+                shader.setStrings(&source, 1);
+                if (!openGl) {
+                    shader.setEnvInput(glslang::EShSourceGlsl, EShLangFragment, glslang::EShClientVulkan, 100);
+                    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
+                    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
+                }
+                const auto messages = openGl ? EShMsgDefault : EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
+                ASSERT_TRUE(shader.parse(GetDefaultResources(), openGl ? 110 : 450, false, messages)) << shader.getInfoLog();
+                glslang::TProgram program;
+                program.addShader(&shader);
+                ASSERT_TRUE(program.link(messages)) << program.getInfoLog();
+                if (openGl)
+                    continue;
+                std::vector<uint32_t> words;
+                glslang::GlslangToSpv(*program.getIntermediate(EShLangFragment), words);
+                constexpr uint32_t opCapability = 17, pixelInterlock = 5378;
+                bool isNamed = false;
+                for (size_t at = 5; at < words.size(); at += words[at] >> 16)
+                    isNamed |= (words[at] & 0xFFFF) == opCapability && words[at + 1] == pixelInterlock;
+                EXPECT_TRUE(isNamed);
+            }
+        }
+    glslang::FinalizeProcess();
+}
+
+// Hosts evaluate materials where the text says so.
+TEST(CoveragePlan, DeclarationsAskForMaterials) {
+    const auto declarations = [](const ViewSpec& spec) {
+        const Plan plan = planFor(spec, idealDevice());
+        for (const Pass& pass : plan.passes)
+            if (pass.kind == PassKind::HostDraw)
+                return hostDeclarations(plan, pass, {});
+        return std::string();
+    };
+    ViewSpec fetched = carried();
+    fetched.generationTier = AGAA_TIER_FRAGMENT_LISTS;
+    fetched.fetches = true;
+    EXPECT_NE(declarations(fetched).find("#define AGAA_NEEDS_MATERIAL 0\n"), std::string::npos);
+    EXPECT_NE(declarations(carried()).find("#define AGAA_NEEDS_MATERIAL 1\n"), std::string::npos);
+}
+
+} // namespace
+} // namespace agaa::test

@@ -1,0 +1,122 @@
+// Fragments of decoupled coverage that carry their materials, beside those whose materials are fetched. Each graphics API
+// instantiates these.
+#pragma once
+
+#include "dcaa_cases.h"
+
+namespace agaa::test {
+
+inline ViewSettings carriedSettings(uint32_t samples = 64, uint32_t surfaces = 4) {
+    return dcaaSettings(samples, surfaces, AGAA_TIER_MATERIAL_LISTS);
+}
+
+template <class Host>
+class CarriedCases : public testing::Test {
+protected:
+    Shown render(const ViewSettings& settings, const Shot& shot) { return show(context, settings, shot); }
+    Kept keep(const ViewSettings& settings, const Shot& shot) { return keepFrame<Host>(context, settings, shot); }
+
+    typename Host::Context context;
+};
+TYPED_TEST_SUITE_P(CarriedCases);
+
+// Lists and surfaces, and the image up to the rounding of materials before they merge.
+TYPED_TEST_P(CarriedCases, MergesAsFetchedFragments) {
+    for (const auto& [samples, isTangle] : {std::pair{64u, true}, {64u, false}, {32u, false}, {128u, true}}) {
+        SCOPED_TRACE(std::to_string(samples) + (isTangle ? " tangle" : " random"));
+        const Shot shot{.triangles = isTangle ? tangle(300) : randomTriangles({.triangles = 150}, 61), .change = addAmbient};
+        const Kept fetched = this->keep(dcaaSettings(samples), shot), carried = this->keep(carriedSettings(samples), shot);
+        for (size_t p = 0; p < fetched.pixels.size(); ++p) {
+            ASSERT_EQ(carried.lists[p].size(), fetched.lists[p].size()) << p;
+            expectSame(carried.pixels[p], fetched.pixels[p], p);
+        }
+        const AgaaCounters &a = fetched.counters, &b = carried.counters;
+        EXPECT_EQ(b.fragments, a.fragments);
+        EXPECT_EQ(b.mergedFirst, a.mergedFirst);
+        EXPECT_EQ(b.mergedSecond, a.mergedSecond);
+        EXPECT_EQ(b.discarded, a.discarded);
+        EXPECT_EQ(b.mergedFirst > 10, isTangle);
+        EXPECT_GT(b.mergedFirst + b.mergedSecond + b.discarded, 0u);
+        const Difference d = compare(carried.rgb, fetched.rgb);
+        std::printf("%u samples: PSNR %.1f dB to fetched materials\n", samples, d.psnr);
+        EXPECT_GT(d.psnr, 100);
+    }
+}
+
+// The samples of cut-outs and translucent surfaces, and the place where materials are evaluated among them.
+TYPED_TEST_P(CarriedCases, MaterialsAreEvaluatedInTheMiddleOfWhatIsCovered) {
+    Shot shot{.triangles = randomTriangles({.triangles = 200, .masked = 0.5f}, 17), .change = addAmbient};
+    ViewSettings carried = carriedSettings();
+    carried.surface = "s.diffuse = agaa_cornerWeights(agaa_coveredMiddle(s)).at; s.emissive = vec3(0.0);";
+    ViewSettings opaque = dcaaSettings();
+    // Fetched ones by the middle of the same samples: those of fragments without alpha.
+    for (Triangle& t : shot.triangles)
+        t.isMasked = false;
+    shot.material = "m.diffuse = p.at; m.emissive = vec3(0.0);";
+    const Difference d = compare(this->render(carried, shot).rgb, this->render(opaque, shot).rgb);
+    std::printf("PSNR %.1f dB\n", d.psnr);
+    EXPECT_GT(d.psnr, 90);
+    // A cut-out's samples are on one side of the pixel, and so is their middle.
+    carried.surface = "s.alphaCutoff = 0.5; s.hasAlphaNear = true; s.alphaNear = vec4(-1.0, 1.0, -1.0, 1.0) * 0.4 + 0.5; "
+                      "s.emissive = vec3(agaa_coveredMiddle(s), 0.0); s.diffuse = s.specular = vec3(0.0);";
+    carried.projection = pixelOrthographic(48, 32, 10);
+    Shot cutOut{.triangles = rectangle(4, 4, 40, 28, 5, {})};
+    for (Triangle& t : cutOut.triangles)
+        t.isMasked = true;
+    const Shown shown = this->render(carried, cutOut);
+    const float* rgb = &shown.rgb[3 * (48 * 10 + 30)]; // one triangle covers the pixel
+    EXPECT_NEAR(rgb[0], 0.5 * 0.25, 0.01);
+    EXPECT_NEAR(rgb[1], 0.0, 0.01);
+}
+
+// Lobes widen by the derivatives of normals that the host gives, or do not.
+TYPED_TEST_P(CarriedCases, CurvedPrimitivesWidenLobes) {
+    Shot shot{.triangles = randomTriangles({.triangles = 60}, 5), .change = addAmbient};
+    for (Triangle& t : shot.triangles)
+        t.material.normal = glm::vec4(planeNormal(t), 0.01f);
+    ViewSettings carried = carriedSettings();
+    const Shown flat = this->render(carried, shot);
+    carried.surface = "s.normalDx = vec3(0.2, 0.0, 0.1); s.normalDy = vec3(0.0, 0.4, 0.0);";
+    shot.material = "m.normalDx = vec3(0.2, 0.0, 0.1); m.normalDy = vec3(0.0, 0.4, 0.0);";
+    const Shown curved = this->render(carried, shot);
+    const Difference d = compare(curved.rgb, this->render(dcaaSettings(), shot).rgb);
+    std::printf("PSNR %.1f dB, %.1f dB to flat ones\n", d.psnr, compare(curved.rgb, flat.rgb).psnr);
+    EXPECT_GT(d.psnr, 100);
+    EXPECT_LT(compare(curved.rgb, flat.rgb).psnr, 60);
+}
+
+// The numbers that the host gives decide the order, and where they are the same, what fragments carry: the order of the draws
+// does not.
+TYPED_TEST_P(CarriedCases, NumbersThenContentDecideTheOrder) {
+    Shot shot{.triangles = tangle(400), .change = addAmbient}, reversed = shot;
+    std::reverse(reversed.triangles.begin(), reversed.triangles.end());
+    ViewSettings settings = carriedSettings(64, 2), turned = settings;
+    const Shown first = this->render(settings, shot);
+    EXPECT_NE(this->render(settings, reversed).rgb, first.rgb);
+    turned.surface = "s.primitive = 399u - s.primitive;";
+    EXPECT_EQ(this->render(turned, reversed).rgb, first.rgb);
+    settings.surface = "s.draw = s.primitive = 0u;";
+    const Shown equal = this->render(settings, shot);
+    EXPECT_NE(equal.rgb, first.rgb);
+    EXPECT_EQ(this->render(settings, reversed).rgb, equal.rgb);
+}
+
+// What is not finite, and surfaces at the far plane.
+TYPED_TEST_P(CarriedCases, WhatIsNotFiniteIsReplaced) {
+    ViewSettings settings = carriedSettings();
+    settings.surface = "s.diffuse.x = 0.0 / min(position.z * 0.0, 0.0); s.normalDx = vec3(s.diffuse.x);";
+    const Shot shot{.triangles = randomTriangles({.triangles = 40}, 9), .change = addAmbient};
+    const Shown shown = this->render(settings, shot);
+    EXPECT_EQ(nonFinite(shown.rgb), 0u);
+    EXPECT_EQ(shown.counters.sanitised, shown.counters.fragments);
+    ViewSettings flat = carriedSettings();
+    flat.projection = pixelOrthographic(48, 32, 10);
+    const Shown far = this->render(flat, {.triangles = rectangle(4, 4, 40, 28, 10, {})});
+    EXPECT_EQ(far.counters.visible, 0u);
+    EXPECT_GT(this->render(flat, {.triangles = rectangle(4, 4, 40, 28, 9.9f, {})}).counters.visible, 0u);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(CarriedCases, MergesAsFetchedFragments, MaterialsAreEvaluatedInTheMiddleOfWhatIsCovered,
+                            CurvedPrimitivesWidenLobes, NumbersThenContentDecideTheOrder, WhatIsNotFiniteIsReplaced);
+
+} // namespace agaa::test

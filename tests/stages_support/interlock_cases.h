@@ -1,0 +1,98 @@
+// Fragments that merge in the shader that draws them, beside lists of the same fragments. Software rasterisers draw the
+// fragments of a pixel in order, so that shaders without the interlock's words do there what they do on other devices with
+// them. Each graphics API instantiates these.
+#pragma once
+
+#include "carried_cases.h"
+
+#include "core/handles.h"
+
+namespace agaa::test {
+
+template <class Host>
+class InterlockCases : public testing::Test {
+protected:
+    InterlockCases() : hasInterlock(context.caps().flags & AGAA_DEVICE_FRAGMENT_INTERLOCK) {
+        context.get()->caps.flags |= AGAA_DEVICE_FRAGMENT_INTERLOCK;
+    }
+    Kept keep(const ViewSettings& settings, const Shot& shot) { return keepFrame<Host>(context, settings, shot); }
+
+    typename Host::Context context;
+    bool hasInterlock;
+};
+TYPED_TEST_SUITE_P(InterlockCases);
+
+inline void expectSameFrame(const Kept& got, const Kept& expected) {
+    for (size_t p = 0; p < expected.words.size(); ++p)
+        ASSERT_EQ(got.words[p], expected.words[p]) << p;
+    EXPECT_EQ(got.rgb, expected.rgb);
+    const AgaaCounters &a = expected.counters, &b = got.counters;
+    EXPECT_EQ(b.fragments, a.fragments);
+    EXPECT_EQ(b.mergedFirst, a.mergedFirst);
+    EXPECT_EQ(b.mergedSecond, a.mergedSecond);
+    EXPECT_EQ(b.discarded, a.discarded);
+    EXPECT_EQ(b.lostSamples, a.lostSamples);
+    EXPECT_EQ(b.shadingEvents, a.shadingEvents);
+    EXPECT_EQ(b.visible, a.visible);
+    EXPECT_EQ(b.sanitised, a.sanitised);
+}
+
+// Bit by bit, where numbers ascend with the draws.
+TYPED_TEST_P(InterlockCases, MergesAsLists) {
+    if (!(this->context.caps().flags & AGAA_DEVICE_SOFTWARE))
+        GTEST_SKIP() << "the device need not rasterise the fragments of a pixel in order";
+    struct Case {
+        uint32_t samples, surfaces, merge;
+        bool isTangle;
+        float masked;
+    };
+    for (const Case& c : {Case{64, 4, AGAA_MERGE_VISIBLE, true, 0}, {64, 2, AGAA_MERGE_PAPER, true, 0},
+                          {32, 8, AGAA_MERGE_VISIBLE, false, 0.5f}, {128, 1, AGAA_MERGE_NONE, true, 0}}) {
+        SCOPED_TRACE(c.samples);
+        const Shot shot{.triangles = c.isTangle ? tangle(400) : randomTriangles({.triangles = 200, .masked = c.masked}, 61),
+                        .change = addAmbient};
+        ViewSettings settings = carriedSettings(c.samples, c.surfaces);
+        settings.config.coverage.merge = c.merge;
+        settings.config.surfaceCosine = 0.9f;
+        const Kept lists = this->keep(settings, shot);
+        settings.config.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
+        const Kept merged = this->keep(settings, shot);
+        expectSameFrame(merged, lists);
+        EXPECT_GT(lists.counters.discarded + lists.counters.mergedFirst, c.isTangle ? 20u : 0u);
+        for (size_t p = 0; p < merged.lists.size(); ++p)
+            ASSERT_TRUE(merged.lists[p].empty()) << p;
+        std::printf("%u samples, %u surfaces: %llu + %llu merged, %llu discarded\n", c.samples, c.surfaces,
+                    (unsigned long long)merged.counters.mergedFirst, (unsigned long long)merged.counters.mergedSecond,
+                    (unsigned long long)merged.counters.discarded);
+    }
+}
+
+// It is that of the draws, whatever their numbers.
+TYPED_TEST_P(InterlockCases, DrawsDecideTheOrder) {
+    if (!(this->context.caps().flags & AGAA_DEVICE_SOFTWARE))
+        GTEST_SKIP() << "the device need not rasterise the fragments of a pixel in order";
+    const Shot shot{.triangles = tangle(400), .change = addAmbient};
+    ViewSettings settings = carriedSettings(64, 2);
+    settings.config.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
+    const Kept merged = this->keep(settings, shot);
+    settings.surface = "s.primitive = 399u - s.primitive;";
+    EXPECT_EQ(this->keep(settings, shot).words, merged.words);
+    settings.config.generationTier = AGAA_TIER_MATERIAL_LISTS;
+    EXPECT_NE(this->keep(settings, shot).words, merged.words);
+}
+
+TYPED_TEST_P(InterlockCases, IsRefusedWithoutTheFeatureAndForExactFrames) {
+    ViewSettings settings = carriedSettings();
+    settings.config.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
+    settings.config.coverage.flags = AGAA_COVERAGE_EXACT;
+    EXPECT_NE(expectRefused(this->context, settings, AGAA_ERROR_UNSUPPORTED, "exact").find("interlock"), std::string::npos);
+    settings.config.coverage.flags = 0;
+    if (this->hasInterlock)
+        return;
+    typename TypeParam::Context without;
+    EXPECT_NE(expectRefused(without, settings, AGAA_ERROR_UNSUPPORTED, "no interlock").find("no interlock"), std::string::npos);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(InterlockCases, MergesAsLists, DrawsDecideTheOrder, IsRefusedWithoutTheFeatureAndForExactFrames);
+
+} // namespace agaa::test
