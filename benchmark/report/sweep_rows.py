@@ -9,13 +9,13 @@ def name(row):
         text += f" {row['preset']}"
     elif row["c"]:
         text += f" {'S' if row['technique'] == 'sbaa' else 'c'}={row['c']}"
-    return text + {"gbuffer": " from a G-buffer", "ids": " by id"}.get(way(row), "")
+    return text + {"gbuffer": " from a G-buffer", "ids": " by id", "material-lists": " with its materials"}.get(way(row), "")
 
 
 def way(row):
-    """How an aggregating row comes by materials: "gbuffer", "ids", or None, by two passes."""
+    """How an aggregating row comes by materials: "gbuffer", "ids", "material-lists", or None, by the usual way."""
     tier = (row["tiers"] or {}).get("generation")
-    return tier if tier in ("gbuffer", "ids") else None
+    return tier if tier in ("gbuffer", "ids", "material-lists") else None
 
 
 def frame(row):
