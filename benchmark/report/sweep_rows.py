@@ -9,13 +9,14 @@ def name(row):
         text += f" {row['preset']}"
     elif row["c"]:
         text += f" {'S' if row['technique'] == 'sbaa' else 'c'}={row['c']}"
-    return text + {"gbuffer": " from a G-buffer", "ids": " by id", "fragments": " by fragments"}.get(way(row), "")
+    return text + {"gbuffer": " from a G-buffer", "ids": " by id", "fragments": " by fragments",
+                   "material-lists": " with its materials"}.get(way(row), "")
 
 
 def way(row):
-    """How an aggregating row comes by materials: "gbuffer", "ids", "fragments", or None, by two passes."""
+    """How a row comes by materials: "gbuffer", "ids", "fragments", "material-lists", or None, by the usual way."""
     tier = (row["tiers"] or {}).get("generation")
-    return tier if tier in ("gbuffer", "ids", "fragments") else None
+    return tier if tier in ("gbuffer", "ids", "fragments", "material-lists") else None
 
 
 def frame(row):

@@ -84,6 +84,7 @@ std::vector<SweepRow> sweepRows(bool quick) {
         rows.push_back({"dcaa", 64, 4, 1, AGAA_TIER_AUTO, preset});
     rows.push_back({"agaa", 64, 2, 1, AGAA_TIER_FRAGMENTS});
     rows.push_back({"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"});
+    rows.push_back({"dcaa", 64, 4, 1, AGAA_TIER_MATERIAL_LISTS});
     // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
     const auto addHeavier = [&](SweepRow row, std::initializer_list<uint32_t> costs) {
         for (uint32_t cost : costs) {

@@ -57,6 +57,14 @@ class Render(unittest.TestCase):
                 self.render(*fragments, "--view", view, "--exr", image, size="48x27")
                 self.assertGreater(harness.data("compare", image, plain)["mse"], 0)
 
+    def test_fragments_that_carry_materials(self):
+        images = []
+        for tier in ("lists", "material-lists"):
+            images.append(self.path(tier + ".exr"))
+            self.render(*options("dcaa"), "--tier", "generation=" + tier, "--fragments-per-pixel", "64", "--exr", images[-1],
+                        size="64x36")
+        self.assertGreater(harness.data("compare", *images)["psnr"], 50)
+
     def test_every_technique(self):
         for technique in ("single", "ssaa", "agaa", "dcaa"):
             with self.subTest(technique=technique):

@@ -111,8 +111,8 @@ TEST(CoveragePlan, InterlockCompiles) {
             HostDialect dialect;
             for (const bool openGl : {false, true}) {
                 dialect.openGl = openGl;
-                const std::string text = "#version 450\n" + hostExtensions(*pass, dialect) + "#define AGAA_ALPHA_MASKED " + masked +
-                                         "\n" + hostDeclarations(plan, *pass, dialect) +
+                const std::string text = "#version 450\n" + hostExtensions(*pass, dialect) + "#define AGAA_ALPHA_MASKED " +
+                                         masked + "\n" + hostDeclarations(plan, *pass, dialect) +
                                          "void main() {\n    AgaaSurfaceInput s = agaa_surfaceInput();\n    agaa_emit(s);\n}\n";
                 glslang::TShader shader(EShLangFragment);
                 const char* source = text.c_str();

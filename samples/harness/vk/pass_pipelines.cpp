@@ -35,7 +35,8 @@ void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& s
         program.layout = makeLayout(pass, materialLayout);
         ShaderModule& vertex = vertices_[size_t(cornerOutputs(pass))];
         if (!vertex) {
-            const std::string body = "#define FOR_CORNERS " + std::to_string(cornerOutputs(pass)) + "\n" + embedded::material_vert;
+            const std::string body =
+                "#define FOR_CORNERS " + std::to_string(cornerOutputs(pass)) + "\n" + embedded::material_vert;
             vertex = makeShader(*device_, ShaderStage::Vertex, vulkanText(body.c_str()), "material.vert");
         }
         program.vertex = &vertex;

@@ -8,6 +8,7 @@ namespace {
 
 // Whole frames against those by post-depth atomics: medians of the scenes of docs/results/lavapipe/sweep, n = 8, c = 2.
 constexpr float gbufferCost = 0.64f, idsCost = 0.61f;
+constexpr float materialListsCost = 1.15f; // against lists: foliage and metal, n = 64, S = 4, 320x180, lavapipe
 constexpr float perSampleCost = 2; // 376 against 183 ms: bamboo, n = 4, lavapipe
 
 constexpr const char* hostGBufferReason = "a G-buffer that the host draws leaves only the tier gbuffer.";
@@ -181,8 +182,9 @@ const GenerationTier fragmentsTier = {
     .offer = "with an AgaaFetchFunction, the fragments that show at coverage samples are clustered by a compute pass.",
     .answer = answerFragments};
 const GenerationTier materialListsTier = {
-    .tier = AGAA_TIER_MATERIAL_LISTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false, .hasCoverageSamples = true, .offer = nullptr, .answer = answerMaterialLists};
+    .tier = AGAA_TIER_MATERIAL_LISTS, .relativeCost = materialListsCost, .isAutomatic = true, .isModel = false,
+    .knowsMaterials = true, .countsPrimitives = false, .hasCoverageSamples = true, .offer = nullptr,
+    .answer = answerMaterialLists};
 // Not automatic: it was run on no device that orders fragments.
 const GenerationTier interlockTier = {
     .tier = AGAA_TIER_FRAGMENT_INTERLOCK, .relativeCost = 1, .isAutomatic = false, .isModel = false, .knowsMaterials = true,

@@ -168,7 +168,8 @@ void addOthers(Rows& rows) {
                         p.config.technique = "msaa";
                         p.chain(p.gbuffer);
                     }});
-    rows.push_back({"the tier FRAGMENT_LISTS without an AgaaFetchFunction", AGAA_ERROR_UNSUPPORTED, "AgaaFetchFunction", [](ViewParts& p) {
+    rows.push_back({"the tier FRAGMENT_LISTS without an AgaaFetchFunction", AGAA_ERROR_UNSUPPORTED, "AgaaFetchFunction",
+                    [](ViewParts& p) {
                         p.setTechnique("dcaa", 4);
                         p.config.generationTier = AGAA_TIER_FRAGMENT_LISTS;
                         p.desc.pNext = nullptr;

@@ -83,7 +83,10 @@ Image renderBatches(Rig& rig, uint32_t maxBatches, const std::string& what) {
 void testBatches(Test& test) {
     Image small;
     for (const uint32_t maxBatches : {1u, 4u}) {
-        Rig rig(test, withCoverage(AGAA_TIER_AUTO, [=](AgaaDecoupledCoverage& c) { c.fragmentsPerPixel = 1, c.maxBatches = maxBatches; }));
+        Rig rig(test, withCoverage(AGAA_TIER_AUTO, [=](AgaaDecoupledCoverage& c) {
+            c.fragmentsPerPixel = 1;
+            c.maxBatches = maxBatches;
+        }));
         const std::string what = "AgaaDecoupledCoverage::maxBatches = " + std::to_string(maxBatches);
         for (Vertex& vertex : rig.scene)
             vertex.isMasked = 0;
