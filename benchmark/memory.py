@@ -32,7 +32,8 @@ WAYS = [  # name, options
 
 COVERAGE = """
 `dcaa` keeps a record for each fragment, here for eight a pixel, and a few surfaces. Its paper counts 112 bytes per pixel
-for four surfaces with 64 samples, without the fragments, which it merges at once.
+for four surfaces with 64 samples, without the fragments, which it merges at once. `agaa` with the tier `fragments` keeps
+the fragments alone.
 
 The 640x360 view keeps, in bytes per pixel:
 """
@@ -42,7 +43,14 @@ COVERAGE_WAYS = [  # name, options, surface; None: all
     ("lists of fragments", ["--aggregates", "4"], "fragments"),
     ("`dcaa` S=4", ["--aggregates", "4"], None),
     ("`dcaa` S=4, layout `dcaa28`", ["--aggregates", "4", "--layout", "dcaa28"], None),
+    ("the same, fragments with materials",
+     ["--aggregates", "4", "--layout", "dcaa28", "--tier", "generation=material-lists"], None),
+    ("`agaa`, tier `fragments`", ["--technique", "agaa", "--tier", "generation=fragments"], None),
 ]
+
+
+def of_technique(options):
+    return options if "--technique" in options else ["--technique", "dcaa", *options]
 
 
 def part(memory, surface, pixels=640 * 360):
@@ -94,7 +102,7 @@ the paper counts eight bits.
     counts = ("32", "64", "128")
     print("| way | " + " | ".join(f"{n} samples" for n in counts) + " |\n|---|" + "---:|" * len(counts))
     for name, options, surface in COVERAGE_WAYS:
-        row = [report(arguments.harness, ["--technique", "dcaa", "--samples", n, *options]) for n in counts]
+        row = [report(arguments.harness, ["--samples", n, *of_technique(options)]) for n in counts]
         print(f"| {name} | " + " | ".join(f"{part(memory, surface):g}" for memory in row) + " |")
 
 
