@@ -11,7 +11,7 @@ WRONG = [
     ["render", "--bogus", "1"],
     ["memory", "--samples", "0"],
     ["memory", "--samples", "3"],
-    ["memory", "--samples", "64"],
+    ["memory", "--samples", "48"],
     ["memory", "--samples", "x"],
     ["memory", "--aggregates", "0"],
     ["memory", "--aggregates", "5"],
