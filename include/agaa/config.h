@@ -138,10 +138,10 @@ typedef enum AgaaTier {
     AGAA_TIER_FRAGMENTS = 22, /* "agaa" at 32, 64 or 128 coverage samples: the same lists; a compute pass clusters the
                                  fragments that show, and shades the aggregates (AgaaFetchFunction). AUTO selects it at 64
                                  and 128 */
-    AGAA_TIER_MATERIAL_LISTS = 23, /* the same with fragments that carry their materials, which the host's fragment shader
-                                      evaluates */
-    AGAA_TIER_FRAGMENT_INTERLOCK = 24, /* the same without lists: the host's fragment shader merges each fragment in the order
-                                          of the draws. AUTO does not select it */
+    AGAA_TIER_MATERIAL_LISTS = 23, /* "dcaa": FRAGMENT_LISTS with fragments that carry their materials. The host's fragment
+                                      shader evaluates them */
+    AGAA_TIER_FRAGMENT_INTERLOCK = 24, /* "dcaa": no lists. The host's fragment shader evaluates the materials and merges each
+                                          fragment, in the order of the draws. AUTO does not select it */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 
@@ -236,11 +236,13 @@ typedef enum AgaaMerge {
 /* Bits of AgaaDecoupledCoverage::flags. */
 #define AGAA_COVERAGE_EXACT UINT64_C(0x01) /* keep all fragments and shade those that show at a sample: the reference of the
                                               merging ways. AgaaConfig::aggregates is not used; maxBatches must be 1, otherwise
-                                              the view fails with AGAA_ERROR_UNSUPPORTED */
+                                              the view fails with AGAA_ERROR_UNSUPPORTED. With the tier MATERIAL_LISTS,
+                                              depth planes and materials are rounded as the layout stores them */
 
-/* How "dcaa" keeps and merges fragments. Chain it to AgaaConfig. "agaa" with the tier FRAGMENTS uses fragmentsPerPixel, and
- * maxBatches must be 1, otherwise the view fails with AGAA_ERROR_UNSUPPORTED. Others check the struct and do not use it. The
- * smallest cosine between normals that merge is AgaaConfig::surfaceCosine; 0 selects that of pi/16, as in the paper. */
+/* How "dcaa" keeps and merges fragments. Chain it to AgaaConfig. The tier FRAGMENT_INTERLOCK has no lists and uses neither
+ * fragmentsPerPixel nor maxBatches. "agaa" with the tier FRAGMENTS uses fragmentsPerPixel; if maxBatches is not 1, that view
+ * fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers check the struct and do not use it. The smallest cosine
+ * between normals that merge is AgaaConfig::surfaceCosine; 0 selects that of pi/16, as in the paper. */
 typedef struct AgaaDecoupledCoverage {
     uint32_t sType;
     uint32_t structSize;
@@ -292,7 +294,8 @@ typedef enum AgaaDebugView {
 #define AGAA_MEASURE_NO_DIFFUSE_FILTER UINT64_C(0x01) /* do not filter the diffuse term by the spread of normals */
 #define AGAA_MEASURE_NO_SHADOW_FILTER UINT64_C(0x02)  /* one shadow tap at the aggregate's mean position */
 #define AGAA_MEASURE_SHADOW_ALONG_DEPTH UINT64_C(0x04) /* AGAA 3.5.3: shadow taps along the view ray by the variance of
-                                                          depth, within the depths of the samples */
+                                                          depth, within the depths of the samples. The tier FRAGMENTS
+                                                          takes taps at samples instead */
 #define AGAA_MEASURE_NO_STENCIL UINT64_C(0x08) /* no stencil test. At equal depth, the result depends on the order of
                                                   fragments and is not repeatable */
 #define AGAA_MEASURE_FIRST_SAMPLE_ROUTING UINT64_C(0x10) /* AGAA algorithm 2, step 2 (c): a fragment goes to the aggregate of

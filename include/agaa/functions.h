@@ -53,7 +53,7 @@ AGAA_API void AGAA_CALL agaaInitGBufferFunction(AgaaGBufferFunction* outFunction
  * with depthCompare EQUAL) draws only them into a multisampled G-buffer. The number AGAA_UNFETCHED takes one id. At equal
  * depth the first draw is shown; without a stencil format or with AGAA_MEASURE_NO_STENCIL, the last unfetched draw. Excludes
  * AGAA_FACT_CUSTOM_DEPTH and the tiers FRAGMENT_LISTS and FRAGMENTS (AGAA_ERROR_UNSUPPORTED); "dcaa" then uses the tier
- * MATERIAL_LISTS, which fetches nothing. */
+ * MATERIAL_LISTS, which fetches nothing. In it, fragments of draws with AGAA_UNFETCHED merge last, ordered by content. */
 #define AGAA_FETCH_NOT_ALL_DRAWS UINT64_C(0x01)
 
 /* Materials by id, for "agaa" with the tier IDS or FRAGMENTS and for "dcaa" with the tier FRAGMENT_LISTS, which AUTO then

@@ -38,7 +38,7 @@ typedef struct AgaaCounters {
     uint64_t misplaced;     /* fragments of the first geometry pass that do not lie where the camera places them; slivers
                                cause a few, because their positions extrapolate */
     uint64_t unannounced;   /* tier IDS: fragments whose draw or primitive exceeds the limits of AgaaFetchFunction */
-    /* "dcaa" (DCAA section 3) */
+    /* "dcaa" (DCAA section 3); of the tier FRAGMENTS fragments and lostFragments */
     uint64_t fragments;     /* primitives that cover a sample of a pixel, also those for which the lists had no room */
     uint64_t mergedFirst;   /* fragments merged into a surface of like normal whose depths overlap */
     uint64_t mergedSecond;  /* discarded surfaces, fragments included, that another one took samples of */

@@ -64,13 +64,14 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
     const bool knowsMaterials = generation_ && generation_->knowsMaterials;
     const bool buffered = config.flags & AGAA_CONFIG_BUFFERED;
     require(plan.aggregation.glossWeight == 0 || knowsMaterials, AGAA_ERROR_UNSUPPORTED,
-            "AgaaAggregation::glossWeight needs the tier ids, fragments or gbuffer, which know materials when they group samples.");
+            "AgaaAggregation::glossWeight needs the tier ids, fragments or gbuffer, which know materials when they group "
+            "samples.");
     require(plan.aggregation.litShadows == 0 || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaAggregation::litShadows needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED, which know materials "
-            "and shadows in one pass.");
+            "AgaaAggregation::litShadows needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED, which know "
+            "materials and shadows in one pass.");
     require(config.ndf <= AGAA_NDF_TOKSVIG || (knowsMaterials && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaConfig::ndf needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic lobes, whose "
-            "spread is not kept in memory.");
+            "AgaaConfig::ndf needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic lobes, "
+            "whose spread is not kept in memory.");
     const uint32_t view = plan.measurement.debugView;
     const bool ofAggregates = view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_CLUSTERS ||
                               view == AGAA_DEBUG_VIEW_WIDENED;
@@ -80,15 +81,16 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
             "AgaaMeasurement::debugView shows widened lobes, which a layout with folded roughness cannot tell.");
     const bool countsPrimitives = generation_ && generation_->countsPrimitives;
     require(view != AGAA_DEBUG_VIEW_PRIMITIVES || (countsPrimitives && !buffered), AGAA_ERROR_UNSUPPORTED,
-            "AgaaMeasurement::debugView shows primitives, which only the tiers fragments, and ids without AGAA_CONFIG_BUFFERED, count.");
+            "AgaaMeasurement::debugView shows primitives, which only the tiers fragments, and ids without "
+            "AGAA_CONFIG_BUFFERED, count.");
 }
 
 void PlanBuilder::chooseVisibilityTier(const Technique& technique) {
     if (technique.countsCoverage(plan.config.generationTier, plan.samples)) {
         const uint32_t forced = plan.config.visibilityTier;
         if (forced != AGAA_TIER_AUTO && forced != AGAA_TIER_NATIVE)
-            fail(AGAA_ERROR_UNSUPPORTED, format("visibility cannot run: \"%s\" finds coverage by itself, so that the tier %s "
-                                                "is not for it.", technique.name, agaaTierName(forced)));
+            fail(AGAA_ERROR_UNSUPPORTED, format("visibility cannot run: coverage samples of \"%s\" are found by edges, so that "
+                                                "the tier %s is not for them.", technique.name, agaaTierName(forced)));
         plan.visibilityTier = AGAA_TIER_NATIVE;
         note("visibility: " + coverageByEdges(plan.samples).reason);
         return;

@@ -66,9 +66,11 @@ static uint32_t checkSamples(uint32_t samples, const Technique& technique, uint3
         checkSampleCount(samples, "AgaaConfig::samples");
         return std::min(samples, technique.maxSamples);
     }
+    const bool isEither = generationTier == AGAA_TIER_AUTO && technique.maxSamples > 0;
     if (samples != 32 && samples != 64 && samples != 128)
-        fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaConfig::samples is %u; \"%s\" takes 32, 64 or 128 coverage samples.",
-                                             samples, technique.name));
+        fail(AGAA_ERROR_OUT_OF_RANGE,
+             format("AgaaConfig::samples is %u; \"%s\" takes %s32, 64 or 128 coverage samples.", samples, technique.name,
+                    isEither ? "1, 2, 4, 8, 16 or 32 samples, or " : ""));
     return samples;
 }
 

@@ -245,9 +245,10 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
                                          text.c_str(), {}};
         vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
     }
+    barriers->usePass(pass);
+    // After the pass's own use, so that what is recorded next waits for the read of the condition, too.
     if (isConditional(step))
         barriers->use(step.goesOn, vkAccess(plan, {step.goesOn, Use::Condition, false}));
-    barriers->usePass(pass);
     const Resource* output = nullptr; // where the pass uses it
     for (const Binding& binding : pass.bindings)
         if (plan.resources[binding.resource].kind == ResourceKind::Output)

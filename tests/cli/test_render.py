@@ -185,6 +185,10 @@ class Render(unittest.TestCase):
             self.assertAlmostEqual(fitted["fragmentsPerPixel"], 1.125 * fixed["counters"]["fragments"] / (160 * 90), 4)
             self.assertEqual(fitted["memoryBytes"] < fixed["memoryBytes"], fixed is sparse)
             self.assertEqual(fitted["fragmentsPerPixel"] < 8, fixed is sparse)
+        clustered = self.render("--technique", "agaa", "--samples", "64", "--fragments-per-pixel", "auto", "--frames", "1",
+                                "--no-timestamps", size="160x90", scene="foliage")
+        self.assertEqual(clustered["counters"]["lostFragments"], 0)
+        self.assertEqual(clustered["fragmentsPerPixel"], lists("foliage", "auto")["fragmentsPerPixel"])
 
     def test_caps(self):
         data = harness.data("caps", "--backend", self.backend)

@@ -116,7 +116,31 @@ TYPED_TEST_P(CarriedCases, WhatIsNotFiniteIsReplaced) {
     EXPECT_GT(this->render(flat, {.triangles = rectangle(4, 4, 40, 28, 9.9f, {})}).counters.visible, 0u);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(CarriedCases, MergesAsFetchedFragments, MaterialsAreEvaluatedInTheMiddleOfWhatIsCovered,
+// Fragments at the far plane ask for no room, and each one is counted in one draw alone.
+TYPED_TEST_P(CarriedCases, BatchesAreForFragmentsInLists) {
+    ViewSettings settings = carriedSettings();
+    settings.width = 322;
+    settings.height = 242;
+    settings.projection = pixelOrthographic(322, 242, 10);
+    settings.surface = "s.diffuse.x = 0.0 / min(position.z * 0.0, 0.0);";
+    settings.config.coverage.fragmentsPerPixel = 1;
+    settings.config.coverage.maxBatches = 8;
+    Shot shot{.triangles = rectangle(0, 0, 322, 242, 10, {})};
+    for (const Triangle& t : rectangle(2, 2, 300, 240, 5, {}))
+        shot.triangles.push_back(t);
+    const Shown one = this->render(settings, shot);
+    EXPECT_EQ(one.counters.batches, 1u) << "the far rectangle is in no list";
+    EXPECT_EQ(one.counters.sanitised, one.counters.fragments);
+    for (const Triangle& t : rectangle(2, 2, 300, 240, 4, {}))
+        shot.triangles.push_back(t);
+    const Shown several = this->render(settings, shot);
+    EXPECT_GE(several.counters.batches, 3u);
+    EXPECT_EQ(several.counters.lostFragments, 0u);
+    EXPECT_EQ(several.counters.fragments, 2 * one.counters.fragments);
+    EXPECT_EQ(several.counters.sanitised, several.counters.fragments);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(CarriedCases, BatchesAreForFragmentsInLists, MergesAsFetchedFragments, MaterialsAreEvaluatedInTheMiddleOfWhatIsCovered,
                             CurvedPrimitivesWidenLobes, NumbersThenContentDecideTheOrder, WhatIsNotFiniteIsReplaced);
 
 } // namespace agaa::test

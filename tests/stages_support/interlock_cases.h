@@ -39,7 +39,7 @@ inline void expectSameFrame(const Kept& got, const Kept& expected) {
 
 // Bit by bit, where numbers ascend with the draws.
 TYPED_TEST_P(InterlockCases, MergesAsLists) {
-    if (!(this->context.caps().flags & AGAA_DEVICE_SOFTWARE))
+    if (!this->hasInterlock && !(this->context.caps().flags & AGAA_DEVICE_SOFTWARE))
         GTEST_SKIP() << "the device need not rasterise the fragments of a pixel in order";
     struct Case {
         uint32_t samples, surfaces, merge;
@@ -52,6 +52,7 @@ TYPED_TEST_P(InterlockCases, MergesAsLists) {
         const Shot shot{.triangles = c.isTangle ? tangle(400) : randomTriangles({.triangles = 200, .masked = c.masked}, 61),
                         .change = addAmbient};
         ViewSettings settings = carriedSettings(c.samples, c.surfaces);
+        settings.hasInterlock = this->hasInterlock;
         settings.config.coverage.merge = c.merge;
         settings.config.surfaceCosine = 0.9f;
         const Kept lists = this->keep(settings, shot);
@@ -69,10 +70,11 @@ TYPED_TEST_P(InterlockCases, MergesAsLists) {
 
 // It is that of the draws, whatever their numbers.
 TYPED_TEST_P(InterlockCases, DrawsDecideTheOrder) {
-    if (!(this->context.caps().flags & AGAA_DEVICE_SOFTWARE))
+    if (!this->hasInterlock && !(this->context.caps().flags & AGAA_DEVICE_SOFTWARE))
         GTEST_SKIP() << "the device need not rasterise the fragments of a pixel in order";
     const Shot shot{.triangles = tangle(400), .change = addAmbient};
     ViewSettings settings = carriedSettings(64, 2);
+    settings.hasInterlock = this->hasInterlock;
     settings.config.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
     const Kept merged = this->keep(settings, shot);
     settings.surface = "s.primitive = 399u - s.primitive;";

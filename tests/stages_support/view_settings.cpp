@@ -68,7 +68,9 @@ glm::mat4 clipMatrix(const ViewSettings& settings, uint32_t pass) {
     return clip;
 }
 
-std::string rasterisedInOrder(std::string text) {
+std::string rasterisedInOrder(const ViewSettings& settings, std::string text) {
+    if (settings.hasInterlock)
+        return text;
     const auto erase = [&](std::string_view part) {
         const size_t at = text.find(part);
         if (at != std::string::npos)

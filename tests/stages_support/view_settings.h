@@ -58,6 +58,7 @@ struct ViewSettings {
         return config.generationTier == AGAA_TIER_IDS || config.generationTier == AGAA_TIER_FRAGMENT_LISTS ||
                config.generationTier == AGAA_TIER_FRAGMENTS;
     }
+    bool hasInterlock = false; // the words of the tier interlock stay in shaders
     uint32_t instances = 1; // each shifted by instanceStep against the one before, and a draw of its own
 };
 constexpr uint32_t drawNumber = 5; // of the first instance of all triangles
@@ -88,7 +89,7 @@ AgaaDrawState drawState(const ViewSettings& settings, const AgaaDrawState& wante
 glm::mat4 clipMatrix(const ViewSettings& settings, uint32_t pass);
 // The text of a shader without interlock, for devices that rasterise the fragments of a pixel in order. Other text is not
 // changed.
-std::string rasterisedInOrder(std::string text);
+std::string rasterisedInOrder(const ViewSettings& settings, std::string text);
 // Defines for the material shader.
 std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMasked);
 

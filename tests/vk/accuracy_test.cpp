@@ -144,8 +144,8 @@ TEST(FragmentsAtCoverageSamples, ErrLessThanEightShadedSamples) {
         s.config.generationTier = AGAA_TIER_FRAGMENTS;
         s.config.coverage.fragmentsPerPixel = 64;
         const double fragments = error();
-        std::printf("%s: mseTm of fragments %.3g, %.2f of ssaa 8, whose reference has %.3g\n", name, fragments, fragments / eight,
-                    truth.splitHalfMseTm);
+        std::printf("%s: mseTm of fragments %.3g, %.2f of ssaa 8, whose reference has %.3g\n", name, fragments,
+                    fragments / eight, truth.splitHalfMseTm);
         EXPECT_LE(fragments, 0.6 * eight);
         EXPECT_TRUE(sharedRenderer().takeMessages().empty());
     }

@@ -220,7 +220,7 @@ void VulkanApi::createDevice(const Functions& sdk, bool withOptions) {
     vkGetDeviceQueue(device, queueFamily, 0, &queue);
 }
 
-// Dynamic and conditional rendering, the former by whichever of both ways the device has, and the extensions.
+// Dynamic and conditional rendering and the interlock of fragment shaders, the first by whichever of both ways the device has, and the extensions.
 void VulkanApi::enableOptions(const AgaaVkRequirements& requirements) {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physicalDevice, &properties);
@@ -243,16 +243,21 @@ void VulkanApi::enableOptions(const AgaaVkRequirements& requirements) {
         features13.dynamicRendering = VK_TRUE;
         enabledFeatures.pNext = &features13;
     }
-    if (!hasDeviceExtension(physicalDevice, VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME))
-        return;
+    const auto enableWhatIsThere = [this](const char* extension, auto& features) {
+        if (!hasDeviceExtension(physicalDevice, extension))
+            return;
+        VkPhysicalDeviceFeatures2 has{};
+        has.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+        has.pNext = &features;
+        vkGetPhysicalDeviceFeatures2(physicalDevice, &has);
+        features.pNext = enabledFeatures.pNext;
+        enabledFeatures.pNext = &features;
+    };
     conditionalRendering.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT;
-    VkPhysicalDeviceFeatures2 has{};
-    has.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    has.pNext = &conditionalRendering;
-    vkGetPhysicalDeviceFeatures2(physicalDevice, &has);
+    enableWhatIsThere(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME, conditionalRendering);
     conditionalRendering.inheritedConditionalRendering = VK_FALSE;
-    conditionalRendering.pNext = enabledFeatures.pNext;
-    enabledFeatures.pNext = &conditionalRendering;
+    interlock.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADER_INTERLOCK_FEATURES_EXT;
+    enableWhatIsThere(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME, interlock);
 }
 
 } // namespace agaa::conformance

@@ -41,6 +41,7 @@ public:
     VkPhysicalDeviceVulkan13Features features13{};             // chained if it is used
     VkPhysicalDeviceDynamicRenderingFeatures dynamicRendering{}; // chained if it is used
     VkPhysicalDeviceConditionalRenderingFeaturesEXT conditionalRendering{}; // chained if it is used
+    VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock{};         // chained if it is used
     std::vector<const char*> enabledExtensions;
     std::string deviceName, driverName;
     Messages messages;

@@ -204,7 +204,7 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     if (!arguments.exr.empty())
         writeExr(arguments.exr, m.plain.image);
     json out = resultJson(m, arguments, *renderer, configuration.size);
-    if (arguments.plan.technique == "dcaa")
+    if (settings.config.keepsLists())
         out["fragmentsPerPixel"] = settings.config.coverage.fragmentsPerPixel;
     if (asJson) {
         std::cout << out.dump(2) << '\n';

@@ -36,7 +36,7 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--threshold", a.threshold, "t: least distance between aggregates");
     app.add_option("--surface", a.surface, "one surface: least cosine, widths of a pixel, material; 0: default");
     app.add_option("--merge", a.merge, "dcaa: what a discarded surface gives to another, visible, paper or none");
-    app.add_option("--fragments-per-pixel", a.fragmentsPerPixel, "dcaa: that the lists have room for; auto: as a frame needs");
+    app.add_option("--fragments-per-pixel", a.fragmentsPerPixel, "that lists of fragments have room for; auto: as a frame needs");
     app.add_option("--max-batches", a.maxBatches, "dcaa: draws of the scene where the lists have too little room");
     app.add_flag("--exact", a.exact, "dcaa: keep and shade all fragments that show");
     app.add_option("--gloss-weight", a.glossWeight, "agaa by id or from a G-buffer: of shading normals");

@@ -1,7 +1,6 @@
 #include "render/fragment_room.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace harness {
 
@@ -11,7 +10,7 @@ float roomForFragments(uint64_t fragments, uint32_t width, uint32_t height) {
 }
 
 void fitFragmentRoom(Renderer& renderer, RenderSettings& settings) {
-    if (std::string_view(settings.config.technique) != "dcaa")
+    if (!settings.config.keepsLists())
         return;
     RenderSettings counting = settings;
     counting.config.flags |= AGAA_CONFIG_COUNTERS;

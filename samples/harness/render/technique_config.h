@@ -31,6 +31,8 @@ struct TechniqueConfig : AgaaConfig {
         const std::string_view name = technique;
         return name == "dcaa" || (name == "agaa" && (generationTier == AGAA_TIER_FRAGMENTS || samples > 32));
     }
+    // Whether views keep fragments in lists.
+    bool keepsLists() const { return coversByEdges() && generationTier != AGAA_TIER_FRAGMENT_INTERLOCK; }
     // Whether views need an AgaaFetchFunction, or AUTO prefers one.
     bool fetches() const {
         return generationTier == AGAA_TIER_IDS || generationTier == AGAA_TIER_FRAGMENT_LISTS ||

@@ -161,16 +161,19 @@ const GenerationTier idsTier = {
     .answer = answerIds};
 const GenerationTier postDepthTier = {
     .tier = AGAA_TIER_POST_DEPTH_ATOMICS, .relativeCost = 1, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr, .answer = answerPostDepth};
+    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr,
+    .answer = answerPostDepth};
 const GenerationTier perSampleTier = {
     .tier = AGAA_TIER_PER_SAMPLE, .relativeCost = perSampleCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr, .answer = answerPerSample};
+    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr,
+    .answer = answerPerSample};
 const GenerationTier gbufferTier = {
     .tier = AGAA_TIER_GBUFFER, .relativeCost = gbufferCost, .isAutomatic = true, .isModel = false,
     .knowsMaterials = true, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr, .answer = answerGBuffer};
 const GenerationTier mixedSamplesTier = {
     .tier = AGAA_TIER_NV_MIXED_SAMPLES, .relativeCost = 1, .isAutomatic = false, .isModel = true,
-    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr, .answer = answerMixedSamples};
+    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr,
+    .answer = answerMixedSamples};
 const GenerationTier fragmentListsTier = {
     .tier = AGAA_TIER_FRAGMENT_LISTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
     .countsPrimitives = false, .hasCoverageSamples = true,

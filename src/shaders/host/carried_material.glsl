@@ -7,15 +7,16 @@
 #include "passes/packing.glsl"
 
 uint agaa_carried[AGAA_CARRIED_WORDS]; // by agaa_carry()
+uint agaa_wasSanitised = 0u;
 
 // False where the triangle is at the far plane, which is background.
+// agaa_wasSanitised: a member was not finite or beyond its range.
 bool agaa_carry(AgaaSurfaceInput s, uvec4 mask) {
     agaa_DepthPlane plane = agaa_depthPlane(agaa_corner0.xyz, agaa_corner1.xyz, agaa_corner2.xyz,
                                             vec3(agaa_corner0.w, agaa_corner1.w, agaa_corner2.w), gl_FragCoord.xy);
     vec3 kept = agaa_growingDepth(plane);
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE) | agaa_sanitiseNormalChange(s.normalDx, s.normalDy);
-    if (bad != 0u)
-        agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
+    agaa_wasSanitised = bad;
     s.alpha2 = agaa_widenedByCurvature(s.alpha2, s.normalDx, s.normalDy, mask);
     agaa_packSurface(agaa_storedInput(s));
     agaa_carried[0] = floatBitsToUint(kept.x);

@@ -27,6 +27,10 @@ void agaa_emit(AgaaSurfaceInput s) {
     uvec2 pixel = agaa_hostPixel();
     uvec2 size = agaa_frame.size.xy;
     bool isFirstDraw = true;
+#if AGAA_NEEDS_MATERIAL
+    if (!agaa_carry(s, mask))
+        return;
+#endif
 #if AGAA_HAS_BATCHES
     uint batch = agaa_readFragments(AGAA_LIST_BATCH);
     isFirstDraw = batch == 0u;
@@ -35,14 +39,14 @@ void agaa_emit(AgaaSurfaceInput s) {
     else if (agaa_readFragments(agaa_tileOf(pixel, size)) != batch)
         return;
 #endif
-#if AGAA_NEEDS_MATERIAL
-    if (!agaa_carry(s, mask))
-        return;
-#endif
     uint place = agaa_addToFragments(AGAA_LIST_COUNT, 1u);
     uint id = agaa_orderOfInput(s);
     if (isFirstDraw)
         agaa_countFragment(AGAA_COUNT_FRAGMENTS, 1u);
+#if AGAA_NEEDS_MATERIAL
+    if (isFirstDraw && agaa_wasSanitised != 0u)
+        agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
+#endif
     if (place >= agaa_fragmentRoom()) {
         // After the first of several draws there is room in another.
         if (AGAA_HAS_BATCHES == 0 || !isFirstDraw)

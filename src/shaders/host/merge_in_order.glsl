@@ -33,6 +33,7 @@ void agaa_prepareMerge(AgaaSurfaceInput s) {
         return;
     agaa_merges = agaa_carry(s, mask);
     agaa_count(AGAA_COUNT_FRAGMENTS, agaa_merges ? 1u : 0u);
+    agaa_count(AGAA_COUNT_SANITISED, agaa_merges ? agaa_wasSanitised : 0u);
 }
 
 void agaa_loadSurfaces(uvec2 pixel) {

@@ -4,7 +4,7 @@
 // aggregate only farther than t from every earlier seed, ties broken by content, averages in
 // integers; hard cases 10, 18, 20 to 24, 29 and 30.
 //
-// The including file defines AGAA_MAX_SAMPLES (at most 32) and fills the inputs by agaa_setSample. The
+// The including file defines AGAA_MAX_SAMPLES (32 are clustered at most) and fills the inputs by agaa_setSample. The
 // arrays are globals in GLSL and members of a struct in C++. Nothing here depends on the order of
 // the samples except the names of samples that are equal in content. Loops over samples, of which there
 // are one or more, are tested at their end: software rasterisers run what follows a test once more.

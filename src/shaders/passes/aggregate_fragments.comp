@@ -113,9 +113,9 @@ vec3 agaa_planeAt(uint head, uint sampleOf) {
     vec3 plane = vec3(0.0);
     for (uint fragment = head; fragment != 0u;) {
         uint record = agaa_record(fragment);
-        if ((agaa_maskOf(record)[sampleOf / 32u] >> (sampleOf & 31u) & 1u) != 0u)
-            plane = agaa_keptPlane(record);
-        fragment = agaa_nextOf(record);
+        bool isFound = (agaa_maskOf(record)[sampleOf / 32u] >> (sampleOf & 31u) & 1u) != 0u;
+        plane = isFound ? agaa_keptPlane(record) : plane;
+        fragment = isFound ? 0u : agaa_nextOf(record);
     }
     return plane;
 }

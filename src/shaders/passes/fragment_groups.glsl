@@ -72,8 +72,8 @@ uint agaa_countShown(uint head, uint least) {
 
 // Adds the fragments that show at most samples, of equals the first, up to agaa_mostClustered. Returns their number.
 uint agaa_addLargest(inout agaa_PixelSamples samples, uvec2 pixel, uint head, uint shown) {
-    uint enough = 1u; // fragments of so many samples find room, all of them
-    while (enough < 5u && shown > agaa_mostClustered) {
+    uint enough = 1u; // fragments of so many samples find room, all of them: 32 have 4 each of 128 at most
+    while (enough < 4u && shown > agaa_mostClustered) {
         ++enough;
         shown = agaa_countShown(head, enough);
     }

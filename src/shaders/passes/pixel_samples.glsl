@@ -32,7 +32,7 @@ agaa_PixelSamples agaa_withDistance(agaa_PixelSamples samples) {
 // One more sample, i, that shows geometry. quantum: a step of its depth; place: in the pixel; code: equal for equal normals.
 void agaa_addPlaced(inout agaa_PixelSamples samples, uint i, vec3 position, float depth, float quantum, vec2 place, vec3 normal,
                     uint code) {
-    samples.covered |= 1u << i;
+    samples.covered |= 1u << (i & 31u);
     float depthStep = agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x, agaa_frame.projection1.y,
                                         agaa_isOrthographic(), quantum);
     uvec2 key = uvec2(place * 128.0);

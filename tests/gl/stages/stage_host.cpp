@@ -202,8 +202,8 @@ StageView::~StageView() {
 Program StageView::program(const AgaaDrawPass& pass, bool isMasked) const {
     const std::string version = versionLine(glslVersion(gl_)), defines = shaderDefines(settings_, pass.pass, isMasked);
     return Program(gl_, version + defines + vertexText,
-                   rasterisedInOrder(version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText), pass.name,
-                   pass.glslGeometry ? rasterisedInOrder(version + pass.glslExtensions + pass.glslGeometry +
+                   rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText), pass.name,
+                   pass.glslGeometry ? rasterisedInOrder(settings_, version + pass.glslExtensions + pass.glslGeometry +
                                                          (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText))
                                      : "");
 }

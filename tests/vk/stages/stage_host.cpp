@@ -259,14 +259,14 @@ void StageView::makePipelines() {
         made.layout = make<PipelineLayout>(device.get(), vkCreatePipelineLayout, layout, "create a pipeline layout");
         for (int masked : {0, 1}) {
             const std::string text =
-                rasterisedInOrder(std::string("#version 450\n") + pass.glslExtensions +
+                rasterisedInOrder(settings_, std::string("#version 450\n") + pass.glslExtensions +
                                   shaderDefines(settings_, pass.pass, masked != 0) + pass.glslDeclarations + fragmentText);
             made.fragments[masked] = makeShader(device, ShaderStage::Fragment, text, pass.name);
             PipelineState state(pass, masked != 0);
             state.vertexLocations = 0;
             if (pass.glslGeometry && !made.geometry)
                 made.geometry = makeShader(device, ShaderStage::Geometry,
-                                           rasterisedInOrder(std::string("#version 450\n") + pass.glslExtensions +
+                                           rasterisedInOrder(settings_, std::string("#version 450\n") + pass.glslExtensions +
                                                              pass.glslGeometry +
                                                              (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText)),
                                            pass.name);

@@ -105,7 +105,8 @@ const std::vector<Change>& extremes() {
         [](ViewParts& p) { p.measurement.shadingCost = 64, p.config.shadowTaps = 32, p.config.ndf = AGAA_NDF_SGGX; },
         [](ViewParts& p) { p.caps.flags = 0, p.config.flags = 0; },
         [](ViewParts& p) {
-            p.caps.flags = idealDeviceFlags | AGAA_DEVICE_NO_ALIASING | AGAA_DEVICE_SOFTWARE | AGAA_DEVICE_CONDITIONAL_RENDERING;
+            p.caps.flags =
+                idealDeviceFlags | AGAA_DEVICE_NO_ALIASING | AGAA_DEVICE_SOFTWARE | AGAA_DEVICE_CONDITIONAL_RENDERING;
         },
         [](ViewParts& p) { p.caps.sampleCounts = 0xFFFFFFFF, p.caps.maxSharedBytes = 0xFFFFFFFF; },
         [](ViewParts& p) { p.caps.sampleCounts = 0, p.caps.maxImageSize = 0, p.caps.maxStorageRange = 0; },

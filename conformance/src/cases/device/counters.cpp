@@ -97,7 +97,8 @@ void expectEmpty(Rig& rig, const std::string& technique) {
     rig.render();
     AgaaCounters c = rig.counters();
     const AgaaCounters none = {};
-    rig.test.check(c.batches == (technique == "dcaa"), "AgaaCounters::batches of an empty frame is " + std::to_string(c.batches) + ".");
+    rig.test.check(c.batches == (technique == "dcaa"),
+                   "AgaaCounters::batches of an empty frame is " + std::to_string(c.batches) + ".");
     c.batches = 0; // the scene is drawn, though it is empty
     rig.test.check(!std::memcmp(&c, &none, sizeof c), "a counter of an empty frame is not 0 (\"" + technique + "\").");
 }

@@ -166,7 +166,8 @@ void testConditionalRendering(Test& test) {
         VkPhysicalDeviceFeatures2 features =
             *static_cast<const VkPhysicalDeviceFeatures2*>(device->description().vk.enabledFeatures);
         features.pNext = nullptr;
-        const auto inBatches = withCoverage(AGAA_TIER_AUTO, [](AgaaDecoupledCoverage& c) { c.fragmentsPerPixel = 1, c.maxBatches = 8; });
+        const auto inBatches = withCoverage(
+            AGAA_TIER_AUTO, [](AgaaDecoupledCoverage& c) { c.fragmentsPerPixel = 1, c.maxBatches = 8; });
         Rig all(inner, inBatches, [&](ContextDescription& d) { d.vk.enabledFeatures = &features; }), needed(inner, inBatches);
         if (!skipsBatches(inner, needed.context.get()))
             test.skip("the device has no VK_EXT_conditional_rendering.");
