@@ -179,8 +179,8 @@ TYPED_TEST_P(PlanCases, AWordEndsGroups) {
     for (const std::vector<float>& image : images) {
         EXPECT_EQ(image[0], float(drawn));
         EXPECT_EQ(image[1], float(drawn));
-        EXPECT_GE(image[2], 3.0f);
-        EXPECT_LE(image[2], 6.0f);
+        // The last pass writes the word, so devices never skip it.
+        EXPECT_EQ(image[2], TypeParam::endsRepetitions ? 3.0f : 6.0f);
     }
 }
 

@@ -39,6 +39,7 @@ struct VulkanHost {
     template <class Change>
     static HostOptions changed(const Change& change) { return {.change = change}; }
     // Whether turns of a group that have nothing to do are skipped.
+    static constexpr bool endsRepetitions = false;
     static bool skips(const Context& context) {
         AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
         EXPECT_EQ(agaaVkGetContextCaps(context.get(), &caps), AGAA_OK);
@@ -69,6 +70,7 @@ struct RenderPassContext : StageContext {
 struct VulkanRenderPassHost {
     using Context = RenderPassContext;
     using View = StageView;
+    static constexpr bool endsRepetitions = false;
     static bool skips(const Context& context) { return VulkanHost::skips(context); }
     static std::vector<float> rgba(const View& view) { return VulkanHost::rgba(view); }
 };
@@ -80,6 +82,7 @@ struct UnconditionalContext : StageContext {
 struct VulkanUnconditionalHost {
     using Context = UnconditionalContext;
     using View = StageView;
+    static constexpr bool endsRepetitions = false;
     static bool skips(const Context& context) { return VulkanHost::skips(context); }
     static std::vector<float> rgba(const View& view) { return VulkanHost::rgba(view); }
 };
