@@ -374,6 +374,10 @@ AGAA_API void AGAA_CALL agaaInitSceneFacts(AgaaSceneFacts* outFacts, size_t stru
 /* OpenGL: the rasteriser maps z/w in [-1, 1] to depth, which is its default. Without the flag it maps z/w in [0, 1]. The
  * near and far planes of AgaaFrame::projection lie at the ends of that range. Vulkan: AGAA_ERROR_UNSUPPORTED. */
 #define AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE UINT64_C(0x04)
+/* The host's vertex shaders expand triangles in the pass FRAGMENTS (AgaaDrawState::vertexPulling), so that "dcaa" and the tier
+ * FRAGMENTS of "agaa" need no geometry shaders. Without the flag geometry shaders expand them, and a device without
+ * AGAA_DEVICE_GEOMETRY_SHADERS fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers do not use the flag. */
+#define AGAA_VIEW_VERTEX_PULLING UINT64_C(0x08)
 
 /* A view. An AgaaGBufferFunction or AgaaFetchFunction, and an AgaaShadowFunction, may be chained (agaa/functions.h). */
 typedef struct AgaaViewDesc {

@@ -17,7 +17,8 @@ typedef enum AgaaDrawPassId {
     AGAA_DRAW_PASS_GBUFFER = 3,    /* materials into a multisampled G-buffer */
     AGAA_DRAW_PASS_FORWARD = 4,    /* materials, shaded in the fragment shader, into a multisampled colour target */
     AGAA_DRAW_PASS_FRAGMENTS = 5,  /* coverage and ids of all fragments, appended to lists; neither depth nor colour. Needs a
-                                      geometry shader (AgaaDrawPass::glslGeometry) */
+                                      geometry shader (AgaaDrawPass::glslGeometry) or, with AGAA_VIEW_VERTEX_PULLING, a
+                                      vertex shader that expands triangles (AgaaDrawPass::glslVertex) */
     AGAA_DRAW_PASS_MAX_ENUM = 0x7FFFFFFF
 } AgaaDrawPassId;
 
@@ -55,7 +56,9 @@ typedef struct AgaaDrawState {
                                 the destination factor ONE and the operation ADD; a sample keeps its first fragment */
     uint32_t conservative;   /* 1: overestimating conservative rasterisation, which gives a fragment to each pixel that a
                                 triangle touches (VK_EXT_conservative_rasterization, GL_NV_conservative_raster) */
-    uint32_t reserved[6];    /* 0 */
+    uint32_t vertexPulling;  /* 1: the pipeline has no geometry shader. Its vertex shader has AgaaDrawPass::glslVertex, fetches
+                                the vertices of each triangle from buffers, and draws the triangle as a strip of 8 vertices */
+    uint32_t reserved[5];    /* 0 */
 } AgaaDrawState;
 
 /* A draw pass of a view, known before anything is recorded. Chain an AgaaVkDrawPass or an AgaaGlDrawPass to receive
@@ -81,10 +84,13 @@ typedef struct AgaaDrawPass {
     /* Null if the pass needs no geometry shader. Otherwise the host's geometry shader has this text between
      * glslExtensions and its own code, which calls the functions that the text names. Owned by the view. */
     const char* glslGeometry;
+    /* Null unless state.vertexPulling is 1. Otherwise the host's vertex shader has this text between glslExtensions and its own
+     * code, which calls agaa_pullVertex() once. Owned by the view. */
+    const char* glslVertex;
 } AgaaDrawPass;
 #define AGAA_DRAW_PASS_INIT                                                                         \
     {AGAA_STRUCTURE_TYPE_DRAW_PASS, (uint32_t)sizeof(AgaaDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, 0,   \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0, 0, 0}}, NULL, NULL, NULL}
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0, 0}}, NULL, NULL, NULL, NULL}
 AGAA_API void AGAA_CALL agaaInitDrawPass(AgaaDrawPass* outPass, size_t structSize);
 
 /* Lists the draw passes of a view.

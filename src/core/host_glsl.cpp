@@ -257,14 +257,22 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
     return out;
 }
 
-std::string hostGeometry(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
-    if (pass.geometryText.empty())
+static std::string expansion(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    if (pass.expansionText.empty())
         return {};
     std::set<std::string> seen;
     std::string out = defines(plan, pass, dialect) + places(dialect);
     appendGlsl(out, "passes/frame.glsl", seen);
-    appendGlslText(out, pass.geometryText, seen);
+    appendGlslText(out, pass.expansionText, seen);
     return out;
+}
+
+std::string hostGeometry(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    return pass.drawState.vertexPulling ? std::string() : expansion(plan, pass, dialect);
+}
+
+std::string hostVertex(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    return pass.drawState.vertexPulling ? expansion(plan, pass, dialect) : std::string();
 }
 
 uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
@@ -277,7 +285,8 @@ uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dial
     const auto mixValue = [&](auto value) { mix(&value, sizeof value); };
     mixValue(uint32_t(pass.drawPass));
     mix(&pass.drawState, sizeof pass.drawState);
-    const std::string text = hostExtensions(pass, dialect) + hostDeclarations(plan, pass, dialect) + hostGeometry(plan, pass, dialect);
+    const std::string text =
+        hostExtensions(pass, dialect) + hostDeclarations(plan, pass, dialect) + expansion(plan, pass, dialect);
     mix(text.data(), text.size());
     for (ResourceId target : pass.colorTargets)
         mixValue(uint32_t(plan.resources[target].format));

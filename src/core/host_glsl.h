@@ -1,4 +1,4 @@
-// The GLSL that a host's fragment and geometry shaders include for one draw pass, assembled from a plan.
+// The GLSL that a host's shaders include for one draw pass, assembled from a plan.
 #pragma once
 
 #include "core/bindings.h"
@@ -22,8 +22,9 @@ struct HostDialect {
 
 std::string hostExtensions(const Pass& pass, const HostDialect& dialect);
 std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDialect& dialect);
-// Of the geometry shader; empty where the pass has none.
+// Of the geometry shader and of the vertex shader; empty where the pass has no text for them.
 std::string hostGeometry(const Plan& plan, const Pass& pass, const HostDialect& dialect);
+std::string hostVertex(const Plan& plan, const Pass& pass, const HostDialect& dialect);
 
 // Differs between passes for which a host needs other shaders or pipelines, and only then.
 uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect);

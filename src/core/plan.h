@@ -148,7 +148,9 @@ struct Pass {
     bool clearsColor = false;
     bool clearsDepth = false; // and the stencil
     ClearValues clear;
-    std::string geometryText; // GLSL for the host's geometry shader, which reads the frame constants alone
+    // GLSL for the host's geometry shader, or with drawState.vertexPulling for its vertex shader. It reads the frame constants
+    // alone.
+    std::string expansionText;
     uint32_t width = 0, height = 0; // of the targets
 
     // Fill, Copy

@@ -17,6 +17,7 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
                           .hostGBuffer = plan.hostGBuffer,
                           .fetches = plan.maxDraws > 0,
                           .someUnfetched = plan.someUnfetched,
+                          .vertexPulling = plan.vertexPulling,
                           .coverageSamples = technique.countsCoverage(config.generationTier, plan.samples),
                           .needsMaterials = plan.aggregation.litShadows || plan.aggregation.glossWeight > 0 || config.ndf > AGAA_NDF_TOKSVIG};
     // Other tiers shade at once, without aggregates in memory.

@@ -25,6 +25,7 @@ struct GenerationQuery {
     bool hostGBuffer = false;     // the host draws it
     bool fetches = false;         // the view has an AgaaFetchFunction
     bool someUnfetched = false;   // it does not answer for all draws
+    bool vertexPulling = false;   // the view has AGAA_VIEW_VERTEX_PULLING
     bool coverageSamples = false; // AUTO: of the tiers that have them
     bool needsMaterials = false;  // settings need materials where samples are grouped
     uint64_t aggregateBytes = 0;  // of one buffer, where another tier would need none; 0: not asked
@@ -45,7 +46,6 @@ struct GenerationTier {
     bool countsPrimitives;
     // n counts coverage samples, 32, 64 or 128, that the tier finds by itself: targets have one sample.
     bool hasCoverageSamples;
-    const char* offer;           // listed although the answer depends on what the host brings; null: on nothing
     TierAnswer (*answer)(const GenerationQuery& query);
 };
 

@@ -109,28 +109,46 @@ static AgaaCapability capability(const Technique& technique, uint32_t samples, A
     return row;
 }
 
-// What is taken where the host neither asks nor offers anything, then all else that runs, then what needs an offer.
-static std::vector<GenerationChoice> generationChoices(const Technique& technique, const GenerationQuery& query) {
+// What the host must provide stands before the reason.
+static std::string withNeeds(bool fetches, bool pulls, const std::string& reason) {
+    if (!fetches && !pulls)
+        return reason;
+    return format("with %s%s%s, %s", fetches ? "an AgaaFetchFunction" : "", fetches && pulls ? " and " : "",
+                  pulls ? "AGAA_VIEW_VERTEX_PULLING" : "", reason.c_str());
+}
+
+// What is taken where the host asks for nothing, then all else that runs, then what needs an AgaaFetchFunction.
+static std::vector<GenerationChoice> runningChoices(const Technique& technique, const GenerationQuery& query) {
+    GenerationQuery offered = query;
+    offered.fetches = true;
     const GenerationChoice automatic = chooseGeneration(technique, query, AGAA_TIER_AUTO);
-    std::vector<GenerationChoice> choices;
+    std::vector<GenerationChoice> choices, offers;
     if (automatic.row)
         choices.push_back(automatic);
     for (const GenerationTier* row : technique.tiers) {
-        if (row->hasCoverageSamples != query.coverageSamples)
+        if (row->hasCoverageSamples != query.coverageSamples || row->isModel || row == automatic.row)
             continue;
-        const GenerationChoice choice = chooseGeneration(technique, query, row->tier);
-        if (choice.row && choice.row != automatic.row && !row->isModel)
+        if (const GenerationChoice choice = chooseGeneration(technique, query, row->tier); choice.row)
             choices.push_back(choice);
+        else if (const GenerationChoice offer = chooseGeneration(technique, offered, row->tier); offer.row)
+            offers.push_back(offer);
     }
-    GenerationQuery offered = query;
-    offered.fetches = true;
-    TierAnswer refusal{false, automatic.reason};
-    for (const GenerationTier* row : technique.tiers)
-        if (row->hasCoverageSamples == query.coverageSamples && row->offer && (refusal = row->answer(offered)).runs)
-            choices.push_back({row, row->offer});
-    if (choices.empty())
-        choices.push_back({nullptr, refusal.reason});
+    for (GenerationChoice& choice : choices)
+        choice.reason = withNeeds(false, query.vertexPulling, choice.reason);
+    for (GenerationChoice& offer : offers)
+        choices.push_back({offer.row, withNeeds(true, query.vertexPulling, offer.reason)});
     return choices;
+}
+
+// If nothing runs, what runs with vertex pulling.
+static std::vector<GenerationChoice> generationChoices(const Technique& technique, GenerationQuery query) {
+    for (const bool pulls : {false, true}) {
+        query.vertexPulling = pulls;
+        if (const std::vector<GenerationChoice> choices = runningChoices(technique, query); !choices.empty())
+            return choices;
+    }
+    query.fetches = true;
+    return {{nullptr, chooseGeneration(technique, query, AGAA_TIER_AUTO).reason}};
 }
 
 namespace {

@@ -88,7 +88,8 @@ static AgaaViewDesc checkViewDesc(const AgaaViewDesc* pointer) {
                                                    AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION});
     require(desc.width > 0 && desc.height > 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaViewDesc has no pixels: width and height must be at least 1.");
-    checkFlags(desc.flags, AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE | AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE,
+    checkFlags(desc.flags,
+               AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE | AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE | AGAA_VIEW_VERTEX_PULLING,
                "AgaaViewDesc::flags");
     return desc;
 }
@@ -189,6 +190,7 @@ ViewSettings resolveView(const AgaaViewDesc* pointer) {
     view.reversedZ = desc.flags & AGAA_VIEW_REVERSED_Z;
     view.composite = desc.flags & AGAA_VIEW_COMPOSITE;
     view.clipZFromMinusOne = desc.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
+    view.vertexPulling = desc.flags & AGAA_VIEW_VERTEX_PULLING;
     view.config = checkConfig(desc.config);
     readSettings(view.config, view);
     view.config.pNext = nullptr;

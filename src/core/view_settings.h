@@ -22,6 +22,7 @@ struct ViewSettings {
     bool reversedZ = false;
     bool composite = false; // over what the output holds
     bool clipZFromMinusOne = false;
+    bool vertexPulling = false; // the host's vertex shaders expand triangles
     AgaaConfig config{}; // technique: static storage; layout: null
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
     AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT;

@@ -15,6 +15,7 @@ void View::describePass(size_t index, AgaaDrawPass& out, void* native) const {
     out.glslExtensions = objects.extensions.c_str();
     out.glslDeclarations = objects.declarations.c_str();
     out.glslGeometry = objects.geometry.empty() ? nullptr : objects.geometry.c_str();
+    out.glslVertex = objects.vertex.empty() ? nullptr : objects.vertex.c_str();
     if (!native)
         return;
     AgaaGlDrawPass own = AGAA_GL_DRAW_PASS_INIT;

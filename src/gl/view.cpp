@@ -63,6 +63,7 @@ void View::createPasses() {
             objects.extensions = hostExtensions(pass, context.dialect);
             objects.declarations = hostDeclarations(plan, pass, context.dialect);
             objects.geometry = hostGeometry(plan, pass, context.dialect);
+            objects.vertex = hostVertex(plan, pass, context.dialect);
         }
     }
 }

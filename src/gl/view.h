@@ -22,6 +22,7 @@ struct PassObjects {
     std::string extensions;   // GLSL
     std::string declarations; // GLSL
     std::string geometry;     // GLSL, or empty
+    std::string vertex;       // GLSL, or empty
 };
 
 class View : public SizedView {

@@ -15,6 +15,7 @@ void View::describePass(size_t index, AgaaDrawPass& out, void* native) const {
     out.glslExtensions = host.extensions.c_str();
     out.glslDeclarations = host.declarations.c_str();
     out.glslGeometry = host.geometry.empty() ? nullptr : host.geometry.c_str();
+    out.glslVertex = host.vertex.empty() ? nullptr : host.vertex.c_str();
     if (!native)
         return;
     AgaaVkDrawPass own = AGAA_VK_DRAW_PASS_INIT;

@@ -108,6 +108,7 @@ void createHostPass(const Context& context, const Plan& plan, const Pass& pass,
     objects.extensions = hostExtensions(pass, dialect);
     objects.declarations = hostDeclarations(plan, pass, dialect);
     objects.geometry = hostGeometry(plan, pass, dialect);
+    objects.vertex = hostVertex(plan, pass, dialect);
     if (!context.dynamicRendering)
         createRenderPass(context, plan, pass, resources, objects);
 }

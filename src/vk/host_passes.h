@@ -14,6 +14,7 @@ struct HostPassObjects {
     std::string extensions;   // GLSL
     std::string declarations; // GLSL
     std::string geometry;     // GLSL, or empty
+    std::string vertex;       // GLSL, or empty
     VkRenderPass renderPass = VK_NULL_HANDLE; // null with dynamic rendering
     VkFramebuffer framebuffer = VK_NULL_HANDLE;
 };

@@ -23,7 +23,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaMeasurement, 40);
     EXPECT_SIZE(AgaaSceneFacts, 32);
     EXPECT_SIZE(AgaaViewDesc, 48);
-    EXPECT_SIZE(AgaaDrawPass, 144);
+    EXPECT_SIZE(AgaaDrawPass, 152);
     EXPECT_SIZE(AgaaLight, 64);
     EXPECT_SIZE(AgaaShadow, 392);
     EXPECT_SIZE(AgaaFrame, 248);

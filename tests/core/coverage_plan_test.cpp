@@ -54,16 +54,17 @@ TEST(CoveragePlan, FragmentsCarryMaterialsThatCannotBeFetched) {
     EXPECT_EQ(tierWith(&all, AGAA_TIER_MATERIAL_LISTS), AGAA_TIER_MATERIAL_LISTS);
 }
 
+std::string refusal(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
+    try {
+        planFor(spec, caps);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, AGAA_ERROR_UNSUPPORTED);
+        return error.message;
+    }
+    return "none";
+}
+
 TEST(CoveragePlan, WhatFragmentsCannotCarryIsRefused) {
-    const auto refusal = [](const ViewSpec& spec, const AgaaDeviceCaps& caps) {
-        try {
-            planFor(spec, caps);
-        } catch (const Error& error) {
-            EXPECT_EQ(error.code, AGAA_ERROR_UNSUPPORTED);
-            return error.message;
-        }
-        return std::string("none");
-    };
     ViewSpec depth = carried();
     depth.facts |= AGAA_FACT_CUSTOM_DEPTH;
     EXPECT_NE(refusal(depth, idealDevice()).find("discard on their own"), std::string::npos);
@@ -76,6 +77,52 @@ TEST(CoveragePlan, WhatFragmentsCannotCarryIsRefused) {
         caps.flags &= ~flag;
         EXPECT_NE(refusal(carried(), caps).find("the device has no"), std::string::npos) << flag;
     }
+}
+
+// A device without geometry shaders runs each tier if vertex shaders of the host expand triangles, and says so otherwise.
+TEST(CoveragePlan, VertexPullingReplacesGeometryShaders) {
+    AgaaDeviceCaps caps = idealDevice();
+    caps.flags &= ~AGAA_DEVICE_GEOMETRY_SHADERS;
+    for (const auto& [technique, tier] :
+         {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK}, {"dcaa", AGAA_TIER_AUTO},
+          {"agaa", AGAA_TIER_FRAGMENTS}, {"agaa", AGAA_TIER_AUTO}}) {
+        SCOPED_TRACE(std::string(technique) + " " + agaaTierName(tier));
+        ViewSpec spec{.technique = technique, .samples = 64, .generationTier = uint32_t(tier)};
+        const std::string refused = refusal(spec, caps);
+        EXPECT_NE(refused.find("the device has no geometry shaders"), std::string::npos) << refused;
+        EXPECT_NE(refused.find("AGAA_VIEW_VERTEX_PULLING"), std::string::npos) << refused;
+        const Plan expanded = planFor(spec, idealDevice());
+        spec.viewFlags = AGAA_VIEW_VERTEX_PULLING;
+        const Plan pulled = planFor(spec, caps);
+        EXPECT_EQ(pulled.generationTier, expanded.generationTier);
+        EXPECT_EQ(pulled.totalBytes(), expanded.totalBytes());
+        EXPECT_TRUE(std::ranges::any_of(pulled.notes, [](const std::string& note) {
+            return note.find("AGAA_VIEW_VERTEX_PULLING") != std::string::npos;
+        }));
+        ASSERT_EQ(pulled.passes.size(), expanded.passes.size());
+        for (size_t i = 0; i < pulled.passes.size(); ++i) {
+            const Pass &p = pulled.passes[i], &e = expanded.passes[i];
+            if (p.kind != PassKind::HostDraw)
+                continue;
+            EXPECT_EQ(p.drawState.vertexPulling, 1u);
+            EXPECT_EQ(e.drawState.vertexPulling, 0u);
+            EXPECT_EQ(hostGeometry(pulled, p, {}), "");
+            EXPECT_EQ(hostVertex(expanded, e, {}), "");
+            EXPECT_NE(hostVertex(pulled, p, {}).find("void agaa_pullVertex("), std::string::npos);
+            EXPECT_EQ(hostGeometry(expanded, e, {}).find("void agaa_pullVertex("), std::string::npos);
+            EXPECT_EQ(hostDeclarations(pulled, p, {}), hostDeclarations(expanded, e, {}));
+            EXPECT_NE(hostPassKey(pulled, p, {}), hostPassKey(expanded, e, {}));
+        }
+    }
+    // All else is as without the flag.
+    ViewSpec other{.viewFlags = AGAA_VIEW_VERTEX_PULLING};
+    for (const Pass& pass : planFor(other, caps).passes)
+        EXPECT_EQ(pass.drawState.vertexPulling, 0u);
+    caps.flags &= ~AGAA_DEVICE_FRAGMENT_ATOMICS;
+    ViewSpec noAtomics = carried();
+    noAtomics.viewFlags = AGAA_VIEW_VERTEX_PULLING;
+    EXPECT_NE(refusal(noAtomics, caps).find("no atomics"), std::string::npos);
 }
 
 // No lists, and no more than the surfaces; AUTO does not select it.

@@ -131,7 +131,9 @@ TEST(Planner, EveryCapabilityCanBePlanned) {
     fetch.maxDraws = fetch.maxPrimitives = 1;
     AgaaDeviceCaps poor = fourSampleDevice();
     poor.flags &= ~(AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS);
-    for (const AgaaDeviceCaps& caps : {idealDevice(), fourSampleDevice(), poor}) {
+    AgaaDeviceCaps noGeometryShaders = fourSampleDevice();
+    noGeometryShaders.flags &= ~AGAA_DEVICE_GEOMETRY_SHADERS;
+    for (const AgaaDeviceCaps& caps : {idealDevice(), fourSampleDevice(), poor, noGeometryShaders}) {
         uint32_t count = 0;
         ASSERT_EQ(agaaQueryCapabilities(&caps, &count, nullptr), AGAA_OK);
         std::vector<AgaaCapability> rows(count, AgaaCapability AGAA_CAPABILITY_INIT);
@@ -162,8 +164,19 @@ TEST(Planner, EveryCapabilityCanBePlanned) {
             if (!isFirst)
                 (isVisibility ? spec.visibilityTier : spec.generationTier) = row.tier;
             const bool isFragments = std::string_view(row.technique) == "agaa" && row.samples > 32;
+            const bool isCoverage = isFragments || std::string_view(row.technique) == "dcaa";
             if (row.tier == AGAA_TIER_IDS || row.tier == AGAA_TIER_FRAGMENT_LISTS || isFragments)
                 spec.chained = &fetch;
+            const bool pulls = isCoverage && !(caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS);
+            if (isGeneration) {
+                EXPECT_EQ(std::string(row.reason).find("AGAA_VIEW_VERTEX_PULLING") != std::string::npos, pulls) << row.reason;
+                EXPECT_EQ(std::string(row.reason).find("with an AgaaFetchFunction") != std::string::npos,
+                          isFirst ? isFragments : spec.chained != nullptr) << row.reason;
+            }
+            if (pulls) {
+                EXPECT_THROW(planFor(spec, caps), Error);
+                spec.viewFlags = AGAA_VIEW_VERTEX_PULLING;
+            }
             const Plan plan = planFor(spec, caps);
             EXPECT_EQ(uint32_t(isVisibility ? plan.visibilityTier : plan.generationTier), row.tier);
             if (isGeneration && std::string(row.technique) == "agaa")

@@ -316,7 +316,7 @@ TYPED_TEST_P(PlanCases, DrawsHaveTextAndBuffersOfTheirOwn) {
         draw.text = "layout(std430, AGAA_AT_FRAGMENTS) buffer Words { uint words[]; };\n"
                     "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
                     "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], uint(s.diffuse.x * 8.0));\n}\n";
-        draw.geometryText = "vec4 agaa_place(vec4 clip) {\n"
+        draw.expansionText = "vec4 agaa_place(vec4 clip) {\n"
                             "    return clip + vec4(32.0 / float(agaa_frame.size.x) * clip.w, 0.0, 0.0, 0.0);\n}\n";
         b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
         bindWords(b, showPixels(b, wordsText, "vec3(words[item])"), words);

@@ -15,7 +15,7 @@ namespace harness::vk {
 ShaderModule makeShader(const Device& device, ShaderStage stage, const std::string& source,
                         const std::string& name);
 
-// Triangles, dynamic viewport and scissor, no depth, stencil or colour until the user sets them.
+// Lists of triangles, dynamic viewport and scissor, no depth, stencil or colour until the user sets them.
 class PipelineState {
 public:
     explicit PipelineState(uint32_t colorAttachments);
@@ -31,6 +31,7 @@ public:
     uint32_t fragmentConstant = 0;   // specialisation constant 0 of the fragment shader
     uint32_t vertexLocations = 0x1F; // bits of the attributes that the vertex shader reads
     VkShaderModule geometry = VK_NULL_HANDLE; // may be null
+    VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     VkPipelineRasterizationStateCreateInfo rasterization{};
     VkPipelineRasterizationConservativeStateCreateInfoEXT conservative{};
     VkPipelineMultisampleStateCreateInfo multisample{};

@@ -64,7 +64,10 @@ Pass& drawTriangles(PlanBuilder& b) {
     Pass& draw = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, AGAA_SEGMENT_PREPASS);
     b.bindCommon(draw);
     draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
-    draw.geometryText = "#include \"host/triangle_hull.glsl\"";
+    draw.drawState.vertexPulling = b.plan.vertexPulling;
+    draw.expansionText = b.plan.vertexPulling ? "#include \"host/pulled_hull.glsl\"" : "#include \"host/triangle_hull.glsl\"";
+    if (b.plan.vertexPulling)
+        b.note("triangles: vertex shaders of the host expand them (AGAA_VIEW_VERTEX_PULLING).");
     return draw;
 }
 

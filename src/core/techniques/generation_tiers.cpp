@@ -99,8 +99,11 @@ TierAnswer answerIds(const GenerationQuery& q) {
 }
 
 constexpr const char* noCoverageReason = "a G-buffer that the host draws has no coverage beyond its samples.";
-constexpr const char* noGeometryReason =
-    "the device has no geometry shaders, which give a fragment to every pixel that a triangle touches.";
+// What gives a fragment to every pixel that a triangle touches.
+bool expandsTriangles(const GenerationQuery& q) { return q.vertexPulling || q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS; }
+constexpr const char* noExpansionReason =
+    "the device has no geometry shaders, which give a fragment to every pixel that a triangle touches; vertex shaders of the "
+    "host can (AGAA_VIEW_VERTEX_PULLING).";
 
 // Why fragments that are fetched cannot be kept in lists; empty where they can.
 std::string listsRefusal(const GenerationQuery& q, AgaaTier tier) {
@@ -115,8 +118,8 @@ std::string listsRefusal(const GenerationQuery& q, AgaaTier tier) {
         return "materials that write depth or discard on their own cannot be fetched by id with their depth.";
     if (!hasAtomics(q))
         return "the device has no atomics in fragment shaders.";
-    if (!(q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS))
-        return noGeometryReason;
+    if (!expandsTriangles(q))
+        return noExpansionReason;
     return {};
 }
 
@@ -139,8 +142,8 @@ TierAnswer answerMaterialLists(const GenerationQuery& q) {
         return {false, "materials that write depth or discard on their own have other samples than their edges and alpha say."};
     if (!hasAtomics(q))
         return {false, "the device has no atomics in fragment shaders."};
-    if (!(q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS))
-        return {false, noGeometryReason};
+    if (!expandsTriangles(q))
+        return {false, noExpansionReason};
     return {true, "fragments carry their materials in a list for each pixel and are merged in the order of their numbers."};
 }
 
@@ -157,40 +160,37 @@ TierAnswer answerInterlock(const GenerationQuery& q) {
 const GenerationTier idsTier = {
     .tier = AGAA_TIER_IDS, .relativeCost = idsCost, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
     .countsPrimitives = true, .hasCoverageSamples = false,
-    .offer = "with an AgaaFetchFunction, materials are fetched by the ids that the only geometry pass leaves.",
     .answer = answerIds};
 const GenerationTier postDepthTier = {
     .tier = AGAA_TIER_POST_DEPTH_ATOMICS, .relativeCost = 1, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr,
+    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false,
     .answer = answerPostDepth};
 const GenerationTier perSampleTier = {
     .tier = AGAA_TIER_PER_SAMPLE, .relativeCost = perSampleCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr,
+    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false,
     .answer = answerPerSample};
 const GenerationTier gbufferTier = {
     .tier = AGAA_TIER_GBUFFER, .relativeCost = gbufferCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = true, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr, .answer = answerGBuffer};
+    .knowsMaterials = true, .countsPrimitives = false, .hasCoverageSamples = false, .answer = answerGBuffer};
 const GenerationTier mixedSamplesTier = {
     .tier = AGAA_TIER_NV_MIXED_SAMPLES, .relativeCost = 1, .isAutomatic = false, .isModel = true,
-    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false, .offer = nullptr,
+    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false,
     .answer = answerMixedSamples};
 const GenerationTier fragmentListsTier = {
     .tier = AGAA_TIER_FRAGMENT_LISTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
     .countsPrimitives = false, .hasCoverageSamples = true,
-    .offer = "with an AgaaFetchFunction, fragments are appended to a list for each pixel and merged in the order of their ids.",
     .answer = answerFragmentLists};
 const GenerationTier fragmentsTier = {
     .tier = AGAA_TIER_FRAGMENTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
     .countsPrimitives = true, .hasCoverageSamples = true,
-    .offer = "with an AgaaFetchFunction, the fragments that show at coverage samples are clustered by a compute pass.",
     .answer = answerFragments};
 const GenerationTier materialListsTier = {
     .tier = AGAA_TIER_MATERIAL_LISTS, .relativeCost = materialListsCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = true, .countsPrimitives = false, .hasCoverageSamples = true, .offer = nullptr,
+    .knowsMaterials = true, .countsPrimitives = false, .hasCoverageSamples = true,
     .answer = answerMaterialLists};
 // Not automatic: it was run on no device that orders fragments.
 const GenerationTier interlockTier = {
     .tier = AGAA_TIER_FRAGMENT_INTERLOCK, .relativeCost = 1, .isAutomatic = false, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false, .hasCoverageSamples = true, .offer = nullptr, .answer = answerInterlock};
+    .countsPrimitives = false, .hasCoverageSamples = true, .answer = answerInterlock};
 
 } // namespace agaa

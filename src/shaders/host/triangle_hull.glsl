@@ -1,5 +1,6 @@
 // For the host's geometry shader in passes that need a fragment for each pixel that a triangle touches. For each triangle
-// it calls agaa_beginPrimitive(), then for each vertex of a strip agaa_setVertex() and EmitVertex().
+// it calls agaa_beginPrimitive(), then for each vertex of a strip agaa_setVertex() and EmitVertex(). pulled_hull.glsl is for
+// vertex shaders.
 #ifndef AGAA_HOST_TRIANGLE_HULL_GLSL
 #define AGAA_HOST_TRIANGLE_HULL_GLSL
 #include "host/corners.glsl"

@@ -13,6 +13,7 @@
 #include "left_handed_cases.h"
 #include "lifetime_cases.h"
 #include "plan_cases.h"
+#include "pulling_cases.h"
 #include "shadow_function_cases.h"
 #include "validation_cases.h"
 
@@ -25,6 +26,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DcaaCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FragmentsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CarriedCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, InterlockCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PullingCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardGeometryCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CoverageCases, OpenGLHost);

@@ -35,7 +35,34 @@ void main() {
 }
 )";
 
-// Of passes with geometryText, which moves each corner by its agaa_place().
+// Of passes with AgaaDrawPass::glslVertex, in place of vertexText: an instance is a triangle, and its vertices are 23 floats
+// each.
+constexpr const char* pullingText = R"(
+layout(std430, binding = 6) readonly buffer Vertices { float words[]; } vertices;
+uniform mat4 clip;
+uniform uint firstTriangle, instance;
+layout(location = 0) out vec3 position;
+layout(location = 1) flat out vec4 constants[5];
+layout(location = 6) flat out uvec2 drawn;
+vec3 placeOf(uint vertex) {
+    uint word = 23u * vertex;
+    return vec3(vertices.words[word], vertices.words[word + 1u], vertices.words[word + 2u]) +
+           float(instance) * STAGE_INSTANCE_STEP;
+}
+void main() {
+    uint triangle = firstTriangle + uint(gl_InstanceID);
+    position = placeOf(3u * triangle);
+    for (uint i = 0u; i < 20u; ++i)
+        constants[i / 4u][i % 4u] = vertices.words[69u * triangle + 3u + i];
+    drawn = uvec2(instance, triangle);
+    precise vec4 a = clip * vec4(position, 1.0);
+    precise vec4 b = clip * vec4(placeOf(3u * triangle + 1u), 1.0);
+    precise vec4 c = clip * vec4(placeOf(3u * triangle + 2u), 1.0);
+    agaa_pullVertex(a, b, c, uint(gl_VertexID));
+}
+)";
+
+// Of passes with expansionText of a test, which moves each corner by its agaa_place().
 constexpr const char* geometryText = R"(
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -201,7 +228,10 @@ StageView::~StageView() {
 
 Program StageView::program(const AgaaDrawPass& pass, bool isMasked) const {
     const std::string version = versionLine(glslVersion(gl_)), defines = shaderDefines(settings_, pass.pass, isMasked);
-    return Program(gl_, version + defines + vertexText,
+    return Program(gl_,
+                   pass.glslVertex ? rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslVertex +
+                                                                      pullingText)
+                                   : version + defines + vertexText,
                    rasterisedInOrder(settings_, version + pass.glslExtensions + defines + pass.glslDeclarations + fragmentText), pass.name,
                    pass.glslGeometry ? rasterisedInOrder(settings_, version + pass.glslExtensions + pass.glslGeometry +
                                                          (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText))
@@ -300,6 +330,8 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     gl_.ClipControl(GL_LOWER_LEFT,
                     settings_.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE ? GL_NEGATIVE_ONE_TO_ONE : GL_ZERO_TO_ONE);
     gl_.BindVertexArray(vertexArray_.get());
+    if (state.vertexPulling)
+        gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, vertices_.get());
     const Programs& programs = programs_.at(target.pipelineKey);
     const glm::mat4 clip = clipMatrix(settings_, target.pass);
     for (const Run& run : runs_.at(target.pass)) {
@@ -307,8 +339,14 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
         gl_.UseProgram(program.get());
         setStencilTest(gl_, run.isMasked ? state.stencilTestMasked : state.stencilTest);
         gl_.UniformMatrix4fv(program.uniform("clip"), 1, GL_FALSE, glm::value_ptr(clip));
-        gl_.DrawArraysInstanced(GL_TRIANGLES, GLint(3 * run.first), GLsizei(3 * run.count),
-                                GLsizei(settings_.instances));
+        if (!state.vertexPulling)
+            gl_.DrawArraysInstanced(GL_TRIANGLES, GLint(3 * run.first), GLsizei(3 * run.count),
+                                    GLsizei(settings_.instances));
+        for (uint32_t instance = 0; state.vertexPulling && instance < settings_.instances; ++instance) {
+            gl_.Uniform1ui(program.uniform("firstTriangle"), run.first);
+            gl_.Uniform1ui(program.uniform("instance"), instance);
+            gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 8, GLsizei(run.count));
+        }
     }
     return AGAA_OK;
 }

@@ -13,6 +13,7 @@
 #include "left_handed_cases.h"
 #include "lifetime_cases.h"
 #include "plan_cases.h"
+#include "pulling_cases.h"
 #include "shadow_function_cases.h"
 #include "validation_cases.h"
 
@@ -27,6 +28,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DcaaCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FragmentsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CarriedCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, InterlockCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PullingCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CoverageCases, VulkanHost);

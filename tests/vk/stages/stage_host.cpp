@@ -36,7 +36,33 @@ void main() {
 }
 )";
 
-// Of passes with geometryText, which moves each corner by its agaa_place().
+// Of passes with AgaaDrawPass::glslVertex, in place of vertexText: an instance is a triangle.
+constexpr const char* pullingText = R"(
+layout(std430, set = 1, binding = 0) readonly buffer Vertices { vec4 data[]; } vertices;
+layout(push_constant) uniform Push { mat4 clip; uint drawnInstance; };
+layout(location = 0) out vec3 position;
+layout(location = 1) flat out uint triangle;
+layout(location = 2) out vec2 uv;
+layout(location = 3) flat out uint instance;
+vec3 placeOf(uint vertex) { return vertices.data[2u * vertex].xyz + float(drawnInstance) * STAGE_INSTANCE_STEP; }
+void main() {
+    triangle = uint(gl_InstanceIndex);
+    instance = drawnInstance;
+    position = placeOf(3u * triangle);
+    uv = vertices.data[6u * triangle + 1u].xy;
+    precise vec4 a = clip * vec4(position, 1.0);
+    precise vec4 b = clip * vec4(placeOf(3u * triangle + 1u), 1.0);
+    precise vec4 c = clip * vec4(placeOf(3u * triangle + 2u), 1.0);
+    agaa_pullVertex(a, b, c, uint(gl_VertexIndex));
+}
+)";
+
+struct Push {
+    glm::mat4 clip;
+    uint32_t drawnInstance;
+};
+
+// Of passes with expansionText of a test, which moves each corner by its agaa_place().
 constexpr const char* geometryText = R"(
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -249,7 +275,7 @@ void StageView::makePipelines() {
         pass.state = drawState(settings_, pass.state, pass.pass);
         PassPipelines& made = passes_[pass.pipelineKey];
         const VkDescriptorSetLayout layouts[] = {(VkDescriptorSetLayout)pass.native.descriptorSetLayout, set_.layout()};
-        const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(glm::mat4)};
+        const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(Push)};
         VkPipelineLayoutCreateInfo layout{};
         layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
         layout.setLayoutCount = 2;
@@ -271,9 +297,18 @@ void StageView::makePipelines() {
                                                              (pass.pass == AGAA_DRAW_PASS_FRAGMENTS ? hullText : geometryText)),
                                            pass.name);
             state.geometry = made.geometry.get();
+            if (pass.glslVertex && !made.pulling)
+                made.pulling = makeShader(device, ShaderStage::Vertex,
+                                          rasterisedInOrder(settings_, std::string("#version 450\n") + pass.glslExtensions +
+                                                            shaderDefines(settings_, pass.pass, false) + pass.glslVertex +
+                                                            pullingText),
+                                          pass.name);
+            if (pass.state.vertexPulling)
+                state.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
             const auto renderPass = (VkRenderPass)pass.native.renderPass;
             made.pipelines[masked] =
-                state.create(device, vertex_.get(), made.fragments[masked].get(), made.layout.get(), renderPass,
+                state.create(device, (made.pulling ? made.pulling : vertex_).get(), made.fragments[masked].get(),
+                             made.layout.get(), renderPass,
                              renderPass == VK_NULL_HANDLE ? &state.rendering : nullptr);
         }
     }
@@ -351,11 +386,21 @@ AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     setViewport(commands, target.width, target.height);
     const VkDescriptorSet sets[] = {(VkDescriptorSet)target.descriptorSet, set_.get()};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.layout.get(), 0, 2, sets, 0, nullptr);
-    const glm::mat4 clip = clipMatrix(settings_, target.pass);
-    vkCmdPushConstants(commands, pass.layout.get(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof clip, &clip);
+    Push push{clipMatrix(settings_, target.pass), 0};
+    const auto pushConstants = [&] {
+        vkCmdPushConstants(commands, pass.layout.get(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof push, &push);
+    };
+    pushConstants();
     for (const Run& run : runs_.at(target.pass)) {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.pipelines[run.isMasked].get());
-        vkCmdDraw(commands, 3 * run.count, settings_.instances, 3 * run.first, 0);
+        if (!target.state.vertexPulling) {
+            vkCmdDraw(commands, 3 * run.count, settings_.instances, 3 * run.first, 0);
+            continue;
+        }
+        for (push.drawnInstance = 0; push.drawnInstance < settings_.instances; ++push.drawnInstance) {
+            pushConstants();
+            vkCmdDraw(commands, 8, run.count, 0, run.first);
+        }
     }
     return AGAA_OK;
 }

@@ -121,7 +121,7 @@ private:
 
     struct PassPipelines {
         harness::vk::PipelineLayout layout;
-        harness::vk::ShaderModule fragments[2], geometry;
+        harness::vk::ShaderModule fragments[2], geometry, pulling;
         harness::vk::Pipeline pipelines[2]; // opaque, masked
     };
 
