@@ -31,12 +31,24 @@ public:
             glVertexArrayAttribBinding(vertexArray_, i, 0);
             glEnableVertexArrayAttrib(vertexArray_, i);
         }
+        // Of pullingShader: the attributes of the first corner, then the positions of the others.
+        glCreateVertexArrays(1, &pullingArray_);
+        for (GLuint i = 0; i < std::size(attributes) + 2; ++i) {
+            const GLuint corner = i < std::size(attributes) ? 0 : i - GLuint(std::size(attributes)) + 1;
+            const Attribute& attribute = attributes[corner ? 0 : i];
+            glVertexArrayAttribFormat(pullingArray_, i, attribute.size, GL_FLOAT, GL_FALSE,
+                                      attribute.offset + corner * GLuint(sizeof(Vertex)));
+            glVertexArrayAttribBinding(pullingArray_, i, 0);
+            glEnableVertexArrayAttrib(pullingArray_, i);
+        }
+        glVertexArrayBindingDivisor(pullingArray_, 0, 1);
         setShadowDepth(1.0f);
     }
     ~OpenGlDevice() override {
         glDeleteTextures(1, &output_);
         glDeleteTextures(1, &shadow_);
         glDeleteVertexArrays(1, &vertexArray_);
+        glDeleteVertexArrays(1, &pullingArray_);
     }
 
     AgaaFetchFunction sceneFetch() const override {
@@ -150,7 +162,7 @@ private:
 
     OpenGlApi api_;
     OpenGlPrograms programs_;
-    GLuint vertexArray_ = 0, output_ = 0, shadow_ = 0;
+    GLuint vertexArray_ = 0, pullingArray_ = 0, output_ = 0, shadow_ = 0;
     uint32_t width_ = 0, height_ = 0; // of the output
     std::map<AgaaContext, ShaderDialect> dialectOfContext_;
     std::map<AgaaView, ShaderDialect> dialectOfView_;
@@ -211,8 +223,9 @@ void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlPr
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, GLsizei(target.width), GLsizei(target.height));
     setDrawState(state, mistakes.blends);
-    glVertexArrayVertexBuffer(vertexArray_, 0, vertices, matrixBytes, sizeof(Vertex));
-    glBindVertexArray(vertexArray_);
+    const GLuint vertexArray = state.vertexPulling ? pullingArray_ : vertexArray_;
+    glVertexArrayVertexBuffer(vertexArray, 0, vertices, matrixBytes, (state.vertexPulling ? 3 : 1) * sizeof(Vertex));
+    glBindVertexArray(vertexArray);
     for (const DrawRange& range : drawRanges(scene)) {
         const GLuint program = range.isMasked ? programs.masked : programs.opaque;
         setCapability(GL_STENCIL_TEST, (range.isMasked ? state.stencilTestMasked : state.stencilTest) != 0);
@@ -220,7 +233,12 @@ void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlPr
         glUniformMatrix4fv(0, 1, GL_FALSE, clipFromShading_);
         if (target.constants) // the location is -1, which is ignored, if the program does not use it
             glUniform4fv(glGetUniformLocation(program, "agaa_constants"), GLsizei(target.constantCount), target.constants);
-        glDrawArrays(GL_TRIANGLES, GLint(range.first), GLsizei(range.count));
+        if (!state.vertexPulling) {
+            glDrawArrays(GL_TRIANGLES, GLint(range.first), GLsizei(range.count));
+            continue;
+        }
+        glUniform1ui(glGetUniformLocation(program, "firstTriangle"), range.first / 3);
+        glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, stripVertices, GLsizei(range.count / 3), range.first / 3);
     }
 }
 

@@ -33,7 +33,9 @@ public:
     Backend backend() const override { return Backend::Vulkan; }
     std::string deviceName() const override { return api_.deviceName; }
     std::string driverName() const override { return api_.driverName; }
-    uint64_t viewFlags() const override { return 0; }
+    uint64_t viewFlags() const override {
+        return api_.enabledFeatures.features.geometryShader ? 0 : AGAA_VIEW_VERTEX_PULLING;
+    }
     bool testsMessages() const override { return api_.isValidated; }
     std::vector<std::string> takeMessages() override { return api_.messages.take(); }
 
@@ -248,7 +250,10 @@ AgaaResult VulkanDevice::draw(const AgaaDrawTarget& target) {
     vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
     for (const DrawRange& range : drawRanges(*scene)) {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, range.isMasked ? pipeline->masked : pipeline->opaque);
-        vkCmdDraw(commands, range.count, 1, range.first, 0);
+        if (target.state.vertexPulling)
+            vkCmdDraw(commands, stripVertices, range.count / 3, 0, range.first / 3);
+        else
+            vkCmdDraw(commands, range.count, 1, range.first, 0);
     }
     return AGAA_OK;
 }

@@ -59,6 +59,12 @@ std::string geometryText(const AgaaDrawPass& pass, const ShaderDialect& dialect)
     return pass.glslGeometry ? versionText(dialect.glslVersion) + pass.glslExtensions + pass.glslGeometry + geometryShader : "";
 }
 
+std::string vertexText(const AgaaDrawPass& pass, const ShaderDialect& dialect) {
+    const std::string version = versionText(dialect.glslVersion);
+    return pass.glslVertex ? version + pass.glslExtensions + "#define ON_OPENGL\n" + pass.glslVertex + pullingShader
+                           : version + "#define ON_OPENGL\n" + vertexShader;
+}
+
 GLuint createProgram(const std::string& vertices, const std::string& geometry, const std::string& fragments) {
     const GLuint program = glCreateProgram();
     try {
@@ -100,7 +106,6 @@ void OpenGlPrograms::prepare(const Functions& sdk, AgaaView view, const ShaderDi
     const AgaaDrawPass initial = AGAA_DRAW_PASS_INIT;
     const AgaaGlDrawPass initialNative = AGAA_GL_DRAW_PASS_INIT;
     const DrawPasses<AgaaGlDrawPass> list(sdk, view, initial, initialNative);
-    const std::string vertices = versionText(dialect.glslVersion) + "#define ON_OPENGL\n" + vertexShader;
     views_.insert(view);
     for (size_t i = 0; i < list.passes.size(); ++i) {
         const AgaaDrawPass& pass = list.passes[i];
@@ -108,7 +113,7 @@ void OpenGlPrograms::prepare(const Functions& sdk, AgaaView view, const ShaderDi
         if (programs_.count(key))
             continue;
         OpenGlProgram& program = programs_[key]; // there, so that it is destroyed if the second one fails
-        const std::string geometry = geometryText(pass, dialect);
+        const std::string geometry = geometryText(pass, dialect), vertices = vertexText(pass, dialect);
         program.opaque = createProgram(vertices, geometry, fragmentText(pass, dialect, false));
         program.masked = createProgram(vertices, geometry, fragmentText(pass, dialect, true));
     }

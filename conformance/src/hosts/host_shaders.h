@@ -2,6 +2,7 @@
 // demands.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace agaa::conformance {
@@ -40,6 +41,50 @@ void main() {
     gl_Position = clipFromShading * vec4(inPosition, 1.0);
 }
 )";
+
+// In place of vertexShader, after the version, AgaaDrawPass::glslExtensions and ::glslVertex. An instance is a triangle, whose
+// corners are attributes: vertices of a triangle lie one after another.
+inline const char* const pullingShader = R"(
+#ifdef ON_OPENGL
+layout(location = 0) uniform mat4 clipFromShading;
+uniform uint firstTriangle;
+#define TRIANGLE (firstTriangle + uint(gl_InstanceID))
+#define VERTEX gl_VertexID
+#else
+layout(push_constant) uniform Push { mat4 clipFromShading; };
+#define TRIANGLE uint(gl_InstanceIndex)
+#define VERTEX gl_VertexIndex
+#endif
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec3 inNormal;
+layout(location = 2) in vec4 inDiffuse;
+layout(location = 3) in vec3 inSpecular;
+layout(location = 4) in float inRoughness;
+layout(location = 5) in vec3 inEmissive;
+layout(location = 6) in vec3 inSecondPosition;
+layout(location = 7) in vec3 inThirdPosition;
+layout(location = 0) out vec3 position;
+layout(location = 1) flat out vec3 normal;
+layout(location = 2) flat out vec4 diffuse;
+layout(location = 3) flat out vec3 specular;
+layout(location = 4) flat out float roughness;
+layout(location = 5) flat out vec3 emissive;
+layout(location = 6) flat out uint primitive;
+void main() {
+    position = inPosition;
+    normal = inNormal;
+    diffuse = inDiffuse;
+    specular = inSpecular;
+    roughness = inRoughness;
+    emissive = inEmissive;
+    primitive = TRIANGLE;
+    precise vec4 a = clipFromShading * vec4(inPosition, 1.0);
+    precise vec4 b = clipFromShading * vec4(inSecondPosition, 1.0);
+    precise vec4 c = clipFromShading * vec4(inThirdPosition, 1.0);
+    agaa_pullVertex(a, b, c, uint(VERTEX));
+}
+)";
+constexpr uint32_t stripVertices = 8; // AGAA_MAX_STRIP
 
 // After the version, AgaaDrawPass::glslExtensions and ::glslGeometry. All vertices of a strip have the attributes of the
 // triangle's first corner. The other corners differ in the position alone, which the pass does not read.

@@ -153,16 +153,24 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
         info.pName = "main";
         stages.push_back(info);
     };
-    addStage(VK_SHADER_STAGE_VERTEX_BIT, vertexShader);
+    const bool pulls = state.vertexPulling;
+    addStage(VK_SHADER_STAGE_VERTEX_BIT,
+             pulls ? std::string(pass.glslExtensions) + pass.glslVertex + pullingShader : vertexShader);
     if (pass.glslGeometry)
         addStage(VK_SHADER_STAGE_GEOMETRY_BIT, std::string(pass.glslExtensions) + pass.glslGeometry + geometryShader);
     addStage(VK_SHADER_STAGE_FRAGMENT_BIT, std::string(pass.glslExtensions) +
                                                (isMasked ? "#define AGAA_ALPHA_MASKED 1\n" : "") + pass.glslDeclarations +
                                                fragmentShader);
-    const VkVertexInputBindingDescription binding = {0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
+    VkVertexInputBindingDescription binding = {0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
     std::vector<VkVertexInputAttributeDescription> inputs;
     for (const Attribute& attribute : attributes)
         inputs.push_back({uint32_t(inputs.size()), 0, attribute.format, attribute.offset});
+    if (pulls) {
+        binding = {0, 3 * sizeof(Vertex), VK_VERTEX_INPUT_RATE_INSTANCE};
+        for (const uint32_t corner : {1u, 2u})
+            inputs.push_back({uint32_t(inputs.size()), 0, attributes[0].format,
+                              attributes[0].offset + corner * uint32_t(sizeof(Vertex))});
+    }
     VkPipelineVertexInputStateCreateInfo input{};
     input.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
     input.vertexBindingDescriptionCount = 1;
@@ -171,7 +179,7 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
     input.pVertexAttributeDescriptions = inputs.data();
     VkPipelineInputAssemblyStateCreateInfo assembly{};
     assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
-    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    assembly.topology = pulls ? VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     VkPipelineViewportStateCreateInfo viewport{};
     viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
     viewport.viewportCount = viewport.scissorCount = 1;

@@ -24,7 +24,9 @@ void addFactsAndView(Suite& suite) {
                       [](ViewParts& p, double x) { p.desc.height = whole(x); }, {1, 2, 4099}, {0}});
     addFlags(suite, {"AgaaViewDesc.flags/flags", "AgaaViewDesc::flags",
                      [](ViewParts& p, uint64_t flags) { p.desc.flags = flags; },
-                     AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE | AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE, nullptr});
+                     AGAA_VIEW_REVERSED_Z | AGAA_VIEW_COMPOSITE | AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE |
+                         AGAA_VIEW_VERTEX_PULLING,
+                     nullptr});
 }
 
 void addCaps(Suite& suite) {

@@ -181,6 +181,11 @@ void testEqualNames(Test& test) {
     test.check(planText(test, parts) == expected, "agaaPlanToJson writes different plans for \"simple-complex\" and \"simple_complex\".");
 }
 
+// Whether geometry shaders would expand the triangles of coverage samples, and the device has none.
+bool needsPulling(const ViewParts& parts) {
+    return countsCoverage(parts.config) && !(parts.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS);
+}
+
 // A row that can run has a plan with its tier; one that cannot is refused with a sentence. canRun: all stages of the technique
 // and n can run; otherwise there is no plan.
 void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row, bool canRun) {
@@ -199,6 +204,12 @@ void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapabilit
     const std::string what = nameOf(parts) + ", stage " + std::to_string(row.stage) + ", tier " + std::to_string(row.tier);
     if (row.tier == AGAA_TIER_AUTO || !canRun)
         return expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what);
+    if (needsPulling(parts)) {
+        expectViewRefused(test, parts, AGAA_ERROR_UNSUPPORTED, what + ", without AGAA_VIEW_VERTEX_PULLING");
+        parts.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
+        test.check(row.stage != AGAA_STAGE_GENERATION || std::strstr(row.reason, "AGAA_VIEW_VERTEX_PULLING"),
+                   what + " runs with AGAA_VIEW_VERTEX_PULLING alone, which the reason does not name.");
+    }
     expectAccepted(test, parts, what);
     const auto plan = nlohmann::json::parse(planText(test, parts));
     if (!isVisibility && row.stage != AGAA_STAGE_GENERATION)
@@ -217,6 +228,8 @@ void checkFirst(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& ro
     parts.desc.pNext = nullptr;
     if (countsCoverage(parts.config) && !hasCoverageSamples(row.technique))
         parts.chain(parts.fetch);
+    if (needsPulling(parts))
+        parts.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
     const auto plan = nlohmann::json::parse(planText(test, parts));
     const std::string tier = plan.at("tiers").value(row.stage == AGAA_STAGE_PREPASS ? "visibility" : "generation", "");
     test.check(tier == test.sdk.agaaTierName(row.tier), "agaaQueryCapabilities lists another tier first than AUTO selects for " +

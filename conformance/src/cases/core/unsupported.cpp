@@ -205,6 +205,31 @@ void testCustomDepth(Test& test) {
                     {"the tier PER_SAMPLE" + fact, unsupported, with("sbaa", AGAA_TIER_PER_SAMPLE, false), ""}});
 }
 
+// The flag stands for geometry shaders and for nothing else.
+void testVertexPulling(Test& test) {
+    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+                                          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK}, {"agaa", AGAA_TIER_FRAGMENTS}}) {
+        const auto with = [&, technique = technique, tier = tier](uint64_t flags, uint64_t without) {
+            return [=](ViewParts& p) {
+                p.setTechnique("dcaa", 4); // and the function that fetches
+                p.config.technique = technique;
+                p.config.generationTier = uint32_t(tier);
+                p.config.flags = 0;
+                p.desc.flags |= flags;
+                p.caps.flags &= ~without;
+            };
+        };
+        const std::string name = test.sdk.agaaTierName(tier);
+        const uint64_t pulls = AGAA_VIEW_VERTEX_PULLING, geometry = AGAA_DEVICE_GEOMETRY_SHADERS;
+        testRows(test, {{"the tier " + name + " without geometry shaders", unsupported, with(0, geometry), ""},
+                        {"AGAA_VIEW_VERTEX_PULLING and the tier " + name, AGAA_OK, with(pulls, 0), name},
+                        {"AGAA_VIEW_VERTEX_PULLING and the tier " + name + " without geometry shaders", AGAA_OK,
+                         with(pulls, geometry), name},
+                        {"AGAA_VIEW_VERTEX_PULLING and the tier " + name + " without atomics", unsupported,
+                         with(pulls, AGAA_DEVICE_FRAGMENT_ATOMICS), ""}});
+    }
+}
+
 // Each tier needs features; without them AUTO selects another one, and "ssaa" does not use the tier at all.
 void testGenerationTier(Test& test) {
     struct Need {
@@ -351,6 +376,7 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AgaaDecoupledCoverage/AGAA_ERROR_UNSUPPORTED", testFragmentsAtOnce);
     suite.core("AGAA_CONFIG_COUNTERS/AGAA_ERROR_UNSUPPORTED", testCounters);
     suite.core("AGAA_FACT_CUSTOM_DEPTH/AGAA_ERROR_UNSUPPORTED", testCustomDepth);
+    suite.core("AGAA_VIEW_VERTEX_PULLING/AGAA_ERROR_UNSUPPORTED", testVertexPulling);
     suite.core("AgaaConfig.generationTier/AGAA_ERROR_UNSUPPORTED", testGenerationTier);
     suite.core("AgaaConfig.visibilityTier/AGAA_ERROR_UNSUPPORTED", testVisibilityTier);
     suite.core("AgaaDeviceCaps.sampleCounts/AGAA_ERROR_UNSUPPORTED/queries", testSampleCounts);

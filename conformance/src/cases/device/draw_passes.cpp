@@ -67,7 +67,8 @@ void testStateRanges(Test& test) {
             test.check(!s.colorAttachmentCount || s.colorWriteMask, what + " has attachments and writes none.");
             test.check(s.colorAttachmentCount <= 8, what + " has more than 8 attachments.");
             for (const uint32_t flag :
-                 {s.depthWrite, s.stencilTest, s.stencilTestMasked, s.sampleShading, s.keepFirst, s.conservative})
+                 {s.depthWrite, s.stencilTest, s.stencilTestMasked, s.sampleShading, s.keepFirst, s.conservative,
+                  s.vertexPulling})
                 test.check(flag <= 1, what + " has a flag that is neither 0 nor 1.");
             test.check(s.samples && !(s.samples & (s.samples - 1)), what + " has a number of samples that is no power of 2.");
         }
@@ -93,8 +94,12 @@ void testIds(Test& test) {
             test.check(pass.pass >= AGAA_DRAW_PASS_VISIBILITY && pass.pass <= AGAA_DRAW_PASS_FRAGMENTS,
                        what + " has an unknown pass.");
             test.check(pass.name && pass.glslExtensions && pass.glslDeclarations, what + " lacks a name or a text.");
-            test.check((pass.glslGeometry != nullptr) == (pass.pass == AGAA_DRAW_PASS_FRAGMENTS),
+            const bool expands = pass.pass == AGAA_DRAW_PASS_FRAGMENTS, pulls = pass.state.vertexPulling;
+            test.check((pass.glslGeometry != nullptr) == (expands && !pulls),
                        what + (pass.glslGeometry ? " has" : " lacks") + " a text for a geometry shader.");
+            test.check((pass.glslVertex != nullptr) == pulls,
+                       what + (pass.glslVertex ? " has" : " lacks") + " a text for a vertex shader.");
+            test.check(expands || !pulls, what + " expands triangles, and is not of fragments.");
             test.check(keys.insert(pass.pipelineKey).second, what + " has the pipelineKey of another pass.");
         }
     });

@@ -150,6 +150,78 @@ void testNoGeometryShaders(Test& test) {
     expectRefused(test, test.device().createView(test.sdk, context.get(), &description.desc, &view), AGAA_ERROR_UNSUPPORTED,
                   context.log, "agaaVkCreateView", "agaaVkCreateView of \"dcaa\" without geometry shaders", "geometry shaders");
     test.check(!view, "agaaVkCreateView fails and returns a view.");
+    description.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
+    const BareView pulled(test, context.get(), description); // is created
+}
+
+// Whether vertex shaders expand triangles is told in passes and targets. The images are the same.
+void testPulling(Test& test) {
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    test.requireOk(test.device().getDeviceCaps(test.sdk, nullptr, &caps), "asking for the capabilities of the device");
+    if (!(caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS))
+        test.skip("the device has no geometry shaders to compare with.");
+    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+                                          {"agaa", AGAA_TIER_FRAGMENTS}}) {
+        const std::string what = std::string("AGAA_VIEW_VERTEX_PULLING with ") + test.sdk.agaaTierName(tier);
+        Image expected;
+        uint64_t fragments = 0;
+        for (const bool pulls : {false, true}) {
+            Rig rig(test, [&](ViewDescription& d) {
+                setTechnique(d, "dcaa", 4); // and the function that fetches
+                d.technique = technique;
+                d.config.technique = d.technique.c_str();
+                d.config.generationTier = uint32_t(tier);
+                if (tier == AGAA_TIER_MATERIAL_LISTS)
+                    d.desc.pNext = nullptr;
+                d.desc.flags = (d.desc.flags & ~AGAA_VIEW_VERTEX_PULLING) | (pulls ? AGAA_VIEW_VERTEX_PULLING : 0);
+            });
+            struct Draws {
+                Device& device;
+                std::vector<uint32_t> pulling;
+                static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
+                    auto& self = *static_cast<Draws*>(user);
+                    self.pulling.push_back(target->state.vertexPulling);
+                    return self.device.draw(*target);
+                }
+            } draws{rig.device(), {}};
+            const Image image = rig.render([&](AgaaFrame& frame) {
+                frame.draw = Draws::draw;
+                frame.drawUser = &draws;
+            });
+            test.check(draws.pulling == std::vector<uint32_t>{pulls},
+                       what + ": AgaaDrawState::vertexPulling of the target is wrong.");
+            if (pulls) {
+                expectSame(test, image, expected, 32, what);
+                test.check(rig.counters().fragments == fragments, what + ": there are other fragments.");
+            }
+            expected = image;
+            fragments = rig.counters().fragments;
+            test.check(fragments > 0, what + ": there are no fragments.");
+        }
+    }
+}
+
+// The same with the constants of a frame, which the vertex shader reads too, in each way.
+void testPullingConstants(Test& test) {
+    Image expected;
+    for (const uint32_t constants : {AGAA_GL_CONSTANTS_BLOCK, AGAA_GL_CONSTANTS_UNIFORMS, AGAA_GL_CONSTANTS_TEXELS})
+        for (const uint32_t version : {450u, 330u}) {
+            Rig rig(test,
+                    [](ViewDescription& d) {
+                        setTechnique(d, "dcaa", 4);
+                        d.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
+                    },
+                    [=](ContextDescription& d) {
+                        d.gl.constants = constants;
+                        d.gl.glslVersion = version;
+                        d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; // a unit of its own, if it is one
+                    });
+            const Image image = rig.render();
+            if (expected.empty())
+                expected = image;
+            expectSame(test, image, expected, 32, "AGAA_VIEW_VERTEX_PULLING with AgaaGlDeviceDesc::constants = " +
+                                                      std::to_string(constants) + " and GLSL " + std::to_string(version));
+        }
 }
 
 bool skipsBatches(Test& test, AgaaContext context) {
@@ -192,6 +264,8 @@ void addFragmentListCases(Suite& suite) {
     suite.both("AgaaDecoupledCoverage.merge/images", testMerges);
     suite.both("AgaaDecoupledCoverage.maxBatches/draws", testBatches);
     suite.add("AgaaGlDeviceDesc.constants/enum/dcaa", {Backend::OpenGl}, testConstants);
+    suite.both("AGAA_VIEW_VERTEX_PULLING/images", testPulling);
+    suite.add("AGAA_VIEW_VERTEX_PULLING/constants", {Backend::OpenGl}, testPullingConstants);
     suite.add("AGAA_DEVICE_GEOMETRY_SHADERS/AGAA_ERROR_UNSUPPORTED", {Backend::Vulkan}, testNoGeometryShaders);
     suite.add("AGAA_DEVICE_CONDITIONAL_RENDERING/images", {Backend::Vulkan}, testConditionalRendering);
 }
