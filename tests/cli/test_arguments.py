@@ -45,6 +45,7 @@ WRONG = [
     ["reference", "--footprint", "texel"],
     ["render", "--alpha-points", "2"],
     ["render", "--dither-frame", "-1"],
+    ["render", "--expand", "mesh"],
     ["render", "--fragments-per-pixel", "many"],
     ["plan", "--technique", "dcaa", "--samples", "64", "--fragments-per-pixel", "auto"],
     ["memory", "--technique", "dcaa", "--samples", "64", "--fragments-per-pixel", "auto"],
@@ -60,6 +61,7 @@ FAILS = [
     ["plan", "--k-per-distance", "0"],
     ["plan", "--technique", "ssaa", "--view", "clusters"],
     ["plan", "--lit", "--buffered"],
+    ["plan", "--technique", "dcaa", "--samples", "64", "--no-geometry-shaders"],
 ]
 
 

@@ -190,6 +190,27 @@ class Render(unittest.TestCase):
         self.assertEqual(clustered["counters"]["lostFragments"], 0)
         self.assertEqual(clustered["fragmentsPerPixel"], lists("foliage", "auto")["fragmentsPerPixel"])
 
+    # Tiers of coverage samples run on a device without geometry shaders if vertex shaders expand triangles.
+    def test_vertex_pulling(self):
+        def render(expand, *more):
+            return self.render(*options("dcaa"), "--expand", expand, "--exr", self.path(expand + ".exr"), *more, size="64x36",
+                               scene="foliage")
+
+        no_geometry = ("--no-geometry-shaders",) if self.backend == "vk" else ()
+        geometry, pulling = render("geometry"), render("pulling", *no_geometry)
+        self.assertEqual(pulling["counters"]["fragments"], geometry["counters"]["fragments"])
+        self.assertEqual(geometry["counters"]["lostFragments"], 0)
+        self.assertEqual(pulling["apiMessages"], [])
+        self.assertEqual(harness.data("compare", self.path("geometry.exr"), self.path("pulling.exr"))["maxAbs"], 0)
+        if not no_geometry:
+            return
+        caps = harness.data("caps", "--backend", self.backend, *no_geometry)
+        self.assertNotIn("geometry-shaders", caps["features"])
+        reasons = [row["reason"] for row in caps["tiers"] if row["technique"] == "dcaa" and row["stage"] == "generation"]
+        self.assertGreater(len(reasons), 2)
+        for reason in reasons:
+            self.assertIn("AGAA_VIEW_VERTEX_PULLING", reason)
+
     def test_caps(self):
         data = harness.data("caps", "--backend", self.backend)
         self.assertIn("fragment-atomics", data["features"])

@@ -108,6 +108,12 @@ TEST_P(GlScenes, OrderOfDrawsIsFreeInOneGeometryPass) {
     expectOrderOfDrawsIsFree(sharedGlRenderer(), settings());
 }
 
+TEST_P(GlScenes, VertexPullingShowsWhatGeometryShadersShow) {
+    if (GetParam().name != "foliage" && GetParam().name != "city")
+        GTEST_SKIP() << "foliage and city cover it";
+    expectExpansionsAgree(sharedGlRenderer(), sharedGlRenderer(), settings());
+}
+
 INSTANTIATE_TEST_SUITE_P(All, GlScenes, testing::ValuesIn(allTestScenes()),
                          [](const auto& info) { return info.param.name; });
 

@@ -144,6 +144,31 @@ void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings) {
     }
 }
 
+void expectExpansionsAgree(Renderer& geometry, Renderer& pulling, RenderSettings settings) {
+    settings.config.samples = 64;
+    settings.config.coverage.fragmentsPerPixel = 64;
+    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+                                          {"agaa", AGAA_TIER_FRAGMENTS}})
+        for (const bool reversedZ : {false, true}) {
+            SCOPED_TRACE(std::string(agaaTierName(tier)) + (reversedZ ? ", reversed" : ""));
+            settings.config.technique = technique;
+            settings.config.generationTier = uint32_t(tier);
+            settings.reversedZ = reversedZ;
+            settings.vertexPulling = false;
+            const RenderResult expected = geometry.render(settings);
+            settings.vertexPulling = true;
+            const RenderResult got = pulling.render(settings);
+            const AgaaCounters &a = expected.statistics.back().counters, &b = got.statistics.back().counters;
+            const Difference difference = differenceOf(expected.image, got.image);
+            EXPECT_EQ(difference.pixels, 0u) << difference.largest;
+            EXPECT_GT(a.fragments, 10000u);
+            EXPECT_EQ(a.lostFragments, 0u);
+            EXPECT_EQ(b.fragments, a.fragments);
+            EXPECT_EQ(b.visible, a.visible);
+            EXPECT_EQ(b.shadingEvents, a.shadingEvents);
+        }
+}
+
 void expectImagesRepeat(Renderer& renderer, RenderSettings settings) {
     const auto expectRepeats = [&](const char* what) {
         const Image first = renderer.render(settings).image;

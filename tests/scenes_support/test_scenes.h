@@ -49,6 +49,9 @@ void expectImagesRepeat(Renderer& renderer, RenderSettings settings);
 // Of techniques that draw once, into a G-buffer: each fragment is evaluated at a place that does not depend on what was
 // drawn before. For scenes without equal depths.
 void expectOrderOfDrawsIsFree(Renderer& renderer, RenderSettings settings);
+// Bit by bit, of each tier with coverage samples and in both depth conventions: vertex shaders that expand triangles, beside
+// geometry shaders. pulling: may have no geometry shaders. Both have loaded the scene.
+void expectExpansionsAgree(Renderer& geometry, Renderer& pulling, RenderSettings settings);
 // The generation tiers' images, within a stated mean difference; prints it under the scene's name.
 void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* name);
 // Aggregates in memory or not, draws fetched or not, the preset accurate by id or from a G-buffer: within stated mean

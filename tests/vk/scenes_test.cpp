@@ -81,6 +81,22 @@ TEST_P(Scenes, OrderOfDrawsIsFreeInOneGeometryPass) {
     expectOrderOfDrawsIsFree(sharedRenderer(), settings());
 }
 
+TEST_P(Scenes, VertexPullingShowsWhatGeometryShadersShow) {
+    if (GetParam().name != "foliage" && GetParam().name != "city")
+        GTEST_SKIP() << "foliage and city cover it";
+    RendererOptions options;
+    options.noGeometryShaders = true;
+    const std::unique_ptr<Renderer> pulling = makeVulkanRenderer(options);
+    pulling->load(scene_);
+    EXPECT_EQ(pulling->caps().flags & AGAA_DEVICE_GEOMETRY_SHADERS, 0u);
+    expectExpansionsAgree(sharedRenderer(), *pulling, settings());
+    RenderSettings refused = settings();
+    refused.config.technique = "dcaa";
+    refused.config.samples = 64;
+    EXPECT_THROW(pulling->render(refused), std::runtime_error);
+    expectNoMessages(*pulling);
+}
+
 TEST_P(Scenes, HardCase22_FarFromTheOriginNothingChanges) {
     RenderSettings s = settings();
     const Image near = sharedRenderer().render(s).image;

@@ -182,6 +182,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.aggregation.glossWeight = finite(arguments.glossWeight, "--gloss-weight");
     config.coverage.merge =
         choice(arguments.merge, "--merge", {{"visible", AGAA_MERGE_VISIBLE}, {"paper", AGAA_MERGE_PAPER}, {"none", AGAA_MERGE_NONE}});
+    vertexPulling = choice(arguments.expand, "--expand", {{"geometry", 0}, {"pulling", 1}});
     fitsFragments = arguments.fragmentsPerPixel == "auto";
     if (!fitsFragments)
         config.coverage.fragmentsPerPixel =

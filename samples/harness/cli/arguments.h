@@ -61,6 +61,7 @@ struct PlanArguments {
     bool noShadowFilter = false;
     bool shadowAlongDepth = false;
     bool reversedZ = true;
+    std::string expand = "geometry";
     std::string size = "640x360";
 };
 
@@ -69,6 +70,7 @@ struct Configuration {
     AgaaLayout layout = AGAA_LAYOUT_INIT;
     std::string technique; // that config points to
     TechniqueConfig config;
+    bool vertexPulling = false;
     bool fitsFragments = false; // --fragments-per-pixel auto: a frame decides
     bool isModel = false; // --tier native: the papers' model, on an ideal device
     Size size;

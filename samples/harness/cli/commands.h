@@ -12,6 +12,7 @@ struct DeviceArguments {
     std::string backend; // empty: no device is asked for
     bool renderPass = false;
     bool noConditionalRendering = false;
+    bool noGeometryShaders = false;
     bool inlineRecording = false;
     bool noValidation = false;
     uint32_t keptViews = 2;

@@ -50,7 +50,7 @@ std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration,
     caps.flags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS |
                  AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_DYNAMIC_RENDERING |
                  AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_D24S8 | AGAA_DEVICE_D32S8 |
-                 AGAA_DEVICE_GEOMETRY_SHADERS;
+                 (device.noGeometryShaders ? 0 : AGAA_DEVICE_GEOMETRY_SHADERS);
     return caps;
 }
 
@@ -63,6 +63,7 @@ AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& fa
     view.config = &configuration.config;
     view.facts = &facts;
     view.flags = reversedZ && !configuration.isModel ? AGAA_VIEW_REVERSED_Z : 0;
+    view.flags |= configuration.vertexPulling ? AGAA_VIEW_VERTEX_PULLING : 0;
     if (configuration.config.fetches())
         view.pNext = &fetch;
     return view;
@@ -245,6 +246,7 @@ std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments) {
     options.keptViews = arguments.keptViews;
     options.renderPass = arguments.renderPass;
     options.noConditionalRendering = arguments.noConditionalRendering;
+    options.noGeometryShaders = arguments.noGeometryShaders;
     options.inlineRecording = arguments.inlineRecording;
     options.compatibilityProfile = arguments.compatibilityProfile;
     options.clipZFromMinusOne = arguments.clipZFromMinusOne;

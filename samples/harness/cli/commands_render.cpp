@@ -45,6 +45,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     for (const std::string& effect : arguments.without)
         leaveOut(effect, settings.facts);
     settings.reversedZ = arguments.plan.reversedZ;
+    settings.vertexPulling = configuration.vertexPulling;
     settings.drawOrderSeed = arguments.drawOrderSeed;
     settings.alphaPoints = arguments.alphaPoints;
     settings.ditherFrame = arguments.ditherFrame;

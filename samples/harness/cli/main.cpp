@@ -24,6 +24,7 @@ void addPlanOptions(CLI::App& app, PlanArguments& a) {
         ->allow_extra_args(false);
     app.add_option("--size", a.size, "WxH");
     app.add_option("--reversed-z", a.reversedZ, "1: near is 1, far is infinite and 0");
+    app.add_option("--expand", a.expand, "shaders that expand triangles to coverage samples: geometry or pulling");
     app.add_flag("--no-stencil", a.noStencil, "first come, first kept on equal depth");
 }
 
@@ -65,6 +66,7 @@ void addDeviceOptions(CLI::App& app, DeviceArguments& a) {
     app.add_flag("--render-pass", a.renderPass, "VkRenderPass instead of dynamic rendering");
     app.add_flag("--inline-recording", a.inlineRecording);
     app.add_flag("--no-conditional-rendering", a.noConditionalRendering, "vk: run all batches, needed or not");
+    app.add_flag("--no-geometry-shaders", a.noGeometryShaders, "vk: do not enable them");
     app.add_flag("--no-validation", a.noValidation);
     app.add_flag("--compatibility-profile", a.compatibilityProfile, "gl");
     app.add_flag("--clip-z-from-minus-one", a.clipZFromMinusOne, "gl: its default depth convention");

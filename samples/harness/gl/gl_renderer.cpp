@@ -39,11 +39,12 @@ void GlRenderer::upload() {
     device_.makeCurrent();
     shadowMaps_.invalidate();
     fetch_.reset();
+    strips_.reset();
     gpuScene_.reset();
     gpuScene_.emplace(device_.gl(), scene());
 }
 
-const AgaaFetchFunction* GlRenderer::fetchFunction() {
+const AgaaFetchFunction* GlRenderer::fetchFunction(bool) {
     device_.makeCurrent();
     if (!fetch_)
         fetch_.emplace(device_.gl(), scene(), *gpuScene_);
@@ -68,8 +69,11 @@ void GlRenderer::prepare(const FrameInput& input) {
         outputHeight_ = settings.height;
     }
     shadowMaps_.update(*gpuScene_, scene(), settings, input.camera);
-    for (const DrawPass<AgaaGlDrawPass>& pass : view_->passes)
+    for (const DrawPass<AgaaGlDrawPass>& pass : view_->passes) {
         programs_.prepare(pass, scene(), input.draws);
+        if (pass.state.vertexPulling && !strips_)
+            strips_.emplace(gl, scene(), *gpuScene_);
+    }
     const glm::mat4 viewProjection(rasterised(input.camera.projection) * input.camera.view);
     const CameraConstants camera{viewProjection, float(settings.footprint)};
     gl.NamedBufferSubData(cameraConstants_.get(), 0, sizeof camera, &camera);
@@ -117,7 +121,10 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
                    options_.clipZFromMinusOne ? GL_NEGATIVE_ONE_TO_ONE : GL_ZERO_TO_ONE);
     gl.CullFace(GL_BACK);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, cameraBinding, cameraConstants_.get());
-    gpuScene_->bindGeometry();
+    if (target.state.vertexPulling)
+        strips_->bind();
+    else
+        gpuScene_->bindGeometry();
     uint32_t material = UINT32_MAX;
     for (uint32_t index = 0; index < input.draws.size(); ++index) {
         const Draw& draw = input.draws[index];
@@ -135,10 +142,13 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
             material = mesh.material;
             gpuScene_->bindMaterial(material);
         }
-        program.setDraw(gl, drawConstants(draw, index));
+        program.setDraw(gl, drawConstants(scene(), draw, index));
         if (target.constants)
             gl.Uniform4fv(program.constants, GLsizei(target.constantCount), target.constants);
-        gpuScene_->draw(mesh);
+        if (target.state.vertexPulling)
+            strips_->draw(mesh);
+        else
+            gpuScene_->draw(mesh);
     }
 }
 

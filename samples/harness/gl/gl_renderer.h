@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/gpu_fetch.h"
+#include "gl/gpu_strips.h"
 #include "gl/pass_programs.h"
 #include "gl/sdk_context.h"
 #include "gl/shadow_maps.h"
@@ -26,7 +27,7 @@ private:
     ClipY clipY() const override { return ClipY::Down; }
     uint64_t viewFlags() const override;
     void upload() override;
-    const AgaaFetchFunction* fetchFunction() override;
+    const AgaaFetchFunction* fetchFunction(bool coversByEdges) override;
     AgaaView useView(const AgaaViewDesc& desc) override;
     void prepare(const FrameInput& input) override;
     double renderFrame(const FrameInput& input) override;
@@ -46,6 +47,7 @@ private:
     uint32_t outputHeight_ = 0;
     std::optional<gl::GpuScene> gpuScene_;
     std::optional<gl::GpuFetch> fetch_; // where a view fetches by id
+    std::optional<gl::GpuStrips> strips_; // where a pass pulls vertices
     const gl::GlSdkView* view_ = nullptr; // in use
 };
 

@@ -25,6 +25,7 @@ public:
     void bindMaterial(uint32_t material) const;
     void draw(const Mesh& mesh) const;
     GLuint indices() const { return indices_.get(); }
+    GLuint vertices() const { return vertices_.get(); }
 
 private:
     void uploadGeometry(const Scene& scene);

@@ -17,6 +17,10 @@ void PassProgram::setDraw(const GladGLContext& gl, const DrawConstants& constant
         gl.ProgramUniform1f(name, handedness, constants.handedness);
     if (index >= 0)
         gl.ProgramUniform1ui(name, index, constants.index);
+    if (firstIndex >= 0)
+        gl.ProgramUniform1ui(name, firstIndex, constants.firstIndex);
+    if (firstVertex >= 0)
+        gl.ProgramUniform1ui(name, firstVertex, constants.firstVertex);
 }
 
 PassPrograms::PassPrograms(const GladGLContext& gl, const RendererOptions& options)
@@ -63,20 +67,29 @@ std::string PassPrograms::geometryText(const DrawPass<AgaaGlDrawPass>& pass) con
     if (!pass.glslGeometry)
         return {};
     return versionLine(glslVersion_) + pass.glslExtensions + "#define HARNESS_GL\n" + pass.glslGeometry +
-           embedded::interface_glsl + embedded::corners_geom;
+           embedded::interface_glsl + embedded::corner_outputs_glsl + embedded::corners_geom;
+}
+
+std::string PassPrograms::vertexTextOf(const DrawPass<AgaaGlDrawPass>& pass) const {
+    if (pass.glslVertex)
+        return versionLine(glslVersion_) + pass.glslExtensions + "#define HARNESS_GL\n" + pass.glslVertex +
+               embedded::interface_glsl + embedded::object_glsl + embedded::corner_outputs_glsl + embedded::corners_vert;
+    const std::string body = "#define FOR_CORNERS " + std::to_string(cornerOutputs(pass)) + "\n" + embedded::object_glsl +
+                             embedded::material_vert;
+    return vertexText(glslVersion_, body.c_str());
 }
 
 PassProgram PassPrograms::make(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const {
     PassProgram made;
-    const std::string vertex = "#define FOR_CORNERS " + std::to_string(cornerOutputs(pass)) + "\n" +
-                               embedded::material_vert;
-    made.program = Program(*gl_, vertexText(glslVersion_, vertex.c_str()),
+    made.program = Program(*gl_, vertexTextOf(pass),
                            fragmentText(pass, variant), std::string("material, ") + pass.name, geometryText(pass));
     made.toShading = made.program.uniform("draw.toShading");
     made.normalToShading = made.program.uniform("draw.normalToShading");
     made.seed = made.program.uniform("draw.seed");
     made.handedness = made.program.uniform("draw.handedness");
     made.index = made.program.uniform("draw.index");
+    made.firstIndex = made.program.uniform("draw.firstIndex");
+    made.firstVertex = made.program.uniform("draw.firstVertex");
     made.constants = made.program.uniform("agaa_constants");
     return made;
 }

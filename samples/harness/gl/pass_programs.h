@@ -18,6 +18,8 @@ struct PassProgram {
     GLint seed = -1;
     GLint handedness = -1;
     GLint index = -1;
+    GLint firstIndex = -1;
+    GLint firstVertex = -1;
     GLint constants = -1; // of the SDK
 
     void setDraw(const GladGLContext& gl, const DrawConstants& constants) const;
@@ -36,6 +38,7 @@ private:
     PassProgram make(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const;
     std::string fragmentText(const DrawPass<AgaaGlDrawPass>& pass, const Variant& variant) const;
     std::string geometryText(const DrawPass<AgaaGlDrawPass>& pass) const;
+    std::string vertexTextOf(const DrawPass<AgaaGlDrawPass>& pass) const;
 
     const GladGLContext* gl_;
     uint32_t glslVersion_;

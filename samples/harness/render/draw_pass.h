@@ -16,7 +16,7 @@ template <class Native> struct DrawPass : AgaaDrawPass {
 
 // Which outputs the vertex shader of a pass needs: FOR_CORNERS of material.vert. Geometry shaders read some of them.
 inline int cornerOutputs(const AgaaDrawPass& pass) {
-    if (!pass.glslGeometry)
+    if (!pass.glslGeometry) // or the pass needs another vertex shader
         return 0;
     return std::string_view(pass.glslDeclarations).find("#define AGAA_NEEDS_MATERIAL 1") == std::string_view::npos ? 1 : 2;
 }

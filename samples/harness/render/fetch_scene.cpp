@@ -57,8 +57,8 @@ std::vector<FetchDraw> fetchDraws(const Scene& scene, const std::vector<Draw>& d
     std::vector<FetchDraw> out;
     for (const Draw& draw : draws) {
         const Mesh& mesh = scene.meshes[draw.mesh];
-        const DrawConstants c = drawConstants(draw, uint32_t(out.size()));
-        out.push_back({c.toShading, c.normalToShading, mesh.firstIndex, mesh.firstVertex,
+        const DrawConstants c = drawConstants(scene, draw, uint32_t(out.size()));
+        out.push_back({c.toShading, c.normalToShading, c.firstIndex, c.firstVertex,
                        std::min(mesh.material, uint32_t(scene.materials.size())), c.handedness});
     }
     return out;

@@ -45,7 +45,7 @@ void checkMeshes(const Scene& scene) {
     }
 }
 
-DrawConstants drawConstants(const Draw& draw, uint32_t index) {
+DrawConstants drawConstants(const Scene& scene, const Draw& draw, uint32_t index) {
     DrawConstants c{};
     const glm::dmat3 linear(draw.toShading);
     // The inverse transpose by cofactors: defined for flattened objects too.
@@ -66,6 +66,8 @@ DrawConstants drawConstants(const Draw& draw, uint32_t index) {
     c.seed = drawSeed(draw.instance);
     c.handedness = draw.isMirrored ? -1.0f : 1.0f;
     c.index = draw.isFetched ? index : UINT32_MAX; // AGAA_UNFETCHED
+    c.firstIndex = scene.meshes[draw.mesh].firstIndex;
+    c.firstVertex = scene.meshes[draw.mesh].firstVertex;
     return c;
 }
 

@@ -33,7 +33,7 @@ uint32_t materialFeatures(const Scene& scene, uint32_t material);
 // Throws std::runtime_error where a mesh reaches beyond the scene's vertices or indices.
 void checkMeshes(const Scene& scene);
 
-// As the Camera block of material.vert and material.frag, std140.
+// As the Camera block of object.glsl and material.frag, std140.
 struct CameraConstants {
     glm::mat4 viewProjection;
     float footprint;
@@ -41,18 +41,20 @@ struct CameraConstants {
 };
 static_assert(sizeof(CameraConstants) == 80);
 
-// As material.vert's Draw block.
+// As object.glsl's Draw block.
 struct DrawConstants {
     std::array<glm::vec4, 3> toShading;
     std::array<glm::vec4, 3> normalToShading;
     uint32_t seed;
     float handedness;
     uint32_t index;
+    uint32_t firstIndex; // of the mesh
+    uint32_t firstVertex;
 };
 static_assert(sizeof(DrawConstants) <= 128, "Vulkan promises no more push constants than this.");
 
 // index: in the frame's list of draws.
-DrawConstants drawConstants(const Draw& draw, uint32_t index);
+DrawConstants drawConstants(const Scene& scene, const Draw& draw, uint32_t index);
 
 struct Variant {
     bool isMasked = false;

@@ -40,10 +40,11 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     desc.config = &config;
     desc.facts = &facts;
     desc.flags = viewFlags() | (settings.reversedZ ? AGAA_VIEW_REVERSED_Z : 0) |
-                 (settings.background.a == 0 ? AGAA_VIEW_COMPOSITE : 0);
+                 (settings.background.a == 0 ? AGAA_VIEW_COMPOSITE : 0) |
+                 (settings.vertexPulling ? AGAA_VIEW_VERTEX_PULLING : 0);
     AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
     if (settings.config.fetches()) {
-        fetch = *fetchFunction();
+        fetch = *fetchFunction(settings.config.coversByEdges());
         fetch.flags = settings.unfetchedEvery ? AGAA_FETCH_NOT_ALL_DRAWS : 0;
         desc.pNext = &fetch;
     }

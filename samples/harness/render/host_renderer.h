@@ -35,8 +35,8 @@ protected:
     virtual glm::dmat4 rasterised(const glm::dmat4& projection) const { return projection; }
     // Of the scene that scene() now is.
     virtual void upload() = 0;
-    // For views of the tier IDS: the function that fetches scene()'s materials.
-    virtual const AgaaFetchFunction* fetchFunction() = 0;
+    // For views that fetch: the function that fetches scene()'s materials. coversByEdges: the tier is not IDS.
+    virtual const AgaaFetchFunction* fetchFunction(bool coversByEdges) = 0;
     // First of all, so that the SDK refuses what it cannot do, in its own words.
     virtual AgaaView useView(const AgaaViewDesc& desc) = 0;
     // Output, shadow maps and pipelines that the frames need.

@@ -18,6 +18,7 @@ struct RendererOptions {
     bool renderPass = false;     // Vulkan: VkRenderPass instead of dynamic rendering
     bool inlineRecording = false; // Vulkan: callbacks record into the host's command buffer
     bool noConditionalRendering = false; // Vulkan: the device runs all batches, needed or not
+    bool noGeometryShaders = false; // Vulkan: as on devices that have none
     uint32_t shadowMapSize = 2048;
     uint32_t keptViews = 2; // of the SDK: measurements take turns between views
     // OpenGL
@@ -50,6 +51,7 @@ struct RenderSettings {
     uint32_t ditherFrame = 0;   // AgaaFrame::ditherFrame
     uint32_t unfetchedEvery = 0; // tier IDS: each so-manieth draw is one that cannot be fetched
     bool splitSegments = false; // record each segment by a call of its own
+    bool vertexPulling = false; // AGAA_VIEW_VERTEX_PULLING
 };
 
 // What the SDK made of a configuration.

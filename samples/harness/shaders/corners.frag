@@ -1,4 +1,4 @@
-// The fragments that corners.geom gives to pixels. The version, the SDK's extensions, interface.glsl, the SDK's
+// The fragments that corners.geom or corners.vert gives to pixels. The version, the SDK's extensions, interface.glsl, the SDK's
 // declarations, material.glsl and material_inputs.glsl come before this text.
 
 #if AGAA_NEEDS_MATERIAL
@@ -6,7 +6,7 @@ VARYING(0) flat in vec4 cornerNormal[3]; // w: u
 VARYING(3) flat in vec4 cornerTangent[3];
 VARYING(6) flat in vec4 cornerColor[3]; // w: alpha
 VARYING(9) flat in vec4 cornerPosition[3]; // w: v
-VARYING(12) flat in uvec2 cornerIds; // seed, draw
+VARYING(12) flat in uvec3 cornerIds; // seed, draw, primitive
 
 vec4 weighed(vec3 weights, vec4 corners[3]) { return weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2]; }
 vec2 weighedUv(vec3 weights) {
@@ -17,7 +17,7 @@ float weighedAlpha(vec3 weights) { return dot(weights, vec3(cornerColor[0].w, co
 #else
 VARYING(0) flat in vec2 cornerUv[3];
 VARYING(3) flat in vec3 cornerAlpha;
-VARYING(4) flat in uvec2 cornerIds;
+VARYING(4) flat in uvec3 cornerIds;
 
 vec2 weighedUv(vec3 weights) { return weights.x * cornerUv[0] + weights.y * cornerUv[1] + weights.z * cornerUv[2]; }
 float weighedAlpha(vec3 weights) { return dot(weights, cornerAlpha); }
@@ -80,7 +80,7 @@ void main() {
     AgaaSurfaceInput surface = agaa_surfaceInput();
     surface.primitiveSeed = cornerIds.x;
     surface.draw = cornerIds.y;
-    surface.primitive = uint(gl_PrimitiveID);
+    surface.primitive = cornerIds.z;
 #if AGAA_ALPHA_MASKED
     setAlpha(surface);
 #endif

@@ -37,7 +37,7 @@ FetchDraw fetchDraw(uint index) {
 vec4 fetchRowOf(FetchDraw draw, int row) { return uintBitsToFloat(texelFetch(fetchDraws, draw.at + row)); }
 
 float fetchRow(vec4 row, vec3 p) { return ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w; }
-vec3 fetchTransform(FetchDraw draw, vec3 p) { // as material.vert's
+vec3 fetchTransform(FetchDraw draw, vec3 p) { // as object.glsl's
     return vec3(fetchRow(fetchRowOf(draw, 0), p), fetchRow(fetchRowOf(draw, 1), p), fetchRow(fetchRowOf(draw, 2), p));
 }
 vec3 fetchRotate(FetchDraw draw, int firstRow, vec3 v) {
@@ -50,7 +50,7 @@ int fetchVertex(FetchDraw draw, uint primitive, uint corner) {
     return vertexTexels * int(draw.firstVertex + index);
 }
 
-// As material.vert computes it.
+// As object.glsl computes it.
 vec4 fetchClip(FetchDraw draw, int vertex) {
     vec3 p = fetchTransform(draw, uintBitsToFloat(texelFetch(fetchVertices, vertex).xyz));
     mat4 m = fetchCamera.viewProjection;

@@ -189,7 +189,8 @@ void Device::choosePhysicalDevice() {
 void Device::createDevice(const RendererOptions& options) {
     const auto isUnwanted = [&](std::string_view feature) {
         return (feature == "dynamicRendering" && options.renderPass) ||
-               (feature == "conditionalRendering" && options.noConditionalRendering);
+               (feature == "conditionalRendering" && options.noConditionalRendering) ||
+               (feature == "geometryShader" && options.noGeometryShaders);
     };
     AgaaVkRequirements requirements = AGAA_VK_REQUIREMENTS_INIT;
     if (agaaVkGetRequirements(&requirements) != AGAA_OK)
@@ -243,7 +244,7 @@ void Device::createDevice(const RendererOptions& options) {
     // the edges of triangles.
     hasAnisotropy_ = properties_.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU &&
                      supported.isSet("samplerAnisotropy") && enabled.set("samplerAnisotropy");
-    hasPrimitiveIds_ = supported.isSet("geometryShader") && enabled.set("geometryShader");
+    hasPrimitiveIds_ = !isUnwanted("geometryShader") && supported.isSet("geometryShader") && enabled.set("geometryShader");
     hasDynamicRendering_ = enabled.isSet("dynamicRendering");
 
     const float priority = 1;

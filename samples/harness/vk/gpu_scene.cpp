@@ -37,7 +37,8 @@ void GpuScene::uploadGeometry(Uploader& uploader, const Scene& scene) {
     // A scene may be empty; buffers may not.
     vertices_ =
         arena_.deviceBuffer(std::max(vertices.size(), sizeof(Vertex)),
-                            VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+                            VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
+                                VK_BUFFER_USAGE_TRANSFER_DST_BIT);
     indices_ =
         arena_.deviceBuffer(std::max(indices.size(), sizeof(uint32_t)),
                             VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |

@@ -19,6 +19,7 @@ public:
     VkDescriptorSet materialSet(uint32_t material) const;
     void bindGeometry(VkCommandBuffer commands) const;
     const BufferResource& indices() const { return indices_; } // texels too
+    const BufferResource& vertices() const { return vertices_; }
 
 private:
     void uploadGeometry(Uploader& uploader, const Scene& scene);

@@ -18,7 +18,12 @@ std::string fragmentText(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked) {
 
 std::string geometryText(const DrawPass<AgaaVkDrawPass>& pass) {
     return std::string("#version 450\n") + pass.glslExtensions + pass.glslGeometry + "\n" + embedded::interface_glsl +
-           embedded::corners_geom;
+           embedded::corner_outputs_glsl + embedded::corners_geom;
+}
+
+std::string pullingText(const DrawPass<AgaaVkDrawPass>& pass) {
+    return std::string("#version 450\n") + pass.glslExtensions + pass.glslVertex + "\n" + embedded::interface_glsl +
+           embedded::object_glsl + embedded::corner_outputs_glsl + embedded::corners_vert;
 }
 
 } // namespace
@@ -27,16 +32,19 @@ PassPipelines::PassPipelines(const Device& device, VkDescriptorSetLayout cameraL
     : device_(&device), cameraLayout_(cameraLayout) {}
 
 void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& scene,
-                            const std::vector<Draw>& draws, VkDescriptorSetLayout materialLayout) {
+                            const std::vector<Draw>& draws, VkDescriptorSetLayout materialLayout,
+                            VkDescriptorSetLayout stripLayout) {
     Program& program = programs_[pass.pipelineKey];
     const std::string text = std::string(pass.glslExtensions) + pass.glslDeclarations;
     if (!program.layout) {
         program.text = text;
-        program.layout = makeLayout(pass, materialLayout);
-        ShaderModule& vertex = vertices_[size_t(cornerOutputs(pass))];
-        if (!vertex) {
-            const std::string body =
-                "#define FOR_CORNERS " + std::to_string(cornerOutputs(pass)) + "\n" + embedded::material_vert;
+        program.layout = makeLayout(pass, materialLayout, stripLayout);
+        ShaderModule& vertex = pass.glslVertex ? program.pulling : vertices_[size_t(cornerOutputs(pass))];
+        if (pass.glslVertex) {
+            vertex = makeShader(*device_, ShaderStage::Vertex, pullingText(pass), "corners.vert");
+        } else if (!vertex) {
+            const std::string body = "#define FOR_CORNERS " + std::to_string(cornerOutputs(pass)) + "\n" +
+                                     embedded::object_glsl + embedded::material_vert;
             vertex = makeShader(*device_, ShaderStage::Vertex, vulkanText(body.c_str()), "material.vert");
         }
         program.vertex = &vertex;
@@ -61,15 +69,16 @@ void PassPipelines::prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& s
 }
 
 PipelineLayout PassPipelines::makeLayout(const DrawPass<AgaaVkDrawPass>& pass,
-                                         VkDescriptorSetLayout materials) const {
-    std::array<VkDescriptorSetLayout, 3> sets{};
+                                         VkDescriptorSetLayout materials, VkDescriptorSetLayout strips) const {
+    std::array<VkDescriptorSetLayout, 4> sets{};
     sets[cameraSetIndex] = cameraLayout_;
     sets[agaaSetIndex] = (VkDescriptorSetLayout)pass.native.descriptorSetLayout;
     sets[materialSetIndex] = materials;
+    sets[stripSetIndex] = strips;
     const VkPushConstantRange constants{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(DrawConstants)};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    info.setLayoutCount = uint32_t(sets.size());
+    info.setLayoutCount = pass.state.vertexPulling ? uint32_t(sets.size()) : stripSetIndex;
     info.pSetLayouts = sets.data();
     info.pushConstantRangeCount = 1;
     info.pPushConstantRanges = &constants;
@@ -86,6 +95,8 @@ Pipeline PassPipelines::makePipeline(const DrawPass<AgaaVkDrawPass>& pass, const
         variant.isMirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE;
     state.fragmentConstant = variant.features;
     state.geometry = program.geometry.get();
+    if (pass.state.vertexPulling)
+        state.vertexLocations = 0;
     const VkRenderPass renderPass = (VkRenderPass)pass.native.renderPass;
     return state.create(*device_, program.vertex->get(), program.fragments[variant.isMasked].get(),
                         program.layout.get(), renderPass,

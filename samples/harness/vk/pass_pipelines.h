@@ -16,14 +16,16 @@ namespace harness::vk {
 constexpr uint32_t cameraSetIndex = 0;
 constexpr uint32_t agaaSetIndex = 1;
 constexpr uint32_t materialSetIndex = 2;
+constexpr uint32_t stripSetIndex = 3; // of passes that pull vertices
 
 class PassPipelines {
 public:
     PassPipelines(const Device& device, VkDescriptorSetLayout cameraLayout);
 
-    // Makes what the draws need and is not there yet. Before recording: pipelines take time.
+    // Makes what the draws need and is not there yet. Before recording: pipelines take time. stripLayout: may be null if no
+    // pass pulls vertices.
     void prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& scene, const std::vector<Draw>& draws,
-                 VkDescriptorSetLayout materialLayout);
+                 VkDescriptorSetLayout materialLayout, VkDescriptorSetLayout stripLayout);
     // Both throw std::runtime_error where prepare() was not called for it.
     VkPipelineLayout layout(uint64_t pipelineKey) const;
     VkPipeline pipeline(uint64_t pipelineKey, const Variant& variant) const;
@@ -34,12 +36,13 @@ private:
         std::string text;
         PipelineLayout layout;
         std::array<ShaderModule, 2> fragments; // opaque, masked
-        ShaderModule geometry;                 // where the pass has one
+        ShaderModule geometry, pulling;        // where the pass has one
         const ShaderModule* vertex = nullptr;
         std::map<Variant, Pipeline> pipelines;
     };
     const Program& program(uint64_t pipelineKey) const;
-    PipelineLayout makeLayout(const DrawPass<AgaaVkDrawPass>& pass, VkDescriptorSetLayout materials) const;
+    PipelineLayout makeLayout(const DrawPass<AgaaVkDrawPass>& pass, VkDescriptorSetLayout materials,
+                              VkDescriptorSetLayout strips) const;
     Pipeline makePipeline(const DrawPass<AgaaVkDrawPass>& pass, const Program& program,
                           const Variant& variant) const;
 

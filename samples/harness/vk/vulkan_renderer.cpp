@@ -63,12 +63,13 @@ void VulkanRenderer::createCameraSet() {
 void VulkanRenderer::upload() {
     shadowMaps_.invalidate();
     fetch_.reset();
+    strips_.reset();
     gpuScene_.reset();
     gpuScene_.emplace(device_, scene());
 }
 
-const AgaaFetchFunction* VulkanRenderer::fetchFunction() {
-    if (!device_.hasPrimitiveIds())
+const AgaaFetchFunction* VulkanRenderer::fetchFunction(bool coversByEdges) {
+    if (!device_.hasPrimitiveIds() && !coversByEdges)
         throw std::runtime_error("The device has no gl_PrimitiveID in fragment shaders (the feature geometryShader), "
                                  "by which the sample engine tells the ids of the tier ids.");
     if (!fetch_)
@@ -88,8 +89,12 @@ void VulkanRenderer::prepare(const FrameInput& input) {
         output_.emplace(device_, settings.width, settings.height);
     }
     shadowMaps_.update(*gpuScene_, scene(), settings, input.camera);
-    for (const DrawPass<AgaaVkDrawPass>& pass : view_->passes)
-        pipelines_.prepare(pass, scene(), input.draws, gpuScene_->materialLayout());
+    for (const DrawPass<AgaaVkDrawPass>& pass : view_->passes) {
+        if (pass.state.vertexPulling && !strips_)
+            strips_.emplace(device_, scene(), *gpuScene_);
+        pipelines_.prepare(pass, scene(), input.draws, gpuScene_->materialLayout(),
+                           strips_ ? strips_->layout() : VK_NULL_HANDLE);
+    }
     const glm::mat4 viewProjection(input.camera.viewProjection);
     const CameraConstants camera{viewProjection, float(settings.footprint)};
     std::memcpy(cameraConstants_.mapped, &camera, sizeof camera);
@@ -134,7 +139,10 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
     const auto commands = static_cast<VkCommandBuffer>(target.commandBuffer);
     const VkPipelineLayout layout = pipelines_.layout(target.pipelineKey);
     setViewport(commands, target.width, target.height);
-    gpuScene_->bindGeometry(commands);
+    if (target.state.vertexPulling)
+        strips_->bind(commands, layout, stripSetIndex);
+    else
+        gpuScene_->bindGeometry(commands);
     std::array<VkDescriptorSet, 2> sets{};
     sets[cameraSetIndex] = cameraSet_;
     sets[agaaSetIndex] = (VkDescriptorSet)target.descriptorSet;
@@ -159,11 +167,13 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
             vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout,
                                     materialSetIndex, 1, &material, 0, nullptr);
         boundMaterial = material;
-        const DrawConstants constants = drawConstants(draw, index);
+        const DrawConstants constants = drawConstants(scene(), draw, index);
         vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof constants,
                            &constants);
-        vkCmdDrawIndexed(commands, mesh.indexCount, 1, mesh.firstIndex, int32_t(mesh.firstVertex),
-                         0);
+        if (target.state.vertexPulling)
+            strips_->draw(commands, mesh);
+        else
+            vkCmdDrawIndexed(commands, mesh.indexCount, 1, mesh.firstIndex, int32_t(mesh.firstVertex), 0);
     }
 }
 

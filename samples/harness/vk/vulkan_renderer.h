@@ -3,6 +3,7 @@
 
 #include "render/host_renderer.h"
 #include "vk/gpu_fetch.h"
+#include "vk/gpu_strips.h"
 #include "vk/output_image.h"
 #include "vk/pass_pipelines.h"
 #include "vk/sdk_context.h"
@@ -24,7 +25,7 @@ private:
     SdkLog& log() override { return sdk_.log(); }
     ClipY clipY() const override { return ClipY::Down; }
     void upload() override;
-    const AgaaFetchFunction* fetchFunction() override;
+    const AgaaFetchFunction* fetchFunction(bool coversByEdges) override;
     AgaaView useView(const AgaaViewDesc& desc) override;
     void prepare(const FrameInput& input) override;
     double renderFrame(const FrameInput& input) override;
@@ -47,6 +48,7 @@ private:
     std::optional<vk::OutputImage> output_;
     std::optional<vk::GpuScene> gpuScene_;
     std::optional<vk::GpuFetch> fetch_; // where a view fetches by id
+    std::optional<vk::GpuStrips> strips_; // where a pass pulls vertices
     const vk::VkSdkView* view_ = nullptr; // in use
 };
 

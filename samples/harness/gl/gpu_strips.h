@@ -1,0 +1,22 @@
+// What draws that pull vertices read and need: the scene's vertices and indices as texels, and an index buffer.
+#pragma once
+
+#include "gl/gpu_scene.h"
+
+namespace harness::gl {
+
+class GpuStrips {
+public:
+    GpuStrips(const GladGLContext& gl, const Scene& scene, const GpuScene& gpuScene);
+
+    void bind() const;
+    void draw(const Mesh& mesh) const;
+
+private:
+    const GladGLContext* gl_;
+    VertexArray vertexArray_; // without attributes
+    Buffer indices_;
+    Texture texels_[2]; // vertices, indices
+};
+
+} // namespace harness::gl

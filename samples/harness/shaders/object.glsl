@@ -1,0 +1,36 @@
+// Where vertices are: what all vertex shaders of the draw passes compute alike. interface.glsl comes before this text.
+
+layout(std140, CAMERA_AT) uniform Camera { mat4 viewProjection; float footprint; } camera;
+
+DRAW_BLOCK Draw {
+    vec4 toShading[3];       // rows of object to shading space
+    vec4 normalToShading[3]; // rows of the inverse transpose
+    uint seed;
+    float handedness; // -1 where the transform mirrors
+    uint index;       // in the frame's list
+    uint firstIndex;  // of the mesh
+    uint firstVertex;
+} draw;
+
+// Sums in an order of their own: compilers are free to choose that of dot() and of matrix products, and of
+// surfaces at equal depth rounding picks the one that shows.
+float transformRow(vec4 row, vec3 p) { return ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w; }
+
+vec3 transform(vec4 rows[3], vec3 p) {
+    return vec3(transformRow(rows[0], p), transformRow(rows[1], p), transformRow(rows[2], p));
+}
+
+vec3 rotate(vec4 rows[3], vec3 v) {
+    return vec3(dot(rows[0].xyz, v), dot(rows[1].xyz, v), dot(rows[2].xyz, v));
+}
+
+vec4 clipOf(vec3 position) {
+    mat4 m = camera.viewProjection;
+    return ((m[0] * position.x + m[1] * position.y) + m[2] * position.z) + m[3];
+}
+
+// vertex: with the mesh's first one, of the primitive's first corner.
+uint seedOf(uint vertex) {
+    uint seed = (draw.seed ^ vertex) * 0x9E3779B1u;
+    return seed ^ (seed >> 15);
+}
