@@ -8,7 +8,7 @@
 
 namespace harness::gl {
 
-constexpr GLuint firstUnit = 28; // PULLED_TEXELS_AT of shaders/interface.glsl
+constexpr GLuint firstUnit = 28; // PULLED_VERTICES_AT of shaders/interface.glsl
 
 GpuStrips::GpuStrips(const GladGLContext& gl, const Scene& scene, const GpuScene& gpuScene)
     : gl_(&gl), vertexArray_(createVertexArray(gl)), indices_(createBuffer(gl)) {

@@ -2,8 +2,8 @@
 // indices. The SDK's vertex text, interface.glsl, object.glsl and corner_outputs.glsl come before this text. Vertices of draws
 // are numbered through the strips of all triangles of a mesh.
 
-layout(PULLED_TEXELS_AT(0)) uniform usamplerBuffer pulledVertices; // words of the engine's Vertex
-layout(PULLED_TEXELS_AT(1)) uniform usamplerBuffer pulledIndices;
+layout(PULLED_VERTICES_AT) uniform usamplerBuffer pulledVertices; // words of the engine's Vertex
+layout(PULLED_INDICES_AT) uniform usamplerBuffer pulledIndices;
 
 const int vertexWords = 13;
 

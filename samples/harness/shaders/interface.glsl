@@ -7,7 +7,8 @@
 #define VERTEX_INDEX gl_VertexID
 #define FETCH_UNIFORM_AT binding = 6
 #define FETCH_TEXTURE_AT(n) binding = 20 + n
-#define PULLED_TEXELS_AT(n) binding = 28 + n
+#define PULLED_VERTICES_AT binding = 28 // a number: older GLSL has no expressions here
+#define PULLED_INDICES_AT binding = 29
 #else
 #define CAMERA_AT set = 0, binding = 0
 #define MATERIAL_AT(n) set = 2, binding = n
@@ -16,7 +17,8 @@
 #define VERTEX_INDEX gl_VertexIndex
 #define FETCH_UNIFORM_AT set = 1, binding = 0
 #define FETCH_TEXTURE_AT(n) set = 1, binding = 1 + n
-#define PULLED_TEXELS_AT(n) set = 3, binding = n
+#define PULLED_VERTICES_AT set = 3, binding = 0
+#define PULLED_INDICES_AT set = 3, binding = 1
 #endif
 #define LOCATION(n) layout(location = n)
 // Between the stages; older GLSL matches by name.
