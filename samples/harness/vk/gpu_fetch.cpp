@@ -82,19 +82,7 @@ void GpuFetch::createSet() {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
                                           {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 4},
                                           {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4}};
-    VkDescriptorPoolCreateInfo pool{};
-    pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-    pool.maxSets = 1;
-    pool.poolSizeCount = uint32_t(std::size(sizes));
-    pool.pPoolSizes = sizes;
-    pool_ = make<DescriptorPool>(device_->get(), vkCreateDescriptorPool, pool, "create a descriptor pool");
-    const VkDescriptorSetLayout handle = layout_.get();
-    VkDescriptorSetAllocateInfo allocation{};
-    allocation.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-    allocation.descriptorPool = pool_.get();
-    allocation.descriptorSetCount = 1;
-    allocation.pSetLayouts = &handle;
-    check(vkAllocateDescriptorSets(device_->get(), &allocation, &set_), "allocate a descriptor set");
+    set_ = DescriptorSet(device_->get(), layout_.get(), sizes);
 
     const VkDescriptorBufferInfo camera{camera_.buffer.get(), 0, VK_WHOLE_SIZE};
     VkDescriptorImageInfo images[4];
@@ -104,7 +92,7 @@ void GpuFetch::createSet() {
     std::array<VkWriteDescriptorSet, BindingCount> writes{};
     for (uint32_t i = 0; i < BindingCount; ++i) {
         writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-        writes[i].dstSet = set_;
+        writes[i].dstSet = set_.get();
         writes[i].dstBinding = i;
         writes[i].descriptorCount = 1;
         writes[i].descriptorType = type(i);

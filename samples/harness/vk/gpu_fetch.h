@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/fetch_scene.h"
+#include "vk/descriptor_set.h"
 #include "vk/gpu_scene.h"
 
 namespace harness::vk {
@@ -13,7 +14,7 @@ public:
     GpuFetch& operator=(const GpuFetch&) = delete;
 
     const AgaaFetchFunction& function() const { return function_; }
-    VkDescriptorSet set() const { return set_; }
+    VkDescriptorSet set() const { return set_.get(); }
     // Of the next frame; the one before has finished.
     void update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection);
 
@@ -30,8 +31,7 @@ private:
     ImageResource textures_[4]; // colours, values, small colours, small values
     Sampler sampler_;
     DescriptorSetLayout layout_;
-    DescriptorPool pool_;
-    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    DescriptorSet set_;
 };
 
 } // namespace harness::vk

@@ -37,23 +37,11 @@ GpuStrips::GpuStrips(const Device& device, const Scene& scene, const GpuScene& g
     layout.pBindings = bindings;
     layout_ = make<DescriptorSetLayout>(device.get(), vkCreateDescriptorSetLayout, layout, "create a descriptor set layout");
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, uint32_t(std::size(bindings))};
-    VkDescriptorPoolCreateInfo pool{};
-    pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-    pool.maxSets = 1;
-    pool.poolSizeCount = 1;
-    pool.pPoolSizes = &size;
-    pool_ = make<DescriptorPool>(device.get(), vkCreateDescriptorPool, pool, "create a descriptor pool");
-    const VkDescriptorSetLayout handle = layout_.get();
-    VkDescriptorSetAllocateInfo allocation{};
-    allocation.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-    allocation.descriptorPool = pool_.get();
-    allocation.descriptorSetCount = 1;
-    allocation.pSetLayouts = &handle;
-    check(vkAllocateDescriptorSets(device.get(), &allocation, &set_), "allocate a descriptor set");
+    set_ = DescriptorSet(device.get(), layout_.get(), {&size, 1});
     const VkBufferView views[] = {texels_[0].get(), texels_[1].get()};
     VkWriteDescriptorSet write{};
     write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set_;
+    write.dstSet = set_.get();
     write.descriptorCount = uint32_t(std::size(views)); // of the bindings from 0 on
     write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
     write.pTexelBufferView = views;
@@ -61,7 +49,8 @@ GpuStrips::GpuStrips(const Device& device, const Scene& scene, const GpuScene& g
 }
 
 void GpuStrips::bind(VkCommandBuffer commands, VkPipelineLayout layout, uint32_t setIndex) const {
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, setIndex, 1, &set_, 0, nullptr);
+    const VkDescriptorSet set = set_.get();
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, setIndex, 1, &set, 0, nullptr);
     vkCmdBindIndexBuffer(commands, indices_.buffer.get(), 0, VK_INDEX_TYPE_UINT32);
 }
 

@@ -1,6 +1,7 @@
 // What draws that pull vertices read and need: a descriptor set with the scene's vertices and indices, and an index buffer.
 #pragma once
 
+#include "vk/descriptor_set.h"
 #include "vk/gpu_scene.h"
 
 namespace harness::vk {
@@ -20,8 +21,7 @@ private:
     BufferResource indices_;
     BufferView texels_[2]; // vertices, indices
     DescriptorSetLayout layout_;
-    DescriptorPool pool_;
-    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    DescriptorSet set_;
 };
 
 } // namespace harness::vk

@@ -35,25 +35,11 @@ VulkanRenderer::VulkanRenderer(const RendererOptions& options)
 void VulkanRenderer::createCameraSet() {
     cameraConstants_ = arena_.hostBuffer(sizeof(CameraConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1};
-    VkDescriptorPoolCreateInfo pool{};
-    pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-    pool.maxSets = 1;
-    pool.poolSizeCount = 1;
-    pool.pPoolSizes = &size;
-    cameraPool_ = make<DescriptorPool>(device_.get(), vkCreateDescriptorPool, pool,
-                                       "create a descriptor pool");
-    const VkDescriptorSetLayout layout = cameraLayout_.get();
-    VkDescriptorSetAllocateInfo allocation{};
-    allocation.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-    allocation.descriptorPool = cameraPool_.get();
-    allocation.descriptorSetCount = 1;
-    allocation.pSetLayouts = &layout;
-    check(vkAllocateDescriptorSets(device_.get(), &allocation, &cameraSet_),
-          "allocate a descriptor set");
+    cameraSet_ = DescriptorSet(device_.get(), cameraLayout_.get(), {&size, 1});
     const VkDescriptorBufferInfo buffer{cameraConstants_.buffer.get(), 0, sizeof(CameraConstants)};
     VkWriteDescriptorSet write{};
     write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = cameraSet_;
+    write.dstSet = cameraSet_.get();
     write.descriptorCount = 1;
     write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     write.pBufferInfo = &buffer;
@@ -144,7 +130,7 @@ void VulkanRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input)
     else
         gpuScene_->bindGeometry(commands);
     std::array<VkDescriptorSet, 2> sets{};
-    sets[cameraSetIndex] = cameraSet_;
+    sets[cameraSetIndex] = cameraSet_.get();
     sets[agaaSetIndex] = (VkDescriptorSet)target.descriptorSet;
     static_assert(cameraSetIndex + 1 == agaaSetIndex);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, cameraSetIndex,

@@ -41,8 +41,7 @@ private:
     vk::Arena arena_;
     vk::BufferResource cameraConstants_;
     vk::DescriptorSetLayout cameraLayout_;
-    vk::DescriptorPool cameraPool_;
-    VkDescriptorSet cameraSet_ = VK_NULL_HANDLE;
+    vk::DescriptorSet cameraSet_;
     vk::PassPipelines pipelines_;
     vk::ShadowMaps shadowMaps_;
     std::optional<vk::OutputImage> output_;

@@ -16,19 +16,7 @@ StorageSet::StorageSet(const Device& device, uint32_t count, VkShaderStageFlags 
     layout_ = make<DescriptorSetLayout>(device_, vkCreateDescriptorSetLayout, layout,
                                         "create a set layout");
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, count};
-    VkDescriptorPoolCreateInfo pool{};
-    pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-    pool.maxSets = 1;
-    pool.poolSizeCount = 1;
-    pool.pPoolSizes = &size;
-    pool_ = make<DescriptorPool>(device_, vkCreateDescriptorPool, pool, "create a pool");
-    const VkDescriptorSetLayout handle = layout_.get();
-    VkDescriptorSetAllocateInfo allocate{};
-    allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-    allocate.descriptorPool = pool_.get();
-    allocate.descriptorSetCount = 1;
-    allocate.pSetLayouts = &handle;
-    check(vkAllocateDescriptorSets(device_, &allocate, &set_), "allocate a set");
+    set_ = DescriptorSet(device_, layout_.get(), {&size, 1});
 }
 
 void StorageSet::write(const std::vector<VkBuffer>& buffers) const {
@@ -37,7 +25,7 @@ void StorageSet::write(const std::vector<VkBuffer>& buffers) const {
         infos.push_back({buffer, 0, VK_WHOLE_SIZE});
     VkWriteDescriptorSet write{};
     write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set_;
+    write.dstSet = set_.get();
     write.descriptorCount = uint32_t(infos.size());
     write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     write.pBufferInfo = infos.data(); // runs on from binding 0

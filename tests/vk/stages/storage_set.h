@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vk/check.h"
+#include "vk/descriptor_set.h"
 #include "vk/device.h"
 
 #include <vector>
@@ -16,13 +17,12 @@ public:
     void write(const std::vector<VkBuffer>& buffers) const;
 
     VkDescriptorSetLayout layout() const { return layout_.get(); }
-    VkDescriptorSet get() const { return set_; }
+    VkDescriptorSet get() const { return set_.get(); }
 
 private:
     VkDevice device_ = VK_NULL_HANDLE;
     harness::vk::DescriptorSetLayout layout_;
-    harness::vk::DescriptorPool pool_;
-    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    harness::vk::DescriptorSet set_;
 };
 
 } // namespace agaa::test
