@@ -7,15 +7,8 @@
 
 namespace agaa::conformance {
 
-// After "#version 450" and, on OpenGL, `#define ON_OPENGL`.
-inline const char* const vertexShader = R"(
-#ifdef ON_OPENGL
-layout(location = 0) uniform mat4 clipFromShading;
-#define VERTEX gl_VertexID
-#else
-layout(push_constant) uniform Push { mat4 clipFromShading; };
-#define VERTEX gl_VertexIndex
-#endif
+// What both vertex shaders read of a corner, and give to fragments.
+inline const std::string vertexAttributes = R"(
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inNormal;
 layout(location = 2) in vec4 inDiffuse;
@@ -29,14 +22,28 @@ layout(location = 3) flat out vec3 specular;
 layout(location = 4) flat out float roughness;
 layout(location = 5) flat out vec3 emissive;
 layout(location = 6) flat out uint primitive;
-invariant gl_Position;
-void main() {
+void setAttributes() {
     position = inPosition;
     normal = inNormal;
     diffuse = inDiffuse;
     specular = inSpecular;
     roughness = inRoughness;
     emissive = inEmissive;
+}
+)";
+
+// After "#version 450" and, on OpenGL, `#define ON_OPENGL`.
+inline const std::string vertexShader = vertexAttributes + R"(
+#ifdef ON_OPENGL
+layout(location = 0) uniform mat4 clipFromShading;
+#define VERTEX gl_VertexID
+#else
+layout(push_constant) uniform Push { mat4 clipFromShading; };
+#define VERTEX gl_VertexIndex
+#endif
+invariant gl_Position;
+void main() {
+    setAttributes();
     primitive = uint(VERTEX) / 3u;
     gl_Position = clipFromShading * vec4(inPosition, 1.0);
 }
@@ -44,7 +51,7 @@ void main() {
 
 // In place of vertexShader, after the version, AgaaDrawPass::glslExtensions and ::glslVertex. An instance is a triangle, whose
 // corners are attributes: vertices of a triangle lie one after another.
-inline const char* const pullingShader = R"(
+inline const std::string pullingShader = vertexAttributes + R"(
 #ifdef ON_OPENGL
 layout(location = 0) uniform mat4 clipFromShading;
 uniform uint firstTriangle;
@@ -55,28 +62,10 @@ layout(push_constant) uniform Push { mat4 clipFromShading; };
 #define TRIANGLE uint(gl_InstanceIndex)
 #define VERTEX gl_VertexIndex
 #endif
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
-layout(location = 2) in vec4 inDiffuse;
-layout(location = 3) in vec3 inSpecular;
-layout(location = 4) in float inRoughness;
-layout(location = 5) in vec3 inEmissive;
 layout(location = 6) in vec3 inSecondPosition;
 layout(location = 7) in vec3 inThirdPosition;
-layout(location = 0) out vec3 position;
-layout(location = 1) flat out vec3 normal;
-layout(location = 2) flat out vec4 diffuse;
-layout(location = 3) flat out vec3 specular;
-layout(location = 4) flat out float roughness;
-layout(location = 5) flat out vec3 emissive;
-layout(location = 6) flat out uint primitive;
 void main() {
-    position = inPosition;
-    normal = inNormal;
-    diffuse = inDiffuse;
-    specular = inSpecular;
-    roughness = inRoughness;
-    emissive = inEmissive;
+    setAttributes();
     primitive = TRIANGLE;
     precise vec4 a = clipFromShading * vec4(inPosition, 1.0);
     precise vec4 b = clipFromShading * vec4(inSecondPosition, 1.0);
