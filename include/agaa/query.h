@@ -68,8 +68,8 @@ AGAA_API void AGAA_CALL agaaInitCapability(AgaaCapability* outCapability, size_t
 /* Lists how each technique runs each stage. The first entry of a technique, n and stage is the tier that AUTO selects,
  * unless a view is too large for it or the host provides functions. Further entries run if AgaaConfig asks for their tier,
  * or if the host provides the functions that they need. If an entry needs a function or AGAA_VIEW_VERTEX_PULLING, its reason
- * names them. If a stage cannot run (the tier AUTO), no view of its technique and
- * n can be created. The tier FRAGMENTS of "agaa" is listed at n = 64 and 128, and runs at 32, too.
+ * names them. If a stage cannot run (the tier AUTO), no view of its technique and n can be created. The tier FRAGMENTS of
+ * "agaa" is listed at n = 64 and 128, and runs at 32, too.
  *
  * caps           Null: an ideal device.
  * count          With capabilities null, receives the number of entries. Otherwise the length of the array on entry, and
