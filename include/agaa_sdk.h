@@ -28,6 +28,7 @@
 #ifndef AGAA_SDK_H
 #define AGAA_SDK_H
 
+#include "agaa/adaptive.h"
 #include "agaa/base.h"
 #include "agaa/config.h"
 #include "agaa/frame.h"

@@ -42,6 +42,8 @@ void SweepRow::apply(TechniqueConfig& config) const {
     config.generationTier = generationTier;
     if (technique == "dcaa")
         applyCoverage(preset, config);
+    else if (technique == "adaptive")
+        config.adaptive.flags |= preset == "device" ? AGAA_ADAPTIVE_DEVICE_PATTERN : 0;
     else if (!preset.empty() && config.applyPreset(preset.c_str()) != AGAA_OK)
         throw std::invalid_argument("There is no preset \"" + preset + "\".");
     if (generationTier == AGAA_TIER_FRAGMENTS)
@@ -52,7 +54,7 @@ std::vector<SweepRow> sweepRows(bool quick) {
     if (quick)
         return {{"single"}, {"fxaa"}, {"msaa", 8}, {"ssaa", 8}, {"simple_complex", 8}, {"sbaa", 8, 2},
                 {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}, {"agaa", 8, 2, 1, AGAA_TIER_IDS},
-                {"agaa", 8, 4, 1, AGAA_TIER_IDS, "accurate"}, {"dcaa", 64, 4}};
+                {"agaa", 8, 4, 1, AGAA_TIER_IDS, "accurate"}, {"dcaa", 64, 4}, {"adaptive", 8, 0, 1, AGAA_TIER_AUTO, "device"}};
     std::vector<SweepRow> rows = {{"single"}, {"fxaa"}, {"msaa", 8}};
     for (uint32_t n : {4u, 8u, 16u, 32u}) {
         rows.push_back({"ssaa", n});
@@ -85,6 +87,11 @@ std::vector<SweepRow> sweepRows(bool quick) {
     rows.push_back({"agaa", 64, 2, 1, AGAA_TIER_FRAGMENTS});
     rows.push_back({"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"});
     rows.push_back({"dcaa", 64, 4, 1, AGAA_TIER_MATERIAL_LISTS});
+    // At the device's places, where "ssaa" has samples; three by three, both have an ordered grid.
+    for (uint32_t n : {4u, 8u, 16u, 32u})
+        rows.push_back({"adaptive", n, 0, 1, AGAA_TIER_AUTO, "device"});
+    for (const char* technique : {"ssaa", "simple_complex", "adaptive"})
+        rows.push_back({technique, 9});
     // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
     const auto addHeavier = [&](SweepRow row, std::initializer_list<uint32_t> costs) {
         for (uint32_t cost : costs) {
@@ -93,7 +100,8 @@ std::vector<SweepRow> sweepRows(bool quick) {
         }
     };
     for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_IDS},
-                                {"dcaa", 64, 4}, {"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"}})
+                                {"dcaa", 64, 4}, {"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"},
+                                {"adaptive", 8, 0, 1, AGAA_TIER_AUTO, "device"}})
         addHeavier(row, {4, 16});
     for (const SweepRow& row : {SweepRow{"sbaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
                                 {"agaa", 8, 4, 1, AGAA_TIER_GBUFFER, "accurate"}, {"simple_complex", 32},

@@ -43,6 +43,7 @@ ViewDescription::ViewDescription(const Device* device) {
     const AgaaConfig initialConfig = AGAA_CONFIG_INIT;
     const AgaaAggregation initialAggregation = AGAA_AGGREGATION_INIT;
     const AgaaDecoupledCoverage initialCoverage = AGAA_DECOUPLED_COVERAGE_INIT;
+    const AgaaAdaptiveSampling initialAdaptive = AGAA_ADAPTIVE_SAMPLING_INIT;
     const AgaaMeasurement initialMeasurement = AGAA_MEASUREMENT_INIT;
     const AgaaSceneFacts initialFacts = AGAA_SCENE_FACTS_INIT;
     const AgaaViewDesc initialDesc = AGAA_VIEW_DESC_INIT;
@@ -50,6 +51,7 @@ ViewDescription::ViewDescription(const Device* device) {
     config = initialConfig;
     aggregation = initialAggregation;
     coverage = initialCoverage;
+    adaptive = initialAdaptive;
     measurement = initialMeasurement;
     facts = initialFacts;
     desc = initialDesc;
@@ -57,7 +59,8 @@ ViewDescription::ViewDescription(const Device* device) {
     config.flags = AGAA_CONFIG_COUNTERS;
     config.pNext = &aggregation;
     aggregation.pNext = &coverage;
-    coverage.pNext = &measurement;
+    coverage.pNext = &adaptive;
+    adaptive.pNext = &measurement;
     facts.shadowMapCount = 0;
     facts.maxLights = 4;
     desc.width = 32;

@@ -135,7 +135,8 @@ struct ViewDescription {
     AgaaConfig config;
     AgaaAggregation aggregation;    // chained to config
     AgaaDecoupledCoverage coverage; // chained to aggregation
-    AgaaMeasurement measurement;    // chained to coverage
+    AgaaAdaptiveSampling adaptive;  // chained to coverage
+    AgaaMeasurement measurement;    // chained to adaptive
     AgaaFetchFunction sceneFetch;   // chained to desc by setTechnique() where the technique needs it
     AgaaSceneFacts facts;
     AgaaViewDesc desc;

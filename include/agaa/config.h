@@ -125,6 +125,7 @@ typedef enum AgaaTier {
     AGAA_TIER_NV_MULTICAST = 2,  /* reserved: AGAA_ERROR_UNSUPPORTED */
     AGAA_TIER_SCALED_TARGET = 3, /* a target of scaleX x scaleY texels per pixel, with fewer samples per texel */
     AGAA_TIER_LAYERS = 4,        /* reserved: AGAA_ERROR_UNSUPPORTED */
+    AGAA_TIER_ORDERED_GRID = 5,  /* 4, 9 or 16 samples: 2x2, 3x3 or 4x4 texels of one sample each */
     /* generation */
     AGAA_TIER_NV_MIXED_SAMPLES = 16, /* the paper's way: additive blending with coverage override. agaaQueryMemory and
                                         agaaPlanToJson accept it; agaa…CreateView fails with AGAA_ERROR_UNSUPPORTED */
@@ -160,14 +161,15 @@ typedef enum AgaaTier {
                                                      or the first covered sample. Derivatives of normals are not used.
                                                      AgaaCounters::materials counts the evaluations */
 
-/* What a host chooses for a view. AgaaAggregation and AgaaMeasurement may be chained; without them, their members have
- * their defaults. */
+/* What a host chooses for a view. AgaaAggregation, AgaaDecoupledCoverage, AgaaAdaptiveSampling and AgaaMeasurement may be
+ * chained; without them, their members have their defaults. */
 typedef struct AgaaConfig {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
-    const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa" or "dcaa" */
-    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; "single" and "fxaa" use 1.
+    const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa" or "adaptive" */
+    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; "single" and "fxaa" use 1. 9, on the
+                                 tier ORDERED_GRID, for techniques without aggregates.
                                  "dcaa", and "agaa" with the tier FRAGMENTS: coverage samples per pixel, 32, 64 or 128 */
     uint32_t aggregates;      /* c, aggregates of "agaa", [1, 4]; S, surfaces of "sbaa", [1, 6], and of "dcaa", [1, 8]; at
                                  most n are made. [1, 8] for other techniques, which do not use it */
@@ -175,10 +177,11 @@ typedef struct AgaaConfig {
     uint32_t brdf;            /* AgaaBrdf */
     uint32_t ndf;             /* AgaaNdf */
     /* Samples that agree in these count as one surface: "simple_complex" and "sbaa" shade it once, "agaa" makes one
-     * aggregate of it. 0 selects the default of the technique. */
+     * aggregate of it, "adaptive" shades one of its samples or more. 0 selects the default of the technique. */
     float surfaceCosine;   /* smallest cosine between normals, [0, 1] */
     float surfaceDistance; /* largest distance from the surface's plane, in pixel widths at its depth, [0, 1e6] */
-    float surfaceMaterial; /* largest difference of a material channel, [0, 1]; only "simple_complex" reads it */
+    float surfaceMaterial; /* largest difference of a material channel, [0, 1]; only "simple_complex" and "adaptive"
+                              read it */
     uint32_t shadowTaps;   /* largest number of samples of an aggregate that are looked up in each shadow, [0, 32];
                               0: 8. Affects shadows only: the position of an aggregate is the mean of all its samples */
     uint32_t visibilityTier; /* AgaaTier. AUTO: the best that runs. A tier that cannot run: AGAA_ERROR_UNSUPPORTED */

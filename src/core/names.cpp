@@ -16,6 +16,7 @@ constexpr TierName tiers[] = {
     {AGAA_TIER_NV_MULTICAST, "nv-multicast"},
     {AGAA_TIER_SCALED_TARGET, "scaled-target"},
     {AGAA_TIER_LAYERS, "layers"},
+    {AGAA_TIER_ORDERED_GRID, "ordered-grid"},
     {AGAA_TIER_NV_MIXED_SAMPLES, "nv-mixed-samples"},
     {AGAA_TIER_POST_DEPTH_ATOMICS, "post-depth-atomics"},
     {AGAA_TIER_PER_SAMPLE, "per-sample"},

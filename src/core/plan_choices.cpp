@@ -103,7 +103,8 @@ void PlanBuilder::chooseVisibilityTier(const Technique& technique) {
         return;
     }
     const VisibilityChoice choice =
-        chooseVisibility(caps_, plan.samples, plan.config.visibilityTier);
+        chooseVisibility(caps_, plan.samples, plan.config.visibilityTier,
+                         technique.prefersOrderedGrid && technique.prefersOrderedGrid(plan));
     if (choice.tier == AGAA_TIER_AUTO)
         fail(AGAA_ERROR_UNSUPPORTED, "visibility cannot run: " + choice.reason);
     plan.visibilityTier = choice.tier;

@@ -12,6 +12,9 @@
 
 namespace agaa {
 
+// n that only an ordered grid has, 3 by 3.
+inline constexpr uint32_t gridOnlySamples = 9;
+
 class PlanBuilder;
 struct ViewSettings;
 
@@ -66,8 +69,13 @@ struct Technique {
     std::span<const TechniqueSettings* const> settings;
     void (*build)(PlanBuilder& builder);
 
+    // Whether AUTO takes an ordered grid where n can be placed on one; null: no.
+    bool (*prefersOrderedGrid)(const ViewSettings& view) = nullptr;
+
     // Whether n counts coverage samples: the tier, or with AUTO n itself, decides.
     bool countsCoverage(uint32_t generationTier, uint32_t samples) const;
+    // Sums of aggregates count samples by powers of two.
+    bool takesGridOnlySamples() const { return maxAggregates == 0 && maxSamples > 1; }
 };
 const std::vector<const Technique*>& techniques();
 const Technique* findTechnique(std::string_view name); // null where there is none

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/technique.h"
 #include "core/validate.h"
+#include "core/view_settings.h"
 
 #include <algorithm>
 #include <bit>
@@ -35,9 +36,34 @@ static VisibilityChoice scaledTarget(const AgaaDeviceCaps& caps, uint32_t sample
     return choice;
 }
 
-VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced) {
-    checkSampleCount(samples, "the number of samples per pixel");
+// A texel of one sample for each sample of the pixel, as ordered supersampling has them.
+static VisibilityChoice orderedGrid(uint32_t samples) {
     VisibilityChoice choice;
+    const uint32_t side = samples == 4 ? 2 : samples == 9 ? 3 : samples == 16 ? 4 : 0;
+    if (side == 0) {
+        choice.reason = format("an ordered grid has 4, 9 or 16 samples, not %u.", samples);
+        return choice;
+    }
+    choice.tier = AGAA_TIER_ORDERED_GRID;
+    choice.scaleX = choice.scaleY = side;
+    choice.reason = format("a target of %ux%u texels of one sample each gives %u per pixel.", side, side, samples);
+    return choice;
+}
+
+VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced, bool prefersGrid) {
+    if (samples != gridOnlySamples)
+        checkSampleCount(samples, "the number of samples per pixel");
+    const bool isGridOnly = samples == gridOnlySamples;
+    VisibilityChoice choice;
+    if (forced == AGAA_TIER_ORDERED_GRID || (forced == AGAA_TIER_AUTO && (prefersGrid || isGridOnly))) {
+        choice = orderedGrid(samples);
+        if (choice.tier != AGAA_TIER_AUTO || forced != AGAA_TIER_AUTO)
+            return choice;
+    }
+    if (isGridOnly) {
+        choice.reason = format("the tier %s has no %u samples per pixel.", agaaTierName(forced), samples);
+        return choice;
+    }
     if (forced == AGAA_TIER_NATIVE || forced == AGAA_TIER_AUTO) {
         if (hasSamples(caps, samples)) {
             choice.tier = AGAA_TIER_NATIVE;
@@ -173,13 +199,14 @@ void addShading(std::vector<AgaaCapability>& rows, const Technique& technique, u
 // Of samples that the device rasterises.
 void addDeviceSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& caps, const Technique& technique,
                       uint32_t samples) {
-    const VisibilityChoice visibility = chooseVisibility(caps, samples, AGAA_TIER_AUTO);
+    const VisibilityChoice visibility = chooseVisibility(caps, samples, AGAA_TIER_AUTO, technique.prefersOrderedGrid && technique.prefersOrderedGrid({}));
     addVisibility(rows, technique, samples, visibility);
     if (visibility.tier == AGAA_TIER_AUTO)
         return; // no later stage can run either
-    const VisibilityChoice scaled = chooseVisibility(caps, samples, AGAA_TIER_SCALED_TARGET);
-    if (scaled.tier != AGAA_TIER_AUTO && scaled.tier != visibility.tier)
-        addVisibility(rows, technique, samples, scaled);
+    for (const AgaaTier tier : {AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID})
+        if (const VisibilityChoice other = chooseVisibility(caps, samples, tier);
+            other.tier != AGAA_TIER_AUTO && other.tier != visibility.tier)
+            addVisibility(rows, technique, samples, other);
     if (technique.maxAggregates) {
         rows.push_back(capability(technique, samples, AGAA_STAGE_DEFINITION, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
         addGeneration(rows, technique, samples, {.caps = caps, .hwSamples = visibility.hwSamples});
@@ -201,6 +228,8 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
     for (const Technique* technique : techniques()) {
         for (uint32_t samples = 1; samples <= technique->maxSamples; samples *= 2)
             addDeviceSamples(rows, caps, *technique, samples);
+        if (technique->takesGridOnlySamples())
+            addDeviceSamples(rows, caps, *technique, gridOnlySamples);
         // At 32, where tiers of both kinds may run, AUTO takes samples of the device.
         for (uint32_t samples : {32u, 64u, 128u})
             if (technique->countsCoverage(AGAA_TIER_AUTO, samples))

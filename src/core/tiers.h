@@ -17,7 +17,7 @@ struct VisibilityChoice {
     float relativeCost = 1;
     std::string reason; // one sentence
 };
-VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced);
+VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced, bool prefersGrid = false);
 
 // Of techniques that find coverage by themselves, on any device.
 VisibilityChoice coverageByEdges(uint32_t samples);

@@ -26,6 +26,7 @@ struct ViewSettings {
     AgaaConfig config{}; // technique: static storage; layout: null
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
     AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT;
+    AgaaAdaptiveSampling adaptive = AGAA_ADAPTIVE_SAMPLING_INIT;
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
     AgaaSceneFacts facts{};
     Layout layout; // of what the facts call for

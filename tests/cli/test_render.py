@@ -30,7 +30,7 @@ class Render(unittest.TestCase):
                             *arguments)
 
     def test_counting_changes_no_pixel(self):
-        for technique in ("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"):
+        for technique in ("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"):
             with self.subTest(technique=technique):
                 counted, bare = self.path("counted.exr"), self.path("bare.exr")
                 self.render(*options(technique), "--exr", counted, size="48x27")
@@ -57,6 +57,22 @@ class Render(unittest.TestCase):
                 self.render(*fragments, "--view", view, "--exr", image, size="48x27")
                 self.assertGreater(harness.data("compare", image, plain)["mse"], 0)
 
+    def test_adaptive_samples_come_near_all_of_them(self):
+        for samples in ("4", "8", "9", "16"):
+            images = [self.path(name + ".exr") for name in ("ssaa", "all", "adaptive")]
+            grid = ["--samples", samples, "--tier", "visibility=" + ("scaled-target" if samples == "8" else "ordered-grid")]
+            full = self.render("--technique", "ssaa", *grid, "--exr", images[0])
+            every = self.render("--technique", "adaptive", "--samples", samples, "--metrics", "none", "--exr", images[1])
+            chosen = self.render("--technique", "adaptive", "--samples", samples, "--exr", images[2])
+            with self.subTest(samples=samples):
+                self.assertEqual(every["tiers"], full["tiers"])
+                self.assertEqual(every["counters"]["shadingEvents"], full["counters"]["shadingEvents"])
+                self.assertLess(harness.data("compare", images[0], images[1])["maxAbs"], 0.01)
+                self.assertLess(chosen["counters"]["shadingEvents"], 0.7 * full["counters"]["shadingEvents"])
+                self.assertLess(harness.data("compare", images[0], images[2])["mseTm"], 1e-4)
+                self.assertEqual(chosen["counters"]["visible"], full["counters"]["visible"])
+                self.assertEqual(chosen["apiMessages"], [])
+
     def test_fragments_that_carry_materials(self):
         images = []
         for tier in ("lists", "material-lists"):
@@ -66,7 +82,7 @@ class Render(unittest.TestCase):
         self.assertGreater(harness.data("compare", *images)["psnr"], 50)
 
     def test_every_technique(self):
-        for technique in ("single", "ssaa", "agaa", "dcaa"):
+        for technique in ("single", "ssaa", "agaa", "dcaa", "adaptive"):
             with self.subTest(technique=technique):
                 data = self.render(*options(technique), "--frames", "2")
                 for field in FIELDS:

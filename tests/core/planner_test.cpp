@@ -47,8 +47,8 @@ TEST(Planner, TiersRefuseNumbersOfSamplesThatNoTargetHas) {
             EXPECT_NE(error.message.find("not one of 1, 2, 4, 8, 16, 32"), std::string::npos) << error.message;
         }
     };
-    for (uint32_t samples : {0u, 3u, 9u, 24u, 64u})
-        for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET}) {
+    for (uint32_t samples : {0u, 3u, 10u, 24u, 64u})
+        for (uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID}) {
             expectRefused(samples, [&] { chooseVisibility(idealDevice(), samples, tier); });
             expectRefused(samples, [&] {
                 const AgaaDeviceCaps caps = idealDevice();

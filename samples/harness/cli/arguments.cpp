@@ -48,9 +48,10 @@ void checkCounts(const PlanArguments& arguments, bool isCoverage) {
     const uint32_t n = arguments.samples;
     if (isCoverage && n != 32 && n != 64 && n != 128)
         throw BadArgument("--samples is " + std::to_string(n) + "; coverage samples can be 32, 64 or 128.");
-    if (!isCoverage && (n == 0 || n > 32 || (n & (n - 1))))
-        throw BadArgument("--samples is " + std::to_string(n) +
-                          "; it can be 1, 2, 4, 8, 16 or 32.");
+    const bool hasGrid = arguments.technique != "agaa" && arguments.technique != "sbaa";
+    const bool isGrid = hasGrid && n == 9; // 3 by 3
+    if (!isCoverage && !isGrid && (n == 0 || n > 32 || (n & (n - 1))))
+        throw BadArgument("--samples is " + std::to_string(n) + "; it can be 1, 2, 4, 8, " + (hasGrid ? "9, " : "") + "16 or 32.");
     const uint32_t most = arguments.technique == "dcaa" ? 8 : arguments.technique == "sbaa" ? 6 : 4;
     if (arguments.aggregates < 1 || arguments.aggregates > most)
         throw BadArgument("--aggregates is " + std::to_string(arguments.aggregates) + "; it can be 1 to " +
@@ -189,6 +190,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
             finite(parseNumbers(arguments.fragmentsPerPixel, 1, "--fragments-per-pixel")[0], "--fragments-per-pixel");
     config.coverage.maxBatches = arguments.maxBatches;
     config.coverage.flags = arguments.exact ? AGAA_COVERAGE_EXACT : 0;
+    arguments.adaptive.apply(config);
     config.aggregation.litShadows = arguments.lit ? 1 : 0; // scenes have one
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };
     flag(arguments.splitSurfaces, AGAA_CONFIG_SPLIT_SURFACES);

@@ -1,6 +1,7 @@
 // Values of the command line: parsed strictly, with one sentence for what is wrong.
 #pragma once
 
+#include "cli/adaptive_arguments.h"
 #include "render/renderer.h"
 
 #include <optional>
@@ -57,6 +58,7 @@ struct PlanArguments {
     std::string fragmentsPerPixel = "8"; // or auto
     uint32_t maxBatches = 1;
     bool exact = false;
+    AdaptiveArguments adaptive;
     bool noDiffuseFilter = false;
     bool noShadowFilter = false;
     bool shadowAlongDepth = false;

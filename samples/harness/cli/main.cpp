@@ -15,8 +15,8 @@ using namespace harness;
 namespace {
 
 void addPlanOptions(CLI::App& app, PlanArguments& a) {
-    app.add_option("--technique", a.technique, "see agaa-harness caps: single, ssaa, agaa, dcaa …");
-    app.add_option("--samples", a.samples, "n: visibility samples per pixel; dcaa: coverage samples");
+    app.add_option("--technique", a.technique, "see agaa-harness caps: single, ssaa, agaa, dcaa, adaptive …");
+    app.add_option("--samples", a.samples, "n: visibility samples per pixel; dcaa: coverage samples; 9 on an ordered grid");
     app.add_option("--aggregates", a.aggregates, "c: aggregates per pixel, 1 to 4; S: surfaces of sbaa, 1 to 6, of dcaa, 1 to 8");
     app.add_option("--layout", a.layout, "paper16, precise, dcaa28, reference or a JSON file");
     app.add_option("--tier", a.tiers, "native, auto or stage=tier; repeatable")
@@ -40,6 +40,7 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--fragments-per-pixel", a.fragmentsPerPixel, "that lists of fragments have room for; auto: as a frame needs");
     app.add_option("--max-batches", a.maxBatches, "dcaa: draws of the scene where the lists have too little room");
     app.add_flag("--exact", a.exact, "dcaa: keep and shade all fragments that show");
+    a.adaptive.addTo(app);
     app.add_option("--gloss-weight", a.glossWeight, "agaa by id or from a G-buffer: of shading normals");
     app.add_flag("--lit", a.lit, "agaa by id or from a G-buffer: lit statistics for the lights with shadows");
     app.add_flag("--buffered", a.buffered, "agaa by id or from a G-buffer: aggregates in memory, shaded by a pass of their own");

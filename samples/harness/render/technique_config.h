@@ -10,17 +10,20 @@ namespace harness {
 struct TechniqueConfig : AgaaConfig {
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
     AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT;
+    AgaaAdaptiveSampling adaptive = AGAA_ADAPTIVE_SAMPLING_INIT;
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
 
     TechniqueConfig() : AgaaConfig AGAA_CONFIG_INIT { chain(); }
     TechniqueConfig(const TechniqueConfig& other)
-        : AgaaConfig(other), aggregation(other.aggregation), coverage(other.coverage), measurement(other.measurement) {
+        : AgaaConfig(other), aggregation(other.aggregation), coverage(other.coverage), adaptive(other.adaptive),
+          measurement(other.measurement) {
         chain();
     }
     TechniqueConfig& operator=(const TechniqueConfig& other) {
         AgaaConfig::operator=(other);
         aggregation = other.aggregation;
         coverage = other.coverage;
+        adaptive = other.adaptive;
         measurement = other.measurement;
         chain();
         return *this;
@@ -43,7 +46,8 @@ struct TechniqueConfig : AgaaConfig {
 private:
     void chain() {
         aggregation.pNext = &coverage;
-        coverage.pNext = &measurement;
+        coverage.pNext = &adaptive;
+        adaptive.pNext = &measurement;
         pNext = &aggregation;
     }
 };

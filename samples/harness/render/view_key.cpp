@@ -60,7 +60,7 @@ bool isKnown(const AgaaConfig& config) {
     for (auto* next = static_cast<const AgaaStructHeader*>(config.pNext); next;
          next = static_cast<const AgaaStructHeader*>(next->pNext))
         if (next->sType != AGAA_STRUCTURE_TYPE_AGGREGATION && next->sType != AGAA_STRUCTURE_TYPE_MEASUREMENT &&
-            next->sType != AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE)
+            next->sType != AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE && next->sType != AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING)
             return false;
     return true;
 }
@@ -77,6 +77,8 @@ std::string viewKey(const AgaaViewDesc& desc) {
         chainedOr(config, AGAA_STRUCTURE_TYPE_AGGREGATION, AgaaAggregation AGAA_AGGREGATION_INIT);
     const auto coverage =
         chainedOr(config, AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, AgaaDecoupledCoverage AGAA_DECOUPLED_COVERAGE_INIT);
+    const auto adaptive =
+        chainedOr(config, AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, AgaaAdaptiveSampling AGAA_ADAPTIVE_SAMPLING_INIT);
     const auto measurement =
         chainedOr(config, AGAA_STRUCTURE_TYPE_MEASUREMENT, AgaaMeasurement AGAA_MEASUREMENT_INIT);
     Key key;
@@ -93,11 +95,14 @@ std::string viewKey(const AgaaViewDesc& desc) {
         key.add(value);
     for (const float value : {aggregation.characteristicLength, aggregation.characteristicLengthPerDistance,
                               aggregation.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,
-                              config.surfaceMaterial, aggregation.glossWeight, coverage.fragmentsPerPixel})
+                              config.surfaceMaterial, aggregation.glossWeight, coverage.fragmentsPerPixel, adaptive.depthScale, adaptive.normalScale,
+                              adaptive.shadingScale, adaptive.shadingThreshold, adaptive.shadingMinimum,
+                              adaptive.glossWeight})
         key.add(value);
     key.add(config.flags);
     key.add(measurement.flags);
     key.add(coverage.flags);
+    key.add(adaptive.flags);
     key.add(uint32_t(config.layout != nullptr));
     if (config.layout)
         addLayout(key, *config.layout);

@@ -13,5 +13,6 @@ extern const Technique simpleComplexTechnique;
 extern const Technique sbaaTechnique;
 extern const Technique agaaTechnique;
 extern const Technique dcaaTechnique;
+extern const Technique adaptiveTechnique;
 
 } // namespace agaa

@@ -10,9 +10,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/counters.glsl"
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
-#include "passes/choice.glsl"
 #include "passes/gbuffer.glsl"
-#include "passes/sample_depth.glsl"
+#include "passes/sample_visibility.glsl"
 #define AGAA_MAX_EVENTS AGAA_SAMPLES
 #include "passes/tile.glsl"
 
@@ -30,10 +29,6 @@ uint agaa_coveredSamples(uvec2 pixel) {
     return covered;
 }
 
-vec3 agaa_samplePosition(uvec2 pixel, uint i) {
-    return agaa_toShadingSpace(agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i)));
-}
-
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
     uint mask = agaa_coveredSamples(pixel);
     uint covered = uint(bitCount(mask));
@@ -47,23 +42,6 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     agaa_countEvents(agaa_eventsOf(work));
     agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
     return work;
-}
-
-// Shadows end within surfaces too: of a pixel that is shaded once, they are looked up at its samples.
-void agaa_findVisibility(uvec2 pixel, uint mask) {
-#if AGAA_SHADOWS
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] = 0.0;
-    uint count = uint(bitCount(mask));
-    uint taps = AGAA_SHADOW_FILTER != 0u ? min(count, AGAA_SHADOW_TAPS) : 1u;
-    agaa_Choice choice = agaa_chooseFrom(mask, taps);
-    uint j = 0u;
-    do
-        agaa_addTaps(agaa_samplePosition(pixel, agaa_nextSample(choice, j)));
-    while (++j < taps);
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] /= float(taps);
-#endif
 }
 
 vec3 agaa_shadeEvent(uint lane, uint which) {

@@ -22,6 +22,12 @@ float agaa_sampleViewZ(float depth) {
                                agaa_isOrthographic());
 }
 
+// A step of the depth buffer at this depth; of float formats it is relative.
+float agaa_storedQuantum(float depth) {
+    float quantum = agaa_frame.projection1.w;
+    return quantum < 0.0 ? -quantum * depth : quantum;
+}
+
 // place: in the pixel, [0,1].
 vec3 agaa_placeViewPosition(uvec2 pixel, vec2 place, float depth) {
     vec2 ndc = (vec2(pixel) + place) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;

@@ -100,7 +100,7 @@ std::vector<HeaderCase> inputs() {
          },
          false, true, false, "AgaaAggregation"},
         chainedCase("AgaaAggregation", linkConfig), chainedCase("AgaaMeasurement", linkConfig),
-        chainedCase("AgaaDecoupledCoverage", linkConfig),
+        chainedCase("AgaaDecoupledCoverage", linkConfig), chainedCase("AgaaAdaptiveSampling", linkConfig),
         {"AgaaSceneFacts", "agaaQueryMemory", nullptr,
          [](Test& test, void* structure, const AgaaLog* log) {
              ViewParts parts(test.sdk, nullptr);

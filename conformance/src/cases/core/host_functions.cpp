@@ -11,7 +11,7 @@ namespace {
 
 using Change = std::function<void(ViewParts&)>;
 
-constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"};
+constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
 
 // All techniques accept the function, except those in `refusing`.
 void testNotFor(Test& test, const std::set<std::string>& refusing, const std::string& name, const Change& chain) {
@@ -204,7 +204,7 @@ void testDebugViews(Test& test) {
     rows.push_back({"the tier IDS and BUFFERED", false, primitives, tierOf(AGAA_TIER_IDS, AGAA_CONFIG_BUFFERED)});
     rows.push_back({"the tier GBUFFER", false, primitives, tierOf(AGAA_TIER_GBUFFER, 0)});
     rows.push_back({"the tier POST_DEPTH_ATOMICS", false, primitives, tierOf(AGAA_TIER_POST_DEPTH_ATOMICS, 0)});
-    for (const char* name : {"single", "fxaa", "ssaa", "simple_complex", "sbaa", "dcaa"})
+    for (const char* name : {"single", "fxaa", "ssaa", "simple_complex", "sbaa", "dcaa", "adaptive"})
         rows.push_back({std::string("\"") + name + "\"", false, primitives, technique(name)});
     testDebugRows(test, rows);
 }

@@ -22,7 +22,7 @@ struct MemberRow {
 
 // Flags: each documented bit alone is accepted, all others are refused. A later library may know some of them.
 struct FlagRow {
-    const char* promise;
+    std::string promise;
     const char* member;
     std::function<void(ViewParts&, uint64_t)> set;
     uint64_t known;

@@ -13,11 +13,16 @@ void useDcaa(ViewParts& parts) { parts.setTechnique("dcaa", 4); }
 void addConfig(Suite& suite) {
     addMember(suite, {"AgaaConfig.samples/range", "AgaaConfig::samples",
                       [](ViewParts& p, double x) { p.config.samples = whole(x); },
-                      {1, 2, 4, 8, 16, 32, 64, 128}, largeNumbers({0, 3, 5, 6, 7, 12, 24, 31, 33, 96, 256, 65536}),
+                      {1, 2, 4, 8, 16, 32, 64, 128}, largeNumbers({0, 3, 5, 6, 7, 9, 12, 24, 31, 33, 96, 256, 65536}),
                       [](ViewParts& p) { p.chain(p.fetch); }});
     addMember(suite, {"AgaaConfig.samples/range/dcaa", "AgaaConfig::samples",
                       [](ViewParts& p, double x) { p.config.samples = whole(x); }, {32, 64, 128},
                       largeNumbers({0, 1, 2, 4, 8, 16, 31, 33, 63, 65, 96, 127, 129, 256}), useDcaa});
+    for (const char* technique : {"ssaa", "adaptive"})
+        addMember(suite, {std::string("AgaaConfig.samples/range/") + technique, "AgaaConfig::samples",
+                          [](ViewParts& p, double x) { p.config.samples = whole(x); }, {1, 2, 4, 8, 9, 16, 32},
+                          largeNumbers({0, 3, 5, 6, 7, 10, 12, 24, 25, 31, 33, 64}),
+                          [technique](ViewParts& p) { p.config.technique = technique; }});
     addMember(suite, {"AgaaConfig.aggregates/range", "AgaaConfig::aggregates",
                       [](ViewParts& p, double x) { p.config.aggregates = whole(x); },
                       {1, 2, 3, 4}, largeNumbers({0, 5, 6, 7})});
@@ -57,12 +62,12 @@ void addConfig(Suite& suite) {
 
 // Tiers that need other parts, and tiers of another stage, are in unsupported.cpp.
 void addTiers(Suite& suite) {
-    const std::vector<double> unknown = {5, 15, AGAA_TIER_FRAGMENT_INTERLOCK + 1};
+    const std::vector<double> unknown = {6, 15, AGAA_TIER_FRAGMENT_INTERLOCK + 1};
     const std::vector<double> coverageTiers = {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS,
                                                AGAA_TIER_FRAGMENT_INTERLOCK};
     addMember(suite, {"AgaaConfig.visibilityTier/enum", "AgaaConfig::visibilityTier",
                       [](ViewParts& p, double x) { p.config.visibilityTier = whole(x); },
-                      {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET}, largeNumbers({}), nullptr, unknown});
+                      {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID}, largeNumbers({}), nullptr, unknown});
     addMember(suite, {"AgaaConfig.generationTier/enum", "AgaaConfig::generationTier",
                       [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
                       {AGAA_TIER_AUTO, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
@@ -131,6 +136,41 @@ void addDecoupledCoverage(Suite& suite) {
                      [](ViewParts& p, uint64_t flags) { p.coverage.flags = flags; }, AGAA_COVERAGE_EXACT, useDcaa});
 }
 
+// Of "adaptive", and of techniques that check the struct and do not use it.
+void addAdaptiveSampling(Suite& suite) {
+    struct Use {
+        const char* variant;
+        void (*prepare)(ViewParts&);
+    };
+    for (const Use& use : {Use{"", [](ViewParts& p) { p.setTechnique("adaptive", 4); }}, Use{"/agaa", nullptr}}) {
+        const auto add = [&](const char* promise, const char* member, void (*set)(ViewParts&, double), float most) {
+            addMember(suite, {std::string("AgaaAdaptiveSampling.") + promise + use.variant, member, set,
+                              {0, above(0), double(most) / 2, below(most), most}, notNumbers({below(0), -1, above(most), 3e38}),
+                              use.prepare});
+        };
+        add("depthScale/range", "AgaaAdaptiveSampling::depthScale",
+            [](ViewParts& p, double x) { p.adaptive.depthScale = float(x); }, 1e12f);
+        add("normalScale/range", "AgaaAdaptiveSampling::normalScale",
+            [](ViewParts& p, double x) { p.adaptive.normalScale = float(x); }, 1e6f);
+        add("shadingScale/range", "AgaaAdaptiveSampling::shadingScale",
+            [](ViewParts& p, double x) { p.adaptive.shadingScale = float(x); }, 1e6f);
+        add("shadingThreshold/range", "AgaaAdaptiveSampling::shadingThreshold",
+            [](ViewParts& p, double x) { p.adaptive.shadingThreshold = float(x); }, 1);
+        add("shadingMinimum/range", "AgaaAdaptiveSampling::shadingMinimum",
+            [](ViewParts& p, double x) { p.adaptive.shadingMinimum = float(x); }, 1);
+        add("glossWeight/range", "AgaaAdaptiveSampling::glossWeight",
+            [](ViewParts& p, double x) { p.adaptive.glossWeight = float(x); }, 16);
+        addMember(suite, {std::string("AgaaAdaptiveSampling.reserved/zero") + use.variant, "AgaaAdaptiveSampling::reserved",
+                          [](ViewParts& p, double x) { p.adaptive.reserved = whole(x); }, {0}, largeNumbers({}), use.prepare, {1}});
+        addFlags(suite, {std::string("AgaaAdaptiveSampling.flags/flags") + use.variant, "AgaaAdaptiveSampling::flags",
+                         [](ViewParts& p, uint64_t flags) { p.adaptive.flags = flags; },
+                         AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING | AGAA_ADAPTIVE_PRINTED_METRIC |
+                             AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_EQUAL_WEIGHTS | AGAA_ADAPTIVE_LOOP |
+                             AGAA_ADAPTIVE_DEVICE_PATTERN,
+                         use.prepare});
+    }
+}
+
 void addMeasurement(Suite& suite) {
     addMember(suite, {"AgaaMeasurement.shadingCost/range", "AgaaMeasurement::shadingCost",
                       [](ViewParts& p, double x) { p.measurement.shadingCost = whole(x); },
@@ -160,6 +200,7 @@ void addConfigMemberCases(Suite& suite) {
     addTiers(suite);
     addAggregation(suite);
     addDecoupledCoverage(suite);
+    addAdaptiveSampling(suite);
     addMeasurement(suite);
     suite.core("AgaaConfig.layout/null", [](Test& test) {
         ViewParts parts(test.sdk, nullptr);

@@ -69,7 +69,7 @@ void testSurfacesNull(Test& test) {
 
 // The functions have the same answer for a null pointer and for a device with every feature.
 void testCapsNull(Test& test) {
-    for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"}) {
+    for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}) {
         ViewParts parts(test.sdk, nullptr);
         parts.setTechnique(technique, 4);
         AgaaMemoryReport withNull = initialReport, withCaps = initialReport;

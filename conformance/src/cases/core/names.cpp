@@ -104,7 +104,7 @@ void testNames(Test& test) {
             test.check(std::find(names.begin(), names.end(), name) != names.end(),
                        "agaaGetNames(" + std::to_string(kind) + ") does not list \"" + name + "\".");
     };
-    expect(AGAA_NAMES_TECHNIQUES, {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"});
+    expect(AGAA_NAMES_TECHNIQUES, {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"});
     expect(AGAA_NAMES_LAYOUTS, {"paper16", "precise"});
     expect(AGAA_NAMES_PRESETS, {"paper", "fast", "balanced", "accurate"});
 }
@@ -148,7 +148,7 @@ struct NamedTier {
     const char* part; // of the name
 };
 constexpr NamedTier tiers[] = {{AGAA_TIER_AUTO, "auto"}, {AGAA_TIER_NATIVE, "native"}, {AGAA_TIER_NV_MULTICAST, "multicast"},
-                               {AGAA_TIER_SCALED_TARGET, "scaled"}, {AGAA_TIER_LAYERS, "layers"},
+                               {AGAA_TIER_SCALED_TARGET, "scaled"}, {AGAA_TIER_LAYERS, "layers"}, {AGAA_TIER_ORDERED_GRID, "grid"},
                                {AGAA_TIER_NV_MIXED_SAMPLES, "mixed"}, {AGAA_TIER_POST_DEPTH_ATOMICS, "post"},
                                {AGAA_TIER_PER_SAMPLE, "per"}, {AGAA_TIER_GBUFFER, "gbuffer"}, {AGAA_TIER_IDS, "ids"},
                                {AGAA_TIER_FRAGMENT_LISTS, "lists"}, {AGAA_TIER_FRAGMENTS, "fragments"},

@@ -13,12 +13,17 @@ namespace agaa::conformance {
 
 namespace {
 
-constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"};
+constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"};
 
 std::string nameOf(const ViewParts& p) {
     return std::string("\"") + p.config.technique + "\", n = " + std::to_string(p.config.samples) + ", tier " +
            std::to_string(p.config.generationTier) + ", " + std::to_string(p.desc.width) + " x " +
            std::to_string(p.desc.height);
+}
+
+// Whether 9 samples are to be had.
+bool hasOrderedGrid(const std::string& technique) {
+    return technique == "msaa" || technique == "ssaa" || technique == "simple_complex" || technique == "adaptive";
 }
 
 // Views of every technique, n and tier that an ideal device runs.
@@ -27,6 +32,7 @@ void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
         for (const uint32_t samples : hasCoverageSamples(technique) ? std::vector<uint32_t>{32, 64, 128}
                                       : technique == std::string("agaa")
                                           ? std::vector<uint32_t>{1, 2, 4, 8, 16, 32, 64, 128}
+                                      : hasOrderedGrid(technique) ? std::vector<uint32_t>{1, 2, 4, 8, 9, 16, 32}
                                           : std::vector<uint32_t>{1, 2, 4, 8, 16, 32})
             for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER,
                                         AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_FRAGMENT_LISTS,

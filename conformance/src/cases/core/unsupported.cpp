@@ -103,7 +103,7 @@ void testGlossWeight(Test& test) {
 }
 
 void testReservedTier(Test& test, uint32_t tier, const std::string& name) {
-    for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"})
+    for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
         testRows(test, {{std::string("\"") + technique + "\" and visibilityTier = " + name, unsupported,
                          [=](ViewParts& p) {
                              p.setTechnique(technique, 4);
@@ -119,7 +119,8 @@ void testOtherStage(Test& test) {
                                 AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK})
         testRows(test, {{"visibilityTier = " + std::to_string(tier), unsupported,
                          [=](ViewParts& p) { p.config.visibilityTier = tier; }, ""}});
-    for (const uint32_t tier : {AGAA_TIER_NATIVE, AGAA_TIER_NV_MULTICAST, AGAA_TIER_SCALED_TARGET, AGAA_TIER_LAYERS})
+    for (const uint32_t tier : {AGAA_TIER_NATIVE, AGAA_TIER_NV_MULTICAST, AGAA_TIER_SCALED_TARGET, AGAA_TIER_LAYERS,
+                                AGAA_TIER_ORDERED_GRID})
         for (const char* technique : {"agaa", "dcaa"})
             testRows(test, {{std::string("\"") + technique + "\" and generationTier = " + std::to_string(tier), unsupported,
                              [=](ViewParts& p) {

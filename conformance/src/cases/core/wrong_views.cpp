@@ -47,6 +47,8 @@ void addStructs(Rows& rows) {
                     [](ViewParts& p) { p.aggregation.structSize = 8; }});
     rows.push_back({"AgaaDecoupledCoverage::structSize = 8", AGAA_ERROR_STRUCT, "AgaaDecoupledCoverage",
                     [](ViewParts& p) { p.coverage.structSize = 8; }});
+    rows.push_back({"AgaaAdaptiveSampling::structSize = 8", AGAA_ERROR_STRUCT, "AgaaAdaptiveSampling",
+                    [](ViewParts& p) { p.adaptive.structSize = 8; }});
     rows.push_back({"AgaaMeasurement::structSize = 8", AGAA_ERROR_STRUCT, "AgaaMeasurement",
                     [](ViewParts& p) { p.measurement.structSize = 8; }});
     rows.push_back({"AgaaLayout::sType = 0", AGAA_ERROR_STRUCT, "AgaaLayout", [](ViewParts& p) {
@@ -90,6 +92,7 @@ void addRanges(Rows& rows) {
     });
     add("AgaaDecoupledCoverage::merge = 0x7FFFFFFF", "merge", [](ViewParts& p) { p.coverage.merge = 0x7FFFFFFF; });
     add("AgaaDecoupledCoverage::maxBatches = 0", "maxBatches", [](ViewParts& p) { p.coverage.maxBatches = 0; });
+    add("AgaaAdaptiveSampling::shadingScale = NaN", "shadingScale", [](ViewParts& p) { p.adaptive.shadingScale = NAN; });
     add("AgaaMeasurement::shadingCost = 0", "shadingCost", [](ViewParts& p) { p.measurement.shadingCost = 0; });
     add("AgaaSceneFacts::maxLights = 4097", "maxLights", [](ViewParts& p) { p.facts.maxLights = 4097; });
     add("AgaaSceneFacts::shadowMapCount = 5", "shadowMapCount", [](ViewParts& p) { p.facts.shadowMapCount = 5; });

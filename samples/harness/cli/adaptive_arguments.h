@@ -1,0 +1,25 @@
+// Options of the technique "adaptive".
+#pragma once
+
+#include "render/technique_config.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace harness {
+
+struct AdaptiveArguments {
+    std::string metrics = "geometry,shading";
+    std::string pattern = "grid";
+    bool printedMetric = false;
+    bool inOrder = false;
+    bool equalWeights = false;
+    bool loop = false;
+    AgaaAdaptiveSampling values = AGAA_ADAPTIVE_SAMPLING_INIT; // that options set directly
+
+    void addTo(CLI::App& app);
+    void apply(TechniqueConfig& config) const; // throws BadArgument
+};
+
+} // namespace harness

@@ -1,0 +1,48 @@
+// How many samples of a pixel are shaded, and which of them.
+// Sources: Hollaender et al. 2013, "Adaptive Supersampling for Deferred Anti-Aliasing", section 3.1; hard cases 12, 13, 15
+// and 43.
+#ifndef AGAA_MATH_ADAPTIVE_GLSL
+#define AGAA_MATH_ADAPTIVE_GLSL
+#include "real.glsl"
+
+// k_n as printed: c times the root of 1 - the smallest |mean normal . normal| of the window. Rounded unit vectors reach
+// products above 1, whose root would be NaN.
+real agaa_printedNormalCount(real smallest, real c) { return c * sqrt(max(real(1.0) - smallest, real(0.0))); }
+
+// k_s: c times the range of luminances, 0 where it does not exceed the thresholds.
+real agaa_shadingCount(real lowest, real highest, real relative, real absolute, real c) {
+
+    const real range = highest - lowest;
+    return range < max(absolute, highest * relative) ? real(0.0) : c * range;
+}
+
+// The least whole number of samples that is not below k, in [least, most]; k may be infinite or NaN.
+uint agaa_wholeCount(real k, uint least, uint most) {
+    const real bounded = k < real(most) ? ceil(max(k, real(least))) : real(most); // NaN: most
+    return uint(bounded);
+}
+
+// The difference of two unit normals in shares of the angle whose cosine is given: |a - b|^2 / 2 is 1 - a.b without
+// cancellation. A normal that was flipped differs.
+real agaa_normalStep(rvec3 a, rvec3 b, real cosine) {
+    const rvec3 d = a - b;
+    return sqrt(dot(d, d) / (real(2.0) * max(real(1.0) - cosine, real(1e-6))));
+}
+
+// How far two samples are from the plane of one of them, the nearer of both, in shares of `width`: 0 on one plane at any
+// distance and slope.
+real agaa_planeStep(rvec3 offset, rvec3 normalA, rvec3 normalB, real width) {
+    return min(abs(dot(normalA, offset)), abs(dot(normalB, offset))) / max(width, real(1e-30));
+}
+
+// A number of samples, [1, 32], and how far the others differ from these, [0, 1], in one half float, whose steps are 1/32 at
+// most.
+real agaa_joinCount(uint count, real left) { return real(count) + real(0.75) * left; }
+
+uint agaa_splitCount(real joined, OUT(real) left) {
+    const uint count = uint(joined);
+    left = min((joined - real(count)) / real(0.75), real(1.0));
+    return count;
+}
+
+#endif

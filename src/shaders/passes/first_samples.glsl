@@ -1,0 +1,42 @@
+// The image of first samples, and the samples that its differences call for (Hollaender et al. 2013, section 3.1).
+#ifndef AGAA_FIRST_SAMPLES_GLSL
+#define AGAA_FIRST_SAMPLES_GLSL
+#include "math/adaptive.glsl"
+#include "passes/display.glsl"
+#include "passes/sample_choice.glsl"
+
+// Radiance, and agaa_joinCount() of the geometry; alpha is 0 where the pixel shows none.
+layout(AGAA_AT_METADATA) uniform sampler2D agaa_firstSamples;
+
+vec4 agaa_firstSample(ivec2 pixel) { return texelFetch(agaa_firstSamples, pixel, 0); }
+
+// Tone-mapped, in [0, 1]: one bright pixel raises the counts of its neighbours by no more than an edge does.
+float agaa_firstLuma(ivec2 pixel) {
+    vec4 first = agaa_firstSample(clamp(pixel, ivec2(0), ivec2(agaa_frame.size.xy) - 1));
+    return agaa_displayLuma(first.a > 0.0 ? first.rgb : agaa_frame.background.rgb);
+}
+
+// k_s; a real number of samples.
+float agaa_countByShading(uvec2 pixel) {
+    if (!agaa_isAdaptive(agaa_byShading))
+        return 0.0;
+    float lowest = agaa_firstLuma(ivec2(pixel));
+    float highest = lowest;
+    for (int side = -1; side <= 1; side += 2) {
+        float x = agaa_firstLuma(ivec2(pixel) + ivec2(side, 0));
+        float y = agaa_firstLuma(ivec2(pixel) + ivec2(0, side));
+        lowest = min(lowest, min(x, y));
+        highest = max(highest, max(x, y));
+    }
+    return agaa_shadingCount(lowest, highest, uintBitsToFloat(AGAA_SHADING_THRESHOLD), uintBitsToFloat(AGAA_SHADING_MINIMUM),
+                             uintBitsToFloat(AGAA_SHADING_SCALE));
+}
+
+// count: by geometry; left: how far the other samples differ from these, [0, 1]. As printed, the larger count. Else more
+// samples as far as there is something for the lights to show differently: shadows are looked up at all samples anyway.
+uint agaa_countBoth(uvec2 pixel, uint count, float left) {
+    float byShading = agaa_countByShading(pixel);
+    return agaa_isAdaptive(agaa_printedMetric) ? max(count, agaa_wholeCount(byShading, 1u, AGAA_SAMPLES))
+                                               : agaa_wholeCount(float(count) - 0.5 + byShading * left, count, AGAA_SAMPLES);
+}
+#endif

@@ -1,0 +1,105 @@
+// Shades further samples of pixels whose geometry, or whose neighbours' first samples, call for more than one, and puts
+// pixels together (Hollaender et al. 2013, sections 3.1 and 3.2).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#define AGAA_MAX_EVENTS AGAA_SAMPLES
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/target.glsl"
+#include "passes/counters.glsl"
+#include "passes/lighting.glsl"
+#include "passes/output.glsl"
+#include "passes/first_samples.glsl"
+#include "passes/sample_visibility.glsl"
+#include "passes/tile_pixels.glsl"
+#include "passes/events.glsl"
+
+shared uint agaa_represented[64u * AGAA_SAMPLES]; // of each pixel's samples, those that a shaded one stands for
+shared uint agaa_shadowed[64u * AGAA_SAMPLES];    // and those at which its shadows are looked up
+
+float agaa_eventWeight(uint samples) { return agaa_isAdaptive(agaa_equalWeights) ? 1.0 : float(bitCount(samples)); }
+
+struct agaa_Further {
+    agaa_PixelWork work;
+    float firstWeight; // of the sample that is shaded already
+    float weights;     // of all
+};
+
+agaa_Further agaa_furtherOf(uvec2 pixel) {
+    const uint lane = gl_LocalInvocationIndex;
+    agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 0.0);
+    vec4 firstSample = agaa_firstSample(ivec2(pixel));
+    if (firstSample.a == 0.0)
+        return further;
+    float left;
+    const uint byGeometry = agaa_splitCount(firstSample.a, left);
+    uint count = agaa_countBoth(pixel, byGeometry, left);
+    uint covered = 0u;
+    if (count == 1u && !agaa_showsEvents()) {
+        uint i = 0u;
+        do
+            covered |= agaa_isCovered(pixel, i) ? 1u << i : 0u;
+        while (++i < agaa_sampleCount());
+        further = agaa_Further(agaa_pixelWork(0u, 0u, uint(bitCount(covered))), 1.0, 1.0);
+    } else {
+        covered = agaa_loadFeatures(pixel);
+        further.work.covered = uint(bitCount(covered));
+        count = min(count, further.work.covered);
+        uint chosen = agaa_chooseMore(pixel, covered, agaa_beginChoice(pixel, covered), byGeometry, byGeometry);
+        uint first = agaa_firstInOrder(covered);
+        uint shadowed = agaa_samplesOf(covered, first);
+        chosen = agaa_chooseMore(pixel, covered, chosen, count, count);
+        for (uint rest = chosen; rest != 0u; rest &= rest - 1u) {
+            uint i = uint(findLSB(rest));
+            uint samples = agaa_samplesOf(covered, i);
+            agaa_represented[lane * AGAA_SAMPLES + i] = samples;
+            // The first was shaded with the shadows of all of these, so that its share of them is that of each.
+            agaa_shadowed[lane * AGAA_SAMPLES + i] = (shadowed >> i & 1u) != 0u ? shadowed : samples;
+            further.weights += agaa_eventWeight(samples);
+            further.firstWeight += i == first ? agaa_eventWeight(samples) : 0.0;
+        }
+        further.work.events[0] = agaa_showsEvents() ? chosen : chosen & ~(1u << first);
+    }
+    agaa_count(AGAA_COUNT_VISIBLE, further.work.covered);
+    agaa_count(AGAA_COUNT_ONCE, further.work.covered);
+    agaa_countEvents(count);
+    agaa_count(AGAA_COUNT_PIXELS, 1u);
+    return further;
+}
+
+vec3 agaa_shadeEvent(uint lane, uint i) {
+    uvec2 pixel = agaa_pixelOf(lane);
+    uint samples = agaa_represented[lane * AGAA_SAMPLES + i];
+    float weight = agaa_eventWeight(samples);
+    agaa_findVisibility(pixel, agaa_isAdaptive(agaa_equalWeights) ? 1u << i : agaa_shadowed[lane * AGAA_SAMPLES + i]);
+    if (agaa_showsEvents())
+        return agaa_shownOfEvent(0u, 0.0) * weight;
+    agaa_fetchSample(pixel, i);
+    return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i)) * weight;
+}
+
+// One invocation for all samples of the pixel, as in the paper (section 4.2).
+vec3 agaa_shadeInLoop(agaa_PixelWork work) {
+    vec3 color = vec3(0.0);
+    for (uint rest = work.events[0]; rest != 0u; rest &= rest - 1u)
+        color += agaa_shadeEvent(gl_LocalInvocationIndex, uint(findLSB(rest)));
+    return color;
+}
+
+void main() {
+    agaa_countBegin();
+    uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
+    bool inside = all(lessThan(pixel, agaa_frame.size.xy));
+    agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 0.0);
+    if (inside)
+        further = agaa_furtherOf(pixel);
+    vec3 color = agaa_isAdaptive(agaa_shadeInLoops) ? agaa_shadeInLoop(further.work) : agaa_shadeWork(further.work);
+    if (inside) {
+        if (!agaa_showsEvents() && further.weights > 0.0)
+            color += agaa_firstSample(ivec2(pixel)).rgb * further.firstWeight;
+        agaa_writePixel(pixel, further.work, further.weights > 0.0 ? color * float(further.work.covered) / further.weights : color);
+    }
+    agaa_countEnd();
+}
