@@ -56,14 +56,23 @@ Pass& addPass(PlanBuilder& b, const char* name, const char* shader, const GBuffe
     return pass;
 }
 
+// Of a pixel's choice (src/shaders/passes/stored_choice.glsl).
+uint32_t choiceWords(uint32_t samples) {
+    const uint32_t ownersPerWord = 32 / (samples > 16 ? 5 : 4);
+    return 1 + (samples + ownersPerWord - 1) / ownersPerWord;
+}
+
 void build(PlanBuilder& b) {
     b.defaultSurface(0.95f, 1.5f, 0.08f);
     const GBuffer gbuffer = makeGBuffer(b);
     const ResourceId firstSamples = b.image("first-samples", Format::RGBA16F, false);
+    const ResourceId choices = b.pixelBuffer("sample-choices", 4 * choiceWords(b.plan.samples));
     Pass& first = addPass(b, "shade first samples", "shade_first", gbuffer);
     b.bind(first, slot::Output, BindingType::StorageImage, firstSamples, true);
+    b.bind(first, slot::Fragments, BindingType::StorageBuffer, choices, true);
     Pass& further = addPass(b, "shade further samples", "shade_further", gbuffer);
     b.bind(further, slot::Metadata, BindingType::Texture, firstSamples);
+    b.bind(further, slot::Fragments, BindingType::StorageBuffer, choices);
     b.bindOutput(further);
     b.copyCounters();
 }

@@ -13,13 +13,14 @@ bool agaa_isAdaptive(uint flag) { return (AGAA_ADAPTIVE_FLAGS & flag) != 0u; }
 const uint agaa_byGeometry = 0x01u, agaa_byShading = 0x02u, agaa_printedMetric = 0x04u, agaa_inOrder = 0x08u;
 const uint agaa_equalWeights = 0x10u, agaa_shadeInLoops = 0x20u;
 
-// Of the pixel at hand, by sample: view depth, normal, then colours in bytes.
+// Of the pixel at hand, by sample: depth, code of the normal, then colours in bytes.
 uvec4 agaa_sampleFeatures[AGAA_SAMPLES];
 float agaa_distances[AGAA_SAMPLES]; // to the nearest chosen sample
 uint agaa_owners[AGAA_SAMPLES];     // that sample
+
 struct agaa_Features {
-    vec3 position, normal; // in view space
-    float quantum;         // step of its depth
+    vec3 position, normal; // in shading space
+    float width;           // how far its plane reaches
     vec4 diffuse, specular; // and alpha; and how bright the sample glows
 };
 
@@ -30,47 +31,36 @@ uint agaa_sampleInOrder(uint j) {
     return words[j >> 2u] >> (8u * (j & 3u)) & 0xFFu;
 }
 
-uvec4 agaa_featuresOfFetched(float depth) {
-    agaa_Surface s = agaa_sampleSurface();
-    uint code = packUnorm2x16(agaa_encodeOct(mat3(agaa_frame.view) * s.normal, 16u));
-    return uvec4(floatBitsToUint(depth), code, packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))),
-                 packUnorm4x8(vec4(s.specular, agaa_displayLuma(s.emissive))));
-}
-
-agaa_Features agaa_featuresOf(uvec2 pixel, uint i) {
-    uvec4 words = agaa_sampleFeatures[i];
+agaa_Features agaa_unpackFeatures(uvec2 pixel, uint i, uvec4 words) {
     float depth = uintBitsToFloat(words.x);
+    vec3 position = agaa_sampleViewPosition(pixel, i, depth);
     agaa_Features f;
-    f.position = agaa_sampleViewPosition(pixel, i, depth);
-    f.quantum = agaa_depthQuantum(f.position.z, depth, agaa_frame.projection1.x, agaa_frame.projection1.y, agaa_isOrthographic(),
-                                  agaa_storedQuantum(depth));
-    f.normal = agaa_decodeOct(unpackUnorm2x16(words.y), 16u);
+    f.position = agaa_toShadingSpace(position);
+    f.normal = agaa_decodeOct(unpackUnorm2x16(words.y), agaa_fieldBits(AGAA_SOURCE_NORMAL_X));
+    f.width = agaa_frame.surface.y * agaa_pixelWidth(position.z) +
+              2.0 * agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x, agaa_frame.projection1.y, agaa_isOrthographic(),
+                                      agaa_storedQuantum(depth));
     f.diffuse = unpackUnorm4x8(words.z);
     f.specular = unpackUnorm4x8(words.w);
     return f;
 }
 
-// Returns the samples that show geometry.
-uint agaa_loadFeatures(uvec2 pixel) {
-    uint covered = 0u;
-    uint i = 0u;
-    do {
-        if (agaa_fetchSample(pixel, i)) {
-            covered |= 1u << i;
-            agaa_sampleFeatures[i] = agaa_featuresOfFetched(agaa_depthOf(pixel, i));
-        }
-    } while (++i < agaa_sampleCount());
-    return covered;
+// Of the sample fetched last.
+uvec4 agaa_packFeatures(float depth) {
+    agaa_Surface s = agaa_sampleSurface();
+    return uvec4(floatBitsToUint(depth), packUnorm2x16(agaa_normalCode()), packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))),
+                 packUnorm4x8(vec4(s.specular, agaa_displayLuma(s.emissive))));
 }
+
+agaa_Features agaa_featuresOf(uvec2 pixel, uint i) { return agaa_unpackFeatures(pixel, i, agaa_sampleFeatures[i]); }
 
 // How many thresholds apart two samples are: normals, whose differences count the more the glossier the surface; the plane;
 // the material.
 float agaa_differenceOf(agaa_Features a, agaa_Features b) {
     float gloss = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) / max(min(a.diffuse.w, b.diffuse.w), 0.01), 1.0, 20.0);
-    float width = agaa_frame.surface.y * agaa_pixelWidth(a.position.z) + a.quantum + b.quantum;
     vec4 material = max(abs(a.diffuse - b.diffuse), abs(a.specular - b.specular));
     return max(max(agaa_normalStep(a.normal, b.normal, agaa_frame.surface.x) * gloss,
-                   agaa_planeStep(b.position - a.position, a.normal, b.normal, width)),
+                   agaa_planeStep(b.position - a.position, a.normal, b.normal, max(a.width, b.width))),
                max(max(material.x, material.y), max(material.z, material.w)) / max(agaa_frame.surface.z, 1e-3));
 }
 
@@ -80,6 +70,30 @@ uint agaa_firstInOrder(uint covered) {
     while ((covered >> agaa_sampleInOrder(j) & 1u) == 0u)
         ++j;
     return agaa_sampleInOrder(j);
+}
+
+// Loads the pixel's samples, and chooses the first in order. Returns those that show geometry.
+uint agaa_beginChoice(uvec2 pixel) {
+    uint covered = 0u;
+    uint first = 0u;
+    agaa_Features f;
+    uint j = 0u;
+    do {
+        uint i = agaa_sampleInOrder(j);
+        if (agaa_fetchSample(pixel, i)) {
+            uvec4 words = agaa_packFeatures(agaa_depthOf(pixel, i));
+            agaa_Features own = agaa_unpackFeatures(pixel, i, words);
+            agaa_sampleFeatures[i] = words;
+            if (covered == 0u) {
+                f = own;
+                first = i;
+            }
+            covered |= 1u << i;
+            agaa_distances[i] = i == first ? -1.0 : agaa_differenceOf(f, own);
+            agaa_owners[i] = first;
+        }
+    } while (++j < agaa_sampleCount());
+    return covered;
 }
 
 void agaa_chooseSample(uvec2 pixel, uint covered, uint chosen) {
@@ -109,42 +123,27 @@ uint agaa_farthestSample(uint covered, uint chosen) {
     return farthest;
 }
 
-// Chooses the first sample of one or more, as agaa_loadFeatures() left them.
-uint agaa_beginChoice(uvec2 pixel, uint covered) {
-    uint i = 0u;
-    do
-        agaa_distances[i] = 3.0e38;
-    while (++i < agaa_sampleCount());
-    uint first = agaa_firstInOrder(covered);
-    agaa_chooseSample(pixel, covered, first);
-    return 1u << first;
-}
-
 // Chooses more until there are `least`, and up to `most` as long as one differs from all chosen ones by more than the
-// thresholds.
-uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint least, uint most) {
+// thresholds. left: how much the one differs that would be next, [0, 1].
+uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint least, uint most, out float left) {
     uint count = uint(bitCount(chosen));
     uint end = min(most, uint(bitCount(covered)));
     uint turn = 0u;
+    left = 0.0;
     do {
-        if (count < end) {
-            uint next = agaa_farthestSample(covered, chosen);
-            if (count < least || agaa_distances[next] > 1.0) {
-                next = agaa_isAdaptive(agaa_inOrder) ? agaa_firstInOrder(covered & ~chosen) : next;
-                chosen |= 1u << next;
-                agaa_chooseSample(pixel, covered, next);
-                ++count;
-            } else {
-                end = 0u;
-            }
-        }
-    } while (++turn < agaa_sampleCount() && count < end);
+        if (chosen == covered)
+            break;
+        uint next = agaa_farthestSample(covered, chosen);
+        left = clamp(agaa_distances[next], 0.0, 1.0);
+        if (count >= end || (count >= least && agaa_distances[next] <= 1.0))
+            break;
+        next = agaa_isAdaptive(agaa_inOrder) ? agaa_firstInOrder(covered & ~chosen) : next;
+        chosen |= 1u << next;
+        agaa_chooseSample(pixel, covered, next);
+        ++count;
+        left = 0.0;
+    } while (++turn < agaa_sampleCount());
     return chosen;
-}
-
-// How far the sample that differs most is from all chosen ones, [0, 1].
-float agaa_leftDifference(uint covered, uint chosen) {
-    return (covered & ~chosen) != 0u ? clamp(agaa_distances[agaa_farthestSample(covered, chosen)], 0.0, 1.0) : 0.0;
 }
 
 // The samples that belong to a chosen one.

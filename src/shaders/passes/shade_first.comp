@@ -13,7 +13,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
 #include "math/statistics.glsl"
-#include "passes/sample_choice.glsl"
+#include "passes/stored_choice.glsl"
+#include "passes/stored_choice.glsl"
 #include "passes/sample_visibility.glsl"
 #include "passes/tile_pixels.glsl"
 #include "passes/events.glsl"
@@ -52,15 +53,17 @@ uint agaa_countByGeometry(uvec2 pixel, uint covered) {
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
     const uint lane = gl_LocalInvocationIndex;
-    uint covered = agaa_loadFeatures(pixel);
+    uint covered = agaa_beginChoice(pixel);
     if (covered == 0u) {
         imageStore(agaa_output, ivec2(pixel), vec4(0.0));
         return agaa_pixelWork(0u, 0u, 0u);
     }
     uint first = agaa_firstInOrder(covered);
     uint count = agaa_countByGeometry(pixel, covered);
-    uint chosen = agaa_chooseMore(pixel, covered, agaa_beginChoice(pixel, covered), count, count != 0u ? count : AGAA_SAMPLES);
-    agaa_joinedCount = agaa_joinCount(uint(bitCount(chosen)), agaa_leftDifference(covered, chosen));
+    float left;
+    uint chosen = agaa_chooseMore(pixel, covered, 1u << first, count, count != 0u ? count : AGAA_SAMPLES, left);
+    agaa_joinedCount = agaa_joinCount(uint(bitCount(chosen)), left);
+    agaa_storeChoice(pixel, covered);
     agaa_represented[lane] = agaa_isAdaptive(agaa_equalWeights) ? 1u << first : agaa_samplesOf(covered, first);
     return agaa_pixelWork(1u << first, 0u, 1u);
 }

@@ -12,6 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
 #include "passes/first_samples.glsl"
+#include "passes/stored_choice.glsl"
 #include "passes/sample_visibility.glsl"
 #include "passes/tile_pixels.glsl"
 #include "passes/events.glsl"
@@ -35,33 +36,27 @@ agaa_Further agaa_furtherOf(uvec2 pixel) {
         return further;
     float left;
     const uint byGeometry = agaa_splitCount(firstSample.a, left);
-    uint count = agaa_countBoth(pixel, byGeometry, left);
-    uint covered = 0u;
-    if (count == 1u && !agaa_showsEvents()) {
-        uint i = 0u;
-        do
-            covered |= agaa_isCovered(pixel, i) ? 1u << i : 0u;
-        while (++i < agaa_sampleCount());
-        further = agaa_Further(agaa_pixelWork(0u, 0u, uint(bitCount(covered))), 1.0, 1.0);
-    } else {
-        covered = agaa_loadFeatures(pixel);
-        further.work.covered = uint(bitCount(covered));
-        count = min(count, further.work.covered);
-        uint chosen = agaa_chooseMore(pixel, covered, agaa_beginChoice(pixel, covered), byGeometry, byGeometry);
-        uint first = agaa_firstInOrder(covered);
-        uint shadowed = agaa_samplesOf(covered, first);
-        chosen = agaa_chooseMore(pixel, covered, chosen, count, count);
-        for (uint rest = chosen; rest != 0u; rest &= rest - 1u) {
-            uint i = uint(findLSB(rest));
-            uint samples = agaa_samplesOf(covered, i);
-            agaa_represented[lane * AGAA_SAMPLES + i] = samples;
-            // The first was shaded with the shadows of all of these, so that its share of them is that of each.
-            agaa_shadowed[lane * AGAA_SAMPLES + i] = (shadowed >> i & 1u) != 0u ? shadowed : samples;
-            further.weights += agaa_eventWeight(samples);
-            further.firstWeight += i == first ? agaa_eventWeight(samples) : 0.0;
-        }
-        further.work.events[0] = agaa_showsEvents() ? chosen : chosen & ~(1u << first);
+    uint chosen;
+    const uint covered = agaa_loadChoice(pixel, chosen);
+    const uint first = agaa_firstInOrder(covered);
+    const uint shadowed = agaa_samplesOf(covered, first);
+    const uint count = min(agaa_countBoth(pixel, byGeometry, left), uint(bitCount(covered)));
+    if (count > byGeometry) {
+        agaa_beginChoice(pixel);
+        float none;
+        chosen = agaa_chooseMore(pixel, covered, 1u << first, count, count, none);
     }
+    further.work.covered = uint(bitCount(covered));
+    for (uint rest = chosen; rest != 0u; rest &= rest - 1u) {
+        uint i = uint(findLSB(rest));
+        uint samples = agaa_samplesOf(covered, i);
+        agaa_represented[lane * AGAA_SAMPLES + i] = samples;
+        // The first was shaded with the shadows of all of these, so that its share of them is that of each.
+        agaa_shadowed[lane * AGAA_SAMPLES + i] = (shadowed >> i & 1u) != 0u ? shadowed : samples;
+        further.weights += agaa_eventWeight(samples);
+        further.firstWeight += i == first ? agaa_eventWeight(samples) : 0.0;
+    }
+    further.work.events[0] = agaa_showsEvents() ? chosen : chosen & ~(1u << first);
     agaa_count(AGAA_COUNT_VISIBLE, further.work.covered);
     agaa_count(AGAA_COUNT_ONCE, further.work.covered);
     agaa_countEvents(count);
