@@ -47,7 +47,8 @@ typedef struct AgaaCounters {
     uint64_t lostFragments; /* for which the lists had no room */
     uint64_t batches;       /* "dcaa" that merges lists: draws of the scene that the frame needed, 1 to
                                maxBatches */
-    uint64_t reserved[9];   /* 0 */
+    uint64_t pixelsByEvents[6]; /* pixels with 1, 2, 3 to 4, 5 to 8, 9 to 16, and more shading events; 0 for "msaa" */
+    uint64_t reserved[3];   /* 0 */
 } AgaaCounters;
 
 #define AGAA_MAX_PASSES 32
@@ -84,7 +85,7 @@ typedef struct AgaaFrameStatistics {
 } AgaaFrameStatistics;
 #define AGAA_FRAME_STATISTICS_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0, 0, 0, 0, 0, 0, \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}}, 0, 0, {{{0}, 0, 0, 0.0, {0, 0}}}}
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, {0}}, 0, 0, {{{0}, 0, 0, 0.0, {0, 0}}}}
 AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatistics, size_t structSize);
 
 /* Reads the statistics of the newest completely recorded frame that is not after completedFrame.

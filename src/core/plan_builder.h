@@ -41,6 +41,8 @@ public:
     // A permutation of the shader by the plan; switches, such as "r1", say what the plan as a whole does not.
     Pass& compute(std::string name, AgaaStage stage, const std::string& shader, uint64_t segment,
                   std::string_view switches = {});
+    // That passes begin with which are added from here on.
+    Constants& passConstants() { return constants_; }
     // A bit for every pixel that one pass leaves to another (src/shaders/passes/deferred_pixels.glsl).
     ResourceId deferredPixels();
     void deferPixels(Pass& pass, ResourceId deferred);
@@ -53,6 +55,7 @@ public:
               bool writes = false);
     // What counts as one surface where the config does not say.
     void defaultSurface(float cosine, float distance, float material);
+    ResourceId frameConstants(uint64_t segment);
     // Frame constants and, where counted, counters.
     void bindCommon(Pass& pass);
     // Lights, shadow maps and the host's shadow function of a pass that shades.
@@ -83,7 +86,6 @@ private:
     static void addHostCode(Pass& pass, const HostText& text, const char* origin);
     void bindShadows(Pass& pass);
     void listEffects(bool readsFolded); // whether the shading pass reads aggregates whose roughness is folded
-    ResourceId frameConstants(uint64_t segment);
     void findLifetimes();
     void keepAlive();
     uint32_t scaledWidth() const; // of the target

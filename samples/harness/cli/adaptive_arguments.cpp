@@ -11,6 +11,11 @@ void AdaptiveArguments::addTo(CLI::App& app) {
     app.add_flag("--in-order", inOrder, "adaptive: samples in the pattern's order, as in the paper");
     app.add_flag("--equal-weights", equalWeights, "adaptive: the mean of the shaded samples, as in the paper");
     app.add_flag("--loop", loop, "adaptive: an invocation shades all samples of its pixel, as in the paper");
+    app.add_flag("--buckets", buckets, "adaptive: numbers of samples are powers of two");
+    app.add_flag("--sorted", sorted, "adaptive: pixels of like numbers of samples side by side");
+    app.add_flag("--tile-maximum", tileMaximum, "adaptive: the largest number of samples in each tile");
+    app.add_option("--target-events", values.targetEvents, "adaptive: mean number of samples per pixel that frames keep; 0: none");
+    app.add_option("--count-memory", values.countMemory, "adaptive: share of mean numbers kept from frame to frame");
     app.add_option("--depth-scale", values.depthScale, "adaptive: samples per variance of depth, with --printed-metric");
     app.add_option("--normal-scale", values.normalScale, "adaptive: samples per spread of normals, with --printed-metric");
     app.add_option("--shading-scale", values.shadingScale, "adaptive: samples per range of luminance");
@@ -35,6 +40,9 @@ void AdaptiveArguments::apply(TechniqueConfig& config) const {
     set(inOrder, AGAA_ADAPTIVE_IN_ORDER);
     set(equalWeights, AGAA_ADAPTIVE_EQUAL_WEIGHTS);
     set(loop, AGAA_ADAPTIVE_LOOP);
+    set(buckets, AGAA_ADAPTIVE_BUCKETS);
+    set(sorted, AGAA_ADAPTIVE_SORTED);
+    set(tileMaximum, AGAA_ADAPTIVE_TILE_MAXIMUM);
 }
 
 } // namespace harness

@@ -16,6 +16,9 @@ struct AdaptiveArguments {
     bool inOrder = false;
     bool equalWeights = false;
     bool loop = false;
+    bool buckets = false;
+    bool sorted = false;
+    bool tileMaximum = false;
     AgaaAdaptiveSampling values = AGAA_ADAPTIVE_SAMPLING_INIT; // that options set directly
 
     void addTo(CLI::App& app);

@@ -95,6 +95,7 @@ json countersJson(const AgaaCounters& c) {
             {"widenedLobes", c.widenedLobes},
             {"shadedPixels", c.shadedPixels},
             {"maxEventsPerPixel", c.maxEventsPerPixel},
+            {"pixelsByEvents", c.pixelsByEvents},
             {"aggregates", c.aggregates},
             {"primitives", c.primitives},
             {"materials", c.materials},

@@ -97,7 +97,7 @@ std::string viewKey(const AgaaViewDesc& desc) {
                               aggregation.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,
                               config.surfaceMaterial, aggregation.glossWeight, coverage.fragmentsPerPixel, adaptive.depthScale, adaptive.normalScale,
                               adaptive.shadingScale, adaptive.shadingThreshold, adaptive.shadingMinimum,
-                              adaptive.glossWeight})
+                              adaptive.glossWeight, adaptive.targetEvents, adaptive.countMemory})
         key.add(value);
     key.add(config.flags);
     key.add(measurement.flags);

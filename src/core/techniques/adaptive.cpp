@@ -1,5 +1,6 @@
 // `adaptive`: a G-buffer at n samples, one of which is shaded in each pixel, and further ones where geometry or shading say so
 // (Hollaender et al., "Adaptive Supersampling for Deferred Anti-Aliasing", JCGT 2013).
+#include "core/checked.h"
 #include "core/error.h"
 #include "core/sample_order.h"
 #include "core/structs.h"
@@ -21,7 +22,8 @@ void readAdaptive(const AgaaConfig& config, ViewSettings& view) {
     view.adaptive.pNext = nullptr;
     checkFlags(a.flags,
                AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING | AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER |
-                   AGAA_ADAPTIVE_EQUAL_WEIGHTS | AGAA_ADAPTIVE_LOOP | AGAA_ADAPTIVE_DEVICE_PATTERN,
+                   AGAA_ADAPTIVE_EQUAL_WEIGHTS | AGAA_ADAPTIVE_LOOP | AGAA_ADAPTIVE_DEVICE_PATTERN | AGAA_ADAPTIVE_BUCKETS |
+                   AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM,
                "AgaaAdaptiveSampling::flags");
     checkRange(double(a.depthScale), 0.0, 1e12, "AgaaAdaptiveSampling::depthScale");
     checkRange(double(a.normalScale), 0.0, 1e6, "AgaaAdaptiveSampling::normalScale");
@@ -29,51 +31,122 @@ void readAdaptive(const AgaaConfig& config, ViewSettings& view) {
     checkRange(double(a.shadingThreshold), 0.0, 1.0, "AgaaAdaptiveSampling::shadingThreshold");
     checkRange(double(a.shadingMinimum), 0.0, 1.0, "AgaaAdaptiveSampling::shadingMinimum");
     checkRange(double(a.glossWeight), 0.0, 16.0, "AgaaAdaptiveSampling::glossWeight");
+    checkRange(double(a.targetEvents), 0.0, 32.0, "AgaaAdaptiveSampling::targetEvents");
+    checkRange(double(a.countMemory), 0.0, double(0.99f), "AgaaAdaptiveSampling::countMemory");
     checkReserved(a.reserved, "AgaaAdaptiveSampling::reserved");
 }
 
-void setOrder(Constants& constants, const Plan& plan) {
-    const std::vector<uint32_t> order = sampleOrder(positionsOf(plan));
-    for (size_t j = 0; j < order.size(); ++j)
-        constants[AGAA_ORDER0 + j / 4] |= order[j] << 8 * (j % 4);
-}
-
-Pass& addPass(PlanBuilder& b, const char* name, const char* shader, const GBuffer& gbuffer) {
-    Pass& pass = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
-    b.bindCommon(pass);
-    b.bindLighting(pass);
-    gbuffer.bind(b, pass);
+// Of all passes of the plan.
+void setAdaptiveConstants(PlanBuilder& b) {
     const AgaaAdaptiveSampling& a = b.plan.adaptive;
-    Constants& c = pass.constants;
+    Constants& c = b.passConstants();
     c[AGAA_ADAPTIVE_FLAGS] = uint32_t(a.flags);
-    c[AGAA_GLOSS_WEIGHT] = std::bit_cast<uint32_t>(a.glossWeight);
-    c[AGAA_DEPTH_SCALE] = std::bit_cast<uint32_t>(a.depthScale);
-    c[AGAA_NORMAL_SCALE] = std::bit_cast<uint32_t>(a.normalScale);
-    c[AGAA_SHADING_SCALE] = std::bit_cast<uint32_t>(a.shadingScale);
-    c[AGAA_SHADING_THRESHOLD] = std::bit_cast<uint32_t>(a.shadingThreshold);
-    c[AGAA_SHADING_MINIMUM] = std::bit_cast<uint32_t>(a.shadingMinimum);
-    setOrder(c, b.plan);
-    return pass;
+    const auto set = [&](Constant constant, float value) { c[constant] = value > 0 ? std::bit_cast<uint32_t>(value) : 0; };
+    set(AGAA_GLOSS_WEIGHT, a.glossWeight);
+    set(AGAA_DEPTH_SCALE, a.depthScale);
+    set(AGAA_NORMAL_SCALE, a.normalScale);
+    set(AGAA_SHADING_SCALE, a.shadingScale);
+    set(AGAA_SHADING_THRESHOLD, a.shadingThreshold);
+    set(AGAA_SHADING_MINIMUM, a.shadingMinimum);
+    set(AGAA_TARGET_EVENTS, a.targetEvents);
+    set(AGAA_COUNT_MEMORY, a.countMemory);
+    const std::vector<uint32_t> order = sampleOrder(positionsOf(b.plan));
+    for (size_t j = 0; j < order.size(); ++j)
+        c[AGAA_ORDER0 + j / 4] |= order[j] << 8 * (j % 4);
 }
 
-// Of a pixel's choice (src/shaders/passes/stored_choice.glsl).
+// Words of src/shaders/passes/stored_choice.glsl.
+constexpr uint32_t sumWords = 192;
 uint32_t choiceWords(uint32_t samples) {
     const uint32_t ownersPerWord = 32 / (samples > 16 ? 5 : 4);
     return 1 + (samples + ownersPerWord - 1) / ownersPerWord;
 }
 
+bool has(const PlanBuilder& b, uint64_t flag) { return b.plan.adaptive.flags & flag; }
+
+// Passes write to the sums, choices and orders of one buffer.
+ResourceId choiceBuffer(PlanBuilder& b) {
+    const bool remembers = b.plan.adaptive.countMemory > 0;
+    const uint64_t words = choiceWords(b.plan.samples) + (remembers ? 1 : 0) + (has(b, AGAA_ADAPTIVE_SORTED) ? 2 : 0);
+    const ResourceId choices = b.pixelBuffer("sample-choices", 4 * words);
+    Resource& buffer = b.plan.resources[choices];
+    buffer.bytes = checkedAdd(buffer.bytes, 4 * sumWords);
+    buffer.outlivesFrame = remembers;
+    return choices;
+}
+
+struct Adaptive {
+    GBuffer gbuffer;
+    ResourceId firstSamples = noResource, choices = noResource;
+};
+
+void bindChoices(PlanBuilder& b, Pass& pass, const Adaptive& a) {
+    b.bind(pass, slot::Fragments, BindingType::StorageBuffer, a.choices, true);
+}
+
+// A pass that reads samples, and chooses some.
+Pass& addChoice(PlanBuilder& b, const char* name, const char* shader, const Adaptive& a) {
+    Pass& pass = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
+    a.gbuffer.bind(b, pass);
+    bindChoices(b, pass, a);
+    return pass;
+}
+
+Pass& addShading(PlanBuilder& b, const char* name, const char* shader, const Adaptive& a) {
+    Pass& pass = addChoice(b, name, shader, a);
+    b.bindCommon(pass);
+    b.bindLighting(pass);
+    return pass;
+}
+
+// A pass over numbers. reads: the image of first samples.
+Pass& addNumbers(PlanBuilder& b, const char* name, const char* shader, const Adaptive& a, bool reads) {
+    Pass& pass = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
+    b.bind(pass, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_SHADING));
+    bindChoices(b, pass, a);
+    if (reads)
+        b.bind(pass, slot::Metadata, BindingType::Texture, a.firstSamples);
+    return pass;
+}
+
+// The limit of differences at which the target is met.
+void addLimit(PlanBuilder& b, const Adaptive& a) {
+    Pass& demand = addChoice(b, "count demanded samples", "sample_demand", a);
+    b.bind(demand, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_SHADING));
+    addNumbers(b, "find limit", "sample_limit", a, false).dispatch = {.kind = DispatchKind::Items, .items = 1};
+}
+
+// Pixels by their number of samples.
+void addSorting(PlanBuilder& b, const Adaptive& a, uint64_t pixels) {
+    addNumbers(b, "count pixels", "count_pixels", a, true);
+    addNumbers(b, "place counts", "place_counts", a, false).dispatch = {.kind = DispatchKind::Items, .items = 1};
+    addNumbers(b, "place pixels", "place_pixels", a, false).dispatch = {.kind = DispatchKind::Items, .items = pixels};
+}
+
 void build(PlanBuilder& b) {
     b.defaultSurface(0.95f, 1.5f, 0.08f);
-    const GBuffer gbuffer = makeGBuffer(b);
-    const ResourceId firstSamples = b.image("first-samples", Format::RGBA16F, false);
-    const ResourceId choices = b.pixelBuffer("sample-choices", 4 * choiceWords(b.plan.samples));
-    Pass& first = addPass(b, "shade first samples", "shade_first", gbuffer);
-    b.bind(first, slot::Output, BindingType::StorageImage, firstSamples, true);
-    b.bind(first, slot::Fragments, BindingType::StorageBuffer, choices, true);
-    Pass& further = addPass(b, "shade further samples", "shade_further", gbuffer);
-    b.bind(further, slot::Metadata, BindingType::Texture, firstSamples);
-    b.bind(further, slot::Fragments, BindingType::StorageBuffer, choices);
+    const bool hasTarget = b.plan.adaptive.targetEvents > 0;
+    require(!hasTarget || (has(b, AGAA_ADAPTIVE_GEOMETRY) && !has(b, AGAA_ADAPTIVE_PRINTED_METRIC)), AGAA_ERROR_UNSUPPORTED,
+            "AgaaAdaptiveSampling::targetEvents needs AGAA_ADAPTIVE_GEOMETRY without AGAA_ADAPTIVE_PRINTED_METRIC, because "
+            "differences of samples decide what is left out.");
+    setAdaptiveConstants(b);
+    const Adaptive a{makeGBuffer(b), b.image("first-samples", Format::RGBA16F, false), choiceBuffer(b)};
+    if (hasTarget || has(b, AGAA_ADAPTIVE_SORTED))
+        b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fillBytes = 4 * sumWords;
+    if (hasTarget)
+        addLimit(b, a);
+    Pass& first = addShading(b, "shade first samples", "shade_first", a);
+    b.bind(first, slot::Output, BindingType::StorageImage, a.firstSamples, true);
+    if (hasTarget && has(b, AGAA_ADAPTIVE_SHADING))
+        addNumbers(b, "count shading's demand", "shading_demand", a, true);
+    const uint64_t pixels = uint64_t(b.plan.width) * b.plan.height;
+    if (has(b, AGAA_ADAPTIVE_SORTED))
+        addSorting(b, a, pixels);
+    Pass& further = addShading(b, "shade further samples", "shade_further", a);
+    b.bind(further, slot::Metadata, BindingType::Texture, a.firstSamples);
     b.bindOutput(further);
+    if (has(b, AGAA_ADAPTIVE_SORTED))
+        further.dispatch = {.kind = DispatchKind::Items, .items = pixels};
     b.copyCounters();
 }
 

@@ -45,4 +45,25 @@ uint agaa_splitCount(real joined, OUT(real) left) {
     return count;
 }
 
+// The mean of numbers of samples, of which `memory`, [0, 1), is kept from frame to frame; 0 begins anew.
+real agaa_meanOfCounts(real mean, uint count, real memory) {
+    return mean > real(0.0) && count != 0u ? real(count) + (mean - real(count)) * memory : real(count);
+}
+
+// Bins of a histogram of differences, eight to a power of two, from 1/16 threshold on; the last one has no end.
+uint agaa_differenceBins() { return 128u; }
+real agaa_leastDifference() { return real(0.0625); }
+
+// difference: at least the least one.
+uint agaa_differenceBin(real difference) {
+    const real bin = floor(real(8.0) * log2(max(difference, agaa_leastDifference()) / agaa_leastDifference()));
+    return uint(bin < real(127.0) ? bin : real(127.0)); // NaN and infinity: the last one
+}
+
+// Where a bin begins.
+real agaa_differenceOfBin(uint bin) { return agaa_leastDifference() * exp2(real(bin) / real(8.0)); }
+
+// Up to the next power of two.
+uint agaa_bucketOfCount(uint count) { return count < 2u ? count : uint(2) << uint(findMSB(count - 1u)); }
+
 #endif

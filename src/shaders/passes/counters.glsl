@@ -31,6 +31,8 @@ void agaa_count(uint which, uint amount) { agaa_ownCounts[which] += amount; }
 void agaa_countEvents(uint count) {
     agaa_ownCounts[AGAA_COUNT_EVENTS] += count;
     agaa_ownCounts[AGAA_COUNT_MAX_EVENTS] = max(agaa_ownCounts[AGAA_COUNT_MAX_EVENTS], count);
+    if (count != 0u)
+        ++agaa_ownCounts[AGAA_COUNT_PIXELS_OF_1 + min(uint(findMSB(count - 1u) + 1), 5u)];
 }
 // The geometry passes disagree about these samples of the pixel.
 void agaa_reportPixel(uvec2 pixel, uvec4 visible, uvec4 uncovered, uvec4 overlapping) {

@@ -3,7 +3,8 @@
 #define AGAA_FIRST_SAMPLES_GLSL
 #include "math/adaptive.glsl"
 #include "passes/display.glsl"
-#include "passes/sample_choice.glsl"
+#include "passes/adaptive_flags.glsl"
+#include "passes/stored_choice.glsl"
 
 // Radiance, and agaa_joinCount() of the geometry; alpha is 0 where the pixel shows none.
 layout(AGAA_AT_METADATA) uniform sampler2D agaa_firstSamples;
@@ -32,11 +33,17 @@ float agaa_countByShading(uvec2 pixel) {
                              uintBitsToFloat(AGAA_SHADING_SCALE));
 }
 
-// count: by geometry; left: how far the other samples differ from these, [0, 1]. As printed, the larger count. Else more
-// samples as far as there is something for the lights to show differently: shadows are looked up at all samples anyway.
-uint agaa_countBoth(uvec2 pixel, uint count, float left) {
+// How many samples more than `count`, which geometry calls for. left: how far the others differ from these, [0, 1]. As printed,
+// the larger count. Else as far as there is something for the lights to show differently: shadows are looked up at all samples
+// anyway.
+float agaa_furtherByShading(uvec2 pixel, uint count, float left) {
     float byShading = agaa_countByShading(pixel);
-    return agaa_isAdaptive(agaa_printedMetric) ? max(count, agaa_wholeCount(byShading, 1u, AGAA_SAMPLES))
-                                               : agaa_wholeCount(float(count) - 0.5 + byShading * left, count, AGAA_SAMPLES);
+    return agaa_isAdaptive(agaa_printedMetric) ? max(byShading - float(count), 0.0) : byShading * left;
+}
+
+uint agaa_countBoth(uvec2 pixel, uint count, float left) {
+    float further = agaa_furtherByShading(pixel, count, left) * agaa_shadingShare();
+    float rounding = agaa_isAdaptive(agaa_printedMetric) ? 0.0 : 0.5;
+    return agaa_wholeCount(float(count) - rounding + further, count, AGAA_SAMPLES);
 }
 #endif

@@ -6,12 +6,7 @@
 #include "math/adaptive.glsl"
 #include "passes/gbuffer.glsl"
 #include "passes/sample_depth.glsl"
-
-// Flags of AgaaAdaptiveSampling.
-bool agaa_isAdaptive(uint flag) { return (AGAA_ADAPTIVE_FLAGS & flag) != 0u; }
-
-const uint agaa_byGeometry = 0x01u, agaa_byShading = 0x02u, agaa_printedMetric = 0x04u, agaa_inOrder = 0x08u;
-const uint agaa_equalWeights = 0x10u, agaa_shadeInLoops = 0x20u;
+#include "passes/adaptive_flags.glsl"
 
 // Of the pixel at hand, by sample: depth, code of the normal, then colours in bytes.
 uvec4 agaa_sampleFeatures[AGAA_SAMPLES];
@@ -123,9 +118,9 @@ uint agaa_farthestSample(uint covered, uint chosen) {
     return farthest;
 }
 
-// Chooses more until there are `least`, and up to `most` as long as one differs from all chosen ones by more than the
-// thresholds. left: how much the one differs that would be next, [0, 1].
-uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint least, uint most, out float left) {
+// Chooses more until there are `least`, and up to `most` as long as one differs from all chosen ones by more than `limit`, in
+// thresholds. left: how much the one differs that would be next, as a share of the limit.
+uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint least, uint most, float limit, out float left) {
     uint count = uint(bitCount(chosen));
     uint end = min(most, uint(bitCount(covered)));
     uint turn = 0u;
@@ -134,8 +129,8 @@ uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint least, uint mo
         if (chosen == covered)
             break;
         uint next = agaa_farthestSample(covered, chosen);
-        left = clamp(agaa_distances[next], 0.0, 1.0);
-        if (count >= end || (count >= least && agaa_distances[next] <= 1.0))
+        left = clamp(agaa_distances[next] / limit, 0.0, 1.0);
+        if (count >= end || (count >= least && agaa_distances[next] <= limit))
             break;
         next = agaa_isAdaptive(agaa_inOrder) ? agaa_firstInOrder(covered & ~chosen) : next;
         chosen |= 1u << next;

@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
 #include "math/statistics.glsl"
-#include "passes/stored_choice.glsl"
+#include "passes/owner_words.glsl"
 #include "passes/stored_choice.glsl"
 #include "passes/sample_visibility.glsl"
 #include "passes/tile_pixels.glsl"
@@ -51,17 +51,32 @@ uint agaa_countByGeometry(uvec2 pixel, uint covered) {
     return 0u;
 }
 
+// The mean of counts over frames, or this frame's where that is more.
+uint agaa_remember(uvec2 pixel, uint count) {
+    float mean = uintBitsToFloat(agaa_choices.words[agaa_meanAt(pixel)]);
+    mean = agaa_meanOfCounts(mean, count, uintBitsToFloat(AGAA_COUNT_MEMORY));
+    agaa_choices.words[agaa_meanAt(pixel)] = floatBitsToUint(mean);
+    return agaa_wholeCount(mean - 0.5, count, AGAA_SAMPLES);
+}
+
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
     const uint lane = gl_LocalInvocationIndex;
     uint covered = agaa_beginChoice(pixel);
     if (covered == 0u) {
+        if (AGAA_COUNT_MEMORY != 0u)
+            agaa_remember(pixel, 0u);
         imageStore(agaa_output, ivec2(pixel), vec4(0.0));
         return agaa_pixelWork(0u, 0u, 0u);
     }
     uint first = agaa_firstInOrder(covered);
     uint count = agaa_countByGeometry(pixel, covered);
+    const float limit = agaa_differenceLimit();
     float left;
-    uint chosen = agaa_chooseMore(pixel, covered, 1u << first, count, count != 0u ? count : AGAA_SAMPLES, left);
+    uint chosen = agaa_chooseMore(pixel, covered, 1u << first, count, count != 0u ? count : AGAA_SAMPLES, limit, left);
+    if (AGAA_COUNT_MEMORY != 0u) {
+        uint mean = agaa_remember(pixel, uint(bitCount(chosen)));
+        chosen = agaa_chooseMore(pixel, covered, chosen, mean, mean, limit, left);
+    }
     agaa_joinedCount = agaa_joinCount(uint(bitCount(chosen)), left);
     agaa_storeChoice(pixel, covered);
     agaa_represented[lane] = agaa_isAdaptive(agaa_equalWeights) ? 1u << first : agaa_samplesOf(covered, first);

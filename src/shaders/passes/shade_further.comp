@@ -11,10 +11,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/counters.glsl"
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
-#include "passes/first_samples.glsl"
-#include "passes/stored_choice.glsl"
+#include "passes/decide_count.glsl"
+#include "passes/owner_words.glsl"
 #include "passes/sample_visibility.glsl"
-#include "passes/tile_pixels.glsl"
+#include "passes/sorted_pixels.glsl"
 #include "passes/events.glsl"
 
 shared uint agaa_represented[64u * AGAA_SAMPLES]; // of each pixel's samples, those that a shaded one stands for
@@ -28,23 +28,21 @@ struct agaa_Further {
     float weights;     // of all
 };
 
-agaa_Further agaa_furtherOf(uvec2 pixel) {
+// wanted: the number of samples, 0 where the pixel shows no geometry.
+agaa_Further agaa_furtherOf(uvec2 pixel, uint wanted) {
     const uint lane = gl_LocalInvocationIndex;
     agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 0.0);
-    vec4 firstSample = agaa_firstSample(ivec2(pixel));
-    if (firstSample.a == 0.0)
+    if (wanted == 0u)
         return further;
-    float left;
-    const uint byGeometry = agaa_splitCount(firstSample.a, left);
     uint chosen;
     const uint covered = agaa_loadChoice(pixel, chosen);
     const uint first = agaa_firstInOrder(covered);
     const uint shadowed = agaa_samplesOf(covered, first);
-    const uint count = min(agaa_countBoth(pixel, byGeometry, left), uint(bitCount(covered)));
-    if (count > byGeometry) {
+    const uint count = min(wanted, uint(bitCount(covered)));
+    if (count > uint(bitCount(chosen))) {
         agaa_beginChoice(pixel);
-        float none;
-        chosen = agaa_chooseMore(pixel, covered, 1u << first, count, count, none);
+        float left;
+        chosen = agaa_chooseMore(pixel, covered, 1u << first, count, count, agaa_differenceLimit(), left);
     }
     further.work.covered = uint(bitCount(covered));
     for (uint rest = chosen; rest != 0u; rest &= rest - 1u) {
@@ -87,9 +85,8 @@ void main() {
     agaa_countBegin();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool inside = all(lessThan(pixel, agaa_frame.size.xy));
-    agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 0.0);
-    if (inside)
-        further = agaa_furtherOf(pixel);
+    uint wanted = agaa_isAdaptive(agaa_sorted) ? agaa_sortedCount() : agaa_decideCount(pixel, inside);
+    agaa_Further further = agaa_furtherOf(pixel, wanted);
     vec3 color = agaa_isAdaptive(agaa_shadeInLoops) ? agaa_shadeInLoop(further.work) : agaa_shadeWork(further.work);
     if (inside) {
         if (!agaa_showsEvents() && further.weights > 0.0)

@@ -1,45 +1,43 @@
-// The choice of samples by geometry, from one pass to the next.
+// What passes of `adaptive` leave to later ones: sums over all pixels, and the choice of samples of each.
 #ifndef AGAA_STORED_CHOICE_GLSL
 #define AGAA_STORED_CHOICE_GLSL
-#include "passes/sample_choice.glsl"
+#include "math/adaptive.glsl"
 
-// Of each pixel, a bit for each sample that shows geometry, then the owners of all samples.
+// Sums; then of each pixel a bit for each sample that shows geometry and the owners of all samples; then, with a memory, the
+// mean count of each pixel; then, of sorted pixels, counts and ranks, and the pixels in order.
 layout(std430, AGAA_AT_FRAGMENTS) buffer agaa_ChoiceBlock {
     uint words[];
 } agaa_choices;
+
+// Places of sums. Differences of samples that would be shaded next, by agaa_differenceBin(), are the first.
+const uint agaa_coveredPixels = 128u, agaa_limitBits = 129u;
+const uint agaa_shadingDemand = 130u, agaa_geometryEvents = 131u; // the demand in sixteenths of a sample
+const uint agaa_tally = 132u; // of pixels by count, [0, 32]
+const uint agaa_sumWords = 192u;
 
 const uint agaa_ownerBits = AGAA_SAMPLES > 16u ? 5u : 4u;
 const uint agaa_ownersPerWord = 32u / agaa_ownerBits;
 const uint agaa_choiceWords = 1u + (AGAA_SAMPLES + agaa_ownersPerWord - 1u) / agaa_ownersPerWord;
 
-uint agaa_choiceAt(uvec2 pixel) { return (pixel.y * agaa_frame.size.x + pixel.x) * agaa_choiceWords; }
+uint agaa_pixelIndex(uvec2 pixel) { return pixel.y * agaa_frame.size.x + pixel.x; }
+uint agaa_pixelCount() { return agaa_frame.size.x * agaa_frame.size.y; }
+uint agaa_choiceAt(uvec2 pixel) { return agaa_sumWords + agaa_pixelIndex(pixel) * agaa_choiceWords; }
+uint agaa_afterChoices() { return agaa_sumWords + agaa_pixelCount() * agaa_choiceWords; }
+uint agaa_meanAt(uvec2 pixel) { return agaa_afterChoices() + agaa_pixelIndex(pixel); }
+uint agaa_rankAt(uint index) { return agaa_afterChoices() + (AGAA_COUNT_MEMORY != 0u ? agaa_pixelCount() : 0u) + index; }
+uint agaa_sortedAt(uint place) { return agaa_rankAt(agaa_pixelCount()) + place; }
 
-void agaa_storeChoice(uvec2 pixel, uint covered) {
-    const uint at = agaa_choiceAt(pixel);
-    agaa_choices.words[at] = covered;
-    uint word = 1u;
-    uint i = 0u;
-    do {
-        uint owners = 0u;
-        for (uint shift = 0u; shift + agaa_ownerBits <= 32u; shift += agaa_ownerBits) {
-            owners |= i < AGAA_SAMPLES && (covered >> i & 1u) != 0u ? agaa_owners[min(i, AGAA_SAMPLES - 1u)] << shift : 0u;
-            ++i;
-        }
-        agaa_choices.words[at + word] = owners;
-    } while (++word < agaa_choiceWords);
+// Differences that call for a further sample, in thresholds.
+float agaa_differenceLimit() {
+    return AGAA_TARGET_EVENTS != 0u ? uintBitsToFloat(agaa_choices.words[agaa_limitBits]) : 1.0;
 }
 
-// Returns the samples that show geometry.
-uint agaa_loadChoice(uvec2 pixel, out uint chosen) {
-    const uint at = agaa_choiceAt(pixel);
-    const uint covered = agaa_choices.words[at];
-    chosen = 0u;
-    uint i = 0u;
-    do {
-        uint word = agaa_choices.words[at + 1u + i / agaa_ownersPerWord];
-        agaa_owners[i] = word >> (agaa_ownerBits * (i % agaa_ownersPerWord)) & ((1u << agaa_ownerBits) - 1u);
-        chosen |= (covered >> i & 1u) != 0u ? 1u << agaa_owners[i] : 0u;
-    } while (++i < agaa_sampleCount());
-    return covered;
+// What is left of the target for the shading's metric, as a share of what it calls for.
+float agaa_shadingShare() {
+    if (AGAA_TARGET_EVENTS == 0u)
+        return 1.0;
+    float left = uintBitsToFloat(AGAA_TARGET_EVENTS) * float(agaa_choices.words[agaa_coveredPixels]) -
+                 float(agaa_choices.words[agaa_geometryEvents]);
+    return clamp(left / max(float(agaa_choices.words[agaa_shadingDemand]) / 16.0, 1.0), 0.0, 1.0);
 }
 #endif

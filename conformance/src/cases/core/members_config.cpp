@@ -160,13 +160,18 @@ void addAdaptiveSampling(Suite& suite) {
             [](ViewParts& p, double x) { p.adaptive.shadingMinimum = float(x); }, 1);
         add("glossWeight/range", "AgaaAdaptiveSampling::glossWeight",
             [](ViewParts& p, double x) { p.adaptive.glossWeight = float(x); }, 16);
+        add("targetEvents/range", "AgaaAdaptiveSampling::targetEvents",
+            [](ViewParts& p, double x) { p.adaptive.targetEvents = float(x); }, 32);
+        add("countMemory/range", "AgaaAdaptiveSampling::countMemory",
+            [](ViewParts& p, double x) { p.adaptive.countMemory = float(x); }, 0.99f);
         addMember(suite, {std::string("AgaaAdaptiveSampling.reserved/zero") + use.variant, "AgaaAdaptiveSampling::reserved",
                           [](ViewParts& p, double x) { p.adaptive.reserved = whole(x); }, {0}, largeNumbers({}), use.prepare, {1}});
         addFlags(suite, {std::string("AgaaAdaptiveSampling.flags/flags") + use.variant, "AgaaAdaptiveSampling::flags",
                          [](ViewParts& p, uint64_t flags) { p.adaptive.flags = flags; },
                          AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING | AGAA_ADAPTIVE_PRINTED_METRIC |
                              AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_EQUAL_WEIGHTS | AGAA_ADAPTIVE_LOOP |
-                             AGAA_ADAPTIVE_DEVICE_PATTERN,
+                             AGAA_ADAPTIVE_DEVICE_PATTERN | AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED |
+                             AGAA_ADAPTIVE_TILE_MAXIMUM,
                          use.prepare});
     }
 }

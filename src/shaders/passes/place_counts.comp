@@ -1,0 +1,19 @@
+// Where the pixels of each number of samples begin, the largest number first.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/stored_choice.glsl"
+
+void main() {
+    if (gl_LocalInvocationIndex != 0u)
+        return;
+    uint sum = 0u;
+    for (uint count = 33u; count != 0u; --count) {
+        uint own = agaa_choices.words[agaa_tally + count - 1u];
+        agaa_choices.words[agaa_tally + count - 1u] = sum;
+        sum += own;
+    }
+}

@@ -1,0 +1,17 @@
+// Writes each pixel to its place in order.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/sorted_pixels.glsl"
+
+void main() {
+    uint index = agaa_placeOf(gl_LocalInvocationIndex);
+    if (index >= agaa_pixelCount())
+        return;
+    uint word = agaa_choices.words[agaa_rankAt(index)];
+    uint place = agaa_choices.words[agaa_tally + agaa_countOfRank(word)] + agaa_rankOf(word);
+    agaa_choices.words[agaa_sortedAt(place)] = index;
+}

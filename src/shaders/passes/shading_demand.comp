@@ -1,0 +1,34 @@
+// Sums up what the first samples call for, beside what was chosen by geometry.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/first_samples.glsl"
+#include "passes/tile_pixels.glsl"
+
+shared uint agaa_groupDemand;
+shared uint agaa_groupEvents;
+
+void main() {
+    const uint lane = gl_LocalInvocationIndex;
+    if (lane == 0u)
+        agaa_groupDemand = agaa_groupEvents = 0u;
+    barrier();
+    uvec2 pixel = agaa_pixelOf(lane);
+    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
+    vec4 firstSample = isInside ? agaa_firstSample(ivec2(pixel)) : vec4(0.0);
+    if (firstSample.a != 0.0) {
+        float left;
+        uint count = agaa_splitCount(firstSample.a, left);
+        float further = min(agaa_furtherByShading(pixel, count, left), float(AGAA_SAMPLES - count));
+        atomicAdd(agaa_groupEvents, count);
+        atomicAdd(agaa_groupDemand, uint(16.0 * further + 0.5));
+    }
+    barrier();
+    if (lane == 0u) {
+        atomicAdd(agaa_choices.words[agaa_geometryEvents], agaa_groupEvents);
+        atomicAdd(agaa_choices.words[agaa_shadingDemand], agaa_groupDemand);
+    }
+}
