@@ -186,8 +186,8 @@ typedef struct AgaaConfig {
                               0: 8. Affects shadows only: the position of an aggregate is the mean of all its samples */
     uint32_t visibilityTier; /* AgaaTier. AUTO: the best that runs. A tier that cannot run: AGAA_ERROR_UNSUPPORTED */
     uint32_t generationTier; /* AgaaTier. AUTO: the best that runs; GBUFFER if the aggregates fit no storage buffer of the
-                                device. A tier that cannot run: AGAA_ERROR_UNSUPPORTED. Only "agaa", "sbaa" and
-                                "dcaa" use it */
+                                device. A tier that cannot run: AGAA_ERROR_UNSUPPORTED. Only "agaa", "sbaa", "dcaa"
+                                and "adaptive" use it */
     uint64_t flags;          /* AGAA_CONFIG_… */
 } AgaaConfig;
 #define AGAA_CONFIG_INIT                                                                            \

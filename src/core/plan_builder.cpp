@@ -25,7 +25,7 @@ PlanBuilder::PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, u
     const Technique& technique = *findTechnique(plan.technique);
     dropUncalledFor(technique);
     chooseVisibilityTier(technique);
-    if (technique.maxAggregates)
+    if (!technique.tiers.empty())
         chooseGenerationTier(technique);
     checkTierOptions(technique);
     require(!counts() || caps_.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,

@@ -93,7 +93,7 @@ private:
     ResourceId add(Resource resource);
 
     AgaaDeviceCaps caps_;
-    const GenerationTier* generation_ = nullptr; // of techniques that aggregate
+    const GenerationTier* generation_ = nullptr; // of techniques that have some
     Constants constants_{};
     std::array<ResourceId, 3> frames_; // frame constants by segment
     ResourceId lights_ = noResource;

@@ -65,7 +65,7 @@ struct Technique {
     uint32_t maxAggregates; // c or S, of techniques with a generation stage; 0: none
     // By where they lie and what they show: lit shadows, gloss, elliptic lobes.
     bool groupsSamples;
-    std::span<const GenerationTier* const> tiers; // in the order in which AUTO prefers them
+    std::span<const GenerationTier* const> tiers; // of materials, in the order in which AUTO prefers them
     std::span<const TechniqueSettings* const> settings;
     void (*build)(PlanBuilder& builder);
 

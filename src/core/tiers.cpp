@@ -207,10 +207,10 @@ void addDeviceSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& c
         if (const VisibilityChoice other = chooseVisibility(caps, samples, tier);
             other.tier != AGAA_TIER_AUTO && other.tier != visibility.tier)
             addVisibility(rows, technique, samples, other);
-    if (technique.maxAggregates) {
+    if (technique.maxAggregates)
         rows.push_back(capability(technique, samples, AGAA_STAGE_DEFINITION, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
+    if (!technique.tiers.empty())
         addGeneration(rows, technique, samples, {.caps = caps, .hwSamples = visibility.hwSamples});
-    }
     addShading(rows, technique, samples);
 }
 

@@ -49,7 +49,7 @@ std::vector<Row> rowsOf(const TestScene& scene) {
             {"agaa", 8, 2},   {"agaa", 16, 3}, {"agaa", 32, 4}, {"msaa", 8, 1},
             {"agaa", 8, 2, 0.001, AGAA_TIER_IDS}, {"agaa", 8, 2, 0.001, AGAA_TIER_GBUFFER},
             {"agaa", 8, 4, 0.001, AGAA_TIER_IDS, "accurate"}, {"agaa", 8, 4, 0.001, AGAA_TIER_GBUFFER, "accurate"},
-            {"sbaa", 8, 2},   {"sbaa", 32, 6}, {"simple_complex", 16, 1}, {"dcaa", 64, 4},
+            {"sbaa", 8, 2},   {"sbaa", 32, 6}, {"simple_complex", 16, 1}, {"adaptive", 9, 1}, {"dcaa", 64, 4},
             {"agaa", 64, 4, 0.001, AGAA_TIER_FRAGMENTS, "accurate"},
             {"fxaa", 1, 1, 0.005}}; // it decides at thresholds, where last bits tell
 }

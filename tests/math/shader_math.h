@@ -30,14 +30,17 @@
     using glm::uvec4;                                                                              \
     using glm::bitCount;                                                                           \
     using glm::abs;                                                                                \
+    using glm::ceil;                                                                               \
     using glm::clamp;                                                                              \
     using glm::cross;                                                                              \
     using glm::dot;                                                                                \
     using glm::exp;                                                                                \
+    using glm::exp2;                                                                               \
     using glm::findLSB;                                                                            \
     using glm::findMSB;                                                                            \
     using glm::floor;                                                                              \
     using glm::log;                                                                                \
+    using glm::log2;                                                                               \
     using glm::max;                                                                                \
     using glm::min;                                                                                \
     using glm::normalize;                                                                          \

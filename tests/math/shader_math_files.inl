@@ -2,6 +2,7 @@
 // because the same files are wanted once for each precision.
 #undef AGAA_MATH_REAL_GLSL
 #undef AGAA_MATH_SANITISE_GLSL
+#undef AGAA_MATH_ADAPTIVE_GLSL
 #undef AGAA_MATH_COVERAGE_GLSL
 #undef AGAA_MATH_COVERAGE_PATTERN_GLSL
 #undef AGAA_MATH_TRIANGLE_COVERAGE_GLSL
@@ -42,6 +43,7 @@
 #include "../../src/shaders/math/barycentrics.glsl"
 #include "../../src/shaders/math/statistics.glsl"
 #include "../../src/shaders/math/light.glsl"
+#include "../../src/shaders/math/adaptive.glsl"
 
 struct Clustering {
 #include "../../src/shaders/math/clustering.glsl"

@@ -36,7 +36,7 @@ protected:
 TYPED_TEST_SUITE_P(DebugViewCases);
 
 TYPED_TEST_P(DebugViewCases, NumbersAreThoseOfTheCounters) {
-    for (const char* technique : {"single", "ssaa", "simple_complex", "sbaa", "agaa"}) {
+    for (const char* technique : {"single", "ssaa", "simple_complex", "sbaa", "agaa", "adaptive"}) {
         const Shown events = this->render(technique, AGAA_TIER_AUTO, AGAA_DEBUG_VIEW_EVENTS);
         EXPECT_EQ(this->sumOfRed(events), double(events.counters.shadingEvents)) << technique;
     }

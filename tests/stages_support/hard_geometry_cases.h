@@ -60,7 +60,7 @@ TYPED_TEST_P(HardGeometryCases, HardCase17DepthThatRoundsToTheFarPlaneIsBackgrou
     const Shown truth = shown({"ssaa", 8});
     EXPECT_GT(truth.counters.visible, uint64_t(48 * 32 * 8 / 2));
     EXPECT_LT(truth.counters.visible, uint64_t(48 * 32 * 8 * 99 / 100)) << "part of the wall is at the far plane";
-    for (const Setting& s : {Setting{"simple_complex", 8}, {"msaa", 8}, {"sbaa", 8}, {"agaa", 8},
+    for (const Setting& s : {Setting{"simple_complex", 8}, {"adaptive", 8}, {"msaa", 8}, {"sbaa", 8}, {"agaa", 8},
                              {"agaa", 8, AGAA_TIER_PER_SAMPLE}, {"agaa", 8, AGAA_TIER_GBUFFER},
                              {"agaa", 8, AGAA_TIER_IDS}}) {
         const Shown r = shown(s);

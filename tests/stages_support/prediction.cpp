@@ -35,6 +35,7 @@ const std::vector<PayloadRow>& payloadRows() {
             list.push_back({"msaa", n});
         for (const uint32_t n : {8u, 16u, 32u}) {
             list.push_back({"simple_complex", n});
+            list.push_back({"adaptive", n});
             list.push_back({"sbaa", n});
             list.push_back({"sbaa", n, AGAA_TIER_GBUFFER});
             for (const uint64_t flags : {uint64_t(0), AGAA_CONFIG_BUFFERED}) {

@@ -5,6 +5,8 @@
 #include "core/sample_order.h"
 #include "core/structs.h"
 #include "core/techniques/gbuffer.h"
+#include "core/techniques/generation_tiers.h"
+#include "core/techniques/sample_ids.h"
 #include "core/techniques/techniques.h"
 #include "core/validate.h"
 
@@ -56,7 +58,7 @@ void setAdaptiveConstants(PlanBuilder& b) {
 }
 
 // Words of src/shaders/passes/stored_choice.glsl.
-constexpr uint32_t sumWords = 192;
+constexpr uint32_t sumWords = 320;
 uint32_t choiceWords(uint32_t samples) {
     const uint32_t ownersPerWord = 32 / (samples > 16 ? 5 : 4);
     return 1 + (samples + ownersPerWord - 1) / ownersPerWord;
@@ -77,7 +79,15 @@ ResourceId choiceBuffer(PlanBuilder& b) {
 
 struct Adaptive {
     GBuffer gbuffer;
+    std::optional<Ids> ids; // in place of it
     ResourceId firstSamples = noResource, choices = noResource;
+
+    void bindSamples(PlanBuilder& b, Pass& pass) const {
+        if (!ids)
+            return gbuffer.bind(b, pass);
+        ids->bind(b, pass);
+        setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.plan.layout).fields); // how precise features are
+    }
 };
 
 void bindChoices(PlanBuilder& b, Pass& pass, const Adaptive& a) {
@@ -87,7 +97,7 @@ void bindChoices(PlanBuilder& b, Pass& pass, const Adaptive& a) {
 // A pass that reads samples, and chooses some.
 Pass& addChoice(PlanBuilder& b, const char* name, const char* shader, const Adaptive& a) {
     Pass& pass = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
-    a.gbuffer.bind(b, pass);
+    a.bindSamples(b, pass);
     bindChoices(b, pass, a);
     return pass;
 }
@@ -105,7 +115,7 @@ Pass& addNumbers(PlanBuilder& b, const char* name, const char* shader, const Ada
     b.bind(pass, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_SHADING));
     bindChoices(b, pass, a);
     if (reads)
-        b.bind(pass, slot::Metadata, BindingType::Texture, a.firstSamples);
+        b.bind(pass, slot::FirstSamples, BindingType::Texture, a.firstSamples);
     return pass;
 }
 
@@ -130,20 +140,28 @@ void build(PlanBuilder& b) {
             "AgaaAdaptiveSampling::targetEvents needs AGAA_ADAPTIVE_GEOMETRY without AGAA_ADAPTIVE_PRINTED_METRIC, because "
             "differences of samples decide what is left out.");
     setAdaptiveConstants(b);
-    const Adaptive a{makeGBuffer(b), b.image("first-samples", Format::RGBA16F, false), choiceBuffer(b)};
+    Adaptive a;
+    if (b.plan.generationTier == AGAA_TIER_IDS)
+        a.ids = drawIds(b);
+    else
+        a.gbuffer = makeGBuffer(b);
+    a.firstSamples = b.image("first-samples", Format::RGBA16F, false);
+    a.choices = choiceBuffer(b);
     if (hasTarget || has(b, AGAA_ADAPTIVE_SORTED))
         b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fillBytes = 4 * sumWords;
     if (hasTarget)
         addLimit(b, a);
     Pass& first = addShading(b, "shade first samples", "shade_first", a);
     b.bind(first, slot::Output, BindingType::StorageImage, a.firstSamples, true);
-    if (hasTarget && has(b, AGAA_ADAPTIVE_SHADING))
+    if (hasTarget && has(b, AGAA_ADAPTIVE_SHADING)) {
         addNumbers(b, "count shading's demand", "shading_demand", a, true);
+        addNumbers(b, "find shading's limit", "shading_limit", a, false).dispatch = {.kind = DispatchKind::Items, .items = 1};
+    }
     const uint64_t pixels = uint64_t(b.plan.width) * b.plan.height;
     if (has(b, AGAA_ADAPTIVE_SORTED))
         addSorting(b, a, pixels);
     Pass& further = addShading(b, "shade further samples", "shade_further", a);
-    b.bind(further, slot::Metadata, BindingType::Texture, a.firstSamples);
+    b.bind(further, slot::FirstSamples, BindingType::Texture, a.firstSamples);
     b.bindOutput(further);
     if (has(b, AGAA_ADAPTIVE_SORTED))
         further.dispatch = {.kind = DispatchKind::Items, .items = pixels};
@@ -155,8 +173,9 @@ void build(PlanBuilder& b) {
 static bool prefersOrderedGrid(const ViewSettings& view) { return !(view.adaptive.flags & AGAA_ADAPTIVE_DEVICE_PATTERN); }
 
 static const TechniqueSettings adaptiveSettings = {AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, readAdaptive};
+static constexpr const GenerationTier* tiers[] = {&sampleIdsTier, &sampleGBufferTier};
 static constexpr const TechniqueSettings* settings[] = {&adaptiveSettings};
-const Technique adaptiveTechnique = {"adaptive", 32, 0, false, {}, settings, build,
+const Technique adaptiveTechnique = {"adaptive", 32, 0, false, tiers, settings, build,
                                      prefersOrderedGrid};
 
 } // namespace agaa

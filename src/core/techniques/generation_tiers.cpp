@@ -98,6 +98,21 @@ TierAnswer answerIds(const GenerationQuery& q) {
                       : "materials are fetched by the ids that the only geometry pass leaves."};
 }
 
+TierAnswer answerSampleIds(const GenerationQuery& q) {
+    if (q.hostGBuffer)
+        return {false, hostGBufferReason};
+    if (!q.fetches)
+        return {false, "the tier ids needs an AgaaFetchFunction."};
+    if (q.someUnfetched)
+        return {false, "the materials of all draws are fetched; AGAA_FETCH_NOT_ALL_DRAWS must not be set."};
+    return {true, "materials of the samples that are shaded are fetched by the ids that the only geometry pass leaves."};
+}
+
+TierAnswer answerSampleGBuffer(const GenerationQuery& q) {
+    return {true, q.hostGBuffer ? "samples of the host's multisampled G-buffer are shaded."
+                                : "samples of a multisampled G-buffer are shaded."};
+}
+
 constexpr const char* noCoverageReason = "a G-buffer that the host draws has no coverage beyond its samples.";
 // What gives a fragment to every pixel that a triangle touches.
 bool expandsTriangles(const GenerationQuery& q) { return q.vertexPulling || q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS; }
@@ -172,6 +187,12 @@ const GenerationTier perSampleTier = {
 const GenerationTier gbufferTier = {
     .tier = AGAA_TIER_GBUFFER, .relativeCost = gbufferCost, .isAutomatic = true, .isModel = false,
     .knowsMaterials = true, .countsPrimitives = false, .hasCoverageSamples = false, .answer = answerGBuffer};
+const GenerationTier sampleIdsTier = {
+    .tier = AGAA_TIER_IDS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
+    .countsPrimitives = false, .hasCoverageSamples = false, .answer = answerSampleIds};
+const GenerationTier sampleGBufferTier = {
+    .tier = AGAA_TIER_GBUFFER, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
+    .countsPrimitives = false, .hasCoverageSamples = false, .answer = answerSampleGBuffer};
 const GenerationTier mixedSamplesTier = {
     .tier = AGAA_TIER_NV_MIXED_SAMPLES, .relativeCost = 1, .isAutomatic = false, .isModel = true,
     .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false,

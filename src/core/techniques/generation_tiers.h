@@ -10,6 +10,9 @@ extern const GenerationTier postDepthTier;
 extern const GenerationTier perSampleTier;
 extern const GenerationTier gbufferTier;
 extern const GenerationTier mixedSamplesTier;
+// Of techniques that shade samples.
+extern const GenerationTier sampleIdsTier;
+extern const GenerationTier sampleGBufferTier;
 extern const GenerationTier fragmentListsTier, materialListsTier, interlockTier, fragmentsTier;
 
 } // namespace agaa

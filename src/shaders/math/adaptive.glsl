@@ -5,10 +5,6 @@
 #define AGAA_MATH_ADAPTIVE_GLSL
 #include "real.glsl"
 
-// k_n as printed: c times the root of 1 - the smallest |mean normal . normal| of the window. Rounded unit vectors reach
-// products above 1, whose root would be NaN.
-real agaa_printedNormalCount(real smallest, real c) { return c * sqrt(max(real(1.0) - smallest, real(0.0))); }
-
 // k_s: c times the range of luminances, 0 where it does not exceed the thresholds.
 real agaa_shadingCount(real lowest, real highest, real relative, real absolute, real c) {
 
@@ -51,7 +47,7 @@ real agaa_meanOfCounts(real mean, uint count, real memory) {
 }
 
 // Bins of a histogram of differences, eight to a power of two, from 1/16 threshold on; the last one has no end.
-uint agaa_differenceBins() { return 128u; }
+uint agaa_bins() { return 128u; } // of this and of agaa_demandBin()
 real agaa_leastDifference() { return real(0.0625); }
 
 // difference: at least the least one.
@@ -62,6 +58,12 @@ uint agaa_differenceBin(real difference) {
 
 // Where a bin begins.
 real agaa_differenceOfBin(uint bin) { return agaa_leastDifference() * exp2(real(bin) / real(8.0)); }
+
+// Bins of a histogram of further samples, four to a sample.
+uint agaa_demandBin(real further) {
+    const real bin = floor(real(4.0) * max(further, real(0.0)));
+    return uint(bin < real(127.0) ? bin : real(127.0));
+}
 
 // Up to the next power of two.
 uint agaa_bucketOfCount(uint count) { return count < 2u ? count : uint(2) << uint(findMSB(count - 1u)); }

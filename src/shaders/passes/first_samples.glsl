@@ -7,7 +7,7 @@
 #include "passes/stored_choice.glsl"
 
 // Radiance, and agaa_joinCount() of the geometry; alpha is 0 where the pixel shows none.
-layout(AGAA_AT_METADATA) uniform sampler2D agaa_firstSamples;
+layout(AGAA_AT_FIRST_SAMPLES) uniform sampler2D agaa_firstSamples;
 
 vec4 agaa_firstSample(ivec2 pixel) { return texelFetch(agaa_firstSamples, pixel, 0); }
 
@@ -41,9 +41,14 @@ float agaa_furtherByShading(uvec2 pixel, uint count, float left) {
     return agaa_isAdaptive(agaa_printedMetric) ? max(byShading - float(count), 0.0) : byShading * left;
 }
 
-uint agaa_countBoth(uvec2 pixel, uint count, float left) {
-    float further = agaa_furtherByShading(pixel, count, left) * agaa_shadingShare();
+// With as many further samples.
+uint agaa_withFurther(uint count, float further) {
     float rounding = agaa_isAdaptive(agaa_printedMetric) ? 0.0 : 0.5;
     return agaa_wholeCount(float(count) - rounding + further, count, AGAA_SAMPLES);
+}
+
+uint agaa_countBoth(uvec2 pixel, uint count, float left) {
+    float further = agaa_furtherByShading(pixel, count, left);
+    return agaa_hasRoomFor(further) ? agaa_withFurther(count, further) : count;
 }
 #endif

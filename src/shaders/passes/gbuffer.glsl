@@ -1,5 +1,5 @@
 // Samples of a multisampled G-buffer: by the layout, where its attachments are and what their channels hold; or by
-// a function of the host's.
+// functions of the host's, that read its G-buffer, or fetch materials by id.
 #ifndef AGAA_GBUFFER_GLSL
 #define AGAA_GBUFFER_GLSL
 #include "math/encoding.glsl"
@@ -7,15 +7,20 @@
 #include "passes/host_samples.glsl"
 #include "passes/stored.glsl"
 
-#ifdef AGAA_HOST_GBUFFER
+#if defined(AGAA_HOST_GBUFFER) || (defined(AGAA_HOST_FETCH) && !defined(AGAA_SOME_UNFETCHED))
 AgaaMaterial agaa_fetched; // of the sample fetched last
 
+#ifdef AGAA_HOST_GBUFFER
 bool agaa_fetchSample(uvec2 pixel, uint i) {
     float depth;
     return agaa_readHost(pixel, i, depth, agaa_fetched);
 }
 
 bool agaa_isCovered(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
+void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) { agaa_fetchSample(pixel, i); }
+#else
+#include "passes/fetched_samples.glsl"
+#endif
 
 vec2 agaa_normalCode() { return agaa_encodeOct(agaa_fetched.normal, agaa_fieldBits(AGAA_SOURCE_NORMAL_X)); }
 vec3 agaa_fetchedNormal() { return agaa_fetched.normal; }
@@ -70,6 +75,9 @@ bool agaa_isCovered(uvec2 pixel, uint i) {
                                     : AGAA_FETCH(agaa_gbuffer3, pixel, i);
     return texel[AGAA_SOURCE_NORMAL_X >> 8u & 0xFFu] != 0.0;
 }
+
+// Of a shading event that stands for these samples.
+void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) { agaa_fetchSample(pixel, i); }
 
 // Whether two samples have the same values: those of a texel that one fragment covered.
 bool agaa_areAlike(uvec2 pixel, uint a, uint b) {

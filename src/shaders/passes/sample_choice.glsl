@@ -47,8 +47,6 @@ uvec4 agaa_packFeatures(float depth) {
                  packUnorm4x8(vec4(s.specular, agaa_displayLuma(s.emissive))));
 }
 
-agaa_Features agaa_featuresOf(uvec2 pixel, uint i) { return agaa_unpackFeatures(pixel, i, agaa_sampleFeatures[i]); }
-
 // How many thresholds apart two samples are: normals, whose differences count the more the glossier the surface; the plane;
 // the material.
 float agaa_differenceOf(agaa_Features a, agaa_Features b) {
@@ -67,6 +65,28 @@ uint agaa_firstInOrder(uint covered) {
     return agaa_sampleInOrder(j);
 }
 
+#ifdef AGAA_HOST_FETCH
+// Loads the pixel's samples, with one material for all of a primitive. Returns those that show geometry.
+uint agaa_loadFetched(uvec2 pixel) {
+    uint covered = 0u;
+    uint i = 0u;
+    do
+        covered |= agaa_isCovered(pixel, i) ? 1u << i : 0u;
+    while (++i < agaa_sampleCount());
+    for (uint left = covered; left != 0u;) {
+        uint own = agaa_samplesOfPrimitive(pixel, uint(findLSB(left)), left);
+        left &= ~own;
+        AgaaMaterial m = agaa_fetchMaterial(agaa_primitive(agaa_idOf(pixel, uint(findLSB(own)))), pixel, own);
+        agaa_fetched = m;
+        for (; own != 0u; own &= own - 1u) {
+            uint j = uint(findLSB(own));
+            agaa_fetched.normal = agaa_materialNormal(m, j);
+            agaa_sampleFeatures[j] = agaa_packFeatures(agaa_depthOf(pixel, j));
+        }
+    }
+    return covered;
+}
+#else
 // Loads the pixel's samples, and chooses the first in order. Returns those that show geometry.
 uint agaa_beginChoice(uvec2 pixel) {
     uint covered = 0u;
@@ -90,6 +110,10 @@ uint agaa_beginChoice(uvec2 pixel) {
     } while (++j < agaa_sampleCount());
     return covered;
 }
+#endif
+
+// After what loads: compilers warn of reads that they meet before writes.
+agaa_Features agaa_featuresOf(uvec2 pixel, uint i) { return agaa_unpackFeatures(pixel, i, agaa_sampleFeatures[i]); }
 
 void agaa_chooseSample(uvec2 pixel, uint covered, uint chosen) {
     agaa_Features f = agaa_featuresOf(pixel, chosen);
@@ -102,6 +126,19 @@ void agaa_chooseSample(uvec2 pixel, uint covered, uint chosen) {
         }
     }
 }
+
+#ifdef AGAA_HOST_FETCH
+uint agaa_beginChoice(uvec2 pixel) {
+    uint covered = agaa_loadFetched(pixel);
+    uint i = 0u;
+    do
+        agaa_distances[i] = 3.0e38;
+    while (++i < agaa_sampleCount());
+    if (covered != 0u)
+        agaa_chooseSample(pixel, covered, agaa_firstInOrder(covered));
+    return covered;
+}
+#endif
 
 // Of those that are not chosen, in the pattern's order where several differ as much.
 uint agaa_farthestSample(uint covered, uint chosen) {

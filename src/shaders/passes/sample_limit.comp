@@ -6,7 +6,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/constants.glsl"
 #include "passes/frame.glsl"
 #include "passes/adaptive_flags.glsl"
-#include "passes/stored_choice.glsl"
+#include "passes/limit_bin.glsl"
 
 // Of the further samples, what is for geometry where shading may call for more.
 const float agaa_geometryShare = 0.75;
@@ -15,14 +15,9 @@ void main() {
     if (gl_LocalInvocationIndex != 0u)
         return;
     float share = agaa_isAdaptive(agaa_byShading) ? agaa_geometryShare : 1.0;
-    float room = max(uintBitsToFloat(AGAA_TARGET_EVENTS) - 1.0, 0.0) * share * float(agaa_choices.words[agaa_coveredPixels]);
-    uint bin = agaa_differenceBins();
-    uint sum = 0u;
-    while (bin != 0u && float(sum + agaa_choices.words[bin - 1u]) <= room) {
-        --bin;
-        sum += agaa_choices.words[bin];
-    }
+    uint bin = agaa_limitBin(0u, max(uintBitsToFloat(AGAA_TARGET_EVENTS) - 1.0, 0.0) * share *
+                                     float(agaa_choices.words[agaa_coveredPixels]));
     // Beyond the last bin: nothing differs as much.
-    float limit = bin == agaa_differenceBins() ? 3.0e38 : agaa_differenceOfBin(bin);
+    float limit = bin == agaa_bins() ? 3.0e38 : agaa_differenceOfBin(bin);
     agaa_choices.words[agaa_limitBits] = floatBitsToUint(limit);
 }

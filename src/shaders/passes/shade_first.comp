@@ -38,7 +38,7 @@ float agaa_printedCount(uvec2 pixel, uint covered) {
     for (uint rest = covered; rest != 0u; rest &= rest - 1u)
         smallest = min(smallest, abs(dot(mean, agaa_featuresOf(pixel, uint(findLSB(rest))).normal)));
     return max(agaa_momentsVariance(depth) * uintBitsToFloat(AGAA_DEPTH_SCALE),
-               agaa_printedNormalCount(smallest, uintBitsToFloat(AGAA_NORMAL_SCALE)));
+               agaa_normalMetric(smallest) * uintBitsToFloat(AGAA_NORMAL_SCALE));
 }
 
 // 0: as many as differ.
@@ -86,7 +86,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
 vec3 agaa_shadeEvent(uint lane, uint i) {
     uvec2 pixel = agaa_pixelOf(lane);
     agaa_findVisibility(pixel, agaa_represented[lane]);
-    agaa_fetchSample(pixel, i);
+    agaa_fetchEvent(pixel, i, agaa_represented[lane]);
     return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i));
 }
 

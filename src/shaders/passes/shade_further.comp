@@ -69,7 +69,7 @@ vec3 agaa_shadeEvent(uint lane, uint i) {
     agaa_findVisibility(pixel, agaa_isAdaptive(agaa_equalWeights) ? 1u << i : agaa_shadowed[lane * AGAA_SAMPLES + i]);
     if (agaa_showsEvents())
         return agaa_shownOfEvent(0u, 0.0) * weight;
-    agaa_fetchSample(pixel, i);
+    agaa_fetchEvent(pixel, i, samples);
     return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i)) * weight;
 }
 

@@ -8,13 +8,15 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/first_samples.glsl"
 #include "passes/tile_pixels.glsl"
 
-shared uint agaa_groupDemand;
-shared uint agaa_groupEvents;
+shared uint agaa_groupDemand[128]; // samples by bin
+shared uint agaa_groupEvents;      // of geometry
 
 void main() {
     const uint lane = gl_LocalInvocationIndex;
+    for (uint i = lane; i < agaa_bins(); i += 64u)
+        agaa_groupDemand[i] = 0u;
     if (lane == 0u)
-        agaa_groupDemand = agaa_groupEvents = 0u;
+        agaa_groupEvents = 0u;
     barrier();
     uvec2 pixel = agaa_pixelOf(lane);
     bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
@@ -22,13 +24,14 @@ void main() {
     if (firstSample.a != 0.0) {
         float left;
         uint count = agaa_splitCount(firstSample.a, left);
-        float further = min(agaa_furtherByShading(pixel, count, left), float(AGAA_SAMPLES - count));
+        float further = agaa_furtherByShading(pixel, count, left);
         atomicAdd(agaa_groupEvents, count);
-        atomicAdd(agaa_groupDemand, uint(16.0 * further + 0.5));
+        atomicAdd(agaa_groupDemand[agaa_demandBin(further)], agaa_withFurther(count, further) - count);
     }
     barrier();
-    if (lane == 0u) {
+    for (uint i = lane; i < agaa_bins(); i += 64u)
+        if (agaa_groupDemand[i] != 0u)
+            atomicAdd(agaa_choices.words[agaa_shadingDemand + i], agaa_groupDemand[i]);
+    if (lane == 0u)
         atomicAdd(agaa_choices.words[agaa_geometryEvents], agaa_groupEvents);
-        atomicAdd(agaa_choices.words[agaa_shadingDemand], agaa_groupDemand);
-    }
 }

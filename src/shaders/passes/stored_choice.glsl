@@ -9,11 +9,12 @@ layout(std430, AGAA_AT_FRAGMENTS) buffer agaa_ChoiceBlock {
     uint words[];
 } agaa_choices;
 
-// Places of sums. Differences of samples that would be shaded next, by agaa_differenceBin(), are the first.
-const uint agaa_coveredPixels = 128u, agaa_limitBits = 129u;
-const uint agaa_shadingDemand = 130u, agaa_geometryEvents = 131u; // the demand in sixteenths of a sample
-const uint agaa_tally = 132u; // of pixels by count, [0, 32]
-const uint agaa_sumWords = 192u;
+// Places of sums. Samples that would be shaded next, by agaa_differenceBin(), are the first.
+const uint agaa_coveredPixels = 128u, agaa_geometryEvents = 129u;
+const uint agaa_limitBits = 130u, agaa_shadingLimit = 131u; // a difference in thresholds; a bin
+const uint agaa_tally = 132u;          // of pixels by count, [0, 32]
+const uint agaa_shadingDemand = 192u;  // samples by agaa_demandBin()
+const uint agaa_sumWords = 320u;
 
 const uint agaa_ownerBits = AGAA_SAMPLES > 16u ? 5u : 4u;
 const uint agaa_ownersPerWord = 32u / agaa_ownerBits;
@@ -32,12 +33,8 @@ float agaa_differenceLimit() {
     return AGAA_TARGET_EVENTS != 0u ? uintBitsToFloat(agaa_choices.words[agaa_limitBits]) : 1.0;
 }
 
-// What is left of the target for the shading's metric, as a share of what it calls for.
-float agaa_shadingShare() {
-    if (AGAA_TARGET_EVENTS == 0u)
-        return 1.0;
-    float left = uintBitsToFloat(AGAA_TARGET_EVENTS) * float(agaa_choices.words[agaa_coveredPixels]) -
-                 float(agaa_choices.words[agaa_geometryEvents]);
-    return clamp(left / max(float(agaa_choices.words[agaa_shadingDemand]) / 16.0, 1.0), 0.0, 1.0);
+// Whether samples that the shading calls for are shaded. further: how many it calls for in the pixel.
+bool agaa_hasRoomFor(float further) {
+    return AGAA_TARGET_EVENTS == 0u || agaa_demandBin(further) >= agaa_choices.words[agaa_shadingLimit];
 }
 #endif

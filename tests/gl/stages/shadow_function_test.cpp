@@ -52,7 +52,7 @@ double sum(const std::vector<float>& picture) {
 }
 
 TEST(GlShadowFunction, ShowsWhatTheSameMapShows) {
-    for (const char* technique : {"single", "ssaa", "simple_complex", "sbaa", "agaa"}) {
+    for (const char* technique : {"single", "ssaa", "simple_complex", "sbaa", "agaa", "adaptive"}) {
         ViewSettings settings = benchSettings();
         settings.config.technique = technique;
         settings.config.samples = technique == std::string("single") ? 1 : 4;

@@ -1,6 +1,7 @@
 // What tests of all graphics APIs share, by OpenGL.
 #include "show.h"
 
+#include "adaptive_cases.h"
 #include "carried_cases.h"
 #include "coverage_cases.h"
 #include "dcaa_cases.h"
@@ -29,6 +30,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, InterlockCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PullingCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardGeometryCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, AdaptiveCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CoverageCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, IdsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, LeftHandedCases, OpenGLHost);

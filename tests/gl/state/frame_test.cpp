@@ -25,6 +25,7 @@ const FrameCase kCases[] = {
     {"Fxaa", {.technique = "fxaa", .samples = 1}},
     {"FxaaComposite", {.technique = "fxaa", .samples = 1, .composite = true}},
     {"SimpleComplex", {.technique = "simple_complex"}},
+    {"Adaptive", {.technique = "adaptive", .samples = 9}},
     {"Msaa", {.technique = "msaa"}},
     {"MsaaImages", {.technique = "msaa", .storageImages = true}},
     {"Sbaa", {.technique = "sbaa"}},

@@ -328,7 +328,7 @@ TEST(Validation, TellsOfObjectsThatAreLeft) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HostsTest,
-                         testing::Values("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"));
+                         testing::Values("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "adaptive"));
 
 } // namespace
 } // namespace agaa::test

@@ -1,6 +1,7 @@
 // What tests of all graphics APIs share, by Vulkan.
 #include "show.h"
 
+#include "adaptive_cases.h"
 #include "carried_cases.h"
 #include "coverage_cases.h"
 #include "dcaa_cases.h"
@@ -31,6 +32,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, InterlockCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PullingCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, AdaptiveCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CoverageCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, IdsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LeftHandedCases, VulkanHost);

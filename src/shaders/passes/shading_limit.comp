@@ -1,0 +1,16 @@
+// From which demand on the further samples that shading calls for are shaded, so that all are no more than the target allows.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/limit_bin.glsl"
+
+void main() {
+    if (gl_LocalInvocationIndex != 0u)
+        return;
+    float room = uintBitsToFloat(AGAA_TARGET_EVENTS) * float(agaa_choices.words[agaa_coveredPixels]) -
+                 float(agaa_choices.words[agaa_geometryEvents]);
+    agaa_choices.words[agaa_shadingLimit] = agaa_limitBin(agaa_shadingDemand, room);
+}

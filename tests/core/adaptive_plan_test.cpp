@@ -1,0 +1,139 @@
+// Plans of `adaptive`: ordered grids, orders of samples, and passes that options add.
+#include "plan_support.h"
+
+#include "core/error.h"
+#include "core/sample_order.h"
+#include "core/sample_patterns.h"
+#include "core/tiers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace agaa;
+using namespace agaa::test;
+
+namespace {
+
+Plan adaptivePlan(uint32_t samples, const std::function<void(AgaaAdaptiveSampling&)>& change = {},
+                  const AgaaDeviceCaps& caps = fourSampleDevice()) {
+    return planFor({.technique = "adaptive", .samples = samples, .width = 64, .height = 48,
+                    .change = [&](TechniqueConfig& config) {
+                        if (change)
+                            change(config.adaptive);
+                    }},
+                   caps);
+}
+
+std::vector<std::string> computePasses(const Plan& plan) {
+    std::vector<std::string> names;
+    for (const Pass& pass : plan.passes)
+        if (pass.kind == PassKind::Compute)
+            names.push_back(pass.file.substr(7, pass.file.size() - 12));
+    return names;
+}
+
+TEST(Adaptive, WindowsAreOrderedGrids) {
+    for (const auto& [samples, side] : {std::pair{4u, 2u}, {9u, 3u}, {16u, 4u}}) {
+        const Plan plan = adaptivePlan(samples);
+        EXPECT_EQ(plan.visibilityTier, AGAA_TIER_ORDERED_GRID);
+        EXPECT_EQ(plan.hwSamples, 1u);
+        EXPECT_EQ(plan.scaleX, side);
+        EXPECT_EQ(plan.scaleY, side);
+        const std::vector<SamplePosition> positions = positionsOf(plan);
+        for (uint32_t i = 0; i < samples; ++i) {
+            EXPECT_FLOAT_EQ(positions[i].x, (float(i % side) + 0.5f) / float(side));
+            EXPECT_FLOAT_EQ(positions[i].y, (float(i / side) + 0.5f) / float(side));
+        }
+        const auto device = [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_DEVICE_PATTERN; };
+        if (samples != 9)
+            EXPECT_NE(adaptivePlan(samples, device).visibilityTier, AGAA_TIER_ORDERED_GRID);
+    }
+    for (uint32_t samples : {1u, 2u, 8u, 32u})
+        EXPECT_NE(adaptivePlan(samples, {}, idealDevice()).visibilityTier, AGAA_TIER_ORDERED_GRID);
+    // Other techniques have grids where they are asked for.
+    EXPECT_EQ(planFor({.technique = "ssaa", .samples = 16, .visibilityTier = AGAA_TIER_ORDERED_GRID}, idealDevice()).scaleX, 4u);
+    EXPECT_EQ(planFor({.technique = "agaa", .samples = 16, .visibilityTier = AGAA_TIER_ORDERED_GRID}, idealDevice()).scaleY, 4u);
+    EXPECT_EQ(planFor({.technique = "ssaa", .samples = 9}, idealDevice()).visibilityTier, AGAA_TIER_ORDERED_GRID);
+    EXPECT_THROW(planFor({.technique = "ssaa", .samples = 8, .visibilityTier = AGAA_TIER_ORDERED_GRID}, idealDevice()), Error);
+    EXPECT_THROW(planFor({.technique = "ssaa", .samples = 9, .visibilityTier = AGAA_TIER_SCALED_TARGET}, idealDevice()), Error);
+    EXPECT_THROW(planFor({.technique = "agaa", .samples = 9}, idealDevice()), Error);
+}
+
+// Where the j-th sample comes in the order of Bayer 1973, which the paper prints as dither matrices; any of its rotations and
+// reflections does.
+bool isBayer(const std::vector<uint32_t>& order, uint32_t side) {
+    const std::vector<uint32_t> two = {0, 2, 3, 1}, four = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+    const std::vector<uint32_t>& matrix = side == 2 ? two : four;
+    std::vector<uint32_t> rank(order.size());
+    for (uint32_t j = 0; j < order.size(); ++j)
+        rank[order[j]] = j;
+    // Quarters of a Bayer order are the orders of spans of ranks: it halves the distances in each.
+    std::set<std::set<uint32_t>> own, expected;
+    for (uint32_t step = 1; step <= order.size(); step *= side == 2 ? 2 : 4) {
+        std::set<uint32_t> first;
+        for (uint32_t i = 0; i < order.size(); ++i)
+            if (rank[i] < step)
+                first.insert(i);
+        own.insert(first);
+    }
+    for (uint32_t x = 0; x < side; ++x)
+        for (uint32_t y = 0; y < side; ++y)
+            for (uint32_t step = 1; step <= order.size(); step *= side == 2 ? 2 : 4) {
+                std::set<uint32_t> first; // the matrix, moved: edges of the pixel meet
+                for (uint32_t i = 0; i < order.size(); ++i)
+                    if (matrix[(i / side + y) % side * side + (i % side + x) % side] < step)
+                        first.insert(i);
+                expected.insert(first);
+            }
+    return std::all_of(own.begin(), own.end(), [&](const std::set<uint32_t>& s) { return expected.contains(s); });
+}
+
+TEST(Adaptive, SamplesComeInAnOrderThatSpreads) {
+    EXPECT_TRUE(isBayer(sampleOrder(positionsOf(adaptivePlan(4))), 2));
+    EXPECT_TRUE(isBayer(sampleOrder(positionsOf(adaptivePlan(16))), 4));
+    for (uint32_t samples : {1u, 2u, 4u, 8u, 9u, 16u, 32u}) {
+        const Plan plan = adaptivePlan(samples, {}, idealDevice());
+        const std::vector<SamplePosition> positions = positionsOf(plan);
+        const std::vector<uint32_t> order = sampleOrder(positions);
+        EXPECT_EQ(std::set<uint32_t>(order.begin(), order.end()).size(), samples);
+        const auto fromCentre = [&](uint32_t i) { return std::hypot(positions[i].x - 0.5f, positions[i].y - 0.5f); };
+        for (uint32_t i = 0; i < samples; ++i)
+            EXPECT_LE(fromCentre(order[0]), fromCentre(i) + 1e-6f) << "the first is the nearest to the middle";
+    }
+    EXPECT_EQ(sampleOrder(positionsOf(adaptivePlan(9)))[0], 4u);
+}
+
+TEST(Adaptive, OptionsAddPassesOfTheirOwn) {
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(computePasses(adaptivePlan(9)), (Names{"shade_first", "shade_further"}));
+    const auto target = [](AgaaAdaptiveSampling& a) { a.targetEvents = 2; };
+    EXPECT_EQ(computePasses(adaptivePlan(9, target)),
+              (Names{"sample_demand", "sample_limit", "shade_first", "shading_demand", "shading_limit", "shade_further"}));
+    EXPECT_EQ(computePasses(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.targetEvents = 2, a.flags = AGAA_ADAPTIVE_GEOMETRY; })),
+              (Names{"sample_demand", "sample_limit", "shade_first", "shade_further"}));
+    EXPECT_EQ(computePasses(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; })),
+              (Names{"shade_first", "count_pixels", "place_counts", "place_pixels", "shade_further"}));
+    for (const uint64_t flags : {AGAA_ADAPTIVE_SHADING, AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_PRINTED_METRIC})
+        EXPECT_THROW(adaptivePlan(9, [&](AgaaAdaptiveSampling& a) { a.targetEvents = 2, a.flags = flags; }), Error);
+}
+
+TEST(Adaptive, MemoryIsAGBufferFirstSamplesAndChoices) {
+    const Plan ssaa = planFor({.technique = "ssaa", .samples = 9}, fourSampleDevice());
+    const auto perPixel = [](const Plan& plan, uint64_t constant) {
+        return double(plan.totalBytes() - constant) / (double(plan.width) * plan.height);
+    };
+    constexpr uint64_t sums = 4 * 320;
+    const double gbuffer = perPixel(ssaa, 0);
+    EXPECT_EQ(perPixel(adaptivePlan(9), sums), gbuffer + 8 + 12);
+    EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.countMemory = 0.5f; }), sums), gbuffer + 8 + 16);
+    EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; }), sums), gbuffer + 8 + 20);
+    const Plan remembering = adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.countMemory = 0.5f; });
+    EXPECT_TRUE(remembering.resources[remembering.surface("sample-choices")].outlivesFrame);
+    const Plan plain = adaptivePlan(9);
+    EXPECT_FALSE(plain.resources[plain.surface("sample-choices")].outlivesFrame);
+}
+
+} // namespace

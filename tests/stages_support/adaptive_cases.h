@@ -1,0 +1,203 @@
+// "adaptive" against supersampling with the same samples, and what its options promise. Each graphics API instantiates these.
+#pragma once
+
+#include "hard_case_test.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace agaa::test {
+
+inline ViewSettings adaptiveSettings(uint32_t n, uint64_t flags = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING) {
+    ViewSettings settings;
+    settings.config.technique = "adaptive";
+    settings.config.samples = n;
+    settings.config.adaptive.flags = flags;
+    settings.facts.shadowMapCount = 0;
+    return settings;
+}
+
+inline Shot adaptiveShot(uint32_t seed = 61) {
+    return {.triangles = randomTriangles({.triangles = 150, .duplicates = 0.1f, .masked = 0.2f}, seed), .change = addAmbient};
+}
+
+template <class Host>
+class AdaptiveCases : public testing::Test {
+protected:
+    Shown render(const ViewSettings& settings, const Shot& shot) { return show(context, settings, shot); }
+
+    static double largestDifference(const Shown& a, const Shown& b) {
+        double largest = 0;
+        for (size_t i = 0; i < a.rgb.size(); ++i)
+            largest = std::max(largest, std::abs(double(a.rgb[i]) - double(b.rgb[i])) / (1 + std::abs(double(b.rgb[i]))));
+        return largest;
+    }
+
+    typename Host::Context context;
+};
+TYPED_TEST_SUITE_P(AdaptiveCases);
+
+// First samples are kept in half floats; nothing else differs.
+TYPED_TEST_P(AdaptiveCases, WithoutMetricsItIsSupersampling) {
+    for (const uint32_t n : {1u, 2u, 4u, 8u, 9u, 16u, 32u}) {
+        SCOPED_TRACE(n);
+        ViewSettings every = adaptiveSettings(n, AGAA_ADAPTIVE_DEVICE_PATTERN), ssaa = adaptiveSettings(n);
+        ssaa.config.technique = "ssaa";
+        const Shown full = this->render(ssaa, adaptiveShot());
+        const Shown shown = this->render(every, adaptiveShot());
+        EXPECT_LE(this->largestDifference(shown, full), 1e-3);
+        EXPECT_EQ(shown.counters.shadingEvents, full.counters.shadingEvents);
+        EXPECT_EQ(shown.counters.visible, full.counters.visible);
+        EXPECT_EQ(shown.counters.shadedPixels, full.counters.shadedPixels);
+        EXPECT_TRUE(shown.validation.isValid) << shown.validation.explanation;
+    }
+}
+
+TYPED_TEST_P(AdaptiveCases, FewerSamplesComeNearAllOfThem) {
+    for (const uint32_t n : {4u, 9u, 16u}) {
+        SCOPED_TRACE(n);
+        ViewSettings ssaa = adaptiveSettings(n);
+        ssaa.config.technique = "ssaa";
+        ssaa.config.visibilityTier = AGAA_TIER_ORDERED_GRID;
+        const Shown full = this->render(ssaa, adaptiveShot());
+        const Shown shown = this->render(adaptiveSettings(n), adaptiveShot());
+        const double share = double(shown.counters.shadingEvents) / double(shown.counters.visible);
+        const Difference d = compare(shown.rgb, full.rgb);
+        std::printf("n=%u: %.3f of the samples, PSNR %.1f dB\n", n, share, d.psnr);
+        EXPECT_LT(share, 0.8);
+        EXPECT_GE(d.psnr, 40);
+        uint64_t pixels = 0;
+        for (const uint64_t count : shown.counters.pixelsByEvents)
+            pixels += count;
+        EXPECT_EQ(pixels, shown.counters.shadedPixels);
+    }
+}
+
+// Each triangle has one material, so that it does not matter where it is fetched.
+TYPED_TEST_P(AdaptiveCases, ByIdsItIsTheSame) {
+    for (const uint32_t n : {1u, 4u, 8u, 9u, 16u, 32u})
+        for (const uint64_t flags : {uint64_t(0), AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING}) {
+            SCOPED_TRACE("n=" + std::to_string(n) + (flags ? "" : " without metrics"));
+            ViewSettings ids = adaptiveSettings(n, flags), gbuffer = adaptiveSettings(n, flags);
+            ids.config.generationTier = AGAA_TIER_IDS;
+            const Shown drawn = this->render(gbuffer, adaptiveShot());
+            const Shown fetched = this->render(ids, adaptiveShot());
+            EXPECT_EQ(fetched.geometryPasses, 1u);
+            EXPECT_EQ(fetched.counters.visible, drawn.counters.visible);
+            EXPECT_EQ(fetched.counters.shadedPixels, drawn.counters.shadedPixels);
+            EXPECT_GE(compare(fetched.rgb, drawn.rgb).psnr, 60);
+            EXPECT_GE(fetched.counters.materials, fetched.counters.shadingEvents);
+            EXPECT_EQ(drawn.counters.materials, 0u);
+            EXPECT_TRUE(fetched.validation.isValid) << fetched.validation.explanation;
+        }
+}
+
+// The ways of section 4.2 to shade unequal numbers of samples.
+TYPED_TEST_P(AdaptiveCases, WaysToShadeGiveOneImage) {
+    const Shown plain = this->render(adaptiveSettings(9), adaptiveShot());
+    constexpr uint64_t both = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING;
+    for (const uint64_t flags : {AGAA_ADAPTIVE_LOOP, AGAA_ADAPTIVE_SORTED, AGAA_ADAPTIVE_LOOP | AGAA_ADAPTIVE_SORTED}) {
+        const Shown shown = this->render(adaptiveSettings(9, both | flags), adaptiveShot());
+        EXPECT_LE(this->largestDifference(shown, plain), 1e-6) << flags;
+        EXPECT_EQ(shown.counters.shadingEvents, plain.counters.shadingEvents) << flags;
+    }
+    const Shown buckets = this->render(adaptiveSettings(9, both | AGAA_ADAPTIVE_BUCKETS), adaptiveShot());
+    EXPECT_GT(buckets.counters.shadingEvents, plain.counters.shadingEvents);
+    const Shown tiles = this->render(adaptiveSettings(9, both | AGAA_ADAPTIVE_TILE_MAXIMUM), adaptiveShot());
+    EXPECT_GT(tiles.counters.shadingEvents, buckets.counters.shadingEvents);
+    const Shown sortedTiles =
+        this->render(adaptiveSettings(9, both | AGAA_ADAPTIVE_TILE_MAXIMUM | AGAA_ADAPTIVE_SORTED), adaptiveShot());
+    EXPECT_LE(this->largestDifference(sortedTiles, tiles), 1e-6);
+    EXPECT_EQ(sortedTiles.counters.shadingEvents, tiles.counters.shadingEvents);
+}
+
+// Hard case 15: one plane, seen nearly edge on, at any distance. The printed metric takes its depths for differences.
+TYPED_TEST_P(AdaptiveCases, HardCase15OnePlaneIsShadedOnce) {
+    for (const float distance : {1.0f, 10.0f, 80.0f})
+        for (const uint64_t flags : {uint64_t(0), AGAA_ADAPTIVE_PRINTED_METRIC}) {
+            std::vector<Triangle> wall = rectangle(-200, -200, 200, 200, 0, facing({0.5f, 0.5f, 0.5f}));
+            const glm::vec3 normal = glm::normalize(glm::vec3(0, 1, 0.1f));
+            for (Triangle& t : wall) {
+                t.material.normal = glm::vec4(normal, 1);
+                for (glm::vec3& corner : t.position)
+                    corner = {corner.x, corner.y * 0.1f - 0.1f * distance, -corner.y - distance};
+            }
+            const Shown shown = this->render(adaptiveSettings(9, AGAA_ADAPTIVE_GEOMETRY | flags), {.triangles = wall});
+            EXPECT_GT(shown.counters.shadedPixels, 48u * 32u / 4u) << distance;
+            if (!flags)
+                EXPECT_EQ(shown.counters.shadingEvents, shown.counters.shadedPixels) << distance;
+            else if (distance == 1.0f)
+                EXPECT_GT(shown.counters.shadingEvents, shown.counters.shadedPixels);
+        }
+}
+
+// Hard case 43: one pixel brighter than all that is displayed raises the numbers of at most five.
+TYPED_TEST_P(AdaptiveCases, HardCase43ABrightPixelStaysAlone) {
+    for (const uint64_t flags : {AGAA_ADAPTIVE_SHADING | AGAA_ADAPTIVE_PRINTED_METRIC, AGAA_ADAPTIVE_SHADING}) {
+        std::vector<Triangle> scene = rectangle(0, 0, 48, 32, 8, facing({0.5f, 0.5f, 0.5f}));
+        Material glow = facing({1, 1, 1});
+        glow.emissive = glm::vec4(1e30f, 1e30f, 1e30f, 1);
+        for (const Triangle& t : rectangle(20, 10, 21, 11, 4, glow))
+            scene.push_back(t);
+        ViewSettings settings = adaptiveSettings(9, flags);
+        settings.projection = pixelOrthographic(48, 32, 10);
+        const Shown shown = this->render(settings, {.triangles = scene});
+        EXPECT_EQ(shown.counters.shadedPixels, 48u * 32u);
+        EXPECT_LE(shown.counters.shadedPixels - shown.counters.pixelsByEvents[0], 5u) << flags;
+        for (const float value : shown.rgb)
+            ASSERT_TRUE(std::isfinite(value));
+    }
+}
+
+// Each frame keeps its target whatever came before: a step has no transient, and a still image does not change.
+TYPED_TEST_P(AdaptiveCases, TargetsAreKeptAndUsed) {
+    for (const uint64_t metrics : {AGAA_ADAPTIVE_GEOMETRY, AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING})
+        for (const uint32_t seed : {61u, 7u}) {
+            double before = 0, demand = 0;
+            for (const float target : {32.0f, 0.5f, 1.0f, 1.25f, 1.5f, 2.0f, 3.0f}) {
+                ViewSettings settings = adaptiveSettings(9, metrics);
+                settings.config.adaptive.targetEvents = target;
+                const Shown shown = this->render(settings, adaptiveShot(seed));
+                const double events = double(shown.counters.shadingEvents) / double(shown.counters.shadedPixels);
+                if (target == 32.0f) { // as many as differ by a sixteenth of the thresholds
+                    demand = events;
+                    continue;
+                }
+                EXPECT_LE(events, std::max(target, 1.0f)) << seed;
+                EXPECT_GE(events, before);
+                if (metrics == AGAA_ADAPTIVE_GEOMETRY)
+                    EXPECT_GE(events, std::min(double(std::max(target, 1.0f)), demand) * 0.85) << target;
+                before = events;
+            }
+            std::printf("seed %u: %.2f events per pixel are demanded, %.2f are the most that a target gave\n", seed, demand, before);
+            ViewSettings settings = adaptiveSettings(9, metrics);
+            settings.config.adaptive.targetEvents = 1.5f;
+            const Shown first = this->render(settings, adaptiveShot(seed)), second = this->render(settings, adaptiveShot(seed));
+            EXPECT_EQ(this->largestDifference(first, second), 0);
+        }
+}
+
+TYPED_TEST_P(AdaptiveCases, ExtremeScalesStayFinite) {
+    for (const float scale : {0.0f, 1e6f})
+        for (const uint64_t printed : {uint64_t(0), AGAA_ADAPTIVE_PRINTED_METRIC}) {
+            ViewSettings settings = adaptiveSettings(16, AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING | printed);
+            settings.config.adaptive.depthScale = scale * 1e6f;
+            settings.config.adaptive.normalScale = settings.config.adaptive.shadingScale = scale;
+            settings.config.adaptive.shadingThreshold = settings.config.adaptive.shadingMinimum = 0;
+            const Shown shown = this->render(settings, adaptiveShot());
+            for (const float value : shown.rgb)
+                ASSERT_TRUE(std::isfinite(value));
+            EXPECT_LE(shown.counters.shadingEvents, shown.counters.visible);
+            EXPECT_GE(shown.counters.shadingEvents, shown.counters.shadedPixels);
+        }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(AdaptiveCases, WithoutMetricsItIsSupersampling, FewerSamplesComeNearAllOfThem, ByIdsItIsTheSame,
+                            WaysToShadeGiveOneImage,
+                            HardCase15OnePlaneIsShadedOnce, HardCase43ABrightPixelStaysAlone, TargetsAreKeptAndUsed,
+                            ExtremeScalesStayFinite);
+
+} // namespace agaa::test
