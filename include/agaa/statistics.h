@@ -47,7 +47,8 @@ typedef struct AgaaCounters {
     uint64_t lostFragments; /* for which the lists had no room */
     uint64_t batches;       /* "dcaa" that merges lists: draws of the scene that the frame needed, 1 to
                                maxBatches */
-    uint64_t pixelsByEvents[6]; /* pixels with 1, 2, 3 to 4, 5 to 8, 9 to 16, and more shading events; 0 for "msaa" */
+    uint64_t pixelsByEvents[6]; /* pixels with one shading event, with two, with more up to 4, 8 and 16, and with
+                                   more than 16. 0 for "msaa" */
     uint64_t reserved[3];   /* 0 */
 } AgaaCounters;
 

@@ -288,6 +288,23 @@ void testGenerationTier(Test& test) {
         }
 }
 
+// A target needs differences of samples, which decide what is left out.
+void testTargets(Test& test) {
+    const auto with = [](uint64_t flags) {
+        return [flags](ViewParts& p) {
+            p.setTechnique("adaptive", 4);
+            p.adaptive.targetEvents = 2;
+            p.adaptive.flags = flags;
+        };
+    };
+    constexpr uint64_t both = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING;
+    testRows(test, {{"targetEvents and both metrics", AGAA_OK, with(both), ""},
+                    {"targetEvents and GEOMETRY", AGAA_OK, with(AGAA_ADAPTIVE_GEOMETRY), ""},
+                    {"targetEvents and SHADING alone", unsupported, with(AGAA_ADAPTIVE_SHADING), ""},
+                    {"targetEvents without metrics", unsupported, with(0), ""},
+                    {"targetEvents and PRINTED_METRIC", unsupported, with(both | AGAA_ADAPTIVE_PRINTED_METRIC), ""}});
+}
+
 // All fragments are needed at once.
 void testExact(Test& test) {
     const auto with = [](const char* technique, uint32_t maxBatches) {
@@ -375,6 +392,7 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AgaaTier/AGAA_ERROR_UNSUPPORTED/other_technique", testOtherTechnique);
     suite.core("AGAA_COVERAGE_EXACT/AGAA_ERROR_UNSUPPORTED", testExact);
     suite.core("AgaaDecoupledCoverage/AGAA_ERROR_UNSUPPORTED", testFragmentsAtOnce);
+    suite.core("AgaaAdaptiveSampling.targetEvents/AGAA_ERROR_UNSUPPORTED", testTargets);
     suite.core("AGAA_CONFIG_COUNTERS/AGAA_ERROR_UNSUPPORTED", testCounters);
     suite.core("AGAA_FACT_CUSTOM_DEPTH/AGAA_ERROR_UNSUPPORTED", testCustomDepth);
     suite.core("AGAA_VIEW_VERTEX_PULLING/AGAA_ERROR_UNSUPPORTED", testVertexPulling);

@@ -59,6 +59,12 @@ void expectRectangle(Rig& rig, const std::string& technique) {
     expectCount(test, "shadedPixels", c.shadedPixels, pixels, pixels, what);
     const uint64_t most = shadesFragments ? 0 : shadesSamples ? n : 1;
     expectCount(test, "maxEventsPerPixel", c.maxEventsPerPixel, most, most, what);
+    uint64_t counted = 0;
+    for (const uint64_t number : c.pixelsByEvents)
+        counted += number;
+    expectCount(test, "pixelsByEvents, in all", counted, shadesFragments ? 0 : pixels, shadesFragments ? 0 : pixels, what);
+    const uint64_t alone = shadesSamples || shadesFragments ? 0 : pixels; // n is more than 1
+    expectCount(test, "pixelsByEvents[0]", c.pixelsByEvents[0], alone, alone, what);
     expectCount(test, "aggregates", c.aggregates, aggregates ? pixels : 0, aggregates ? pixels : 0, what);
     expectCount(test, "shadowTaps", c.shadowTaps, 0, 0, what);
     expectCount(test, "widenedLobes", c.widenedLobes, 0, 0, what);
@@ -178,7 +184,7 @@ void testShadowTaps(Test& test) {
 } // namespace
 
 void addCounterCases(Suite& suite) {
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"})
+    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
         suite.both("general/counters_of_flat_scenes/" + std::string(technique),
                    [technique](Test& test) { testTechnique(test, technique); });
     suite.both("general/counters_are_0_if_not_requested", testNoCounters);

@@ -237,7 +237,7 @@ void testLights(Test& test, const char* technique) {
 } // namespace
 
 void addImageCases(Suite& suite) {
-    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa"})
+    for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"})
         suite.both("general/images_of_lights/" + std::string(technique),
                    [technique](Test& test) { testLights(test, technique); });
 }
