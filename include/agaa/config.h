@@ -156,8 +156,8 @@ typedef enum AgaaTier {
 #define AGAA_CONFIG_BUFFERED UINT64_C(0x10) /* "agaa": with the tiers IDS and GBUFFER too, aggregates go to the surface
                                                "aggregates", and a pass of its own shades them. Excludes litShadows, the
                                                elliptic NDFs and the tier FRAGMENTS */
-#define AGAA_CONFIG_FINE_MATERIALS UINT64_C(0x20) /* tier IDS: evaluate a primitive's material for each texel of the target
-                                                     that shows it, at the place where a G-buffer has it: the centre,
+#define AGAA_CONFIG_FINE_MATERIALS UINT64_C(0x20) /* tier IDS of "agaa": evaluate a primitive's material for each
+                                                     texel of the target that shows it, at the place where a G-buffer has it: the centre,
                                                      or the first covered sample. Derivatives of normals are not used.
                                                      AgaaCounters::materials counts the evaluations */
 

@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 /* A multisampled G-buffer that the host draws before it records the frame. Chain it to AgaaViewDesc. The library draws
- * nothing: it does not call AgaaFrame::draw, and "agaa" and "sbaa" use the tier GBUFFER. The text defines
+ * nothing: it does not call AgaaFrame::draw, and "agaa", "sbaa" and "adaptive" use the tier GBUFFER. The text defines
  *     bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m)
  * which returns whether sample i, [0, n), shows geometry, and provides its depth as the host's depth buffer holds it and
  * its material. Colours are in [0, 1], emission is in [0, range] of the layout. Non-finite values are replaced by the
@@ -56,11 +56,12 @@ AGAA_API void AGAA_CALL agaaInitGBufferFunction(AgaaGBufferFunction* outFunction
  * MATERIAL_LISTS, which fetches nothing. In it, fragments of draws with AGAA_UNFETCHED merge last, ordered by content. */
 #define AGAA_FETCH_NOT_ALL_DRAWS UINT64_C(0x01)
 
-/* Materials by id, for "agaa" with the tier IDS or FRAGMENTS and for "dcaa" with the tier FRAGMENT_LISTS, which AUTO then
- * selects. Chain it to AgaaViewDesc. With the tier IDS, the visibility pass stores, beside depth, the draw and the primitive
- * of each sample (AgaaSurfaceInput::draw, ::primitive). Compute passes find the primitives of a pixel, evaluate the material
- * of each once, at the mean position of its samples, group the samples and shade. The tier FRAGMENT_LISTS evaluates the
- * material of each fragment, the tier FRAGMENTS that of each fragment that shows.
+/* Materials by id, for "agaa" with the tier IDS or FRAGMENTS, for "adaptive" with the tier IDS and for "dcaa" with the tier
+ * FRAGMENT_LISTS, which AUTO then selects. With AGAA_FETCH_NOT_ALL_DRAWS, AUTO selects GBUFFER for "adaptive". Chain it to
+ * AgaaViewDesc. With the tier IDS, the visibility pass stores, beside depth, the draw and the primitive of each sample
+ * (AgaaSurfaceInput::draw, ::primitive). Compute passes find the primitives of a pixel, evaluate the material of each once,
+ * at the mean position of its samples, group the samples and shade; "adaptive" evaluates it again for each shaded sample.
+ * The tier FRAGMENT_LISTS evaluates the material of each fragment, the tier FRAGMENTS that of each fragment that shows.
  * The text defines
  *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)

@@ -43,7 +43,7 @@ void PlanBuilder::dropUncalledFor(const Technique& technique) {
     AgaaConfig& config = plan.config;
     if (!technique.groupsSamples) { // settings of "agaa" may stay where another is measured
         plan.aggregation.litShadows = 0;
-        config.flags &= ~AGAA_CONFIG_BUFFERED;
+        config.flags &= ~(AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS);
         plan.measurement.flags &= ~AGAA_MEASURE_FIRST_SAMPLE_ROUTING;
     }
     if (plan.aggregates < 2) // one place to go to

@@ -34,7 +34,8 @@ struct AgaaPrimitive {
     uint primitive;
     vec4 a, b, c; // clip coordinates of its vertices by AgaaFrame::projection, as agaaHostTriangle() gave them
     vec3 at;      // weights of the vertices at the point, perspective-correct, [0;1]
-    vec3 dx, dy;  // what the weights grow by from one pixel of the image to the next
+    vec3 dx, dy;  // change of the weights from one pixel of the image to the next; of a shaded sample of "adaptive", times
+                  // the square root of the share of the pixel that it represents
     float facing; // > 0 where a, b, c turn from x to y of the image, < 0 where the other way
 };
 
