@@ -25,6 +25,8 @@ WAYS = [
     ("equal weights", ["--equal-weights"]),
     ("the paper's way", PRINTED),
     ("the paper's metric", PRINTED[:1]),
+    ("by id", ["--tier", "generation=ids"]),
+    ("by id, footprints of one sample", ["--tier", "generation=ids", "--sample-footprints"]),
     ("at most 1.5 events", ["--target-events", "1.5"]),
     ("at most 2 events", ["--target-events", "2"]),
     ("at most 3 events", ["--target-events", "3"]),

@@ -9,6 +9,7 @@ ten times the reference's own count as equal, and the fastest of them is named.
 
 from collections import Counter
 
+import choosing_adaptive
 import document_command
 from choosing_presets import aim_sentences, preset_figures, preset_rows
 from choosing_speed import DENSE, speed_rows, speed_sentences
@@ -116,6 +117,11 @@ def document(sweeps):
     for results, backend in ((results, backend) for results in sweeps for backend in results["backends"]):
         measured = [s for s in backend["scenes"] if not s.get("plain")]
         scenes = [s for s in measured if find(s, "single", 1)]
+        beside = choosing_adaptive.lines(measured)
+        if beside and not scenes:
+            lines += [f"## Adaptive supersampling, {results['size']}: {backend['device']}, {backend['driver']}", "",
+                      f"Measured by build: {builds(measured)}.", ""] + beside
+            continue
         if len(scenes) < len(measured):
             lines += ["Left out, without `single`, which others are set beside: " + ", ".join(
                       s["name"].replace("_", "\\_") for s in measured if s not in scenes) + ".", ""]
@@ -159,6 +165,7 @@ def document(sweeps):
         lines += ["### What merging costs at n=8", "", "Mean squares after tone mapping against `ssaa` n=8.", ""]
         lines += table(["scene", "agaa c=2", "sbaa S=2", "sbaa S=4", "agaa / sbaa S=2", "at most 0.75",
                         "at most sbaa S=4"], merges)
+        lines += beside
         if losses := loss_rows(scenes):
             lines += ["### What simple\\_complex loses", "",
                       "FLIP against `ssaa` at the same n: its mean, and what 95 % of the pixels lie below; its "

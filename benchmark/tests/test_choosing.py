@@ -12,6 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 TOOL = ROOT / "benchmark" / "report" / "choosing.py"
 sys.path.insert(0, str(TOOL.parent))
 import choosing
+import choosing_adaptive
 import choosing_presets
 import choosing_speed
 import sweep_rows
@@ -99,6 +100,21 @@ class Choosing(unittest.TestCase):
         rows[-1]["temporal"]["biasSquared"] = 5e-5
         self.assertIn("1 of 2 above 1 (city 2.500); 1 gaps are below", choosing_presets.steady_sentence([whole]))
         self.assertIsNone(choosing_presets.steady_sentence([self.scene]))
+
+    def test_adaptive_is_beside_its_rivals(self):
+        self.assertEqual(choosing_adaptive.lines([self.scene]), [], "no row of it")
+        rows = [row("ssaa", 8, 0, 400, 1e-3, events=8), row("adaptive", 8, 0, 200, 1e-3, events=2, merging=1e-5),
+                row("simple_complex", 8, 0, 150, 1e-3, events=3, merging=1.5e-4), row("agaa", 8, 2, 300, 1.1e-3, events=1.5, merging=5e-5)]
+        for each in rows:
+            each["frameMs"]["turns"] = [each["frameMs"]["median"]] * 3
+        whole = {"name": "city", "rows": rows}
+        self.assertEqual(choosing_adaptive.quickest(whole, 1), "`adaptive`", "the error of simple_complex is too large")
+        rows[2]["errorSameSamples"]["mseTm"] = 1e-5
+        self.assertEqual(choosing_adaptive.quickest(whole, 1), "`simple_complex`")
+        text = "\n".join(choosing_adaptive.lines([self.scene, whole]))
+        self.assertIn("| city | 2.00 (2.00 to 2.00) | 0.75 (0.75 to 0.75) | 1.50 (1.50 to 1.50) |", text)
+        self.assertIn("| city | 0.25 | 0.38 | 0.19 | not measured |", text)
+        self.assertNotIn("Variance", text)
 
     def test_the_fastest_for_an_error(self):
         cells = self.cells(self.answers(0))

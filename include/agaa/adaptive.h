@@ -30,6 +30,8 @@ extern "C" {
 #define AGAA_ADAPTIVE_SORTED UINT64_C(0x100)        /* groups shade pixels of like numbers of samples. 8 bytes per pixel more */
 #define AGAA_ADAPTIVE_TILE_MAXIMUM UINT64_C(0x200)  /* all pixels of a tile of 8 by 8 have the largest number of samples of the
                                                        tile */
+#define AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS UINT64_C(0x400) /* tier IDS: textures are filtered over the area of one sample. Otherwise
+                                                           over that of all samples that a shaded one represents */
 
 /* How "adaptive" decides which samples are shaded (Hollaender et al. 2013). Chain it to AgaaConfig. Other techniques check the
  * struct and do not use it. AgaaConfig::surfaceCosine, surfaceDistance and surfaceMaterial are the differences from which on

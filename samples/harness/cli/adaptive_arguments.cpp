@@ -14,6 +14,7 @@ void AdaptiveArguments::addTo(CLI::App& app) {
     app.add_flag("--buckets", buckets, "adaptive: numbers of samples are powers of two");
     app.add_flag("--sorted", sorted, "adaptive: pixels of like numbers of samples side by side");
     app.add_flag("--tile-maximum", tileMaximum, "adaptive: the largest number of samples in each tile");
+    app.add_flag("--sample-footprints", sampleFootprints, "adaptive by id: textures are filtered over the area of one sample");
     app.add_option("--target-events", values.targetEvents, "adaptive: mean number of samples per pixel that frames keep; 0: none");
     app.add_option("--count-memory", values.countMemory, "adaptive: share of mean numbers kept from frame to frame");
     app.add_option("--depth-scale", values.depthScale, "adaptive: samples per variance of depth, with --printed-metric");
@@ -43,6 +44,7 @@ void AdaptiveArguments::apply(TechniqueConfig& config) const {
     set(buckets, AGAA_ADAPTIVE_BUCKETS);
     set(sorted, AGAA_ADAPTIVE_SORTED);
     set(tileMaximum, AGAA_ADAPTIVE_TILE_MAXIMUM);
+    set(sampleFootprints, AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS);
 }
 
 } // namespace harness

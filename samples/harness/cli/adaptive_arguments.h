@@ -19,6 +19,7 @@ struct AdaptiveArguments {
     bool buckets = false;
     bool sorted = false;
     bool tileMaximum = false;
+    bool sampleFootprints = false;
     AgaaAdaptiveSampling values = AGAA_ADAPTIVE_SAMPLING_INIT; // that options set directly
 
     void addTo(CLI::App& app);

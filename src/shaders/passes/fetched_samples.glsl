@@ -1,4 +1,4 @@
-// Samples whose materials are fetched by id, several of one primitive at once.
+// Samples whose materials are fetched by id, several of one primitive at once. After adaptive_flags.glsl.
 #ifndef AGAA_FETCHED_SAMPLES_GLSL
 #define AGAA_FETCHED_SAMPLES_GLSL
 #include "passes/fetch.glsl"
@@ -25,7 +25,8 @@ void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) {
     for (uint rest = own; rest != 0u; rest &= rest - 1u)
         middle += agaa_sampleLocation(uint(findLSB(rest)));
     middle /= float(bitCount(own));
-    const float width = sqrt(float(bitCount(own)) / float(AGAA_SAMPLES));
+    const int represented = agaa_isAdaptive(agaa_sampleFootprints) ? 1 : bitCount(own);
+    const float width = sqrt(float(represented) / float(AGAA_SAMPLES));
     AgaaPrimitive p = agaa_primitive(agaa_idOf(pixel, i));
     agaa_moveTo(p, pixel, middle);
     p.dx *= width;

@@ -4,9 +4,9 @@
 #ifndef AGAA_SAMPLE_CHOICE_GLSL
 #define AGAA_SAMPLE_CHOICE_GLSL
 #include "math/adaptive.glsl"
+#include "passes/adaptive_flags.glsl" // before gbuffer.glsl, which includes some files under conditions
 #include "passes/gbuffer.glsl"
 #include "passes/sample_depth.glsl"
-#include "passes/adaptive_flags.glsl"
 
 // Of the pixel at hand, by sample: depth, code of the normal, then colours in bytes.
 uvec4 agaa_sampleFeatures[AGAA_SAMPLES];

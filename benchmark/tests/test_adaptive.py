@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+"""Tests of benchmark/adaptive.py: what its tables say of results."""
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import adaptive
+
+
+def scene(name, share, mse):
+    way = {"share": share, "mse": mse, "flip": 0, "events": 9 * share, "pixelsByEvents": [0] * 6}
+    return {"scene": name, "errors": {side: {"device": "D", "driver": "E", "ways": {n: way for n, _ in adaptive.WAYS}}
+                                      for side in adaptive.SIDES},
+            "times": {cost: {"ssaa": 100 * cost, "simple_complex": 60 * cost, "adaptive": 50} for cost in adaptive.COSTS}}
+
+
+class Adaptive(unittest.TestCase):
+    def setUp(self):
+        self.data = {"size": "320x180", "frames": 3, "turns": 3, "scenes": [scene("metal", 0.2, 1e-5), scene("city", 0.4, 1e-3)],
+                     "shading": {"metal": {way: 10 * (i + 1) for i, (way, _) in enumerate(adaptive.SHADING)}}}
+
+    def test_means_are_of_shares_and_decibels(self):
+        text = adaptive.markdown(self.data)
+        self.assertIn("| adaptive | 0.300 | 40.0 | 30.0 | 0.300 | 40.0 | 30.0 |", text)
+        self.assertIn("| the paper, Sponza | 0.578 | 43.0 | – |", text)
+
+    def test_times_are_ratios(self):
+        text = adaptive.markdown(self.data)
+        self.assertIn("| metal | 2.00 | 1.20 | 8.00 | 4.80 | 32.00 | 19.20 |", text)
+        self.assertIn("| median | 2.00 | 1.20 |", text)
+        self.assertIn("| loop | 2.00 |", text)
+
+    def test_no_error_is_finite(self):
+        self.assertEqual(adaptive.decibels(0), 120)
+
+
+if __name__ == "__main__":
+    unittest.main()
