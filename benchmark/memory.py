@@ -27,6 +27,8 @@ WAYS = [  # name, options
     ("`agaa` by id, preset `accurate`", [*IDS, "--preset", "accurate"]),
     ("`agaa` c=2, by id, buffered", [*IDS, "--buffered"]),
     ("`agaa` c=2, by id, some draws not fetched", [*IDS, "--unfetched-every", "3"]),
+    ("`adaptive`", ["--technique", "adaptive"]),
+    ("`adaptive`, by id", ["--technique", "adaptive", *IDS]),
 ]
 
 
@@ -76,7 +78,7 @@ def models(agaa, sbaa):
 
 
 def cell(memory, pixels=640 * 360):
-    whole, peak = memory["bytesPerPixel"], memory["peakBytes"] / pixels
+    whole, peak = round(memory["bytesPerPixel"], 3), round(memory["peakBytes"] / pixels, 3)
     return f"{whole:g}" if f"{whole:g}" == f"{peak:g}" else f"{whole:g} ({peak:g})"
 
 

@@ -169,7 +169,7 @@ typedef struct AgaaConfig {
     const void* pNext;
     const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa" or "adaptive" */
     uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; "single" and "fxaa" use 1. 9, on the
-                                 tier ORDERED_GRID, for techniques without aggregates.
+                                 tier ORDERED_GRID, for "msaa", "ssaa", "simple_complex" and "adaptive".
                                  "dcaa", and "agaa" with the tier FRAGMENTS: coverage samples per pixel, 32, 64 or 128 */
     uint32_t aggregates;      /* c, aggregates of "agaa", [1, 4]; S, surfaces of "sbaa", [1, 6], and of "dcaa", [1, 8]; at
                                  most n are made. [1, 8] for other techniques, which do not use it */
@@ -280,8 +280,8 @@ typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_EVENTS = 1,     /* number of shading events */
     AGAA_DEBUG_VIEW_AGGREGATES = 2, /* number of aggregates of "agaa", or of surfaces of "sbaa" and "dcaa" */
     AGAA_DEBUG_VIEW_CLUSTERS = 3,   /* a colour per aggregate or surface, mixed by their shares of samples */
-    AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* tiers FRAGMENTS, and IDS without BUFFERED: number of primitives that samples
-                                       show */
+    AGAA_DEBUG_VIEW_PRIMITIVES = 4, /* "agaa", tiers FRAGMENTS, and IDS without BUFFERED: number of primitives that
+                                       samples show */
     AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that reaches the covered samples; 1
                                        without shadows */
     AGAA_DEBUG_VIEW_WIDENED = 6,    /* "agaa" and "sbaa", with layouts that store roughness: how far the NDF widens

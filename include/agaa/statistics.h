@@ -29,7 +29,7 @@ typedef struct AgaaCounters {
     uint64_t shadedPixels;  /* pixels with at least one shading event */
     uint64_t maxEventsPerPixel; /* 0 for "msaa" */
     uint64_t aggregates;    /* sum over all pixels; surfaces for "sbaa" and "dcaa" */
-    uint64_t primitives;    /* tiers IDS and FRAGMENTS: primitives that the samples of a pixel show, summed over all pixels;
+    uint64_t primitives;    /* "agaa", tiers IDS and FRAGMENTS: primitives that the samples of a pixel show, summed over all pixels;
                                unfetched draws are not counted */
     uint64_t materials;     /* tier IDS: material evaluations, one per primitive and pixel or, with
                                AGAA_CONFIG_FINE_MATERIALS, per primitive and texel; two in pixels of one primitive whose

@@ -140,8 +140,9 @@ static bool isIdentifier(std::string_view name) {
 // Adds an attribute of the host's own, after it was checked by itself.
 static void addCustom(Layout& layout, AgaaLayoutAttribute attribute) {
     static constexpr std::string_view members[] = {
-        "position", "geometricNormal", "alpha", "alphaCutoff", "hasAlphaNear", "alphaNear", "primitiveSeed",
-        "draw", "primitive", "diffuse", "specular", "emissive", "normal", "alpha2", "normalDx", "normalDy", "samples"};
+        "position",      "geometricNormal", "alpha",     "alphaCutoff", "hasAlphaNear", "alphaNear", "hasAlphaRows",
+        "alphaRows",     "primitiveSeed",   "draw",      "primitive",   "diffuse",      "specular",  "emissive",
+        "normal",        "alpha2",          "normalDx",  "normalDy",    "samples"};
     require(attribute.name, AGAA_ERROR_LAYOUT, "a custom layout attribute has no name.");
     const std::string name(attribute.name, strnlen(attribute.name, 32));
     if (!isIdentifier(name))

@@ -462,7 +462,7 @@ void PlanBuilder::checkLimits() const {
         if (r.kind == ResourceKind::Buffer && r.bytes > caps_.maxStorageRange)
             fail(AGAA_ERROR_TOO_LARGE,
                  format("%s would take %llu bytes; the device allows %llu in one storage buffer. Ask "
-                        "for fewer aggregates or a smaller view.",
+                        "for fewer samples or aggregates, or a smaller view.",
                         r.name.c_str(), static_cast<unsigned long long>(r.bytes),
                         static_cast<unsigned long long>(caps_.maxStorageRange)));
     }

@@ -41,7 +41,7 @@ public:
     // A permutation of the shader by the plan; switches, such as "r1", say what the plan as a whole does not.
     Pass& compute(std::string name, AgaaStage stage, const std::string& shader, uint64_t segment,
                   std::string_view switches = {});
-    // That passes begin with which are added from here on.
+    // Constants of passes that are added later.
     Constants& passConstants() { return constants_; }
     // A bit for every pixel that one pass leaves to another (src/shaders/passes/deferred_pixels.glsl).
     ResourceId deferredPixels();

@@ -102,9 +102,11 @@ void PlanBuilder::chooseVisibilityTier(const Technique& technique) {
         note("visibility: the host says where the samples of its G-buffer lie.");
         return;
     }
+    // Other tiers may have smaller targets.
+    const bool fits = uint64_t(std::max(plan.width, plan.height)) * gridSide(plan.samples) <= caps_.maxImageSize;
     const VisibilityChoice choice =
         chooseVisibility(caps_, plan.samples, plan.config.visibilityTier,
-                         technique.prefersOrderedGrid && technique.prefersOrderedGrid(plan));
+                         fits && technique.prefersOrderedGrid && technique.prefersOrderedGrid(plan));
     if (choice.tier == AGAA_TIER_AUTO)
         fail(AGAA_ERROR_UNSUPPORTED, "visibility cannot run: " + choice.reason);
     plan.visibilityTier = choice.tier;

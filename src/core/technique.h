@@ -75,7 +75,7 @@ struct Technique {
     // Whether n counts coverage samples: the tier, or with AUTO n itself, decides.
     bool countsCoverage(uint32_t generationTier, uint32_t samples) const;
     // Sums of aggregates count samples by powers of two.
-    bool takesGridOnlySamples() const { return maxAggregates == 0 && maxSamples > 1; }
+    bool takesGridOnlySamples() const { return maxAggregates == 0; }
 };
 const std::vector<const Technique*>& techniques();
 const Technique* findTechnique(std::string_view name); // null where there is none

@@ -36,10 +36,12 @@ static VisibilityChoice scaledTarget(const AgaaDeviceCaps& caps, uint32_t sample
     return choice;
 }
 
+uint32_t gridSide(uint32_t samples) { return samples == 4 ? 2 : samples == 9 ? 3 : samples == 16 ? 4 : 0; }
+
 // A texel of one sample for each sample of the pixel, as ordered supersampling has them.
 static VisibilityChoice orderedGrid(uint32_t samples) {
     VisibilityChoice choice;
-    const uint32_t side = samples == 4 ? 2 : samples == 9 ? 3 : samples == 16 ? 4 : 0;
+    const uint32_t side = gridSide(samples);
     if (side == 0) {
         choice.reason = format("an ordered grid has 4, 9 or 16 samples, not %u.", samples);
         return choice;
@@ -199,7 +201,8 @@ void addShading(std::vector<AgaaCapability>& rows, const Technique& technique, u
 // Of samples that the device rasterises.
 void addDeviceSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& caps, const Technique& technique,
                       uint32_t samples) {
-    const VisibilityChoice visibility = chooseVisibility(caps, samples, AGAA_TIER_AUTO, technique.prefersOrderedGrid && technique.prefersOrderedGrid({}));
+    const bool prefersGrid = technique.prefersOrderedGrid && technique.prefersOrderedGrid({});
+    const VisibilityChoice visibility = chooseVisibility(caps, samples, AGAA_TIER_AUTO, prefersGrid);
     addVisibility(rows, technique, samples, visibility);
     if (visibility.tier == AGAA_TIER_AUTO)
         return; // no later stage can run either
@@ -228,7 +231,7 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
     for (const Technique* technique : techniques()) {
         for (uint32_t samples = 1; samples <= technique->maxSamples; samples *= 2)
             addDeviceSamples(rows, caps, *technique, samples);
-        if (technique->takesGridOnlySamples())
+        if (technique->takesGridOnlySamples() && technique->maxSamples > gridOnlySamples)
             addDeviceSamples(rows, caps, *technique, gridOnlySamples);
         // At 32, where tiers of both kinds may run, AUTO takes samples of the device.
         for (uint32_t samples : {32u, 64u, 128u})

@@ -17,6 +17,8 @@ struct VisibilityChoice {
     float relativeCost = 1;
     std::string reason; // one sentence
 };
+// Texels across a pixel of an ordered grid of n samples; 0: there is none.
+uint32_t gridSide(uint32_t samples);
 VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced, bool prefersGrid = false);
 
 // Of techniques that find coverage by themselves, on any device.

@@ -64,7 +64,7 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer) {
 static uint32_t checkSamples(uint32_t samples, const Technique& technique, uint32_t generationTier) {
     if (!technique.countsCoverage(generationTier, samples)) {
         if (samples == gridOnlySamples && technique.takesGridOnlySamples())
-            return samples;
+            return std::min(samples, technique.maxSamples);
         checkSampleCount(samples, "AgaaConfig::samples");
         return std::min(samples, technique.maxSamples);
     }

@@ -6,6 +6,8 @@
 #include "core/sample_patterns.h"
 #include "core/tiers.h"
 
+#include "shaders/passes/choice_words.inc"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,6 +53,9 @@ TEST(Adaptive, WindowsAreOrderedGrids) {
         if (samples != 9)
             EXPECT_NE(adaptivePlan(samples, device).visibilityTier, AGAA_TIER_ORDERED_GRID);
     }
+    AgaaDeviceCaps small = fourSampleDevice(); // 64 pixels times 4 do not fit
+    small.maxImageSize = 255;
+    EXPECT_EQ(adaptivePlan(16, {}, small).visibilityTier, AGAA_TIER_SCALED_TARGET);
     for (uint32_t samples : {1u, 2u, 8u, 32u})
         EXPECT_NE(adaptivePlan(samples, {}, idealDevice()).visibilityTier, AGAA_TIER_ORDERED_GRID);
     // Other techniques have grids where they are asked for.
@@ -70,9 +75,9 @@ bool isBayer(const std::vector<uint32_t>& order, uint32_t side) {
     std::vector<uint32_t> rank(order.size());
     for (uint32_t j = 0; j < order.size(); ++j)
         rank[order[j]] = j;
-    // Quarters of a Bayer order are the orders of spans of ranks: it halves the distances in each.
+    // The first 1, 2, 4, 8 and 16 samples: within a step, the order may differ.
     std::set<std::set<uint32_t>> own, expected;
-    for (uint32_t step = 1; step <= order.size(); step *= side == 2 ? 2 : 4) {
+    for (uint32_t step = 1; step <= order.size(); step *= 2) {
         std::set<uint32_t> first;
         for (uint32_t i = 0; i < order.size(); ++i)
             if (rank[i] < step)
@@ -81,7 +86,7 @@ bool isBayer(const std::vector<uint32_t>& order, uint32_t side) {
     }
     for (uint32_t x = 0; x < side; ++x)
         for (uint32_t y = 0; y < side; ++y)
-            for (uint32_t step = 1; step <= order.size(); step *= side == 2 ? 2 : 4) {
+            for (uint32_t step = 1; step <= order.size(); step *= 2) {
                 std::set<uint32_t> first; // the matrix, moved: edges of the pixel meet
                 for (uint32_t i = 0; i < order.size(); ++i)
                     if (matrix[(i / side + y) % side * side + (i % side + x) % side] < step)
@@ -89,6 +94,19 @@ bool isBayer(const std::vector<uint32_t>& order, uint32_t side) {
                 expected.insert(first);
             }
     return std::all_of(own.begin(), own.end(), [&](const std::set<uint32_t>& s) { return expected.contains(s); });
+}
+
+// Which has the device's pattern where the host does not say otherwise.
+TEST(Adaptive, AGBufferOfTheHostIsNoGrid) {
+    AgaaGBufferFunction function = AGAA_GBUFFER_FUNCTION_INIT;
+    function.glsl = "bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) { return false; }";
+    for (uint32_t samples : {4u, 16u}) {
+        const auto plan = [&](uint32_t tier) {
+            return planFor({.technique = "adaptive", .samples = samples, .visibilityTier = tier, .chained = &function}, fourSampleDevice());
+        };
+        EXPECT_EQ(plan(AGAA_TIER_AUTO).visibilityTier, samples == 4 ? AGAA_TIER_NATIVE : AGAA_TIER_SCALED_TARGET);
+        EXPECT_EQ(plan(AGAA_TIER_ORDERED_GRID).visibilityTier, AGAA_TIER_ORDERED_GRID);
+    }
 }
 
 TEST(Adaptive, SamplesComeInAnOrderThatSpreads) {
@@ -116,8 +134,6 @@ TEST(Adaptive, OptionsAddPassesOfTheirOwn) {
               (Names{"sample_demand", "sample_limit", "shade_first", "shade_further"}));
     EXPECT_EQ(computePasses(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; })),
               (Names{"shade_first", "count_pixels", "place_counts", "place_pixels", "shade_further"}));
-    for (const uint64_t flags : {AGAA_ADAPTIVE_SHADING, AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_PRINTED_METRIC})
-        EXPECT_THROW(adaptivePlan(9, [&](AgaaAdaptiveSampling& a) { a.targetEvents = 2, a.flags = flags; }), Error);
 }
 
 TEST(Adaptive, MemoryIsAGBufferFirstSamplesAndChoices) {
@@ -125,7 +141,7 @@ TEST(Adaptive, MemoryIsAGBufferFirstSamplesAndChoices) {
     const auto perPixel = [](const Plan& plan, uint64_t constant) {
         return double(plan.totalBytes() - constant) / (double(plan.width) * plan.height);
     };
-    constexpr uint64_t sums = 4 * 320;
+    constexpr uint64_t sums = 4 * AGAA_SUM_WORDS;
     const double gbuffer = perPixel(ssaa, 0);
     EXPECT_EQ(perPixel(adaptivePlan(9), sums), gbuffer + 8 + 12);
     EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.countMemory = 0.5f; }), sums), gbuffer + 8 + 16);

@@ -1,4 +1,5 @@
 // Packing: fields never overlap, sums never carry, sizes are those of the papers.
+#include "core/embedded.h"
 #include "core/error.h"
 #include "core/layout.h"
 
@@ -6,6 +7,7 @@
 
 #include <bit>
 #include <random>
+#include <regex>
 
 using namespace agaa;
 
@@ -43,6 +45,35 @@ void expectSound(const AggregatePacking& packing, uint32_t samples) {
     for (const Field& field : packing.fields)
         claim(field, field.isUnfiltered ? 0 : growth);
     claim(packing.coverage, 0);
+}
+
+// Names of the members of a struct in a file below src/shaders.
+std::vector<std::string> membersOf(const char* file, const std::string& structure) {
+    const std::string text(embeddedGlsl(file));
+    const size_t begin = text.find("struct " + structure + " {"), end = text.find("};", begin);
+    EXPECT_NE(begin, std::string::npos) << structure;
+    const std::string body = text.substr(begin, end - begin);
+    static const std::regex declaration(R"(\n +(?:bool|u?int|float|vec[234]) ([^;]+);)"), name(R"(([A-Za-z]\w*)(?:\[\d+\])?)");
+    std::vector<std::string> names;
+    for (std::sregex_iterator at(body.begin(), body.end(), declaration), none; at != none; ++at) {
+        const std::string list = (*at)[1];
+        for (std::sregex_iterator one(list.begin(), list.end(), name); one != none; ++one)
+            names.push_back((*one)[1]);
+    }
+    return names;
+}
+
+// Attributes of a host become members of these structs.
+TEST(Layout, MembersOfShaderStructsAreTaken) {
+    for (const auto& [file, structure, least] : {std::tuple{"host/surface.glsl", "AgaaSurfaceInput", 15u}, {"passes/host_code.glsl", "AgaaMaterial", 6u}}) {
+        const std::vector<std::string> names = membersOf(file, structure);
+        EXPECT_GE(names.size(), least) << structure;
+        for (const std::string& name : names) {
+            AgaaLayout layout = builtinLayout("precise");
+            addCustom(layout, name.c_str());
+            EXPECT_THROW(checkLayout(&layout), Error) << structure << ' ' << name;
+        }
+    }
 }
 
 TEST(Layout, AggregateFieldsNeverOverlapOrCarry) {

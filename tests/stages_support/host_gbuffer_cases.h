@@ -33,6 +33,7 @@ protected:
         settings.config.layout = layout;
         settings.config.flags = AGAA_CONFIG_READBACK | AGAA_CONFIG_COUNTERS;
         settings.facts.shadowMapCount = Host::shadowMaps;
+        settings.config.adaptive.flags |= AGAA_ADAPTIVE_DEVICE_PATTERN; // which the host's own G-buffer has
         if (std::string(technique) == "agaa" || std::string(technique) == "sbaa")
             settings.config.generationTier = AGAA_TIER_GBUFFER;
         return settings;

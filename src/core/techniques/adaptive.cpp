@@ -9,6 +9,7 @@
 #include "core/techniques/sample_ids.h"
 #include "core/techniques/techniques.h"
 #include "core/validate.h"
+#include "shaders/passes/choice_words.inc"
 
 #include <bit>
 
@@ -38,7 +39,7 @@ void readAdaptive(const AgaaConfig& config, ViewSettings& view) {
     checkReserved(a.reserved, "AgaaAdaptiveSampling::reserved");
 }
 
-// Of all passes of the plan.
+// Sets constants of all passes that are added later.
 void setAdaptiveConstants(PlanBuilder& b) {
     const AgaaAdaptiveSampling& a = b.plan.adaptive;
     Constants& c = b.passConstants();
@@ -57,22 +58,15 @@ void setAdaptiveConstants(PlanBuilder& b) {
         c[AGAA_ORDER0 + j / 4] |= order[j] << 8 * (j % 4);
 }
 
-// Words of src/shaders/passes/stored_choice.glsl.
-constexpr uint32_t sumWords = 320;
-uint32_t choiceWords(uint32_t samples) {
-    const uint32_t ownersPerWord = 32 / (samples > 16 ? 5 : 4);
-    return 1 + (samples + ownersPerWord - 1) / ownersPerWord;
-}
-
 bool has(const PlanBuilder& b, uint64_t flag) { return b.plan.adaptive.flags & flag; }
 
 // Passes write to the sums, choices and orders of one buffer.
 ResourceId choiceBuffer(PlanBuilder& b) {
     const bool remembers = b.plan.adaptive.countMemory > 0;
-    const uint64_t words = choiceWords(b.plan.samples) + (remembers ? 1 : 0) + (has(b, AGAA_ADAPTIVE_SORTED) ? 2 : 0);
+    const uint64_t words = AGAA_CHOICE_WORDS(b.plan.samples) + (remembers ? 1 : 0) + (has(b, AGAA_ADAPTIVE_SORTED) ? 2 : 0);
     const ResourceId choices = b.pixelBuffer("sample-choices", 4 * words);
     Resource& buffer = b.plan.resources[choices];
-    buffer.bytes = checkedAdd(buffer.bytes, 4 * sumWords);
+    buffer.bytes = checkedAdd(buffer.bytes, 4 * AGAA_SUM_WORDS);
     buffer.outlivesFrame = remembers;
     return choices;
 }
@@ -122,7 +116,7 @@ Pass& addNumbers(PlanBuilder& b, const char* name, const char* shader, const Ada
 // The limit of differences at which the target is met.
 void addLimit(PlanBuilder& b, const Adaptive& a) {
     Pass& demand = addChoice(b, "count demanded samples", "sample_demand", a);
-    b.bind(demand, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_SHADING));
+    b.bindCommon(demand);
     addNumbers(b, "find limit", "sample_limit", a, false).dispatch = {.kind = DispatchKind::Items, .items = 1};
 }
 
@@ -133,12 +127,23 @@ void addSorting(PlanBuilder& b, const Adaptive& a, uint64_t pixels) {
     addNumbers(b, "place pixels", "place_pixels", a, false).dispatch = {.kind = DispatchKind::Items, .items = pixels};
 }
 
+// What would shade more samples than the differences call for.
+void checkTarget(const PlanBuilder& b, bool hasTarget) {
+    constexpr uint64_t excluded = AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_BUCKETS |
+                                  AGAA_ADAPTIVE_TILE_MAXIMUM;
+    require(!hasTarget || (has(b, AGAA_ADAPTIVE_GEOMETRY) && !has(b, excluded) && b.plan.adaptive.countMemory == 0),
+            AGAA_ERROR_UNSUPPORTED,
+            "AgaaAdaptiveSampling::targetEvents needs AGAA_ADAPTIVE_GEOMETRY, and neither countMemory nor the flags "
+            "PRINTED_METRIC, IN_ORDER, BUCKETS and TILE_MAXIMUM, by which more samples are shaded.");
+}
+
 void build(PlanBuilder& b) {
     b.defaultSurface(0.95f, 1.5f, 0.08f);
     const bool hasTarget = b.plan.adaptive.targetEvents > 0;
-    require(!hasTarget || (has(b, AGAA_ADAPTIVE_GEOMETRY) && !has(b, AGAA_ADAPTIVE_PRINTED_METRIC)), AGAA_ERROR_UNSUPPORTED,
-            "AgaaAdaptiveSampling::targetEvents needs AGAA_ADAPTIVE_GEOMETRY without AGAA_ADAPTIVE_PRINTED_METRIC, because "
-            "differences of samples decide what is left out.");
+    checkTarget(b, hasTarget);
+    const uint64_t pixels = checkedMultiply(b.plan.width, b.plan.height);
+    if (has(b, AGAA_ADAPTIVE_SORTED) && pixels > 1u << AGAA_RANK_BITS)
+        fail(AGAA_ERROR_TOO_LARGE, format("AGAA_ADAPTIVE_SORTED sorts at most %u pixels.", 1u << AGAA_RANK_BITS));
     setAdaptiveConstants(b);
     Adaptive a;
     if (b.plan.generationTier == AGAA_TIER_IDS)
@@ -148,7 +153,7 @@ void build(PlanBuilder& b) {
     a.firstSamples = b.image("first-samples", Format::RGBA16F, false);
     a.choices = choiceBuffer(b);
     if (hasTarget || has(b, AGAA_ADAPTIVE_SORTED))
-        b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fillBytes = 4 * sumWords;
+        b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fillBytes = 4 * AGAA_SUM_WORDS;
     if (hasTarget)
         addLimit(b, a);
     Pass& first = addShading(b, "shade first samples", "shade_first", a);
@@ -157,7 +162,6 @@ void build(PlanBuilder& b) {
         addNumbers(b, "count shading's demand", "shading_demand", a, true);
         addNumbers(b, "find shading's limit", "shading_limit", a, false).dispatch = {.kind = DispatchKind::Items, .items = 1};
     }
-    const uint64_t pixels = uint64_t(b.plan.width) * b.plan.height;
     if (has(b, AGAA_ADAPTIVE_SORTED))
         addSorting(b, a, pixels);
     Pass& further = addShading(b, "shade further samples", "shade_further", a);
@@ -170,7 +174,10 @@ void build(PlanBuilder& b) {
 
 } // namespace
 
-static bool prefersOrderedGrid(const ViewSettings& view) { return !(view.adaptive.flags & AGAA_ADAPTIVE_DEVICE_PATTERN); }
+// A host's G-buffer has the device's pattern, unless the host says otherwise.
+static bool prefersOrderedGrid(const ViewSettings& view) {
+    return !view.hostGBuffer && !(view.adaptive.flags & AGAA_ADAPTIVE_DEVICE_PATTERN);
+}
 
 static const TechniqueSettings adaptiveSettings = {AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, readAdaptive};
 static constexpr const GenerationTier* tiers[] = {&sampleIdsTier, &sampleGBufferTier};

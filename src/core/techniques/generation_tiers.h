@@ -10,7 +10,7 @@ extern const GenerationTier postDepthTier;
 extern const GenerationTier perSampleTier;
 extern const GenerationTier gbufferTier;
 extern const GenerationTier mixedSamplesTier;
-// Of techniques that shade samples.
+// These shade samples and generate no aggregates.
 extern const GenerationTier sampleIdsTier;
 extern const GenerationTier sampleGBufferTier;
 extern const GenerationTier fragmentListsTier, materialListsTier, interlockTier, fragmentsTier;

@@ -46,14 +46,14 @@ real agaa_meanOfCounts(real mean, uint count, real memory) {
     return mean > real(0.0) && count != 0u ? real(count) + (mean - real(count)) * memory : real(count);
 }
 
-// Bins of a histogram of differences, eight to a power of two, from 1/16 threshold on; the last one has no end.
-uint agaa_bins() { return 128u; } // of this and of agaa_demandBin()
+// Bins of a histogram of differences, eight to a power of two, from 1/16 of a threshold to 2^28 of them; the last one has no end.
+uint agaa_bins() { return 256u; } // of this and of agaa_demandBin()
 real agaa_leastDifference() { return real(0.0625); }
 
 // difference: at least the least one.
 uint agaa_differenceBin(real difference) {
     const real bin = floor(real(8.0) * log2(max(difference, agaa_leastDifference()) / agaa_leastDifference()));
-    return uint(bin < real(127.0) ? bin : real(127.0)); // NaN and infinity: the last one
+    return uint(bin < real(255.0) ? bin : real(255.0)); // NaN and infinity: the last one
 }
 
 // Where a bin begins.
@@ -62,7 +62,7 @@ real agaa_differenceOfBin(uint bin) { return agaa_leastDifference() * exp2(real(
 // Bins of a histogram of further samples, four to a sample.
 uint agaa_demandBin(real further) {
     const real bin = floor(real(4.0) * max(further, real(0.0)));
-    return uint(bin < real(127.0) ? bin : real(127.0));
+    return uint(bin < real(255.0) ? bin : real(255.0));
 }
 
 // Up to the next power of two.

@@ -14,5 +14,5 @@ void main() {
     uint count = agaa_decideCount(pixel, isInside);
     if (isInside)
         agaa_choices.words[agaa_rankAt(agaa_pixelIndex(pixel))] =
-            count << 26u | atomicAdd(agaa_choices.words[agaa_tally + count], 1u);
+            count << AGAA_RANK_BITS | atomicAdd(agaa_choices.words[AGAA_TALLY_AT + count], 1u);
 }

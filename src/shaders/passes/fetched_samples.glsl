@@ -33,11 +33,4 @@ void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) {
     p.dy *= width;
     agaa_fetched = agaa_fetchMaterialThere(p);
 }
-
-bool agaa_fetchSample(uvec2 pixel, uint i) {
-    if (!agaa_isCovered(pixel, i))
-        return false;
-    agaa_fetchEvent(pixel, i, 1u << i);
-    return true;
-}
 #endif

@@ -4,19 +4,29 @@
 #include "passes/sample_choice.glsl"
 #include "passes/stored_choice.glsl"
 
+const uint agaa_ownersPerWord = 32u / AGAA_OWNER_BITS(AGAA_SAMPLES);
+
+uint agaa_ownerIn(uint word, uint place) {
+    return word >> (AGAA_OWNER_BITS(AGAA_SAMPLES) * place) & ((1u << AGAA_OWNER_BITS(AGAA_SAMPLES)) - 1u);
+}
+
+// The owners of the samples of a word.
+uint agaa_ownerWord(uint word, uint covered) {
+    uint owners = 0u;
+    for (uint place = 0u; place < agaa_ownersPerWord; ++place) {
+        uint i = min(word * agaa_ownersPerWord + place, AGAA_SAMPLES - 1u);
+        owners |= (covered >> i & 1u) != 0u ? agaa_owners[i] << (AGAA_OWNER_BITS(AGAA_SAMPLES) * place) : 0u;
+    }
+    return owners;
+}
+
 void agaa_storeChoice(uvec2 pixel, uint covered) {
     const uint at = agaa_choiceAt(pixel);
     agaa_choices.words[at] = covered;
-    uint word = 1u;
-    uint i = 0u;
-    do {
-        uint owners = 0u;
-        for (uint shift = 0u; shift + agaa_ownerBits <= 32u; shift += agaa_ownerBits) {
-            owners |= i < AGAA_SAMPLES && (covered >> i & 1u) != 0u ? agaa_owners[min(i, AGAA_SAMPLES - 1u)] << shift : 0u;
-            ++i;
-        }
-        agaa_choices.words[at + word] = owners;
-    } while (++word < agaa_choiceWords);
+    uint word = 0u;
+    do
+        agaa_choices.words[at + 1u + word] = agaa_ownerWord(word, covered);
+    while (++word < AGAA_OWNER_WORDS(AGAA_SAMPLES));
 }
 
 // Returns the samples that show geometry.
@@ -26,8 +36,7 @@ uint agaa_loadChoice(uvec2 pixel, out uint chosen) {
     chosen = 0u;
     uint i = 0u;
     do {
-        uint word = agaa_choices.words[at + 1u + i / agaa_ownersPerWord];
-        agaa_owners[i] = word >> (agaa_ownerBits * (i % agaa_ownersPerWord)) & ((1u << agaa_ownerBits) - 1u);
+        agaa_owners[i] = agaa_ownerIn(agaa_choices.words[at + 1u + i / agaa_ownersPerWord], i % agaa_ownersPerWord);
         chosen |= (covered >> i & 1u) != 0u ? 1u << agaa_owners[i] : 0u;
     } while (++i < agaa_sampleCount());
     return covered;

@@ -12,8 +12,8 @@ void main() {
         return;
     uint sum = 0u;
     for (uint count = 33u; count != 0u; --count) {
-        uint own = agaa_choices.words[agaa_tally + count - 1u];
-        agaa_choices.words[agaa_tally + count - 1u] = sum;
+        uint own = agaa_choices.words[AGAA_TALLY_AT + count - 1u];
+        agaa_choices.words[AGAA_TALLY_AT + count - 1u] = sum;
         sum += own;
     }
 }

@@ -12,6 +12,6 @@ void main() {
     if (index >= agaa_pixelCount())
         return;
     uint word = agaa_choices.words[agaa_rankAt(index)];
-    uint place = agaa_choices.words[agaa_tally + agaa_countOfRank(word)] + agaa_rankOf(word);
+    uint place = agaa_choices.words[AGAA_TALLY_AT + agaa_countOfRank(word)] + agaa_rankOf(word);
     agaa_choices.words[agaa_sortedAt(place)] = index;
 }

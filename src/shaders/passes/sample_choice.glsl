@@ -7,6 +7,7 @@
 #include "passes/adaptive_flags.glsl" // before gbuffer.glsl, which includes some files under conditions
 #include "passes/gbuffer.glsl"
 #include "passes/sample_depth.glsl"
+#include "passes/stored_choice.glsl"
 
 // Of the pixel at hand, by sample: depth, code of the normal, then colours in bytes.
 uvec4 agaa_sampleFeatures[AGAA_SAMPLES];
@@ -155,9 +156,9 @@ uint agaa_farthestSample(uint covered, uint chosen) {
     return farthest;
 }
 
-// Chooses more until there are `least`, and up to `most` as long as one differs from all chosen ones by more than `limit`, in
-// thresholds. left: how much the one differs that would be next, as a share of the limit.
-uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint least, uint most, float limit, out float left) {
+// Chooses more until there are `least`, and up to `most` as long as one differs enough from all chosen ones. left: how much the
+// one differs that would be next, as a share of what calls for a sample.
+uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint least, uint most, out float left) {
     uint count = uint(bitCount(chosen));
     uint end = min(most, uint(bitCount(covered)));
     uint turn = 0u;
@@ -166,8 +167,8 @@ uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint least, uint mo
         if (chosen == covered)
             break;
         uint next = agaa_farthestSample(covered, chosen);
-        left = clamp(agaa_distances[next] / limit, 0.0, 1.0);
-        if (count >= end || (count >= least && agaa_distances[next] <= limit))
+        left = clamp(agaa_distances[next] / agaa_differenceLimit(), 0.0, 1.0);
+        if (count >= end || (count >= least && !agaa_callsForSample(agaa_distances[next])))
             break;
         next = agaa_isAdaptive(agaa_inOrder) ? agaa_firstInOrder(covered & ~chosen) : next;
         chosen |= 1u << next;

@@ -15,9 +15,6 @@ void main() {
     if (gl_LocalInvocationIndex != 0u)
         return;
     float share = agaa_isAdaptive(agaa_byShading) ? agaa_geometryShare : 1.0;
-    uint bin = agaa_limitBin(0u, max(uintBitsToFloat(AGAA_TARGET_EVENTS) - 1.0, 0.0) * share *
-                                     float(agaa_choices.words[agaa_coveredPixels]));
-    // Beyond the last bin: nothing differs as much.
-    float limit = bin == agaa_bins() ? 3.0e38 : agaa_differenceOfBin(bin);
-    agaa_choices.words[agaa_limitBits] = floatBitsToUint(limit);
+    float room = max(uintBitsToFloat(AGAA_TARGET_EVENTS) - 1.0, 0.0) * share * float(agaa_choices.words[AGAA_COVERED_PIXELS_AT]);
+    agaa_choices.words[AGAA_DIFFERENCE_LIMIT_AT] = agaa_limitBin(AGAA_DIFFERENCES_AT, room);
 }

@@ -70,22 +70,21 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     }
     uint first = agaa_firstInOrder(covered);
     uint count = agaa_countByGeometry(pixel, covered);
-    const float limit = agaa_differenceLimit();
     float left;
-    uint chosen = agaa_chooseMore(pixel, covered, 1u << first, count, count != 0u ? count : AGAA_SAMPLES, limit, left);
+    uint chosen = agaa_chooseMore(pixel, covered, 1u << first, count, count != 0u ? count : AGAA_SAMPLES, left);
     if (AGAA_COUNT_MEMORY != 0u) {
         uint mean = agaa_remember(pixel, uint(bitCount(chosen)));
-        chosen = agaa_chooseMore(pixel, covered, chosen, mean, mean, limit, left);
+        chosen = agaa_chooseMore(pixel, covered, chosen, mean, mean, left);
     }
     agaa_joinedCount = agaa_joinCount(uint(bitCount(chosen)), left);
     agaa_storeChoice(pixel, covered);
-    agaa_represented[lane] = agaa_isAdaptive(agaa_equalWeights) ? 1u << first : agaa_samplesOf(covered, first);
+    agaa_represented[lane] = agaa_samplesOf(covered, first);
     return agaa_pixelWork(1u << first, 0u, 1u);
 }
 
 vec3 agaa_shadeEvent(uint lane, uint i) {
     uvec2 pixel = agaa_pixelOf(lane);
-    agaa_findVisibility(pixel, agaa_represented[lane]);
+    agaa_findVisibility(pixel, agaa_isAdaptive(agaa_equalWeights) ? 1u << i : agaa_represented[lane]);
     agaa_fetchEvent(pixel, i, agaa_represented[lane]);
     return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i));
 }

@@ -17,8 +17,21 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/sorted_pixels.glsl"
 #include "passes/events.glsl"
 
-shared uint agaa_represented[64u * AGAA_SAMPLES]; // of each pixel's samples, those that a shaded one stands for
-shared uint agaa_shadowed[64u * AGAA_SAMPLES];    // and those at which its shadows are looked up
+// Of each pixel: the samples that show geometry and their owners, and those that belonged to the first one when it was shaded.
+shared uint agaa_laneCovered[64];
+shared uint agaa_laneOwners[64u * AGAA_OWNER_WORDS(AGAA_SAMPLES)];
+shared uint agaa_laneFirst[64];
+
+// The samples that a shaded one of a lane's pixel stands for.
+uint agaa_samplesOfLane(uint lane, uint chosen) {
+    uint samples = 0u;
+    uint i = 0u;
+    do {
+        uint word = agaa_laneOwners[lane * AGAA_OWNER_WORDS(AGAA_SAMPLES) + i / agaa_ownersPerWord];
+        samples |= agaa_ownerIn(word, i % agaa_ownersPerWord) == chosen ? 1u << i : 0u;
+    } while (++i < agaa_sampleCount());
+    return samples & agaa_laneCovered[lane];
+}
 
 float agaa_eventWeight(uint samples) { return agaa_isAdaptive(agaa_equalWeights) ? 1.0 : float(bitCount(samples)); }
 
@@ -37,23 +50,25 @@ agaa_Further agaa_furtherOf(uvec2 pixel, uint wanted) {
     uint chosen;
     const uint covered = agaa_loadChoice(pixel, chosen);
     const uint first = agaa_firstInOrder(covered);
-    const uint shadowed = agaa_samplesOf(covered, first);
+    agaa_laneCovered[lane] = covered;
+    agaa_laneFirst[lane] = agaa_samplesOf(covered, first);
     const uint count = min(wanted, uint(bitCount(covered)));
     if (count > uint(bitCount(chosen))) {
         agaa_beginChoice(pixel);
         float left;
-        chosen = agaa_chooseMore(pixel, covered, 1u << first, count, count, agaa_differenceLimit(), left);
+        chosen = agaa_chooseMore(pixel, covered, 1u << first, count, count, left);
     }
     further.work.covered = uint(bitCount(covered));
     for (uint rest = chosen; rest != 0u; rest &= rest - 1u) {
         uint i = uint(findLSB(rest));
-        uint samples = agaa_samplesOf(covered, i);
-        agaa_represented[lane * AGAA_SAMPLES + i] = samples;
-        // The first was shaded with the shadows of all of these, so that its share of them is that of each.
-        agaa_shadowed[lane * AGAA_SAMPLES + i] = (shadowed >> i & 1u) != 0u ? shadowed : samples;
-        further.weights += agaa_eventWeight(samples);
-        further.firstWeight += i == first ? agaa_eventWeight(samples) : 0.0;
+        float weight = agaa_eventWeight(agaa_samplesOf(covered, i));
+        further.weights += weight;
+        further.firstWeight += i == first ? weight : 0.0;
     }
+    uint word = 0u;
+    do
+        agaa_laneOwners[lane * AGAA_OWNER_WORDS(AGAA_SAMPLES) + word] = agaa_ownerWord(word, covered);
+    while (++word < AGAA_OWNER_WORDS(AGAA_SAMPLES));
     further.work.events[0] = agaa_showsEvents() ? chosen : chosen & ~(1u << first);
     agaa_count(AGAA_COUNT_VISIBLE, further.work.covered);
     agaa_count(AGAA_COUNT_ONCE, further.work.covered);
@@ -62,11 +77,19 @@ agaa_Further agaa_furtherOf(uvec2 pixel, uint wanted) {
     return further;
 }
 
+// The first sample was shaded with the shadows of all samples that it stood for then. Those that others stand for now share
+// these shadows.
+uint agaa_shadowedSamples(uint lane, uint i, uint samples) {
+    if (agaa_isAdaptive(agaa_equalWeights))
+        return 1u << i;
+    return (agaa_laneFirst[lane] >> i & 1u) != 0u ? agaa_laneFirst[lane] : samples;
+}
+
 vec3 agaa_shadeEvent(uint lane, uint i) {
     uvec2 pixel = agaa_pixelOf(lane);
-    uint samples = agaa_represented[lane * AGAA_SAMPLES + i];
+    uint samples = agaa_samplesOfLane(lane, i);
     float weight = agaa_eventWeight(samples);
-    agaa_findVisibility(pixel, agaa_isAdaptive(agaa_equalWeights) ? 1u << i : agaa_shadowed[lane * AGAA_SAMPLES + i]);
+    agaa_findVisibility(pixel, agaa_shadowedSamples(lane, i, samples));
     if (agaa_showsEvents())
         return agaa_shownOfEvent(0u, 0.0) * weight;
     agaa_fetchEvent(pixel, i, samples);

@@ -8,7 +8,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/first_samples.glsl"
 #include "passes/tile_pixels.glsl"
 
-shared uint agaa_groupDemand[128]; // samples by bin
+shared uint agaa_groupDemand[256]; // samples by bin
 shared uint agaa_groupEvents;      // of geometry
 
 void main() {
@@ -31,7 +31,7 @@ void main() {
     barrier();
     for (uint i = lane; i < agaa_bins(); i += 64u)
         if (agaa_groupDemand[i] != 0u)
-            atomicAdd(agaa_choices.words[agaa_shadingDemand + i], agaa_groupDemand[i]);
+            atomicAdd(agaa_choices.words[AGAA_DEMAND_AT + i], agaa_groupDemand[i]);
     if (lane == 0u)
-        atomicAdd(agaa_choices.words[agaa_geometryEvents], agaa_groupEvents);
+        atomicAdd(agaa_choices.words[AGAA_GEOMETRY_EVENTS_AT], agaa_groupEvents);
 }

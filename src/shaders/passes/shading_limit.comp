@@ -10,7 +10,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 void main() {
     if (gl_LocalInvocationIndex != 0u)
         return;
-    float room = uintBitsToFloat(AGAA_TARGET_EVENTS) * float(agaa_choices.words[agaa_coveredPixels]) -
-                 float(agaa_choices.words[agaa_geometryEvents]);
-    agaa_choices.words[agaa_shadingLimit] = agaa_limitBin(agaa_shadingDemand, room);
+    float room = uintBitsToFloat(AGAA_TARGET_EVENTS) * float(agaa_choices.words[AGAA_COVERED_PIXELS_AT]) -
+                 float(agaa_choices.words[AGAA_GEOMETRY_EVENTS_AT]);
+    agaa_choices.words[AGAA_DEMAND_LIMIT_AT] = agaa_limitBin(AGAA_DEMAND_AT, room);
 }

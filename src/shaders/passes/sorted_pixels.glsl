@@ -11,13 +11,13 @@ uvec2 agaa_pixelOf(uint lane) {
     if (!agaa_isAdaptive(agaa_sorted))
         return gl_WorkGroupID.xy * 8u + uvec2(lane & 7u, lane >> 3u);
     uint place = agaa_placeOf(lane);
-    uint index = place < agaa_pixelCount() ? agaa_choices.words[agaa_sortedAt(place)] : 0u;
+    uint index = agaa_choices.words[agaa_sortedAt(min(place, agaa_pixelCount() - 1u))];
     return place < agaa_pixelCount() ? uvec2(index % agaa_frame.size.x, index / agaa_frame.size.x) : agaa_frame.size.xy;
 }
 
 // Of a pixel's word, count and rank among the pixels of this count.
-uint agaa_countOfRank(uint word) { return word >> 26u; }
-uint agaa_rankOf(uint word) { return word & 0x3FFFFFFu; }
+uint agaa_countOfRank(uint word) { return word >> AGAA_RANK_BITS; }
+uint agaa_rankOf(uint word) { return word & ((1u << AGAA_RANK_BITS) - 1u); }
 
 // Of this lane's pixel.
 uint agaa_sortedCount() {

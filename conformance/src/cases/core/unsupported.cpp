@@ -302,7 +302,15 @@ void testTargets(Test& test) {
                     {"targetEvents and GEOMETRY", AGAA_OK, with(AGAA_ADAPTIVE_GEOMETRY), ""},
                     {"targetEvents and SHADING alone", unsupported, with(AGAA_ADAPTIVE_SHADING), ""},
                     {"targetEvents without metrics", unsupported, with(0), ""},
-                    {"targetEvents and PRINTED_METRIC", unsupported, with(both | AGAA_ADAPTIVE_PRINTED_METRIC), ""}});
+                    {"targetEvents and PRINTED_METRIC", unsupported, with(both | AGAA_ADAPTIVE_PRINTED_METRIC), ""},
+                    {"targetEvents and IN_ORDER", unsupported, with(both | AGAA_ADAPTIVE_IN_ORDER), ""},
+                    {"targetEvents and BUCKETS", unsupported, with(both | AGAA_ADAPTIVE_BUCKETS), ""},
+                    {"targetEvents and TILE_MAXIMUM", unsupported, with(both | AGAA_ADAPTIVE_TILE_MAXIMUM), ""},
+                    {"targetEvents and SORTED", AGAA_OK, with(both | AGAA_ADAPTIVE_SORTED), ""},
+                    {"targetEvents and countMemory", unsupported, [&](ViewParts& p) {
+                         with(both)(p);
+                         p.adaptive.countMemory = 0.5f;
+                     }, ""}});
 }
 
 // All fragments are needed at once.
