@@ -21,7 +21,7 @@ def accurate(scene, cost=1):
 # What it stands beside.
 RIVALS = [("`ssaa`", lambda scene, cost=1: find(scene, "ssaa", SAMPLES, 0, cost)),
           ("`simple_complex`", lambda scene, cost=1: find(scene, "simple_complex", SAMPLES, 0, cost)),
-          ("`agaa` c=2", lambda scene, cost=1: find(scene, "agaa", SAMPLES, 2, cost)),
+          ("`agaa` c=2 by id", lambda scene, cost=1: find(scene, "agaa", SAMPLES, 2, cost, "ids")),
           ("`agaa` accurate", accurate)]
 ALL = [("`adaptive`", adaptive), *RIVALS]
 

@@ -105,6 +105,7 @@ class Choosing(unittest.TestCase):
         self.assertEqual(choosing_adaptive.lines([self.scene]), [], "no row of it")
         rows = [row("ssaa", 8, 0, 400, 1e-3, events=8), row("adaptive", 8, 0, 200, 1e-3, events=2, merging=1e-5),
                 row("simple_complex", 8, 0, 150, 1e-3, events=3, merging=1.5e-4), row("agaa", 8, 2, 300, 1.1e-3, events=1.5, merging=5e-5)]
+        rows[3]["tiers"] = {"generation": "ids"}
         for each in rows:
             each["frameMs"]["turns"] = [each["frameMs"]["median"]] * 3
         whole = {"name": "city", "rows": rows}
@@ -203,8 +204,8 @@ class Choosing(unittest.TestCase):
     def test_the_kept_document_is_of_the_kept_results(self):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "choosing.md"
-            kept = sorted(ROOT.glob("docs/results/*/sweep/results.json"))
-            self.assertTrue(kept)
+            kept = [file for of in ("sweep", "adaptive") for file in sorted(ROOT.glob(f"docs/results/*/{of}/results.json"))]
+            self.assertEqual(len(kept), 2)
             subprocess.run([sys.executable, TOOL, *kept, out], check=True)
             self.assertEqual(out.read_text(), (ROOT / "docs/choosing.md").read_text())
 

@@ -50,8 +50,9 @@ TEST(Adaptive, WindowsAreOrderedGrids) {
             EXPECT_FLOAT_EQ(positions[i].y, (float(i / side) + 0.5f) / float(side));
         }
         const auto device = [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_DEVICE_PATTERN; };
-        if (samples != 9)
+        if (samples != 9) {
             EXPECT_NE(adaptivePlan(samples, device).visibilityTier, AGAA_TIER_ORDERED_GRID);
+        }
     }
     AgaaDeviceCaps small = fourSampleDevice(); // 64 pixels times 4 do not fit
     small.maxImageSize = 255;

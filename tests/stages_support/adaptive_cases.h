@@ -127,10 +127,11 @@ TYPED_TEST_P(AdaptiveCases, HardCase15OnePlaneIsShadedOnce) {
             }
             const Shown shown = this->render(adaptiveSettings(9, AGAA_ADAPTIVE_GEOMETRY | flags), {.triangles = wall});
             EXPECT_GT(shown.counters.shadedPixels, 48u * 32u / 4u) << distance;
-            if (!flags)
+            if (!flags) {
                 EXPECT_EQ(shown.counters.shadingEvents, shown.counters.shadedPixels) << distance;
-            else if (distance == 1.0f)
+            } else if (distance == 1.0f) {
                 EXPECT_GT(shown.counters.shadingEvents, shown.counters.shadedPixels);
+            }
         }
 }
 
@@ -177,8 +178,9 @@ TYPED_TEST_P(AdaptiveCases, TargetsAreKeptAndUsed) {
                 }
                 EXPECT_LE(events, std::max(target, 1.0f)) << seed;
                 EXPECT_GE(events, before);
-                if (metrics == AGAA_ADAPTIVE_GEOMETRY)
+                if (metrics == AGAA_ADAPTIVE_GEOMETRY) {
                     EXPECT_GE(events, std::min(double(std::max(target, 1.0f)), demand) * 0.85) << target;
+                }
                 before = events;
             }
             std::printf("seed %u: %.2f events per pixel are demanded, %.2f are the most that a target gave\n", seed, demand, before);

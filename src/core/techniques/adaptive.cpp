@@ -127,7 +127,7 @@ void addSorting(PlanBuilder& b, const Adaptive& a, uint64_t pixels) {
     addNumbers(b, "place pixels", "place_pixels", a, false).dispatch = {.kind = DispatchKind::Items, .items = pixels};
 }
 
-// What would shade more samples than the differences call for.
+// Refuses options that shade more samples than the differences call for.
 void checkTarget(const PlanBuilder& b, bool hasTarget) {
     constexpr uint64_t excluded = AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_BUCKETS |
                                   AGAA_ADAPTIVE_TILE_MAXIMUM;
