@@ -205,7 +205,7 @@ const Row rows[] = {
     {"unknown flags", AGAA_ERROR_OUT_OF_RANGE,
      [](Request& r) { r.config.flags = UINT64_C(1) << 60; }},
     {"unknown visibility tier", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.visibilityTier = 99; }},
-    {"unknown generation tier", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.generationTier = 5; }},
+    {"unknown generation tier", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.generationTier = 6; }},
     {"unknown generation tier of a technique without one", AGAA_ERROR_OUT_OF_RANGE,
      [](Request& r) { r.config.technique = "ssaa", r.config.generationTier = 99; }},
     {"reserved tier", AGAA_ERROR_UNSUPPORTED, [](Request& r) { r.config.visibilityTier = AGAA_TIER_LAYERS; }},
