@@ -26,7 +26,9 @@ void AdaptiveArguments::addTo(CLI::App& app) {
 }
 
 void AdaptiveArguments::apply(TechniqueConfig& config) const {
+    const void* next = config.adaptive.pNext; // the rest of the chain
     config.adaptive = values;
+    config.adaptive.pNext = next;
     uint64_t& flags = config.adaptive.flags;
     flags = 0;
     if (metrics != "none" && metrics != "geometry" && metrics != "shading" && metrics != "geometry,shading")
