@@ -305,6 +305,10 @@ ResourceId PlanBuilder::output() {
 
 void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
     bind(pass, slot::Output, BindingType::StorageImage, image == noResource ? output() : image, true);
+    bindBelow(pass);
+}
+
+void PlanBuilder::bindBelow(Pass& pass) {
     if (plan.composite)
         bind(pass, slot::Below, BindingType::Texture, output());
 }

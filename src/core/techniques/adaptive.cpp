@@ -108,8 +108,10 @@ Pass& addNumbers(PlanBuilder& b, const char* name, const char* shader, const Ada
     Pass& pass = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
     b.bind(pass, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_SHADING));
     bindChoices(b, pass, a);
-    if (reads)
+    if (reads) {
         b.bind(pass, slot::FirstSamples, BindingType::Texture, a.firstSamples);
+        b.bindBelow(pass);
+    }
     return pass;
 }
 

@@ -2,6 +2,7 @@
 #ifndef AGAA_FIRST_SAMPLES_GLSL
 #define AGAA_FIRST_SAMPLES_GLSL
 #include "math/adaptive.glsl"
+#include "passes/below.glsl"
 #include "passes/display.glsl"
 #include "passes/adaptive_flags.glsl"
 #include "passes/stored_choice.glsl"
@@ -11,25 +12,23 @@ layout(AGAA_AT_FIRST_SAMPLES) uniform sampler2D agaa_firstSamples;
 
 vec4 agaa_firstSample(ivec2 pixel) { return texelFetch(agaa_firstSamples, pixel, 0); }
 
-// Tone-mapped, in [0, 1]: one bright pixel raises the counts of its neighbours by no more than an edge does. otherwise: of
-// pixels that show what the output held before.
-float agaa_firstLuma(ivec2 pixel, float otherwise) {
-    vec4 first = agaa_firstSample(clamp(pixel, ivec2(0), ivec2(agaa_frame.size.xy) - 1));
-    if (first.a == 0.0 && agaa_frame.size.w != 0u)
-        return otherwise;
-    return agaa_displayLuma(first.a > 0.0 ? first.rgb : agaa_frame.background.rgb);
+// Tone-mapped, in [0, 1]: one bright pixel raises the counts of its neighbours by no more than an edge does.
+float agaa_firstLuma(ivec2 pixel) {
+    ivec2 at = clamp(pixel, ivec2(0), ivec2(agaa_frame.size.xy) - 1);
+    vec4 first = agaa_firstSample(at);
+    return agaa_displayLuma(first.a > 0.0 ? first.rgb : agaa_belowPixel(at).rgb);
 }
 
 // k_s; a real number of samples.
 float agaa_countByShading(uvec2 pixel) {
     if (!agaa_isAdaptive(agaa_byShading))
         return 0.0;
-    const float own = agaa_firstLuma(ivec2(pixel), 0.0);
+    const float own = agaa_firstLuma(ivec2(pixel));
     float lowest = own;
     float highest = own;
     for (int side = -1; side <= 1; side += 2) {
-        float x = agaa_firstLuma(ivec2(pixel) + ivec2(side, 0), own);
-        float y = agaa_firstLuma(ivec2(pixel) + ivec2(0, side), own);
+        float x = agaa_firstLuma(ivec2(pixel) + ivec2(side, 0));
+        float y = agaa_firstLuma(ivec2(pixel) + ivec2(0, side));
         lowest = min(lowest, min(x, y));
         highest = max(highest, max(x, y));
     }

@@ -1,21 +1,15 @@
 // The host's image. Shaded colour is composited over the background with the uncovered share.
 #ifndef AGAA_OUTPUT_GLSL
 #define AGAA_OUTPUT_GLSL
+#include "passes/below.glsl"
 #include "passes/display.glsl"
 
 layout(AGAA_AT_OUTPUT) writeonly uniform image2D agaa_output;
-#if AGAA_COMPOSITE
-// The same image through a sampler: reading a storage image without a format is not to be had everywhere.
-layout(AGAA_AT_BELOW) uniform sampler2D agaa_below;
-#endif
 
 void agaa_writeOutput(uvec2 pixel, vec3 color, uint covered) {
     vec4 below = agaa_frame.background;
     if (covered < AGAA_SAMPLES) {
-#if AGAA_COMPOSITE
-        if (agaa_frame.size.w != 0u)
-            below = texelFetch(agaa_below, ivec2(pixel), 0);
-#endif
+        below = agaa_belowPixel(ivec2(pixel));
         float rest = float(AGAA_SAMPLES - covered) / float(AGAA_SAMPLES);
         // An empty pixel is exactly the background (hard case 18).
         color = covered == 0u ? below.rgb : color + below.rgb * rest;
