@@ -288,6 +288,24 @@ void testGenerationTier(Test& test) {
         }
 }
 
+// 2^26 pixels are sorted at most.
+void testSorted(Test& test) {
+    const auto with = [](uint32_t width, uint64_t flags) {
+        return [=](ViewParts& p) {
+            p.setTechnique("adaptive", 1);
+            p.config.samples = 1;
+            p.caps.maxImageSize = 1u << 20;
+            p.caps.maxStorageRange = UINT64_C(1) << 48;
+            p.desc.width = width;
+            p.desc.height = 8192;
+            p.adaptive.flags |= flags;
+        };
+    };
+    testRows(test, {{"8192 x 8192 pixels and SORTED", AGAA_OK, with(8192, AGAA_ADAPTIVE_SORTED), ""},
+                    {"8193 x 8192 pixels", AGAA_OK, with(8193, 0), ""},
+                    {"8193 x 8192 pixels and SORTED", AGAA_ERROR_TOO_LARGE, with(8193, AGAA_ADAPTIVE_SORTED), ""}});
+}
+
 // A target needs differences of samples, which decide what is left out.
 void testTargets(Test& test) {
     const auto with = [](uint64_t flags) {
@@ -401,6 +419,7 @@ void addUnsupportedCases(Suite& suite) {
     suite.core("AGAA_COVERAGE_EXACT/AGAA_ERROR_UNSUPPORTED", testExact);
     suite.core("AgaaDecoupledCoverage/AGAA_ERROR_UNSUPPORTED", testFragmentsAtOnce);
     suite.core("AgaaAdaptiveSampling.targetEvents/AGAA_ERROR_UNSUPPORTED", testTargets);
+    suite.core("AGAA_ADAPTIVE_SORTED/AGAA_ERROR_TOO_LARGE", testSorted);
     suite.core("AGAA_CONFIG_COUNTERS/AGAA_ERROR_UNSUPPORTED", testCounters);
     suite.core("AGAA_FACT_CUSTOM_DEPTH/AGAA_ERROR_UNSUPPORTED", testCustomDepth);
     suite.core("AGAA_VIEW_VERTEX_PULLING/AGAA_ERROR_UNSUPPORTED", testVertexPulling);
