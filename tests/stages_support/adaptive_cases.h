@@ -68,7 +68,7 @@ TYPED_TEST_P(AdaptiveCases, FewerSamplesComeNearAllOfThem) {
         const Difference d = compare(shown.rgb, full.rgb);
         std::printf("n=%u: %.3f of the samples, PSNR %.1f dB\n", n, share, d.psnr);
         EXPECT_LT(share, 0.8);
-        EXPECT_GE(d.psnr, 40);
+        EXPECT_GE(d.psnr, 80);
         uint64_t pixels = 0;
         for (const uint64_t count : shown.counters.pixelsByEvents)
             pixels += count;

@@ -23,9 +23,8 @@ float agaa_firstLuma(ivec2 pixel) {
 float agaa_countByShading(uvec2 pixel) {
     if (!agaa_isAdaptive(agaa_byShading))
         return 0.0;
-    const float own = agaa_firstLuma(ivec2(pixel));
-    float lowest = own;
-    float highest = own;
+    float lowest = agaa_firstLuma(ivec2(pixel));
+    float highest = lowest;
     for (int side = -1; side <= 1; side += 2) {
         float x = agaa_firstLuma(ivec2(pixel) + ivec2(side, 0));
         float y = agaa_firstLuma(ivec2(pixel) + ivec2(0, side));
