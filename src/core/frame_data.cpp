@@ -35,7 +35,6 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     std::memcpy(out.projection, projection, sizeof projection);
     out.size[0] = plan.width;
     out.size[1] = plan.height;
-    out.size[2] = frame.lightCount;
     out.size[3] = frame.background[3] == 0.0f;
     out.cluster[0] = plan.aggregation.characteristicLength;
     out.cluster[1] = plan.aggregation.characteristicLengthPerDistance;
@@ -84,6 +83,7 @@ static void writeLights(const AgaaFrame& frame, void* destination) {
             shadow.bias = source.depthBias;
             shadow.layerCount = std::max(source.layerCount, 1u); // a function of the host's has none
         }
+        shadow.lightCount = i == 0 ? frame.lightCount : 0;
         std::memcpy(&shadows[i], &shadow, sizeof shadow);
     }
     auto* lights = reinterpret_cast<GpuLight*>(shadows + AGAA_MAX_SHADOW_MAPS);

@@ -12,7 +12,7 @@ struct FrameConstants {
     float view[16];        // shading to view space, a rotation
     float projection[8];   // p00, p11, offset x, y (p20, p21; orthographic p30, p31);
                            // p22, p32, orthographic, depth quantum
-    uint32_t size[4];      // width, height, light count, background comes from the output
+    uint32_t size[4];      // width, height, 0, background comes from the output
     float cluster[4];      // k, k per distance, t, 0
     float ambient[4];      // rgb, emissive range
     float background[4];
@@ -28,7 +28,8 @@ struct GpuShadow {
     float matrices[AGAA_MAX_SHADOW_LAYERS][16];
     float bias;
     uint32_t layerCount;
-    uint32_t padding[2];
+    uint32_t lightCount; // of the frame, in the first
+    uint32_t padding;
 };
 
 struct GpuLight {

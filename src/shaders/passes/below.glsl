@@ -8,7 +8,7 @@ layout(AGAA_AT_BELOW) uniform sampler2D agaa_below;
 
 vec4 agaa_belowPixel(ivec2 pixel) {
 #if AGAA_COMPOSITE
-    if (agaa_frame.size.w != 0u)
+    if (agaa_unknown(agaa_frame.size.w) != 0u)
         return texelFetch(agaa_below, pixel, 0);
 #endif
     return agaa_frame.background;

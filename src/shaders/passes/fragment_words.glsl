@@ -9,7 +9,7 @@
 layout(std430, AGAA_AT_FRAGMENTS) AGAA_LISTS_QUALIFIER buffer agaa_FragmentBlock {
     uint words[];
 } agaa_fragments;
-bool agaa_hasBatches() { return agaa_frame.counts.z > 1u; }
+bool agaa_hasBatches() { return agaa_unknown(agaa_frame.counts.z) > 1u; }
 uint agaa_record(uint fragment) { return agaa_recordOf(fragment, agaa_frame.size.xy, agaa_hasBatches()); }
 
 uvec4 agaa_maskOf(uint record) {

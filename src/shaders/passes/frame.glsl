@@ -3,13 +3,18 @@
 #define AGAA_FRAME_GLSL
 #ifndef AGAA_FRAME_CONSTANTS
 #define AGAA_FRAME_CONSTANTS 0 // AgaaGlConstants
+// Of compute passes, whose groups have no depth: the value, which compilers then do not know. Where members of a uniform block
+// decide branches and loops, Mesa 22.3's lavapipe puts their values into the shader, and compiles it anew in each frame.
+uint agaa_unknown(uint value) { return value + (gl_NumWorkGroups.z - 1u); }
+#else
+uint agaa_unknown(uint value) { return value; }
 #endif
 #if AGAA_FRAME_CONSTANTS == 0
 layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
     mat4 view;        // shading to view space, a rotation
     vec4 projection0; // p00, p11, offset x, y: p20, p21; orthographic p30, p31
     vec4 projection1; // p22, p32, orthographic, depth quantum
-    uvec4 size;       // width, height, light count, background comes from the output
+    uvec4 size;       // width, height, 0, background comes from the output
     vec4 cluster;     // k, k per distance, t, 0
     vec4 ambient;     // rgb, emissive range
     vec4 background;
@@ -66,9 +71,9 @@ vec2 agaa_sampleLocation(uint i) {
 }
 
 // n, as a value that compilers do not know: with a constant they unroll loops within loops.
-uint agaa_sampleCount() { return uint(agaa_frame.surface.w); }
+uint agaa_sampleCount() { return agaa_unknown(uint(agaa_frame.surface.w)); }
 #if AGAA_FRAME_CONSTANTS == 0
 // c, likewise.
-uint agaa_aggregateLimit() { return agaa_frame.counts.x; }
+uint agaa_aggregateLimit() { return agaa_unknown(agaa_frame.counts.x); }
 #endif
 #endif

@@ -10,8 +10,8 @@ struct agaa_GpuShadow {
     mat4 matrices[6];
     float bias;
     uint layerCount;
-    uint padding0;
-    uint padding1;
+    uint lightCount; // of the frame, in the first
+    uint padding;
 };
 struct agaa_GpuLight {
     vec4 positionRange;
@@ -157,11 +157,12 @@ vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
     vec3 sum = s.emissive;
     if (AGAA_HAS_AMBIENT != 0u)
         sum += agaa_frame.ambient.rgb * (s.diffuse + s.specular);
+    const uint count = agaa_lightBuffer.shadows[0].lightCount;
     uint i = 0u;
     do {
-        if (i < agaa_frame.size.z)
+        if (i < count)
             sum += agaa_oneLight(s, position, toEye, i);
-    } while (++i < agaa_frame.size.z);
+    } while (++i < count);
     return sum;
 }
 
