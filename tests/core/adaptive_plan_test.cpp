@@ -127,14 +127,32 @@ TEST(Adaptive, SamplesComeInAnOrderThatSpreads) {
 
 TEST(Adaptive, OptionsAddPassesOfTheirOwn) {
     using Names = std::vector<std::string>;
-    EXPECT_EQ(computePasses(adaptivePlan(9)), (Names{"shade_first", "shade_further"}));
-    const auto target = [](AgaaAdaptiveSampling& a) { a.targetEvents = 2; };
-    EXPECT_EQ(computePasses(adaptivePlan(9, target)),
-              (Names{"sample_demand", "sample_limit", "shade_first", "shading_demand", "shading_limit", "shade_further"}));
-    EXPECT_EQ(computePasses(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.targetEvents = 2, a.flags = AGAA_ADAPTIVE_GEOMETRY; })),
-              (Names{"sample_demand", "sample_limit", "shade_first", "shade_further"}));
-    EXPECT_EQ(computePasses(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; })),
-              (Names{"shade_first", "count_pixels", "place_counts", "place_pixels", "shade_further"}));
+    const auto passes = [](const std::function<void(AgaaAdaptiveSampling&)>& change) { return computePasses(adaptivePlan(9, change)); };
+    EXPECT_EQ(passes({}), (Names{"shade_first", "list_further", "shade_further"}));
+    EXPECT_EQ(passes([](AgaaAdaptiveSampling& a) { a.targetEvents = 2; }),
+              (Names{"sample_demand", "sample_limit", "shade_first", "count_samples", "shading_demand", "shading_limit", "list_further",
+                     "shade_further"}));
+    EXPECT_EQ(passes([](AgaaAdaptiveSampling& a) { a.targetEvents = 2, a.flags = AGAA_ADAPTIVE_GEOMETRY; }),
+              (Names{"sample_demand", "sample_limit", "shade_first", "list_further", "shade_further"}));
+    EXPECT_EQ(passes([](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; }),
+              (Names{"shade_first", "count_samples", "list_further", "place_counts", "place_pixels", "shade_further"}));
+    for (const uint64_t flag : {AGAA_ADAPTIVE_BUCKETS, AGAA_ADAPTIVE_TILE_MAXIMUM, uint64_t(0)})
+        EXPECT_EQ(passes([&](AgaaAdaptiveSampling& a) { a.flags |= flag, a.countMemory = flag ? 0 : 0.5f; }),
+                  (Names{"shade_first", "count_samples", "list_further", "shade_further"}));
+}
+
+// Passes that have listed pixels alone.
+TEST(Adaptive, ListsSayHowManyGroupsThereAre) {
+    const Plan plan = adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; });
+    std::vector<std::pair<std::string, uint64_t>> lists;
+    for (const Pass& pass : plan.passes)
+        if (pass.dispatch.kind == DispatchKind::Indirect) {
+            EXPECT_EQ(pass.dispatch.arguments, plan.surface("sample-choices"));
+            lists.emplace_back(pass.name, pass.dispatch.argumentsOffset);
+        }
+    using Lists = std::vector<std::pair<std::string, uint64_t>>;
+    EXPECT_EQ(lists, (Lists{{"count samples", 4 * (AGAA_SEVERAL_AT + 1)}, {"place pixels", 4 * (AGAA_FURTHER_AT + 1)},
+                            {"shade further samples", 4 * (AGAA_FURTHER_AT + 1)}}));
 }
 
 TEST(Adaptive, MemoryIsAGBufferFirstSamplesAndChoices) {
@@ -144,9 +162,9 @@ TEST(Adaptive, MemoryIsAGBufferFirstSamplesAndChoices) {
     };
     constexpr uint64_t sums = 4 * AGAA_SUM_WORDS;
     const double gbuffer = perPixel(ssaa, 0);
-    EXPECT_EQ(perPixel(adaptivePlan(9), sums), gbuffer + 8 + 12);
-    EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.countMemory = 0.5f; }), sums), gbuffer + 8 + 16);
-    EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; }), sums), gbuffer + 8 + 20);
+    EXPECT_EQ(perPixel(adaptivePlan(9), sums), gbuffer + 8 + 8);
+    EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.countMemory = 0.5f; }), sums), gbuffer + 8 + 12);
+    EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; }), sums), gbuffer + 8 + 16);
     const Plan remembering = adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.countMemory = 0.5f; });
     EXPECT_TRUE(remembering.resources[remembering.surface("sample-choices")].outlivesFrame);
     const Plan plain = adaptivePlan(9);

@@ -78,21 +78,19 @@ TEST(MathAdaptive, ShadingCountsBeginAtBothThresholds) {
     }
 }
 
-// In a half float, whose significand has 11 bits.
-TEST(MathAdaptive, JoinedCountsComeBack) {
-    const auto half = [](float x) {
-        int exponent = 0;
-        const float significand = std::frexp(x, &exponent);
-        return std::ldexp(std::round(significand * 2048.0f) / 2048.0f, exponent);
-    };
-    for (unsigned count = 1; count <= 32; ++count)
-        for (int step = 0; step <= 100; ++step) {
-            const float left = float(step) / 100;
-            float back = -1;
-            EXPECT_EQ(math_f::agaa_splitCount(half(math_f::agaa_joinCount(count, left)), back), count);
-            EXPECT_NEAR(back, left, 0.5 / 32 / 0.75 + 1e-5);
-            EXPECT_LE(back, 1);
-        }
+TEST(MathAdaptive, PackedCountsComeBack) {
+    for (unsigned covered = 1; covered <= 32; ++covered)
+        for (unsigned count = 1; count <= covered; ++count)
+            for (int step = 0; step <= 20; ++step) {
+                const float left = float(step) / 20;
+                const unsigned word = math_f::agaa_packCount(covered, count, left);
+                EXPECT_EQ(math_f::agaa_coveredIn(word), covered);
+                EXPECT_EQ(math_f::agaa_countIn(word), count);
+                EXPECT_NEAR(math_f::agaa_leftIn(word), left, 0.5 / 65535 + 1e-7);
+            }
+    EXPECT_EQ(math_f::agaa_packCount(0, 0, 0), 0u);
+    EXPECT_EQ(math_f::agaa_leftIn(math_f::agaa_packCount(9, 2, 1e30f)), 1);
+    EXPECT_EQ(math_f::agaa_countIn(math_f::agaa_packCount(9, 2, -1)), 2u);
 }
 
 TEST(MathAdaptive, BinsHoldWhatLiesBetweenTheirEdges) {

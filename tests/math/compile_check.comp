@@ -59,9 +59,9 @@ void main() {
     acc.z += agaa_alpha2FromFoldedLength(agaa_foldedLength(x.z)) + agaa_exponentFromAlpha2(x.z);
     agaa_Moments m = agaa_momentsInit(x.x);
     agaa_momentsAdd(m, x.y);
-    float rest;
-    uint number = agaa_splitCount(agaa_joinCount(agaa_wholeCount(agaa_shadingCount(x.x, x.y, 0.1, 0.1, x.z), 1u, 9u), 0.5), rest);
-    acc.x += rest + agaa_normalStep(v, t, x.x) + agaa_planeStep(v, t, b, x.y) + agaa_meanOfCounts(x.x, number, x.y) +
+    uint word = agaa_packCount(9u, agaa_wholeCount(agaa_shadingCount(x.x, x.y, 0.1, 0.1, x.z), 1u, 9u), x.w);
+    uint number = agaa_countIn(word) + agaa_coveredIn(word);
+    acc.x += agaa_leftIn(word) + agaa_normalStep(v, t, x.x) + agaa_planeStep(v, t, b, x.y) + agaa_meanOfCounts(x.x, number, x.y) +
              agaa_differenceOfBin(agaa_bucketOfCount(agaa_differenceBin(x.z)));
     acc.x += agaa_momentsVariance(m) + agaa_normalMetric(x.y) +
              agaa_depthTap(id, x.x, x.y, x.z, x.w);

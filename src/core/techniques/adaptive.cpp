@@ -60,15 +60,25 @@ void setAdaptiveConstants(PlanBuilder& b) {
 
 bool has(const PlanBuilder& b, uint64_t flag) { return b.plan.adaptive.flags & flag; }
 
-// Passes write to the sums, choices and orders of one buffer.
+// Passes write to the sums, choices and lists of one buffer.
 ResourceId choiceBuffer(PlanBuilder& b) {
     const bool remembers = b.plan.adaptive.countMemory > 0;
-    const uint64_t words = AGAA_CHOICE_WORDS(b.plan.samples) + (remembers ? 1 : 0) + (has(b, AGAA_ADAPTIVE_SORTED) ? 2 : 0);
+    const uint64_t words = 2 + (remembers ? 1 : 0) + (has(b, AGAA_ADAPTIVE_SORTED) ? 2 : 0);
     const ResourceId choices = b.pixelBuffer("sample-choices", 4 * words);
     Resource& buffer = b.plan.resources[choices];
     buffer.bytes = checkedAdd(buffer.bytes, 4 * AGAA_SUM_WORDS);
     buffer.outlivesFrame = remembers;
     return choices;
+}
+
+// Where numbers of samples by geometry are found.
+uint32_t whereCountsAreFound(const PlanBuilder& b) {
+    if (!has(b, AGAA_ADAPTIVE_GEOMETRY) || has(b, AGAA_ADAPTIVE_PRINTED_METRIC))
+        return AGAA_FOUND_WITH_FIRST;
+    const bool limitsShading = b.plan.adaptive.targetEvents > 0 && has(b, AGAA_ADAPTIVE_SHADING);
+    const bool changesCounts = has(b, AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM) ||
+                               b.plan.adaptive.countMemory > 0;
+    return limitsShading || changesCounts ? AGAA_FOUND_BETWEEN : AGAA_FOUND_WITH_FURTHER;
 }
 
 struct Adaptive {
@@ -104,7 +114,7 @@ Pass& addShading(PlanBuilder& b, const char* name, const char* shader, const Ada
 }
 
 // A pass over numbers. reads: the image of first samples.
-Pass& addNumbers(PlanBuilder& b, const char* name, const char* shader, const Adaptive& a, bool reads) {
+Pass& addNumbers(PlanBuilder& b, const char* name, const char* shader, const Adaptive& a, bool reads = false) {
     Pass& pass = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
     b.bind(pass, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_SHADING));
     bindChoices(b, pass, a);
@@ -115,18 +125,42 @@ Pass& addNumbers(PlanBuilder& b, const char* name, const char* shader, const Ada
     return pass;
 }
 
+const Dispatch once = {.kind = DispatchKind::Items, .items = 1};
+
+// A lane for each pixel of a list. list: its place among the sums.
+Dispatch listed(const Adaptive& a, uint32_t list) {
+    return {.kind = DispatchKind::Indirect, .arguments = a.choices, .argumentsOffset = 4 * (list + 1)};
+}
+
 // The limit of differences at which the target is met.
 void addLimit(PlanBuilder& b, const Adaptive& a) {
     Pass& demand = addChoice(b, "count demanded samples", "sample_demand", a);
     b.bindCommon(demand);
-    addNumbers(b, "find limit", "sample_limit", a, false).dispatch = {.kind = DispatchKind::Items, .items = 1};
+    addNumbers(b, "find limit", "sample_limit", a).dispatch = once;
 }
 
-// Pixels by their number of samples.
-void addSorting(PlanBuilder& b, const Adaptive& a, uint64_t pixels) {
-    addNumbers(b, "count pixels", "count_pixels", a, true);
-    addNumbers(b, "place counts", "place_counts", a, false).dispatch = {.kind = DispatchKind::Items, .items = 1};
-    addNumbers(b, "place pixels", "place_pixels", a, false).dispatch = {.kind = DispatchKind::Items, .items = pixels};
+// Numbers of samples by geometry, and from which demand on the shading has more.
+void addCounts(PlanBuilder& b, const Adaptive& a) {
+    Pass& counts = addChoice(b, "count samples", "count_samples", a);
+    b.bindCommon(counts);
+    counts.dispatch = listed(a, AGAA_SEVERAL_AT);
+    if (b.plan.adaptive.targetEvents > 0) {
+        addNumbers(b, "count shading's demand", "shading_demand", a, true);
+        addNumbers(b, "find shading's limit", "shading_limit", a).dispatch = once;
+    }
+}
+
+// The pixels that have further samples.
+void addList(PlanBuilder& b, const Adaptive& a) {
+    Pass& list = b.compute("list further samples", AGAA_STAGE_SHADING, "list_further", AGAA_SEGMENT_SHADING);
+    b.bindCommon(list);
+    bindChoices(b, list, a);
+    b.bind(list, slot::FirstSamples, BindingType::Texture, a.firstSamples);
+    b.bindOutput(list);
+    if (has(b, AGAA_ADAPTIVE_SORTED)) {
+        addNumbers(b, "place counts", "place_counts", a).dispatch = once;
+        addNumbers(b, "place pixels", "place_pixels", a).dispatch = listed(a, AGAA_FURTHER_AT);
+    }
 }
 
 // Refuses options that shade more samples than the differences call for.
@@ -154,23 +188,19 @@ void build(PlanBuilder& b) {
         a.gbuffer = makeGBuffer(b);
     a.firstSamples = b.image("first-samples", Format::RGBA16F, false);
     a.choices = choiceBuffer(b);
-    if (hasTarget || has(b, AGAA_ADAPTIVE_SORTED))
-        b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fillBytes = 4 * AGAA_SUM_WORDS;
+    b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fillBytes = 4 * AGAA_SUM_WORDS;
+    const uint32_t found = b.passConstants()[AGAA_COUNTS_FOUND] = whereCountsAreFound(b);
     if (hasTarget)
         addLimit(b, a);
     Pass& first = addShading(b, "shade first samples", "shade_first", a);
     b.bind(first, slot::Output, BindingType::StorageImage, a.firstSamples, true);
-    if (hasTarget && has(b, AGAA_ADAPTIVE_SHADING)) {
-        addNumbers(b, "count shading's demand", "shading_demand", a, true);
-        addNumbers(b, "find shading's limit", "shading_limit", a, false).dispatch = {.kind = DispatchKind::Items, .items = 1};
-    }
-    if (has(b, AGAA_ADAPTIVE_SORTED))
-        addSorting(b, a, pixels);
+    if (found == AGAA_FOUND_BETWEEN)
+        addCounts(b, a);
+    addList(b, a);
     Pass& further = addShading(b, "shade further samples", "shade_further", a);
     b.bind(further, slot::FirstSamples, BindingType::Texture, a.firstSamples);
     b.bindOutput(further);
-    if (has(b, AGAA_ADAPTIVE_SORTED))
-        further.dispatch = {.kind = DispatchKind::Items, .items = pixels};
+    further.dispatch = listed(a, AGAA_FURTHER_AT);
     b.copyCounters();
 }
 

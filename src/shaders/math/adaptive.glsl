@@ -31,15 +31,15 @@ real agaa_planeStep(rvec3 offset, rvec3 normalA, rvec3 normalB, real width) {
     return min(abs(dot(normalA, offset)), abs(dot(normalB, offset))) / max(width, real(1e-30));
 }
 
-// A number of samples, [1, 32], and how far the others differ from these, [0, 1], in one half float, whose steps are 1/32 at
-// most.
-real agaa_joinCount(uint count, real left) { return real(count) + real(0.75) * left; }
-
-uint agaa_splitCount(real joined, OUT(real) left) {
-    const uint count = uint(joined);
-    left = min((joined - real(count)) / real(0.75), real(1.0));
-    return count;
+// A pixel's samples that show geometry, how many of them are shaded, both in [0, 32], and how far the others differ from these,
+// [0, 1], in one word.
+uint agaa_packCount(uint covered, uint count, real left) {
+    return covered | count << 8u | uint(clamp(left, real(0.0), real(1.0)) * real(65535.0) + real(0.5)) << 16u;
 }
+
+uint agaa_coveredIn(uint word) { return word & 0xFFu; }
+uint agaa_countIn(uint word) { return word >> 8u & 0xFFu; }
+real agaa_leftIn(uint word) { return real(word >> 16u) / real(65535.0); }
 
 // The mean of numbers of samples, of which `memory`, [0, 1), is kept from frame to frame; 0 begins anew.
 real agaa_meanOfCounts(real mean, uint count, real memory) {

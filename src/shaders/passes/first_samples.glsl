@@ -7,7 +7,7 @@
 #include "passes/adaptive_flags.glsl"
 #include "passes/stored_choice.glsl"
 
-// Radiance, and agaa_joinCount() of the geometry; alpha is 0 where the pixel shows none.
+// Radiance; alpha is 0 where the pixel shows no geometry.
 layout(AGAA_AT_FIRST_SAMPLES) uniform sampler2D agaa_firstSamples;
 
 vec4 agaa_firstSample(ivec2 pixel) { return texelFetch(agaa_firstSamples, pixel, 0); }
@@ -35,11 +35,10 @@ float agaa_countByShading(uvec2 pixel) {
                              uintBitsToFloat(AGAA_SHADING_SCALE));
 }
 
-// How many samples more than `count`, which geometry calls for. left: how far the others differ from these, [0, 1]. As printed,
-// the larger count. Else as far as there is something for the lights to show differently: shadows are looked up at all samples
-// anyway.
-float agaa_furtherByShading(uvec2 pixel, uint count, float left) {
-    float byShading = agaa_countByShading(pixel);
+// How many samples more than geometry calls for. byShading: agaa_countByShading(); left: how far the others differ from these,
+// [0, 1]. As printed, the larger count. Else as far as there is something for the lights to show differently: shadows are looked
+// up at all samples anyway.
+float agaa_furtherByShading(float byShading, uint count, float left) {
     return agaa_isAdaptive(agaa_printedMetric) ? max(byShading - float(count), 0.0) : byShading * left;
 }
 
@@ -49,8 +48,8 @@ uint agaa_withFurther(uint count, float further) {
     return agaa_wholeCount(float(count) - rounding + further, count, AGAA_SAMPLES);
 }
 
-uint agaa_countBoth(uvec2 pixel, uint count, float left) {
-    float further = agaa_furtherByShading(pixel, count, left);
+uint agaa_countBoth(float byShading, uint count, float left) {
+    float further = agaa_furtherByShading(byShading, count, left);
     return agaa_hasRoomFor(further) ? agaa_withFurther(count, further) : count;
 }
 #endif

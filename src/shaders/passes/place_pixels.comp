@@ -1,17 +1,17 @@
-// Writes each pixel to its place in order.
+// Writes each listed pixel to its place in order.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/bindings.glsl"
 #include "passes/constants.glsl"
 #include "passes/frame.glsl"
-#include "passes/sorted_pixels.glsl"
+#include "passes/listed_pixels.glsl"
 
 void main() {
-    uint index = agaa_placeOf(gl_LocalInvocationIndex);
-    if (index >= agaa_pixelCount())
+    uint place = agaa_placeOf(gl_LocalInvocationIndex);
+    if (place >= agaa_choices.words[AGAA_FURTHER_AT])
         return;
-    uint word = agaa_choices.words[agaa_rankAt(index)];
-    uint place = agaa_choices.words[AGAA_TALLY_AT + agaa_countOfRank(word)] + agaa_rankOf(word);
-    agaa_choices.words[agaa_sortedAt(place)] = index;
+    uint word = agaa_choices.words[agaa_rankAt(place)];
+    uint sorted = agaa_choices.words[AGAA_TALLY_AT + agaa_countOfRank(word)] + agaa_rankOf(word);
+    agaa_choices.words[agaa_sortedAt(sorted)] = agaa_choices.words[agaa_listAt(place)];
 }

@@ -1,5 +1,4 @@
-// Shades further samples of pixels whose geometry, or whose neighbours' first samples, call for more than one, and puts
-// pixels together (Hollaender et al. 2013, sections 3.1 and 3.2).
+// Shades further samples of listed pixels, and completes these (Hollaender et al. 2013, sections 3.1 and 3.2).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -11,23 +10,28 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/counters.glsl"
 #include "passes/lighting.glsl"
 #include "passes/output.glsl"
-#include "passes/decide_count.glsl"
 #include "passes/owner_words.glsl"
+#include "passes/choose_more.glsl"
 #include "passes/sample_visibility.glsl"
-#include "passes/sorted_pixels.glsl"
+#include "passes/listed_pixels.glsl"
 #include "passes/events.glsl"
 
-// Of each pixel: the samples that show geometry and their owners, and those that belonged to the first one when it was shaded.
+// Of each pixel: the samples that show geometry and their owners, and those with whose shadows the first one was shaded.
 shared uint agaa_laneCovered[64];
-shared uint agaa_laneOwners[64u * AGAA_OWNER_WORDS(AGAA_SAMPLES)];
+shared uint agaa_laneOwners[64u * agaa_ownerWords];
 shared uint agaa_laneFirst[64];
+
+uvec2 agaa_pixelOf(uint lane) {
+    uint place = agaa_boundedPlaceOf(lane);
+    return agaa_pixelAt(lane, agaa_isAdaptive(agaa_sorted) ? agaa_sortedAt(place) : agaa_listAt(place), AGAA_FURTHER_AT);
+}
 
 // The samples that a shaded one of a lane's pixel stands for.
 uint agaa_samplesOfLane(uint lane, uint chosen) {
     uint samples = 0u;
     uint i = 0u;
     do {
-        uint word = agaa_laneOwners[lane * AGAA_OWNER_WORDS(AGAA_SAMPLES) + i / agaa_ownersPerWord];
+        uint word = agaa_laneOwners[lane * agaa_ownerWords + i / agaa_ownersPerWord];
         samples |= agaa_ownerIn(word, i % agaa_ownersPerWord) == chosen ? 1u << i : 0u;
     } while (++i < agaa_sampleCount());
     return samples & agaa_laneCovered[lane];
@@ -41,23 +45,22 @@ struct agaa_Further {
     float weights;     // of all
 };
 
-// wanted: the number of samples, 0 where the pixel shows no geometry.
-agaa_Further agaa_furtherOf(uvec2 pixel, uint wanted) {
+// The samples that are shaded. first: is already.
+uint agaa_chosenSamples(uvec2 pixel, uint covered, uint first) {
+    uint word = agaa_choices.words[agaa_choiceAt(pixel)];
+    bool isCounted = AGAA_COUNTS_FOUND != AGAA_FOUND_WITH_FURTHER;
+    float left;
+    return agaa_chooseMore(pixel, covered, 1u << first, isCounted ? word : 0u, isCounted ? 0.0 : uintBitsToFloat(word), left);
+}
+
+agaa_Further agaa_furtherOf(uvec2 pixel) {
     const uint lane = gl_LocalInvocationIndex;
     agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 0.0);
-    if (wanted == 0u)
-        return further;
-    uint chosen;
-    const uint covered = agaa_loadChoice(pixel, chosen);
+    const uint covered = agaa_beginChoice(pixel);
     const uint first = agaa_firstInOrder(covered);
     agaa_laneCovered[lane] = covered;
-    agaa_laneFirst[lane] = agaa_samplesOf(covered, first);
-    const uint count = min(wanted, uint(bitCount(covered)));
-    if (count > uint(bitCount(chosen))) {
-        agaa_beginChoice(pixel);
-        float left;
-        chosen = agaa_chooseMore(pixel, covered, 1u << first, count, count, left);
-    }
+    agaa_laneFirst[lane] = agaa_samplesOfFirst(first, agaa_alikeSamples(covered), covered);
+    const uint chosen = agaa_chosenSamples(pixel, covered, first);
     further.work.covered = uint(bitCount(covered));
     for (uint rest = chosen; rest != 0u; rest &= rest - 1u) {
         uint i = uint(findLSB(rest));
@@ -67,12 +70,12 @@ agaa_Further agaa_furtherOf(uvec2 pixel, uint wanted) {
     }
     uint word = 0u;
     do
-        agaa_laneOwners[lane * AGAA_OWNER_WORDS(AGAA_SAMPLES) + word] = agaa_ownerWord(word, covered);
-    while (++word < AGAA_OWNER_WORDS(AGAA_SAMPLES));
+        agaa_laneOwners[lane * agaa_ownerWords + word] = agaa_ownerWord(word, covered);
+    while (++word < agaa_ownerWords);
     further.work.events[0] = agaa_showsEvents() ? chosen : chosen & ~(1u << first);
     agaa_count(AGAA_COUNT_VISIBLE, further.work.covered);
     agaa_count(AGAA_COUNT_ONCE, further.work.covered);
-    agaa_countEvents(count);
+    agaa_countEvents(uint(bitCount(chosen)));
     agaa_count(AGAA_COUNT_PIXELS, 1u);
     return further;
 }
@@ -108,13 +111,14 @@ void main() {
     agaa_countBegin();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool inside = all(lessThan(pixel, agaa_frame.size.xy));
-    uint wanted = agaa_isAdaptive(agaa_sorted) ? agaa_sortedCount() : agaa_decideCount(pixel, inside);
-    agaa_Further further = agaa_furtherOf(pixel, wanted);
+    agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 1.0);
+    if (inside)
+        further = agaa_furtherOf(pixel);
     vec3 color = agaa_isAdaptive(agaa_shadeInLoops) ? agaa_shadeInLoop(further.work) : agaa_shadeWork(further.work);
     if (inside) {
-        if (!agaa_showsEvents() && further.weights > 0.0)
+        if (!agaa_showsEvents())
             color += agaa_firstSample(ivec2(pixel)).rgb * further.firstWeight;
-        agaa_writePixel(pixel, further.work, further.weights > 0.0 ? color * float(further.work.covered) / further.weights : color);
+        agaa_writePixel(pixel, further.work, color * float(further.work.covered) / further.weights);
     }
     agaa_countEnd();
 }

@@ -19,12 +19,12 @@ void main() {
         agaa_groupEvents = 0u;
     barrier();
     uvec2 pixel = agaa_pixelOf(lane);
-    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
-    vec4 firstSample = isInside ? agaa_firstSample(ivec2(pixel)) : vec4(0.0);
-    if (firstSample.a != 0.0) {
-        float left;
-        uint count = agaa_splitCount(firstSample.a, left);
-        float further = agaa_furtherByShading(pixel, count, left);
+    uint word = 0u;
+    if (all(lessThan(pixel, agaa_frame.size.xy)))
+        word = agaa_choices.words[agaa_choiceAt(pixel)];
+    if (agaa_coveredIn(word) != 0u) {
+        uint count = agaa_countIn(word);
+        float further = agaa_furtherByShading(agaa_countByShading(pixel), count, agaa_leftIn(word));
         atomicAdd(agaa_groupEvents, count);
         atomicAdd(agaa_groupDemand[agaa_demandBin(further)], agaa_withFurther(count, further) - count);
     }

@@ -1,0 +1,28 @@
+// How many samples the geometry of listed pixels calls for, where neighbours or all pixels together need to know before samples
+// are shaded.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#define AGAA_COMPOSITE 0
+#include "passes/bindings.glsl"
+#include "passes/constants.glsl"
+#include "passes/frame.glsl"
+#include "passes/target.glsl"
+#include "passes/counters.glsl"
+#include "passes/display.glsl"
+#include "passes/sample_choice.glsl"
+#include "passes/choose_more.glsl"
+#include "passes/listed_pixels.glsl"
+
+void main() {
+    agaa_countBegin();
+    const uint lane = gl_LocalInvocationIndex;
+    uvec2 pixel = agaa_pixelAt(lane, agaa_listAt(agaa_boundedPlaceOf(lane)), AGAA_SEVERAL_AT);
+    if (all(lessThan(pixel, agaa_frame.size.xy))) {
+        uint covered = agaa_beginChoice(pixel);
+        float left;
+        uint chosen = agaa_chooseMore(pixel, covered, 1u << agaa_firstInOrder(covered), 0u, 0.0, left);
+        agaa_choices.words[agaa_choiceAt(pixel)] = agaa_packCount(uint(bitCount(covered)), uint(bitCount(chosen)), left);
+    }
+    agaa_countEnd();
+}
