@@ -11,7 +11,7 @@ namespace agaa {
 std::string aggregateGlsl(const Plan& plan) {
     const Pass* shade = nullptr;
     for (const Pass& pass : plan.passes)
-        if (pass.kind == PassKind::Compute && pass.file == "passes/shade_aggregates.comp")
+        if (pass.shadesAggregates)
             shade = &pass;
     // Surfaces of "sbaa" keep records beside their words.
     require(shade && shade->constants[AGAA_STRIDE] == shade->constants[AGAA_WORDS], AGAA_ERROR_UNSUPPORTED,

@@ -73,8 +73,9 @@ std::string storeAttachments(const Pass& pass) {
 }
 
 std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
-    require(dialect.constants == AGAA_GL_CONSTANTS_BLOCK, AGAA_ERROR_UNSUPPORTED,
-            "\"msaa\", which shades in the host's shaders, needs AGAA_GL_CONSTANTS_BLOCK.");
+    if (dialect.constants != AGAA_GL_CONSTANTS_BLOCK)
+        fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\", which shades in the host's shaders, needs AGAA_GL_CONSTANTS_BLOCK.",
+                                            plan.config.technique));
     std::string out;
     const Constants& c = pass.constants;
     define(out, "AGAA_BRDF", c[AGAA_BRDF]);
@@ -99,13 +100,11 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
     return out;
 }
 
-bool mergesInOrder(const Plan& plan, const Pass& pass) {
-    return pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS && plan.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK;
-}
+bool mergesInOrder(const Pass& pass) { return pass.fragmentContent == FragmentContent::Merged; }
 
-bool needsMaterial(const Plan& plan, const Pass& pass) {
+bool needsMaterial(const Pass& pass) {
     if (pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS)
-        return plan.generationTier == AGAA_TIER_MATERIAL_LISTS || mergesInOrder(plan, pass);
+        return pass.fragmentContent != FragmentContent::Ids;
     return pass.drawPass != AGAA_DRAW_PASS_VISIBILITY;
 }
 
@@ -130,7 +129,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n"
                                       : "#define AGAA_HELPER false\n";
     defineSwitch(out, "AGAA_PASS", pass.drawPass);
-    defineSwitch(out, "AGAA_NEEDS_MATERIAL", needsMaterial(plan, pass));
+    defineSwitch(out, "AGAA_NEEDS_MATERIAL", needsMaterial(pass));
     defineSwitch(out, "AGAA_SAMPLES", plan.samples);
     defineSwitch(out, "AGAA_HW_SAMPLES", plan.hwSamples);
     define(out, "AGAA_SCALE_X", plan.scaleX);
@@ -162,13 +161,13 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_OWN_WORDS", plan.ownWords);
         defineSwitch(out, "AGAA_HAS_BATCHES", plan.coverage.maxBatches > 1);
     }
-    if (hasCorners && needsMaterial(plan, pass)) {
+    if (hasCorners && needsMaterial(pass)) {
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
         define(out, "AGAA_HAS_SPECULAR", c[AGAA_HAS_SPECULAR]);
         define(out, "AGAA_NDF", c[AGAA_NDF]);
         out += packing(c);
     }
-    if (mergesInOrder(plan, pass)) {
+    if (mergesInOrder(pass)) {
         define(out, "AGAA_AGGREGATES", plan.aggregates);
         define(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
         define(out, "AGAA_MERGE_RULE", c[AGAA_MERGE_RULE]);
@@ -177,7 +176,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
         define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
     out += customGlsl(plan.layout);
-    const bool writesIds = pass.drawPass == AGAA_DRAW_PASS_VISIBILITY && plan.generationTier == AGAA_TIER_IDS;
+    const bool writesIds = pass.sampleContent == SampleContent::Id;
     defineSwitch(out, "AGAA_WRITES_IDS", writesIds);
     if (writesIds || (hasCorners && plan.maxDraws)) {
         defineSwitch(out, "AGAA_SOME_UNFETCHED", plan.someUnfetched);
@@ -231,11 +230,11 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
         break;
     case AGAA_DRAW_PASS_FRAGMENTS:
         appendGlsl(out, "host/ids.glsl", seen);
-        if (needsMaterial(plan, pass)) {
+        if (needsMaterial(pass)) {
             out += fields(pass.constants);
             appendGlsl(out, "host/carried_material.glsl", seen);
         }
-        appendGlsl(out, mergesInOrder(plan, pass) ? "host/merge_in_order.glsl" : "host/fragments.glsl", seen);
+        appendGlsl(out, mergesInOrder(pass) ? "host/merge_in_order.glsl" : "host/fragments.glsl", seen);
         break;
     case AGAA_DRAW_PASS_GBUFFER:
         out += storeAttachments(pass);

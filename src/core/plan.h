@@ -112,6 +112,16 @@ struct Dispatch {
     uint64_t argumentsOffset = 0; // bytes, a multiple of 4
 };
 
+// What the host's draw of a prepass leaves of a sample.
+enum class SampleContent { Normal, Id };
+
+// What becomes of the fragments of AGAA_DRAW_PASS_FRAGMENTS.
+enum class FragmentContent {
+    Ids,       // a list of each pixel keeps their ids
+    Materials, // the same, with their attributes
+    Merged,    // merged at once, in the order of the draws
+};
+
 // Of the targets that a draw clears.
 struct ClearValues {
     std::array<std::array<float, 4>, 4> color{};
@@ -132,6 +142,7 @@ struct Pass {
 
     // Compute: 64 invocations a group.
     Dispatch dispatch;
+    bool shadesAggregates = false; // of a buffer that an earlier pass wrote
     std::string shader; // permutation in the library
     std::string hostCode; // GLSL of the host's: the pass is compiled with it, from these:
     std::string hostCodeOrigin; // the members that the text came in
@@ -143,6 +154,8 @@ struct Pass {
     // HostDraw
     AgaaDrawPassId drawPass = AGAA_DRAW_PASS_VISIBILITY;
     AgaaDrawState drawState{};
+    SampleContent sampleContent = SampleContent::Normal;
+    FragmentContent fragmentContent = FragmentContent::Ids;
     std::vector<ResourceId> colorTargets;
     ResourceId depthTarget = noResource; // or none
     bool clearsColor = false;

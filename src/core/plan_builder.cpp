@@ -141,7 +141,7 @@ bool PlanBuilder::isSwitchedOn(char letter) const {
     case 'a':
         return plan.aggregates > 1;
     case 'g':
-        return plan.generationTier == AGAA_TIER_GBUFFER;
+        return generation_ && generation_->readsGBuffer;
     case 'l':
         return plan.aggregation.litShadows != 0;
     default: // the pass says it
@@ -321,7 +321,7 @@ void PlanBuilder::bindLighting(Pass& pass) {
          lights_);
     bindShadows(pass);
     if (plan.effects.empty())
-        listEffects(plan.layout.foldsRoughness() && pass.file == "passes/shade_aggregates.comp");
+        listEffects(plan.layout.foldsRoughness() && pass.shadesAggregates);
 }
 
 // The shader names all four maps; slots without one of their own repeat another and are not read.

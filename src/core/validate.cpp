@@ -1,5 +1,6 @@
 #include "core/validate.h"
 
+#include "core/plan.h"
 #include "core/structs.h"
 
 #include <bit>

@@ -1,12 +1,14 @@
 // Checks of what a host passes in, before anything is recorded or changed.
 #pragma once
 
+#include "agaa_sdk.h"
 #include "core/error.h"
-#include "core/plan.h"
 
 #include <cmath>
 
 namespace agaa {
+
+struct Plan;
 
 inline void checkFinite(float value, const char* name) {
     if (!std::isfinite(value))

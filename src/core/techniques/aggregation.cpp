@@ -32,11 +32,12 @@ static void readAggregation(const AgaaConfig& config, ViewSettings& view) {
 
 const TechniqueSettings aggregationSettings = {AGAA_STRUCTURE_TYPE_AGGREGATION, readAggregation};
 
-Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format format) {
+Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format format, SampleContent content) {
     const Prepass s{b.depth(stencil), b.image(name, format, true)};
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
                                AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
+    prepass.sampleContent = content;
     prepass.drawState.depthCompare = b.plan.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
     prepass.drawState.depthWrite = 1;
     prepass.drawState.colorAttachmentCount = 1;
@@ -44,6 +45,15 @@ Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format forma
     prepass.depthTarget = s.depth;
     prepass.clearsColor = prepass.clearsDepth = true;
     return s;
+}
+
+Layout surfaceLayout(Layout layout) {
+    for (AgaaLayoutAttribute& attribute : layout.attributes) {
+        attribute.encoding = AGAA_ENCODING_UNORM;
+        attribute.aggregateBits = std::max(attribute.sampleBits, 6u);
+    }
+    layout.customs.clear(); // nothing reads them: agaaGetAggregateGlsl() is for "agaa"
+    return layout;
 }
 
 void setRecord(Pass& pass, const Aggregation& a) {
@@ -102,6 +112,7 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
     Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", AGAA_SEGMENT_SHADING,
                             a.represented ? "r1" : "");
     b.bindCommon(shade);
+    shade.shadesAggregates = true;
     b.bindLighting(shade);
     b.bindOutput(shade);
     bindDepth(shade);

@@ -15,7 +15,8 @@ struct Prepass {
     ResourceId normals = noResource; // or ids
 };
 // Depth of every sample and, by name and format, what tells samples apart.
-Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name = "normals", Format format = Format::RG8);
+Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name = "normals", Format format = Format::RG8,
+                    SampleContent content = SampleContent::Normal);
 
 struct Aggregation {
     Layout layout; // of an aggregate
@@ -28,6 +29,9 @@ struct Aggregation {
     std::function<ResourceId(const std::function<void(Pass&)>& bindSamples, ResourceId aggregates)> define;
     bool definitionClears = false;
 };
+
+// Of surfaces that keep attributes at the precision of samples.
+Layout surfaceLayout(Layout layout);
 
 // Constants by which shaders find an aggregate's words.
 void setRecord(Pass& pass, const Aggregation& aggregation);

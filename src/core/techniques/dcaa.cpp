@@ -13,16 +13,6 @@ namespace agaa {
 
 namespace {
 
-// A surface keeps the mean over its fragments at the precision that samples have.
-Layout surfaceLayout(Layout layout) {
-    for (AgaaLayoutAttribute& attribute : layout.attributes) {
-        attribute.encoding = AGAA_ENCODING_UNORM;
-        attribute.aggregateBits = std::max(attribute.sampleBits, 6u);
-    }
-    layout.customs.clear(); // nothing reads them: agaaGetAggregateGlsl() is for "agaa"
-    return layout;
-}
-
 // A group that decides what a draw of the scene is for.
 void addBatchPass(PlanBuilder& b, const char* name, const char* shader, ResourceId fragments) {
     Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, AGAA_SEGMENT_PREPASS);
@@ -50,6 +40,7 @@ FragmentLists drawScene(PlanBuilder& b, const Aggregation& surfaces, uint32_t ot
     if (!carriesMaterials(b))
         return drawFragments(b, otherWords);
     const FragmentLists lists = drawFragments(b, surfaces.stride - b.plan.samples / 32);
+    b.plan.passes[lists.firstPass].fragmentContent = FragmentContent::Materials;
     setRecord(b.plan.passes[lists.firstPass], surfaces);
     return lists;
 }
@@ -87,6 +78,7 @@ ResourceId mergeInOrder(PlanBuilder& b, const Aggregation& surfaces) {
     const ResourceId kept = surfaceBuffer(b);
     b.fill("clear surfaces", AGAA_STAGE_GENERATION, kept, AGAA_SEGMENT_PREPASS);
     Pass& draw = drawTriangles(b);
+    draw.fragmentContent = FragmentContent::Merged;
     draw.extensions.push_back("fragment_shader_interlock");
     draw.constants[AGAA_MERGE_RULE] = b.plan.coverage.merge;
     setRecord(draw, surfaces);

@@ -174,44 +174,44 @@ TierAnswer answerInterlock(const GenerationQuery& q) {
 
 const GenerationTier idsTier = {
     .tier = AGAA_TIER_IDS, .relativeCost = idsCost, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = true, .hasCoverageSamples = false,
+    .countsPrimitives = true, .readsGBuffer = false, .hasCoverageSamples = false,
     .answer = answerIds};
 const GenerationTier postDepthTier = {
     .tier = AGAA_TIER_POST_DEPTH_ATOMICS, .relativeCost = 1, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false,
+    .knowsMaterials = false, .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = false,
     .answer = answerPostDepth};
 const GenerationTier perSampleTier = {
     .tier = AGAA_TIER_PER_SAMPLE, .relativeCost = perSampleCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false,
+    .knowsMaterials = false, .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = false,
     .answer = answerPerSample};
 const GenerationTier gbufferTier = {
     .tier = AGAA_TIER_GBUFFER, .relativeCost = gbufferCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = true, .countsPrimitives = false, .hasCoverageSamples = false, .answer = answerGBuffer};
+    .knowsMaterials = true, .countsPrimitives = false, .readsGBuffer = true, .hasCoverageSamples = false, .answer = answerGBuffer};
 const GenerationTier sampleIdsTier = {
     .tier = AGAA_TIER_IDS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false, .hasCoverageSamples = false, .answer = answerSampleIds};
+    .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = false, .answer = answerSampleIds};
 const GenerationTier sampleGBufferTier = {
     .tier = AGAA_TIER_GBUFFER, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false, .hasCoverageSamples = false, .answer = answerSampleGBuffer};
+    .countsPrimitives = false, .readsGBuffer = true, .hasCoverageSamples = false, .answer = answerSampleGBuffer};
 const GenerationTier mixedSamplesTier = {
     .tier = AGAA_TIER_NV_MIXED_SAMPLES, .relativeCost = 1, .isAutomatic = false, .isModel = true,
-    .knowsMaterials = false, .countsPrimitives = false, .hasCoverageSamples = false,
+    .knowsMaterials = false, .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = false,
     .answer = answerMixedSamples};
 const GenerationTier fragmentListsTier = {
     .tier = AGAA_TIER_FRAGMENT_LISTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false, .hasCoverageSamples = true,
+    .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = true,
     .answer = answerFragmentLists};
 const GenerationTier fragmentsTier = {
     .tier = AGAA_TIER_FRAGMENTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = true, .hasCoverageSamples = true,
+    .countsPrimitives = true, .readsGBuffer = false, .hasCoverageSamples = true,
     .answer = answerFragments};
 const GenerationTier materialListsTier = {
     .tier = AGAA_TIER_MATERIAL_LISTS, .relativeCost = materialListsCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = true, .countsPrimitives = false, .hasCoverageSamples = true,
+    .knowsMaterials = true, .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = true,
     .answer = answerMaterialLists};
 // Not automatic: it was run on no device that orders fragments.
 const GenerationTier interlockTier = {
     .tier = AGAA_TIER_FRAGMENT_INTERLOCK, .relativeCost = 1, .isAutomatic = false, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false, .hasCoverageSamples = true, .answer = answerInterlock};
+    .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = true, .answer = answerInterlock};
 
 } // namespace agaa

@@ -10,16 +10,6 @@ namespace agaa {
 
 namespace {
 
-// A surface keeps one sample's attributes, at the precision that samples have.
-Layout surfaceLayout(Layout layout) {
-    for (AgaaLayoutAttribute& attribute : layout.attributes) {
-        attribute.encoding = AGAA_ENCODING_UNORM;
-        attribute.aggregateBits = std::max(attribute.sampleBits, 6u);
-    }
-    layout.customs.clear(); // nothing reads them: agaaGetAggregateGlsl() is for "agaa"
-    return layout;
-}
-
 // The papers' memory (AGAA section 5.4 and its slides): nine bytes a sample, and the G-buffer of a sample
 // and two bytes more a surface.
 void buildNative(PlanBuilder& b) {
