@@ -223,9 +223,52 @@ TYPED_TEST_P(AdaptiveCases, ExtremeScalesStayFinite) {
         }
 }
 
+// A busy scene, then one plane: with a memory of a half, numbers of samples fall to one within four frames, and never is a colour
+// of an earlier frame to be seen.
+TYPED_TEST_P(AdaptiveCases, RememberedNumbersDecay) {
+    std::vector<std::vector<float>> images;
+    for (const float memory : {0.0f, 0.5f}) {
+        ViewSettings settings = adaptiveSettings(9);
+        settings.config.adaptive.countMemory = memory;
+        const Shot busy = adaptiveShot();
+        const std::vector<double> events =
+            showBy<TypeParam>(this->context, settings, busy, [&](typename TypeParam::View& view) {
+                const auto mean = [&] {
+                    const AgaaCounters counters = view.statistics().counters;
+                    return double(counters.shadingEvents) / double(counters.shadedPixels);
+                };
+                std::vector<double> means = {mean()};
+                view.setTriangles(rectangle(-100, -100, 100, 100, 5, facing({0.5f, 0.4f, 0.3f})));
+                for (int i = 0; i < 5; ++i) {
+                    AgaaFrame frame = view.frame();
+                    frame.lights = busy.lights.data();
+                    frame.lightCount = uint32_t(busy.lights.size());
+                    busy.change(frame);
+                    TypeParam::run(view, [&](typename TypeParam::Frame& native) {
+                        EXPECT_EQ(TypeParam::recordFrame(view.get(), &frame, &native), AGAA_OK);
+                    });
+                    means.push_back(mean());
+                    if (i == 0)
+                        images.push_back(withoutAlpha(TypeParam::rgba(view)));
+                }
+                return means;
+            });
+        EXPECT_GT(events[0], 1.5);
+        for (size_t i = 2; i < events.size(); ++i)
+            EXPECT_LE(events[i], events[i - 1]);
+        EXPECT_EQ(events[memory > 0 ? 4 : 1], 1);
+        if (memory > 0) {
+            EXPECT_GT(events[1], events[2]);
+            EXPECT_GT(events[2], 1);
+        }
+    }
+    for (size_t i = 0; i < images[0].size(); ++i)
+        ASSERT_NEAR(images[1][i], images[0][i], 1e-3f) << i;
+}
+
 REGISTER_TYPED_TEST_SUITE_P(AdaptiveCases, WithoutMetricsItIsSupersampling, FewerSamplesComeNearAllOfThem, ByIdsItIsTheSame,
                             WaysToShadeGiveOneImage,
                             HardCase15OnePlaneIsShadedOnce, HardCase43ABrightPixelStaysAlone, TargetsAreKeptAndUsed,
-                            ThePapersMethodIsAMeanOfSamples, ExtremeScalesStayFinite);
+                            ThePapersMethodIsAMeanOfSamples, ExtremeScalesStayFinite, RememberedNumbersDecay);
 
 } // namespace agaa::test
