@@ -50,7 +50,8 @@ typedef struct AgaaCounters {
                                maxBatches */
     uint64_t pixelsByEvents[6]; /* pixels with one shading event, with two, with more up to 4, 8 and 16, and with
                                    more than 16. 0 for "msaa" */
-    uint64_t reserved[3];   /* 0 */
+    uint64_t lightEvaluations; /* lights that shading events evaluated, shadowed or not; for "msaa" per fragment */
+    uint64_t reserved[2];      /* 0 */
 } AgaaCounters;
 
 #define AGAA_MAX_PASSES 32
@@ -87,7 +88,7 @@ typedef struct AgaaFrameStatistics {
 } AgaaFrameStatistics;
 #define AGAA_FRAME_STATISTICS_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0, 0, 0, 0, 0, 0, \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, {0}}, 0, 0, {{{0}, 0, 0, 0.0, {0, 0}}}}
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, {0}}, 0, 0, {{{0}, 0, 0, 0.0, {0, 0}}}}
 AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatistics, size_t structSize);
 
 /* Reads the statistics of the newest completely recorded frame that is not after completedFrame.

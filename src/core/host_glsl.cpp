@@ -85,6 +85,7 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
     define(out, "AGAA_HAS_AMBIENT", c[AGAA_HAS_AMBIENT]);
     define(out, "AGAA_SHADOW_MAPS", c[AGAA_SHADOW_MAPS]);
     define(out, "AGAA_SHADING_COST", c[AGAA_SHADING_COST]);
+    define(out, "AGAA_LIGHT_WORDS", 0);
     defineSwitch(out, "AGAA_SHADOWS", plan.facts.shadowMapCount > 0);
     if (!dialect.storageImages)
         return out;

@@ -313,12 +313,31 @@ void PlanBuilder::bindBelow(Pass& pass) {
         bind(pass, slot::Below, BindingType::Texture, output());
 }
 
+// Fewer lights cost less than it does to find those that reach a tile.
+constexpr uint32_t leastCulledLights = 8;
+
+void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
+    if (plan.facts.maxLights < leastCulledLights || (plan.measurement.flags & AGAA_MEASURE_NO_LIGHT_CULLING))
+        return;
+    const uint32_t words = (plan.facts.maxLights + 31) / 32;
+    lightMasks_ = tileBuffer("light-masks", 8, 4 * words);
+    constants_[AGAA_LIGHT_WORDS] = words;
+    Pass& cull = compute("cull lights", AGAA_STAGE_SHADING, "cull_lights", AGAA_SEGMENT_SHADING);
+    bind(cull, slot::Frame, BindingType::UniformBuffer, frameConstants(cull.segment));
+    bind(cull, slot::Lights, BindingType::StorageBuffer, lights_);
+    bind(cull, slot::LightMasks, BindingType::StorageBuffer, lightMasks_, true);
+    bindDepth(cull);
+}
+
 void PlanBuilder::bindLighting(Pass& pass) {
     const bool host = pass.kind == PassKind::HostDraw;
     require(!host || plan.measurement.debugView == AGAA_DEBUG_VIEW_NONE, AGAA_ERROR_UNSUPPORTED,
             "AgaaMeasurement::debugView is for techniques that shade in the SDK's passes; this one shades in the host's.");
     bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer,
          lights_);
+    // Shaders name the masks where there are none, too.
+    if (!host)
+        bind(pass, slot::LightMasks, BindingType::StorageBuffer, lightMasks_ != noResource ? lightMasks_ : lights_);
     bindShadows(pass);
     if (plan.effects.empty())
         listEffects(plan.layout.foldsRoughness() && pass.shadesAggregates);
@@ -358,6 +377,8 @@ void PlanBuilder::listEffects(bool readsFolded) {
         effect("ambient");
     if (hasFact(AGAA_FACT_ALPHA_MASKED))
         effect("alpha-mask");
+    if (lightMasks_ != noResource)
+        effect("light-culling");
     if (plan.facts.shadowMapCount)
         effect("shadows");
     if (plan.functionShadows)

@@ -6,6 +6,8 @@
 #include "core/technique.h"
 #include "core/tiers.h"
 
+#include <functional>
+
 namespace agaa {
 
 class PlanBuilder {
@@ -58,6 +60,9 @@ public:
     ResourceId frameConstants(uint64_t segment);
     // Frame constants and, where counted, counters.
     void bindCommon(Pass& pass);
+    // A pass that finds the lights that reach each tile, for passes that shade and are added later. bindDepth: binds the depth
+    // of samples.
+    void cullLights(const std::function<void(Pass&)>& bindDepth);
     // Lights, shadow maps and the host's shadow function of a pass that shades.
     void bindLighting(Pass& pass);
     // Compiles the pass with the host's function that reads samples of its own G-buffer.
@@ -99,6 +104,7 @@ private:
     Constants constants_{};
     std::array<ResourceId, 3> frames_; // frame constants by segment
     ResourceId lights_ = noResource;
+    ResourceId lightMasks_ = noResource; // of tiles, where lights are culled
     ResourceId counters_ = noResource;
     ResourceId output_ = noResource;
     std::array<ResourceId, AGAA_MAX_SHADOW_MAPS> shadowMaps_;

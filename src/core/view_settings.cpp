@@ -24,7 +24,8 @@ static void readMeasurement(const AgaaConfig& config, ViewSettings& view) {
     checkReserved(m.reserved, "AgaaMeasurement::reserved");
     checkFlags(m.flags,
                AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |
-                   AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING,
+                   AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING |
+                   AGAA_MEASURE_NO_LIGHT_CULLING,
                "AgaaMeasurement::flags");
 }
 

@@ -89,6 +89,17 @@ class Render(unittest.TestCase):
         self.assertLessEqual(full["shadingEvents"], 1.5 * full["shadedPixels"])
         self.assertGreater(full["shadingEvents"], 1.2 * full["shadedPixels"])
 
+    def test_lights_out_of_reach_are_left_out(self):
+        for technique in ("ssaa", "agaa"):
+            images = [self.path(name + ".exr") for name in ("culled", "all")]
+            view = [*options(technique), "--lights", "64"]
+            culled = self.render(*view, "--exr", images[0], scene="metal", size="64x36")["counters"]
+            every = self.render(*view, "--no-culling", "--exr", images[1], scene="metal", size="64x36")["counters"]
+            with self.subTest(technique=technique):
+                self.assertEqual(harness.data("compare", *images)["maxAbs"], 0)
+                self.assertEqual(every["lightEvaluations"], (17 + 64) * every["shadingEvents"])
+                self.assertLess(culled["lightEvaluations"], 0.5 * every["lightEvaluations"])
+
     def test_fragments_that_carry_materials(self):
         images = []
         for tier in ("lists", "material-lists"):

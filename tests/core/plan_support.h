@@ -24,7 +24,7 @@ struct ViewSpec {
     uint64_t configFlags = 0;
     uint64_t facts = AGAA_FACT_ALL_SHADED;
     uint32_t shadowMaps = 1;
-    uint32_t maxLights = 64;
+    uint32_t maxLights = 4; // so few are not culled
     uint64_t viewFlags = 0;
     const void* chained = nullptr;                 // to the view
     bool fetches = true;                           // of techniques with coverage samples, where nothing else is chained

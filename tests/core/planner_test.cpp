@@ -323,6 +323,38 @@ TEST(Planner, ReversedZGetsAFloatFormat) {
     EXPECT_EQ(planFor(spec, fourSampleDevice()).depthFormat, Format::D32);
 }
 
+TEST(Planner, LightsAreCulledWhereThereAreManyAndADepth) {
+    const auto passesOf = [](const ViewSpec& spec) {
+        const Plan plan = planFor(spec, fourSampleDevice());
+        const auto isCulling = [](const Pass& pass) { return pass.file == "passes/cull_lights.comp"; };
+        const auto cull = std::ranges::find_if(plan.passes, isCulling);
+        const bool culls = cull != plan.passes.end();
+        for (const Pass& pass : plan.passes)
+            for (const Binding& binding : pass.bindings)
+                if (pass.kind == PassKind::Compute && binding.slot == slot::LightMasks && !isCulling(pass)) {
+                    EXPECT_EQ(pass.constants[AGAA_LIGHT_WORDS], culls ? (spec.maxLights + 31) / 32 : 0) << pass.name;
+                    EXPECT_FALSE(binding.writes);
+                }
+        EXPECT_EQ(std::ranges::find(plan.effects, "light-culling") != plan.effects.end(), culls);
+        if (culls) {
+            const uint64_t tiles = (640 / 8) * (360 / 8), words = (spec.maxLights + 31) / 32;
+            EXPECT_EQ(plan.resources[plan.surface("light-masks")].bytes, tiles * words * 4);
+        }
+        return std::ranges::count_if(plan.passes, isCulling);
+    };
+    for (const char* technique : {"single", "fxaa", "ssaa", "simple_complex", "adaptive", "agaa", "sbaa"}) {
+        ViewSpec spec{.technique = technique};
+        for (const uint32_t lights : {0u, 7u, 8u, 33u, 4096u}) {
+            spec.maxLights = lights;
+            EXPECT_EQ(passesOf(spec), lights >= 8) << technique << lights;
+        }
+        spec.change = [](TechniqueConfig& config) { config.measurement.flags |= AGAA_MEASURE_NO_LIGHT_CULLING; };
+        EXPECT_EQ(passesOf(spec), 0) << technique;
+    }
+    for (const char* technique : {"msaa", "dcaa"})
+        EXPECT_EQ(passesOf({.technique = technique, .samples = technique[0] == 'd' ? 32u : 4u, .maxLights = 64}), 0) << technique;
+}
+
 TEST(Planner, EffectsTheSceneDoesNotCallForLeaveNoTrace) {
     ViewSpec all;
     ViewSpec none;

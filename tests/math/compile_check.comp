@@ -24,6 +24,7 @@
 #include "../../src/shaders/math/barycentrics.glsl"
 #include "../../src/shaders/math/statistics.glsl"
 #include "../../src/shaders/math/light.glsl"
+#include "../../src/shaders/math/light_culling.glsl"
 #include "../../src/shaders/math/adaptive.glsl"
 #include "../../src/shaders/math/clustering.glsl"
 
@@ -57,6 +58,7 @@ void main() {
     acc.y += agaa_toksvigAlpha2(x.y,
                                 agaa_varianceFloor(len, agaa_storedLengthBound(1u, 16u)));
     acc.z += agaa_alpha2FromFoldedLength(agaa_foldedLength(x.z)) + agaa_exponentFromAlpha2(x.z);
+    acc.z += agaa_rangeReaches(v, x.x, t, b) && agaa_coneReaches(v, t, x.y, b, x.z) ? 1.0 : 0.0;
     agaa_Moments m = agaa_momentsInit(x.x);
     agaa_momentsAdd(m, x.y);
     uint word = agaa_packCount(9u, agaa_wholeCount(agaa_shadingCount(x.x, x.y, 0.1, 0.1, x.z), 1u, 9u), x.w);

@@ -18,6 +18,7 @@
 #undef AGAA_MATH_BARYCENTRICS_GLSL
 #undef AGAA_MATH_STATISTICS_GLSL
 #undef AGAA_MATH_LIGHT_GLSL
+#undef AGAA_MATH_LIGHT_CULLING_GLSL
 #undef AGAA_MATH_CLUSTERING_GLSL
 #undef AGAA_MATH_SURFACES_GLSL
 #undef AGAA_MATH_RECORDS_GLSL
@@ -43,6 +44,7 @@
 #include "../../src/shaders/math/barycentrics.glsl"
 #include "../../src/shaders/math/statistics.glsl"
 #include "../../src/shaders/math/light.glsl"
+#include "../../src/shaders/math/light_culling.glsl"
 #include "../../src/shaders/math/adaptive.glsl"
 
 struct Clustering {

@@ -198,6 +198,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
     flag(arguments.buffered, AGAA_CONFIG_BUFFERED);
     const auto measure = [&](bool on, uint64_t bit) { config.measurement.flags |= on ? bit : 0; };
     measure(arguments.noStencil, AGAA_MEASURE_NO_STENCIL);
+    measure(arguments.noCulling, AGAA_MEASURE_NO_LIGHT_CULLING);
     measure(arguments.firstSampleRouting, AGAA_MEASURE_FIRST_SAMPLE_ROUTING);
     measure(arguments.noDiffuseFilter, AGAA_MEASURE_NO_DIFFUSE_FILTER);
     measure(arguments.noShadowFilter, AGAA_MEASURE_NO_SHADOW_FILTER);

@@ -45,6 +45,7 @@ struct PlanArguments {
     uint32_t shadingCost = 1;
     std::vector<std::string> tiers; // native, auto or stage=tier
     bool noStencil = false;
+    bool noCulling = false;
     bool firstSampleRouting = false;
     bool splitSurfaces = false;
     bool fineMaterials = false;

@@ -30,6 +30,7 @@ struct RenderArguments {
     DeviceArguments device{"vk"};
     std::string scene = "bamboo";
     std::string camera; // empty: the scene's own or a default
+    uint32_t lights = 0; // beside those of the scene
     std::string jitter = "0,0";
     uint32_t frames = 1;
     uint32_t warmup = 0;

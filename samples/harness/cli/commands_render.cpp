@@ -38,6 +38,8 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
                       : !scene.cameras.empty() ? scene.cameras[0]
                                                : defaultCamera(scene);
     settings.lights = scene.lights.empty() ? defaultLights(scene, settings.camera) : scene.lights;
+    for (const Light& light : smallLights(scene, settings.camera, arguments.lights))
+        settings.lights.push_back(light);
     for (const std::string& effect : arguments.without)
         for (Light& light : settings.lights)
             light.castsShadow = light.castsShadow && effect != "shadows";
@@ -91,6 +93,7 @@ json countersJson(const AgaaCounters& c) {
             {"ties", c.ties},
             {"sanitised", c.sanitised},
             {"shadingEvents", c.shadingEvents},
+            {"lightEvaluations", c.lightEvaluations},
             {"shadowTaps", c.shadowTaps},
             {"widenedLobes", c.widenedLobes},
             {"shadedPixels", c.shadedPixels},

@@ -34,6 +34,32 @@ std::vector<Light> defaultLights(const Scene& scene) {
     return defaultLights(scene, scene.cameras.empty() ? defaultCamera(scene) : scene.cameras[0]);
 }
 
+namespace {
+
+// Around what the camera looks at: a scene's bounds may reach far beyond its view.
+double reachOf(const Scene& scene, const Camera& camera) {
+    const double distance = glm::length(camera.target - camera.eye);
+    return distance > 0 ? std::min(sizeOf(scene), 1.5 * distance) : sizeOf(scene);
+}
+
+// leastRange, mostRange: in shares of reachOf(). irradiance: at half the range.
+Light randomPointLight(const Scene& scene, const Camera& camera, Random& random, float leastRange, float mostRange, float irradiance) {
+    const double reach = reachOf(scene, camera);
+    Light light;
+    light.type = LightType::Point;
+    // Braces: their order of evaluation is defined.
+    const glm::dvec3 offset{random.in(-0.5f, 0.5f), random.in(-0.2f, 0.3f), random.in(-0.5f, 0.5f)};
+    light.position = glm::clamp(camera.target + reach * offset, scene.boundsMin, scene.boundsMax);
+    light.range = float(reach * random.in(leastRange, mostRange));
+    const float intensity = irradiance * light.range * light.range * 0.25f;
+    const float hue = random.unit() * 6.2832f;
+    light.color = intensity * glm::vec3(1.0f + 0.5f * std::cos(hue), 1.0f + 0.5f * std::cos(hue - 2.1f),
+                                        1.0f + 0.5f * std::cos(hue + 2.1f));
+    return light;
+}
+
+} // namespace
+
 std::vector<Light> defaultLights(const Scene& scene, const Camera& camera) {
     std::vector<Light> lights;
     Light sun;
@@ -42,26 +68,23 @@ std::vector<Light> defaultLights(const Scene& scene, const Camera& camera) {
     sun.color = {2.6f, 2.45f, 2.2f};
     sun.castsShadow = true;
     lights.push_back(sun);
-    // Around what the camera looks at: a scene's bounds may reach far beyond its view.
-    const double distance = glm::length(camera.target - camera.eye);
-    const double reach = distance > 0 ? std::min(sizeOf(scene), 1.5 * distance) : sizeOf(scene);
     Random random(17);
-    for (int i = 0; i < 16; ++i) {
-        Light light;
-        light.type = LightType::Point;
-        // Braces: their order of evaluation is defined.
-        const glm::dvec3 offset{random.in(-0.5f, 0.5f), random.in(-0.2f, 0.3f),
-                                random.in(-0.5f, 0.5f)};
-        light.position =
-            glm::clamp(camera.target + reach * offset, scene.boundsMin, scene.boundsMax);
-        light.range = float(reach * random.in(0.25f, 0.4f));
-        // 0.45 of irradiance at half the range.
-        const float intensity = 0.45f * light.range * light.range * 0.25f;
-        const float hue = random.unit() * 6.2832f;
-        light.color =
-            intensity * glm::vec3(1.0f + 0.5f * std::cos(hue), 1.0f + 0.5f * std::cos(hue - 2.1f),
-                                  1.0f + 0.5f * std::cos(hue + 2.1f));
-        lights.push_back(light);
+    for (int i = 0; i < 16; ++i)
+        lights.push_back(randomPointLight(scene, camera, random, 0.25f, 0.4f, 0.45f));
+    return lights;
+}
+
+std::vector<Light> smallLights(const Scene& scene, const Camera& camera, uint32_t count) {
+    std::vector<Light> lights;
+    Random random(29);
+    for (uint32_t i = 0; i < count; ++i) {
+        lights.push_back(randomPointLight(scene, camera, random, 0.03f, 0.08f, 0.3f));
+        if (i % 4 == 3) {
+            Light& spot = lights.back();
+            spot.type = LightType::Spot;
+            const glm::dvec3 down{random.in(-0.5f, 0.5f), -1.0, random.in(-0.5f, 0.5f)};
+            spot.direction = glm::normalize(down);
+        }
     }
     return lights;
 }

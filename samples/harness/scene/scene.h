@@ -117,5 +117,7 @@ Camera defaultCamera(const Scene& scene);
 std::vector<Light> defaultLights(const Scene& scene, const Camera& camera);
 // The same around the target of the scene's first camera, or of the default one.
 std::vector<Light> defaultLights(const Scene& scene);
+// Point lights, and a spot light for every three of these, of short ranges around what the camera looks at.
+std::vector<Light> smallLights(const Scene& scene, const Camera& camera, uint32_t count);
 
 } // namespace harness

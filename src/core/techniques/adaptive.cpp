@@ -92,6 +92,12 @@ struct Adaptive {
         ids->bind(b, pass);
         setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.plan.layout).fields); // how precise features are
     }
+
+    void bindDepth(PlanBuilder& b, Pass& pass) const {
+        if (!ids)
+            return gbuffer.bindDepth(b, pass);
+        b.bind(pass, slot::Depth, BindingType::Texture, ids->prepass.depth);
+    }
 };
 
 void bindChoices(PlanBuilder& b, Pass& pass, const Adaptive& a) {
@@ -192,6 +198,7 @@ void build(PlanBuilder& b) {
     const uint32_t found = b.passConstants()[AGAA_COUNTS_FOUND] = whereCountsAreFound(b);
     if (hasTarget)
         addLimit(b, a);
+    b.cullLights([&](Pass& pass) { a.bindDepth(b, pass); });
     Pass& first = addShading(b, "shade first samples", "shade_first", a);
     b.bind(first, slot::Output, BindingType::StorageImage, a.firstSamples, true);
     if (found == AGAA_FOUND_BETWEEN)

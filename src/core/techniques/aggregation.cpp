@@ -109,10 +109,11 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
 // bindDepth: the samples' depth and, where counted, what tells those that show geometry.
 void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates,
                      const std::function<void(Pass&)>& bindDepth) {
+    b.cullLights(bindDepth);
     Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", AGAA_SEGMENT_SHADING,
                             a.represented ? "r1" : "");
-    b.bindCommon(shade);
     shade.shadesAggregates = true;
+    b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
     bindDepth(shade);
@@ -174,12 +175,15 @@ Pass& shadeAtOnce(PlanBuilder& b, const char* name, const char* shader, const Sa
 } // namespace
 
 void shadeFromGBuffer(PlanBuilder& b) {
-    shadeAtOnce(b, "aggregate and shade", "aggregate_gbuffer", makeGBuffer(b));
+    const GBuffer gbuffer = makeGBuffer(b);
+    b.cullLights([&](Pass& pass) { gbuffer.bindDepth(b, pass); });
+    shadeAtOnce(b, "aggregate and shade", "aggregate_gbuffer", gbuffer);
     b.copyCounters();
 }
 
 void shadeFromIds(PlanBuilder& b) {
     const Ids ids = drawIds(b);
+    b.cullLights([&](Pass& pass) { b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth); });
     const ResourceId several = b.deferredPixels();
     b.deferPixels(shadeAtOnce(b, "shade single primitives", "single_ids", ids), several);
     b.takeDeferred(shadeAtOnce(b, "aggregate and shade", "aggregate_ids", ids), several);

@@ -9,6 +9,7 @@ namespace {
 
 // isClassified: pixels that show one surface are shaded once. image: to be shaded; noResource: the output.
 Pass& shadeSamples(PlanBuilder& b, const GBuffer& gbuffer, bool isClassified, ResourceId image = noResource) {
+    b.cullLights([&](Pass& pass) { gbuffer.bindDepth(b, pass); });
     Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples", AGAA_SEGMENT_SHADING,
                             isClassified ? "x1" : "");
     b.bindCommon(shade);

@@ -36,6 +36,7 @@ uint agaa_tapAlongDepth(vec3 mean, float sigma, float lowest, float highest) {
 // Mean position of all samples, and the aggregate's share of each shadow map's light: at some of its samples, at all
 // of them, along the view ray or at the mean position.
 vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
+    agaa_lightPixel(pixel);
     uint count = uint(bitCount(mask));
     vec3 mean = vec3(0.0);
     vec3 first = vec3(0.0);

@@ -6,27 +6,7 @@
 #include "math/light.glsl"
 #include "math/ndf.glsl"
 
-struct agaa_GpuShadow {
-    mat4 matrices[6];
-    float bias;
-    uint layerCount;
-    uint lightCount; // of the frame, in the first
-    uint padding;
-};
-struct agaa_GpuLight {
-    vec4 positionRange;
-    vec4 directionType;
-    vec4 colorShadow;
-    vec4 cone;
-};
-#ifndef AGAA_LIGHT_BLOCK
-#define AGAA_LIGHT_BLOCK layout(std430, AGAA_AT_LIGHTS) readonly buffer
-#define AGAA_LIGHT_COUNT
-#endif
-AGAA_LIGHT_BLOCK agaa_LightBlock {
-    agaa_GpuShadow shadows[4];
-    agaa_GpuLight lights[AGAA_LIGHT_COUNT];
-} agaa_lightBuffer;
+#include "passes/lights.glsl"
 
 #ifndef AGAA_LIT
 #define AGAA_LIT 0
@@ -153,17 +133,48 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
     return reflected * light.colorShadow.rgb * intensity;
 }
 
-vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
-    vec3 sum = s.emissive;
-    if (AGAA_HAS_AMBIENT != 0u)
-        sum += agaa_frame.ambient.rgb * (s.diffuse + s.specular);
+// Lights in the order of the frame, so that the sum is the same whether those that reach nothing are left out.
+vec3 agaa_sumOfLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 sum) {
     const uint count = agaa_lightBuffer.shadows[0].lightCount;
+    agaa_count(AGAA_COUNT_LIGHTS, count);
     uint i = 0u;
     do {
         if (i < count)
             sum += agaa_oneLight(s, position, toEye, i);
     } while (++i < count);
     return sum;
+}
+
+#ifdef AGAA_AT_LIGHT_MASKS
+layout(std430, AGAA_AT_LIGHT_MASKS) readonly buffer agaa_LightMaskBlock {
+    uint words[];
+} agaa_lightMasks;
+
+uint agaa_lightMask = 0u; // where the bits of the event's tile are
+
+void agaa_lightPixel(uvec2 pixel) { agaa_lightMask = agaa_lightMaskAt(pixel / 8u); }
+
+vec3 agaa_sumOfReachingLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 sum) {
+    uint word = 0u;
+    do {
+        uint left = agaa_lightMasks.words[agaa_lightMask + word];
+        agaa_count(AGAA_COUNT_LIGHTS, uint(bitCount(left)));
+        for (; left != 0u; left &= left - 1u)
+            sum += agaa_oneLight(s, position, toEye, 32u * word + uint(findLSB(left)));
+    } while (++word < agaa_unknown(AGAA_LIGHT_WORDS));
+    return sum;
+}
+#endif
+
+vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
+    vec3 sum = s.emissive;
+    if (AGAA_HAS_AMBIENT != 0u)
+        sum += agaa_frame.ambient.rgb * (s.diffuse + s.specular);
+#ifdef AGAA_AT_LIGHT_MASKS
+    if (AGAA_LIGHT_WORDS != 0u)
+        return agaa_sumOfReachingLights(s, position, toEye, sum);
+#endif
+    return agaa_sumOfLights(s, position, toEye, sum);
 }
 
 // The cost axis of measurements: the same lighting several times over. The offset is zero, which the

@@ -12,6 +12,7 @@ vec3 agaa_samplePosition(uvec2 pixel, uint i) {
 // Shadows end within surfaces too: of several samples that are shaded once, they are looked up at each of these, up to
 // AGAA_SHADOW_TAPS. mask: one or more samples with geometry.
 void agaa_findVisibility(uvec2 pixel, uint mask) {
+    agaa_lightPixel(pixel);
 #if AGAA_SHADOWS
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] = 0.0;

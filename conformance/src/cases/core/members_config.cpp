@@ -195,7 +195,8 @@ void addMeasurement(Suite& suite) {
     addFlags(suite, {"AgaaMeasurement.flags/flags", "AgaaMeasurement::flags",
                      [](ViewParts& p, uint64_t flags) { p.measurement.flags = flags; },
                      AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_SHADOW_ALONG_DEPTH |
-                         AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING, nullptr});
+                         AGAA_MEASURE_NO_STENCIL | AGAA_MEASURE_FIRST_SAMPLE_ROUTING | AGAA_MEASURE_NO_LIGHT_CULLING,
+                     nullptr});
 }
 
 } // namespace
