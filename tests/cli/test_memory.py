@@ -5,7 +5,7 @@ import harness
 
 
 def memory(*arguments):
-    return harness.data("memory", "--size", "640x360", *arguments)
+    return harness.data("memory", "--size", "640x360", "--no-culling", *arguments)
 
 
 class Memory(unittest.TestCase):
@@ -25,6 +25,12 @@ class Memory(unittest.TestCase):
     def test_multisampled_g_buffers(self):
         for n in (8, 16, 32):
             self.assertEqual(self.native("ssaa", n)["bytesPerPixel"], 16 * n)
+
+    def test_masks_of_lights(self):
+        culled = harness.data("memory", "--size", "640x360", "--technique", "ssaa")
+        masks = [s["bytes"] for s in culled["surfaces"] if s["name"] == "light-masks"]
+        self.assertEqual(masks, [640 * 360 // 64 * 8]) # 64 lights
+        self.assertEqual(culled["totalBytes"] - masks[0], memory("--technique", "ssaa")["totalBytes"])
 
     def test_bytes_per_aggregate_with_exact_sums(self):
         for n, most in ((8, 20), (16, 24), (32, 32)):
@@ -70,8 +76,7 @@ class ById(unittest.TestCase):
     def test_eight_bytes_a_sample_a_bit_a_pixel_and_nothing_an_aggregate(self):
         for n in (1, 4, 8, 16, 32):
             for c in (1, 2, 4):
-                data = harness.data("memory", "--technique", "agaa", "--samples", str(n), "--aggregates", str(c),
-                                    "--tier", "generation=ids")
+                data = memory("--technique", "agaa", "--samples", str(n), "--aggregates", str(c), "--tier", "generation=ids")
                 self.assertEqual(data["bytesPerPixel"], 8 * n + 1 / 8)
                 self.assertEqual(data["bytesPerAggregate"], 0)
 
