@@ -263,7 +263,8 @@ AGAA_API void AGAA_CALL agaaInitGlFrame(AgaaGlFrame* outFrame, size_t structSize
  *           the host's glGetError. Exception: if a texture is of another target, the log reports the errors that were pending,
  *           and they are lost. Functions of the host (agaa/functions.h) find their resources as bound on entry
  *           or, if the host draws, when the last draw callback returns. The SDK does not use texture units from 17 and other
- *           binding points from 4, except for those named in AgaaGlDeviceDesc. */
+ *           binding points from 4, except for those named in AgaaGlDeviceDesc. Techniques with lists of fragments, "dcaa" and
+ *           the tier FRAGMENTS of "agaa", use binding point 4 too. */
 AGAA_API AgaaResult AGAA_CALL agaaGlRecordFrame(AgaaView view, const AgaaFrame* frame, const AgaaGlFrame* glFrame);
 
 #ifdef __cplusplus

@@ -304,9 +304,9 @@ typedef enum AgaaDebugView {
 #define AGAA_MEASURE_FIRST_SAMPLE_ROUTING UINT64_C(0x10) /* AGAA algorithm 2, step 2 (c): a fragment goes to the aggregate of
                                                             its first sample. 4 bytes per pixel more */
 #define AGAA_MEASURE_NO_LIGHT_CULLING UINT64_C(0x20) /* every shading event evaluates all lights of the frame. Otherwise, in views
-                                                        with maxLights of 8 or more whose technique has a depth per sample,
-                                                        lights that cannot reach anything in a tile of 8 by 8 pixels are
-                                                        not evaluated there; the image is the same */
+                                                        with maxLights of 8 or more whose technique shades samples or
+                                                        aggregates of a depth buffer, lights that cannot reach anything in a
+                                                        tile of 8 by 8 pixels are not evaluated there */
 
 /* Settings for measurements and for comparison with the papers. Chain it to AgaaConfig; hosts do not need it to render. */
 typedef struct AgaaMeasurement {

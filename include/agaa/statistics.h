@@ -50,7 +50,8 @@ typedef struct AgaaCounters {
                                maxBatches */
     uint64_t pixelsByEvents[6]; /* pixels with one shading event, with two, with more up to 4, 8 and 16, and with
                                    more than 16. 0 for "msaa" */
-    uint64_t lightEvaluations; /* lights that shading events evaluated, shadowed or not; for "msaa" per fragment */
+    uint64_t lightEvaluations; /* lights that shading events evaluated, shadowed or not, times shadingCost; for "msaa" per
+                                  fragment. With a debug view only those of the first samples of "adaptive" */
     uint64_t reserved[2];      /* 0 */
 } AgaaCounters;
 

@@ -112,10 +112,10 @@ struct Dispatch {
     uint64_t argumentsOffset = 0; // bytes, a multiple of 4
 };
 
-// What the host's draw of a prepass leaves of a sample.
+// The value that a prepass draw stores per sample.
 enum class SampleContent { Normal, Id };
 
-// What becomes of the fragments of AGAA_DRAW_PASS_FRAGMENTS.
+// How fragments of AGAA_DRAW_PASS_FRAGMENTS are stored.
 enum class FragmentContent {
     Ids,       // a list of each pixel keeps their ids
     Materials, // the same, with their attributes

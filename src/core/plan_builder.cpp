@@ -231,7 +231,7 @@ void PlanBuilder::defaultSurface(float cosine, float distance, float material) {
     set(plan.config.surfaceMaterial, material);
 }
 
-// Segments have a buffer each, because later ones bring other values (light count, ambient, background) while an
+// Segments have a buffer each, because later ones bring other values (ambient, background) while an
 // earlier one may still run.
 ResourceId PlanBuilder::frameConstants(uint64_t segment) {
     const char* const names[] = {"frame-constants-prepass", "frame-constants-generation", "frame-constants-shading"};
@@ -305,10 +305,6 @@ ResourceId PlanBuilder::output() {
 
 void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
     bind(pass, slot::Output, BindingType::StorageImage, image == noResource ? output() : image, true);
-    bindBelow(pass);
-}
-
-void PlanBuilder::bindBelow(Pass& pass) {
     if (plan.composite)
         bind(pass, slot::Below, BindingType::Texture, output());
 }

@@ -72,8 +72,6 @@ public:
     ResourceId output(); // the host's image
     // What agaa_writeOutput() writes, and composites over: an image of the plan's, or with none the output.
     void bindOutput(Pass& pass, ResourceId image = noResource);
-    // What the output held before, where it is composited over.
-    void bindBelow(Pass& pass);
     void copyCounters();
     void effect(const char* name) { plan.effects.push_back(name); }
     void note(std::string text) { plan.notes.push_back(std::move(text)); }

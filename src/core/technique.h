@@ -47,7 +47,7 @@ struct GenerationTier {
     bool isModel;                // priced, never run
     bool knowsMaterials;         // where samples are grouped
     bool countsPrimitives;
-    bool readsGBuffer;           // what groups samples finds them in a G-buffer
+    bool readsGBuffer;           // samples are grouped from a G-buffer
     // n counts coverage samples, 32, 64 or 128, that the tier finds by itself: targets have one sample.
     bool hasCoverageSamples;
     TierAnswer (*answer)(const GenerationQuery& query);

@@ -244,7 +244,8 @@ void ViewResources::allocateShared(std::vector<Request>& requests, bool alias) {
                 return std::find(types.begin(), types.end(), type) == types.end();
             });
             arena.members.push_back(&request);
-            driverBytes_ = checkedAdd(driverBytes_, request.requirements.size);
+            const uint64_t alignment = std::max<uint64_t>(request.requirements.alignment, context_.granularity);
+            driverBytes_ = checkedAdd(driverBytes_, alignUp(request.requirements.size, alignment));
         }
     for (const auto& [best, arena] : arenas)
         allocateArena(arena.types, arena.members, alias);

@@ -223,8 +223,23 @@ TYPED_TEST_P(AdaptiveCases, ExtremeScalesStayFinite) {
         }
 }
 
-// A busy scene, then one plane: with a memory of a half, numbers of samples fall to one within four frames, and never is a colour
-// of an earlier frame to be seen.
+TYPED_TEST_P(AdaptiveCases, EventsAreShownWhateverTheOptions) {
+    constexpr uint64_t both = AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING;
+    for (const uint64_t flags : {uint64_t(0), AGAA_ADAPTIVE_SHADING, both | AGAA_ADAPTIVE_PRINTED_METRIC, both | AGAA_ADAPTIVE_SORTED,
+                                 both | AGAA_ADAPTIVE_TILE_MAXIMUM, both | AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_LOOP}) {
+        ViewSettings settings = adaptiveSettings(9, flags);
+        settings.config.measurement.debugView = AGAA_DEBUG_VIEW_EVENTS;
+        const Shown shown = this->render(settings, adaptiveShot());
+        double sum = 0;
+        for (size_t i = 0; i < shown.rgb.size(); i += 3)
+            sum += double(shown.rgb[i]);
+        EXPECT_EQ(sum, double(shown.counters.shadingEvents)) << flags;
+        EXPECT_GT(sum, 0);
+    }
+}
+
+// A busy scene, then one plane: with a memory of a half, numbers of samples fall to one within four frames, and no colour of an
+// earlier frame is visible.
 TYPED_TEST_P(AdaptiveCases, RememberedNumbersDecay) {
     std::vector<std::vector<float>> images;
     for (const float memory : {0.0f, 0.5f}) {
@@ -269,6 +284,7 @@ TYPED_TEST_P(AdaptiveCases, RememberedNumbersDecay) {
 REGISTER_TYPED_TEST_SUITE_P(AdaptiveCases, WithoutMetricsItIsSupersampling, FewerSamplesComeNearAllOfThem, ByIdsItIsTheSame,
                             WaysToShadeGiveOneImage,
                             HardCase15OnePlaneIsShadedOnce, HardCase43ABrightPixelStaysAlone, TargetsAreKeptAndUsed,
-                            ThePapersMethodIsAMeanOfSamples, ExtremeScalesStayFinite, RememberedNumbersDecay);
+                            ThePapersMethodIsAMeanOfSamples, ExtremeScalesStayFinite,
+                            EventsAreShownWhateverTheOptions, RememberedNumbersDecay);
 
 } // namespace agaa::test

@@ -48,6 +48,10 @@ protected:
         const typename Host::ShadowMap map = Host::shadowMap(context, 0.5f);
         AgaaFrame frame = view.frame();
         setLight(frame, light, isMapped ? &shadow : nullptr);
+        std::vector<AgaaLight> lights = manyLights(16, 2, 7); // some of which reach few tiles
+        lights[0] = light;
+        frame.lights = lights.data();
+        frame.lightCount = uint32_t(lights.size());
         frame.background[2] = 0.5f;
         addAmbient(frame);
         if (byFunction)

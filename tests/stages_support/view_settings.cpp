@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <random>
 
 namespace agaa::test {
 
@@ -102,6 +103,31 @@ AgaaLight sun() {
     light.direction[2] = -1;
     light.color[0] = light.color[1] = light.color[2] = 3;
     return light;
+}
+
+std::vector<AgaaLight> manyLights(uint32_t count, float range, uint32_t seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> unit(0, 1);
+    std::vector<AgaaLight> lights = {sun()};
+    while (lights.size() < count) {
+        AgaaLight light = sun();
+        const float z = 1 + 19 * unit(random);
+        light.type = lights.size() % 3 == 2 ? AGAA_LIGHT_SPOT : AGAA_LIGHT_POINT;
+        light.position[0] = z * (unit(random) - 0.5f) * 1.8f;
+        light.position[1] = z * (unit(random) - 0.5f) * 1.2f;
+        light.position[2] = -z;
+        const glm::vec3 direction = glm::normalize(glm::vec3(unit(random), unit(random), unit(random)) - 0.5f);
+        for (int axis = 0; axis < 3; ++axis) {
+            light.direction[axis] = direction[axis];
+            light.color[axis] = range * range * unit(random);
+        }
+        light.range = lights.size() % 16 == 5 ? 0 : range * (0.5f + unit(random)); // some without end
+        light.cosInner = 0.95f;
+        light.cosOuter = lights.size() % 2 ? 0.8f : -0.2f;
+        light.radius = 0.01f;
+        lights.push_back(light);
+    }
+    return lights;
 }
 
 void setLight(AgaaFrame& frame, const AgaaLight& light, const AgaaShadow* shadow) {

@@ -95,6 +95,8 @@ std::string shaderDefines(const ViewSettings& settings, uint32_t pass, bool isMa
 
 // Directional, along -z, without shadow.
 AgaaLight sun();
+// The sun, then point and spot lights among randomTriangles(), some of which have no end.
+std::vector<AgaaLight> manyLights(uint32_t count, float range, uint32_t seed);
 // One light, and one shadow where there is one. They stay where they are.
 void setLight(AgaaFrame& frame, const AgaaLight& light, const AgaaShadow* shadow = nullptr);
 

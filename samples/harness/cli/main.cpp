@@ -85,7 +85,7 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
     addDeviceOptions(app, a.device);
     app.add_option("--scene", a.scene, "a built-in scene, blades-N, .gltf or .glb");
     app.add_option("--camera", a.camera, "ex,ey,ez,tx,ty,tz,fovDegrees");
-    app.add_option("--lights", a.lights, "so many lights of short range beside those of the scene, 0 to 4000")->check(CLI::Range(0u, 4000u));
+    app.add_option("--lights", a.lights, "number of added lights of short range, 0 to 4000")->check(CLI::Range(0u, 4000u));
     app.add_option("--jitter", a.jitter, "x,y in pixels");
     app.add_option("--frames", a.frames)->check(CLI::Range(1u, 100000u));
     app.add_option("--warmup", a.warmup);

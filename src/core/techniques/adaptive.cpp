@@ -101,7 +101,7 @@ struct Adaptive {
 };
 
 void bindChoices(PlanBuilder& b, Pass& pass, const Adaptive& a) {
-    b.bind(pass, slot::Fragments, BindingType::StorageBuffer, a.choices, true);
+    b.bind(pass, slot::Aggregates, BindingType::StorageBuffer, a.choices, true);
 }
 
 // A pass that reads samples, and chooses some.
@@ -124,10 +124,8 @@ Pass& addNumbers(PlanBuilder& b, const char* name, const char* shader, const Ada
     Pass& pass = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
     b.bind(pass, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_SHADING));
     bindChoices(b, pass, a);
-    if (reads) {
+    if (reads)
         b.bind(pass, slot::FirstSamples, BindingType::Texture, a.firstSamples);
-        b.bindBelow(pass);
-    }
     return pass;
 }
 
@@ -200,7 +198,7 @@ void build(PlanBuilder& b) {
         addLimit(b, a);
     b.cullLights([&](Pass& pass) { a.bindDepth(b, pass); });
     Pass& first = addShading(b, "shade first samples", "shade_first", a);
-    b.bind(first, slot::Output, BindingType::StorageImage, a.firstSamples, true);
+    b.bindOutput(first, a.firstSamples);
     if (found == AGAA_FOUND_BETWEEN)
         addCounts(b, a);
     addList(b, a);

@@ -30,7 +30,7 @@ struct Aggregation {
     bool definitionClears = false;
 };
 
-// Of surfaces that keep attributes at the precision of samples.
+// Layout of surfaces, whose attributes keep the precision of samples.
 Layout surfaceLayout(Layout layout);
 
 // Constants by which shaders find an aggregate's words.

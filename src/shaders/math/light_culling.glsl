@@ -5,8 +5,8 @@
 #define AGAA_MATH_LIGHT_CULLING_GLSL
 #include "real.glsl"
 
-// What rounding may move a place by, among coordinates of this size.
-real agaa_placeError(real size) { return real(1e-5) * size; }
+// Bound of the rounding error of a position whose coordinates have this size.
+real agaa_positionError(real size) { return real(1e-5) * size; }
 
 real agaa_largestOf(rvec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 
@@ -16,7 +16,7 @@ bool agaa_rangeReaches(rvec3 light, real range, rvec3 low, rvec3 high) {
         return true;
     const rvec3 d = clamp(light, low, high) - light;
     const real size = max(agaa_largestOf(light), max(agaa_largestOf(low), agaa_largestOf(high)));
-    const real reach = range * real(1.00001) + agaa_placeError(size);
+    const real reach = range * real(1.002) + agaa_positionError(size); // of views that are rotations up to a thousandth
     return !(dot(d, d) > reach * reach); // NaN: true
 }
 
@@ -29,9 +29,9 @@ bool agaa_coneReaches(rvec3 light, rvec3 direction, real cosOuter, rvec3 centre,
     const real across = sqrt(max(dot(v, v) - along * along, real(0.0)));
     const real sinOuter = sqrt(max(real(1.0) - cosOuter * cosOuter, real(0.0)));
     const real outside = across * cosOuter - along * sinOuter; // from the cone, if its nearest point is on the side
-    // The difference of squares is good to a thousandth.
-    const real reach = radius * real(1.001) + real(1e-3) * (abs(along) + across) +
-                       agaa_placeError(max(agaa_largestOf(light), agaa_largestOf(centre)));
+    // The difference of squares is good to a thousandth; angles of views that are rotations up to a thousandth are, too.
+    const real reach = radius * real(1.002) + real(3e-3) * (abs(along) + across) +
+                       agaa_positionError(max(agaa_largestOf(light), agaa_largestOf(centre)));
     return !(outside > reach || along < -reach); // NaN: true
 }
 #endif

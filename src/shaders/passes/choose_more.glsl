@@ -4,7 +4,7 @@
 #include "passes/first_samples.glsl"
 
 // wanted: the number of samples; 0: as many as differ enough from all others that were chosen, and what the shading calls for
-// (byShading: agaa_countByShading()). left: how much the one differs then that would be next, as a share of what is enough.
+// (byShading: agaa_countByShading()). left: the difference of the sample that would be next, as a share of the limit.
 uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint wanted, float byShading, out float left) {
     uint turn = 0u;
     left = 0.0;

@@ -3,7 +3,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
-#define AGAA_COMPOSITE 0
 #include "passes/bindings.glsl"
 #include "passes/constants.glsl"
 #include "passes/frame.glsl"

@@ -16,11 +16,14 @@ layout(std430, AGAA_AT_LIGHT_MASKS) writeonly buffer agaa_LightMaskBlock {
     uint words[];
 } agaa_lightMasks;
 
-// Around the samples of the tile in view space, and around those at the far plane, which may show geometry or nothing.
+// Around the samples of the tile in view space.
 struct agaa_Box {
     vec3 low, high;
 };
-shared uint agaa_tileBoxes[12];
+shared uint agaa_tileBox[6];
+// Fewer lights cost less than it does to find those that reach a tile; PlanBuilder::cullLights().
+const uint agaa_leastCulledLights = 8u;
+
 shared uint agaa_tileLights[AGAA_LIGHT_WORDS + 1u];
 
 // Keeps the order of numbers.
@@ -34,84 +37,81 @@ float agaa_ofOrderedBits(uint bits) {
 
 agaa_Box agaa_emptyBox() { return agaa_Box(vec3(3.0e38), vec3(-3.0e38)); }
 
-void agaa_addToTile(uint first, agaa_Box box) {
+void agaa_addToTile(agaa_Box box) {
     if (box.low.x > box.high.x)
         return;
     for (uint axis = 0u; axis < 3u; ++axis) {
-        atomicMin(agaa_tileBoxes[first + axis], agaa_orderedBits(box.low[axis]));
-        atomicMax(agaa_tileBoxes[first + 3u + axis], agaa_orderedBits(box.high[axis]));
+        atomicMin(agaa_tileBox[axis], agaa_orderedBits(box.low[axis]));
+        atomicMax(agaa_tileBox[3u + axis], agaa_orderedBits(box.high[axis]));
     }
 }
 
-agaa_Box agaa_boxOfTile(uint first) {
+agaa_Box agaa_boxOfTile() {
     agaa_Box box;
     for (uint axis = 0u; axis < 3u; ++axis) {
-        box.low[axis] = agaa_ofOrderedBits(agaa_tileBoxes[first + axis]);
-        box.high[axis] = agaa_ofOrderedBits(agaa_tileBoxes[first + 3u + axis]);
+        box.low[axis] = agaa_ofOrderedBits(agaa_tileBox[axis]);
+        box.high[axis] = agaa_ofOrderedBits(agaa_tileBox[3u + axis]);
     }
     return box;
 }
 
-// False where the host's G-buffer shows no geometry.
+// False where the sample shows no geometry. Targets of the SDK show none at the far plane (host/far_plane.glsl).
 bool agaa_readDepth(uvec2 pixel, uint i, out float depth) {
 #ifdef AGAA_HOST_GBUFFER
     AgaaMaterial material;
     return agaa_readHost(pixel, i, depth, material);
 #else
     depth = agaa_depthOf(pixel, i);
-    return true;
+    return depth != float(AGAA_FAR_DEPTH);
 #endif
 }
 
 void agaa_addPixel(uvec2 pixel) {
-    agaa_Box near = agaa_emptyBox(), far = agaa_emptyBox();
+    agaa_Box box = agaa_emptyBox();
     uint i = 0u;
     do {
         float depth;
         bool shows = agaa_readDepth(pixel, i, depth);
-        bool isFar = depth == float(AGAA_FAR_DEPTH);
         vec3 at = agaa_sampleViewPosition(pixel, i, depth);
-        near.low = shows && !isFar ? min(near.low, at) : near.low;
-        near.high = shows && !isFar ? max(near.high, at) : near.high;
-        far.low = shows && isFar ? min(far.low, at) : far.low;
-        far.high = shows && isFar ? max(far.high, at) : far.high;
+        box.low = shows ? min(box.low, at) : box.low;
+        box.high = shows ? max(box.high, at) : box.high;
     } while (++i < agaa_sampleCount());
-    agaa_addToTile(0u, near);
-    agaa_addToTile(6u, far);
+    agaa_addToTile(box);
 }
 
-bool agaa_reaches(agaa_GpuLight light, agaa_Box box) {
-    if (box.low.x > box.high.x)
-        return false;
+// toView: the inverse of agaa_toShadingSpace(). Hosts' views are rotations up to rounding only.
+bool agaa_reaches(agaa_GpuLight light, agaa_Box box, mat3 toView) {
     uint type = floatBitsToUint(light.directionType.w);
     if (type == 0u)
         return true;
-    vec3 at = mat3(agaa_frame.view) * light.positionRange.xyz;
+    vec3 at = toView * light.positionRange.xyz;
     if (!agaa_rangeReaches(at, light.positionRange.w, box.low, box.high))
         return false;
     vec3 middle = 0.5 * (box.low + box.high);
-    return type != 2u || agaa_coneReaches(at, mat3(agaa_frame.view) * light.directionType.xyz, light.cone.y, middle,
-                                          length(box.high - middle));
+    vec3 direction = toView * light.directionType.xyz;
+    float size = max(length(direction), 0.5); // about 1
+    return type != 2u || agaa_coneReaches(at, direction / size, light.cone.y / size, middle, length(box.high - middle));
 }
 
 void main() {
     const uint lane = gl_LocalInvocationIndex;
     for (uint i = lane; i < AGAA_LIGHT_WORDS; i += 64u)
         agaa_tileLights[i] = 0u;
-    if (lane < 12u)
-        agaa_tileBoxes[lane] = agaa_orderedBits(lane % 6u < 3u ? 3.0e38 : -3.0e38);
+    if (lane < 6u)
+        agaa_tileBox[lane] = agaa_orderedBits(lane < 3u ? 3.0e38 : -3.0e38);
     barrier();
+    const uint count = agaa_lightBuffer.shadows[0].lightCount;
+    const bool areFew = count < agaa_leastCulledLights;
     uvec2 pixel = agaa_pixelOf(lane);
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
+    if (!areFew && all(lessThan(pixel, agaa_frame.size.xy)))
         agaa_addPixel(pixel);
     barrier();
-    agaa_Box near = agaa_boxOfTile(0u), far = agaa_boxOfTile(6u);
-    const uint count = agaa_lightBuffer.shadows[0].lightCount;
-    for (uint i = lane; i < count; i += 64u) {
-        agaa_GpuLight light = agaa_lightBuffer.lights[i];
-        if (agaa_reaches(light, near) || agaa_reaches(light, far))
+    const agaa_Box box = agaa_boxOfTile();
+    const bool isEmpty = box.low.x > box.high.x;
+    const mat3 toView = inverse(transpose(mat3(agaa_frame.view)));
+    for (uint i = lane; i < count; i += 64u)
+        if (areFew || (!isEmpty && agaa_reaches(agaa_lightBuffer.lights[i], box, toView)))
             atomicOr(agaa_tileLights[i >> 5u], 1u << (i & 31u));
-    }
     barrier();
     const uint first = agaa_lightMaskAt(gl_WorkGroupID.xy);
     for (uint i = lane; i < AGAA_LIGHT_WORDS; i += 64u)

@@ -2,12 +2,11 @@
 #ifndef AGAA_FIRST_SAMPLES_GLSL
 #define AGAA_FIRST_SAMPLES_GLSL
 #include "math/adaptive.glsl"
-#include "passes/below.glsl"
 #include "passes/display.glsl"
 #include "passes/adaptive_flags.glsl"
 #include "passes/stored_choice.glsl"
 
-// Radiance; alpha is 0 where the pixel shows no geometry.
+// Radiance; where the pixel shows no geometry, what is below, and alpha is 0.
 layout(AGAA_AT_FIRST_SAMPLES) uniform sampler2D agaa_firstSamples;
 
 vec4 agaa_firstSample(ivec2 pixel) { return texelFetch(agaa_firstSamples, pixel, 0); }
@@ -15,8 +14,7 @@ vec4 agaa_firstSample(ivec2 pixel) { return texelFetch(agaa_firstSamples, pixel,
 // Tone-mapped, in [0, 1]: one bright pixel raises the counts of its neighbours by no more than an edge does.
 float agaa_firstLuma(ivec2 pixel) {
     ivec2 at = clamp(pixel, ivec2(0), ivec2(agaa_frame.size.xy) - 1);
-    vec4 first = agaa_firstSample(at);
-    return agaa_displayLuma(first.a > 0.0 ? first.rgb : agaa_belowPixel(at).rgb);
+    return agaa_displayLuma(agaa_firstSample(at).rgb);
 }
 
 // k_s; a real number of samples.

@@ -54,15 +54,17 @@ void main() {
         uint word = agaa_choices.words[agaa_choiceAt(pixel)];
         covered = agaa_coveredIn(word);
         count = agaa_countIn(word);
+        uint remembered = count;
         if (AGAA_COUNT_MEMORY != 0u)
-            count = agaa_remember(pixel, count);
+            remembered = agaa_remember(pixel, count);
         if (covered != 0u) {
             byShading = agaa_countByShading(pixel);
-            count = agaa_countBoth(byShading, count, agaa_leftIn(word));
+            // Samples that are remembered are those that the shading would call for.
+            count = max(agaa_countBoth(byShading, count, agaa_leftIn(word)), remembered);
         }
     }
     count = agaa_evenCount(count, covered);
-    // What debug views show needs what the shading of several samples has at hand.
+    // Debug views need the data that the shading of several samples has.
     bool isListed = count > 1u || (agaa_showsEvents() && covered != 0u);
     uint place = agaa_listPixel(pixel, isListed, AGAA_FURTHER_AT);
     if (isListed)

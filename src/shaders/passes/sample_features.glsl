@@ -1,4 +1,4 @@
-// What samples differ in.
+// Features by which samples are compared.
 #ifndef AGAA_SAMPLE_FEATURES_GLSL
 #define AGAA_SAMPLE_FEATURES_GLSL
 #include "math/adaptive.glsl"

@@ -2,7 +2,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
-#define AGAA_COMPOSITE 0
 #define AGAA_MAX_EVENTS 1u
 #include "passes/bindings.glsl"
 #include "passes/constants.glsl"
@@ -65,7 +64,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel, agaa_Comparison c, uint count) {
     agaa_choices.words[agaa_choiceAt(pixel)] =
         agaa_packCount(uint(bitCount(c.covered)), count, agaa_shareOfLimit(c.most));
     if (c.covered == 0u) {
-        imageStore(agaa_output, ivec2(pixel), vec4(0.0));
+        imageStore(agaa_output, ivec2(pixel), vec4(agaa_belowPixel(ivec2(pixel)).rgb, 0.0));
         return agaa_pixelWork(0u, 0u, 0u);
     }
     agaa_represented[gl_LocalInvocationIndex] = agaa_samplesOfFirst(c.first, c.alike, c.covered);

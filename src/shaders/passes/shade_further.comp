@@ -80,8 +80,7 @@ agaa_Further agaa_furtherOf(uvec2 pixel) {
     return further;
 }
 
-// The first sample was shaded with the shadows of all samples that it stood for then. Those that others stand for now share
-// these shadows.
+// The first sample was shaded with the shadows of all samples like it. Those of them that are shaded, too, share these shadows.
 uint agaa_shadowedSamples(uint lane, uint i, uint samples) {
     if (agaa_isAdaptive(agaa_equalWeights))
         return 1u << i;

@@ -4,7 +4,7 @@
 #include "math/adaptive.glsl"
 #include "passes/choice_words.inc"
 
-layout(std430, AGAA_AT_FRAGMENTS) buffer agaa_ChoiceBlock {
+layout(std430, AGAA_AT_AGGREGATES) buffer agaa_ChoiceBlock {
     uint words[];
 } agaa_choices;
 
