@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -353,6 +354,39 @@ TEST(Planner, LightsAreCulledWhereThereAreManyAndADepth) {
     }
     for (const char* technique : {"msaa", "dcaa"})
         EXPECT_EQ(passesOf({.technique = technique, .samples = technique[0] == 'd' ? 32u : 4u, .maxLights = 64}), 0) << technique;
+}
+
+// OpenGL has few places of a kind, so that slots share them: never in one pass. Hosts have storage buffers from place 4 on, but
+// where there are lists of fragments.
+TEST(Planner, SlotsOfAPassHavePlacesOfTheirOwn) {
+    const auto check = [](const ViewSpec& spec, uint32_t ends) {
+        const Plan plan = planFor(spec, idealDevice());
+        for (const Pass& pass : plan.passes) {
+            std::map<std::pair<BindingKind, uint32_t>, uint32_t> slots;
+            for (const Binding& binding : pass.bindings) {
+                if (pass.kind != PassKind::Compute)
+                    continue;
+                const BindingRow& row = bindingTable[binding.slot];
+                const uint32_t first = slots.try_emplace({row.kind, row.openGl}, binding.slot).first->second;
+                EXPECT_EQ(first, binding.slot) << spec.technique << ": " << pass.name;
+                if (row.kind == BindingKind::Storage) {
+                    EXPECT_LT(row.openGl, ends) << spec.technique << ": " << pass.name;
+                }
+            }
+        }
+    };
+    for (const char* technique : {"single", "fxaa", "ssaa", "simple_complex", "adaptive", "agaa", "sbaa"})
+        for (const uint64_t flags : {uint64_t(0), AGAA_CONFIG_COUNTERS})
+            for (const uint32_t lights : {4u, 64u})
+                check({.technique = technique, .samples = 4, .configFlags = flags, .maxLights = lights}, 4);
+    AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
+    function.glsl = "void agaaHostTriangle";
+    function.maxDraws = function.maxPrimitives = 100;
+    for (const char* technique : {"adaptive", "agaa"})
+        for (const uint64_t flags : {AGAA_CONFIG_COUNTERS, AGAA_CONFIG_COUNTERS | AGAA_CONFIG_BUFFERED})
+            check({.technique = technique, .generationTier = AGAA_TIER_IDS, .configFlags = flags, .maxLights = 64, .chained = &function}, 4);
+    check({.technique = "dcaa", .samples = 64, .configFlags = AGAA_CONFIG_COUNTERS, .maxLights = 64}, 5);
+    check({.technique = "agaa", .samples = 64, .configFlags = AGAA_CONFIG_COUNTERS, .maxLights = 64}, 5);
 }
 
 TEST(Planner, EffectsTheSceneDoesNotCallForLeaveNoTrace) {

@@ -31,7 +31,7 @@ inline Pass& planPass(PlanBuilder& b, const char* name, const std::string& decla
 inline void dispatchItems(Pass& pass, uint64_t items) { pass.dispatch = {.kind = DispatchKind::Items, .items = items}; }
 
 constexpr const char* wordsText = "layout(std430, AGAA_AT_AGGREGATES) buffer Words { uint words[]; };\n";
-constexpr const char* argumentsText = "layout(std430, AGAA_AT_DEFERRED) buffer Arguments { uint arguments[]; };\n";
+constexpr const char* argumentsText = "layout(std430, AGAA_AT_FRAGMENTS) buffer Arguments { uint arguments[]; };\n";
 
 // Shows color, a GLSL vec3 of `item`, a pixel.
 inline Pass& showPixels(PlanBuilder& b, const std::string& declarations, const std::string& color) {
@@ -137,7 +137,7 @@ TYPED_TEST_P(PlanCases, AnEarlierPassSaysHowManyGroups) {
         Pass& say = planPass(b, "say", argumentsText,
                              "    if (item < 8u)\n        arguments[item] = uint[](9u, 9u, 9u, 9u, 3u, 1u, 1u, 9u)[item];\n");
         dispatchItems(say, 8);
-        b.bind(say, slot::Deferred, BindingType::StorageBuffer, arguments, true);
+        b.bind(say, slot::Fragments, BindingType::StorageBuffer, arguments, true);
         Pass& mark = planPass(b, "mark", wordsText, "    words[item] = item + 1u;\n");
         mark.dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments, .argumentsOffset = 16};
         bindWords(b, mark, words, true);
@@ -164,7 +164,7 @@ TYPED_TEST_P(PlanCases, GroupsRepeatUntilABufferEndsThem) {
                                 "    if (words[0] == 3u)\n        arguments[0] = 0u;\n");
         dispatchItems(decide, 1);
         bindWords(b, decide, words, true);
-        b.bind(decide, slot::Deferred, BindingType::StorageBuffer, arguments, true);
+        b.bind(decide, slot::Fragments, BindingType::StorageBuffer, arguments, true);
         b.plan.repeats.push_back({first, first + 1, 5});
         bindWords(b, showPixels(b, wordsText, "vec3(words[0], words[1], 0.0)"), words);
     };
@@ -201,7 +201,7 @@ TYPED_TEST_P(PlanCases, PassesEndThemselves) {
                               "    imageStore(image, ivec2(0), vec4(words[0]));\n");
         work.dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments};
         bindWords(b, work, words);
-        b.bind(work, slot::Deferred, BindingType::StorageBuffer, arguments, true);
+        b.bind(work, slot::Fragments, BindingType::StorageBuffer, arguments, true);
         b.bind(work, slot::Output, BindingType::StorageImage, b.output(), true);
         b.plan.repeats.push_back({first, first + 1, 5});
     };
