@@ -42,6 +42,7 @@ SHADING = [
     ("loop, maximum of a tile", ["--loop", "--tile-maximum"]),
 ]
 COSTS = (1, 4, 16)
+LIGHTS = {"in reach": [], "all": ["--no-culling"]} # that are evaluated
 
 
 class Measurement:
@@ -82,14 +83,16 @@ class Measurement:
 
     def scene(self, name, source, camera):
         view = view_options(source, camera, self.arguments.size)
-        out = {"scene": name, "errors": {}, "times": {}}
+        out = {"scene": name, "errors": {}, "times": {lights: {} for lights in LIGHTS}}
         for side in SIDES:
             out["errors"][side] = self.runs.kept(f"{name}-{side}", lambda: self.errors(name, view, side))
         grid = ["--tier", "visibility=ordered-grid"]
-        for cost in COSTS:
-            rows = [(technique, technique, [*grid, "--shading-cost", cost])
-                    for technique in ("ssaa", "simple_complex", "adaptive")]
-            out["times"][cost] = self.runs.kept(f"{name}-times-{cost}", lambda: self.times(view, 3, rows))
+        for lights, options in LIGHTS.items():
+            for cost in COSTS:
+                rows = [(technique, technique, [*grid, *options, "--shading-cost", cost])
+                        for technique in ("ssaa", "simple_complex", "adaptive")]
+                kept = f"{name}-times-{cost}" + ("-all" if lights == "all" else "")
+                out["times"][lights][cost] = self.runs.kept(kept, lambda: self.times(view, 3, rows))
         return out
 
     def shading(self, name, source, camera):
@@ -125,14 +128,14 @@ def scene_lines(scenes):
                                                   for row in rows) + " |"
 
 
-def time_lines(scenes):
+def time_lines(scenes, lights):
     yield "| scene | " + " | ".join(f"cost {cost}: `ssaa` | `simple_complex`" for cost in COSTS) + " |"
     yield "|---" * (1 + 2 * len(COSTS)) + "|"
     ratios = {}
     for scene in scenes:
         cells = []
         for cost in COSTS:
-            times = scene["times"][cost]
+            times = scene["times"][lights][cost]
             for rival in ("ssaa", "simple_complex"):
                 ratio = times[rival] / times["adaptive"]
                 ratios.setdefault((cost, rival), []).append(ratio)
@@ -160,7 +163,9 @@ def markdown(data):
         "## The default in each scene", "", *scene_lines(data["scenes"]), "",
         "## Frame times at 3 × 3", "",
         f"The rival's frame time by that of `adaptive`, with lighting evaluated 1, 4 and 16 times: medians of {data['turns']} turns of "
-        f"{data['frames']} frames. Above 1, `adaptive` is quicker.", "", *time_lines(data["scenes"]), "",
+        f"{data['frames']} frames. Above 1, `adaptive` is quicker.", "",
+        "With the lights in reach of each tile:", "", *time_lines(data["scenes"], "in reach"), "",
+        "With all lights of the scene (`--no-culling`), 17 in most scenes:", "", *time_lines(data["scenes"], "all"), "",
         "## Ways to shade unequal numbers of samples", "",
         "Frame times by that of the default, which distributes events among all invocations of a group.", "",
         *shading_lines(data["shading"])]) + "\n"

@@ -30,6 +30,18 @@ def configurations():
         for c in (1, 2, 3, 4):
             for tier in TIERS:
                 yield ["--samples", n, "--aggregates", c, "--tier", f"generation={tier}"]
+    for n in (1, 4, 8, 9, 16, 32):
+        for extra in ([], ["--tier", "generation=ids"], ["--printed-metric", "--in-order", "--equal-weights", "--loop"],
+                      ["--sorted"], ["--tile-maximum"], ["--target-events", 2], ["--count-memory", 0.5]):
+            yield ["--technique", "adaptive", "--samples", n, *extra]
+    for n in (32, 64, 128):
+        for tier in ("lists", "material-lists"):
+            for extra in ([], ["--exact"], ["--merge", "paper"]):
+                yield ["--technique", "dcaa", "--samples", n, "--aggregates", 4, "--tier", f"generation={tier}", *extra]
+        yield ["--technique", "agaa", "--samples", n, "--tier", "generation=fragments"]
+    for technique in ("ssaa", "agaa", "sbaa", "adaptive"):
+        for extra in ([], ["--no-culling"]):
+            yield ["--technique", technique, "--samples", 4, "--lights", 64, *extra]
     for preset in ("paper", "fast", "balanced", "accurate"):
         yield ["--preset", preset]
         yield ["--preset", preset, "--tier", "generation=gbuffer"]
@@ -52,8 +64,9 @@ def digest(data):
 
 def of_plan(arguments):
     """Without options that `plan` does not take, and their values."""
+    dropped = ("--backend", "--alpha-points", "--dither-frame", "--lights")
     kept = iter(arguments)
-    return [text for text in kept if text not in ("--backend", "--alpha-points", "--dither-frame") or next(kept) is None]
+    return [text for text in kept if text not in dropped or next(kept) is None]
 
 
 def fingerprint(runs, work, backend, scene, options, size):

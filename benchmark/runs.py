@@ -54,6 +54,7 @@ class Runs:
         self.harness = harness
         self.work = out / "work"
         self.work.mkdir(parents=True, exist_ok=True)
+        settings = json.loads(json.dumps(settings)) # as it is loaded: tuples are lists then
         if any(self.work.glob("*.json")) and self.load("settings") != settings:
             sys.exit(f"{tool}: {self.work} is of other settings; take another folder.")
         self.store("settings", settings)

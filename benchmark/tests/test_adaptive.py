@@ -2,18 +2,21 @@
 """Tests of benchmark/adaptive.py: what its tables say of results."""
 
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import adaptive
+import runs
 
 
 def scene(name, share, mse):
     way = {"share": share, "mse": mse, "flip": 0, "events": 9 * share, "pixelsByEvents": [0] * 6}
     return {"scene": name, "errors": {side: {"device": "D", "driver": "E", "ways": {n: way for n, _ in adaptive.WAYS}}
                                       for side in adaptive.SIDES},
-            "times": {cost: {"ssaa": 100 * cost, "simple_complex": 60 * cost, "adaptive": 50} for cost in adaptive.COSTS}}
+            "times": {lights: {cost: {"ssaa": 100 * cost * k, "simple_complex": 60 * cost * k, "adaptive": 50} for cost in adaptive.COSTS}
+                      for k, lights in enumerate(adaptive.LIGHTS, 1)}}
 
 
 class Adaptive(unittest.TestCase):
@@ -30,7 +33,18 @@ class Adaptive(unittest.TestCase):
         text = adaptive.markdown(self.data)
         self.assertIn("| metal | 2.00 | 1.20 | 8.00 | 4.80 | 32.00 | 19.20 |", text)
         self.assertIn("| median | 2.00 | 1.20 |", text)
+        self.assertIn("| metal | 4.00 | 2.40 | 16.00 | 9.60 | 64.00 | 38.40 |", text)
         self.assertIn("| loop | 2.00 |", text)
+
+    def test_runs_go_on_where_they_stopped(self):
+        with tempfile.TemporaryDirectory() as folder:
+            settings = {"ways": adaptive.WAYS}
+            harness = Path(__file__)
+            runs.Runs("adaptive", harness, Path(folder), settings).kept("metal", lambda: {"made": 1})
+            again = runs.Runs("adaptive", harness, Path(folder), settings).kept("metal", lambda: {"made": 2})
+            self.assertEqual(again, {"made": 1})
+            with self.assertRaises(SystemExit):
+                runs.Runs("adaptive", harness, Path(folder), {"ways": []})
 
     def test_no_error_is_finite(self):
         self.assertEqual(adaptive.decibels(0), 120)
