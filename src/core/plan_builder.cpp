@@ -7,6 +7,8 @@
 #include "core/permutations.h"
 #include "core/error.h"
 
+#include "shaders/passes/light_words.inc"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -309,11 +311,8 @@ void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
         bind(pass, slot::Below, BindingType::Texture, output());
 }
 
-// Fewer lights cost less than it does to find those that reach a tile.
-constexpr uint32_t leastCulledLights = 8;
-
 void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
-    if (plan.facts.maxLights < leastCulledLights || (plan.measurement.flags & AGAA_MEASURE_NO_LIGHT_CULLING))
+    if (plan.facts.maxLights < AGAA_LEAST_CULLED_LIGHTS || (plan.measurement.flags & AGAA_MEASURE_NO_LIGHT_CULLING))
         return;
     const uint32_t words = (plan.facts.maxLights + 31) / 32;
     lightMasks_ = tileBuffer("light-masks", 8, 4 * words);

@@ -10,6 +10,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "math/light_culling.glsl"
 #include "passes/sample_depth.glsl"
 #include "passes/lights.glsl"
+#include "passes/light_words.inc"
 #include "passes/tile_pixels.glsl"
 
 layout(std430, AGAA_AT_LIGHT_MASKS) writeonly buffer agaa_LightMaskBlock {
@@ -21,9 +22,6 @@ struct agaa_Box {
     vec3 low, high;
 };
 shared uint agaa_tileBox[6];
-// Fewer lights cost less than it does to find those that reach a tile; PlanBuilder::cullLights().
-const uint agaa_leastCulledLights = 8u;
-
 shared uint agaa_tileLights[AGAA_LIGHT_WORDS + 1u];
 
 // Keeps the order of numbers.
@@ -101,7 +99,7 @@ void main() {
         agaa_tileBox[lane] = agaa_orderedBits(lane < 3u ? 3.0e38 : -3.0e38);
     barrier();
     const uint count = agaa_lightBuffer.shadows[0].lightCount;
-    const bool areFew = count < agaa_leastCulledLights;
+    const bool areFew = count < AGAA_LEAST_CULLED_LIGHTS;
     uvec2 pixel = agaa_pixelOf(lane);
     if (!areFew && all(lessThan(pixel, agaa_frame.size.xy)))
         agaa_addPixel(pixel);
