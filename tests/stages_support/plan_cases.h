@@ -95,6 +95,7 @@ protected:
             images.push_back(Host::rgba(view));
         }
         batches = view.batches;
+        states = view.states;
         if (validates) {
             EXPECT_EQ(agaaValidateFrame(view.get(), frames, &validation), AGAA_OK);
         }
@@ -103,6 +104,7 @@ protected:
 
     typename Host::Context context;
     std::vector<uint32_t> batches; // of the draw callbacks
+    std::vector<AgaaDrawState> states; // the same
     bool validates = false;
     AgaaFrameValidation validation = AGAA_FRAME_VALIDATION_INIT; // of the last frame
 };
@@ -332,6 +334,32 @@ TYPED_TEST_P(PlanCases, DrawsHaveTextAndBuffersOfTheirOwn) {
     }
 }
 
+// A draw asks its host for conservative rasterisation, and the next one does not. Hosts of these tests draw without it, as
+// devices do that have none.
+TYPED_TEST_P(PlanCases, DrawsAskForConservativeRasterisation) {
+    const auto build = [](PlanBuilder& b) {
+        const ResourceId words = b.pixelBuffer("words", 4);
+        b.fill("clear", AGAA_STAGE_OTHER, words, AGAA_SEGMENT_SHADING);
+        for (const uint32_t conservative : {1u, 0u}) {
+            Pass& draw = b.hostDraw(conservative ? "overestimate" : "draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER,
+                                    AGAA_SEGMENT_SHADING);
+            b.bindCommon(draw);
+            draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
+            draw.drawState.conservative = conservative;
+            draw.text = "layout(std430, AGAA_AT_FRAGMENTS) buffer Words { uint words[]; };\n"
+                        "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
+                        "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], 1u);\n}\n";
+            b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
+        }
+        bindWords(b, showPixels(b, wordsText, "vec3(words[item])"), words);
+    };
+    const auto images = this->render(build, 1, rectangle(0, 0, planWidth / 2, planHeight, 5, Material{}));
+    ASSERT_EQ(this->states.size(), 2u);
+    EXPECT_EQ(this->states[0].conservative, 1u);
+    EXPECT_EQ(this->states[1].conservative, 0u);
+    EXPECT_EQ(images[0][0], 2.0f) << "both draws reach the first pixel";
+}
+
 // Masks of 128 samples: locations, events and the report of invalid pixels.
 TYPED_TEST_P(PlanCases, MasksHaveRoomFor128Samples) {
     const auto build = [](PlanBuilder& b) {
@@ -400,6 +428,7 @@ REGISTER_TYPED_TEST_SUITE_P(PlanCases, ItemsAreDispatchedInRows, AnEarlierPassSa
                             GroupsRepeatUntilABufferEndsThem, BuffersOutliveFrames, CountersComeBackInConstants,
                             DrawsWithoutDepthAreClearedToColours, DrawsWithoutTargetsStore,
                             ATechniqueIsAFileAndAShader, PassesEndThemselves, AWordEndsGroups,
-                            DrawsHaveTextAndBuffersOfTheirOwn, MasksHaveRoomFor128Samples);
+                            DrawsHaveTextAndBuffersOfTheirOwn,
+                            DrawsAskForConservativeRasterisation, MasksHaveRoomFor128Samples);
 
 } // namespace agaa::test

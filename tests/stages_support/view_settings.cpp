@@ -54,6 +54,7 @@ std::vector<Run> drawRuns(const ViewSettings& settings, const std::vector<Triang
 
 AgaaDrawState drawState(const ViewSettings& settings, const AgaaDrawState& wanted, uint32_t pass) {
     AgaaDrawState state = wanted;
+    state.conservative = 0;
     if (isMaterialPass(pass) && settings.mistake.noDepthTest)
         state.depthCompare = AGAA_COMPARE_ALWAYS;
     if (isMaterialPass(pass) && settings.mistake.noStencilTest)

@@ -320,6 +320,7 @@ AgaaResult AGAA_CALL StageView::onDraw(void* user, const AgaaDrawTarget* target)
 AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     ++drawCalls;
     batches.push_back(target.batch);
+    states.push_back(target.state);
     if (const auto result = drawResults.find(target.pass); result != drawResults.end())
         return result->second;
     const AgaaDrawState state = drawState(settings_, target.state, target.pass);

@@ -153,7 +153,7 @@ void main() {
 
 void AGAA_CALL onLog(void* user, uint32_t severity, AgaaResult code, const char* message) {
     auto& context = *static_cast<StageContext*>(user);
-    if (severity >= AGAA_SEVERITY_ERROR)
+    if (severity >= AGAA_SEVERITY_WARNING)
         context.lines.push_back({code, message});
     context.warnings += severity == AGAA_SEVERITY_WARNING;
 }
@@ -378,6 +378,7 @@ AgaaResult AGAA_CALL StageView::onDraw(void* user, const AgaaDrawTarget* target)
 AgaaResult StageView::draw(const AgaaDrawTarget& target) {
     ++drawCalls;
     batches.push_back(target.batch);
+    states.push_back(target.state);
     const auto result = drawResults.find(target.pass);
     if (result != drawResults.end())
         return result->second;

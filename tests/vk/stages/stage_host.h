@@ -52,7 +52,7 @@ public:
     AgaaResult createView(const AgaaViewDesc& desc, AgaaView& view) const {
         return agaaVkCreateView(context_, &desc, &view);
     }
-    std::vector<LogLine> lines; // errors that the SDK logged
+    std::vector<LogLine> lines; // warnings and errors that the SDK logged
     uint32_t warnings = 0;
 
 private:
@@ -113,6 +113,7 @@ public:
     std::map<uint32_t, AgaaResult> drawResults;
     uint32_t drawCalls = 0;
     std::vector<uint32_t> batches; // of the calls
+    std::vector<AgaaDrawState> states; // of the calls
 
 private:
     static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);
