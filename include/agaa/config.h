@@ -161,6 +161,9 @@ typedef enum AgaaTier {
                                                      or the first covered sample. Derivatives of normals are not used.
                                                      AgaaCounters::materials counts the evaluations */
 
+#define AGAA_CONFIG_CHECK_FACTS UINT64_C(0x40) /* inspect each material for what AgaaSceneFacts says (agaaGetFactReport).
+                                                  Implies AGAA_CONFIG_COUNTERS */
+
 /* What a host chooses for a view. AgaaAggregation, AgaaDecoupledCoverage, AgaaAdaptiveSampling and AgaaMeasurement may be
  * chained; without them, their members have their defaults. */
 typedef struct AgaaConfig {
@@ -290,6 +293,8 @@ typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_TIER = 7, /* grey: no aggregation; orange: two geometry passes; blue: from a G-buffer, unfetched draws
                                  included; green: by ids; yellow: by lists of fragments. Half as bright if the pixel has
                                  one shading event. With AGAA_CONFIG_BUFFERED, unfetched draws are green */
+    AGAA_DEBUG_VIEW_FACTS = 8, /* share of the covered samples whose material contradicts AgaaSceneFacts::flags. Implies
+                                  AGAA_CONFIG_CHECK_FACTS */
     AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
 } AgaaDebugView;
 
@@ -349,7 +354,12 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
 
 /* ---- scene facts and views ------------------------------------------------------------------ */
 
-/* Effects that the scene calls for, bits of AgaaSceneFacts::flags. The plan drops all others. */
+/* Effects that the scene calls for, bits of AgaaSceneFacts::flags. The plan drops all others.
+ *
+ * SPECULAR       without: no specular reflectance and no roughness are stored or shaded
+ * EMISSIVE       without: no emission is stored or shaded
+ * ALPHA_MASKED   without: no material is alpha-masked
+ * AMBIENT        without: AgaaFrame::ambient is not used */
 #define AGAA_FACT_SPECULAR UINT64_C(0x01)
 #define AGAA_FACT_EMISSIVE UINT64_C(0x02)
 #define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04)
@@ -358,6 +368,25 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
  * "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa", "dcaa" and the tier
  * FRAGMENTS fail with AGAA_ERROR_UNSUPPORTED. */
 #define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10)
+/* What all materials and lights of the scene have in common. The plan drops what follows from it. If a material differs, its
+ * value is replaced; AGAA_CONFIG_CHECK_FACTS counts such materials.
+ *
+ * ONE_ROUGHNESS     the roughness is AgaaSceneFacts::alpha2. No roughness is stored, except by "dcaa"
+ * GREY_SPECULAR     the specular reflectance has equal channels. One channel is stored, of a coloured one the mean
+ * ONE_SPECULAR      the specular reflectance is AgaaSceneFacts::specular, as of dielectrics. None is stored
+ * NO_DIFFUSE        the diffuse albedo is 0, as of metals. None is stored
+ * NO_LOCAL_LIGHTS   all lights are directional. No light is culled
+ * NO_TRANSLUCENCY   alpha-masked materials are cut-outs (AgaaSurfaceInput::alphaCutoff > 0)
+ * NO_CUTOUTS        alpha-masked materials are translucent, if NO_TRANSLUCENCY is not set */
+#define AGAA_FACT_ONE_ROUGHNESS UINT64_C(0x100)
+#define AGAA_FACT_GREY_SPECULAR UINT64_C(0x200)
+#define AGAA_FACT_ONE_SPECULAR UINT64_C(0x400)
+#define AGAA_FACT_NO_TRANSLUCENCY UINT64_C(0x2000)
+#define AGAA_FACT_NO_CUTOUTS UINT64_C(0x4000)
+/* If a layout has emission of one channel, a factor of the albedo, the view fails with AGAA_ERROR_LAYOUT. */
+#define AGAA_FACT_NO_DIFFUSE UINT64_C(0x800)
+/* Point and spot lights fail with AGAA_ERROR_OUT_OF_RANGE. */
+#define AGAA_FACT_NO_LOCAL_LIGHTS UINT64_C(0x1000)
 #define AGAA_FACT_ALL_SHADED (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED | AGAA_FACT_AMBIENT)
 
 #define AGAA_MAX_SHADOW_MAPS 4
@@ -370,9 +399,11 @@ typedef struct AgaaSceneFacts {
     uint32_t maxLights;      /* [0, 4096]. "msaa" with AGAA_GL_STORAGE_IMAGES takes 16 KiB of lights; more fail with
                                 AGAA_ERROR_UNSUPPORTED, and the log names the largest number */
     uint32_t shadowMapCount; /* [0, AGAA_MAX_SHADOW_MAPS] */
+    float alpha2;            /* with AGAA_FACT_ONE_ROUGHNESS: GGX alpha squared, [4.1e-6, 1] */
+    float specular;          /* with AGAA_FACT_ONE_SPECULAR: reflectance at normal incidence, [0, 1] */
 } AgaaSceneFacts;
 #define AGAA_SCENE_FACTS_INIT                                                                       \
-    {AGAA_STRUCTURE_TYPE_SCENE_FACTS, (uint32_t)sizeof(AgaaSceneFacts), NULL, AGAA_FACT_ALL_SHADED, 64, 1}
+    {AGAA_STRUCTURE_TYPE_SCENE_FACTS, (uint32_t)sizeof(AgaaSceneFacts), NULL, AGAA_FACT_ALL_SHADED, 64, 1, 1.0f, 0.04f}
 AGAA_API void AGAA_CALL agaaInitSceneFacts(AgaaSceneFacts* outFacts, size_t structSize);
 
 /* Bits of AgaaViewDesc::flags. */

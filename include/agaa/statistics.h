@@ -154,6 +154,57 @@ AGAA_API void AGAA_CALL agaaInitFrameValidation(AgaaFrameValidation* outValidati
 AGAA_API AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,
                                                 AgaaFrameValidation* outValidation);
 
+/* ---- scene facts ---------------------------------------------------------------------------- */
+
+/* What a frame says of the facts of its scene. A material is inspected each time that a fragment evaluates it in a pass that
+ * stores or shades it, visible or not, and each time that a function of the host provides it. A difference of 0.001 or less
+ * does not count; for roughness, that is a difference of GGX alpha. */
+typedef struct AgaaFactReport {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;       /* null */
+    uint64_t frameIndex;     /* the frame that was inspected */
+    uint64_t inspected;      /* materials */
+    /* Inspected materials: */
+    uint64_t withSpecular;    /* with specular reflectance */
+    uint64_t withEmission;
+    uint64_t alphaMasked;
+    uint64_t otherRoughness;  /* whose roughness is not AgaaSceneFacts::alpha2 */
+    uint64_t coloredSpecular; /* whose specular reflectance has unequal channels */
+    uint64_t otherSpecular;   /* whose specular reflectance is not AgaaSceneFacts::specular */
+    uint64_t withDiffuse;     /* with diffuse albedo */
+    uint64_t translucent;     /* of the alpha-masked ones */
+    uint64_t cutouts;         /* of the alpha-masked ones */
+    /* Of the frame: */
+    uint32_t lightCount;
+    uint32_t localLights;     /* point and spot lights */
+    uint32_t shadowCount;
+    uint32_t hasAmbient;      /* 1: AgaaFrame::ambient is not 0 */
+    /* Bits of AgaaSceneFacts::flags: */
+    uint64_t contradicted;   /* facts of the view that the frame contradicts: effects that it calls for and the view left out,
+                                and common values that a material does not have */
+    uint64_t sufficient;     /* the facts that describe this frame, with the fewest effects. CUSTOM_DEPTH as in the view */
+    char explanation[512];   /* what was found */
+} AgaaFactReport;
+#define AGAA_FACT_REPORT_INIT                                                                       \
+    {AGAA_STRUCTURE_TYPE_FACT_REPORT, (uint32_t)sizeof(AgaaFactReport), NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
+     0, 0, 0, 0, 0, 0, 0, {0}}
+AGAA_API void AGAA_CALL agaaInitFactReport(AgaaFactReport* outReport, size_t structSize);
+
+/* Compares the facts of a view with the frame that agaaGetFrameStatistics would report. The first contradiction of a view
+ * also goes to the log, as a warning.
+ *
+ * completedFrame   The newest frame that the device is known to have finished.
+ * outReport        Initialised; unchanged on failure.
+ *
+ * Returns          AGAA_NOT_READY if there is no such frame; outReport is unchanged.
+ * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
+ *                  AGAA_ERROR_STRUCT             outReport is not initialised
+ *                  AGAA_ERROR_WRONG_ORDER        the view has no AGAA_CONFIG_CHECK_FACTS
+ * Threads          One call at a time per context.
+ * OpenGL           The context must be current. */
+AGAA_API AgaaResult AGAA_CALL agaaGetFactReport(AgaaView view, uint64_t completedFrame, AgaaFactReport* outReport);
+
 #ifdef __cplusplus
 }
 #endif

@@ -220,6 +220,16 @@ AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFra
     });
 }
 
+AgaaResult AGAA_CALL agaaGetFactReport(AgaaView view, uint64_t completedFrame, AgaaFactReport* outReport) {
+    return guarded(logOf(view), "agaaGetFactReport", [&]() -> AgaaResult {
+        require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
+        AgaaFactReport report = readStruct(outReport);
+        const AgaaResult result = view->current->facts(completedFrame, report);
+        writeStruct(outReport, report);
+        return result;
+    });
+}
+
 AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t completedFrame,
                                        AgaaFrameValidation* outValidation) {
     return guarded(logOf(view), "agaaValidateFrame", [&]() -> AgaaResult {

@@ -1,6 +1,7 @@
 #include "core/frame_sequence.h"
 
 #include "core/error.h"
+#include "core/validate.h"
 
 #include <algorithm>
 
@@ -53,6 +54,14 @@ uint32_t FrameSequence::slotOf(const AgaaFrame& frame) const {
     return begins(frame) ? (slot_ + 1) % uint32_t(slots_.size()) : slot_;
 }
 
+static FrameContent contentOf(const AgaaFrame& frame) {
+    FrameContent content{.lights = frame.lightCount, .shadows = frame.shadowCount};
+    for (uint32_t i = 0; i < frame.lightCount; ++i)
+        content.localLights += lightOf(frame, i).type != AGAA_LIGHT_DIRECTIONAL;
+    content.hasAmbient = std::ranges::any_of(frame.ambient, [](float value) { return value != 0; });
+    return content;
+}
+
 void FrameSequence::recorded(const AgaaFrame& frame) {
     if (begins(frame)) {
         slot_ = slotOf(frame);
@@ -60,9 +69,11 @@ void FrameSequence::recorded(const AgaaFrame& frame) {
         camera_ = cameraOf(frame);
         ditherFrame_ = frame.ditherFrame;
         segments_ = 0;
-        slots_[slot_] = {frame.frameIndex, false};
+        slots_[slot_] = {frame.frameIndex, false, {}};
     }
     segments_ |= frame.segments;
+    if (frame.segments & AGAA_SEGMENT_SHADING)
+        slots_[slot_].content = contentOf(frame);
     slots_[slot_].complete = segments_ == AGAA_SEGMENT_ALL;
 }
 

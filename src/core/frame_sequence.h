@@ -9,6 +9,12 @@
 
 namespace agaa {
 
+// What a frame's lights call for.
+struct FrameContent {
+    uint32_t lights = 0, localLights = 0, shadows = 0;
+    bool hasAmbient = false;
+};
+
 class FrameSequence {
 public:
     explicit FrameSequence(uint32_t slotCount) : slots_(slotCount) {}
@@ -30,6 +36,7 @@ public:
     struct Slot {
         uint64_t frame = 0; // that used it last
         bool complete = false;
+        FrameContent content;
     };
     const Slot* newest(uint64_t completedFrame) const;
     uint32_t indexOf(const Slot& slot) const { return uint32_t(&slot - slots_.data()); }

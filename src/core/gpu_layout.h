@@ -52,9 +52,11 @@ inline uint64_t lightBufferBytes(uint32_t maxLights) {
 enum Counter : uint32_t {
 #define AGAA_COUNTER(index, name, member) name = index,
 #define AGAA_COUNTER_MAX(index, name, member) name = index, counterCount
+#define AGAA_COUNTER_FACT(index, name, member, fact) name = index,
 #include "shaders/passes/counters.inc"
 #undef AGAA_COUNTER
 #undef AGAA_COUNTER_MAX
+#undef AGAA_COUNTER_FACT
 };
 
 struct CounterBuffer {

@@ -1,5 +1,7 @@
 #include "core/handles.h"
 
+#include "core/fact_report.h"
+
 #include <algorithm>
 
 #include <cstdlib>
@@ -58,9 +60,11 @@ static AgaaCounters countersOf(const CounterBuffer& source) {
     };
 #define AGAA_COUNTER(index, name, member) out.member = wide(name);
 #define AGAA_COUNTER_MAX(index, name, member) out.member = wide(name);
+#define AGAA_COUNTER_FACT(index, name, member, fact)
 #include "shaders/passes/counters.inc"
 #undef AGAA_COUNTER
 #undef AGAA_COUNTER_MAX
+#undef AGAA_COUNTER_FACT
     return out;
 }
 
@@ -173,6 +177,19 @@ AgaaResult SizedView::validation(uint64_t completedFrame, AgaaFrameValidation& o
     }
     std::strncpy(out.explanation, explain(out, plan.geometryPasses()), sizeof out.explanation - 1);
     out.explanation[sizeof out.explanation - 1] = 0;
+    return AGAA_OK;
+}
+
+AgaaResult SizedView::facts(uint64_t completedFrame, AgaaFactReport& out) {
+    require(plan.config.flags & AGAA_CONFIG_CHECK_FACTS, AGAA_ERROR_WRONG_ORDER,
+            "the view was created without AGAA_CONFIG_CHECK_FACTS.");
+    const FrameSequence::Slot* newest = sequence.newest(completedFrame);
+    if (!newest)
+        return AGAA_NOT_READY;
+    out = factReport(plan.facts, *newest, readCounters(sequence.indexOf(*newest)));
+    if (out.contradicted && !toldOfFacts_)
+        owner.log.write(AGAA_SEVERITY_WARNING, AGAA_OK, out.explanation);
+    toldOfFacts_ = toldOfFacts_ || out.contradicted;
     return AGAA_OK;
 }
 

@@ -63,6 +63,7 @@ public:
 
     AgaaResult statistics(uint64_t completedFrame, AgaaFrameStatistics& out) const;
     AgaaResult validation(uint64_t completedFrame, AgaaFrameValidation& out) const;
+    AgaaResult facts(uint64_t completedFrame, AgaaFactReport& out);
 
     // What hosts chain to AgaaDrawPass and AgaaSurface for what is the graphics API's own.
     virtual const StructRow& drawPassRow() const = 0;
@@ -87,6 +88,9 @@ public:
     AgaaContext_T& owner;
     const Plan plan;
     FrameSequence sequence;
+
+private:
+    bool toldOfFacts_ = false; // the log knows of a contradiction
 };
 
 } // namespace agaa

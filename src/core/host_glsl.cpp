@@ -139,6 +139,11 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     define(out, "AGAA_EMISSIVE_CHANNELS", c[AGAA_EMISSIVE_CHANNELS]);
     out += "#define AGAA_EMISSIVE_RANGE " + glslNumber(plan.layout.emissiveRange()) + "\n";
     defineSwitch(out, "AGAA_FAR_DEPTH", c[AGAA_FAR_DEPTH]);
+    define(out, "AGAA_FACTS", c[AGAA_FACTS]);
+    define(out, "AGAA_ONE_ALPHA2", c[AGAA_ONE_ALPHA2]);
+    define(out, "AGAA_ONE_SPECULAR", c[AGAA_ONE_SPECULAR]);
+    defineSwitch(out, "AGAA_CHECK_FACTS", c[AGAA_CHECK_FACTS]);
+    defineSwitch(out, "AGAA_SHOWS_FACTS", c[AGAA_DEBUG_VIEW] == AGAA_DEBUG_VIEW_FACTS);
     if (pass.drawPass == AGAA_DRAW_PASS_AGGREGATE) {
         out += format("#define AGAA_TARGET_TEXTURE %s\n", plan.hwSamples > 1 ? "sampler2DMS" : "sampler2D");
         defineSwitch(out, "AGAA_AGGREGATES", std::max(plan.aggregates, 1u));
@@ -219,7 +224,8 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
     out += defines(plan, pass, dialect) + places(dialect) + outputs(pass, dialect);
     for (const char* path : {"passes/frame.glsl", "math/sanitise.glsl", "math/coverage.glsl",
                              "math/encoding.glsl",
-                             "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "math/records.glsl", "passes/stored.glsl", "host/surface.glsl",
+                             "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "math/records.glsl", "passes/stored.glsl",
+                             "passes/scene_facts.glsl", "host/surface.glsl",
                              "host/counters.glsl", "host/placement.glsl"})
         appendGlsl(out, path, seen);
     if (!pass.text.empty())

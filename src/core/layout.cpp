@@ -196,13 +196,29 @@ Layout checkLayout(const AgaaLayout* pointer) {
     return layout;
 }
 
-Layout reduceLayout(Layout layout, uint64_t factFlags) {
-    if (!(factFlags & AGAA_FACT_SPECULAR) || !layout.has(AGAA_SEMANTIC_SPECULAR)) {
-        layout.attributes[AGAA_SEMANTIC_SPECULAR] = {};
-        layout.attributes[AGAA_SEMANTIC_ROUGHNESS] = {};
-    }
+// One channel in place of three.
+static void makeGrey(AgaaLayoutAttribute& attribute) {
+    attribute.channels = 1;
+    attribute.encoding = AGAA_ENCODING_UNORM;
+    attribute.chromaBits = 0;
+    attribute.sampleBits = attribute.sampleBits == 10 ? 16 : attribute.sampleBits; // 10 bits are for three channels
+}
+
+Layout reduceLayout(Layout layout, uint64_t factFlags, bool keepsRoughness) {
+    const auto drop = [&](AgaaSemantic semantic) { layout.attributes[semantic] = {}; };
+    layout.hasSpecularLight = factFlags & AGAA_FACT_SPECULAR && layout.has(AGAA_SEMANTIC_SPECULAR);
+    if (!layout.hasSpecularLight || factFlags & AGAA_FACT_ONE_SPECULAR)
+        drop(AGAA_SEMANTIC_SPECULAR);
+    else if (factFlags & AGAA_FACT_GREY_SPECULAR)
+        makeGrey(layout.attributes[AGAA_SEMANTIC_SPECULAR]);
+    if (!layout.hasSpecularLight || (factFlags & AGAA_FACT_ONE_ROUGHNESS && !keepsRoughness))
+        drop(AGAA_SEMANTIC_ROUGHNESS);
     if (!(factFlags & AGAA_FACT_EMISSIVE))
-        layout.attributes[AGAA_SEMANTIC_EMISSIVE] = {};
+        drop(AGAA_SEMANTIC_EMISSIVE);
+    require(!(factFlags & AGAA_FACT_NO_DIFFUSE) || layout[AGAA_SEMANTIC_EMISSIVE].channels != 1, AGAA_ERROR_LAYOUT,
+            "AgaaLayout has emission of one channel, a factor of the diffuse albedo, which AGAA_FACT_NO_DIFFUSE leaves out.");
+    if (factFlags & AGAA_FACT_NO_DIFFUSE)
+        drop(AGAA_SEMANTIC_DIFFUSE);
     return layout;
 }
 

@@ -47,6 +47,7 @@ struct CustomAttribute {
 struct Layout {
     std::array<AgaaLayoutAttribute, AGAA_SEMANTIC_CUSTOM> attributes{};
     std::vector<CustomAttribute> customs; // their channels come in sequence
+    bool hasSpecularLight = false; // stored, or the same for all materials
 
     const AgaaLayoutAttribute& operator[](AgaaSemantic semantic) const {
         return attributes[semantic];
@@ -69,8 +70,8 @@ struct Layout {
 Layout checkLayout(const AgaaLayout* layout);
 AgaaLayout builtinLayout(const char* name); // throws for unknown names
 std::vector<const char*> layoutNames();
-// Without the attributes that the scene does not call for.
-Layout reduceLayout(Layout layout, uint64_t factFlags);
+// Without the attributes that the scene does not call for. keepsRoughness: the technique stores lobes that it widened.
+Layout reduceLayout(Layout layout, uint64_t factFlags, bool keepsRoughness = false);
 
 // Sums of n fragments in 32-bit words. A field has bits + log2(n) bits, so that n values of full scale
 // do not carry into the next (hard case 36); a coverage mask of n bits is one more field. Numbers that are no

@@ -312,7 +312,8 @@ void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
 }
 
 void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
-    if (plan.facts.maxLights < AGAA_LEAST_CULLED_LIGHTS || (plan.measurement.flags & AGAA_MEASURE_NO_LIGHT_CULLING))
+    if (plan.facts.maxLights < AGAA_LEAST_CULLED_LIGHTS || hasFact(AGAA_FACT_NO_LOCAL_LIGHTS) ||
+        (plan.measurement.flags & AGAA_MEASURE_NO_LIGHT_CULLING))
         return;
     const uint32_t words = (plan.facts.maxLights + 31) / 32;
     lightMasks_ = tileBuffer("light-masks", 8, 4 * words);
@@ -364,7 +365,7 @@ void PlanBuilder::bindShadows(Pass& pass) {
 }
 
 void PlanBuilder::listEffects(bool readsFolded) {
-    if (plan.layout.has(AGAA_SEMANTIC_SPECULAR))
+    if (plan.layout.hasSpecularLight)
         effect("specular");
     if (plan.layout.has(AGAA_SEMANTIC_EMISSIVE))
         effect("emissive");
@@ -393,11 +394,11 @@ void PlanBuilder::listEffects(bool readsFolded) {
         if (readsFolded)
             note("roughness is folded into the normal's length: the length does not tell the spread of normals, so the "
                  "diffuse term is not filtered, and rounding of the sums widens narrow lobes.");
-        if (constants_[AGAA_NDF] && plan.layout.has(AGAA_SEMANTIC_SPECULAR))
+        if (constants_[AGAA_NDF] && plan.layout.hasSpecularLight)
             effect("ndf-widening");
         if (plan.config.ndf > AGAA_NDF_TOKSVIG)
             effect("elliptic-lobes");
-        if (constants_[AGAA_GLOSS_WEIGHT] && plan.layout.has(AGAA_SEMANTIC_SPECULAR))
+        if (constants_[AGAA_GLOSS_WEIGHT] && plan.layout.hasSpecularLight)
             effect("gloss-weight");
     }
 }

@@ -48,7 +48,7 @@ void PlanBuilder::dropUncalledFor(const Technique& technique) {
     }
     if (plan.aggregates < 2) // one place to go to
         plan.measurement.flags &= ~AGAA_MEASURE_FIRST_SAMPLE_ROUTING;
-    if (!technique.groupsSamples || !plan.layout.has(AGAA_SEMANTIC_SPECULAR)) { // no lobe: elliptic, or narrow
+    if (!technique.groupsSamples || !plan.layout.hasSpecularLight) { // no lobe: elliptic, or narrow
         config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG);
         plan.aggregation.glossWeight = 0;
     }
@@ -138,8 +138,12 @@ void PlanBuilder::setConstants() {
     c[AGAA_COUNTERS] = counts();
     c[AGAA_SEEDS] = measurement.seeds;
     c[AGAA_EMISSIVE_CHANNELS] = plan.layout[AGAA_SEMANTIC_EMISSIVE].channels;
-    c[AGAA_HAS_SPECULAR] = plan.layout.has(AGAA_SEMANTIC_SPECULAR);
+    c[AGAA_HAS_SPECULAR] = plan.layout.hasSpecularLight;
     c[AGAA_HAS_AMBIENT] = hasFact(AGAA_FACT_AMBIENT);
+    c[AGAA_FACTS] = uint32_t(plan.facts.flags);
+    c[AGAA_CHECK_FACTS] = (config.flags & AGAA_CONFIG_CHECK_FACTS) != 0;
+    c[AGAA_ONE_ALPHA2] = std::bit_cast<uint32_t>(plan.facts.alpha2);
+    c[AGAA_ONE_SPECULAR] = std::bit_cast<uint32_t>(plan.facts.specular);
     c[AGAA_SHADING_COST] = measurement.shadingCost;
     c[AGAA_GLOSS_WEIGHT] = plan.aggregation.glossWeight > 0 ? std::bit_cast<uint32_t>(plan.aggregation.glossWeight) : 0; // not -0
     c[AGAA_LIT_SHADOWS] = plan.aggregation.litShadows;

@@ -72,6 +72,7 @@ struct Technique {
 
     // Whether AUTO takes an ordered grid where n can be placed on one; null: no.
     bool (*prefersOrderedGrid)(const ViewSettings& view) = nullptr;
+    bool storesWidenedLobes = false; // as roughness
 
     // Whether n counts coverage samples: the tier, or with AUTO n itself, decides.
     bool countsCoverage(uint32_t generationTier, uint32_t samples) const;

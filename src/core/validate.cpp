@@ -83,12 +83,14 @@ static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {
             "AgaaFrame::projection is singular.");
 }
 
-static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCount) {
+static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCount, bool isLocalAllowed) {
     const auto bad = [&](const char* what) {
         fail(AGAA_ERROR_OUT_OF_RANGE, format("light %u: %s.", index, what));
     };
     if (light.type > AGAA_LIGHT_SPOT)
         bad(format("its type %u is not known", light.type).c_str());
+    if (light.type != AGAA_LIGHT_DIRECTIONAL && !isLocalAllowed)
+        bad("it is not directional, against AGAA_FACT_NO_LOCAL_LIGHTS");
     if (light.shadowMap != AGAA_NO_SHADOW && light.shadowMap >= shadowCount)
         bad("its shadow map is not among the frame's shadows");
     for (int i = 0; i < 3; ++i) {
@@ -156,7 +158,7 @@ void checkFrame(const AgaaFrame& frame, const Plan& plan) {
     checkElements(frame.lights, frame.lightSize, frame.lightCount, sizeof(AgaaLight), 64, "AgaaFrame::lightSize");
     checkElements(frame.shadows, frame.shadowSize, frame.shadowCount, sizeof(AgaaShadow), 392, "AgaaFrame::shadowSize");
     for (uint32_t i = 0; i < frame.lightCount; ++i)
-        checkLight(lightOf(frame, i), i, frame.shadowCount);
+        checkLight(lightOf(frame, i), i, frame.shadowCount, !(facts.flags & AGAA_FACT_NO_LOCAL_LIGHTS));
     for (uint32_t i = 0; i < frame.shadowCount; ++i)
         checkShadow(shadowOf(frame, i), plan.functionShadows >> i & 1);
     for (float value : frame.ambient)

@@ -19,7 +19,7 @@ static void readMeasurement(const AgaaConfig& config, ViewSettings& view) {
     const AgaaMeasurement& m = view.measurement = *chained;
     view.measurement.pNext = nullptr;
     checkRange(uint64_t(m.shadingCost), 1, 64, "AgaaMeasurement::shadingCost");
-    checkRange(uint64_t(m.debugView), 0, AGAA_DEBUG_VIEW_TIER, "AgaaMeasurement::debugView");
+    checkRange(uint64_t(m.debugView), 0, AGAA_DEBUG_VIEW_FACTS, "AgaaMeasurement::debugView");
     checkRange(uint64_t(m.seeds), 0, AGAA_SEEDS_SUM_OF_SQUARES, "AgaaMeasurement::seeds");
     checkReserved(m.reserved, "AgaaMeasurement::reserved");
     checkFlags(m.flags,
@@ -57,7 +57,7 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer) {
     checkRange(double(config.surfaceMaterial), 0.0, 1.0, "AgaaConfig::surfaceMaterial");
     checkFlags(config.flags,
                AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK | AGAA_CONFIG_SPLIT_SURFACES |
-                   AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS,
+                   AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS | AGAA_CONFIG_CHECK_FACTS,
                "AgaaConfig::flags");
     return config;
 }
@@ -82,7 +82,13 @@ static AgaaSceneFacts checkFacts(const AgaaSceneFacts* pointer) {
     checkRange(uint64_t(facts.maxLights), 0, 4096, "AgaaSceneFacts::maxLights");
     checkRange(uint64_t(facts.shadowMapCount), 0, AGAA_MAX_SHADOW_MAPS,
                "AgaaSceneFacts::shadowMapCount");
-    checkFlags(facts.flags, AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH, "AgaaSceneFacts::flags");
+    checkFlags(facts.flags,
+               AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH | AGAA_FACT_ONE_ROUGHNESS | AGAA_FACT_GREY_SPECULAR |
+                   AGAA_FACT_ONE_SPECULAR | AGAA_FACT_NO_DIFFUSE | AGAA_FACT_NO_LOCAL_LIGHTS | AGAA_FACT_NO_TRANSLUCENCY |
+                   AGAA_FACT_NO_CUTOUTS,
+               "AgaaSceneFacts::flags");
+    checkRange(double(facts.alpha2), 4.1e-6, 1.0, "AgaaSceneFacts::alpha2");
+    checkRange(double(facts.specular), 0.0, 1.0, "AgaaSceneFacts::specular");
     return facts;
 }
 
@@ -196,6 +202,10 @@ ViewSettings resolveView(const AgaaViewDesc* pointer) {
     view.vertexPulling = desc.flags & AGAA_VIEW_VERTEX_PULLING;
     view.config = checkConfig(desc.config);
     readSettings(view.config, view);
+    if (view.measurement.debugView == AGAA_DEBUG_VIEW_FACTS)
+        view.config.flags |= AGAA_CONFIG_CHECK_FACTS;
+    if (view.config.flags & AGAA_CONFIG_CHECK_FACTS)
+        view.config.flags |= AGAA_CONFIG_COUNTERS;
     view.config.pNext = nullptr;
     view.facts = checkFacts(desc.facts);
     const Technique& technique = *findTechnique(view.config.technique);
@@ -205,7 +215,9 @@ ViewSettings resolveView(const AgaaViewDesc* pointer) {
     readShadowFunction(desc, view);
     readGBufferFunction(desc, view);
     readFetchFunction(desc, view);
-    view.layout = reduceLayout(checkLayout(view.config.layout), view.facts.flags);
+    // The debug view of facts shows what it finds as diffuse albedo.
+    const uint64_t shown = view.measurement.debugView == AGAA_DEBUG_VIEW_FACTS ? AGAA_FACT_NO_DIFFUSE : 0;
+    view.layout = reduceLayout(checkLayout(view.config.layout), view.facts.flags & ~shown, technique.storesWidenedLobes);
     view.config.layout = nullptr; // the host's pointer does not outlive the call
     if (!technique.maxAggregates)
         return view;

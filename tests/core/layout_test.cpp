@@ -154,6 +154,30 @@ TEST(Layout, DropsWhatTheSceneDoesNotCallFor) {
     EXPECT_FALSE(reduceLayout(rough, AGAA_FACT_ALL_SHADED).foldsRoughness());
 }
 
+// What facts save, in bytes of a sample and of an aggregate of eight.
+TEST(Layout, FactsSaveBytes) {
+    struct Row {
+        uint64_t facts;
+        uint32_t sampleBytes, aggregateBytes;
+    };
+    constexpr uint64_t all = AGAA_FACT_ALL_SHADED;
+    for (const Row& row : {Row{all, 22, 36}, Row{all | AGAA_FACT_GREY_SPECULAR, 20, 32},
+                           Row{all | AGAA_FACT_ONE_SPECULAR, 18, 28}, Row{all | AGAA_FACT_ONE_ROUGHNESS, 20, 32},
+                           Row{all | AGAA_FACT_NO_DIFFUSE, 16, 28}, Row{all & ~AGAA_FACT_EMISSIVE, 16, 24},
+                           Row{all & ~AGAA_FACT_SPECULAR, 16, 24}}) {
+        const Layout layout = reduceLayout(builtin("precise"), row.facts);
+        uint32_t bytes = 0;
+        for (Format format : packGBuffer(layout).attachments)
+            bytes += bytesPerTexel(format);
+        EXPECT_EQ(bytes, row.sampleBytes) << row.facts;
+        EXPECT_EQ(packAggregate(layout, 8).bytes(), row.aggregateBytes) << row.facts;
+        EXPECT_EQ(layout.hasSpecularLight, (row.facts & AGAA_FACT_SPECULAR) != 0);
+    }
+    Layout kept = reduceLayout(builtin("precise"), all | AGAA_FACT_ONE_ROUGHNESS, true);
+    EXPECT_TRUE(kept.has(AGAA_SEMANTIC_ROUGHNESS)) << "of techniques that store widened lobes";
+    EXPECT_THROW(reduceLayout(builtin("paper16"), all | AGAA_FACT_NO_DIFFUSE), Error) << "emission is a factor of it";
+}
+
 struct BadLayout {
     const char* what;
     void (*spoil)(AgaaLayout&);

@@ -123,7 +123,7 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
             intensity *= visibility[light.shadowMap];
         if (intensity <= 0)
             continue;
-        const glm::dvec3 brdf = plan_.layout.has(AGAA_SEMANTIC_SPECULAR)
+        const glm::dvec3 brdf = plan_.layout.hasSpecularLight
                                     ? math_d::agaa_shade(surface, toEye, toLight, config.brdf, filterDiffuse, 0u)
                                     : math_d::agaa_shadeDiffuse(surface, toLight, filterDiffuse);
         sum += brdf * glm::dvec3(light.color[0], light.color[1], light.color[2]) * intensity;

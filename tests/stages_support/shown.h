@@ -26,6 +26,7 @@ struct Shown {
     std::vector<float> rgb; // pixel by pixel
     AgaaCounters counters{};
     AgaaFrameValidation validation = AGAA_FRAME_VALIDATION_INIT;
+    AgaaFactReport facts = AGAA_FACT_REPORT_INIT; // with AGAA_CONFIG_CHECK_FACTS; asked for twice
     uint32_t geometryPasses = 0;
 };
 
@@ -60,13 +61,15 @@ auto showBy(typename Host::Context& context, ViewSettings settings, const Shot& 
 // The host's show(context, settings, shot).
 template <class Host>
 Shown showBy(typename Host::Context& context, const ViewSettings& settings, const Shot& shot) {
-    return showBy<Host>(context, settings, shot, [](typename Host::View& view) {
+    return showBy<Host>(context, settings, shot, [&settings](typename Host::View& view) {
         const AgaaFrameStatistics statistics = view.statistics();
         Shown shown;
         shown.rgb = withoutAlpha(Host::rgba(view));
         shown.counters = statistics.counters;
         shown.geometryPasses = statistics.geometryPasses;
         EXPECT_EQ(agaaValidateFrame(view.get(), view.frameIndex(), &shown.validation), AGAA_OK);
+        for (int i = 0; i < 2 && settings.config.flags & AGAA_CONFIG_CHECK_FACTS; ++i)
+            EXPECT_EQ(agaaGetFactReport(view.get(), view.frameIndex(), &shown.facts), AGAA_OK);
         return shown;
     });
 }

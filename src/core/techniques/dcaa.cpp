@@ -126,6 +126,6 @@ constexpr const TechniqueSettings* settings[] = {&coverageSettings};
 
 } // namespace
 
-const Technique dcaaTechnique = {"dcaa", 0, 8, false, tiers, settings, build};
+const Technique dcaaTechnique = {"dcaa", 0, 8, false, tiers, settings, build, nullptr, true};
 
 } // namespace agaa

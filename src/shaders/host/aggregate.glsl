@@ -88,8 +88,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     if (mask == 0u || AGAA_HELPER)
         return;
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
-    if (bad != 0u)
-        agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
+    agaa_countSurface(bad);
     agaa_packSurface(agaa_storedInput(s));
     uvec2 pixel = agaa_hostPixel();
     uvec2 planes = agaa_readPlanes(pixel);

@@ -1,9 +1,11 @@
 // Counts of a host's fragments, added to the frame's 64-bit counts.
 #define AGAA_COUNTER(index, name, member) const uint name = index;
 #define AGAA_COUNTER_MAX(index, name, member) const uint name = index;
+#define AGAA_COUNTER_FACT(index, name, member, fact) const uint name = index;
 #include "passes/counters.inc"
 #undef AGAA_COUNTER
 #undef AGAA_COUNTER_MAX
+#undef AGAA_COUNTER_FACT
 
 #if AGAA_COUNTING && AGAA_STORAGE_IMAGES
 layout(r32ui, AGAA_AT_COUNTERS) uniform uimageBuffer agaa_counterWords;
@@ -24,3 +26,20 @@ void agaa_countFragment(uint counter, uint amount) {
 #else
 void agaa_countFragment(uint counter, uint amount) {}
 #endif
+
+// Of a surface that was sanitised, and is visible or may be.
+void agaa_countSurface(uint bad) {
+    if (bad != 0u)
+        agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
+#if AGAA_CHECK_FACTS
+#define AGAA_COUNTER(index, name, member)
+#define AGAA_COUNTER_MAX(index, name, member)
+#define AGAA_COUNTER_FACT(index, name, member, fact) \
+    if ((agaa_demands & fact) == fact) \
+        agaa_countFragment(name, 1u);
+#include "passes/counters.inc"
+#undef AGAA_COUNTER
+#undef AGAA_COUNTER_MAX
+#undef AGAA_COUNTER_FACT
+#endif
+}

@@ -26,8 +26,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     kept = agaa_alphaMask(s);
 #endif
     if (kept != 0u && !AGAA_HELPER) {
-        if (bad != 0u)
-            agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
+        agaa_countSurface(bad);
         agaa_count(AGAA_COUNT_EVENTS, 1u);
 #if AGAA_SHADOWS
         for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)

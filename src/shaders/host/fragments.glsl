@@ -44,8 +44,8 @@ void agaa_emit(AgaaSurfaceInput s) {
     if (isFirstDraw)
         agaa_countFragment(AGAA_COUNT_FRAGMENTS, 1u);
 #if AGAA_NEEDS_MATERIAL
-    if (isFirstDraw && agaa_wasSanitised != 0u)
-        agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
+    if (isFirstDraw)
+        agaa_countSurface(agaa_wasSanitised);
 #endif
     if (place >= agaa_fragmentRoom()) {
         // After the first of several draws there is room in another.

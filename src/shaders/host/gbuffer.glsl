@@ -4,8 +4,8 @@
 void agaa_emit(AgaaSurfaceInput s) {
     agaa_checkPlacement(s.position);
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE);
-    if (bad != 0u && !AGAA_HELPER)
-        agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
+    if (!AGAA_HELPER)
+        agaa_countSurface(bad);
     agaa_Stored v = agaa_storedInput(s);
     v.normal.xy = agaa_encodeOct(s.normal, agaa_fieldBits(AGAA_SOURCE_NORMAL_X));
     agaa_store(v);

@@ -33,7 +33,8 @@ void agaa_prepareMerge(AgaaSurfaceInput s) {
         return;
     agaa_merges = agaa_carry(s, mask);
     agaa_count(AGAA_COUNT_FRAGMENTS, agaa_merges ? 1u : 0u);
-    agaa_count(AGAA_COUNT_SANITISED, agaa_merges ? agaa_wasSanitised : 0u);
+    if (agaa_merges)
+        agaa_countSurface(agaa_wasSanitised);
 }
 
 void agaa_loadSurfaces(uvec2 pixel) {

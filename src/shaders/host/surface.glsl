@@ -150,7 +150,7 @@ uint agaa_alphaMask(AgaaSurfaceInput s) {
     // The cutoff is mostly a uniform. Mesa's lavapipe (22.3) copies a shader, and never frees the copy, at every draw whose
     // uniforms decide a branch. A term that depends on the fragment, and is 0, prevents that.
     s.alphaCutoff = agaa_sanitiseAlpha(s.alphaCutoff + min(gl_FragCoord.x, 0.0));
-    if (s.alphaCutoff > 0.0)
+    if (agaa_hasFact(agaa_factNoTranslucency) || (!agaa_hasFact(agaa_factNoCutouts) && s.alphaCutoff > 0.0))
         return agaa_cutoutMask(s, alpha, gradient);
     uvec2 pixel = agaa_hostPixel();
     return agaa_translucentMask(alpha, AGAA_HW_SAMPLES, agaa_hostGroup(), AGAA_SCALE_X * AGAA_SCALE_Y,
@@ -164,6 +164,25 @@ uint agaa_alphaMask(AgaaSurfaceInput s) {
 #define AGAA_KEEP_SAMPLES(mask) gl_SampleMask[0] = int(mask)
 #endif
 
+uint agaa_demands = 0u; // of the surface at hand, by agaa_applyFacts()
+
+// What the facts of the scene fix.
+void agaa_applyFacts(inout AgaaSurfaceInput s) {
+#if AGAA_CHECK_FACTS
+    agaa_demands = agaa_demandsOf(s.diffuse, s.specular, s.emissive, s.alpha2);
+#if AGAA_ALPHA_MASKED
+    agaa_demands |= agaa_factAlphaMasked | (s.alphaCutoff > 0.0 ? agaa_factNoCutouts : agaa_factNoTranslucency);
+#endif
+#endif
+#if AGAA_SHOWS_FACTS
+    s.diffuse = vec3(agaa_unmetDemands(agaa_demands) != 0u ? 1.0 : 0.0);
+#else
+    s.diffuse = agaa_factDiffuse(s.diffuse);
+#endif
+    s.specular = agaa_factSpecular3(s.specular);
+    s.alpha2 = agaa_factAlpha2(s.alpha2);
+}
+
 // Clamps to what a layout can hold; a non-finite value becomes 0 and is counted (hard case 37).
 uint agaa_sanitiseSurface(inout AgaaSurfaceInput s, float emissiveRange) {
     uint bad = 0u;
@@ -173,6 +192,7 @@ uint agaa_sanitiseSurface(inout AgaaSurfaceInput s, float emissiveRange) {
     s.alpha2 = agaa_sanitise(s.alpha2, agaa_minAlpha2(), 1.0, bad);
     s.normal = agaa_sanitiseNormal(s.normal, bad);
     AGAA_SANITISE_CUSTOM(s, bad)
+    agaa_applyFacts(s);
     return bad;
 }
 

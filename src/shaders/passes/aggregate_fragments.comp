@@ -179,7 +179,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
 #if AGAA_LIT
     agaa_findLitSurfaces(pixel, head, a, weight, toEye);
 #endif
-    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, agaa_widening(means, s)) : agaa_lightSurface(s, position);
+    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, agaa_widening(means, s), s.diffuse) : agaa_lightSurface(s, position);
     return color * weight;
 }
 

@@ -3,9 +3,11 @@
 #define AGAA_COUNTERS_GLSL
 #define AGAA_COUNTER(index, name, member) const uint name = index;
 #define AGAA_COUNTER_MAX(index, name, member) const uint name = index;
+#define AGAA_COUNTER_FACT(index, name, member, fact) const uint name = index;
 #include "passes/counters.inc"
 #undef AGAA_COUNTER
 #undef AGAA_COUNTER_MAX
+#undef AGAA_COUNTER_FACT
 const uint AGAA_COUNTS = AGAA_COUNT_MAX_EVENTS + 1u;
 
 #if AGAA_COUNTING

@@ -10,6 +10,7 @@
 #define AGAA_SHOW_PRIMITIVES 4u
 #define AGAA_SHOW_LIT 5u
 #define AGAA_SHOW_WIDENED 6u
+#define AGAA_SHOW_FACTS 8u
 
 // Of the pixel at hand; set by passes that know.
 uint agaa_shownPrimitives = 0u;
@@ -34,8 +35,10 @@ vec3 agaa_tierColor(uint tier) {
 
 bool agaa_showsEvents() { return AGAA_DEBUG_VIEW != 0u; }
 
-// The event's part in the mean of agaa_shownOfPixel().
-vec3 agaa_shownOfEvent(uint aggregate, float widening) {
+// The event's part in the mean of agaa_shownOfPixel(). diffuse: of its material.
+vec3 agaa_shownOfEvent(uint aggregate, float widening, vec3 diffuse) {
+    if (AGAA_DEBUG_VIEW == AGAA_SHOW_FACTS)
+        return diffuse; // 1 where facts do not hold (passes/scene_facts.glsl)
     if (AGAA_DEBUG_VIEW == AGAA_SHOW_CLUSTERS)
         return agaa_clusterColor(aggregate);
     if (AGAA_DEBUG_VIEW == AGAA_SHOW_WIDENED)
@@ -57,6 +60,7 @@ vec3 agaa_shownOfPixel(uint events, vec3 mean) {
     case AGAA_SHOW_CLUSTERS:
     case AGAA_SHOW_LIT:
     case AGAA_SHOW_WIDENED:
+    case AGAA_SHOW_FACTS:
         return mean;
     default:
         return agaa_tierColor(agaa_shownUnfetched ? 19u : AGAA_GENERATION_TIER) * (events == 0u ? 0.0 : events == 1u ? 0.5 : 1.0);

@@ -51,6 +51,7 @@ AgaaMaterial agaa_fetchMaterialThere(AgaaPrimitive p) {
     agaaHostMaterial(p, m);
     agaa_count(AGAA_COUNT_MATERIALS, 1u);
     agaa_count(AGAA_COUNT_SANITISED, agaa_sanitiseMaterial(m));
+    agaa_countFacts();
     return m;
 }
 

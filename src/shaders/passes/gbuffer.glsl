@@ -5,6 +5,7 @@
 #include "math/encoding.glsl"
 #include "math/light.glsl"
 #include "passes/host_samples.glsl"
+#include "passes/scene_facts.glsl"
 #include "passes/stored.glsl"
 
 #if defined(AGAA_HOST_GBUFFER) || (defined(AGAA_HOST_FETCH) && !defined(AGAA_SOME_UNFETCHED))
@@ -98,8 +99,8 @@ vec3 agaa_storedEmissive() {
 
 vec3 agaa_fetchedNormal() { return agaa_decodeOct(agaa_normalCode(), agaa_fieldBits(AGAA_SOURCE_NORMAL_X)); }
 vec3 agaa_fetchedDiffuse() { return agaa_fetched.diffuse; }
-vec3 agaa_fetchedSpecular() { return agaa_fetched.specular; }
-float agaa_fetchedAlpha2() { return agaa_fieldBits(AGAA_SOURCE_ROUGHNESS) != 0u ? agaa_fetched.alpha2 : 1.0; }
+vec3 agaa_fetchedSpecular() { return agaa_storedSpecular(agaa_fetched.specular); }
+float agaa_fetchedAlpha2() { return agaa_fieldBits(AGAA_SOURCE_ROUGHNESS) != 0u ? agaa_fetched.alpha2 : agaa_factAlpha2(1.0); }
 void agaa_storeFetchedCustom(inout agaa_Stored v) { v.custom = agaa_fetched.custom; }
 #endif
 

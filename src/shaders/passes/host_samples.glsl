@@ -2,6 +2,7 @@
 #ifndef AGAA_HOST_SAMPLES_GLSL
 #define AGAA_HOST_SAMPLES_GLSL
 #include "passes/curvature.glsl"
+#include "passes/scene_facts.glsl"
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH)
 // What functions leave alone; as in agaa_surfaceInput().
 AgaaMaterial agaa_defaultMaterial() {
@@ -16,6 +17,17 @@ AgaaMaterial agaa_defaultMaterial() {
     return m;
 }
 
+uint agaa_demands = 0u; // of the material at hand, by agaa_applyFacts()
+
+// What the facts of the scene fix.
+void agaa_applyFacts(inout AgaaMaterial m) {
+    if (AGAA_CHECK_FACTS != 0u)
+        agaa_demands = agaa_demandsOf(m.diffuse, m.specular, m.emissive, m.alpha2);
+    m.diffuse = AGAA_DEBUG_VIEW == 8u ? vec3(agaa_unmetDemands(agaa_demands) != 0u ? 1.0 : 0.0) : agaa_factDiffuse(m.diffuse);
+    m.specular = agaa_factSpecular3(m.specular);
+    m.alpha2 = agaa_factAlpha2(m.alpha2);
+}
+
 // What is not finite becomes the least of its range (hard case 37). Returns 1 where something was not.
 uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
     uint bad = 0u;
@@ -26,7 +38,23 @@ uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
     m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
     AGAA_SANITISE_CUSTOM(m, bad)
     bad |= agaa_sanitiseNormalChange(m.normalDx, m.normalDy);
+    agaa_applyFacts(m);
     return bad;
+}
+
+// Of the material that was sanitised last.
+void agaa_countFacts() {
+#ifdef AGAA_COUNTERS_GLSL // the pass counts
+    if (AGAA_CHECK_FACTS == 0u)
+        return;
+#define AGAA_COUNTER(index, name, member)
+#define AGAA_COUNTER_MAX(index, name, member)
+#define AGAA_COUNTER_FACT(index, name, member, fact) agaa_count(name, (agaa_demands & fact) == fact ? 1u : 0u);
+#include "passes/counters.inc"
+#undef AGAA_COUNTER
+#undef AGAA_COUNTER_MAX
+#undef AGAA_COUNTER_FACT
+#endif
 }
 #endif
 #ifdef AGAA_HOST_GBUFFER
@@ -37,6 +65,7 @@ bool agaa_readHost(uvec2 pixel, uint i, out float depth, out AgaaMaterial materi
         return false;
     uint bad = agaa_sanitiseMaterial(material);
     depth = agaa_sanitise(depth, 0.0, 1.0, bad);
+    agaa_countFacts();
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include "math/ndf.glsl"
 
 #include "passes/lights.glsl"
+#include "passes/scene_facts.glsl"
 
 #ifndef AGAA_LIT
 #define AGAA_LIT 0
@@ -103,7 +104,7 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
     uint type = floatBitsToUint(light.directionType.w);
     vec3 toLight = -light.directionType.xyz;
     float intensity = 1.0;
-    if (type != 0u) {
+    if (type != 0u && !agaa_hasFact(agaa_factNoLocalLights)) {
         vec3 d = light.positionRange.xyz - position;
         float d2 = dot(d, d);
         intensity = agaa_pointAttenuation(d2, light.positionRange.w,
@@ -127,9 +128,9 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
             s = agaa_litSurface[k];
 #endif
     uint elliptic = AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
-    vec3 reflected = AGAA_HAS_SPECULAR != 0u
-                         ? agaa_shade(s, toEye, toLight, AGAA_BRDF, AGAA_FILTER_DIFFUSE, elliptic)
-                         : agaa_shadeDiffuse(s, toLight, AGAA_FILTER_DIFFUSE);
+    uint filterDiffuse = agaa_hasFact(agaa_factNoDiffuse) ? 0u : AGAA_FILTER_DIFFUSE;
+    vec3 reflected = AGAA_HAS_SPECULAR != 0u ? agaa_shade(s, toEye, toLight, AGAA_BRDF, filterDiffuse, elliptic)
+                                             : agaa_shadeDiffuse(s, toLight, filterDiffuse);
     return reflected * light.colorShadow.rgb * intensity;
 }
 

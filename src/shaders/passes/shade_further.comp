@@ -92,10 +92,10 @@ vec3 agaa_shadeEvent(uint lane, uint i) {
     uint samples = agaa_samplesOfLane(lane, i);
     float weight = agaa_eventWeight(samples);
     agaa_findVisibility(pixel, agaa_shadowedSamples(lane, i, samples));
-    if (agaa_showsEvents())
-        return agaa_shownOfEvent(0u, 0.0) * weight;
     agaa_fetchEvent(pixel, i, samples);
-    return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i)) * weight;
+    agaa_Surface s = agaa_sampleSurface();
+    return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse) : agaa_lightSurface(s, agaa_samplePosition(pixel, i))) *
+           weight;
 }
 
 // One invocation for all samples of the pixel, as in the paper (section 4.2).

@@ -9,9 +9,8 @@ vec3 agaa_shadeFragment(uvec2 pixel, uint record, uvec4 mask) {
     vec3 position = agaa_surfacePosition(pixel, plane, middle);
     agaa_tapSurface(pixel, plane, mask, position);
     float weight = float(agaa_coverageCount(mask));
-    if (agaa_showsEvents())
-        return agaa_shownOfEvent(0u, 0.0) * weight;
-    return agaa_lightSurface(agaa_materialOf(pixel, record, mask, middle), position) * weight;
+    agaa_Surface s = agaa_materialOf(pixel, record, mask, middle);
+    return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse) : agaa_lightSurface(s, position)) * weight;
 }
 
 void agaa_shadePixel(uvec2 pixel) {

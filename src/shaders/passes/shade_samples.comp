@@ -53,10 +53,9 @@ vec3 agaa_shadeEvent(uint lane, uint which) {
         mask = agaa_coveredSamples(pixel);
 #endif
     agaa_findVisibility(pixel, mask);
-    if (agaa_showsEvents())
-        return agaa_shownOfEvent(0u, 0.0) * float(bitCount(mask));
     agaa_fetchSample(pixel, i);
-    return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i)) *
+    agaa_Surface s = agaa_sampleSurface();
+    return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse) : agaa_lightSurface(s, agaa_samplePosition(pixel, i))) *
            float(bitCount(mask));
 }
 

@@ -79,13 +79,12 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     vec3 position = agaa_surfacePosition(pixel, plane, agaa_coverageMiddle(mask, AGAA_SAMPLES));
     agaa_tapSurface(pixel, plane, mask, position);
     float weight = float(agaa_coverageCount(mask));
-    if (agaa_showsEvents())
-        return agaa_shownOfEvent(a, 0.0) * weight;
     agaa_base = base + AGAA_MATERIAL_WORD;
     agaa_Means m = agaa_meansOfStored(agaa_storedMeans());
     agaa_Surface s = agaa_Surface(m.diffuse, m.specular, m.emissive,
                                   agaa_unpackNormal(agaa_surfaces.words[base + AGAA_NORMAL_WORD]), 1.0, m.alpha2, 0.0, vec3(0.0));
-    return agaa_lightSurface(s, position) * weight;
+    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, 0.0, s.diffuse) : agaa_lightSurface(s, position);
+    return color * weight;
 }
 
 void main() {

@@ -3,6 +3,7 @@
 #define AGAA_STORED_MEANS_GLSL
 #include "math/encoding.glsl"
 #include "passes/means.glsl"
+#include "passes/scene_facts.glsl"
 #include "passes/stored.glsl"
 
 agaa_Means agaa_meansOfStored(agaa_Stored v) {
@@ -14,9 +15,8 @@ agaa_Means agaa_meansOfStored(agaa_Stored v) {
     m.specular = vec3(0.0);
     m.alpha2 = 1.0;
     if (AGAA_HAS_SPECULAR != 0u) {
-        m.specular = AGAA_YCBCR_SPECULAR != 0u ? max(agaa_yCbCrToRgb(v.specular), vec3(0.0)) : v.specular;
-        if (agaa_fieldBits(AGAA_FIELD_ROUGHNESS) != 0u)
-            m.alpha2 = v.alpha2;
+        m.specular = AGAA_YCBCR_SPECULAR != 0u ? max(agaa_yCbCrToRgb(v.specular), vec3(0.0)) : agaa_storedSpecular(v.specular);
+        m.alpha2 = agaa_fieldBits(AGAA_FIELD_ROUGHNESS) != 0u ? v.alpha2 : agaa_factAlpha2(1.0);
     }
     m.emissive = vec3(0.0);
     if (AGAA_EMISSIVE_CHANNELS == 3u)

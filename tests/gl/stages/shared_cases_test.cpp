@@ -5,6 +5,7 @@
 #include "carried_cases.h"
 #include "coverage_cases.h"
 #include "culling_cases.h"
+#include "facts_cases.h"
 #include "dcaa_cases.h"
 #include "fragments_cases.h"
 #include "debug_view_cases.h"
@@ -33,6 +34,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardGeometryCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, AdaptiveCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CullingCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FactsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CoverageCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, IdsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, LeftHandedCases, OpenGLHost);

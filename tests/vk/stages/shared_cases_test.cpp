@@ -5,6 +5,7 @@
 #include "carried_cases.h"
 #include "coverage_cases.h"
 #include "culling_cases.h"
+#include "facts_cases.h"
 #include "dcaa_cases.h"
 #include "fragments_cases.h"
 #include "debug_view_cases.h"
@@ -35,6 +36,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, AdaptiveCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CullingCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FactsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CoverageCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, IdsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LeftHandedCases, VulkanHost);

@@ -57,7 +57,7 @@ void addConfig(Suite& suite) {
     addFlags(suite, {"AgaaConfig.flags/flags", "AgaaConfig::flags",
                      [](ViewParts& p, uint64_t flags) { p.config.flags = flags; },
                      AGAA_CONFIG_COUNTERS | AGAA_CONFIG_TIMESTAMPS | AGAA_CONFIG_READBACK | AGAA_CONFIG_SPLIT_SURFACES |
-                         AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS, nullptr});
+                         AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS | AGAA_CONFIG_CHECK_FACTS, nullptr});
 }
 
 // Tiers that need other parts, and tiers of another stage, are in unsupported.cpp.
@@ -184,8 +184,9 @@ void addMeasurement(Suite& suite) {
     addMember(suite, {"AgaaMeasurement.debugView/enum", "AgaaMeasurement::debugView",
                       [](ViewParts& p, double x) { p.measurement.debugView = whole(x); },
                       {AGAA_DEBUG_VIEW_NONE, AGAA_DEBUG_VIEW_EVENTS, AGAA_DEBUG_VIEW_AGGREGATES, AGAA_DEBUG_VIEW_CLUSTERS,
-                       AGAA_DEBUG_VIEW_PRIMITIVES, AGAA_DEBUG_VIEW_LIT, AGAA_DEBUG_VIEW_WIDENED, AGAA_DEBUG_VIEW_TIER},
-                      largeNumbers({}), [](ViewParts& p) { p.chain(p.fetch); }, {AGAA_DEBUG_VIEW_TIER + 1}});
+                       AGAA_DEBUG_VIEW_PRIMITIVES, AGAA_DEBUG_VIEW_LIT, AGAA_DEBUG_VIEW_WIDENED, AGAA_DEBUG_VIEW_TIER,
+                       AGAA_DEBUG_VIEW_FACTS},
+                      largeNumbers({}), [](ViewParts& p) { p.chain(p.fetch); }, {AGAA_DEBUG_VIEW_FACTS + 1}});
     addMember(suite, {"AgaaMeasurement.seeds/enum", "AgaaMeasurement::seeds",
                       [](ViewParts& p, double x) { p.measurement.seeds = whole(x); },
                       {AGAA_SEEDS_MAXIMIN, AGAA_SEEDS_SUM_OF_SQUARES}, largeNumbers({}), nullptr,

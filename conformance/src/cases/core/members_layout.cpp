@@ -185,6 +185,22 @@ void testReservedMembers(Test& test) {
     expectViewRefused(test, parts, AGAA_ERROR_OUT_OF_RANGE, "AgaaLayout::reserved of an empty layout", "reserved");
 }
 
+// Emission of one channel is a factor of the diffuse albedo.
+void testNoDiffuse(Test& test) {
+    for (const uint32_t channels : {1u, 3u}) {
+        ViewParts parts(test.sdk, nullptr);
+        simpleLayout(parts);
+        parts.layout.attributes[4].channels = channels;
+        parts.facts.flags |= AGAA_FACT_NO_DIFFUSE;
+        if (channels == 3)
+            expectAccepted(test, parts, "AGAA_FACT_NO_DIFFUSE and emission of three channels");
+        else
+            expectViewRefused(test, parts, AGAA_ERROR_LAYOUT, "AGAA_FACT_NO_DIFFUSE and emission of one channel");
+        parts.facts.flags &= ~AGAA_FACT_EMISSIVE;
+        expectAccepted(test, parts, "AGAA_FACT_NO_DIFFUSE without AGAA_FACT_EMISSIVE");
+    }
+}
+
 } // namespace
 
 void addLayoutMemberCases(Suite& suite) {
@@ -196,6 +212,7 @@ void addLayoutMemberCases(Suite& suite) {
     suite.core("AgaaLayoutAttribute.name/AGAA_ERROR_LAYOUT", testNames);
     suite.core("AgaaLayout/AGAA_ERROR_LAYOUT", testAttributeMembers);
     suite.core("AgaaLayout/AGAA_ERROR_OUT_OF_RANGE", testReservedMembers);
+    suite.core("AGAA_FACT_NO_DIFFUSE/AGAA_ERROR_LAYOUT", testNoDiffuse);
 }
 
 } // namespace agaa::conformance

@@ -17,7 +17,16 @@ void addFactsAndView(Suite& suite) {
                       {0, 1, 2, 3, AGAA_MAX_SHADOW_MAPS}, largeNumbers({AGAA_MAX_SHADOW_MAPS + 1, 31, 32, 33})});
     addFlags(suite, {"AgaaSceneFacts.flags/flags", "AgaaSceneFacts::flags",
                      [](ViewParts& p, uint64_t flags) { p.facts.flags = flags; },
-                     AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH, nullptr});
+                     AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH | AGAA_FACT_ONE_ROUGHNESS | AGAA_FACT_GREY_SPECULAR |
+                         AGAA_FACT_ONE_SPECULAR | AGAA_FACT_NO_DIFFUSE | AGAA_FACT_NO_LOCAL_LIGHTS |
+                         AGAA_FACT_NO_TRANSLUCENCY | AGAA_FACT_NO_CUTOUTS,
+                     nullptr});
+    addMember(suite, {"AgaaSceneFacts.alpha2/range", "AgaaSceneFacts::alpha2",
+                      [](ViewParts& p, double x) { p.facts.alpha2 = float(x); }, {5e-6, 0.25, below(1), 1},
+                      notNumbers({0, -1, 4e-6, above(1)})});
+    addMember(suite, {"AgaaSceneFacts.specular/range", "AgaaSceneFacts::specular",
+                      [](ViewParts& p, double x) { p.facts.specular = float(x); }, {0, above(0), 0.04, 1},
+                      notNumbers({below(0), -1, above(1)})});
     addMember(suite, {"AgaaViewDesc.width/range", "AgaaViewDesc::width",
                       [](ViewParts& p, double x) { p.desc.width = whole(x); }, {1, 2, 4099}, {0}});
     addMember(suite, {"AgaaViewDesc.height/range", "AgaaViewDesc::height",

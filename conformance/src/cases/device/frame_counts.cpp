@@ -104,11 +104,28 @@ void testSegments(Test& test) {
     }
 }
 
+void testLocalLights(Test& test) {
+    Rig rig(test, [](ViewDescription& description) { description.facts.flags |= AGAA_FACT_NO_LOCAL_LIGHTS; });
+    const Image expected = rig.render();
+    for (const uint32_t type : {AGAA_LIGHT_POINT, AGAA_LIGHT_SPOT}) {
+        AgaaFrame frame = rig.nextFrame();
+        AgaaLight light = AGAA_LIGHT_INIT;
+        light.type = type;
+        frame.lights = &light;
+        frame.lightCount = 1;
+        expectFrameRefused(rig, frame,
+                           {AGAA_ERROR_OUT_OF_RANGE,
+                            rig.function() + " with a local light, against AGAA_FACT_NO_LOCAL_LIGHTS,", "light 0"},
+                           expected);
+    }
+}
+
 } // namespace
 
 void addFrameCountCases(Suite& suite) {
     addCounts(suite);
     suite.both("AgaaFrame.segments/flags", testSegments);
+    suite.both("AGAA_FACT_NO_LOCAL_LIGHTS/AGAA_ERROR_OUT_OF_RANGE", testLocalLights);
 }
 
 } // namespace agaa::conformance

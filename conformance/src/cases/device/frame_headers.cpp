@@ -130,12 +130,24 @@ HeaderCase validationCase(Rig& rig) {
     return {"AgaaFrameValidation", "agaaValidateFrame", nullptr, call, true};
 }
 
+HeaderCase factsCase(Rig& rig) {
+    const auto call = [&rig](Test&, void* structure, const AgaaLog* log) {
+        return logged(rig, log, [&] {
+            return rig.test.sdk.agaaGetFactReport(rig.view.get(), rig.recorded, &as<AgaaFactReport>(structure));
+        });
+    };
+    return {"AgaaFactReport", "agaaGetFactReport", nullptr, call, true};
+}
+
 void add(Suite& suite, const char* name, const std::vector<Backend>& backends,
          const std::function<HeaderCase(Rig&)>& makeCase) {
     suite.add(std::string(name), backends,
               [makeCase, isSimple = std::string(name).find("DrawPass") == std::string::npos](Test& test) {
                   // "single" has the fewest pipelines, "agaa" several draw passes.
-                  Rig rig(test, [isSimple](ViewDescription& d) { setTechnique(d, isSimple ? "single" : "agaa", 4); });
+                  Rig rig(test, [isSimple](ViewDescription& d) {
+                      setTechnique(d, isSimple ? "single" : "agaa", 4);
+                      d.config.flags |= AGAA_CONFIG_CHECK_FACTS;
+                  });
                   const Image expected = rig.render();
                   testHeader(test, makeCase(rig));
                   expectNextFrame(rig, expected, "calls with wrong headers");
@@ -150,6 +162,7 @@ void addFrameHeaderCases(Suite& suite) {
     add(suite, "AgaaDrawPass/header", both, passCase);
     add(suite, "AgaaFrameStatistics/header", both, statisticsCase);
     add(suite, "AgaaFrameValidation/header", both, validationCase);
+    add(suite, "AgaaFactReport/header", both, factsCase);
     add(suite, "AgaaVkFrame/header", vk, [](Rig& rig) { return nativeFrameCase<AgaaVkFrame>(rig, "AgaaVkFrame"); });
     add(suite, "AgaaGlFrame/header", gl, [](Rig& rig) { return nativeFrameCase<AgaaGlFrame>(rig, "AgaaGlFrame"); });
     add(suite, "AgaaVkDrawPass/header", vk, [](Rig& rig) { return nativePassCase(rig, "AgaaVkDrawPass"); });

@@ -1,4 +1,4 @@
-// agaaGetFrameStatistics and agaaValidateFrame.
+// agaaGetFrameStatistics, agaaValidateFrame and agaaGetFactReport.
 #include "cases.h"
 #include "frame_rig.h"
 
@@ -13,6 +13,11 @@ void oneSample(ViewDescription& description) {
     setTechnique(description, "single", 1);
 }
 
+void checked(ViewDescription& description) {
+    oneSample(description);
+    description.config.flags |= AGAA_CONFIG_CHECK_FACTS;
+}
+
 AgaaFrameStatistics emptyStatistics() {
     const AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
     return statistics;
@@ -22,11 +27,19 @@ AgaaFrameValidation emptyValidation() {
     return validation;
 }
 
+AgaaFactReport emptyReport() {
+    const AgaaFactReport report = AGAA_FACT_REPORT_INIT;
+    return report;
+}
+
 AgaaResult get(const Functions& sdk, AgaaView view, uint64_t completed, AgaaFrameStatistics* out) {
     return sdk.agaaGetFrameStatistics(view, completed, out);
 }
 AgaaResult get(const Functions& sdk, AgaaView view, uint64_t completed, AgaaFrameValidation* out) {
     return sdk.agaaValidateFrame(view, completed, out);
+}
+AgaaResult get(const Functions& sdk, AgaaView view, uint64_t completed, AgaaFactReport* out) {
+    return sdk.agaaGetFactReport(view, completed, out);
 }
 template <class T>
 T empty();
@@ -38,6 +51,10 @@ template <>
 AgaaFrameValidation empty() {
     return emptyValidation();
 }
+template <>
+AgaaFactReport empty() {
+    return emptyReport();
+}
 template <class T>
 const char* nameOf();
 template <>
@@ -47,6 +64,10 @@ const char* nameOf<AgaaFrameStatistics>() {
 template <>
 const char* nameOf<AgaaFrameValidation>() {
     return "agaaValidateFrame";
+}
+template <>
+const char* nameOf<AgaaFactReport>() {
+    return "agaaGetFactReport";
 }
 
 template <class T>
@@ -94,12 +115,47 @@ void testNoCounters(Test& test) {
     }
 }
 
+void testNoChecks(Test& test) {
+    Rig rig(test, oneSample);
+    for (int i = 0; i < 2; ++i) { // before and after a frame
+        AgaaFactReport out = emptyReport();
+        expectCallRefused(rig, rig.view.get(), &out, AGAA_ERROR_WRONG_ORDER, " without AGAA_CONFIG_CHECK_FACTS");
+        rig.render();
+    }
+}
+
+// The scene has emission and specular reflectance, or neither, and a view without both contradicts it once in the log.
+void testContradictions(Test& test) {
+    for (const uint64_t flags : {AGAA_FACT_ALL_SHADED, UINT64_C(0)}) {
+        Rig rig(test, [flags](ViewDescription& description) {
+            checked(description);
+            description.facts.flags = flags;
+        });
+        AgaaFactReport report = emptyReport();
+        test.result(test.sdk.agaaGetFactReport(rig.view.get(), 0, &report), AGAA_NOT_READY,
+                    "agaaGetFactReport without a finished frame");
+        const AgaaFactReport initial = emptyReport();
+        test.check(!std::memcmp(&initial, &report, sizeof initial), "AGAA_NOT_READY changes outReport.");
+        rig.render();
+        rig.context.log.lines.clear();
+        for (int i = 0; i < 2; ++i)
+            test.requireOk(test.sdk.agaaGetFactReport(rig.view.get(), rig.recorded, &report), "agaaGetFactReport");
+        test.check(report.frameIndex == rig.recorded, "the report is not that of the newest finished frame.");
+        test.check(report.inspected > 0, "no material was inspected.");
+        const uint64_t shaded = report.sufficient & (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED);
+        test.check((report.contradicted & (AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED)) == (shaded & ~flags),
+                   "the contradicted facts are not those that the frame calls for and the view left out.");
+        test.check(rig.context.log.lines.size() == (report.contradicted ? 1u : 0u),
+                   "a contradiction is not told once through the log.");
+    }
+}
+
 template <class T>
 void addErrors(Suite& suite, const std::string& output) {
     const std::string name = std::string(nameOf<T>()) + "/";
     const auto run = [](const std::function<void(Rig&)>& body) {
         return [body](Test& test) {
-            Rig rig(test, oneSample);
+            Rig rig(test, checked);
             rig.render();
             body(rig);
         };
@@ -207,7 +263,10 @@ void testTimes(Test& test) {
 void addStatisticsCases(Suite& suite) {
     addErrors<AgaaFrameStatistics>(suite, "outStatistics");
     addErrors<AgaaFrameValidation>(suite, "outValidation");
+    addErrors<AgaaFactReport>(suite, "outReport");
     suite.both("agaaValidateFrame/AGAA_ERROR_WRONG_ORDER", testNoCounters);
+    suite.both("agaaGetFactReport/AGAA_ERROR_WRONG_ORDER", testNoChecks);
+    suite.both("agaaGetFactReport/returns", testContradictions);
     suite.both("agaaGetFrameStatistics/returns", testNotReady);
     suite.both("agaaGetFrameStatistics/returns/segments", testSegments);
     suite.both("agaaValidateFrame/returns", testValidationNotReady);
