@@ -41,6 +41,7 @@ uint64_t PlanBuilder::aggregateBytes() const {
 // What neither the scene nor the technique calls for.
 void PlanBuilder::dropUncalledFor(const Technique& technique) {
     AgaaConfig& config = plan.config;
+    plan.layout = reduceLayout(plan.layout, plan.facts.flags);
     if (!technique.groupsSamples) { // settings of "agaa" may stay where another is measured
         plan.aggregation.litShadows = 0;
         config.flags &= ~(AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS);

@@ -185,6 +185,12 @@ std::vector<uint32_t> configChain() {
     return types;
 }
 
+void setCounts(ViewSettings& view, uint32_t samples, uint32_t aggregates) {
+    view.samples = view.config.samples = samples;
+    view.config.aggregates = aggregates;
+    view.aggregates = findTechnique(view.technique)->maxAggregates ? std::min(aggregates, samples) : 0;
+}
+
 ViewSettings resolveView(const AgaaViewDesc* pointer) {
     const AgaaViewDesc desc = checkViewDesc(pointer);
     ViewSettings view;
@@ -201,18 +207,15 @@ ViewSettings resolveView(const AgaaViewDesc* pointer) {
     const Technique& technique = *findTechnique(view.config.technique);
     view.config.technique = technique.name; // static storage
     view.technique = technique.name;
-    view.samples = view.config.samples = checkSamples(view.config.samples, technique, view.config.generationTier);
+    setCounts(view, checkSamples(view.config.samples, technique, view.config.generationTier), view.config.aggregates);
     readShadowFunction(desc, view);
     readGBufferFunction(desc, view);
     readFetchFunction(desc, view);
-    view.layout = reduceLayout(checkLayout(view.config.layout), view.facts.flags);
+    view.layout = checkLayout(view.config.layout);
     view.config.layout = nullptr; // the host's pointer does not outlive the call
-    if (!technique.maxAggregates)
-        return view;
-    if (view.config.aggregates > technique.maxAggregates)
+    if (technique.maxAggregates && view.config.aggregates > technique.maxAggregates)
         fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaConfig::aggregates is %u; \"%s\" takes %u at most.",
                                              view.config.aggregates, technique.name, technique.maxAggregates));
-    view.aggregates = std::min(view.config.aggregates, view.samples);
     return view;
 }
 
