@@ -25,12 +25,12 @@ typedef struct AgaaPrice {
     uint32_t structSize;
     const void* pNext;       /* null */
     uint32_t kind;           /* AgaaPriceKind */
-    uint32_t isOn;           /* EFFECT: 1 if the description has the effect. SAMPLES, AGGREGATES: 1 if it has toCount or more */
+    uint32_t isOn;           /* EFFECT: 1 if the description has it. SAMPLES, AGGREGATES: 1 if it has toCount or more */
     uint32_t isPossible;     /* 0: one of the two plans cannot be made; all numbers are 0, and `reason` says why */
     uint32_t changesTier;    /* 1: the two plans have different tiers of visibility or generation */
     uint32_t fromCount, toCount; /* SAMPLES: n. AGGREGATES: c or S. 0 for other kinds */
     const char* name;        /* "view", an effect, "samples" or "aggregates"; static storage */
-    const char* description; /* EFFECT: when a scene needs it. Others: what the numbers are. One sentence, static storage */
+    const char* description; /* when a scene needs the effect, or what the step improves; one sentence, static storage */
     int64_t passes;          /* all passes of a frame; repeated passes count once */
     int64_t geometryPasses;  /* passes that call the host's draw function */
     int64_t pipelines;       /* compute pipelines of the SDK, and draw passes whose pipelines differ */
@@ -40,13 +40,14 @@ typedef struct AgaaPrice {
     int64_t sampleBits;      /* of a sample of the targets of geometry passes: depth, stencil and colours, as stored */
     int64_t aggregateBits;   /* of an aggregate or surface in memory, as stored; 0 if the view keeps none in memory */
     /* Bytes per frame, if each pass reads or writes each per-pixel surface of the view that it uses once and whole; a buffer
-     * that a pass reads and writes counts once. A lower bound where all passes process all pixels: overdraw, repeated reads and
-     * atomic operations add to it. Pixels that a pass skips, caches and compression by the device are not subtracted. */
+     * that a pass reads and writes counts once. A lower bound if all passes process all pixels: overdraw, repeated reads
+     * and atomic operations add to it. Pixels that a pass skips, caches and compression are not subtracted. */
     int64_t trafficBytes;
     /* Upper bounds that follow from the plan. Frames usually need less; AgaaCounters counts what a frame needs. */
     int64_t maxEventsPerPixel;     /* shading events. 0 for "msaa", which shades each visible fragment, without a bound */
     int64_t maxShadowTapsPerEvent; /* look-ups in all shadow maps, and calls of the shadow function */
-    int64_t maxLightsPerEvent;     /* AgaaSceneFacts::maxLights: light culling does not lower it */
+    int64_t maxLightsPerEvent;     /* AgaaSceneFacts::maxLights: light culling does not lower it. Each light is evaluated
+                                      AgaaMeasurement::shadingCost times */
     char reason[256];              /* one sentence; empty if isPossible is 1 */
 } AgaaPrice;
 #define AGAA_PRICE_INIT                                                                             \
@@ -56,10 +57,11 @@ AGAA_API void AGAA_CALL agaaInitPrice(AgaaPrice* outPrice, size_t structSize);
 
 /* Lists the prices of a view, from plans alone, for two frames in flight. The first entry is the view itself. One entry
  * follows for each effect, for each step between neighbouring numbers of samples that the technique takes, and for each step
- * of aggregates or surfaces up to n and up to the largest number of the technique. Steps add up: the prices of 4 to 8 and of 8
- * to 16 samples together are the price of 4 to 16. 9 samples are a step if the view has 9.
+ * of aggregates or surfaces up to n and up to the largest number of the technique. Steps add up: the prices of 4 to 8 and of
+ * 8 to 16 samples together are the price of 4 to 16. 9 samples are a step if the view has 9.
  *
- * All effects are listed for all techniques; the numbers of an effect that the technique or the layout does not use are 0.
+ * All effects are listed for all techniques. If the technique or the layout does not use an effect, its numbers are 0. If the
+ * technique, the tier or the device refuses it, isPossible is 0.
  * The effect "shadow-map-I" is map I beside those before it, however many the description has. "lights" compares
  * AgaaSceneFacts::maxLights, or 64 if it is 0, with no lights. An effect with a strength ("lit-aggregates", "gloss-weight",
  * "ndf-widening", "elliptic-lobes") has that of the description or, if the description lacks the effect, a usual one.

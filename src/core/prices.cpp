@@ -111,7 +111,8 @@ uint64_t tapsOfMap(const Technique& technique, const Plan& plan, const Constants
     constexpr uint32_t sampleFilter = 1, depthFilter = 2; // of AGAA_SHADOW_FILTER
     constexpr uint64_t depthTaps = 4; // of agaa_tapAlongDepth()
     const uint32_t filter = constants[AGAA_SHADOW_FILTER];
-    const bool hasDepths = technique.maxAggregates > 0 && !technique.countsCoverage(plan.config.generationTier, plan.samples);
+    const bool hasDepths =
+        technique.maxAggregates > 0 && !technique.countsCoverage(plan.config.generationTier, plan.samples);
     if (filter == depthFilter && hasDepths)
         return samples > 1 ? depthTaps : 1;
     return filter >= sampleFilter ? std::min(samples, constants[AGAA_SHADOW_TAPS]) : 1;
@@ -190,7 +191,8 @@ std::vector<uint32_t> sampleCounts(const Technique& technique, const ViewSetting
     std::vector<uint32_t> counts;
     for (const uint32_t samples : {1u, 2u, 4u, 8u, gridOnlySamples, 16u, 32u, 64u, 128u}) {
         const bool isCoverage = technique.countsCoverage(view.config.generationTier, samples);
-        if (isCoverage ? samples >= 32 : samples <= technique.maxSamples && (samples != gridOnlySamples || view.samples == samples))
+        const bool isOnlyGrid = samples == gridOnlySamples && view.samples != gridOnlySamples;
+        if (isCoverage ? samples >= 32 : samples <= technique.maxSamples && !isOnlyGrid)
             counts.push_back(samples);
     }
     return counts;
