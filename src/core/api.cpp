@@ -8,6 +8,7 @@
 #include "core/names.h"
 #include "core/planner.h"
 #include "core/presets.h"
+#include "core/prices.h"
 #include "core/structs.h"
 #include "core/surfaces.h"
 #include "core/technique.h"
@@ -156,6 +157,14 @@ AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceC
         target.geometryPasses = plan.geometryPasses();
         writeStruct(outTarget, target);
         return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaQueryPrices(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
+                                     uint32_t* count, AgaaPrice* prices) {
+    return guarded(log, "agaaQueryPrices", [&]() -> AgaaResult {
+        require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
+        return writeStructs(listPrices(resolveView(view), capsOrIdeal(caps), 2), count, prices);
     });
 }
 

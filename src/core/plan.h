@@ -195,7 +195,7 @@ struct Step {
     uint64_t goesOnOffset = 0; // bytes
 };
 
-// config and depthBits are those that run.
+// config, layout and depthBits are those that run.
 struct Plan : ViewSettings {
     Plan() = default;
     explicit Plan(ViewSettings settings) : ViewSettings(std::move(settings)) {}

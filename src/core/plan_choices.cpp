@@ -41,6 +41,12 @@ uint64_t PlanBuilder::aggregateBytes() const {
 // What neither the scene nor the technique calls for.
 void PlanBuilder::dropUncalledFor(const Technique& technique) {
     AgaaConfig& config = plan.config;
+    const bool showsFacts = plan.measurement.debugView == AGAA_DEBUG_VIEW_FACTS;
+    config.flags |= showsFacts ? AGAA_CONFIG_CHECK_FACTS : 0;
+    config.flags |= config.flags & AGAA_CONFIG_CHECK_FACTS ? AGAA_CONFIG_COUNTERS : 0;
+    // What it shows is stored as diffuse albedo.
+    plan.layout = reduceLayout(plan.layout, plan.facts.flags & ~(showsFacts ? AGAA_FACT_NO_DIFFUSE : 0),
+                               technique.storesWidenedLobes);
     if (!technique.groupsSamples) { // settings of "agaa" may stay where another is measured
         plan.aggregation.litShadows = 0;
         config.flags &= ~(AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS);

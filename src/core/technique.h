@@ -53,6 +53,12 @@ struct GenerationTier {
     TierAnswer (*answer)(const GenerationQuery& query);
 };
 
+// The most that a frame shades, whatever the scene.
+struct ShadingWork {
+    uint32_t eventsPerPixel = 0;  // 0: the technique has no bound
+    uint32_t samplesPerEvent = 1; // that a shading event stands for, and looks up in shadows
+};
+
 // A struct that may be chained to AgaaConfig.
 struct TechniqueSettings {
     uint32_t sType;
@@ -69,6 +75,8 @@ struct Technique {
     std::span<const GenerationTier* const> tiers; // of materials, in the order in which AUTO prefers them
     std::span<const TechniqueSettings* const> settings;
     void (*build)(PlanBuilder& builder);
+    // Of the settings of a plan.
+    ShadingWork (*work)(const ViewSettings& plan);
 
     // Whether AUTO takes an ordered grid where n can be placed on one; null: no.
     bool (*prefersOrderedGrid)(const ViewSettings& view) = nullptr;

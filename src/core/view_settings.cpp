@@ -191,6 +191,12 @@ std::vector<uint32_t> configChain() {
     return types;
 }
 
+void setCounts(ViewSettings& view, uint32_t samples, uint32_t aggregates) {
+    view.samples = view.config.samples = samples;
+    view.config.aggregates = aggregates;
+    view.aggregates = findTechnique(view.technique)->maxAggregates ? std::min(aggregates, samples) : 0;
+}
+
 ViewSettings resolveView(const AgaaViewDesc* pointer) {
     const AgaaViewDesc desc = checkViewDesc(pointer);
     ViewSettings view;
@@ -202,29 +208,20 @@ ViewSettings resolveView(const AgaaViewDesc* pointer) {
     view.vertexPulling = desc.flags & AGAA_VIEW_VERTEX_PULLING;
     view.config = checkConfig(desc.config);
     readSettings(view.config, view);
-    if (view.measurement.debugView == AGAA_DEBUG_VIEW_FACTS)
-        view.config.flags |= AGAA_CONFIG_CHECK_FACTS;
-    if (view.config.flags & AGAA_CONFIG_CHECK_FACTS)
-        view.config.flags |= AGAA_CONFIG_COUNTERS;
     view.config.pNext = nullptr;
     view.facts = checkFacts(desc.facts);
     const Technique& technique = *findTechnique(view.config.technique);
     view.config.technique = technique.name; // static storage
     view.technique = technique.name;
-    view.samples = view.config.samples = checkSamples(view.config.samples, technique, view.config.generationTier);
+    setCounts(view, checkSamples(view.config.samples, technique, view.config.generationTier), view.config.aggregates);
     readShadowFunction(desc, view);
     readGBufferFunction(desc, view);
     readFetchFunction(desc, view);
-    // The debug view of facts shows what it finds as diffuse albedo.
-    const uint64_t shown = view.measurement.debugView == AGAA_DEBUG_VIEW_FACTS ? AGAA_FACT_NO_DIFFUSE : 0;
-    view.layout = reduceLayout(checkLayout(view.config.layout), view.facts.flags & ~shown, technique.storesWidenedLobes);
+    view.layout = checkLayout(view.config.layout);
     view.config.layout = nullptr; // the host's pointer does not outlive the call
-    if (!technique.maxAggregates)
-        return view;
-    if (view.config.aggregates > technique.maxAggregates)
+    if (technique.maxAggregates && view.config.aggregates > technique.maxAggregates)
         fail(AGAA_ERROR_OUT_OF_RANGE, format("AgaaConfig::aggregates is %u; \"%s\" takes %u at most.",
                                              view.config.aggregates, technique.name, technique.maxAggregates));
-    view.aggregates = std::min(view.config.aggregates, view.samples);
     return view;
 }
 

@@ -29,7 +29,7 @@ struct ViewSettings {
     AgaaAdaptiveSampling adaptive = AGAA_ADAPTIVE_SAMPLING_INIT;
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
     AgaaSceneFacts facts{};
-    Layout layout; // of what the facts call for
+    Layout layout; // the host's; planning drops what the facts do not call for
     uint32_t samples = 1;    // no more than the technique takes
     uint32_t aggregates = 0; // 0 where nothing is aggregated
 
@@ -45,6 +45,9 @@ struct ViewSettings {
     HostText fetchFunction;
     uint64_t functionSetLayout = 0;     // of set 1 in passes with code of the host's
 };
+
+// Changes n and c of a view: as many aggregates as its technique makes of so many samples.
+void setCounts(ViewSettings& view, uint32_t samples, uint32_t aggregates);
 
 // Types of the structs that may be chained to AgaaConfig.
 std::vector<uint32_t> configChain();

@@ -35,6 +35,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaSurface, 144);
     EXPECT_SIZE(AgaaMemoryReport, 56);
     EXPECT_SIZE(AgaaTarget, 40);
+    EXPECT_SIZE(AgaaPrice, 408);
     EXPECT_SIZE(AgaaFrameStatistics, 2880);
     EXPECT_SIZE(AgaaFrameValidation, 1120);
     EXPECT_SIZE(AgaaVkRequirements, 56);

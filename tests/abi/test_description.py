@@ -48,6 +48,14 @@ class Binding(unittest.TestCase):
         light = self.sdk.new("AgaaLight")
         self.assertEqual(light.shadowMap, self.sdk.AGAA_NO_SHADOW)
 
+    def test_prices_may_be_negative(self):
+        count = ctypes.c_uint32()
+        self.sdk.call("agaaQueryPrices", self.view, None, self.log, count, None)
+        prices = self.sdk.array("AgaaPrice", count.value)
+        self.sdk.call("agaaQueryPrices", self.view, None, self.log, count, prices)
+        tiers = {price.name: price.geometryPasses for price in prices if price.changesTier}
+        self.assertEqual(tiers[b"lit-aggregates"], -1) # one geometry pass in place of two
+
     def test_memory(self):
         report = self.sdk.new("AgaaMemoryReport")
         count = ctypes.c_uint32()

@@ -49,6 +49,11 @@ WRONG = [
     ["render", "--fragments-per-pixel", "many"],
     ["plan", "--technique", "dcaa", "--samples", "64", "--fragments-per-pixel", "auto"],
     ["memory", "--technique", "dcaa", "--samples", "64", "--fragments-per-pixel", "auto"],
+    ["price", "--technique", "taa"],
+    ["price", "--samples", "5"],
+    ["price", "--without", "fur"],
+    ["price", "--times"],
+    ["price", "--scene", "nonesuch"],
     ["sweep", "--jpeg", "0"],
 ]
 
@@ -61,6 +66,8 @@ FAILS = [
     ["plan", "--k-per-distance", "0"],
     ["plan", "--technique", "ssaa", "--view", "clusters"],
     ["plan", "--lit", "--buffered"],
+    ["price", "--times", "/nonexistent/times.json"],
+    ["price", "--size", "20000x20000", "--samples", "32"],
     ["plan", "--technique", "dcaa", "--samples", "64", "--no-geometry-shaders"],
 ]
 
@@ -85,6 +92,16 @@ class Arguments(unittest.TestCase):
     def test_missing_files_are_named(self):
         result = harness.run("compare", "/nonexistent/a.exr", "/nonexistent/b.exr")
         self.assertIn("/nonexistent/a.exr", result.stderr)
+
+    def test_files_of_times(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "times.json")
+            for text in ("{", "[]", '{"device": "d"}', '{"device": "d", "effects": {"specular": {}}}',
+                         '{"device": 1, "effects": {}}', '{"device": "d", "effects": {"specular": {"ratio": "x"}}}'):
+                with open(path, "w") as file:
+                    file.write(text)
+                with self.subTest(text=text):
+                    self.check(["price", "--times", path], 1)
 
     def test_layout_files(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -100,6 +100,26 @@ class Render(unittest.TestCase):
                 self.assertEqual(every["lightEvaluations"], (17 + 64) * every["shadingEvents"])
                 self.assertLess(culled["lightEvaluations"], 0.5 * every["lightEvaluations"])
 
+    def test_work_is_within_the_bounds_of_prices(self):
+        ids, gbuffer = ["--tier", "generation=ids"], ["--tier", "generation=gbuffer"]
+        views = [options(technique) for technique in
+                 ("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive")]
+        views += [[*options("dcaa"), "--exact", "--fragments-per-pixel", "64"], [*ids, "--lit", "--samples", "32"],
+                  [*gbuffer, "--shadow-along-depth"], [*gbuffer, "--no-shadow-filter", "--aggregates", "4"],
+                  [*ids, "--samples", "32", "--shadow-taps", "4", "--fine-materials"],
+                  ["--technique", "adaptive", "--equal-weights"]]
+        for view in views:
+            with self.subTest(view=view):
+                bounds = harness.data("price", "--scene", "foliage", "--size", "48x27", *view)["view"]
+                counters = self.render(*view, scene="foliage", size="48x27")["counters"]
+                events = counters["shadingEvents"]
+                self.assertGreater(counters["shadowTaps"], 0)
+                self.assertLessEqual(counters["shadowTaps"], events * bounds["maxShadowTapsPerEvent"])
+                self.assertLessEqual(counters["lightEvaluations"], events * bounds["maxLightsPerEvent"])
+                if "msaa" not in view:
+                    self.assertLessEqual(counters["maxEventsPerPixel"], bounds["maxEventsPerPixel"])
+                    self.assertLessEqual(events, counters["shadedPixels"] * bounds["maxEventsPerPixel"])
+
     def test_fragments_that_carry_materials(self):
         images = []
         for tier in ("lists", "material-lists"):

@@ -15,7 +15,7 @@ PICTURE = ROOT / "tools" / "comparison_picture.py"
 README = ROOT / "README.md"
 INDEX = ROOT / "docs" / "README.md"
 GUIDES = [*sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs" / "integration").glob("*.md"))]
-GENERATED = [ROOT / "docs" / name for name in ("choosing.md", "memory.md", "state.md")]
+GENERATED = [ROOT / "docs" / name for name in ("choosing.md", "effects.md", "memory.md", "state.md")]
 WRITTEN = [guide for guide in GUIDES if guide not in GENERATED]
 MIGRATION = ROOT / "docs" / "abi.md"  # names of earlier versions, too
 

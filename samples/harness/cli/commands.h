@@ -57,6 +57,8 @@ void runCaps(const DeviceArguments& arguments, bool json);
 void runMemory(const PlanArguments& plan, const DeviceArguments& device, bool json);
 // sceneGiven: facts are those of the scene, else all.
 void runPlan(const RenderArguments& arguments, bool sceneGiven, bool json);
+// What effects and steps of n and c would cost. timesPath: a file of measured times, or empty.
+void runPrice(const RenderArguments& arguments, const std::string& timesPath, bool sceneGiven, bool json);
 void runScenes(bool json);
 void runRender(const RenderArguments& arguments, bool json);
 void runReference(const RenderArguments& arguments, bool json);

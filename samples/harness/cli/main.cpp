@@ -132,6 +132,13 @@ int run(int argc, char** argv) {
     CLI::App* plan = command("plan", "resources and passes of a frame; needs no GPU");
     addRenderOptions(*plan, planArguments);
 
+    RenderArguments priceArguments;
+    priceArguments.device.backend.clear();
+    std::string priceTimes;
+    CLI::App* price = command("price", "what effects and steps of n and c would cost; needs no GPU");
+    addRenderOptions(*price, priceArguments);
+    price->add_option("--times", priceTimes, "JSON file of measured times: {device, effects: {name: {ratio}}}");
+
     CLI::App* scenes = command("scenes", "the built-in scenes");
 
     RenderArguments renderArguments;
@@ -177,6 +184,8 @@ int run(int argc, char** argv) {
         runMemory(memoryPlan, memoryDevice, json);
     else if (*plan)
         runPlan(planArguments, plan->count("--scene") > 0, json);
+    else if (*price)
+        runPrice(priceArguments, priceTimes, price->count("--scene") > 0, json);
     else if (*scenes)
         runScenes(json);
     else if (*render)

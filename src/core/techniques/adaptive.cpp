@@ -216,10 +216,13 @@ static bool prefersOrderedGrid(const ViewSettings& view) {
     return !view.hostGBuffer && !(view.adaptive.flags & AGAA_ADAPTIVE_DEVICE_PATTERN);
 }
 
+static ShadingWork work(const ViewSettings& plan) {
+    return {plan.samples, plan.adaptive.flags & AGAA_ADAPTIVE_EQUAL_WEIGHTS ? 1 : plan.samples};
+}
+
 static const TechniqueSettings adaptiveSettings = {AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, readAdaptive};
 static constexpr const GenerationTier* tiers[] = {&sampleIdsTier, &sampleGBufferTier};
 static constexpr const TechniqueSettings* settings[] = {&adaptiveSettings};
-const Technique adaptiveTechnique = {"adaptive", 32, 0, false, tiers, settings, build,
-                                     prefersOrderedGrid};
+const Technique adaptiveTechnique = {"adaptive", 32, 0, false, tiers, settings, build, work, prefersOrderedGrid};
 
 } // namespace agaa

@@ -96,6 +96,6 @@ void build(PlanBuilder& b) {
 static constexpr const GenerationTier* tiers[] = {&idsTier, &postDepthTier, &perSampleTier, &gbufferTier,
                                                   &mixedSamplesTier, &fragmentsTier};
 static constexpr const TechniqueSettings* settings[] = {&aggregationSettings, &coverageSettings};
-const Technique agaaTechnique = {"agaa", 32, 4, true, tiers, settings, build};
+const Technique agaaTechnique = {"agaa", 32, 4, true, tiers, settings, build, workOfAggregates};
 
 } // namespace agaa

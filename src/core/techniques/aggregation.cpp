@@ -32,6 +32,8 @@ static void readAggregation(const AgaaConfig& config, ViewSettings& view) {
 
 const TechniqueSettings aggregationSettings = {AGAA_STRUCTURE_TYPE_AGGREGATION, readAggregation};
 
+ShadingWork workOfAggregates(const ViewSettings& plan) { return {plan.aggregates, plan.samples}; }
+
 Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format format, SampleContent content) {
     const Prepass s{b.depth(stencil), b.image(name, format, true)};
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,

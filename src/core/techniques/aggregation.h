@@ -10,6 +10,8 @@ namespace agaa {
 
 extern const TechniqueSettings aggregationSettings; // AgaaAggregation
 
+ShadingWork workOfAggregates(const ViewSettings& plan);
+
 struct Prepass {
     ResourceId depth = noResource;
     ResourceId normals = noResource; // or ids

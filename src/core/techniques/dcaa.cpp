@@ -21,7 +21,10 @@ void addBatchPass(PlanBuilder& b, const char* name, const char* shader, Resource
     pass.dispatch = {.kind = DispatchKind::Items, .items = 1};
 }
 
-bool isExact(const PlanBuilder& b) { return b.plan.coverage.flags & AGAA_COVERAGE_EXACT; }
+bool isExact(const ViewSettings& plan) { return plan.coverage.flags & AGAA_COVERAGE_EXACT; }
+
+// A sample shows one fragment.
+ShadingWork work(const ViewSettings& plan) { return {isExact(plan) ? plan.samples : plan.aggregates, plan.samples}; }
 
 bool carriesMaterials(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_MATERIAL_LISTS; }
 bool mergesInOrder(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK; }
@@ -106,7 +109,7 @@ ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
 }
 
 void build(PlanBuilder& b) {
-    if (isExact(b))
+    if (isExact(b.plan))
         return buildExact(b);
     b.defaultSurface(0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
     const Aggregation surfaces = keptSurfaces(b);
@@ -126,6 +129,6 @@ constexpr const TechniqueSettings* settings[] = {&coverageSettings};
 
 } // namespace
 
-const Technique dcaaTechnique = {"dcaa", 0, 8, false, tiers, settings, build, nullptr, true};
+const Technique dcaaTechnique = {"dcaa", 0, 8, false, tiers, settings, build, work, nullptr, true};
 
 } // namespace agaa

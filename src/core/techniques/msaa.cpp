@@ -40,6 +40,9 @@ static void build(PlanBuilder& b) {
     b.copyCounters();
 }
 
-const Technique msaaTechnique = {"msaa", 32, 0, false, {}, {}, build};
+// Fragments of one surface are shaded once for each primitive that shows.
+static ShadingWork work(const ViewSettings&) { return {}; }
+
+const Technique msaaTechnique = {"msaa", 32, 0, false, {}, {}, build, work};
 
 } // namespace agaa

@@ -45,11 +45,14 @@ void buildSimpleComplex(PlanBuilder& b) {
     b.copyCounters();
 }
 
+ShadingWork eachSample(const ViewSettings& plan) { return {plan.samples, 1}; }
+ShadingWork someSamples(const ViewSettings& plan) { return {plan.samples, plan.samples}; }
+
 } // namespace
 
-const Technique singleTechnique = {"single", 1, 0, false, {}, {}, buildPerSample};
-const Technique ssaaTechnique = {"ssaa", 32, 0, false, {}, {}, buildPerSample};
-const Technique fxaaTechnique = {"fxaa", 1, 0, false, {}, {}, buildFxaa};
-const Technique simpleComplexTechnique = {"simple_complex", 32, 0, false, {}, {}, buildSimpleComplex};
+const Technique singleTechnique = {"single", 1, 0, false, {}, {}, buildPerSample, eachSample};
+const Technique ssaaTechnique = {"ssaa", 32, 0, false, {}, {}, buildPerSample, eachSample};
+const Technique fxaaTechnique = {"fxaa", 1, 0, false, {}, {}, buildFxaa, eachSample};
+const Technique simpleComplexTechnique = {"simple_complex", 32, 0, false, {}, {}, buildSimpleComplex, someSamples};
 
 } // namespace agaa

@@ -54,6 +54,6 @@ void build(PlanBuilder& b) {
 
 static constexpr const GenerationTier* tiers[] = {&postDepthTier, &perSampleTier, &gbufferTier, &mixedSamplesTier};
 static constexpr const TechniqueSettings* settings[] = {&aggregationSettings};
-const Technique sbaaTechnique = {"sbaa", 32, 6, false, tiers, settings, build};
+const Technique sbaaTechnique = {"sbaa", 32, 6, false, tiers, settings, build, workOfAggregates};
 
 } // namespace agaa

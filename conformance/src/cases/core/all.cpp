@@ -12,6 +12,7 @@ void addCoreCases(Suite& suite) {
     addPresetCases(suite);
     addCapabilityCases(suite);
     addMemoryCases(suite);
+    addPriceCases(suite);
     addTextCases(suite);
     addRequirementCases(suite);
     addThreadCases(suite);

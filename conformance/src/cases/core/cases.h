@@ -16,6 +16,7 @@ void addNameCases(Suite& suite);
 void addPresetCases(Suite& suite);
 void addCapabilityCases(Suite& suite);
 void addMemoryCases(Suite& suite);
+void addPriceCases(Suite& suite);
 void addTextCases(Suite& suite);
 void addRequirementCases(Suite& suite);
 void addThreadCases(Suite& suite);

@@ -19,9 +19,12 @@ void testNullPointers(Test& test) {
         expectRefused(test, result, AGAA_ERROR_INVALID_ARGUMENT, log, function, callWith(function, what));
     };
     size_t size = 0;
+    uint32_t count = 0;
     AgaaTarget target = AGAA_TARGET_INIT;
     expect("agaaQueryMemory", "view = null",
            test.sdk.agaaQueryMemory(nullptr, nullptr, log.get(), nullptr, nullptr, nullptr));
+    expect("agaaQueryPrices", "view = null", test.sdk.agaaQueryPrices(nullptr, nullptr, log.get(), &count, nullptr));
+    expect("agaaQueryPrices", "count = null", test.sdk.agaaQueryPrices(view, nullptr, log.get(), nullptr, nullptr));
     expect("agaaQueryTarget", "view = null", test.sdk.agaaQueryTarget(nullptr, nullptr, log.get(), &target));
     expect("agaaQueryTarget", "outTarget = null", test.sdk.agaaQueryTarget(view, nullptr, log.get(), nullptr));
     expect("agaaPlanToJson", "view = null", test.sdk.agaaPlanToJson(nullptr, nullptr, log.get(), &size, nullptr));

@@ -76,6 +76,15 @@ template <class T> void copyMembers(void* structure, const T& from) {
     std::memcpy(static_cast<char*>(structure) + header, reinterpret_cast<const char*>(&from) + header, sizeof from - header);
 }
 
+AgaaResult callPrices(Test& test, void* structure, const AgaaLog* log) {
+    ViewParts parts(test.sdk, nullptr);
+    uint32_t count = 0;
+    test.requireOk(test.sdk.agaaQueryPrices(&parts.desc, nullptr, nullptr, &count, nullptr), "agaaQueryPrices with prices = null");
+    return callArray<AgaaPrice>(count, structure, [&](AgaaPrice* array) {
+        return test.sdk.agaaQueryPrices(&parts.desc, nullptr, log, &count, array);
+    });
+}
+
 std::vector<HeaderCase> inputs() {
     return {
         {"AgaaLog", "agaaGetCoverageGlsl", nullptr,
@@ -144,6 +153,7 @@ std::vector<HeaderCase> outputs() {
          },
          true},
         {"AgaaSurface", "agaaQueryMemory", nullptr, callSurfaces, true},
+        {"AgaaPrice", "agaaQueryPrices", nullptr, callPrices, true},
         {"AgaaCapability", "agaaQueryCapabilities", nullptr, callCapabilities, true, false},
         {"AgaaVkRequirements", "agaaVkGetRequirements", nullptr,
          [](Test& test, void* structure, const AgaaLog*) {

@@ -84,6 +84,20 @@ std::string target(const Functions& sdk, uint32_t variant) {
     return std::to_string(result) + bytesOf(out) + logText(log);
 }
 
+std::string prices(const Functions& sdk, uint32_t variant) {
+    ViewParts parts(sdk, nullptr);
+    vary(parts, variant);
+    LogRecorder log;
+    const AgaaPrice initial = AGAA_PRICE_INIT;
+    std::vector<AgaaPrice> list(128, initial);
+    uint32_t count = 128;
+    const AgaaResult result = sdk.agaaQueryPrices(&parts.desc, &parts.caps, log.get(), &count, list.data());
+    std::string text = std::to_string(result) + std::to_string(count) + logText(log);
+    for (const AgaaPrice& price : list)
+        text += bytesOf(price);
+    return text;
+}
+
 template <class Function> std::string viewText(const Functions& sdk, uint32_t variant, Function function) {
     ViewParts parts(sdk, nullptr);
     vary(parts, variant);
@@ -181,7 +195,8 @@ void addThreadCases(Suite& suite) {
         const char* function;
         std::string (*answer)(const Functions&, uint32_t);
     };
-    for (const Row& row : {Row{"agaaQueryMemory", memory}, Row{"agaaQueryTarget", target}, Row{"agaaPlanToJson", plan},
+    for (const Row& row : {Row{"agaaQueryMemory", memory}, Row{"agaaQueryTarget", target}, Row{"agaaQueryPrices", prices},
+                           Row{"agaaPlanToJson", plan},
                            Row{"agaaGetAggregateGlsl", aggregateGlsl}, Row{"agaaGetCoverageGlsl", coverage},
                            Row{"agaaQueryCapabilities", capabilities}, Row{"agaaGetBuiltinLayout", layout},
                            Row{"agaaApplyPreset", preset}, Row{"agaaGetNames", names}, Row{"agaaTierName", tierNames},

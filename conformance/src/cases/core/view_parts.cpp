@@ -21,6 +21,11 @@ AgaaResult queryTarget(const Functions& sdk, const AgaaViewDesc* view, const Aga
     return sdk.agaaQueryTarget(view, caps, log, &target);
 }
 
+AgaaResult queryPrices(const Functions& sdk, const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log) {
+    uint32_t count = 0;
+    return sdk.agaaQueryPrices(view, caps, log, &count, nullptr);
+}
+
 AgaaResult queryPlan(const Functions& sdk, const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log) {
     size_t size = 0;
     return sdk.agaaPlanToJson(view, caps, log, &size, nullptr);
@@ -59,7 +64,10 @@ ViewParts::ViewParts(const Functions& sdk, const Device* device) : ViewDescripti
 
 const std::vector<ViewQuery>& viewQueries() {
     static const std::vector<ViewQuery> queries = {
-        {"agaaQueryMemory", queryMemory}, {"agaaQueryTarget", queryTarget}, {"agaaPlanToJson", queryPlan}};
+        {"agaaQueryMemory", queryMemory},
+                                                   {"agaaQueryTarget", queryTarget},
+                                                   {"agaaPlanToJson", queryPlan},
+                                                   {"agaaQueryPrices", queryPrices}};
     return queries;
 }
 

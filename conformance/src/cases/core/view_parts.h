@@ -43,7 +43,7 @@ struct ViewQuery {
     AgaaResult (*call)(const Functions& sdk, const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log);
 };
 
-// agaaQueryMemory, agaaQueryTarget and agaaPlanToJson.
+// agaaQueryMemory, agaaQueryTarget, agaaPlanToJson and agaaQueryPrices.
 const std::vector<ViewQuery>& viewQueries();
 extern const ViewQuery aggregateGlslQuery; // fails for views without aggregates in memory
 
