@@ -316,7 +316,7 @@ void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
         (plan.measurement.flags & AGAA_MEASURE_NO_LIGHT_CULLING))
         return;
     const uint32_t words = (plan.facts.maxLights + 31) / 32;
-    lightMasks_ = tileBuffer("light-masks", 8, 4 * words);
+    lightMasks_ = tileBuffer("light-masks", 8, 4 * (words + 1)); // and a word for shadows
     constants_[AGAA_LIGHT_WORDS] = words;
     Pass& cull = compute("cull lights", AGAA_STAGE_SHADING, "cull_lights", AGAA_SEGMENT_SHADING);
     bind(cull, slot::Frame, BindingType::UniformBuffer, frameConstants(cull.segment));

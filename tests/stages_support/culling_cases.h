@@ -123,7 +123,47 @@ TYPED_TEST_P(CullingCases, FramesWithFewLightsEvaluateThem) {
     }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(CullingCases, ImagesAreBitEqual, AnyNumberOfLights, WithoutDepthAllLightsAreEvaluated, EachProjection,
+// Of two shadows one belongs to a light that reaches the left half only. Images are bit-equal, with fewer taps.
+TYPED_TEST_P(CullingCases, ShadowsOfLightsOutOfReachAreNotLookedUp) {
+    AgaaShadowFunction function = AGAA_SHADOW_FUNCTION_INIT;
+    function.glsl = "float agaaHostShadow(uint shadow, vec3 position) { return fract(position.x + position.y) > 0.5 ? 1.0 : 0.0; }";
+    function.shadows = 3;
+    const AgaaShadow shadows[2] = {};
+    Shot shot = this->shotOf(20, 0.5f);
+    shot.lights[0].shadowMap = 1;
+    AgaaLight& lamp = shot.lights[1];
+    lamp.type = AGAA_LIGHT_POINT;
+    lamp.shadowMap = 0;
+    lamp.position[0] = -12;
+    lamp.position[2] = -12;
+    lamp.range = 9;
+    shot.change = [&](AgaaFrame& frame) {
+        addAmbient(frame);
+        frame.shadows = shadows;
+        frame.shadowCount = 2;
+    };
+    struct Way {
+        const char* technique;
+        uint32_t tier, litShadows;
+    };
+    for (const auto& [technique, tier, litShadows] :
+         {Way{"ssaa", AGAA_TIER_AUTO, 0}, {"agaa", AGAA_TIER_PER_SAMPLE, 0}, {"agaa", AGAA_TIER_GBUFFER, 1}, {"agaa", AGAA_TIER_IDS, 0}}) {
+        SCOPED_TRACE(std::string(technique) + ' ' + agaaTierName(tier));
+        ViewSettings settings = this->settingsOf(technique, 4, 2, tier);
+        settings.config.aggregation.litShadows = litShadows;
+        settings.facts.maxLights = 20;
+        settings.facts.shadowMapCount = 2;
+        settings.chained = &function;
+        const Shown culled = show(this->context, settings, shot);
+        settings.config.measurement.flags |= AGAA_MEASURE_NO_LIGHT_CULLING;
+        const Shown all = show(this->context, settings, shot);
+        EXPECT_EQ(culled.rgb, all.rgb);
+        EXPECT_LT(culled.counters.shadowTaps, all.counters.shadowTaps * 9 / 10);
+        EXPECT_GT(culled.counters.shadowTaps, all.counters.shadowTaps / 2) << "the sun reaches all";
+    }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(CullingCases, ShadowsOfLightsOutOfReachAreNotLookedUp, ImagesAreBitEqual, AnyNumberOfLights, WithoutDepthAllLightsAreEvaluated, EachProjection,
                             AnySizeAndView, FramesWithFewLightsEvaluateThem);
 
 } // namespace agaa::test

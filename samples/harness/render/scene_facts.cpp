@@ -1,24 +1,81 @@
+// What a scene calls for, and what all of its materials and lights have in common.
 #include "render/draw_list.h"
 #include "render/lights.h"
 #include "render/renderer.h"
 
+#include <algorithm>
+
 namespace harness {
+
+namespace {
+
+struct UsedMaterial {
+    Material material;
+    bool isMasked = false;
+};
+
+std::vector<UsedMaterial> usedMaterials(const Scene& scene) {
+    std::vector<UsedMaterial> used;
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes.at(instance.mesh);
+        const bool hasMaterial = mesh.material < scene.materials.size();
+        used.push_back({hasMaterial ? scene.materials[mesh.material] : Material{}, isMasked(scene, mesh)});
+    }
+    return used;
+}
+
+// As shaders/material.glsl.
+float alpha2Of(float roughness) {
+    const float alpha = std::max(roughness, 0.089f) * std::max(roughness, 0.089f);
+    return std::min(alpha * alpha, 1.0f);
+}
+
+uint64_t commonValues(const Scene& scene, const std::vector<UsedMaterial>& used, AgaaSceneFacts& facts) {
+    const auto all = [&](const auto& has) { return !used.empty() && std::ranges::all_of(used, has); };
+    const auto isGrey = [](const Material& m) {
+        return m.baseColorTexture < 0 && m.baseColor.r == m.baseColor.g && m.baseColor.g == m.baseColor.b;
+    };
+    uint64_t flags = 0;
+    const bool isDielectric = all([](const UsedMaterial& u) { return u.material.metallic == 0; });
+    if (isDielectric)
+        flags |= AGAA_FACT_ONE_SPECULAR; // 0.04, the default
+    else if (all([&](const UsedMaterial& u) { return u.material.metallic == 0 || isGrey(u.material); }) &&
+             std::ranges::all_of(scene.vertices, [](const Vertex& v) { return v.color.r == v.color.g && v.color.g == v.color.b; }))
+        flags |= AGAA_FACT_GREY_SPECULAR;
+    if (all([](const UsedMaterial& u) { return u.material.metallic == 1 && u.material.metalRoughTexture < 0; }))
+        flags |= AGAA_FACT_NO_DIFFUSE;
+    if (all([&](const UsedMaterial& u) {
+            return u.material.metalRoughTexture < 0 && u.material.normalTexture < 0 && // which widens lobes
+                   u.material.roughness == used[0].material.roughness;
+        })) {
+        flags |= AGAA_FACT_ONE_ROUGHNESS;
+        facts.alpha2 = alpha2Of(used[0].material.roughness);
+    }
+    if (all([](const UsedMaterial& u) { return !u.isMasked || u.material.alphaMode == AlphaMode::Mask; }))
+        flags |= AGAA_FACT_NO_TRANSLUCENCY;
+    else if (all([](const UsedMaterial& u) { return !u.isMasked || u.material.alphaMode == AlphaMode::Blend; }))
+        flags |= AGAA_FACT_NO_CUTOUTS;
+    return flags;
+}
+
+} // namespace
 
 AgaaSceneFacts sceneFacts(const Scene& scene, const std::vector<Light>& lights) {
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     // Dielectrics reflect too, so every metallic-roughness material is specular. Ambient light is
     // no property of the scene; the renderer drops it where the settings have none.
     facts.flags = AGAA_FACT_SPECULAR | AGAA_FACT_AMBIENT;
-    for (const Instance& instance : scene.instances) {
-        const Mesh& mesh = scene.meshes.at(instance.mesh);
-        if (mesh.material >= scene.materials.size())
-            continue;
-        const glm::vec3& emissive = scene.materials[mesh.material].emissive;
+    const std::vector<UsedMaterial> used = usedMaterials(scene);
+    for (const UsedMaterial& u : used) {
+        const glm::vec3& emissive = u.material.emissive;
         if (emissive.r > 0 || emissive.g > 0 || emissive.b > 0)
             facts.flags |= AGAA_FACT_EMISSIVE;
-        if (isMasked(scene, mesh))
+        if (u.isMasked)
             facts.flags |= AGAA_FACT_ALPHA_MASKED;
     }
+    facts.flags |= commonValues(scene, used, facts);
+    if (std::ranges::all_of(lights, [](const Light& light) { return light.type == LightType::Directional; }))
+        facts.flags |= AGAA_FACT_NO_LOCAL_LIGHTS;
     facts.maxLights = uint32_t(lights.size());
     facts.shadowMapCount = uint32_t(shadowedLights(lights).size());
     return facts;

@@ -91,14 +91,15 @@ void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
         if (!agaa_isLitShadow(map))
             continue;
         float sum = 0.0;
-        for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
+        const uint reached = (agaa_reachingShadows >> map & 1u) != 0u ? mask : 0u;
+        for (uint rest = reached; rest != 0u; rest &= rest - 1u) {
             uint i = uint(findLSB(rest));
             agaa_sampleLight[i] = agaa_shadowTap(map, agaa_toShadingSpace(agaa_viewPositionOf(pixel, i)));
             sum += agaa_sampleLight[i];
         }
         agaa_visibility[map] = sum / float(bitCount(mask));
         agaa_litSurface[map] =
-            agaa_surfaceOfMeans(agaa_litMeans(pixel, mask, sum > 1e-6 ? 1.0 / sum : 0.0), false, toEye);
+            agaa_surfaceOfMeans(agaa_litMeans(pixel, reached, sum > 1e-6 ? 1.0 / sum : 0.0), false, toEye);
     }
 }
 #endif

@@ -1,4 +1,4 @@
-// The lights that may reach what each tile of 8 by 8 pixels shows: a bit for each.
+// The lights that may reach what each tile of 8 by 8 pixels shows, and the shadows that they need: a bit for each.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -22,7 +22,7 @@ struct agaa_Box {
     vec3 low, high;
 };
 shared uint agaa_tileBox[6];
-shared uint agaa_tileLights[AGAA_LIGHT_WORDS + 1u];
+shared uint agaa_tileLights[AGAA_LIGHT_WORDS + 1u]; // and shadows in the last
 
 // Keeps the order of numbers.
 uint agaa_orderedBits(float x) {
@@ -93,7 +93,7 @@ bool agaa_reaches(agaa_GpuLight light, agaa_Box box, mat3 toView) {
 
 void main() {
     const uint lane = gl_LocalInvocationIndex;
-    for (uint i = lane; i < AGAA_LIGHT_WORDS; i += 64u)
+    for (uint i = lane; i <= AGAA_LIGHT_WORDS; i += 64u)
         agaa_tileLights[i] = 0u;
     if (lane < 6u)
         agaa_tileBox[lane] = agaa_orderedBits(lane < 3u ? 3.0e38 : -3.0e38);
@@ -108,10 +108,14 @@ void main() {
     const bool isEmpty = box.low.x > box.high.x;
     const mat3 toView = inverse(transpose(mat3(agaa_frame.view)));
     for (uint i = lane; i < count; i += 64u)
-        if (areFew || (!isEmpty && agaa_reaches(agaa_lightBuffer.lights[i], box, toView)))
+        if (areFew || (!isEmpty && agaa_reaches(agaa_lightBuffer.lights[i], box, toView))) {
             atomicOr(agaa_tileLights[i >> 5u], 1u << (i & 31u));
+            uint map = floatBitsToUint(agaa_lightBuffer.lights[i].colorShadow.w);
+            if (map < 4u)
+                atomicOr(agaa_tileLights[AGAA_LIGHT_WORDS], 1u << map);
+        }
     barrier();
     const uint first = agaa_lightMaskAt(gl_WorkGroupID.xy);
-    for (uint i = lane; i < AGAA_LIGHT_WORDS; i += 64u)
+    for (uint i = lane; i <= AGAA_LIGHT_WORDS; i += 64u)
         agaa_lightMasks.words[first + i] = agaa_tileLights[i];
 }

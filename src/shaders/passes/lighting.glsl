@@ -91,10 +91,12 @@ bool agaa_isLitShadow(uint map) {
 #endif
 }
 
+uint agaa_reachingShadows = 0xFu; // bits of those whose lights reach the surface at hand
+
 void agaa_addTaps(vec3 position) {
 #if AGAA_SHADOWS
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        if (!agaa_isLitShadow(map))
+        if (!agaa_isLitShadow(map) && (agaa_reachingShadows >> map & 1u) != 0u)
             agaa_visibility[map] += agaa_shadowTap(map, position);
 #endif
 }
@@ -153,7 +155,11 @@ layout(std430, AGAA_AT_LIGHT_MASKS) readonly buffer agaa_LightMaskBlock {
 
 uint agaa_lightMask = 0u; // where the bits of the event's tile are
 
-void agaa_lightPixel(uvec2 pixel) { agaa_lightMask = agaa_lightMaskAt(pixel / 8u); }
+void agaa_lightPixel(uvec2 pixel) {
+    agaa_lightMask = agaa_lightMaskAt(pixel / 8u);
+    if (AGAA_LIGHT_WORDS != 0u && AGAA_DEBUG_VIEW != 5u) // which shows visibility, lit or not
+        agaa_reachingShadows = agaa_lightMasks.words[agaa_lightMask + AGAA_LIGHT_WORDS];
+}
 
 vec3 agaa_sumOfReachingLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 sum) {
     uint word = 0u;

@@ -23,8 +23,8 @@ AGAA_LIGHT_BLOCK agaa_LightBlock {
     agaa_GpuLight lights[AGAA_LIGHT_COUNT];
 } agaa_lightBuffer;
 
-// Where the bits of a tile's lights begin.
+// Where the bits of a tile's lights begin. A word follows that has a bit for each shadow whose lights reach the tile.
 uint agaa_lightMaskAt(uvec2 tile) {
-    return (tile.y * ((agaa_frame.size.x + 7u) / 8u) + tile.x) * AGAA_LIGHT_WORDS;
+    return (tile.y * ((agaa_frame.size.x + 7u) / 8u) + tile.x) * (AGAA_LIGHT_WORDS + 1u);
 }
 #endif
