@@ -1,8 +1,8 @@
 /* AGAA SDK on OpenGL. Includes no OpenGL header: object names, formats and enumerations are uint32_t with OpenGL's values.
  * SPDX-License-Identifier: MIT
  *
- * OpenGL   Every function except agaaGlGetRequirements needs a current context: for a given AgaaContext or AgaaView, the one
- *          in which it was created.
+ * OpenGL   Every function except agaaGlGetRequirements needs a current context: for a given
+ *          AgaaContext or AgaaView, the one in which it was created.
  */
 #ifndef AGAA_GL_H
 #define AGAA_GL_H
@@ -252,7 +252,7 @@ AGAA_API void AGAA_CALL agaaInitGlFrame(AgaaGlFrame* outFrame, size_t structSize
  *                                         of another target, a shadow map has no depth, or the view is a Vulkan view
  *           AGAA_ERROR_STRUCT             a struct is not initialised
  *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, the output has another size than the view, or the
- *                                         camera or ditherFrame differs from that of the first segment
+ *                                         camera, ditherFrame or the facts differ from those of the first segment
  *           AGAA_ERROR_WRONG_ORDER        framesInFlight frames are unfinished, the frame index does not increase, a segment
  *                                         is missing or repeated, or transform feedback is active and not paused
  *           AGAA_ERROR_UNSUPPORTED        the output's format does not support image stores

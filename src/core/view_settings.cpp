@@ -1,5 +1,6 @@
 #include "core/view_settings.h"
 
+#include "core/facts.h"
 #include "core/names.h"
 #include "core/structs.h"
 #include "core/technique.h"
@@ -75,15 +76,6 @@ static uint32_t checkSamples(uint32_t samples, const Technique& technique, uint3
              format("AgaaConfig::samples is %u; \"%s\" takes %s32, 64 or 128 coverage samples.", samples, technique.name,
                     isEither ? "1, 2, 4, 8, 16 or 32 samples, or " : ""));
     return samples;
-}
-
-static AgaaSceneFacts checkFacts(const AgaaSceneFacts* pointer) {
-    const AgaaSceneFacts facts = readStruct(pointer);
-    checkRange(uint64_t(facts.maxLights), 0, 4096, "AgaaSceneFacts::maxLights");
-    checkRange(uint64_t(facts.shadowMapCount), 0, AGAA_MAX_SHADOW_MAPS,
-               "AgaaSceneFacts::shadowMapCount");
-    checkFlags(facts.flags, AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH, "AgaaSceneFacts::flags");
-    return facts;
 }
 
 static AgaaViewDesc checkViewDesc(const AgaaViewDesc* pointer) {
@@ -197,7 +189,7 @@ ViewSettings resolveView(const AgaaViewDesc* pointer) {
     view.config = checkConfig(desc.config);
     readSettings(view.config, view);
     view.config.pNext = nullptr;
-    view.facts = checkFacts(desc.facts);
+    view.facts = view.variantFacts = checkFacts(desc.facts);
     const Technique& technique = *findTechnique(view.config.technique);
     view.config.technique = technique.name; // static storage
     view.technique = technique.name;
