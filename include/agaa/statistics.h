@@ -93,7 +93,7 @@ typedef struct AgaaFrameStatistics {
     uint32_t variantCount;       /* that frames may run with, >= 1: that of the view's facts, and the prepared ones */
     double compileMilliseconds;  /* CPU time to create the pipelines or programs of the SDK's compute passes */
     uint32_t compiledPipelines;  /* pipelines or programs that were created; variants share equal ones */
-    uint32_t cachedPipelines;    /* 0 */
+    uint32_t cachedPipelines;    /* of these, programs from an AgaaGlProgramCache; 0 on Vulkan, where the driver alone knows */
 } AgaaFrameStatistics;
 #define AGAA_FRAME_STATISTICS_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0, 0, 0, 0, 0, 0, \

@@ -51,9 +51,9 @@ void View::destroy() {
 }
 
 Compiled View::compile(const Pass& pass, size_t) {
-    const GLuint program = compilePass(context.gl, pass);
-    context.label(GL_PROGRAM, program, "agaa " + pass.name);
-    return {program};
+    const Compiled compiled = compilePass(context, pass);
+    context.label(GL_PROGRAM, GLuint(compiled.program), "agaa " + pass.name);
+    return compiled;
 }
 
 void View::prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) {

@@ -48,6 +48,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaGlDrawPass, 56);
     EXPECT_SIZE(AgaaGlSurface, 32);
     EXPECT_SIZE(AgaaGlFrame, 40);
+    EXPECT_SIZE(AgaaGlProgramCache, 32);
     EXPECT_SIZE(AgaaStructHeader, 16);
     EXPECT_SIZE(AgaaDrawState, 64);
     EXPECT_SIZE(AgaaDrawTarget, 144);
