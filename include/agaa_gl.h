@@ -210,7 +210,6 @@ AGAA_API AgaaResult AGAA_CALL agaaGlGetContextCaps(AgaaContext context, AgaaDevi
  *
  * Errors   AGAA_ERROR_INVALID_ARGUMENT    the context or size is null, or the context is a Vulkan context
  *          AGAA_ERROR_BUFFER_TOO_SMALL    data is too short
- *          AGAA_ERROR_OUT_OF_MEMORY       host memory could not be allocated
  * Threads  One call at a time per context. The OpenGL context need not be current. */
 AGAA_API AgaaResult AGAA_CALL agaaGlGetProgramCache(AgaaContext context, size_t* size, void* data);
 

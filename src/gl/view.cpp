@@ -52,14 +52,19 @@ void View::destroy() {
 
 Compiled View::compile(const Pass& pass, size_t) {
     const Compiled compiled = compilePass(context, pass);
-    context.label(GL_PROGRAM, GLuint(compiled.program), "agaa " + pass.name);
+    try {
+        context.label(GL_PROGRAM, GLuint(compiled.program), "agaa " + pass.name);
+        context.checkErrors("compiling a pass"); // before frames run with it
+    } catch (...) {
+        context.gl.DeleteProgram(GLuint(compiled.program));
+        throw;
+    }
     return compiled;
 }
 
 void View::prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) {
     context.takeHostErrors("agaaPrepareVariants");
     SizedView::prepare(settings, facts);
-    context.checkErrors("preparing a variant");
 }
 
 void View::createPasses() {
