@@ -1,8 +1,8 @@
 /* AGAA SDK on OpenGL. Includes no OpenGL header: object names, formats and enumerations are uint32_t with OpenGL's values.
  * SPDX-License-Identifier: MIT
  *
- * OpenGL   Every function except agaaGlGetRequirements needs a current context: for a given AgaaContext or AgaaView, the one
- *          in which it was created.
+ * OpenGL   Every function except agaaGlGetRequirements and agaaGlGetProgramCache needs a current context: for a given
+ *          AgaaContext or AgaaView, the one in which it was created.
  */
 #ifndef AGAA_GL_H
 #define AGAA_GL_H
@@ -151,15 +151,34 @@ typedef struct AgaaGlDeviceDesc {
      {0, 0, 0, 1, 2, 1, 2, 3, 4, 3, 0, 0, 0, 0, 0, 0, 0}, AGAA_GL_CONSTANTS_BLOCK}
 AGAA_API void AGAA_CALL agaaInitGlDeviceDesc(AgaaGlDeviceDesc* outDesc, size_t structSize);
 
+/* Compiled programs of an earlier run. Chain it to AgaaContextDesc to keep the SDK's programs in memory: views that are created
+ * or resized take equal programs from there, and agaaGlGetProgramCache gets them for the next run. Without the struct, every
+ * program is compiled from its text. */
+typedef struct AgaaGlProgramCache {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;
+    uint64_t size;    /* bytes of data; 0: start empty */
+    /* From agaaGlGetProgramCache of an earlier run; may be null if size is 0. Read during the call only, of which the SDK keeps
+     * a copy. Data of another driver, another version of the library or another format, and damaged data, are ignored with one
+     * warning to the log. Checks find accidental damage; as the driver loads the programs, data must come from a place that
+     * the host trusts. */
+    const void* data;
+} AgaaGlProgramCache;
+#define AGAA_GL_PROGRAM_CACHE_INIT                                                                  \
+    {AGAA_STRUCTURE_TYPE_GL_PROGRAM_CACHE, (uint32_t)sizeof(AgaaGlProgramCache), NULL, 0, NULL}
+AGAA_API void AGAA_CALL agaaInitGlProgramCache(AgaaGlProgramCache* outCache, size_t structSize);
+
 /* Creates a context in the current OpenGL context. The SDK tests the driver's timer queries, which takes some milliseconds.
  *
  * headerVersion   AGAA_HEADER_VERSION.
- * desc            With an AgaaGlDeviceDesc chained.
+ * desc            With an AgaaGlDeviceDesc chained, and an AgaaGlProgramCache if programs are to be kept.
  * outContext      Receives the context; unchanged on failure. Destroy it with agaaDestroyContext.
  *
  * Errors          AGAA_ERROR_VERSION            header and library have different major or minor versions
  *                 AGAA_ERROR_INVALID_ARGUMENT   no device is chained, getProcAddr or a needed callback is null, only one of
- *                                               two callbacks is set, or two bindings of one kind are equal
+ *                                               two callbacks is set, two bindings of one kind are equal, or
+ *                                               AgaaGlProgramCache::data is null although size is not 0
  *                 AGAA_ERROR_OUT_OF_RANGE       a member is out of its range or exceeds a limit of the context
  *                 AGAA_ERROR_UNSUPPORTED        no OpenGL context is current, or it is too old or lacks a required extension,
  *                                               or getProcAddr has no pointer of a core function
@@ -180,6 +199,19 @@ AGAA_API AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion, const 
  *           AGAA_ERROR_STRUCT             outCaps is not initialised
  * Threads   The thread in which the OpenGL context is current. */
 AGAA_API AgaaResult AGAA_CALL agaaGlGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps);
+
+/* Gets the programs that the context has compiled, and those of the AgaaGlProgramCache that it was created with, as bytes for
+ * a later run. Without an AgaaGlProgramCache, or if the driver has no program binaries (GL_NUM_PROGRAM_BINARY_FORMATS is
+ * 0), the bytes hold a header and no programs.
+ *
+ * size     With data null, receives the number of bytes. Otherwise the bytes of data on entry, and the number of bytes
+ *          on return; unchanged on failure.
+ * data     Null, or receives the bytes; unchanged on failure.
+ *
+ * Errors   AGAA_ERROR_INVALID_ARGUMENT    the context or size is null, or the context is a Vulkan context
+ *          AGAA_ERROR_BUFFER_TOO_SMALL    data is too short
+ * Threads  One call at a time per context. The OpenGL context need not be current. */
+AGAA_API AgaaResult AGAA_CALL agaaGlGetProgramCache(AgaaContext context, size_t* size, void* data);
 
 /* Creates a view: the surfaces and programs for one camera at one size.
  *
@@ -252,7 +284,7 @@ AGAA_API void AGAA_CALL agaaInitGlFrame(AgaaGlFrame* outFrame, size_t structSize
  *                                         of another target, a shadow map has no depth, or the view is a Vulkan view
  *           AGAA_ERROR_STRUCT             a struct is not initialised
  *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, the output has another size than the view, or the
- *                                         camera or ditherFrame differs from that of the first segment
+ *                                         camera, ditherFrame or the facts differ from those of the first segment
  *           AGAA_ERROR_WRONG_ORDER        framesInFlight frames are unfinished, the frame index does not increase, a segment
  *                                         is missing or repeated, or transform feedback is active and not paused
  *           AGAA_ERROR_UNSUPPORTED        the output's format does not support image stores

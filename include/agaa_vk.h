@@ -96,7 +96,9 @@ typedef struct AgaaVkDeviceDesc {
     /* VkPhysicalDeviceFeatures2 with the chain that was passed to vkCreateDevice. Null: the host enabled every feature of
      * AgaaVkRequirements that the device has; conditionalRendering is then not used. */
     const void* enabledFeatures;
-    uint64_t pipelineCache; /* VkPipelineCache that outlives the context, or 0: the SDK uses an empty cache of its own */
+    /* VkPipelineCache that outlives the context, or 0: the SDK uses an empty cache of its own. Without
+     * VK_PIPELINE_CACHE_CREATE_EXTERNALLY_SYNCHRONIZED_BIT if agaaPrepareVariants runs beside other calls. */
+    uint64_t pipelineCache;
 } AgaaVkDeviceDesc;
 #define AGAA_VK_DEVICE_DESC_INIT                                                                    \
     {AGAA_STRUCTURE_TYPE_VK_DEVICE_DESC, (uint32_t)sizeof(AgaaVkDeviceDesc), NULL, NULL, NULL, NULL, NULL, 0, 0,  \
@@ -261,8 +263,8 @@ AGAA_API void AGAA_CALL agaaInitVkFrame(AgaaVkFrame* outFrame, size_t structSize
  *
  * Errors    AGAA_ERROR_INVALID_ARGUMENT   a pointer or a handle that the frame needs is null, or the view is an OpenGL view
  *           AGAA_ERROR_STRUCT             a struct is not initialised
- *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, or the camera or ditherFrame differs from that of the
- *                                         first segment
+ *           AGAA_ERROR_OUT_OF_RANGE       a member is out of its range, or the camera, ditherFrame or the facts differ from
+ *                                         those of the first segment
  *           AGAA_ERROR_WRONG_ORDER        framesInFlight frames are unfinished, the frame index does not increase, or a
  *                                         segment is missing or repeated
  *           AGAA_ERROR_CALLBACK           AGAA_VK_RECORDING_SECONDARY: a draw callback failed; nothing is recorded

@@ -110,6 +110,7 @@ typedef enum AgaaStructType {
     AGAA_STRUCTURE_TYPE_GL_FRAME = 2002,
     AGAA_STRUCTURE_TYPE_GL_DRAW_PASS = 2003,
     AGAA_STRUCTURE_TYPE_GL_SURFACE = 2004,
+    AGAA_STRUCTURE_TYPE_GL_PROGRAM_CACHE = 2005,
     /* A library that does not know a struct whose type has this bit skips it. */
     AGAA_STRUCTURE_TYPE_OPTIONAL_BIT = 0x40000000,
     AGAA_STRUCTURE_TYPE_MAX_ENUM = 0x7FFFFFFF
@@ -174,7 +175,8 @@ typedef struct AgaaContext_T* AgaaContext; /* the SDK inside one Vulkan device o
 typedef struct AgaaView_T* AgaaView;       /* surfaces and pipelines for one camera at one size */
 
 /* A context. Chain an AgaaVkDeviceDesc (agaa_vk.h) for agaaVkCreateContext, or an AgaaGlDeviceDesc (agaa_gl.h) for
- * agaaGlCreateContext; chain an AgaaVkAllocator to allocate device memory in the host. */
+ * agaaGlCreateContext; chain an AgaaVkAllocator to allocate device memory in the host, or an AgaaGlProgramCache to keep
+ * compiled programs. */
 typedef struct AgaaContextDesc {
     uint32_t sType;
     uint32_t structSize;

@@ -354,7 +354,8 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
 
 /* ---- scene facts and views ------------------------------------------------------------------ */
 
-/* Effects that the scene calls for, bits of AgaaSceneFacts::flags. The plan drops all others.
+/* Effects that the scene calls for, bits of AgaaSceneFacts::flags. The plan drops all others. AgaaFrame::facts may name fewer
+ * effects than the view.
  *
  * SPECULAR       without: no specular reflectance and no roughness are stored or shaded
  * EMISSIVE       without: no emission is stored or shaded
@@ -362,11 +363,11 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
  * AMBIENT        without: AgaaFrame::ambient is not used */
 #define AGAA_FACT_SPECULAR UINT64_C(0x01)
 #define AGAA_FACT_EMISSIVE UINT64_C(0x02)
-#define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04)
+#define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04) /* changes draw passes only: no effect in AgaaFrame::facts */
 #define AGAA_FACT_AMBIENT UINT64_C(0x08)
 /* Materials write depth or discard on their own, so that no second pass can draw them again at equal depth. "agaa" and
  * "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa", "dcaa" and the tier
- * FRAGMENTS fail with AGAA_ERROR_UNSUPPORTED. */
+ * FRAGMENTS fail with AGAA_ERROR_UNSUPPORTED. It selects the tier of the view: no effect in AgaaFrame::facts. */
 #define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10)
 /* What all materials and lights of the scene have in common. The plan drops what follows from it. If a material differs, its
  * value is replaced; AGAA_CONFIG_CHECK_FACTS counts such materials.
@@ -453,6 +454,33 @@ AGAA_API void AGAA_CALL agaaInitViewDesc(AgaaViewDesc* outDesc, size_t structSiz
  * OpenGL          The context must be current. All state is restored before the call returns. The log reports errors of
  *                 earlier calls that were pending. */
 AGAA_API AgaaResult AGAA_CALL agaaResizeView(AgaaView view, uint32_t width, uint32_t height);
+
+/* Compiles the compute passes of a view for frames with fewer effects (AgaaFrame::facts). Each element adds a variant: the
+ * pipelines or programs without the effects that the element leaves out. The variant of the view's own facts exists from the
+ * start. A frame runs with the smallest variant that contains its facts; recording a frame never compiles. Pipelines that
+ * are equal in two variants are compiled once. Variants stay until the view is destroyed; agaaResizeView compiles them again
+ * for the new size.
+ *
+ * view     Any view. Variants of "msaa", which shades in draw passes, compile nothing.
+ * count    Elements of facts; 0 does nothing.
+ * facts    Read during the call only; may be null if count is 0. Each element must be within the facts of the view, as
+ *          AgaaFrame::facts.
+ *
+ * Errors   AGAA_ERROR_INVALID_ARGUMENT   the view is null, or facts is null although count is not 0
+ *          AGAA_ERROR_STRUCT             an element is not initialised
+ *          AGAA_ERROR_UNKNOWN_STRUCT     a struct is chained to an element
+ *          AGAA_ERROR_OUT_OF_RANGE       an element is not within the facts of the view, or has an unknown flag
+ *          AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
+ *          AGAA_ERROR_DEVICE             a function of the graphics API failed
+ *          If an element is not valid, nothing is compiled. After other errors, elements before the one that failed are
+ *          prepared.
+ * Threads  Vulkan: any thread, also while other threads record frames of the view, read its statistics, or use its context.
+ *          Frames that begin after a variant is complete may run with it. Calls for one view wait for each other.
+ *          agaaResizeView and agaaDestroyView must not run for the view at the same time. The log is called on the thread of
+ *          the call.
+ * OpenGL   The context must be current: one call at a time per context. All state is restored before the call returns. The
+ *          log reports errors of earlier calls that were pending. */
+AGAA_API AgaaResult AGAA_CALL agaaPrepareVariants(AgaaView view, uint32_t count, const AgaaSceneFacts* facts);
 
 #ifdef __cplusplus
 }

@@ -232,11 +232,21 @@ typedef struct AgaaFrame {
     uint32_t ditherFrame;
     AgaaDrawCallback draw; /* null only if the host draws the G-buffer (AgaaGBufferFunction) */
     void* drawUser;
+    /* The facts of this frame, or null: those of the view. They must be the same in all segments of a frame, and within the
+     * facts of the view: effects, maxLights and shadowMapCount only fewer. Otherwise the frame fails with
+     * AGAA_ERROR_OUT_OF_RANGE. lightCount and shadowCount are checked against them. The frame is shown without the effects
+     * that they leave out: SPECULAR, EMISSIVE, AMBIENT and shadows. All other flags have no effect on a frame. Layouts,
+     * surfaces and draw passes are those of the view's facts, so that "msaa", which shades in a draw pass, shows all effects
+     * of the view.
+     * The SDK's passes save time if agaaPrepareVariants compiled them for these facts. Draws of a frame without SPECULAR must
+     * write specular 0 and alpha2 1, without EMISSIVE emissive 0; otherwise the grouping of samples depends on the variants
+     * that are prepared. */
+    const AgaaSceneFacts* facts;
 } AgaaFrame;
 #define AGAA_FRAME_INIT                                                                             \
     {AGAA_STRUCTURE_TYPE_FRAME, (uint32_t)sizeof(AgaaFrame), NULL, 0, 0, AGAA_SEGMENT_ALL,           \
      {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, 0, 0, (uint32_t)sizeof(AgaaLight),       \
-     (uint32_t)sizeof(AgaaShadow), NULL, NULL, {0, 0, 0}, {0, 0, 0, 1}, 0, NULL, NULL}
+     (uint32_t)sizeof(AgaaShadow), NULL, NULL, {0, 0, 0}, {0, 0, 0, 1}, 0, NULL, NULL, NULL}
 /* Sets lightSize and shadowSize to 0: the host must set them. */
 AGAA_API void AGAA_CALL agaaInitFrame(AgaaFrame* outFrame, size_t structSize);
 

@@ -86,10 +86,19 @@ typedef struct AgaaFrameStatistics {
     uint32_t passCount;
     uint32_t reserved;
     AgaaPassTime passes[AGAA_MAX_PASSES]; /* the first passCount */
+    /* The variant that the frame ran with (agaaPrepareVariants), by the facts that it was prepared for. */
+    uint64_t variantFlags;       /* AGAA_FACT_… */
+    uint32_t variantShadowMaps;
+    /* Of the view when the statistics are read, since it was created or resized: */
+    uint32_t variantCount;       /* that frames may run with, >= 1: that of the view's facts, and the prepared ones */
+    double compileMilliseconds;  /* CPU time to create the pipelines or programs of the SDK's compute passes */
+    uint32_t compiledPipelines;  /* pipelines or programs that were created; variants share equal ones */
+    uint32_t cachedPipelines;    /* of these, programs from an AgaaGlProgramCache; 0 on Vulkan, where the driver alone knows */
 } AgaaFrameStatistics;
 #define AGAA_FRAME_STATISTICS_INIT                                                                  \
     {AGAA_STRUCTURE_TYPE_FRAME_STATISTICS, (uint32_t)sizeof(AgaaFrameStatistics), NULL, 0, 0, 0, 0, 0, 0, \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, {0}}, 0, 0, {{{0}, 0, 0, 0.0, {0, 0}}}}
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0, {0}}, 0, 0, {{{0}, 0, 0, 0.0, {0, 0}}},  \
+     0, 0, 0, 0.0, 0, 0}
 AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatistics, size_t structSize);
 
 /* Reads the statistics of the newest completely recorded frame that is not after completedFrame.
@@ -97,7 +106,8 @@ AGAA_API void AGAA_CALL agaaInitFrameStatistics(AgaaFrameStatistics* outStatisti
  * completedFrame   The newest frame that the device is known to have finished.
  * outStatistics    Initialised; unchanged on failure.
  *
- * Returns          AGAA_NOT_READY if there is no such frame; then only the bytes and geometryPasses are written.
+ * Returns          AGAA_NOT_READY if there is no such frame; then only the bytes, geometryPasses, and the members from
+ *                  variantCount on are written.
  * Errors           AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
  *                  AGAA_ERROR_STRUCT             outStatistics is not initialised
  * Threads          One call at a time per context.

@@ -218,6 +218,14 @@ AgaaResult AGAA_CALL agaaResizeView(AgaaView view, uint32_t width, uint32_t heig
     });
 }
 
+AgaaResult AGAA_CALL agaaPrepareVariants(AgaaView view, uint32_t count, const AgaaSceneFacts* facts) {
+    return guarded(logOf(view), "agaaPrepareVariants", [&]() -> AgaaResult {
+        require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
+        prepareVariants(*view, count, facts);
+        return AGAA_OK;
+    });
+}
+
 AgaaResult AGAA_CALL agaaGetFrameStatistics(AgaaView view, uint64_t completedFrame,
                                             AgaaFrameStatistics* outStatistics) {
     return guarded(logOf(view), "agaaGetFrameStatistics", [&]() -> AgaaResult {

@@ -1,5 +1,6 @@
 #include "core/frame_data.h"
 
+#include "core/facts.h"
 #include "core/validate.h"
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 #include <cstring>
 
 namespace agaa {
+
+static_assert(AGAA_FACT_SPECULAR == 1 && AGAA_FACT_EMISSIVE == 2 && AGAA_FACT_AMBIENT == 8, "bits of passes/frame.glsl");
 
 constexpr uint32_t firstLocation = offsetof(FrameConstants, samples) / 16; // vector
 
@@ -35,6 +38,8 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     std::memcpy(out.projection, projection, sizeof projection);
     out.size[0] = plan.width;
     out.size[1] = plan.height;
+    if (frame.facts)
+        out.size[2] = uint32_t(leftOut(*frame.facts, plan.facts));
     out.size[3] = frame.background[3] == 0.0f;
     out.cluster[0] = plan.aggregation.characteristicLength;
     out.cluster[1] = plan.aggregation.characteristicLengthPerDistance;

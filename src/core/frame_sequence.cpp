@@ -1,6 +1,7 @@
 #include "core/frame_sequence.h"
 
 #include "core/error.h"
+#include "core/facts.h"
 #include "core/validate.h"
 
 #include <algorithm>
@@ -13,6 +14,8 @@ static std::array<float, 32> cameraOf(const AgaaFrame& frame) {
     std::copy_n(frame.projection, 16, camera.begin() + 16);
     return camera;
 }
+
+static bool areEqual(const AgaaSceneFacts& a, const AgaaSceneFacts& b) { return isWithin(a, b) && isWithin(b, a); }
 
 void FrameSequence::startAfter(const FrameSequence& other) {
     frame_ = other.frame_;
@@ -35,6 +38,8 @@ void FrameSequence::check(const AgaaFrame& frame) const {
                 "AgaaFrame::view or projection is not that of the frame's earlier segments.");
         require(frame.ditherFrame == ditherFrame_, AGAA_ERROR_OUT_OF_RANGE,
                 "AgaaFrame::ditherFrame is not that of the frame's earlier segments.");
+        require(areEqual(*frame.facts, facts_), AGAA_ERROR_OUT_OF_RANGE,
+                "AgaaFrame::facts are not those of the frame's earlier segments.");
         return;
     }
     require(frame.frameIndex > frame_, AGAA_ERROR_WRONG_ORDER,
@@ -68,6 +73,7 @@ void FrameSequence::recorded(const AgaaFrame& frame) {
         frame_ = frame.frameIndex;
         camera_ = cameraOf(frame);
         ditherFrame_ = frame.ditherFrame;
+        facts_ = *frame.facts;
         segments_ = 0;
         slots_[slot_] = {frame.frameIndex, false, {}};
     }

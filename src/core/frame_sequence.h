@@ -21,7 +21,7 @@ public:
 
     // The frames of another sequence are over: one that it began cannot go on.
     void startAfter(const FrameSequence& other);
-    // Throws where frame does not follow from what was recorded before.
+    // Throws where frame, which has its facts, does not follow from what was recorded before.
     void check(const AgaaFrame& frame) const;
     bool begins(const AgaaFrame& frame) const { return frame.frameIndex != frame_; }
     uint32_t slotOf(const AgaaFrame& frame) const;
@@ -48,6 +48,7 @@ private:
     uint64_t segments_ = 0;           // recorded of the frame
     std::array<float, 32> camera_{};  // view and projection of the frame
     uint32_t ditherFrame_ = 0;        // of the frame
+    AgaaSceneFacts facts_{};          // of the frame
 };
 
 } // namespace agaa

@@ -12,7 +12,7 @@ struct FrameConstants {
     float view[16];        // shading to view space, a rotation
     float projection[8];   // p00, p11, offset x, y (p20, p21; orthographic p30, p31);
                            // p22, p32, orthographic, depth quantum
-    uint32_t size[4];      // width, height, 0, background comes from the output
+    uint32_t size[4];      // width, height, effects that the frame leaves out (AGAA_FACT_…), background comes from the output
     float cluster[4];      // k, k per distance, t, 0
     float ambient[4];      // rgb, emissive range
     float background[4];

@@ -1,6 +1,9 @@
 #include "core/handles.h"
 
 #include "core/fact_report.h"
+#include "core/facts.h"
+#include "core/planner.h"
+#include "core/structs.h"
 
 #include <algorithm>
 
@@ -45,13 +48,34 @@ void requireBackend(AgaaView view, Backend backend) {
 }
 
 SizedView::SizedView(AgaaContext_T& context, Plan framePlan)
-    : owner(context), plan(std::move(framePlan)), sequence(context.framesInFlight) {
+    : owner(context), plan(std::move(framePlan)), sequence(context.framesInFlight), ran_(context.framesInFlight) {
     require(plan.runnable, AGAA_ERROR_UNSUPPORTED,
             "this plan is a model that can be priced but not run.");
     ++owner.viewCount;
 }
 
 SizedView::~SizedView() { --owner.viewCount; }
+
+void SizedView::addVariant(const Plan& variantPlan) {
+    variants.add(variantPlan, [this](const Pass& pass, size_t index) { return compile(pass, index); });
+}
+
+void SizedView::prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) {
+    ViewSettings fewer = settings;
+    fewer.variantFacts = computeFactsOf(facts, settings.facts);
+    addVariant(makePlan(fewer, owner.caps, owner.framesInFlight));
+}
+
+const Variant& SizedView::variantOf(const AgaaFrame& frame) {
+    if (sequence.begins(frame))
+        running_ = &variants.smallest(computeFactsOf(*frame.facts, plan.facts));
+    return *running_;
+}
+
+void SizedView::recorded(const AgaaFrame& frame) {
+    sequence.recorded(frame);
+    ran_[sequence.slotOf(frame)] = running_;
+}
 
 static AgaaCounters countersOf(const CounterBuffer& source) {
     AgaaCounters out{};
@@ -84,10 +108,17 @@ AgaaResult SizedView::statistics(uint64_t completedFrame, AgaaFrameStatistics& o
     out.driverBytes = memory.driver;
     out.peakBytes = memory.peak;
     out.geometryPasses = plan.geometryPasses();
+    const CompileFigures figures = variants.figures();
+    out.variantCount = figures.variants;
+    out.compileMilliseconds = figures.milliseconds;
+    out.compiledPipelines = figures.programs;
+    out.cachedPipelines = figures.cached;
     if (!newest)
         return AGAA_NOT_READY;
     out.timeSource = AGAA_TIME_NONE;
     const uint32_t slot = sequence.indexOf(*newest);
+    out.variantFlags = ran_[slot]->facts.flags;
+    out.variantShadowMaps = ran_[slot]->facts.shadowMapCount;
     out.frameIndex = newest->frame;
     out.counters = plan.config.flags & AGAA_CONFIG_COUNTERS ? countersOf(readCounters(slot))
                                                             : AgaaCounters{};
@@ -206,11 +237,31 @@ void resizeView(AgaaView_T& view, uint32_t width, uint32_t height) {
     settings.width = width;
     settings.height = height;
     SizedView* remade = view.current->remade(settings);
+    try {
+        for (const AgaaSceneFacts& facts : view.current->variants.facts())
+            if (!isWithin(settings.facts, facts)) // it has that of the view's own
+                remade->prepare(settings, facts);
+    } catch (...) {
+        destroy(view.owner.allocator, remade);
+        throw;
+    }
     remade->sequence.startAfter(view.current->sequence);
     destroy(view.owner.allocator, view.current);
     view.current = remade;
     view.settings.width = width;
     view.settings.height = height;
+}
+
+void prepareVariants(AgaaView_T& view, uint32_t count, const AgaaSceneFacts* first) {
+    require(count == 0 || first, AGAA_ERROR_INVALID_ARGUMENT, "the facts pointer is null.");
+    std::vector<AgaaSceneFacts> list;
+    for (uint32_t i = 0; i < count; ++i) {
+        list.push_back(checkFacts(elementOf(first, i)));
+        requireEqualSizes(elementOf(first, i), first);
+        checkWithin(list.back(), view.settings.facts, format("facts[%u]", i).c_str());
+    }
+    for (const AgaaSceneFacts& facts : list)
+        view.current->prepare(view.settings, facts);
 }
 
 } // namespace agaa

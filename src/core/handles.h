@@ -5,6 +5,7 @@
 #include "core/frame_sequence.h"
 #include "core/gpu_layout.h"
 #include "core/plan.h"
+#include "core/variants.h"
 
 #include <optional>
 #include <type_traits>
@@ -85,12 +86,26 @@ public:
     // The same with other settings, in the host's memory.
     virtual SizedView* remade(const ViewSettings& settings) const = 0;
 
+    // Adds a variant. settings: those of the view. facts: within its own.
+    virtual void prepare(const ViewSettings& settings, const AgaaSceneFacts& facts);
+    // That of the frame, which has its facts: the same in all its segments.
+    const Variant& variantOf(const AgaaFrame& frame);
+
     AgaaContext_T& owner;
-    const Plan plan;
+    const Plan plan; // of all effects; its variants differ in programs alone
     FrameSequence sequence;
+    Variants variants{plan};
+
+protected:
+    // A compute pass, which has the bindings of plan.passes[index].
+    virtual Compiled compile(const Pass& pass, size_t index) = 0;
+    void addVariant(const Plan& variantPlan);
+    void recorded(const AgaaFrame& frame); // with its variant
 
 private:
-    bool toldOfFacts_ = false; // the log knows of a contradiction
+    const Variant* running_ = nullptr;   // of the frame whose segments are recorded
+    std::vector<const Variant*> ran_;    // by slot
+    bool toldOfFacts_ = false;           // the log knows of a contradiction
 };
 
 } // namespace agaa
@@ -142,6 +157,8 @@ AgaaView createView(Context& context, ViewSettings settings, Arguments&&... argu
 void destroyView(AgaaView view);
 // Leaves the view as it was where it fails.
 void resizeView(AgaaView_T& view, uint32_t width, uint32_t height);
+// Compiles variants; elements that are not valid compile nothing.
+void prepareVariants(AgaaView_T& view, uint32_t count, const AgaaSceneFacts* facts);
 
 inline Log logOf(AgaaContext context) { return context ? context->log : Log(); }
 inline Log logOf(AgaaView view) { return view ? view->owner.log : Log(); }

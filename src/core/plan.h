@@ -73,6 +73,7 @@ struct Resource {
 
     bool isPerPixel() const { return kind == ResourceKind::Image || kind == ResourceKind::Buffer; }
     bool isHosts() const { return kind == ResourceKind::Output || kind == ResourceKind::ShadowMap; }
+    bool operator==(const Resource&) const = default;
 };
 
 enum class BindingType {
@@ -92,6 +93,7 @@ struct Binding {
     ResourceId resource = noResource;
     bool writes = false;
     Filter filter = Filter::Nearest;
+    bool operator==(const Binding&) const = default;
 };
 
 enum class PassKind { HostDraw, Compute, Fill, Copy };
@@ -110,6 +112,7 @@ struct Dispatch {
     uint64_t items = 0;
     ResourceId arguments = noResource;
     uint64_t argumentsOffset = 0; // bytes, a multiple of 4
+    bool operator==(const Dispatch&) const = default;
 };
 
 // The value that a prepass draw stores per sample.

@@ -135,7 +135,7 @@ bool PlanBuilder::isSwitchedOn(char letter) const {
     case 'm':
         return plan.hwSamples > 1;
     case 's':
-        return plan.facts.shadowMapCount > 0;
+        return plan.variantFacts.shadowMapCount > 0;
     case 'c':
         return counts();
     case 'b':
@@ -145,7 +145,7 @@ bool PlanBuilder::isSwitchedOn(char letter) const {
     case 'g':
         return generation_ && generation_->readsGBuffer;
     case 'l':
-        return plan.aggregation.litShadows != 0;
+        return variantLitShadows() != 0;
     default: // the pass says it
         return false;
     }
@@ -491,6 +491,7 @@ void PlanBuilder::checkLimits() const {
 }
 
 Plan PlanBuilder::finish() {
+    leaveOutEffects();
     findLifetimes();
     checkLimits();
     checkRepeats(plan);

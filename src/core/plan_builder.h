@@ -80,6 +80,9 @@ public:
 
 private:
     bool isSwitchedOn(char letter) const; // of core/permutations.h
+    bool variantHas(uint64_t fact) const { return plan.variantFacts.flags & fact; }
+    uint32_t variantLitShadows() const; // of the shadows that the variant has
+    void leaveOutEffects(); // that the variant has not
     uint32_t listLength() const; // of primitives that a group of lanes takes at a time
     void chooseVisibilityTier(const Technique& technique);
     void setConstants();

@@ -2,6 +2,7 @@
 #include "core/plan_builder.h"
 
 #include "core/checked.h"
+#include "core/embedded.h"
 #include "core/error.h"
 
 #include <algorithm>
@@ -159,6 +160,37 @@ void PlanBuilder::setConstants() {
     // The samples of a texel share a fragment, for which a G-buffer has one material.
     c[AGAA_FINE_MATERIALS] = (config.flags & AGAA_CONFIG_FINE_MATERIALS) != 0;
     c[AGAA_MATERIAL_SAMPLES] = c[AGAA_FINE_MATERIALS] ? plan.hwSamples : plan.samples;
+}
+
+uint32_t PlanBuilder::variantLitShadows() const {
+    return plan.aggregation.litShadows & ((1u << plan.variantFacts.shadowMapCount) - 1);
+}
+
+// Of the compute passes' constants. Those that a shader does not read stay, so that variants share its pipeline.
+void PlanBuilder::leaveOutEffects() {
+    const uint32_t shadows = plan.variantFacts.shadowMapCount;
+    if (plan.variantFacts.flags == plan.facts.flags && shadows == plan.facts.shadowMapCount)
+        return;
+    for (Pass& pass : plan.passes) {
+        if (pass.kind != PassKind::Compute)
+            continue;
+        // Passes with text that is compiled with the view may read any.
+        const std::span<const uint32_t> spirv =
+            pass.hostCode.empty() && pass.text.empty() ? embeddedSpirv(pass.shader) : std::span<const uint32_t>();
+        const auto limit = [&](Constant constant, uint32_t value) {
+            uint32_t& own = pass.constants[constant];
+            if (own != value && (spirv.empty() || readsConstant(spirv, constant)))
+                own = value;
+        };
+        if (!variantHas(AGAA_FACT_SPECULAR))
+            limit(AGAA_HAS_SPECULAR, 0);
+        if (!variantHas(AGAA_FACT_EMISSIVE))
+            limit(AGAA_EMISSIVE_CHANNELS, 0);
+        if (!variantHas(AGAA_FACT_AMBIENT))
+            limit(AGAA_HAS_AMBIENT, 0);
+        limit(AGAA_SHADOW_MAPS, shadows);
+        limit(AGAA_LIT_SHADOWS, variantLitShadows());
+    }
 }
 
 } // namespace agaa

@@ -179,6 +179,7 @@ private:
     Plan planOf(const Change& change) const {
         ViewSettings changed = view_;
         change(changed);
+        changed.variantFacts = changed.facts;
         return makePlan(changed, caps_, framesInFlight_);
     }
 

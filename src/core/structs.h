@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace agaa {
@@ -79,15 +80,19 @@ template <class T> void writeStruct(T* structure, const T& value) {
 
 // Element i of an array of a host's, whose elements all have the size of the first.
 template <class T> T* elementOf(T* first, uint32_t i) {
-    return reinterpret_cast<T*>(reinterpret_cast<char*>(first) + size_t(i) * first->structSize);
+    using Byte = std::conditional_t<std::is_const_v<T>, const char, char>;
+    return reinterpret_cast<T*>(reinterpret_cast<Byte*>(first) + size_t(i) * first->structSize);
+}
+template <class T> void requireEqualSizes(const T* element, const T* first) {
+    if (element->structSize != first->structSize)
+        fail(AGAA_ERROR_STRUCT, format("elements of an array of %s have different structSizes.", StructOf<T>::row.name));
 }
 // Checks an array of `count` elements for output.
 template <class T> void checkOutputs(T* first, uint32_t count, const std::vector<uint32_t>& known = {}) {
     for (uint32_t i = 0; i < count; ++i) {
         const T* element = elementOf(first, i);
         checkOutput(element, known);
-        if (element->structSize != first->structSize)
-            fail(AGAA_ERROR_STRUCT, format("elements of an array of %s have different structSizes.", StructOf<T>::row.name));
+        requireEqualSizes(element, first);
     }
 }
 

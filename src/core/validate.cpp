@@ -1,5 +1,6 @@
 #include "core/validate.h"
 
+#include "core/facts.h"
 #include "core/plan.h"
 #include "core/structs.h"
 
@@ -137,8 +138,16 @@ static void checkShadow(const AgaaShadow& shadow, bool isFunction) {
         checkFinite(shadow.matrices[i / 16][i % 16], "AgaaShadow::matrices");
 }
 
+AgaaSceneFacts factsOf(const AgaaFrame& frame, const Plan& plan) {
+    if (!frame.facts)
+        return plan.facts;
+    const AgaaSceneFacts facts = checkFacts(frame.facts);
+    checkWithin(facts, plan.facts, "AgaaFrame::facts");
+    return facts;
+}
+
 void checkFrame(const AgaaFrame& frame, const Plan& plan) {
-    const AgaaSceneFacts& facts = plan.facts;
+    const AgaaSceneFacts& facts = *frame.facts;
     require(frame.segments != 0, AGAA_ERROR_OUT_OF_RANGE, "AgaaFrame::segments names no segment.");
     checkFlags(frame.segments, AGAA_SEGMENT_ALL, "AgaaFrame::segments");
     require(frame.completedFrame < frame.frameIndex, AGAA_ERROR_OUT_OF_RANGE,

@@ -25,7 +25,9 @@ void checkReserved(uint64_t value, const char* name);
 
 // The version that a host was built for.
 void checkHeaderVersion(uint32_t version);
-// Against what the view was made for.
+// The frame's own facts, or those that the view announced. Throws where they are not valid or not within these.
+AgaaSceneFacts factsOf(const AgaaFrame& frame, const Plan& plan);
+// Against what the view was made for. The frame has its facts.
 void checkFrame(const AgaaFrame& frame, const Plan& plan);
 // Elements of the frame's arrays, which checkFrame() has accepted.
 AgaaLight lightOf(const AgaaFrame& frame, uint32_t index);

@@ -1,5 +1,6 @@
 #include "core/view_settings.h"
 
+#include "core/facts.h"
 #include "core/names.h"
 #include "core/structs.h"
 #include "core/technique.h"
@@ -75,21 +76,6 @@ static uint32_t checkSamples(uint32_t samples, const Technique& technique, uint3
              format("AgaaConfig::samples is %u; \"%s\" takes %s32, 64 or 128 coverage samples.", samples, technique.name,
                     isEither ? "1, 2, 4, 8, 16 or 32 samples, or " : ""));
     return samples;
-}
-
-static AgaaSceneFacts checkFacts(const AgaaSceneFacts* pointer) {
-    const AgaaSceneFacts facts = readStruct(pointer);
-    checkRange(uint64_t(facts.maxLights), 0, 4096, "AgaaSceneFacts::maxLights");
-    checkRange(uint64_t(facts.shadowMapCount), 0, AGAA_MAX_SHADOW_MAPS,
-               "AgaaSceneFacts::shadowMapCount");
-    checkFlags(facts.flags,
-               AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH | AGAA_FACT_ONE_ROUGHNESS | AGAA_FACT_GREY_SPECULAR |
-                   AGAA_FACT_ONE_SPECULAR | AGAA_FACT_NO_DIFFUSE | AGAA_FACT_NO_LOCAL_LIGHTS | AGAA_FACT_NO_TRANSLUCENCY |
-                   AGAA_FACT_NO_CUTOUTS,
-               "AgaaSceneFacts::flags");
-    checkRange(double(facts.alpha2), 4.1e-6, 1.0, "AgaaSceneFacts::alpha2");
-    checkRange(double(facts.specular), 0.0, 1.0, "AgaaSceneFacts::specular");
-    return facts;
 }
 
 static AgaaViewDesc checkViewDesc(const AgaaViewDesc* pointer) {
@@ -209,7 +195,7 @@ ViewSettings resolveView(const AgaaViewDesc* pointer) {
     view.config = checkConfig(desc.config);
     readSettings(view.config, view);
     view.config.pNext = nullptr;
-    view.facts = checkFacts(desc.facts);
+    view.facts = view.variantFacts = checkFacts(desc.facts);
     const Technique& technique = *findTechnique(view.config.technique);
     view.config.technique = technique.name; // static storage
     view.technique = technique.name;

@@ -28,7 +28,8 @@ struct ViewSettings {
     AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT;
     AgaaAdaptiveSampling adaptive = AGAA_ADAPTIVE_SAMPLING_INIT;
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
-    AgaaSceneFacts facts{};
+    AgaaSceneFacts facts{};        // that the host announced: of layouts, tiers, resources and draw passes
+    AgaaSceneFacts variantFacts{}; // of the compute passes' constants and switches; within the facts
     Layout layout; // the host's; planning drops what the facts do not call for
     uint32_t samples = 1;    // no more than the technique takes
     uint32_t aggregates = 0; // 0 where nothing is aggregated

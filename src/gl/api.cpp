@@ -3,6 +3,8 @@
 #include "gl/bindings.h"
 #include "gl/view.h"
 
+#include <cstring>
+
 using namespace agaa;
 
 namespace {
@@ -53,16 +55,32 @@ AgaaResult AGAA_CALL agaaGlCreateContext(uint32_t headerVersion, const AgaaConte
     return guarded(logOfDesc(desc), "agaaGlCreateContext", [&]() -> AgaaResult {
         checkHeaderVersion(headerVersion);
         require(outContext, AGAA_ERROR_INVALID_ARGUMENT, "the context pointer is null.");
-        const AgaaContextDesc common = readContextDesc(desc, {AGAA_STRUCTURE_TYPE_GL_DEVICE_DESC});
+        const AgaaContextDesc common = readContextDesc(desc, {AGAA_STRUCTURE_TYPE_GL_DEVICE_DESC, AGAA_STRUCTURE_TYPE_GL_PROGRAM_CACHE});
         const AgaaGlDeviceDesc device = readDeviceDesc<AgaaGlDeviceDesc>(common);
         checkDevice(device);
-        *outContext = construct<gl::Context>({common.allocate, common.free, common.allocateUser}, common, device);
+        const std::optional<AgaaGlProgramCache> cache = readChained<AgaaGlProgramCache>(&common);
+        require(!cache || cache->size == 0 || cache->data, AGAA_ERROR_INVALID_ARGUMENT, "AgaaGlProgramCache::data is null.");
+        *outContext = construct<gl::Context>({common.allocate, common.free, common.allocateUser}, common, device, cache);
         return AGAA_OK;
     });
 }
 
 AgaaResult AGAA_CALL agaaGlGetContextCaps(AgaaContext context, AgaaDeviceCaps* outCaps) {
     return writeContextCaps("agaaGlGetContextCaps", context, Backend::OpenGL, outCaps);
+}
+
+AgaaResult AGAA_CALL agaaGlGetProgramCache(AgaaContext context, size_t* size, void* data) {
+    return guarded(logOf(context), "agaaGlGetProgramCache", [&]() -> AgaaResult {
+        requireBackend(context, Backend::OpenGL);
+        require(size, AGAA_ERROR_INVALID_ARGUMENT, "the size pointer is null.");
+        const std::vector<std::byte> bytes = static_cast<gl::Context&>(*context).programs.bytes();
+        if (data) {
+            require(*size >= bytes.size(), AGAA_ERROR_BUFFER_TOO_SMALL, "the buffer is too small.");
+            std::memcpy(data, bytes.data(), bytes.size());
+        }
+        *size = bytes.size();
+        return AGAA_OK;
+    });
 }
 
 AgaaResult AGAA_CALL agaaGlCreateView(AgaaContext context, const AgaaViewDesc* desc,

@@ -94,11 +94,28 @@ static void limitToImages(const GladGLContext& gl, AgaaDeviceCaps& caps) {
     caps.flags |= images >= 2 ? AGAA_DEVICE_FRAGMENT_ATOMICS : 0;
 }
 
-Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc)
+// What a driver may change with makes another one.
+static std::string driverOf(const GladGLContext& gl) {
+    std::string driver;
+    for (const GLenum name : {GL_VENDOR, GL_RENDERER, GL_VERSION, GL_SHADING_LANGUAGE_VERSION})
+        driver += std::string(reinterpret_cast<const char*>(gl.GetString(name))) + '\n';
+    return driver;
+}
+
+static std::vector<uint32_t> binaryFormatsOf(const GladGLContext& gl) {
+    GLint count = 0;
+    gl.GetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &count);
+    std::vector<GLint> formats(size_t(std::max(count, 0)));
+    if (!formats.empty())
+        gl.GetIntegerv(GL_PROGRAM_BINARY_FORMATS, formats.data());
+    return {formats.begin(), formats.end()};
+}
+
+Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc, const std::optional<AgaaGlProgramCache>& cache)
     : AgaaContext_T(Backend::OpenGL, common),
       gl(loadFunctions(desc.getProcAddr, desc.getProcUser)),
       statePolicy(AgaaGlStatePolicy(desc.statePolicy)), pushState(desc.pushState),
-      popState(desc.popState), stateUser(desc.stateUser) {
+      popState(desc.popState), stateUser(desc.stateUser), programs(driverOf(gl)) {
     dialect.openGl = true;
     dialect.glslVersion = desc.glslVersion;
     dialect.storageImages = desc.storage == AGAA_GL_STORAGE_IMAGES;
@@ -108,6 +125,14 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc)
     takeHostErrors("agaaGlCreateContext");
     caps = queryCaps(gl);
     checkBindings(gl, dialect);
+    binaryFormats = binaryFormatsOf(gl);
+    keepsPrograms = cache && !binaryFormats.empty();
+    if (cache && cache->size > 0) {
+        const std::string reason = programs.read({static_cast<const std::byte*>(cache->data), size_t(cache->size)});
+        if (!reason.empty())
+            log.write(AGAA_SEVERITY_WARNING, AGAA_OK,
+                      format("agaaGlCreateContext: AgaaGlProgramCache::data %s; it is not used.", reason.c_str()));
+    }
     if (dialect.storageImages)
         limitToImages(gl, caps);
     guard.emplace(gl, scopeOf(dialect), isCompatibilityProfile(gl));

@@ -5,6 +5,7 @@
 #include "core/handles.h"
 #include "core/host_glsl.h"
 #include "gl/host_bindings.h"
+#include "gl/program_cache.h"
 #include "gl/state_guard.h"
 
 #include <glad/gl.h>
@@ -19,7 +20,8 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl);
 
 class Context : public AgaaContext_T {
 public:
-    Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc);
+    // cache: the host's, or none.
+    Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc, const std::optional<AgaaGlProgramCache>& cache);
     ~Context() override;
 
     void label(GLenum kind, GLuint name, const std::string& text) const;
@@ -43,6 +45,9 @@ public:
     GLuint texelSampler = 0; // for textures of the host, whose own filter may need mip levels
     GLuint noTarget = 0;     // framebuffer without images: what is fetched from must not be drawn into (4.5, 9.3.1)
     GLint mostDebugGroups = 0; // of the context's stack
+    ProgramCache programs;   // kept where the host keeps them
+    bool keepsPrograms = false;
+    std::vector<uint32_t> binaryFormats; // that the driver loads
     GLuint noShadow = 0;     // where a frame has no map at all: binding 0 to a unit unbinds all its targets
 
 private:

@@ -214,8 +214,8 @@ void View::dispatch(const Dispatch& dispatch, uint32_t slot) {
     gl.DispatchCompute(x, y, 1);
 }
 
-void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
-                   HostState& state) {
+void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, const Step& step,
+                   uint32_t slot, HostState& state) {
     const size_t index = step.pass;
     const Pass& pass = plan.passes[index];
     const GladGLContext& gl = context.gl;
@@ -235,7 +235,7 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Ste
         if (usesOutput(plan, pass))
             output.emplace(gl, glFrame.outputTexture);
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.noTarget);
-        gl.UseProgram(passes[index].program);
+        gl.UseProgram(GLuint(variant.programs[index]));
         bindForCompute(pass, frame, glFrame, slot);
         dispatch(pass.dispatch, slot);
         break;
@@ -281,7 +281,7 @@ bool View::endsBefore(const Step& step, uint32_t slot) const {
     return false;
 }
 
-void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot,
+void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, uint32_t slot,
                      HostState& state) {
     GLint groups = 0;
     context.gl.GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &groups);
@@ -299,28 +299,31 @@ void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_
         std::optional<DebugGroup> group;
         if (groups < context.mostDebugGroups)
             group.emplace(context.gl, "agaa " + pass.name);
-        runStep(frame, glFrame, step, slot, state);
+        runStep(frame, glFrame, variant, step, slot, state);
     }
     // The host may use what the segment left in any way.
     context.gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
-AgaaResult View::record(const AgaaFrame& frame, const AgaaGlFrame& glFrame) {
+AgaaResult View::record(AgaaFrame frame, const AgaaGlFrame& glFrame) {
+    const AgaaSceneFacts facts = factsOf(frame, plan);
+    frame.facts = &facts;
     checkFrame(frame, plan);
     sequence.check(frame);
     checkContextState();
     outputFormat_ = checkTarget(frame, glFrame);
     const uint32_t slot = sequence.slotOf(frame);
+    const Variant& variant = variantOf(frame);
     HostState state(context); // where it fails, nothing has run
     try {
         writeFrameData(frame, slot);
-        runPasses(frame, glFrame, slot, state);
+        runPasses(frame, glFrame, variant, slot, state);
         state.finish();
     } catch (...) {
         sequence.failedHalfway(frame);
         throw;
     }
-    sequence.recorded(frame);
+    recorded(frame);
     return AGAA_OK;
 }
 

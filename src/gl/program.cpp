@@ -2,7 +2,9 @@
 
 #include "core/error.h"
 #include "core/glsl_text.h"
+#include "gl/context.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace agaa::gl {
@@ -48,8 +50,10 @@ static void attachStage(const GladGLContext& gl, GLuint program, const StageText
 }
 
 GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> stages,
-                   const std::string& name, AgaaResult blame) {
+                   const std::string& name, AgaaResult blame, bool isRetrievable) {
     const GLuint program = gl.CreateProgram();
+    if (isRetrievable)
+        gl.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     try {
         for (const StageText& stage : stages)
             attachStage(gl, program, stage, name, blame);
@@ -66,12 +70,49 @@ GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> sta
     return program;
 }
 
-GLuint compilePass(const GladGLContext& gl, const Pass& pass) {
+// 0 where the driver does not load the binary, as after an update that its version does not tell of.
+static GLuint loadBinary(const GladGLContext& gl, const ProgramCache::Binary& binary) {
+    const GLuint program = gl.CreateProgram();
+    gl.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
+    gl.ProgramBinary(program, binary.format, binary.bytes.data(), GLsizei(binary.bytes.size()));
+    GLint done = GL_FALSE;
+    gl.GetProgramiv(program, GL_LINK_STATUS, &done);
+    if (done)
+        return program;
+    gl.DeleteProgram(program);
+    return 0;
+}
+
+static void keepBinary(const GladGLContext& gl, GLuint program, const ProgramCache::Key& key, ProgramCache& cache) {
+    GLint length = 0;
+    gl.GetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &length);
+    if (length <= 0)
+        return;
+    ProgramCache::Binary binary;
+    binary.bytes.resize(size_t(length));
+    GLsizei written = 0;
+    gl.GetProgramBinary(program, length, &written, &binary.format, binary.bytes.data());
+    binary.bytes.resize(size_t(written));
+    if (written > 0)
+        cache.set(key, std::move(binary));
+}
+
+Compiled compilePass(Context& context, const Pass& pass) {
+    const GladGLContext& gl = context.gl;
     const std::string text = passGlslForOpenGl(pass, gl.VERSION_4_5 ? 450 : 430);
+    const ProgramCache::Key key = ProgramCache::keyOf(text);
+    const ProgramCache::Binary* kept = context.keepsPrograms ? context.programs.find(key) : nullptr;
+    // Other formats are an error of OpenGL.
+    if (kept && std::find(context.binaryFormats.begin(), context.binaryFormats.end(), kept->format) != context.binaryFormats.end())
+        if (const GLuint program = loadBinary(gl, *kept))
+            return {program, true};
     const StageText stage{GL_COMPUTE_SHADER, text.c_str()};
-    return pass.hostCode.empty()
-               ? linkProgram(gl, {stage}, "the pass " + pass.name)
-               : linkProgram(gl, {stage}, pass.hostCodeOrigin, AGAA_ERROR_INVALID_ARGUMENT);
+    const bool isHosts = !pass.hostCode.empty();
+    const GLuint program = linkProgram(gl, {stage}, isHosts ? pass.hostCodeOrigin : "the pass " + pass.name,
+                                       isHosts ? AGAA_ERROR_INVALID_ARGUMENT : AGAA_ERROR_INTERNAL, context.keepsPrograms);
+    if (context.keepsPrograms)
+        keepBinary(gl, program, key, context.programs);
+    return {program, false};
 }
 
 } // namespace agaa::gl

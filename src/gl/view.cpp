@@ -24,6 +24,7 @@ View::View(Context& owner, Plan framePlan)
         upload_.resize(largest);
         resources.emplace(context, plan);
         createPasses();
+        addVariant(plan);
         positions = readPositions();
         if (plan.config.flags & AGAA_CONFIG_TIMESTAMPS)
             clock.emplace(context, plan.passes.size(), context.framesInFlight);
@@ -43,9 +44,27 @@ SizedView* View::remade(const ViewSettings& settings) const {
 void View::destroy() {
     for (PassObjects& objects : passes) {
         context.gl.DeleteFramebuffers(1, &objects.framebuffer);
-        context.gl.DeleteProgram(objects.program);
     }
+    for (const uint64_t program : variants.programs())
+        context.gl.DeleteProgram(GLuint(program));
     passes.clear();
+}
+
+Compiled View::compile(const Pass& pass, size_t) {
+    const Compiled compiled = compilePass(context, pass);
+    try {
+        context.label(GL_PROGRAM, GLuint(compiled.program), "agaa " + pass.name);
+        context.checkErrors("compiling a pass"); // before frames run with it
+    } catch (...) {
+        context.gl.DeleteProgram(GLuint(compiled.program));
+        throw;
+    }
+    return compiled;
+}
+
+void View::prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) {
+    context.takeHostErrors("agaaPrepareVariants");
+    SizedView::prepare(settings, facts);
 }
 
 void View::createPasses() {
@@ -53,10 +72,6 @@ void View::createPasses() {
     for (size_t i = 0; i < passes.size(); ++i) {
         const Pass& pass = plan.passes[i];
         PassObjects& objects = passes[i];
-        if (pass.kind == PassKind::Compute) {
-            objects.program = compilePass(context.gl, pass);
-            context.label(GL_PROGRAM, objects.program, "agaa " + pass.name);
-        }
         if (pass.kind == PassKind::HostDraw) {
             createFramebuffer(pass, objects);
             objects.key = hostPassKey(plan, pass, context.dialect);

@@ -15,7 +15,6 @@ namespace agaa::gl {
 
 // Objects of a pass that live as long as the view.
 struct PassObjects {
-    GLuint program = 0; // compute
     // Host draws
     GLuint framebuffer = 0;
     uint64_t key = 0;
@@ -32,7 +31,8 @@ public:
     ~View() override;
 
     SizedView* remade(const ViewSettings& settings) const override;
-    AgaaResult record(const AgaaFrame& frame, const AgaaGlFrame& glFrame);
+    void prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) override;
+    AgaaResult record(AgaaFrame frame, const AgaaGlFrame& glFrame);
 
     MemoryUse memoryUse() const override;
     const StructRow& drawPassRow() const override;
@@ -54,6 +54,7 @@ public:
 private:
     class HostState;
 
+    Compiled compile(const Pass& pass, size_t index) override;
     void createPasses();
     void createFramebuffer(const Pass& pass, PassObjects& objects);
     SamplePositions readPositions() const;
@@ -64,9 +65,10 @@ private:
     GLenum checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
     bool endsBefore(const Step& step, uint32_t slot) const;
-    void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot,
+    void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, uint32_t slot,
                    HostState& state);
-    void runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot, HostState& state);
+    void runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, const Step& step, uint32_t slot,
+                 HostState& state);
     void runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                      HostState& state);
     void dispatch(const Dispatch& dispatch, uint32_t slot);

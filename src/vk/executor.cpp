@@ -182,11 +182,12 @@ AgaaResult View::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
     return AGAA_OK;
 }
 
-void View::recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
-                               VkCommandBuffer commands) {
+void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, uint32_t slot,
+                         VkCommandBuffer commands) {
     const PassObjects& objects = passes[pass];
     const VkDescriptorSet sets[] = {objects.sets[slot], (VkDescriptorSet)vkFrame.functionSet};
-    context.vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, objects.pipeline);
+    context.vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
+                               (VkPipeline)variant.programs[pass]);
     context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
                                      objects.pipelineLayout, 0, usesHostSet(plan.passes[pass]) ? 2 : 1, sets, 0,
                                      nullptr);
@@ -234,8 +235,8 @@ void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer comma
                                   nullptr);
 }
 
-void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Step& step, size_t secondary,
-                      uint32_t slot, VkCommandBuffer commands) {
+void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, const Step& step,
+                      size_t secondary, uint32_t slot, VkCommandBuffer commands) {
     const size_t index = step.pass;
     const Pass& pass = plan.passes[index];
     const DeviceTable& vk = context.vk;
@@ -277,7 +278,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
         break;
     case PassKind::Compute:
         beginCondition(step, slot, commands);
-        recordCompute(vkFrame, index, slot, commands);
+        recordCompute(vkFrame, variant, index, slot, commands);
         endCondition(step, commands);
         break;
     case PassKind::Fill:
@@ -300,8 +301,8 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
                     int(result), pass.name.c_str()));
 }
 
-void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot,
-                              bool begins) {
+void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, uint32_t slot,
+                        bool begins) {
     const auto commands = static_cast<VkCommandBuffer>(vkFrame.commandBuffer);
     if (begins)
         barriers->beginFrame();
@@ -315,24 +316,27 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint
     size_t secondary = 0;
     for (const Step& step : steps) {
         if (plan.passes[step.pass].segment & frame.segments)
-            recordStep(frame, vkFrame, step, secondary, slot, commands);
+            recordStep(frame, vkFrame, variant, step, secondary, slot, commands);
         secondary += plan.passes[step.pass].kind == PassKind::HostDraw;
     }
 }
 
-AgaaResult View::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
+AgaaResult View::record(AgaaFrame frame, const AgaaVkFrame& vkFrame) {
+    const AgaaSceneFacts facts = factsOf(frame, plan);
+    frame.facts = &facts;
     checkFrame(frame, plan);
     sequence.check(frame);
     const bool begins = sequence.begins(frame);
     const uint32_t slot = sequence.slotOf(frame);
     checkTarget(frame, vkFrame);
+    const Variant& variant = variantOf(frame);
     writeFrameData(frame, slot);
     writeDescriptors(frame, vkFrame, slot);
     if (context.secondary)
         recordSecondaries(frame, slot);
     // Up to here nothing of the host's was touched.
     try {
-        recordPasses(frame, vkFrame, slot, begins);
+        recordPasses(frame, vkFrame, variant, slot, begins);
     } catch (const Error& error) {
         // The host discards the command buffer: what it would have begun never runs, and a frame whose
         // earlier segments run cannot go on.
@@ -348,7 +352,7 @@ AgaaResult View::record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) {
         forgetClear(frame);
         failPartial("an unexpected internal failure; discard the command buffer.");
     }
-    sequence.recorded(frame);
+    recorded(frame);
     return AGAA_OK;
 }
 

@@ -23,7 +23,8 @@ View::View(Context& device, Plan framePlan)
         resources.emplace(context, plan);
         barriers.emplace(context, plan, *resources);
         createPassObjects();
-        createPipelines();
+        createPipelineLayouts();
+        addVariant(plan);
         createSlots();
     } catch (...) {
         destroy();
@@ -43,9 +44,10 @@ void View::destroy() {
     for (FrameSlot& slot : slots)
         vk.DestroyCommandPool(device, slot.pool, nullptr);
     vk.DestroyQueryPool(device, queries, nullptr);
+    for (const uint64_t pipeline : variants.programs())
+        vk.DestroyPipeline(device, (VkPipeline)pipeline, nullptr);
     for (PassObjects& objects : passes) {
         destroyHostPass(context, objects.host);
-        vk.DestroyPipeline(device, objects.pipeline, nullptr);
         vk.DestroyPipelineLayout(device, objects.pipelineLayout, nullptr);
         vk.DestroyDescriptorSetLayout(device, objects.setLayout, nullptr);
     }
@@ -125,10 +127,7 @@ void View::createPassObjects() {
     }
 }
 
-void View::createPipelines() {
-    std::array<VkSpecializationMapEntry, ConstantCount> entries;
-    for (uint32_t i = 0; i < ConstantCount; ++i)
-        entries[i] = {i, i * uint32_t(sizeof(uint32_t)), sizeof(uint32_t)};
+void View::createPipelineLayouts() {
     for (size_t i = 0; i < plan.passes.size(); ++i) {
         const Pass& pass = plan.passes[i];
         if (pass.kind != PassKind::Compute)
@@ -145,37 +144,46 @@ void View::createPipelines() {
               "vkCreatePipelineLayout");
         context.name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, (uint64_t)objects.pipelineLayout,
                      "agaa " + pass.name);
-        std::vector<uint32_t> compiled;
-        if (!pass.text.empty() || !pass.hostCode.empty())
-            compiled = compileCompute(passGlsl(pass), pass.hostCode.empty() ? pass.name.c_str()
-                                                                            : pass.hostCodeOrigin.c_str());
-        const std::span<const uint32_t> words =
-            compiled.empty() ? embeddedSpirv(pass.shader) : compiled;
-        if (words.empty())
-            fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.shader + ".");
-        VkShaderModuleCreateInfo moduleInfo{};
-        moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-        moduleInfo.codeSize = words.size_bytes();
-        moduleInfo.pCode = words.data();
-        VkShaderModule module = VK_NULL_HANDLE;
-        check(context.vk.CreateShaderModule(context.device, &moduleInfo, nullptr, &module),
-              "vkCreateShaderModule");
-        const VkSpecializationInfo constants{ConstantCount, entries.data(),
-                                             sizeof pass.constants, pass.constants.data()};
-        VkComputePipelineCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-        info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-        info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-        info.stage.module = module;
-        info.stage.pName = "main";
-        info.stage.pSpecializationInfo = &constants;
-        info.layout = objects.pipelineLayout;
-        const VkResult result = context.vk.CreateComputePipelines(
-            context.device, context.pipelineCache, 1, &info, nullptr, &objects.pipeline);
-        context.vk.DestroyShaderModule(context.device, module, nullptr);
-        check(result, "vkCreateComputePipelines");
-        context.name(VK_OBJECT_TYPE_PIPELINE, (uint64_t)objects.pipeline, "agaa " + pass.name);
     }
+}
+
+// Other threads may record or compile meanwhile: this reads what the view keeps, and changes nothing.
+Compiled View::compile(const Pass& pass, size_t index) {
+    std::array<VkSpecializationMapEntry, ConstantCount> entries;
+    for (uint32_t i = 0; i < ConstantCount; ++i)
+        entries[i] = {i, i * uint32_t(sizeof(uint32_t)), sizeof(uint32_t)};
+    std::vector<uint32_t> compiled;
+    if (!pass.text.empty() || !pass.hostCode.empty())
+        compiled = compileCompute(passGlsl(pass), pass.hostCode.empty() ? pass.name.c_str()
+                                                                        : pass.hostCodeOrigin.c_str());
+    const std::span<const uint32_t> words =
+        compiled.empty() ? embeddedSpirv(pass.shader) : compiled;
+    if (words.empty())
+        fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.shader + ".");
+    VkShaderModuleCreateInfo moduleInfo{};
+    moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+    moduleInfo.codeSize = words.size_bytes();
+    moduleInfo.pCode = words.data();
+    VkShaderModule module = VK_NULL_HANDLE;
+    check(context.vk.CreateShaderModule(context.device, &moduleInfo, nullptr, &module),
+          "vkCreateShaderModule");
+    const VkSpecializationInfo constants{ConstantCount, entries.data(),
+                                         sizeof pass.constants, pass.constants.data()};
+    VkComputePipelineCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+    info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+    info.stage.module = module;
+    info.stage.pName = "main";
+    info.stage.pSpecializationInfo = &constants;
+    info.layout = passes[index].pipelineLayout;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    const VkResult result = context.vk.CreateComputePipelines(
+        context.device, context.pipelineCache, 1, &info, nullptr, &pipeline);
+    context.vk.DestroyShaderModule(context.device, module, nullptr);
+    check(result, "vkCreateComputePipelines");
+    context.name(VK_OBJECT_TYPE_PIPELINE, (uint64_t)pipeline, "agaa " + pass.name);
+    return {(uint64_t)pipeline};
 }
 
 void View::createSlots() {

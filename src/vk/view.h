@@ -19,7 +19,6 @@ struct PassObjects {
     VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
     std::vector<VkDescriptorSet> sets; // one per frame in flight
     VkPipelineLayout pipelineLayout = VK_NULL_HANDLE;
-    VkPipeline pipeline = VK_NULL_HANDLE; // compute
     HostPassObjects host;                 // host draws
 };
 
@@ -36,7 +35,7 @@ public:
     ~View() override;
 
     SizedView* remade(const ViewSettings& settings) const override;
-    AgaaResult record(const AgaaFrame& frame, const AgaaVkFrame& vkFrame);
+    AgaaResult record(AgaaFrame frame, const AgaaVkFrame& vkFrame);
 
     MemoryUse memoryUse() const override;
     const StructRow& drawPassRow() const override;
@@ -59,12 +58,13 @@ public:
 
 private:
     void createPassObjects();
-    void createPipelines();
+    void createPipelineLayouts();
+    Compiled compile(const Pass& pass, size_t index) override;
     void createSlots();
     void destroy();
     void checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const;
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
-    void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot,
+    void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, uint32_t slot,
                       bool begins);
     void writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot);
     bool isConditional(const Step& step) const; // the device reads Step::goesOn
@@ -73,9 +73,9 @@ private:
     AgaaResult callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands);
     AgaaResult recordSecondaries(const AgaaFrame& frame, uint32_t slot);
     // secondary: of the host draws among the steps.
-    void recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Step& step, size_t secondary,
-                    uint32_t slot, VkCommandBuffer commands);
-    void recordCompute(const AgaaVkFrame& vkFrame, size_t pass, uint32_t slot,
+    void recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, const Step& step,
+                    size_t secondary, uint32_t slot, VkCommandBuffer commands);
+    void recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, uint32_t slot,
                        VkCommandBuffer commands);
     void recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands);
     void clearLasting(VkCommandBuffer commands);

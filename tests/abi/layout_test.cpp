@@ -21,12 +21,12 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaConfig, 80);
     EXPECT_SIZE(AgaaAggregation, 40);
     EXPECT_SIZE(AgaaMeasurement, 40);
-    EXPECT_SIZE(AgaaSceneFacts, 32);
+    EXPECT_SIZE(AgaaSceneFacts, 40);
     EXPECT_SIZE(AgaaViewDesc, 48);
     EXPECT_SIZE(AgaaDrawPass, 152);
     EXPECT_SIZE(AgaaLight, 64);
     EXPECT_SIZE(AgaaShadow, 392);
-    EXPECT_SIZE(AgaaFrame, 248);
+    EXPECT_SIZE(AgaaFrame, 256);
     EXPECT_SIZE(AgaaGBufferFunction, 56);
     EXPECT_SIZE(AgaaFetchFunction, 56);
     EXPECT_SIZE(AgaaShadowFunction, 48);
@@ -36,7 +36,8 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaMemoryReport, 56);
     EXPECT_SIZE(AgaaTarget, 40);
     EXPECT_SIZE(AgaaPrice, 408);
-    EXPECT_SIZE(AgaaFrameStatistics, 2880);
+    EXPECT_SIZE(AgaaFactReport, 648);
+    EXPECT_SIZE(AgaaFrameStatistics, 2912);
     EXPECT_SIZE(AgaaFrameValidation, 1120);
     EXPECT_SIZE(AgaaVkRequirements, 56);
     EXPECT_SIZE(AgaaVkDeviceDesc, 96);
@@ -49,6 +50,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaGlDrawPass, 56);
     EXPECT_SIZE(AgaaGlSurface, 32);
     EXPECT_SIZE(AgaaGlFrame, 40);
+    EXPECT_SIZE(AgaaGlProgramCache, 32);
     EXPECT_SIZE(AgaaStructHeader, 16);
     EXPECT_SIZE(AgaaDrawState, 64);
     EXPECT_SIZE(AgaaDrawTarget, 144);
@@ -67,9 +69,11 @@ TEST(Abi, Offsets) {
     EXPECT_OFFSET(AgaaFrame, projection, 104);
     EXPECT_OFFSET(AgaaFrame, lights, 184);
     EXPECT_OFFSET(AgaaFrame, draw, 232);
+    EXPECT_OFFSET(AgaaFrame, facts, 248);
     EXPECT_OFFSET(AgaaDrawTarget, state, 40);
     EXPECT_OFFSET(AgaaDrawTarget, pipelineKey, 104);
     EXPECT_OFFSET(AgaaFrameStatistics, counters, 56);
+    EXPECT_OFFSET(AgaaFrameStatistics, variantFlags, 2880);
     EXPECT_OFFSET(AgaaVkFrame, shadowViews, 48);
     EXPECT_OFFSET(AgaaGlFrame, outputTexture, 16);
 }

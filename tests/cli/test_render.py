@@ -37,6 +37,17 @@ class Render(unittest.TestCase):
                 self.render(*options(technique), "--exr", bare, "--no-counters", size="48x27")
                 self.assertEqual(harness.data("compare", counted, bare)["maxAbs"], 0)
 
+    def test_facts_that_change_with_each_frame(self):
+        plain, switched = self.path("plain.exr"), self.path("switched.exr")
+        self.render("--technique", "ssaa", "--exr", plain, size="48x27")
+        data = self.render("--technique", "ssaa", "--exr", switched, "--switch-facts", "--frames", "6", size="48x27")
+        self.assertEqual(len(data["frameMilliseconds"]), 6)
+        self.assertEqual(data["variants"], 5)
+        self.assertEqual(data["apiMessages"], [])
+        self.assertEqual(harness.data("compare", plain, switched)["maxAbs"], 0)  # the last frame has all effects again
+        self.render("--technique", "ssaa", "--exr", switched, "--switch-facts", "--frames", "5", size="48x27")
+        self.assertGreater(harness.data("compare", plain, switched)["maxAbs"], 0)
+
     def test_fragments_at_coverage_samples(self):
         data = self.render("--preset", "accurate", "--samples", "64", "--fragments-per-pixel", "64")
         self.assertEqual(data["tiers"]["generation"], "fragments")

@@ -41,7 +41,7 @@ inline AgaaDeviceCaps fourSampleDevice() {
     return caps;
 }
 
-inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
+inline ViewSettings settingsFor(const ViewSpec& spec) {
     AgaaLayout layout = AGAA_LAYOUT_INIT;
     agaaGetBuiltinLayout(spec.layout, &layout);
     TechniqueConfig config;
@@ -73,7 +73,9 @@ inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) {
         fetch.maxDraws = fetch.maxPrimitives = 1;
         view.pNext = spec.chained || !spec.fetches ? spec.chained : &fetch;
     }
-    return makePlan(resolveView(&view), caps, 2);
+    return resolveView(&view);
 }
+
+inline Plan planFor(const ViewSpec& spec, const AgaaDeviceCaps& caps) { return makePlan(settingsFor(spec), caps, 2); }
 
 } // namespace agaa::test

@@ -390,8 +390,8 @@ TEST(Prices, TrafficCountsEachSurfaceOfAPassOnce) {
     Host culled("single");
     EXPECT_EQ(pricesOf(culled)["light-culling"].passes, 1);
     EXPECT_EQ(pricesOf(culled)["light-culling"].pipelines, 1);
-    // Depth is read, and a bit for each of 64 lights and tile of 64 pixels is written, and read.
-    EXPECT_EQ(pricesOf(culled)["light-culling"].trafficBytes, 320 * 180 * 4 + 2 * 8 * 40 * 23);
+    // Depth is read, and for each tile of 64 pixels 64 bits and a word are written, and read.
+    EXPECT_EQ(pricesOf(culled)["light-culling"].trafficBytes, 320 * 180 * 4 + 2 * (8 + 4) * 40 * 23);
 }
 
 TEST(Prices, EffectsThatChangeTheTierSayIt) {

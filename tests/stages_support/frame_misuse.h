@@ -22,7 +22,7 @@ inline constexpr AgaaStructHeader unknownStruct = {77, sizeof(AgaaStructHeader),
 
 inline const FrameMisuse frameMisuses[] = {
     {"wrong sType", AGAA_ERROR_STRUCT, [](auto& f, auto&, auto&) { f.sType = 3; }},
-    {"wrong structSize", AGAA_ERROR_STRUCT, [](auto& f, auto&, auto&) { f.structSize -= 8; }},
+    {"wrong structSize", AGAA_ERROR_STRUCT, [](auto& f, auto&, auto&) { f.structSize -= 16; }}, // less than version 0.2 has
     {"unknown struct in chain", AGAA_ERROR_UNKNOWN_STRUCT,
      [](auto& f, auto&, auto&) { f.pNext = &unknownStruct; }},
     {"no draw callback", AGAA_ERROR_INVALID_ARGUMENT,

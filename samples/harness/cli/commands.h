@@ -34,6 +34,7 @@ struct RenderArguments {
     std::string jitter = "0,0";
     uint32_t frames = 1;
     uint32_t warmup = 0;
+    bool switchFacts = false;
     std::vector<std::string> without; // effects that are left out
     uint32_t drawOrderSeed = 0;
     uint32_t alphaPoints = 1;

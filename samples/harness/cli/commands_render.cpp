@@ -54,6 +54,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     settings.unfetchedEvery = arguments.plan.unfetchedEvery;
     settings.frames = arguments.frames;
     settings.warmup = arguments.warmup;
+    settings.switchFacts = arguments.switchFacts;
     const auto jitter = parseNumbers(arguments.jitter, 2, "--jitter");
     settings.jitter = {jitter[0], jitter[1]};
     return settings;
@@ -169,6 +170,11 @@ json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer
                 {"driverBytes", last.driverBytes},
                 {"peakBytes", last.peakBytes},
                 {"tiers", tiers}};
+    out["variants"] = last.variantCount;
+    out["compiledPipelines"] = last.compiledPipelines;
+    out["compileMilliseconds"] = last.compileMilliseconds;
+    if (arguments.switchFacts)
+        out["frameMilliseconds"] = m.plain.wholeFrameMs;
     out["passes"] = m.timed ? passesJson(*m.timed) : json::array();
     out["timeSource"] = timeSourceName(m.timed ? m.timed->statistics.front().timeSource : 0u);
     if (m.counted) {
@@ -219,6 +225,9 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     std::printf("frame %.1f ms (median), %.1f bytes per pixel, %u geometry passes\n",
                 out["frameMs"]["median"].get<double>(), m.plain.memory.bytesPerPixel,
                 m.plain.statistics.back().geometryPasses);
+    if (arguments.switchFacts)
+        std::printf("%u variants; recorded and run in %.1f ms (median), %.1f ms at most\n", m.plain.statistics.back().variantCount,
+                    quantile(m.plain.wholeFrameMs, 0.5), quantile(m.plain.wholeFrameMs, 1));
     if (configuration.fitsFragments && out.contains("fragmentsPerPixel"))
         std::printf("lists have room for %.2f fragments per pixel\n", out["fragmentsPerPixel"].get<double>());
     for (const json& pass : out["passes"])

@@ -146,6 +146,8 @@ int run(int argc, char** argv) {
     addRenderOptions(*render, renderArguments);
     render->add_option("--alpha-points", renderArguments.alphaPoints, "where cut-outs read alpha in a texel: 1, 4 or, of dcaa, which has 4 at least, 16")
         ->check(CLI::IsMember({1u, 4u, 16u}));
+    render->add_flag("--switch-facts", renderArguments.switchFacts,
+                     "each frame has other facts than the one before, whose variants are prepared");
 
     RenderArguments referenceArguments;
     CLI::App* reference = command("reference", "a jittered, accumulated reference image");

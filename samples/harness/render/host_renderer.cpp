@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <chrono>
 
 namespace harness {
 
@@ -53,8 +54,10 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     result.memory = predictMemory(desc, caps(), log());
     result.plan = summarisePlan(desc, caps(), log());
 
-    FrameInput input{settings, cameraMatrices(scene_, settings, clipY()), {}, {}, true};
-    input.lights = toAgaaLights(settings.lights, settings.worldOffset, input.camera.eye);
+    FrameInput input{settings, cameraMatrices(scene_, settings, clipY()), {}, {}, nullptr, {}, true};
+    input.lights = input.unshadowed = toAgaaLights(settings.lights, settings.worldOffset, input.camera.eye);
+    for (AgaaLight& light : input.unshadowed)
+        light.shadowMap = AGAA_NO_SHADOW;
     DrawListOptions options;
     options.useMasked = input.useMasked = (facts.flags & AGAA_FACT_ALPHA_MASKED) != 0;
     options.alphaPoints = settings.alphaPoints;
@@ -66,11 +69,18 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     for (size_t i = 0; settings.unfetchedEvery && i < input.draws.size(); i += settings.unfetchedEvery)
         input.draws[i].isFetched = false;
     prepare(input);
+    const std::vector<AgaaSceneFacts> switched = settings.switchFacts ? switchedFacts(facts) : std::vector<AgaaSceneFacts>();
+    if (!switched.empty())
+        log().check(agaaPrepareVariants(view, uint32_t(switched.size()), switched.data()), "agaaPrepareVariants");
     for (uint32_t frame = 0; frame < settings.warmup + std::max(settings.frames, 1u); ++frame) {
+        input.facts = switched.empty() ? nullptr : &switched[frame % switched.size()];
+        const auto start = std::chrono::steady_clock::now();
         const double milliseconds = renderFrame(input);
+        const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - start;
         if (frame < settings.warmup)
             continue;
         result.frameMs.push_back(milliseconds);
+        result.wholeFrameMs.push_back(whole.count());
         AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
         log().check(agaaGetFrameStatistics(view, frameIndex_, &statistics),
                     "agaaGetFrameStatistics");
@@ -89,10 +99,12 @@ AgaaFrame HostRenderer::describeFrame(const FrameInput& input) const {
     const glm::mat4 projection(rasterised(input.camera.projection));
     std::copy_n(glm::value_ptr(viewMatrix), 16, frame.view);
     std::copy_n(glm::value_ptr(projection), 16, frame.projection);
-    frame.lights = input.lights.data();
+    const bool isShadowed = !input.facts || input.facts->shadowMapCount > 0;
+    frame.lights = isShadowed ? input.lights.data() : input.unshadowed.data();
     frame.lightCount = uint32_t(input.lights.size());
     frame.shadows = shadows().data();
-    frame.shadowCount = uint32_t(shadows().size());
+    frame.shadowCount = isShadowed ? uint32_t(shadows().size()) : 0;
+    frame.facts = input.facts;
     std::copy_n(glm::value_ptr(input.settings.ambient), 3, frame.ambient);
     std::copy_n(glm::value_ptr(input.settings.background), 4, frame.background);
     frame.ditherFrame = input.settings.ditherFrame;

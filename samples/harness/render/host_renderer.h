@@ -24,6 +24,8 @@ protected:
         const RenderSettings& settings;
         CameraMatrices camera;
         std::vector<AgaaLight> lights;
+        std::vector<AgaaLight> unshadowed; // the same without shadows
+        const AgaaSceneFacts* facts = nullptr; // of the frame; null: those of the view
         std::vector<Draw> draws;
         bool useMasked = true;
     };

@@ -46,6 +46,7 @@ struct RenderSettings {
     glm::dvec3 worldOffset{0};  // added to scene, lights and camera: tests precision far from 0
     uint32_t frames = 1;
     uint32_t warmup = 0;
+    bool switchFacts = false;   // each frame has the next of switchedFacts()
     double footprint = 1;       // width over which textures are filtered, in pixels (0;1]; not of the tier IDS
     uint32_t alphaPoints = 1;   // where cut-outs read alpha in a texel of the target: 1, 4 or 16
     uint32_t ditherFrame = 0;   // AgaaFrame::ditherFrame
@@ -64,6 +65,7 @@ struct PlanSummary {
 struct RenderResult {
     Image image; // of the last frame, linear
     std::vector<double> frameMs; // submission to completion, per counted frame, without warm-up
+    std::vector<double> wholeFrameMs; // the same, from the beginning of recording
     std::vector<AgaaFrameStatistics> statistics; // per counted frame
     AgaaMemoryReport memory = AGAA_MEMORY_REPORT_INIT; // predicted for this device
     PlanSummary plan;
@@ -93,5 +95,7 @@ std::unique_ptr<Renderer> makeGlRenderer(const RendererOptions& options);
 
 // Facts of a scene and its lights, as the SDK wants them declared.
 AgaaSceneFacts sceneFacts(const Scene& scene, const std::vector<Light>& lights);
+// Facts that frames take turns with: those of the view, then each effect left out, then all of them.
+std::vector<AgaaSceneFacts> switchedFacts(const AgaaSceneFacts& view);
 
 } // namespace harness

@@ -81,4 +81,24 @@ AgaaSceneFacts sceneFacts(const Scene& scene, const std::vector<Light>& lights) 
     return facts;
 }
 
+std::vector<AgaaSceneFacts> switchedFacts(const AgaaSceneFacts& view) {
+    constexpr uint64_t effects[] = {AGAA_FACT_SPECULAR, AGAA_FACT_EMISSIVE, AGAA_FACT_AMBIENT};
+    std::vector<AgaaSceneFacts> list = {view};
+    AgaaSceneFacts none = view;
+    for (const uint64_t effect : effects) {
+        none.flags &= ~effect;
+        if (!(view.flags & effect))
+            continue;
+        list.push_back(view);
+        list.back().flags &= ~effect;
+    }
+    none.shadowMapCount = 0;
+    if (view.shadowMapCount) {
+        list.push_back(view);
+        list.back().shadowMapCount = 0;
+    }
+    list.push_back(none);
+    return list;
+}
+
 } // namespace harness

@@ -1,12 +1,15 @@
 // Constants of a frame; the layout is FrameConstants of core/gpu_layout.h.
 #ifndef AGAA_FRAME_GLSL
 #define AGAA_FRAME_GLSL
+#include "passes/fact_bits.glsl"
 #ifndef AGAA_FRAME_CONSTANTS
 #define AGAA_FRAME_CONSTANTS 0 // AgaaGlConstants
 // Of compute passes, whose groups have no depth: the value, which compilers then do not know. Where members of a uniform block
 // decide branches and loops, Mesa 22.3's lavapipe puts their values into the shader, and compiles it anew in each frame.
 uint agaa_unknown(uint value) { return value + (gl_NumWorkGroups.z - 1u); }
+#define AGAA_FRAMES_LEAVE_OUT 1
 #else
+#define AGAA_FRAMES_LEAVE_OUT 0 // hosts' shaders are those of the view's facts
 uint agaa_unknown(uint value) { return value; }
 #endif
 #if AGAA_FRAME_CONSTANTS == 0
@@ -14,7 +17,7 @@ layout(std140, AGAA_AT_FRAME) uniform agaa_FrameBlock {
     mat4 view;        // shading to view space, a rotation
     vec4 projection0; // p00, p11, offset x, y: p20, p21; orthographic p30, p31
     vec4 projection1; // p22, p32, orthographic, depth quantum
-    uvec4 size;       // width, height, 0, background comes from the output
+    uvec4 size;       // width, height, effects that the frame leaves out, background comes from the output
     vec4 cluster;     // k, k per distance, t, 0
     vec4 ambient;     // rgb, emissive range
     vec4 background;
@@ -68,6 +71,15 @@ vec4 agaa_sampleLocations(uint i) { return agaa_constant(12u + i); }
 vec2 agaa_sampleLocation(uint i) {
     vec4 two = agaa_sampleLocations(i >> 1u);
     return (i & 1u) != 0u ? two.zw : two.xy;
+}
+
+// Whether the frame is shown without an effect that the pipeline has: the variant without it may not be prepared.
+bool agaa_leavesOut(uint fact) {
+#if AGAA_FRAMES_LEAVE_OUT
+    return (agaa_unknown(agaa_frame.size.z) & fact) != 0u;
+#else
+    return false;
+#endif
 }
 
 // n, as a value that compilers do not know: with a constant they unroll loops within loops.

@@ -131,8 +131,11 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
 #endif
     uint elliptic = AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
     uint filterDiffuse = agaa_hasFact(agaa_factNoDiffuse) ? 0u : AGAA_FILTER_DIFFUSE;
-    vec3 reflected = AGAA_HAS_SPECULAR != 0u ? agaa_shade(s, toEye, toLight, AGAA_BRDF, filterDiffuse, elliptic)
-                                             : agaa_shadeDiffuse(s, toLight, filterDiffuse);
+    vec3 reflected = agaa_shadeDiffuse(s, toLight, filterDiffuse);
+    if (AGAA_HAS_SPECULAR != 0u) {
+        vec3 both = agaa_shade(s, toEye, toLight, AGAA_BRDF, filterDiffuse, elliptic);
+        reflected = agaa_leavesOut(agaa_factSpecular) ? reflected : both;
+    }
     return reflected * light.colorShadow.rgb * intensity;
 }
 
@@ -174,9 +177,11 @@ vec3 agaa_sumOfReachingLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 su
 #endif
 
 vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
-    vec3 sum = s.emissive;
-    if (AGAA_HAS_AMBIENT != 0u)
-        sum += agaa_frame.ambient.rgb * (s.diffuse + s.specular);
+    vec3 sum = agaa_leavesOut(agaa_factEmissive) ? vec3(0.0) : s.emissive;
+    if (AGAA_HAS_AMBIENT != 0u) {
+        vec3 all = s.diffuse + (agaa_leavesOut(agaa_factSpecular) ? vec3(0.0) : s.specular);
+        sum += agaa_leavesOut(agaa_factAmbient) ? vec3(0.0) : agaa_frame.ambient.rgb * all;
+    }
 #ifdef AGAA_AT_LIGHT_MASKS
     if (AGAA_LIGHT_WORDS != 0u)
         return agaa_sumOfReachingLights(s, position, toEye, sum);

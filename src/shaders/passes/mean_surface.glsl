@@ -48,11 +48,12 @@ agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
     s.alpha2Along = 0.0;
     s.axis = vec3(0.0);
     s.meanLength = agaa_varianceFloor(meanLength, m.lengthBound);
+    if (folded)
+        s.meanLength = 1.0;
     if (AGAA_HAS_SPECULAR == 0u)
         return s;
     if (folded) {
         s.alpha2 = agaa_alpha2FromFoldedLength(meanLength);
-        s.meanLength = 1.0;
     } else if (AGAA_NDF >= agaa_ndfLean) {
         agaa_spreadAlpha2(m.moments, s.normal, meanLength, m.alpha2, AGAA_NDF == agaa_ndfSggx ? 1u : 0u, m.lengthBound,
                           s.axis, s.alpha2Along, s.alpha2);

@@ -1,10 +1,7 @@
 // What the facts of a scene say of its materials (AgaaSceneFacts), for texts of hosts and for passes.
 #ifndef AGAA_SCENE_FACTS_GLSL
 #define AGAA_SCENE_FACTS_GLSL
-const uint agaa_factSpecular = 0x01u, agaa_factEmissive = 0x02u, agaa_factAlphaMasked = 0x04u;
-const uint agaa_factOneRoughness = 0x100u, agaa_factGreySpecular = 0x200u, agaa_factOneSpecular = 0x400u;
-const uint agaa_factNoDiffuse = 0x800u, agaa_factNoLocalLights = 0x1000u;
-const uint agaa_factNoTranslucency = 0x2000u, agaa_factNoCutouts = 0x4000u;
+#include "passes/fact_bits.glsl"
 
 bool agaa_hasFact(uint fact) { return (AGAA_FACTS & fact) != 0u; }
 

@@ -19,6 +19,7 @@
 #include "pulling_cases.h"
 #include "shadow_function_cases.h"
 #include "validation_cases.h"
+#include "variant_cases.h"
 
 namespace agaa::test {
 namespace {
@@ -41,6 +42,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, LeftHandedCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DebugViewCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, LifetimeCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ShadowFunctionCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, VariantCases, OpenGLHost);
 
 } // namespace
 } // namespace agaa::test

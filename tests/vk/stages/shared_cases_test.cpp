@@ -19,6 +19,7 @@
 #include "pulling_cases.h"
 #include "shadow_function_cases.h"
 #include "validation_cases.h"
+#include "variant_cases.h"
 
 namespace agaa::test {
 namespace {
@@ -43,6 +44,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LeftHandedCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DebugViewCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LifetimeCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ShadowFunctionCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, VariantCases, VulkanHost);
 
 } // namespace
 } // namespace agaa::test

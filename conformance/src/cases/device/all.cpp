@@ -26,6 +26,7 @@ Suite makeSuite() {
     addOpenGlUnsupportedCases(suite);
     addVulkanUnsupportedCases(suite);
     addVulkanCapsCases(suite);
+    addVariantCases(suite);
     addViewCases(suite);
     addResizeCases(suite);
     addDeviceCapsCases(suite);

@@ -24,6 +24,7 @@ void addVulkanTierCases(Suite& suite);
 void addOpenGlUnsupportedCases(Suite& suite);
 void addVulkanUnsupportedCases(Suite& suite);
 void addVulkanCapsCases(Suite& suite);
+void addVariantCases(Suite& suite);
 void addViewCases(Suite& suite);
 void addResizeCases(Suite& suite);
 void addDeviceCapsCases(Suite& suite);

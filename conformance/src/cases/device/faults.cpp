@@ -96,6 +96,22 @@ void testView(Test& test, const Fault& fault) {
     expectNoMessages(test, function);
 }
 
+// A frame shows the same with the variant and without.
+void testPrepare(Test& test, const Fault& fault) {
+    const Faults faults{test, fault};
+    Rig rig(test, {}, faults.chain());
+    const Image image = rig.render();
+    AgaaSceneFacts facts = rig.description().facts;
+    facts.flags = 0;
+    faults.forEach(
+        "agaaPrepareVariants", rig.context.log, [&] { return test.sdk.agaaPrepareVariants(rig.view.get(), 1, &facts); },
+        [&](const std::string& what) {
+            expectNextFrame(rig, image, what);
+            test.check(rig.statistics().variantCount == 1, what + ", prepares a variant.");
+        });
+    expectNextFrame(rig, image, "agaaPrepareVariants after failures");
+}
+
 void testResize(Test& test, const Fault& fault) {
     const Faults faults{test, fault};
     Rig rig(test, {}, faults.chain());
@@ -126,6 +142,9 @@ void addFaultCases(Suite& suite) {
     const auto add = [&](const std::string& name, Backend backend, Run run, const Fault& fault) {
         suite.add(name, {backend}, [=](Test& test) { run(test, fault); });
     };
+    add("agaaPrepareVariants/AGAA_ERROR_DEVICE", Backend::Vulkan, testPrepare, deviceLost);
+    add("agaaPrepareVariants/AGAA_ERROR_OUT_OF_MEMORY", Backend::Vulkan, testPrepare, outOfDeviceMemory);
+    add("agaaPrepareVariants/AGAA_ERROR_OUT_OF_MEMORY/vulkan_host_memory", Backend::Vulkan, testPrepare, outOfHostMemory);
     struct Row {
         const char *vulkan, *openGl;
         Run run;

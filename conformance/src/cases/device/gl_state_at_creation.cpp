@@ -104,6 +104,23 @@ void testViews(Test& test) {
     });
 }
 
+void testVariants(Test& test) {
+    forEachView(test, [&](UnusualContext& host, AgaaContext context, const ViewParts& parts, const std::string& name) {
+        AgaaView view = nullptr;
+        test.requireOk(host.device->createView(test.sdk, context, &parts.desc, &view), "agaaGlCreateView of " + name);
+        host.expectUnchanged("agaaGlCreateView of " + name);
+        AgaaSceneFacts fewer = *parts.desc.facts;
+        fewer.flags = 0;
+        fewer.shadowMapCount = 0;
+        test.result(test.sdk.agaaPrepareVariants(view, 1, &fewer), AGAA_OK, "agaaPrepareVariants of " + name);
+        host.expectUnchanged("agaaPrepareVariants of " + name);
+        fewer.flags = UINT64_C(1) << 62;
+        test.result(test.sdk.agaaPrepareVariants(view, 1, &fewer), AGAA_ERROR_OUT_OF_RANGE, "agaaPrepareVariants of " + name);
+        host.expectUnchanged("agaaPrepareVariants that fails");
+        test.sdk.agaaDestroyView(view);
+    });
+}
+
 void testResizes(Test& test) {
     forEachView(test, [&](UnusualContext& host, AgaaContext context, const ViewParts& parts, const std::string& name) {
         AgaaView view = nullptr;
@@ -122,6 +139,7 @@ void testResizes(Test& test) {
 void addOpenGlStateCases(Suite& suite) {
     suite.add("agaaGlCreateContext/opengl_state", {Backend::OpenGl}, testContexts);
     suite.add("agaaGlCreateView/opengl_state", {Backend::OpenGl}, testViews);
+    suite.add("agaaPrepareVariants/opengl_state", {Backend::OpenGl}, testVariants);
     suite.add("agaaResizeView/opengl_state", {Backend::OpenGl}, testResizes);
 }
 

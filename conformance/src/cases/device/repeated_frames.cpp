@@ -137,6 +137,51 @@ void testTechnique(Test& test, const char* technique) {
     }
 }
 
+// Surfaces that write no more than frames without any effect may.
+Scene plainScene() {
+    Scene scene = busyScene(32, 24);
+    for (Vertex& vertex : scene) {
+        std::fill_n(vertex.specular, 3, 0.0f);
+        std::fill_n(vertex.emissive, 3, 0.0f);
+        vertex.roughness = 1;
+    }
+    return scene;
+}
+
+// AgaaFrame::facts, before and after agaaPrepareVariants.
+void testFacts(Test& test, const char* technique) {
+    const std::string obstacle = obstacleOf(test, technique);
+    if (!obstacle.empty())
+        test.skip(obstacle);
+    Rig rig(test, [&](ViewDescription& description) {
+        setTechnique(description, technique, 4);
+        description.facts.shadowMapCount = 1;
+    });
+    rig.scene = plainScene();
+    AgaaSceneFacts fewer = rig.description().facts;
+    fewer.flags &= AGAA_FACT_ALPHA_MASKED;
+    const auto renderFewer = [&] {
+        return rig.render([&](AgaaFrame& frame) {
+            lights().use(frame);
+            frame.facts = &fewer;
+        });
+    };
+    const Image all = renderLit(rig), expected = renderFewer();
+    test.requireOk(test.sdk.agaaPrepareVariants(rig.view.get(), 1, &fewer), "agaaPrepareVariants");
+    rig.expectNoErrors("agaaPrepareVariants");
+    const uint32_t compiled = rig.statistics().compiledPipelines;
+    expectSame(test, renderFewer(), expected, 32, named("a frame of fewer facts with a variant of its own,", technique));
+    const uint64_t ran = rig.statistics().variantFlags;
+    test.check(ran == fewer.flags, "AgaaFrameStatistics::variantFlags are not those of the variant that was prepared.");
+    expectSame(test, renderLit(rig), all, 32, named("a frame of all facts after one of fewer,", technique));
+    test.check(rig.statistics().compiledPipelines == compiled, "a frame compiled a pipeline.");
+    fewer.shadowMapCount = 2;
+    const Image unlit = rig.render();
+    AgaaFrame frame = rig.nextFrame();
+    frame.facts = &fewer;
+    expectFrameRefused(rig, frame, {AGAA_ERROR_OUT_OF_RANGE, "a frame of more facts than its view", "AgaaFrame::facts"}, unlit);
+}
+
 } // namespace
 
 void addRepeatedFrameCases(Suite& suite) {
@@ -144,6 +189,9 @@ void addRepeatedFrameCases(Suite& suite) {
     for (const char* technique : tested)
         suite.both("general/repeated_frames_are_equal/" + std::string(technique),
                    [technique](Test& test) { testTechnique(test, technique); });
+    for (const char* technique : {"ssaa", "agaa"})
+        suite.both("general/frames_may_leave_effects_out/" + std::string(technique),
+                   [technique](Test& test) { testFacts(test, technique); });
 }
 
 } // namespace agaa::conformance
