@@ -48,6 +48,20 @@ class Render(unittest.TestCase):
         self.render("--technique", "ssaa", "--exr", switched, "--switch-facts", "--frames", "5", size="48x27")
         self.assertGreater(harness.data("compare", plain, switched)["maxAbs"], 0)
 
+    def test_facts_are_checked(self):
+        for scene in ("metal", "bamboo"):
+            data = self.render("--technique", "ssaa", "--check-facts", size="48x27", scene=scene)
+            self.assertGreater(data["facts"]["inspected"], 0)
+            self.assertEqual(data["facts"]["contradicted"], 0, data["facts"]["explanation"])
+            plain = self.render("--technique", "ssaa", "--plain-facts", size="48x27", scene=scene)
+            self.assertGreaterEqual(plain["bytesPerPixel"], data["bytesPerPixel"])
+        self.assertGreater(plain["bytesPerPixel"], data["bytesPerPixel"], "of bamboo, whose reflectance is not stored")
+        wrong = self.render("--technique", "ssaa", "--check-facts", "--without", "specular", size="48x27")
+        self.assertEqual(wrong["facts"]["contradicted"], 1)
+        self.assertIn("missing AGAA_FACT_SPECULAR (100 %", wrong["facts"]["explanation"])
+        shown, png = self.path("facts.exr"), self.path("facts.png")
+        self.render("--technique", "ssaa", "--view", "facts", "--exr", shown, "--png", png, size="48x27")
+
     def test_fragments_at_coverage_samples(self):
         data = self.render("--preset", "accurate", "--samples", "64", "--fragments-per-pixel", "64")
         self.assertEqual(data["tiers"]["generation"], "fragments")

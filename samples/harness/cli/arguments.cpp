@@ -196,6 +196,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
     flag(arguments.splitSurfaces, AGAA_CONFIG_SPLIT_SURFACES);
     flag(arguments.fineMaterials, AGAA_CONFIG_FINE_MATERIALS);
     flag(arguments.buffered, AGAA_CONFIG_BUFFERED);
+    flag(arguments.checkFacts, AGAA_CONFIG_CHECK_FACTS);
     const auto measure = [&](bool on, uint64_t bit) { config.measurement.flags |= on ? bit : 0; };
     measure(arguments.noStencil, AGAA_MEASURE_NO_STENCIL);
     measure(arguments.noCulling, AGAA_MEASURE_NO_LIGHT_CULLING);
@@ -211,7 +212,8 @@ Configuration::Configuration(const PlanArguments& arguments) {
                                {"primitives", AGAA_DEBUG_VIEW_PRIMITIVES},
                                {"lit", AGAA_DEBUG_VIEW_LIT},
                                {"widened", AGAA_DEBUG_VIEW_WIDENED},
-                               {"tier", AGAA_DEBUG_VIEW_TIER}});
+                               {"tier", AGAA_DEBUG_VIEW_TIER},
+                               {"facts", AGAA_DEBUG_VIEW_FACTS}});
     for (const std::string& tier : arguments.tiers)
         setTier(config, tier, isModel);
     checkCounts(arguments, config.coversByEdges());

@@ -46,6 +46,7 @@ struct PlanArguments {
     std::vector<std::string> tiers; // native, auto or stage=tier
     bool noStencil = false;
     bool noCulling = false;
+    bool checkFacts = false;
     bool firstSampleRouting = false;
     bool splitSurfaces = false;
     bool fineMaterials = false;

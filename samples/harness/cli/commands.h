@@ -36,6 +36,7 @@ struct RenderArguments {
     uint32_t warmup = 0;
     bool switchFacts = false;
     std::vector<std::string> without; // effects that are left out
+    bool plainFacts = false;
     uint32_t drawOrderSeed = 0;
     uint32_t alphaPoints = 1;
     uint32_t ditherFrame = 0;
@@ -53,6 +54,9 @@ struct CompareArguments {
     std::string difference; // PNG, or empty
     double gain = 4;
 };
+
+// Of the scene, as the arguments have it.
+void changeFacts(const RenderArguments& arguments, AgaaSceneFacts& facts);
 
 void runCaps(const DeviceArguments& arguments, bool json);
 void runMemory(const PlanArguments& plan, const DeviceArguments& device, bool json);

@@ -28,6 +28,13 @@ void leaveOut(const std::string& effect, AgaaSceneFacts& facts) {
                           "\"; it can be specular, emissive, ambient or shadows.");
 }
 
+void changeFacts(const RenderArguments& arguments, AgaaSceneFacts& facts) {
+    for (const std::string& effect : arguments.without)
+        leaveOut(effect, facts);
+    if (arguments.plainFacts)
+        facts.flags &= AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH;
+}
+
 RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration,
                               const Scene& scene) {
     RenderSettings settings;
@@ -44,8 +51,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
         for (Light& light : settings.lights)
             light.castsShadow = light.castsShadow && effect != "shadows";
     settings.facts = sceneFacts(scene, settings.lights);
-    for (const std::string& effect : arguments.without)
-        leaveOut(effect, settings.facts);
+    changeFacts(arguments, settings.facts);
     settings.reversedZ = arguments.plan.reversedZ;
     settings.vertexPulling = configuration.vertexPulling;
     settings.drawOrderSeed = arguments.drawOrderSeed;
@@ -114,6 +120,15 @@ json countersJson(const AgaaCounters& c) {
             {"batches", c.batches}};
 }
 
+json factsJson(const AgaaFactReport& r) {
+    return {{"inspected", r.inspected},         {"withSpecular", r.withSpecular},       {"withEmission", r.withEmission},
+            {"alphaMasked", r.alphaMasked},     {"otherRoughness", r.otherRoughness},   {"coloredSpecular", r.coloredSpecular},
+            {"otherSpecular", r.otherSpecular}, {"withDiffuse", r.withDiffuse},         {"translucent", r.translucent},
+            {"cutouts", r.cutouts},             {"lightCount", r.lightCount},           {"localLights", r.localLights},
+            {"shadowCount", r.shadowCount},     {"hasAmbient", r.hasAmbient != 0},      {"contradicted", r.contradicted},
+            {"sufficient", r.sufficient},       {"explanation", r.explanation}};
+}
+
 json messagesJson(Renderer& renderer) {
     json messages = json::array();
     for (const ApiMessage& message : renderer.takeMessages())
@@ -175,6 +190,8 @@ json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer
     out["compileMilliseconds"] = last.compileMilliseconds;
     if (arguments.switchFacts)
         out["frameMilliseconds"] = m.plain.wholeFrameMs;
+    if (m.plain.facts)
+        out["facts"] = factsJson(*m.plain.facts);
     out["passes"] = m.timed ? passesJson(*m.timed) : json::array();
     out["timeSource"] = timeSourceName(m.timed ? m.timed->statistics.front().timeSource : 0u);
     if (m.counted) {
@@ -228,6 +245,8 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     if (arguments.switchFacts)
         std::printf("%u variants; recorded and run in %.1f ms (median), %.1f ms at most\n", m.plain.statistics.back().variantCount,
                     quantile(m.plain.wholeFrameMs, 0.5), quantile(m.plain.wholeFrameMs, 1));
+    if (m.plain.facts)
+        std::printf("%s\n", m.plain.facts->explanation);
     if (configuration.fitsFragments && out.contains("fragmentsPerPixel"))
         std::printf("lists have room for %.2f fragments per pixel\n", out["fragmentsPerPixel"].get<double>());
     for (const json& pass : out["passes"])

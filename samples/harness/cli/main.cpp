@@ -27,6 +27,7 @@ void addPlanOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--expand", a.expand, "shaders that expand triangles to coverage samples: geometry or pulling");
     app.add_flag("--no-stencil", a.noStencil, "first come, first kept on equal depth");
     app.add_flag("--no-culling", a.noCulling, "every shading event evaluates all lights of the frame");
+    app.add_flag("--check-facts", a.checkFacts, "inspect materials for what the scene's facts say");
 }
 
 void addShadingOptions(CLI::App& app, PlanArguments& a) {
@@ -90,6 +91,7 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
     app.add_option("--frames", a.frames)->check(CLI::Range(1u, 100000u));
     app.add_option("--warmup", a.warmup);
     app.add_option("--without", a.without, "specular, emissive, ambient or shadows; repeatable");
+    app.add_flag("--plain-facts", a.plainFacts, "as if materials and lights of the scene had nothing in common");
     app.add_option("--draw-order-seed", a.drawOrderSeed, "shuffle draws");
     app.add_option("--dither-frame", a.ditherFrame, "selects the random numbers of translucent surfaces");
     app.add_option("--png", a.png);

@@ -57,8 +57,7 @@ AgaaSceneFacts plannedFacts(const RenderArguments& arguments, bool sceneGiven) {
         const Scene scene = loadSceneArgument(arguments.scene);
         facts = sceneFacts(scene, scene.lights.empty() ? defaultLights(scene) : scene.lights);
     }
-    for (const std::string& effect : arguments.without)
-        leaveOut(effect, facts);
+    changeFacts(arguments, facts);
     return facts;
 }
 

@@ -89,6 +89,10 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
                 "The SDK's statistics are not of the frame that has finished.");
         result.statistics.push_back(statistics);
     }
+    if (config.flags & AGAA_CONFIG_CHECK_FACTS || config.measurement.debugView == AGAA_DEBUG_VIEW_FACTS) {
+        result.facts.emplace(AgaaFactReport AGAA_FACT_REPORT_INIT);
+        log().check(agaaGetFactReport(view, frameIndex_, &*result.facts), "agaaGetFactReport");
+    }
     result.image = readOutput();
     return result;
 }

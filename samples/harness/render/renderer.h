@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <string>
+#include <optional>
 #include <vector>
 
 namespace harness {
@@ -67,6 +68,7 @@ struct RenderResult {
     std::vector<double> frameMs; // submission to completion, per counted frame, without warm-up
     std::vector<double> wholeFrameMs; // the same, from the beginning of recording
     std::vector<AgaaFrameStatistics> statistics; // per counted frame
+    std::optional<AgaaFactReport> facts; // of the last frame, with AGAA_CONFIG_CHECK_FACTS
     AgaaMemoryReport memory = AGAA_MEMORY_REPORT_INIT; // predicted for this device
     PlanSummary plan;
 };
