@@ -21,7 +21,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaConfig, 80);
     EXPECT_SIZE(AgaaAggregation, 40);
     EXPECT_SIZE(AgaaMeasurement, 40);
-    EXPECT_SIZE(AgaaSceneFacts, 32);
+    EXPECT_SIZE(AgaaSceneFacts, 40);
     EXPECT_SIZE(AgaaViewDesc, 48);
     EXPECT_SIZE(AgaaDrawPass, 152);
     EXPECT_SIZE(AgaaLight, 64);
