@@ -66,7 +66,10 @@ class Costs:
 
 
 def line(points):
-    """a, b of y = a + b x."""
+    """a, b of y = a + b x, neither negative; 0, 0 where all y are 0."""
+    points = [(x, y) for x, y in points if y > 0]
+    if not points:
+        return 0.0, 0.0
     found = nonnegative([{"a": 1.0, "b": x} for x, _ in points], [y for _, y in points])
     return found["a"], found.get("b", 0.0)
 

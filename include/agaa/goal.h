@@ -155,7 +155,7 @@ AGAA_API void AGAA_CALL agaaInitChoice(AgaaChoice* outChoice, size_t structSize)
  *               do not count.
  * caps          Those of the context. Null: an ideal device.
  * log           May be null.
- * observation   Of a frame of any settings. Null: none since the last call. Times of settings that are not in the table are
+ * observation   Of a frame of any settings. Null: none since the last call. Frames of settings that are not in the table are
  *               not used.
  * current       The result of the last call, or initialised. May be null, and may be outChoice.
  * outChoice     Initialised; unchanged on failure.

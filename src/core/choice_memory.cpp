@@ -55,21 +55,24 @@ SceneTerms ChoiceMemory::terms(const AgaaSceneFacts& facts) const {
 
 void ChoiceMemory::learn(const AgaaObservation& observation, const AgaaSceneFacts& facts) {
     const ChoiceRow* row = rowOf(observation);
-    if ((observation.flags & AGAA_OBSERVED_COUNTS) && observation.coverage > 0 && row)
-        learnCounts(observation, row);
-    if ((observation.flags & AGAA_OBSERVED_TIMES) && observation.pixels > 0 && row)
+    if (!row)
+        return;
+    if ((observation.flags & AGAA_OBSERVED_COUNTS) && observation.coverage > 0)
+        learnCounts(observation, *row);
+    if ((observation.flags & AGAA_OBSERVED_TIMES) && observation.pixels > 0)
         learnTimes(observation, *row, facts);
 }
 
-void ChoiceMemory::learnCounts(const AgaaObservation& o, const ChoiceRow* row) {
+void ChoiceMemory::learnCounts(const AgaaObservation& o, const ChoiceRow& row) {
     const float count = numbers_.count += 1;
     const double events = double(o.eventsPerPixel) / o.coverage;
-    if (const std::optional<double> complexity = complexityOf(*row, events))
+    if (const std::optional<double> complexity = complexityOf(row, events))
         addTo(numbers_.complexity, *complexity + 1, numbers_.complexity > 0 ? count : 1);
     const double usual = numbers_.complexity > 0 ? numbers_.complexity - 1 : usualTerms(AGAA_SCENE_FACTS_INIT).complexity;
     addTo(numbers_.coverage, o.coverage, count);
-    addTo(numbers_.lights, o.lightsPerEvent / row->lightRatio, count);
-    addTo(numbers_.shadows, o.shadowTapsPerEvent * events / tapsOf(*row, usual), count);
+    addTo(numbers_.lights, o.lightsPerEvent / row.lightRatio, count);
+    if (const double taps = tapsOf(row, usual); taps > 0)
+        addTo(numbers_.shadows, o.shadowTapsPerEvent * events / taps, count);
 }
 
 // A row that did not run yet starts with the prediction, so that its first frame does not decide alone.

@@ -42,7 +42,7 @@ private:
     static_assert(sizeof(Numbers) == sizeof AgaaChoice::memory);
 
     SceneTerms terms(const AgaaSceneFacts& facts) const;
-    void learnCounts(const AgaaObservation& observation, const ChoiceRow* row);
+    void learnCounts(const AgaaObservation& observation, const ChoiceRow& row);
     void learnTimes(const AgaaObservation& observation, const ChoiceRow& row, const AgaaSceneFacts& facts);
     static size_t indexOf(const ChoiceRow& row);
 
