@@ -33,6 +33,7 @@
 #include "agaa/config.h"
 #include "agaa/frame.h"
 #include "agaa/functions.h"
+#include "agaa/goal.h"
 #include "agaa/price.h"
 #include "agaa/query.h"
 #include "agaa/statistics.h"

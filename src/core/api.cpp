@@ -2,10 +2,12 @@
 #include "core/aggregate_glsl.h"
 #include "core/checked.h"
 #include "core/glsl_text.h"
+#include "core/goals.h"
 #include "core/handles.h"
 #include "core/draw_passes.h"
 #include "core/layout.h"
 #include "core/names.h"
+#include "core/observations.h"
 #include "core/planner.h"
 #include "core/presets.h"
 #include "core/prices.h"
@@ -165,6 +167,45 @@ AgaaResult AGAA_CALL agaaQueryPrices(const AgaaViewDesc* view, const AgaaDeviceC
     return guarded(log, "agaaQueryPrices", [&]() -> AgaaResult {
         require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
         return writeStructs(listPrices(resolveView(view), capsOrIdeal(caps), 2), count, prices);
+    });
+}
+
+AgaaResult AGAA_CALL agaaObserve(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
+                                 const AgaaFrameStatistics* statistics, AgaaObservation* outObservation) {
+    return guarded(log, "agaaObserve", [&]() -> AgaaResult {
+        const ViewSettings settings = resolveView(view);
+        const Plan plan = makePlan(settings, capsOrIdeal(caps), 2);
+        const AgaaObservation previous = readStruct(outObservation);
+        writeStruct(outObservation, observe(settings, plan, readStruct(statistics), previous));
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaChooseSettings(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
+                                        const AgaaGoal* goal, const AgaaObservation* observation, const AgaaChoice* current,
+                                        AgaaChoice* outChoice) {
+    return guarded(log, "agaaChooseSettings", [&]() -> AgaaResult {
+        const ViewSettings settings = resolveView(view);
+        const AgaaDeviceCaps device = capsOrIdeal(caps);
+        const AgaaGoal known = readStruct(goal);
+        const AgaaObservation seen = observation ? readStruct(observation) : AgaaObservation AGAA_OBSERVATION_INIT;
+        const AgaaChoice last = current ? readStruct(current) : AgaaChoice AGAA_CHOICE_INIT;
+        checkOutput(outChoice);
+        writeStruct(outChoice, chooseSettings(settings, device, known, seen, last));
+        return AGAA_OK;
+    });
+}
+
+AgaaResult AGAA_CALL agaaApplyChoice(const AgaaChoice* choice, AgaaConfig* config, AgaaAggregation* aggregation,
+                                     AgaaMeasurement* measurement) {
+    return guarded(Log(), "agaaApplyChoice", [&]() -> AgaaResult {
+        const AgaaChoice known = readStruct(choice);
+        checkOutput(config, configChain());
+        checkOutput(aggregation, configChain());
+        if (measurement)
+            checkOutput(measurement, configChain());
+        applyChoice(known, *config, *aggregation, measurement);
+        return AGAA_OK;
     });
 }
 

@@ -31,11 +31,12 @@ constexpr Preset presets[] = {
     {"accurate", 4, 0.1f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, AGAA_CONFIG_FINE_MATERIALS, 0},
 };
 
+constexpr Preset defaults = {"", 2, 0.02f, AGAA_SEEDS_MAXIMIN, 0, 0.0f, AGAA_NDF_TOKSVIG, 0, 0};
+
 void apply(const Preset& preset, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
     const bool isDefault = preset.seeds == AGAA_SEEDS_MAXIMIN && preset.measurementFlags == 0;
     if (!measurement && !isDefault)
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("the preset \"%s\" needs an AgaaMeasurement.", preset.name));
-    config.technique = "agaa";
     config.aggregates = preset.aggregates;
     config.surfaceCosine = config.surfaceDistance = config.surfaceMaterial = 0;
     config.shadowTaps = 0;
@@ -50,6 +51,25 @@ void apply(const Preset& preset, AgaaConfig& config, AgaaAggregation& aggregatio
     measurement->flags = (measurement->flags & ~decidedMeasurement) | preset.measurementFlags;
 }
 
+void setPreset(const Preset& preset, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
+    apply(preset, config, aggregation, measurement);
+    config.technique = "agaa";
+}
+
+// Whether it would change nothing.
+bool isApplied(const Preset& preset, const AgaaConfig& config, const AgaaAggregation& aggregation,
+               const AgaaMeasurement& measurement) {
+    AgaaConfig c = config;
+    AgaaAggregation a = aggregation;
+    AgaaMeasurement m = measurement;
+    apply(preset, c, a, &m);
+    return c.aggregates == config.aggregates && c.surfaceCosine == config.surfaceCosine &&
+           c.surfaceDistance == config.surfaceDistance && c.surfaceMaterial == config.surfaceMaterial &&
+           c.shadowTaps == config.shadowTaps && c.ndf == config.ndf && c.flags == config.flags &&
+           a.aggregateThreshold == aggregation.aggregateThreshold && a.litShadows == aggregation.litShadows &&
+           a.glossWeight == aggregation.glossWeight && m.seeds == measurement.seeds && m.flags == measurement.flags;
+}
+
 } // namespace
 
 std::vector<const char*> presetNames() {
@@ -62,8 +82,21 @@ std::vector<const char*> presetNames() {
 void applyPreset(const char* name, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
     for (const Preset& preset : presets)
         if (isSameName(preset.name, name))
-            return apply(preset, config, aggregation, measurement);
+            return setPreset(preset, config, aggregation, measurement);
     fail(AGAA_ERROR_INVALID_ARGUMENT, format("no preset is called \"%.64s\".", name));
+}
+
+void applyDefaults(AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
+    apply(defaults, config, aggregation, measurement);
+}
+
+const char* presetOf(const AgaaConfig& config, const AgaaAggregation& aggregation, const AgaaMeasurement& measurement) {
+    if (!isSameName(config.technique, "agaa"))
+        return nullptr;
+    for (const Preset& preset : presets)
+        if (isApplied(preset, config, aggregation, measurement))
+            return preset.name;
+    return nullptr;
 }
 
 } // namespace agaa

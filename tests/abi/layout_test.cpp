@@ -39,6 +39,9 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaFactReport, 648);
     EXPECT_SIZE(AgaaFrameStatistics, 2912);
     EXPECT_SIZE(AgaaFrameValidation, 1120);
+    EXPECT_SIZE(AgaaGoal, 56);
+    EXPECT_SIZE(AgaaObservation, 88);
+    EXPECT_SIZE(AgaaChoice, 1400);
     EXPECT_SIZE(AgaaVkRequirements, 56);
     EXPECT_SIZE(AgaaVkDeviceDesc, 96);
     EXPECT_SIZE(AgaaVkAllocator, 40);

@@ -48,6 +48,16 @@ struct RenderArguments {
     std::string exr;
 };
 
+// Limits of choose; 0: none.
+struct ChooseArguments {
+    float maxError = 0, maxMse = 0, sceneShare = 0.8f, maxMs = 0;
+    uint64_t maxBytes = 0;
+    std::string prefer = "time";
+    bool oneGeometryPass = false;
+    bool noFetch = false;
+    bool observe = false;
+};
+
 struct CompareArguments {
     std::string reference;
     std::string test;
@@ -64,6 +74,8 @@ void runMemory(const PlanArguments& plan, const DeviceArguments& device, bool js
 void runPlan(const RenderArguments& arguments, bool sceneGiven, bool json);
 // What effects and steps of n and c would cost. timesPath: a file of measured times, or empty.
 void runPrice(const RenderArguments& arguments, const std::string& timesPath, bool sceneGiven, bool json);
+// Settings for a goal. sceneGiven: as of runPlan.
+void runChoose(const RenderArguments& arguments, const ChooseArguments& chosen, bool sceneGiven, bool json);
 void runScenes(bool json);
 void runRender(const RenderArguments& arguments, bool json);
 void runReference(const RenderArguments& arguments, bool json);

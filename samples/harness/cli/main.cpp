@@ -100,6 +100,18 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
     app.add_flag("--no-timestamps", a.noTimestamps);
 }
 
+void addGoalOptions(CLI::App& app, ChooseArguments& a) {
+    app.add_option("--max-error", a.maxError, "largest error by that of single, 0 to 1");
+    app.add_option("--max-mse", a.maxMse, "largest mean square error after tone mapping");
+    app.add_option("--scene-share", a.sceneShare, "of the table's scenes in which the error limits hold, 0 to 1");
+    app.add_option("--max-ms", a.maxMs, "milliseconds of geometry passes and SDK passes");
+    app.add_option("--max-bytes", a.maxBytes, "of the view's per-pixel surfaces");
+    app.add_option("--prefer", a.prefer, "what is least within the limits: time or error");
+    app.add_flag("--one-geometry-pass", a.oneGeometryPass, "no settings that draw the scene more than once");
+    app.add_flag("--no-fetch", a.noFetch, "without an AgaaFetchFunction");
+    app.add_flag("--observe", a.observe, "render frames of --technique, or of single, and choose by what they show");
+}
+
 // What the API said when devices went, of objects that were left, say: the exit status.
 int tellLeftovers() {
     const std::vector<ApiMessage> messages = takeLeftoverMessages();
@@ -140,6 +152,15 @@ int run(int argc, char** argv) {
     CLI::App* price = command("price", "what effects and steps of n and c would cost; needs no GPU");
     addRenderOptions(*price, priceArguments);
     price->add_option("--times", priceTimes, "JSON file of measured times: {device, effects: {name: {ratio}}}");
+
+    RenderArguments chooseArguments;
+    chooseArguments.device.backend.clear();
+    chooseArguments.plan.technique = "single";
+    chooseArguments.plan.samples = 1;
+    ChooseArguments limits;
+    CLI::App* choose = command("choose", "settings for a limit of the error, the time or the memory");
+    addRenderOptions(*choose, chooseArguments);
+    addGoalOptions(*choose, limits);
 
     CLI::App* scenes = command("scenes", "the built-in scenes");
 
@@ -190,6 +211,8 @@ int run(int argc, char** argv) {
         runPlan(planArguments, plan->count("--scene") > 0, json);
     else if (*price)
         runPrice(priceArguments, priceTimes, price->count("--scene") > 0, json);
+    else if (*choose)
+        runChoose(chooseArguments, limits, choose->count("--scene") > 0, json);
     else if (*scenes)
         runScenes(json);
     else if (*render)

@@ -13,6 +13,8 @@ void addCoreCases(Suite& suite) {
     addCapabilityCases(suite);
     addMemoryCases(suite);
     addPriceCases(suite);
+    addGoalCases(suite);
+    addGoalMemberCases(suite);
     addTextCases(suite);
     addRequirementCases(suite);
     addThreadCases(suite);

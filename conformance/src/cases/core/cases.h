@@ -17,6 +17,8 @@ void addPresetCases(Suite& suite);
 void addCapabilityCases(Suite& suite);
 void addMemoryCases(Suite& suite);
 void addPriceCases(Suite& suite);
+void addGoalCases(Suite& suite);
+void addGoalMemberCases(Suite& suite);
 void addTextCases(Suite& suite);
 void addRequirementCases(Suite& suite);
 void addThreadCases(Suite& suite);

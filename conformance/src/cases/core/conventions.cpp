@@ -25,6 +25,13 @@ void testNullPointers(Test& test) {
            test.sdk.agaaQueryMemory(nullptr, nullptr, log.get(), nullptr, nullptr, nullptr));
     expect("agaaQueryPrices", "view = null", test.sdk.agaaQueryPrices(nullptr, nullptr, log.get(), &count, nullptr));
     expect("agaaQueryPrices", "count = null", test.sdk.agaaQueryPrices(view, nullptr, log.get(), nullptr, nullptr));
+    AgaaGoal goal = AGAA_GOAL_INIT;
+    AgaaChoice choice = AGAA_CHOICE_INIT;
+    AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
+    AgaaObservation observation = AGAA_OBSERVATION_INIT;
+    expect("agaaObserve", "view = null", test.sdk.agaaObserve(nullptr, nullptr, log.get(), &statistics, &observation));
+    expect("agaaChooseSettings", "view = null",
+           test.sdk.agaaChooseSettings(nullptr, nullptr, log.get(), &goal, nullptr, nullptr, &choice));
     expect("agaaQueryTarget", "view = null", test.sdk.agaaQueryTarget(nullptr, nullptr, log.get(), &target));
     expect("agaaQueryTarget", "outTarget = null", test.sdk.agaaQueryTarget(view, nullptr, log.get(), nullptr));
     expect("agaaPlanToJson", "view = null", test.sdk.agaaPlanToJson(nullptr, nullptr, log.get(), &size, nullptr));

@@ -1,5 +1,6 @@
 // How a call is made with each struct that functions without a device take.
 #include "cases.h"
+#include "goal_parts.h"
 #include "header_check.h"
 #include "view_parts.h"
 
@@ -135,6 +136,18 @@ std::vector<HeaderCase> inputs() {
              ViewParts parts(test.sdk, nullptr);
              return test.sdk.agaaQueryMemory(&parts.desc, &as<AgaaDeviceCaps>(structure), log, nullptr, nullptr, nullptr);
          }},
+        {"AgaaGoal", "agaaChooseSettings", nullptr,
+         [](Test& test, void* structure, const AgaaLog* log) {
+             GoalParts parts(test.sdk);
+             return test.sdk.agaaChooseSettings(parts.get(), nullptr, log, &as<AgaaGoal>(structure), nullptr, nullptr,
+                                                &parts.choice);
+         }},
+        {"AgaaObservation", "agaaChooseSettings", nullptr,
+         [](Test& test, void* structure, const AgaaLog* log) {
+             GoalParts parts(test.sdk);
+             return test.sdk.agaaChooseSettings(parts.get(), nullptr, log, &parts.goal, &as<AgaaObservation>(structure), nullptr,
+                                                &parts.choice);
+         }},
     };
 }
 
@@ -154,6 +167,13 @@ std::vector<HeaderCase> outputs() {
          true},
         {"AgaaSurface", "agaaQueryMemory", nullptr, callSurfaces, true},
         {"AgaaPrice", "agaaQueryPrices", nullptr, callPrices, true},
+        {"AgaaChoice", "agaaChooseSettings", nullptr,
+         [](Test& test, void* structure, const AgaaLog* log) {
+             GoalParts parts(test.sdk);
+             return test.sdk.agaaChooseSettings(parts.get(), nullptr, log, &parts.goal, nullptr, nullptr,
+                                                &as<AgaaChoice>(structure));
+         },
+         true},
         {"AgaaCapability", "agaaQueryCapabilities", nullptr, callCapabilities, true, false},
         {"AgaaVkRequirements", "agaaVkGetRequirements", nullptr,
          [](Test& test, void* structure, const AgaaLog*) {
@@ -171,6 +191,18 @@ std::vector<HeaderCase> outputs() {
 // Structs that a second function takes: tests have the name of the struct and the function.
 std::vector<HeaderCase> further() {
     return {
+        {"AgaaObservation", "agaaObserve", nullptr,
+         [](Test& test, void* structure, const AgaaLog* log) {
+             GoalParts parts(test.sdk);
+             return test.sdk.agaaObserve(parts.get(), nullptr, log, &parts.statistics, &as<AgaaObservation>(structure));
+         },
+         true},
+        {"AgaaChoice", "agaaChooseSettings", nullptr,
+         [](Test& test, void* structure, const AgaaLog* log) {
+             GoalParts parts(test.sdk);
+             return test.sdk.agaaChooseSettings(parts.get(), nullptr, log, &parts.goal, nullptr, &as<AgaaChoice>(structure),
+                                                &parts.choice);
+         }},
         {"AgaaLayout", "agaaGetBuiltinLayout", nullptr,
          [](Test& test, void* structure, const AgaaLog*) {
              return test.sdk.agaaGetBuiltinLayout("paper16", &as<AgaaLayout>(structure));

@@ -98,6 +98,38 @@ std::string prices(const Functions& sdk, uint32_t variant) {
     return text;
 }
 
+std::string observation(const Functions& sdk, uint32_t variant) {
+    ViewParts parts(sdk, nullptr);
+    vary(parts, variant);
+    LogRecorder log;
+    AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
+    statistics.counters.visible = statistics.counters.shadingEvents = 1000 + variant;
+    AgaaObservation out = AGAA_OBSERVATION_INIT;
+    const AgaaResult result = sdk.agaaObserve(&parts.desc, &parts.caps, log.get(), &statistics, &out);
+    return std::to_string(result) + bytesOf(out) + logText(log);
+}
+
+std::string choice(const Functions& sdk, uint32_t variant) {
+    ViewParts parts(sdk, nullptr);
+    vary(parts, variant);
+    LogRecorder log;
+    AgaaGoal goal = AGAA_GOAL_INIT;
+    goal.maxErrorShare = 1.0f / float(1 + variant * variant);
+    AgaaChoice out = AGAA_CHOICE_INIT;
+    const AgaaResult result = sdk.agaaChooseSettings(&parts.desc, &parts.caps, log.get(), &goal, nullptr, nullptr, &out);
+    return std::to_string(result) + bytesOf(out) + logText(log);
+}
+
+std::string appliedChoice(const Functions& sdk, uint32_t variant) {
+    AgaaConfig config = AGAA_CONFIG_INIT;
+    AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
+    AgaaChoice made = AGAA_CHOICE_INIT;
+    made.technique = "ssaa";
+    made.samples = 4 << (variant % 4); // no row has 16
+    const AgaaResult result = sdk.agaaApplyChoice(&made, &config, &aggregation, nullptr);
+    return std::to_string(result) + bytesOf(config) + bytesOf(aggregation);
+}
+
 template <class Function> std::string viewText(const Functions& sdk, uint32_t variant, Function function) {
     ViewParts parts(sdk, nullptr);
     vary(parts, variant);
@@ -196,7 +228,8 @@ void addThreadCases(Suite& suite) {
         std::string (*answer)(const Functions&, uint32_t);
     };
     for (const Row& row : {Row{"agaaQueryMemory", memory}, Row{"agaaQueryTarget", target}, Row{"agaaQueryPrices", prices},
-                           Row{"agaaPlanToJson", plan},
+                           Row{"agaaPlanToJson", plan}, Row{"agaaObserve", observation},
+                           Row{"agaaChooseSettings", choice}, Row{"agaaApplyChoice", appliedChoice},
                            Row{"agaaGetAggregateGlsl", aggregateGlsl}, Row{"agaaGetCoverageGlsl", coverage},
                            Row{"agaaQueryCapabilities", capabilities}, Row{"agaaGetBuiltinLayout", layout},
                            Row{"agaaApplyPreset", preset}, Row{"agaaGetNames", names}, Row{"agaaTierName", tierNames},

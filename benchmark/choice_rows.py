@@ -1,0 +1,37 @@
+"""The rows of a sweep that agaaChooseSettings chooses among."""
+import dataclasses
+
+# Follows the paper for comparison, and needs an AgaaMeasurement: not for hosts.
+LEFT_OUT = {"paper"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Candidate:
+    technique: str
+    samples: int
+    aggregates: int  # 0: none
+    preset: str      # "": none
+    tier: str        # of generation, "": AUTO
+
+    @property
+    def name(self):
+        parts = [self.technique, str(self.samples), self.preset or (str(self.aggregates) if self.aggregates else ""), self.tier]
+        return "-".join(part for part in parts if part)
+
+
+def candidate(row):
+    return Candidate(row["technique"], row["n"], row["c"], row["preset"], row["tiers"].get("generation", ""))
+
+
+def scenes(results):
+    """Without the plain variants of others."""
+    return [scene for scene in results["backends"][0]["scenes"] if not scene["plain"]]
+
+
+def candidates(results):
+    """In the order of the sweep: those that every scene has."""
+    found = None
+    for scene in scenes(results):
+        here = [candidate(row) for row in scene["rows"] if row["shadingCost"] == 1 and row["preset"] not in LEFT_OUT]
+        found = here if found is None else [row for row in found if row in here]
+    return list(dict.fromkeys(found))

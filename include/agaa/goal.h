@@ -1,0 +1,196 @@
+/* Settings for a goal: a limit of the error, the time or the memory, instead of a technique. Part of agaa_sdk.h.
+ * SPDX-License-Identifier: MIT */
+#ifndef AGAA_GOAL_H
+#define AGAA_GOAL_H
+
+#include "agaa/query.h"
+#include "agaa/statistics.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- goals ---------------------------------------------------------------------------------- */
+
+/* What is least once all limits hold. */
+typedef enum AgaaPreference {
+    AGAA_PREFER_TIME = 0,
+    AGAA_PREFER_ERROR = 1,
+    AGAA_PREFER_MAX_ENUM = 0x7FFFFFFF
+} AgaaPreference;
+
+/* Bits of AgaaGoal::flags. */
+#define AGAA_GOAL_ONE_GEOMETRY_PASS UINT64_C(0x01) /* leave out settings that draw the scene more than once in a frame */
+
+/* Limits, and what is least within them. Errors are mean square errors after tone mapping, against full sampling. Predicted
+ * errors are those of the ten scenes of docs/choosing.md: they do not depend on what a frame shows. */
+typedef struct AgaaGoal {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;     /* null */
+    float maxErrorShare;   /* error by that of "single" in the same scene, [0, 1]; 0: no limit */
+    float maxError;        /* error, [0, inf); 0: no limit */
+    float sceneShare;      /* the error limits hold in this share of the ten scenes, [0, 1]. 0.5: the median, 1: the worst */
+    float maxMilliseconds; /* geometry passes and passes of the library, [0, inf); 0: no limit */
+    uint64_t maxBytes;     /* AgaaMemoryReport::totalBytes; 0: no limit */
+    uint32_t prefer;       /* AgaaPreference */
+    uint32_t reserved;     /* 0 */
+    uint64_t flags;        /* AGAA_GOAL_… */
+} AgaaGoal;
+#define AGAA_GOAL_INIT                                                                              \
+    {AGAA_STRUCTURE_TYPE_GOAL, (uint32_t)sizeof(AgaaGoal), NULL, 0.0f, 0.0f, 0.8f, 0.0f, 0, AGAA_PREFER_TIME, 0, 0}
+AGAA_API void AGAA_CALL agaaInitGoal(AgaaGoal* outGoal, size_t structSize);
+
+/* ---- observations --------------------------------------------------------------------------- */
+
+/* Bits of AgaaObservation::flags: members that are known. */
+#define AGAA_OBSERVED_COUNTS UINT64_C(0x01)
+#define AGAA_OBSERVED_TIMES UINT64_C(0x02)
+
+/* What a finished frame showed, and the settings that rendered it. agaaObserve fills it; a host may also fill it by its own
+ * timers. */
+typedef struct AgaaObservation {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;       /* null */
+    uint64_t flags;          /* AGAA_OBSERVED_… */
+    const char* technique;   /* of the frame; null: unknown */
+    const char* preset;      /* null: none */
+    uint32_t samples;        /* n, [0, 128]; 0: unknown */
+    uint32_t aggregates;     /* c or S, [0, 8]; 0: none */
+    uint32_t generationTier; /* AgaaTier that ran; AUTO: none */
+    uint32_t reserved;       /* 0 */
+    uint64_t pixels;         /* of the frame; 0: unknown */
+    /* With AGAA_OBSERVED_COUNTS. */
+    float coverage;           /* share of the samples with geometry, [0, 1] */
+    float eventsPerPixel;     /* shading events, mean over all pixels, [0, 1e6] */
+    float lightsPerEvent;     /* lights that a shading event evaluates, mean, [0, 1e6] */
+    float shadowTapsPerEvent; /* look-ups in all shadows, mean, [0, 1e6] */
+    /* With AGAA_OBSERVED_TIMES. */
+    float geometryMilliseconds; /* stages prepass, definition and generation, [0, 1e9] */
+    float shadingMilliseconds;  /* all other stages, [0, 1e9] */
+} AgaaObservation;
+#define AGAA_OBSERVATION_INIT                                                                       \
+    {AGAA_STRUCTURE_TYPE_OBSERVATION, (uint32_t)sizeof(AgaaObservation), NULL, 0, NULL, NULL, 0, 0, 0, 0, 0, \
+     0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f}
+AGAA_API void AGAA_CALL agaaInitObservation(AgaaObservation* outObservation, size_t structSize);
+
+/* Reads an observation from the statistics of a frame.
+ *
+ * view             The description of the view that rendered the frame.
+ * caps             Those of the context. Null: an ideal device.
+ * log              May be null.
+ * statistics       Of the frame (agaaGetFrameStatistics). Counts are known if the view has AGAA_CONFIG_COUNTERS, times if all
+ *                  passes are timed.
+ * outObservation   Initialised; unchanged on failure. Counts or times that the statistics lack keep their values if they
+ *                  are of the same settings and number of pixels; otherwise they become unknown. A host that counts in some
+ *                  frames and times others passes the same struct for both: counting makes frames slower. Its technique and
+ *                  preset have static storage.
+ *
+ * Errors           Those of agaaQueryMemory that concern the description, and
+ *                  AGAA_ERROR_INVALID_ARGUMENT   a pointer is null
+ *                  AGAA_ERROR_STRUCT             statistics or outObservation is not initialised
+ *                  AGAA_ERROR_OUT_OF_RANGE       statistics has more than AGAA_MAX_PASSES passes, or a time that is negative
+ *                                                or not finite
+ * Threads          Any. */
+AGAA_API AgaaResult AGAA_CALL agaaObserve(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
+                                          const AgaaFrameStatistics* statistics, AgaaObservation* outObservation);
+
+/* ---- choices -------------------------------------------------------------------------------- */
+
+/* Bits of AgaaChoice::missedLimits. */
+#define AGAA_LIMIT_ERROR_SHARE UINT32_C(0x01)
+#define AGAA_LIMIT_ERROR UINT32_C(0x02)
+#define AGAA_LIMIT_MILLISECONDS UINT32_C(0x04)
+#define AGAA_LIMIT_BYTES UINT32_C(0x08)
+
+#define AGAA_CHOICE_MEMORY 200
+typedef struct AgaaChoice {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;       /* null */
+    const char* technique;   /* static storage; null: nothing is chosen yet */
+    const char* preset;      /* of agaaApplyPreset, static storage; null: none */
+    uint32_t samples;        /* n */
+    uint32_t aggregates;     /* c or S; 0: the technique has none */
+    uint32_t generationTier; /* AgaaTier; AUTO: the technique has none */
+    uint32_t hasChanged;     /* 1: the settings differ from those of `current`, or there was no current choice */
+    uint32_t missedLimits;   /* AGAA_LIMIT_… that the choice is predicted to miss, because no settings hold all limits, or
+                                by less than the margin that keeps the current choice */
+    uint32_t leftOut;        /* settings of the table that the device, the view or the goal's flags do not allow */
+    float errorShare;        /* predicted error by that of "single", in AgaaGoal::sceneShare of the scenes */
+    float errorShareMedian;  /* in half of the scenes */
+    float errorShareWorst;   /* in all scenes */
+    float error;             /* predicted error, in AgaaGoal::sceneShare of the scenes */
+    float milliseconds;      /* predicted. Until a call had observed times, of the device of the table */
+    uint32_t hasTimes;       /* 1: a call had observed times */
+    uint64_t bytes;          /* AgaaMemoryReport::totalBytes */
+    char reason[512];        /* what was chosen and why, one to three sentences */
+    float memory[AGAA_CHOICE_MEMORY]; /* what the library remembers from one call to the next, [0, inf). Pass it on
+                                         unchanged */
+} AgaaChoice;
+#define AGAA_CHOICE_INIT                                                                            \
+    {AGAA_STRUCTURE_TYPE_CHOICE, (uint32_t)sizeof(AgaaChoice), NULL, NULL, NULL, 0, 0, 0, 0, 0, 0,   \
+     0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, {0}, {0.0f}}
+AGAA_API void AGAA_CALL agaaInitChoice(AgaaChoice* outChoice, size_t structSize);
+
+/* Chooses the technique, its tier, n, c and preset for a goal, among the settings of a table that was measured on ten scenes
+ * (docs/integration/goals.md). It creates nothing: if hasChanged is 1, the host applies the choice (agaaApplyChoice) and
+ * creates another view.
+ *
+ * A byte limit goes before the other limits. If no settings hold all limits, the choice is the one whose largest ratio of a
+ * predicted number to its limit is least.
+ *
+ * The current choice changes only in these cases, so that noise of times does not make it alternate:
+ * - The view, the device or the goal's flags no longer allow it.
+ * - It misses the limit of bytes, and other settings hold it; or a limit of the error, and other settings hold all limits.
+ * - It misses the limit of time by more than 10 %, or cannot hold all limits. Settings that hold all limits, that of time with
+ *   10 % to spare, replace it; if there are none, settings whose largest ratio is 15 % less.
+ * - Settings that hold all limits, that of time with 10 % to spare, need 15 % less time; with AGAA_PREFER_ERROR, have a
+ *   smaller error.
+ * If times were observed, the last two apply only after 16 observations with times of the current choice. Predictions follow
+ * means of about 16 observations. Settings that ran before are predicted by their own times.
+ *
+ * view          The size, layout, facts, functions and flags of the view. Of its settings, those that agaaApplyChoice sets
+ *               do not count.
+ * caps          Those of the context. Null: an ideal device.
+ * log           May be null.
+ * observation   Of a frame of any settings. Null: none since the last call. Frames of settings that are not in the table are
+ *               not used.
+ * current       The result of the last call, or initialised. May be null, and may be outChoice.
+ * outChoice     Initialised; unchanged on failure.
+ *
+ * Errors        AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, functions of the host exclude each other, their
+ *                                             glslExtensions are not valid, or current has settings that are not in the
+ *                                             table
+ *               AGAA_ERROR_STRUCT             a struct is not initialised
+ *               AGAA_ERROR_OUT_OF_RANGE       a number is not finite or out of its range, a flag is unknown, or a reserved
+ *                                             member is not 0
+ *               AGAA_ERROR_LAYOUT             the layout is not valid
+ *               AGAA_ERROR_TOO_LARGE          AgaaFetchFunction has more draws and primitives than ids distinguish
+ *               AGAA_ERROR_UNSUPPORTED        the view's technique is unknown, or no settings of the table can be planned
+ * Threads       Any. */
+AGAA_API AgaaResult AGAA_CALL agaaChooseSettings(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
+                                                 const AgaaGoal* goal, const AgaaObservation* observation,
+                                                 const AgaaChoice* current, AgaaChoice* outChoice);
+
+/* Applies a choice to the settings of a view.
+ *
+ * choice        Of agaaChooseSettings.
+ * config        Receives technique, samples, aggregates, both tiers, and what agaaApplyPreset sets: without a preset, the
+ *               defaults. All other members keep their values.
+ * aggregation   Receives what agaaApplyPreset sets: without a preset, the defaults. Chain it to config.
+ * measurement   Receives seeds and the flags of filters and routing. Chain it to config. May be null.
+ *
+ * Errors        AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, or the choice has settings that are not in the table
+ *               AGAA_ERROR_STRUCT             a struct is not initialised
+ *               AGAA_ERROR_UNKNOWN_STRUCT     a chain holds an unknown struct, a struct twice, or does not end
+ *               On failure all structs keep their values.
+ * Threads       Any. */
+AGAA_API AgaaResult AGAA_CALL agaaApplyChoice(const AgaaChoice* choice, AgaaConfig* config, AgaaAggregation* aggregation,
+                                              AgaaMeasurement* measurement);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* AGAA_GOAL_H */

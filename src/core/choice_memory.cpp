@@ -1,0 +1,102 @@
+#include "core/choice_memory.h"
+
+#include "core/names.h"
+#include "core/validate.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace agaa {
+
+namespace {
+
+constexpr float meanOf = 16; // observations
+
+void addTo(float& mean, double value, float count) {
+    mean += (float(value) - mean) / std::min(count, meanOf);
+}
+
+} // namespace
+
+const ChoiceRow* findRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, uint32_t tier) {
+    for (const ChoiceRow& row : choiceRows())
+        if (technique && isSameName(row.technique, technique) && row.samples == samples && row.aggregates == aggregates &&
+            isSameName(row.preset, preset ? preset : "") && uint32_t(row.tier) == tier)
+            return &row;
+    return nullptr;
+}
+
+const ChoiceRow* rowOf(const AgaaObservation& o) {
+    return findRow(o.technique, o.samples, o.aggregates, o.preset, o.generationTier);
+}
+
+ChoiceMemory::ChoiceMemory(const AgaaChoice& choice) {
+    require(choiceRows().size() <= maxRows, AGAA_ERROR_INTERNAL, "the table of choices has too many rows.");
+    for (const float number : choice.memory)
+        checkRange(double(number), 0.0, 1e12, "AgaaChoice::memory");
+    std::memcpy(&numbers_, choice.memory, sizeof numbers_);
+}
+
+void ChoiceMemory::store(AgaaChoice& choice) const { std::memcpy(choice.memory, &numbers_, sizeof numbers_); }
+
+size_t ChoiceMemory::indexOf(const ChoiceRow& row) { return size_t(&row - choiceRows().data()); }
+
+SceneTerms ChoiceMemory::terms(const AgaaSceneFacts& facts) const {
+    SceneTerms terms = usualTerms(facts);
+    if (numbers_.complexity > 0)
+        terms.complexity = numbers_.complexity - 1;
+    if (numbers_.count > 0) {
+        terms.coverage = numbers_.coverage;
+        terms.lights = numbers_.lights;
+        terms.shadows = numbers_.shadows;
+    }
+    return terms;
+}
+
+void ChoiceMemory::learn(const AgaaObservation& observation, const AgaaSceneFacts& facts) {
+    const ChoiceRow* row = rowOf(observation);
+    if (!row)
+        return;
+    if ((observation.flags & AGAA_OBSERVED_COUNTS) && observation.coverage > 0)
+        learnCounts(observation, *row);
+    if ((observation.flags & AGAA_OBSERVED_TIMES) && observation.pixels > 0)
+        learnTimes(observation, *row, facts);
+}
+
+void ChoiceMemory::learnCounts(const AgaaObservation& o, const ChoiceRow& row) {
+    const float count = numbers_.count += 1;
+    const double events = double(o.eventsPerPixel) / o.coverage;
+    if (const std::optional<double> complexity = complexityOf(row, events))
+        addTo(numbers_.complexity, *complexity + 1, numbers_.complexity > 0 ? count : 1);
+    const double usual = numbers_.complexity > 0 ? numbers_.complexity - 1 : usualTerms(AGAA_SCENE_FACTS_INIT).complexity;
+    addTo(numbers_.coverage, o.coverage, count);
+    addTo(numbers_.lights, o.lightsPerEvent / row.lightRatio, count);
+    if (const double taps = tapsOf(row, usual); taps > 0)
+        addTo(numbers_.shadows, o.shadowTapsPerEvent * events / taps, count);
+}
+
+// A row that did not run yet starts with the prediction, so that its first frame does not decide alone.
+void ChoiceMemory::learnTimes(const AgaaObservation& o, const ChoiceRow& row, const AgaaSceneFacts& facts) {
+    const FrameTimes table = predictTimes(row, terms(facts), o.pixels);
+    const auto ratio = [](float observed, double predicted) { return std::clamp(observed / std::max(predicted, 1e-12), 1e-6, 1e12); };
+    Row& memory = numbers_.rows[indexOf(row)];
+    if (memory.count == 0 && hasTimes())
+        memory = {numbers_.geometry, numbers_.shading, 1};
+    memory.count += 1;
+    addTo(memory.geometry, ratio(o.geometryMilliseconds, table.geometry), memory.count);
+    addTo(memory.shading, ratio(o.shadingMilliseconds, table.shading), memory.count);
+    numbers_.geometry = memory.geometry;
+    numbers_.shading = memory.shading;
+}
+
+double ChoiceMemory::milliseconds(const ChoiceRow& row, const AgaaSceneFacts& facts, uint64_t pixels) const {
+    const FrameTimes table = predictTimes(row, terms(facts), pixels);
+    const Row& own = numbers_.rows[indexOf(row)];
+    if (own.count > 0)
+        return table.geometry * own.geometry + table.shading * own.shading;
+    if (hasTimes())
+        return table.geometry * numbers_.geometry + table.shading * numbers_.shading;
+    return table.geometry + table.shading;
+}
+
+} // namespace agaa

@@ -1,0 +1,52 @@
+// What choices remember of the frames that were observed.
+#pragma once
+
+#include "core/cost_model.h"
+
+namespace agaa {
+
+// The row of these settings, or null. preset: null or empty: none.
+const ChoiceRow* findRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, uint32_t tier);
+const ChoiceRow* rowOf(const AgaaObservation& observation);
+
+// As AgaaChoice::memory holds it. 0 is what no frame has shown.
+class ChoiceMemory {
+public:
+    // Throws Error where a number is not finite or negative.
+    explicit ChoiceMemory(const AgaaChoice& choice);
+    void store(AgaaChoice& choice) const;
+
+    void learn(const AgaaObservation& observation, const AgaaSceneFacts& facts);
+    // Of the settings that run now.
+    void countObservation() { numbers_.held += 1; }
+    void startHolding() { numbers_.held = 0; }
+    float held() const { return numbers_.held; }
+
+    bool hasTimes() const { return numbers_.geometry > 0; }
+    // Of a frame: by the times of these settings, or else by those of the settings that ran last.
+    double milliseconds(const ChoiceRow& row, const AgaaSceneFacts& facts, uint64_t pixels) const;
+
+private:
+    static constexpr size_t maxRows = 64;
+    struct Row {
+        float geometry, shading; // times by those of the table
+        float count;             // of observations
+    };
+    struct Numbers {
+        float held;  // observations of the current choice, since it was chosen
+        float count; // of observed counts
+        float coverage, complexity, lights, shadows; // means; complexity plus 1
+        float geometry, shading; // of the row that ran last
+        Row rows[maxRows];
+    };
+    static_assert(sizeof(Numbers) == sizeof AgaaChoice::memory);
+
+    SceneTerms terms(const AgaaSceneFacts& facts) const;
+    void learnCounts(const AgaaObservation& observation, const ChoiceRow& row);
+    void learnTimes(const AgaaObservation& observation, const ChoiceRow& row, const AgaaSceneFacts& facts);
+    static size_t indexOf(const ChoiceRow& row);
+
+    Numbers numbers_;
+};
+
+} // namespace agaa

@@ -1,0 +1,22 @@
+// Why a choice was made, in sentences.
+#pragma once
+
+#include "core/cost_model.h"
+
+#include <string>
+
+namespace agaa {
+
+// Settings of the table that the view can have, as they are predicted.
+struct Candidate {
+    const ChoiceRow* row;
+    float errorShare, error; // in AgaaGoal::sceneShare of the scenes
+    double milliseconds;
+    uint64_t bytes;
+};
+
+// Writes AgaaChoice::reason. holding: of `count` settings, those that hold all limits. leftOutBecause: of the first one that
+// was left out.
+void explain(AgaaChoice& choice, const AgaaGoal& goal, size_t holding, size_t count, const std::string& leftOutBecause);
+
+} // namespace agaa
