@@ -235,7 +235,8 @@ typedef struct AgaaFrame {
     /* The facts of this frame, or null: those of the view. They must be the same in all segments of a frame, and within the
      * facts of the view: effects, maxLights and shadowMapCount only fewer. Otherwise the frame fails with
      * AGAA_ERROR_OUT_OF_RANGE. lightCount and shadowCount are checked against them. The frame is shown without the effects
-     * that they leave out: SPECULAR, EMISSIVE, AMBIENT and shadows. All other flags have no effect on a frame. Layouts,
+     * that they leave out: SPECULAR, EMISSIVE, AMBIENT and shadows. A frame without ALPHA_MASKED or CUSTOM_DEPTH is shown as
+     * one with them. Common values (ONE_ROUGHNESS and the like) are those of the view, whatever the frame has. Layouts,
      * surfaces and draw passes are those of the view's facts, so that "msaa", which shades in a draw pass, shows all effects
      * of the view.
      * The SDK's passes save time if agaaPrepareVariants compiled them for these facts. Draws of a frame without SPECULAR must

@@ -12,7 +12,7 @@ extern "C" {
 
 /* ---- goals ---------------------------------------------------------------------------------- */
 
-/* What is least once all limits hold. */
+/* What the choice minimises among the settings that hold all limits. */
 typedef enum AgaaPreference {
     AGAA_PREFER_TIME = 0,
     AGAA_PREFER_ERROR = 1,
@@ -115,8 +115,8 @@ typedef struct AgaaChoice {
     uint32_t aggregates;     /* c or S; 0: the technique has none */
     uint32_t generationTier; /* AgaaTier; AUTO: the technique has none */
     uint32_t hasChanged;     /* 1: the settings differ from those of `current`, or there was no current choice */
-    uint32_t missedLimits;   /* AGAA_LIMIT_… that the choice is predicted to miss, because no settings hold all limits, or
-                                by less than the margin that keeps the current choice */
+    uint32_t missedLimits;   /* AGAA_LIMIT_… that the choice is predicted to miss. `reason` says why it is made or kept all the
+                                same */
     uint32_t leftOut;        /* settings of the table that the device, the view or the goal's flags do not allow */
     float errorShare;        /* predicted error by that of "single", in AgaaGoal::sceneShare of the scenes */
     float errorShareMedian;  /* in half of the scenes */

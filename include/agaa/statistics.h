@@ -91,7 +91,7 @@ typedef struct AgaaFrameStatistics {
     uint32_t variantShadowMaps;
     /* Of the view when the statistics are read, since it was created or resized: */
     uint32_t variantCount;       /* that frames may run with, >= 1: that of the view's facts, and the prepared ones */
-    double compileMilliseconds;  /* CPU time to create the pipelines or programs of the SDK's compute passes */
+    double compileMilliseconds;  /* elapsed time to create the pipelines or programs of the SDK's compute passes */
     uint32_t compiledPipelines;  /* pipelines or programs that were created; variants share equal ones */
     uint32_t cachedPipelines;    /* of these, programs from an AgaaGlProgramCache; 0 on Vulkan, where the driver alone knows */
 } AgaaFrameStatistics;
@@ -167,8 +167,10 @@ AGAA_API AgaaResult AGAA_CALL agaaValidateFrame(AgaaView view, uint64_t complete
 /* ---- scene facts ---------------------------------------------------------------------------- */
 
 /* What a frame says of the facts of its scene. A material is inspected each time that a fragment evaluates it in a pass that
- * stores or shades it, visible or not, and each time that a function of the host provides it. A difference of 0.001 or less
- * does not count; for roughness, that is a difference of GGX alpha. */
+ * stores or shades it, visible or not, and each time that a function of the host provides it to a pass that groups or shades
+ * samples. Differences and values of 0.002 or less do not count; for roughness, that is a difference of GGX alpha. Of materials
+ * that are fetched by id, masks are counted where the visibility pass draws them. Of an AgaaGBufferFunction masks are not
+ * known: then `sufficient` has the view's. */
 typedef struct AgaaFactReport {
     uint32_t sType;
     uint32_t structSize;

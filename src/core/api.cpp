@@ -282,7 +282,7 @@ AgaaResult AGAA_CALL agaaGetFactReport(AgaaView view, uint64_t completedFrame, A
     return guarded(logOf(view), "agaaGetFactReport", [&]() -> AgaaResult {
         require(view, AGAA_ERROR_INVALID_ARGUMENT, "the view is null.");
         AgaaFactReport report = readStruct(outReport);
-        const AgaaResult result = view->current->facts(completedFrame, report);
+        const AgaaResult result = reportFacts(*view, completedFrame, report);
         writeStruct(outReport, report);
         return result;
     });

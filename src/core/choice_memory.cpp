@@ -72,7 +72,7 @@ void ChoiceMemory::learnCounts(const AgaaObservation& o, const ChoiceRow& row) {
     addTo(numbers_.coverage, o.coverage, count);
     addTo(numbers_.lights, o.lightsPerEvent / row.lightRatio, count);
     if (const double taps = tapsOf(row, usual); taps > 0)
-        addTo(numbers_.shadows, o.shadowTapsPerEvent * events / taps, count);
+        addTo(numbers_.shadows, std::min(o.shadowTapsPerEvent * events / taps, double(AGAA_MAX_SHADOW_MAPS)), count);
 }
 
 // A row that did not run yet starts with the prediction, so that its first frame does not decide alone.

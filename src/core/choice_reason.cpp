@@ -34,22 +34,26 @@ std::string limitsText(uint32_t missed) {
     return text;
 }
 
-std::string whyText(const AgaaChoice& choice, const AgaaGoal& goal, size_t holding, size_t count) {
+std::string whyText(const AgaaChoice& choice, const AgaaGoal& goal, size_t holding, size_t count, bool waits) {
     const char* least = goal.prefer == AGAA_PREFER_TIME ? "time" : "error";
     if (holding == 0)
         return format("comes nearest: none of %zu settings holds all limits, and it misses %s", count,
                       limitsText(choice.missedLimits).c_str());
+    const char* until = waits ? " until more of its frames were observed" : "";
     if (choice.missedLimits)
-        return format("is kept within the margin, though it misses %s", limitsText(choice.missedLimits).c_str());
+        return format("is kept%s, though it misses %s%s", until, limitsText(choice.missedLimits).c_str(),
+                      waits ? "" : ": others would gain too little");
     if (!choice.hasChanged)
-        return format("is kept: no other of the %zu settings that hold all limits gains enough %s", holding, least);
-    return format("has the least %s of the %zu settings of %zu that hold all limits", least, holding, count);
+        return waits ? format("is kept%s", until)
+                     : format("is kept: no other of the %zu settings that hold all limits gains enough %s", holding, least);
+    return format("is chosen for its %s: %zu of %zu settings hold all limits", least, holding, count);
 }
 
 } // namespace
 
-void explain(AgaaChoice& choice, const AgaaGoal& goal, size_t holding, size_t count, const std::string& leftOutBecause) {
-    std::string text = settingsText(choice) + " " + whyText(choice, goal, holding, count) + ". ";
+void explain(AgaaChoice& choice, const AgaaGoal& goal, size_t holding, size_t count, bool waits,
+             const std::string& leftOutBecause) {
+    std::string text = settingsText(choice) + " " + whyText(choice, goal, holding, count, waits) + ". ";
     text += format("Predicted: error %.3g of single's (median %.3g, worst %.3g), %.3g ms%s, %.3g MB.", choice.errorShare,
                    choice.errorShareMedian, choice.errorShareWorst, choice.milliseconds,
                    choice.hasTimes ? "" : " on the table's device", double(choice.bytes) * 1e-6);

@@ -15,8 +15,9 @@ struct Candidate {
     uint64_t bytes;
 };
 
-// Writes AgaaChoice::reason. holding: of `count` settings, those that hold all limits. leftOutBecause: of the first one that
-// was left out.
-void explain(AgaaChoice& choice, const AgaaGoal& goal, size_t holding, size_t count, const std::string& leftOutBecause);
+// Writes AgaaChoice::reason. holding: of `count` settings, those that hold all limits. waits: for more observations of the
+// current choice. leftOutBecause: of the first one that was left out.
+void explain(AgaaChoice& choice, const AgaaGoal& goal, size_t holding, size_t count, bool waits,
+             const std::string& leftOutBecause);
 
 } // namespace agaa

@@ -72,9 +72,10 @@ std::string namesOf(uint64_t flags) {
     return names;
 }
 
+// Masks of materials that are fetched are counted for each fragment, of which there are more.
+double shareOf(uint64_t part, uint64_t whole) { return whole ? std::min(100.0 * double(part) / double(whole), 100.0) : 100.0; }
+
 std::string explain(const AgaaFactReport& report, uint64_t viewFlags) {
-    if (!report.inspected)
-        return "No material was inspected: nothing was drawn.";
     std::string text;
     for (const FactRow& row : rows) {
         if (!(report.contradicted & row.fact))
@@ -82,11 +83,13 @@ std::string explain(const AgaaFactReport& report, uint64_t viewFlags) {
         text += text.empty() ? "The frame contradicts " : "; ";
         text += std::string(row.fact & effects ? "the missing " : "") + "AGAA_FACT_" + row.name;
         if (row.demands)
-            text += format(" (%.3g %% of %llu materials)", 100.0 * double(report.*row.demands) / double(report.inspected),
+            text += format(" (%.3g %% of %llu materials)", shareOf(report.*row.demands, report.inspected),
                            static_cast<unsigned long long>(report.inspected));
     }
     if (!text.empty())
         return text + ".";
+    if (!report.inspected)
+        return "No material was inspected: nothing was drawn.";
     text = "The frame keeps the facts.";
     const std::string needless = namesOf(viewFlags & ~report.sufficient & effects);
     const std::string common = namesOf(report.sufficient & ~viewFlags & ~effects);
@@ -99,7 +102,7 @@ std::string explain(const AgaaFactReport& report, uint64_t viewFlags) {
 
 } // namespace
 
-AgaaFactReport factReport(const AgaaSceneFacts& facts, const FrameSequence::Slot& frame, const CounterBuffer& counts) {
+AgaaFactReport factReport(const Plan& plan, const FrameSequence::Slot& frame, const CounterBuffer& counts) {
     AgaaFactReport report = AGAA_FACT_REPORT_INIT;
     const auto wide = [&](Counter counter) {
         return uint64_t(counts.counts[counter][0]) | uint64_t(counts.counts[counter][1]) << 32;
@@ -116,9 +119,11 @@ AgaaFactReport factReport(const AgaaSceneFacts& facts, const FrameSequence::Slot
     report.localLights = frame.content.localLights;
     report.shadowCount = frame.content.shadows;
     report.hasAmbient = frame.content.hasAmbient;
-    report.contradicted = contradictedFacts(report, facts.flags);
-    report.sufficient = sufficientFacts(report, facts.flags);
-    std::strncpy(report.explanation, explain(report, facts.flags).c_str(), sizeof report.explanation - 1);
+    report.contradicted = contradictedFacts(report, plan.facts.flags);
+    report.sufficient = sufficientFacts(report, plan.facts.flags);
+    if (plan.hostGBuffer) // of whose masks nothing is known
+        report.sufficient |= plan.facts.flags & (AGAA_FACT_ALPHA_MASKED | ofMasks);
+    std::strncpy(report.explanation, explain(report, plan.facts.flags).c_str(), sizeof report.explanation - 1);
     return report;
 }
 

@@ -4,10 +4,11 @@
 #include "agaa_sdk.h"
 #include "core/frame_sequence.h"
 #include "core/gpu_layout.h"
+#include "core/plan.h"
 
 namespace agaa {
 
 // The members frameIndex and explanation included.
-AgaaFactReport factReport(const AgaaSceneFacts& facts, const FrameSequence::Slot& frame, const CounterBuffer& counts);
+AgaaFactReport factReport(const Plan& plan, const FrameSequence::Slot& frame, const CounterBuffer& counts);
 
 } // namespace agaa

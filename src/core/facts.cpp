@@ -7,21 +7,20 @@
 
 namespace agaa {
 
-// Flags of which more bits mean more effects.
-static uint64_t effectsOf(uint64_t flags) { return flags ^ restrictingFacts; }
-
 AgaaSceneFacts checkFacts(const AgaaSceneFacts* pointer) {
-    const AgaaSceneFacts facts = readStruct(pointer);
+    AgaaSceneFacts facts = readStruct(pointer);
     checkRange(uint64_t(facts.maxLights), 0, 4096, "AgaaSceneFacts::maxLights");
     checkRange(uint64_t(facts.shadowMapCount), 0, AGAA_MAX_SHADOW_MAPS, "AgaaSceneFacts::shadowMapCount");
-    checkFlags(facts.flags, grantingFacts | restrictingFacts, "AgaaSceneFacts::flags");
+    checkFlags(facts.flags, grantingFacts | commonValues, "AgaaSceneFacts::flags");
     checkRange(double(facts.alpha2), 4.1e-6, 1.0, "AgaaSceneFacts::alpha2");
     checkRange(double(facts.specular), 0.0, 1.0, "AgaaSceneFacts::specular");
+    if (facts.flags & AGAA_FACT_NO_TRANSLUCENCY)
+        facts.flags &= ~AGAA_FACT_NO_CUTOUTS;
     return facts;
 }
 
 bool isWithin(const AgaaSceneFacts& inner, const AgaaSceneFacts& outer) {
-    return (effectsOf(inner.flags) & ~effectsOf(outer.flags)) == 0 && inner.maxLights <= outer.maxLights &&
+    return (inner.flags & grantingFacts & ~outer.flags) == 0 && inner.maxLights <= outer.maxLights &&
            inner.shadowMapCount <= outer.shadowMapCount;
 }
 
@@ -35,7 +34,7 @@ void checkWithin(const AgaaSceneFacts& inner, const AgaaSceneFacts& outer, const
 }
 
 uint32_t extentOf(const AgaaSceneFacts& facts) {
-    return uint32_t(std::popcount(effectsOf(facts.flags) & computeFacts)) + facts.shadowMapCount;
+    return uint32_t(std::popcount(facts.flags & computeFacts)) + facts.shadowMapCount;
 }
 
 AgaaSceneFacts computeFactsOf(const AgaaSceneFacts& facts, const AgaaSceneFacts& announced) {

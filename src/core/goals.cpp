@@ -125,7 +125,7 @@ const Candidate& choose(const std::vector<Candidate>& list, const Candidate& cur
                         const ChoiceMemory& memory) {
     const Order exact(goal), tolerant(goal, 1 + timeMargin), reserved(goal, 1 - timeMargin);
     const Candidate& nearest = exact.best(list);
-    // Neither depends on times: noise does not make it alternate.
+    // What the current choice misses here does not depend on times: noise does not make it alternate.
     if (exact.bytes(current) > 1 && exact.bytes(nearest) <= 1)
         return nearest;
     if (exact.error(current) > 1 && exact.holds(nearest))
@@ -200,7 +200,8 @@ AgaaChoice chooseSettings(const ViewSettings& view, const AgaaDeviceCaps& caps, 
     choice.leftOut = candidates.leftOut;
     memory.store(choice);
     const auto holding = size_t(std::count_if(list.begin(), list.end(), [&](const Candidate& c) { return Order(goal).holds(c); }));
-    explain(choice, goal, holding, list.size(), candidates.firstReason.message);
+    const bool waits = !hasChanged && memory.hasTimes() && memory.held() < heldFor;
+    explain(choice, goal, holding, list.size(), waits, candidates.firstReason.message);
     return choice;
 }
 

@@ -67,13 +67,13 @@ void SizedView::prepare(const ViewSettings& settings, const AgaaSceneFacts& fact
 }
 
 const Variant& SizedView::variantOf(const AgaaFrame& frame) {
-    if (sequence.begins(frame))
-        running_ = &variants.smallest(computeFactsOf(*frame.facts, plan.facts));
-    return *running_;
+    chosen_ = sequence.begins(frame) ? &variants.smallest(computeFactsOf(*frame.facts, plan.facts)) : running_;
+    return *chosen_;
 }
 
 void SizedView::recorded(const AgaaFrame& frame) {
     sequence.recorded(frame);
+    running_ = chosen_;
     ran_[sequence.slotOf(frame)] = running_;
 }
 
@@ -211,17 +211,23 @@ AgaaResult SizedView::validation(uint64_t completedFrame, AgaaFrameValidation& o
     return AGAA_OK;
 }
 
-AgaaResult SizedView::facts(uint64_t completedFrame, AgaaFactReport& out) {
+AgaaResult SizedView::facts(uint64_t completedFrame, AgaaFactReport& out) const {
     require(plan.config.flags & AGAA_CONFIG_CHECK_FACTS, AGAA_ERROR_WRONG_ORDER,
             "the view was created without AGAA_CONFIG_CHECK_FACTS.");
     const FrameSequence::Slot* newest = sequence.newest(completedFrame);
     if (!newest)
         return AGAA_NOT_READY;
-    out = factReport(plan.facts, *newest, readCounters(sequence.indexOf(*newest)));
-    if (out.contradicted && !toldOfFacts_)
-        owner.log.write(AGAA_SEVERITY_WARNING, AGAA_OK, out.explanation);
-    toldOfFacts_ = toldOfFacts_ || out.contradicted;
+    out = factReport(plan, *newest, readCounters(sequence.indexOf(*newest)));
     return AGAA_OK;
+}
+
+AgaaResult reportFacts(AgaaView_T& view, uint64_t completedFrame, AgaaFactReport& out) {
+    const AgaaResult result = view.current->facts(completedFrame, out);
+    const bool isNews = result == AGAA_OK && out.contradicted && !view.isToldOfFacts;
+    if (isNews)
+        view.owner.log.write(AGAA_SEVERITY_WARNING, AGAA_OK, out.explanation);
+    view.isToldOfFacts = view.isToldOfFacts || isNews;
+    return result;
 }
 
 void destroyView(AgaaView view) {

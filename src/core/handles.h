@@ -64,7 +64,7 @@ public:
 
     AgaaResult statistics(uint64_t completedFrame, AgaaFrameStatistics& out) const;
     AgaaResult validation(uint64_t completedFrame, AgaaFrameValidation& out) const;
-    AgaaResult facts(uint64_t completedFrame, AgaaFactReport& out);
+    AgaaResult facts(uint64_t completedFrame, AgaaFactReport& out) const;
 
     // What hosts chain to AgaaDrawPass and AgaaSurface for what is the graphics API's own.
     virtual const StructRow& drawPassRow() const = 0;
@@ -103,9 +103,9 @@ protected:
     void recorded(const AgaaFrame& frame); // with its variant
 
 private:
+    const Variant* chosen_ = nullptr;    // of the frame that is recorded now
     const Variant* running_ = nullptr;   // of the frame whose segments are recorded
     std::vector<const Variant*> ran_;    // by slot
-    bool toldOfFacts_ = false;           // the log knows of a contradiction
 };
 
 } // namespace agaa
@@ -118,6 +118,7 @@ struct AgaaView_T {
     AgaaContext_T& owner;
     agaa::ViewSettings settings; // as the host described them
     agaa::SizedView* current;    // never null
+    bool isToldOfFacts = false;  // the log knows of a contradiction
 };
 
 namespace agaa {
@@ -155,6 +156,8 @@ AgaaView createView(Context& context, ViewSettings settings, Arguments&&... argu
     }
 }
 void destroyView(AgaaView view);
+// Tells the log of the view's first contradiction.
+AgaaResult reportFacts(AgaaView_T& view, uint64_t completedFrame, AgaaFactReport& out);
 // Leaves the view as it was where it fails.
 void resizeView(AgaaView_T& view, uint32_t width, uint32_t height);
 // Compiles variants; elements that are not valid compile nothing.

@@ -2,6 +2,7 @@
 
 #include "core/custom_glsl.h"
 #include "core/error.h"
+#include "core/facts.h"
 #include "core/frame_data.h"
 #include "core/glsl_text.h"
 #include "core/gpu_layout.h"
@@ -119,6 +120,24 @@ std::string packing(const Constants& c) {
     return out;
 }
 
+// Those that the pass reads: pipelines of other facts keep their keys.
+std::string facts(const Pass& pass) {
+    const Constants& c = pass.constants;
+    const uint64_t ofLights = AGAA_FACT_NO_LOCAL_LIGHTS;
+    const uint64_t read = c[AGAA_CHECK_FACTS]                      ? ~UINT64_C(0)
+                          : pass.drawPass == AGAA_DRAW_PASS_FORWARD ? commonValues
+                                                                     : commonValues & ~ofLights;
+    const auto valueIf = [&](uint64_t fact, Constant value) {
+        return c[AGAA_CHECK_FACTS] || c[AGAA_FACTS] & fact ? c[value] : 0u;
+    };
+    std::string out;
+    define(out, "AGAA_FACTS", uint32_t(c[AGAA_FACTS] & read));
+    define(out, "AGAA_ONE_ALPHA2", valueIf(AGAA_FACT_ONE_ROUGHNESS, AGAA_ONE_ALPHA2));
+    define(out, "AGAA_ONE_SPECULAR", valueIf(AGAA_FACT_ONE_SPECULAR, AGAA_ONE_SPECULAR));
+    defineSwitch(out, "AGAA_CHECK_FACTS", c[AGAA_CHECK_FACTS]);
+    return out;
+}
+
 std::string defines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
     std::string out;
     const Constants& c = pass.constants;
@@ -139,10 +158,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     define(out, "AGAA_EMISSIVE_CHANNELS", c[AGAA_EMISSIVE_CHANNELS]);
     out += "#define AGAA_EMISSIVE_RANGE " + glslNumber(plan.layout.emissiveRange()) + "\n";
     defineSwitch(out, "AGAA_FAR_DEPTH", c[AGAA_FAR_DEPTH]);
-    define(out, "AGAA_FACTS", c[AGAA_FACTS]);
-    define(out, "AGAA_ONE_ALPHA2", c[AGAA_ONE_ALPHA2]);
-    define(out, "AGAA_ONE_SPECULAR", c[AGAA_ONE_SPECULAR]);
-    defineSwitch(out, "AGAA_CHECK_FACTS", c[AGAA_CHECK_FACTS]);
+    out += facts(pass);
     defineSwitch(out, "AGAA_SHOWS_FACTS", c[AGAA_DEBUG_VIEW] == AGAA_DEBUG_VIEW_FACTS);
     if (pass.drawPass == AGAA_DRAW_PASS_AGGREGATE) {
         out += format("#define AGAA_TARGET_TEXTURE %s\n", plan.hwSamples > 1 ? "sampler2DMS" : "sampler2D");

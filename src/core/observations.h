@@ -5,8 +5,8 @@
 
 namespace agaa {
 
-// view: what the plan was made of. previous: its counts or times stay where the statistics have none, if they are of the same settings. Throws Error where the
-// statistics are not valid.
+// view: what the plan was made of. previous: its counts or times stay where the statistics have none, if they are of the same
+// settings. Throws Error where the statistics are not valid.
 AgaaObservation observe(const ViewSettings& view, const Plan& plan, const AgaaFrameStatistics& statistics,
                         const AgaaObservation& previous);
 

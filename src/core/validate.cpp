@@ -167,7 +167,7 @@ void checkFrame(const AgaaFrame& frame, const Plan& plan) {
     checkElements(frame.lights, frame.lightSize, frame.lightCount, sizeof(AgaaLight), 64, "AgaaFrame::lightSize");
     checkElements(frame.shadows, frame.shadowSize, frame.shadowCount, sizeof(AgaaShadow), 392, "AgaaFrame::shadowSize");
     for (uint32_t i = 0; i < frame.lightCount; ++i)
-        checkLight(lightOf(frame, i), i, frame.shadowCount, !(facts.flags & AGAA_FACT_NO_LOCAL_LIGHTS));
+        checkLight(lightOf(frame, i), i, frame.shadowCount, !(plan.facts.flags & AGAA_FACT_NO_LOCAL_LIGHTS));
     for (uint32_t i = 0; i < frame.shadowCount; ++i)
         checkShadow(shadowOf(frame, i), plan.functionShadows >> i & 1);
     for (float value : frame.ambient)

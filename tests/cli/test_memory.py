@@ -29,7 +29,7 @@ class Memory(unittest.TestCase):
     def test_masks_of_lights(self):
         culled = harness.data("memory", "--size", "640x360", "--technique", "ssaa")
         masks = [s["bytes"] for s in culled["surfaces"] if s["name"] == "light-masks"]
-        self.assertEqual(masks, [640 * 360 // 64 * 8]) # 64 lights
+        self.assertEqual(masks, [640 * 360 // 64 * 12]) # 64 lights, and a word for shadows
         self.assertEqual(culled["totalBytes"] - masks[0], memory("--technique", "ssaa")["totalBytes"])
 
     def test_bytes_per_aggregate_with_exact_sums(self):

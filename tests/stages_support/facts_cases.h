@@ -175,6 +175,7 @@ TYPED_TEST_P(FactsCases, SufficientFactsSuffice) {
         EXPECT_GT(all.facts.inspected, 0u);
         EXPECT_TRUE(all.facts.sufficient & AGAA_FACT_ONE_ROUGHNESS);
         EXPECT_TRUE(all.facts.sufficient & AGAA_FACT_GREY_SPECULAR);
+        EXPECT_TRUE(all.facts.sufficient & AGAA_FACT_ALPHA_MASKED);
         EXPECT_FALSE(all.facts.sufficient & AGAA_FACT_EMISSIVE);
         settings.facts.flags = all.facts.sufficient;
         const Shown few = this->shownOf(settings, triangles);

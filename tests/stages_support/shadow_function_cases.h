@@ -143,6 +143,11 @@ TYPED_TEST_P(ShadowFunctionCases, IsNotAskedForShadowsThatTheFrameHasNot) {
         AgaaFrame frame = view.frame();
         frame.shadows = shadows;
         frame.shadowCount = count;
+        AgaaLight lights[2] = {sun(), sun()}; // of lights with shadows
+        for (uint32_t i = 0; i < count; ++i)
+            lights[i].shadowMap = i;
+        frame.lights = lights;
+        frame.lightCount = 2;
         view.render(frame);
         taps[count] = view.statistics().counters.shadowTaps;
     }

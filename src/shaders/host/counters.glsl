@@ -27,15 +27,12 @@ void agaa_countFragment(uint counter, uint amount) {
 void agaa_countFragment(uint counter, uint amount) {}
 #endif
 
-// Of a surface that was sanitised, and is visible or may be.
-void agaa_countSurface(uint bad) {
-    if (bad != 0u)
-        agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
+void agaa_countDemands(uint demands, bool isInspected) {
 #if AGAA_CHECK_FACTS
 #define AGAA_COUNTER(index, name, member)
 #define AGAA_COUNTER_MAX(index, name, member)
 #define AGAA_COUNTER_FACT(index, name, member, fact) \
-    if ((agaa_demands & fact) == fact) \
+    if (fact == 0u ? isInspected : (demands & fact) != 0u) \
         agaa_countFragment(name, 1u);
 #include "passes/counters.inc"
 #undef AGAA_COUNTER
@@ -43,3 +40,13 @@ void agaa_countSurface(uint bad) {
 #undef AGAA_COUNTER_FACT
 #endif
 }
+
+// Of a surface that was sanitised, and is visible or may be.
+void agaa_countSurface(uint bad) {
+    if (bad != 0u)
+        agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
+    agaa_countDemands(agaa_demands, true);
+}
+
+// Of a fragment whose material another pass fetches.
+void agaa_countMask(AgaaSurfaceInput s) { agaa_countDemands(agaa_demandsOfMask(s), false); }

@@ -46,6 +46,9 @@ void agaa_emit(AgaaSurfaceInput s) {
 #if AGAA_NEEDS_MATERIAL
     if (isFirstDraw)
         agaa_countSurface(agaa_wasSanitised);
+#else
+    if (isFirstDraw)
+        agaa_countMask(s);
 #endif
     if (place >= agaa_fragmentRoom()) {
         // After the first of several draws there is room in another.

@@ -166,13 +166,18 @@ uint agaa_alphaMask(AgaaSurfaceInput s) {
 
 uint agaa_demands = 0u; // of the surface at hand, by agaa_applyFacts()
 
+uint agaa_demandsOfMask(AgaaSurfaceInput s) {
+#if AGAA_ALPHA_MASKED
+    return agaa_factAlphaMasked | (s.alphaCutoff > 0.0 ? agaa_factNoCutouts : agaa_factNoTranslucency);
+#else
+    return 0u;
+#endif
+}
+
 // What the facts of the scene fix.
 void agaa_applyFacts(inout AgaaSurfaceInput s) {
 #if AGAA_CHECK_FACTS
-    agaa_demands = agaa_demandsOf(s.diffuse, s.specular, s.emissive, s.alpha2);
-#if AGAA_ALPHA_MASKED
-    agaa_demands |= agaa_factAlphaMasked | (s.alphaCutoff > 0.0 ? agaa_factNoCutouts : agaa_factNoTranslucency);
-#endif
+    agaa_demands = agaa_demandsOf(s.diffuse, s.specular, s.emissive, s.alpha2) | agaa_demandsOfMask(s);
 #endif
 #if AGAA_SHOWS_FACTS
     s.diffuse = vec3(agaa_unmetDemands(agaa_demands) != 0u ? 1.0 : 0.0);

@@ -17,6 +17,8 @@ void agaa_emit(AgaaSurfaceInput s) {
     agaa_out0 = vec4(agaa_unormOfCode(vec2(agaa_encodeHemiOct8(n)), 8u), 0.0, 0.0);
 #endif
 #if AGAA_WRITES_IDS
+    if (!AGAA_HELPER)
+        agaa_countMask(s);
     uint id = agaa_idOfInput(s);
     uvec4 bytes = uvec4(id, id >> 8u, id >> 16u, id >> 24u) & 255u;
     agaa_out0 = vec4(agaa_unormOfCode(vec2(bytes.xy), 8u), agaa_unormOfCode(vec2(bytes.zw), 8u));

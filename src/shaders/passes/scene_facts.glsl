@@ -7,12 +7,12 @@ bool agaa_hasFact(uint fact) { return (AGAA_FACTS & fact) != 0u; }
 
 // Bits of facts that would be wrong, or missing, with this material: what it has that a scene can do without.
 uint agaa_demandsOf(vec3 diffuse, vec3 specular, vec3 emissive, float alpha2) {
-    const float least = 1e-3; // that shows
+    const float least = 2e-3; // more than 8 bits round by
     vec3 apart = abs(specular - specular.yzx);
     vec3 other = abs(specular - uintBitsToFloat(AGAA_ONE_SPECULAR));
     uint demands = 0u;
-    demands |= max(specular.x, max(specular.y, specular.z)) > 0.0 ? agaa_factSpecular : 0u;
-    demands |= max(emissive.x, max(emissive.y, emissive.z)) > 0.0 ? agaa_factEmissive : 0u;
+    demands |= max(specular.x, max(specular.y, specular.z)) > least ? agaa_factSpecular : 0u;
+    demands |= max(emissive.x, max(emissive.y, emissive.z)) > least ? agaa_factEmissive : 0u;
     demands |= abs(sqrt(alpha2) - sqrt(uintBitsToFloat(AGAA_ONE_ALPHA2))) > least ? agaa_factOneRoughness : 0u;
     demands |= max(apart.x, max(apart.y, apart.z)) > least ? agaa_factGreySpecular : 0u;
     demands |= max(other.x, max(other.y, other.z)) > least ? agaa_factOneSpecular : 0u;
