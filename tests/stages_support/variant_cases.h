@@ -326,6 +326,28 @@ TYPED_TEST_P(VariantCases, SegmentsHaveTheSameFactsAndVariant) {
     EXPECT_EQ(bench.view.statistics().variantFlags, AGAA_FACT_ALPHA_MASKED);
 }
 
+// A frame that fails to begin leaves the frame before it, which goes on, its variant.
+TYPED_TEST_P(VariantCases, FailedFramesChangeNoVariant) {
+    using Frame = typename TypeParam::Frame;
+    BenchOf<TypeParam> bench;
+    const AgaaSceneFacts fewer = sceneFacts(0, 1);
+    ASSERT_EQ(agaaPrepareVariants(bench.view.get(), 1, &fewer), AGAA_OK);
+    bench.run([&](Frame& native) {
+        AgaaFrame frame = bench.frame();
+        frame.segments = AGAA_SEGMENT_PREPASS | AGAA_SEGMENT_GENERATION;
+        ASSERT_EQ(bench.record(frame, native), AGAA_OK);
+        AgaaFrame next = bench.frame();
+        next.frameIndex = frame.frameIndex + 1;
+        next.facts = &fewer;
+        bench.view.drawResults[AGAA_DRAW_PASS_VISIBILITY] = -77;
+        EXPECT_EQ(bench.record(next, native), AGAA_ERROR_CALLBACK);
+        bench.view.drawResults.clear();
+        frame.segments = AGAA_SEGMENT_SHADING;
+        EXPECT_EQ(bench.record(frame, native), AGAA_OK);
+    });
+    EXPECT_EQ(bench.view.statistics().variantFlags, bench.view.settings().facts.flags);
+}
+
 TYPED_TEST_P(VariantCases, ResizedViewsKeepTheirVariants) {
     FactsRig<TypeParam> rig(this->context, settingsOf({"ssaa", 4}), trianglesWithin(0));
     const AgaaSceneFacts fewer = sceneFacts(AGAA_FACT_ALPHA_MASKED, 0);
@@ -345,6 +367,6 @@ TYPED_TEST_P(VariantCases, ResizedViewsKeepTheirVariants) {
 REGISTER_TYPED_TEST_SUITE_P(VariantCases, SamplesShowTheEffectsOfTheFrame, AggregatesShowTheEffectsOfTheFrame,
                             SurfacesMayHaveMore, FactsChangeEachFrameWithoutCompiling, EqualVariantsSharePipelines,
                             ForwardShadingShowsTheViewsEffects, FactsBeyondTheViewsAreRefused,
-                            SegmentsHaveTheSameFactsAndVariant, ResizedViewsKeepTheirVariants);
+                            SegmentsHaveTheSameFactsAndVariant, FailedFramesChangeNoVariant, ResizedViewsKeepTheirVariants);
 
 } // namespace agaa::test
