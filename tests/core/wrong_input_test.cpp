@@ -155,7 +155,7 @@ const Row rows[] = {
          r.config.ndf = AGAA_NDF_SGGX;
          r.config.flags = AGAA_CONFIG_BUFFERED;
      }},
-    {"debug view", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.measurement.debugView = 8; }},
+    {"debug view", AGAA_ERROR_OUT_OF_RANGE, [](Request& r) { r.config.measurement.debugView = 9; }},
     {"debug view of forward shading", AGAA_ERROR_UNSUPPORTED,
      [](Request& r) {
          r.config.technique = "msaa";

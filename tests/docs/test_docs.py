@@ -210,7 +210,7 @@ class Prices(unittest.TestCase):
     def test_of_lit_aggregates(self):
         effects = [effect for scene in self.scenes for effect in scene["ablation"] if effect["effect"] == "lit-aggregates"]
         measured = [effect["on"]["frameMs"]["median"] / effect["off"]["frameMs"]["median"] for effect in effects]
-        self.assertAlmostEqual(statistics.median(measured), self.price("plan_builder.cpp", "litCost"), delta=0.02)
+        self.assertAlmostEqual(statistics.median(measured), self.price("plan_shading.cpp", "litCost"), delta=0.02)
 
 
 if __name__ == "__main__":

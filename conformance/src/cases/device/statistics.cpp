@@ -183,8 +183,10 @@ void testNotReady(Test& test) {
     test.check(statistics.payloadBytes && statistics.peakBytes && statistics.geometryPasses,
                "AGAA_NOT_READY comes without bytes or geometryPasses.");
     test.check(statistics.frameIndex == 0 && statistics.timeSource == 0 &&
-                   isInitialFrom(statistics, offsetof(AgaaFrameStatistics, counters), sizeof statistics),
-               "AGAA_NOT_READY comes with more than the bytes and geometryPasses.");
+                   isInitialFrom(statistics, offsetof(AgaaFrameStatistics, counters),
+                                 offsetof(AgaaFrameStatistics, variantCount)),
+               "AGAA_NOT_READY comes with more than the bytes, geometryPasses and what the view has compiled.");
+    test.check(statistics.variantCount >= 1, "AGAA_NOT_READY comes without variantCount.");
     test.check(rig.context.log.errors().empty(), "AGAA_NOT_READY is logged as an error.");
     rig.render();
     test.result(test.sdk.agaaGetFrameStatistics(rig.view.get(), 0, &statistics), AGAA_NOT_READY,
