@@ -24,7 +24,6 @@ EFFECTS = [
     ("lit-aggregates", ["--tier", "generation=gbuffer", "--lit"], ["--tier", "generation=gbuffer"]),
     ("elliptic-lobes", ["--tier", "generation=gbuffer", "--ndf", "lean"], ["--tier", "generation=gbuffer"]),
     ("gloss-weight", ["--tier", "generation=gbuffer", "--gloss-weight", "0.5"], ["--tier", "generation=gbuffer"]),
-    ("counters", [], ["--no-counters"]),
     ("fact-checks", ["--check-facts"], []),
     ("what facts leave out", ["--plain-facts"], []),
 ]
@@ -71,7 +70,7 @@ class Measurement:
         rows = {}
         for name, more, less in EFFECTS:
             with_it = summary(self.render(view, *more))
-            without = summary(self.render(view, *[o for o in less if o != "--no-counters"]))
+            without = summary(self.render(view, *less))
             rows[name] = {"with": with_it, "without": without, "ratio": self.ratio(view, more, less)}
         bare = self.render(view, *BARE)
         rows["bare"] = {"with": summary(self.render(view)), "without": summary(bare), "ratio": self.ratio(view, [], BARE)}
