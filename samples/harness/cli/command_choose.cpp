@@ -123,12 +123,12 @@ void runChoose(const RenderArguments& arguments, const ChooseArguments& chosen, 
         const auto renderer = makeRenderer(rendered.device);
         renderer->load(scene);
         caps = renderer->caps();
-        const AgaaViewDesc observed = viewOf(configuration, facts, fetch, arguments.plan.reversedZ);
+        const AgaaViewDesc observed = viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
         observation = observe(*renderer, settings, observed, configuration.config);
     } else {
         caps = planningDevice(configuration, arguments.device);
     }
-    AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.plan.reversedZ);
+    AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
     view.pNext = chosen.noFetch ? nullptr : &fetch;
     AgaaChoice choice = AGAA_CHOICE_INIT;
     Sdk sdk;

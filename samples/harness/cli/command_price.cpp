@@ -178,9 +178,7 @@ void runPrice(const RenderArguments& arguments, const std::string& timesPath, bo
     const AgaaSceneFacts facts = plannedFacts(arguments, sceneGiven);
     const auto caps = planningDevice(configuration, arguments.device);
     const AgaaFetchFunction fetch = anyFetch(arguments.plan.unfetchedEvery == 0);
-    AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.plan.reversedZ);
-    if (arguments.device.clipZFromMinusOne)
-        view.flags |= AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
+    const AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
     const std::vector<AgaaPrice> prices = queryPrices(view, caps ? &*caps : nullptr);
     if (asJson)
         printJson(prices, times, view);

@@ -88,7 +88,7 @@ void runMemory(const PlanArguments& arguments, const DeviceArguments& device, bo
     const auto caps = planningDevice(configuration, device);
     const AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     const AgaaFetchFunction fetch = anyFetch(arguments.unfetchedEvery == 0);
-    const AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.reversedZ);
+    const AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.reversedZ, device.clipZFromMinusOne);
     Sdk sdk;
     AgaaMemoryReport report = AGAA_MEMORY_REPORT_INIT;
     uint32_t count = 0;
@@ -126,9 +126,7 @@ void runPlan(const RenderArguments& arguments, bool sceneGiven, bool asJson) {
     const AgaaSceneFacts facts = plannedFacts(arguments, sceneGiven);
     const auto caps = planningDevice(configuration, arguments.device);
     const AgaaFetchFunction fetch = anyFetch(arguments.plan.unfetchedEvery == 0);
-    AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.plan.reversedZ);
-    if (arguments.device.clipZFromMinusOne)
-        view.flags |= AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
+    const AgaaViewDesc view = viewOf(configuration, facts, fetch, arguments.plan.reversedZ, arguments.device.clipZFromMinusOne);
     Sdk sdk;
     size_t size = 0;
     sdk.check(agaaPlanToJson(&view, caps ? &*caps : nullptr, sdk.log(), &size, nullptr));

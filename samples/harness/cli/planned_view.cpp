@@ -30,7 +30,7 @@ std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration,
 }
 
 AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& facts, const AgaaFetchFunction& fetch,
-                    bool reversedZ) {
+                    bool reversedZ, bool clipZFromMinusOne) {
     AgaaViewDesc view = AGAA_VIEW_DESC_INIT;
     view.width = configuration.size.width;
     view.height = configuration.size.height;
@@ -38,6 +38,7 @@ AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& fa
     view.facts = &facts;
     view.flags = reversedZ && !configuration.isModel ? AGAA_VIEW_REVERSED_Z : 0;
     view.flags |= configuration.vertexPulling ? AGAA_VIEW_VERTEX_PULLING : 0;
+    view.flags |= clipZFromMinusOne ? AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE : 0;
     if (configuration.config.fetches())
         view.pNext = &fetch;
     return view;

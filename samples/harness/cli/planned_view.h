@@ -27,7 +27,7 @@ std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration,
 
 // Of a plan or of its memory. It points to what it is given.
 AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& facts, const AgaaFetchFunction& fetch,
-                    bool reversedZ);
+                    bool reversedZ, bool clipZFromMinusOne);
 
 // Plans depend on there being functions, not on what they say.
 AgaaFetchFunction anyFetch(bool ofAllDraws);
