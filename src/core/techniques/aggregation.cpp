@@ -104,7 +104,7 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
         b.bind(draw, host_slot::Normals, BindingType::Texture, prepass.normals);
     b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.plan.hwSamples > 1)
-        draw.extensions.push_back("post_depth_coverage");
+        draw.extensions.push_back("ARB_post_depth_coverage");
     setRecord(draw, a);
 }
 

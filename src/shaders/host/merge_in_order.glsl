@@ -1,10 +1,16 @@
-// Fragments pass of devices with fragment shader interlock: each fragment merges into the surfaces of its pixel, in the order
-// of the draws and without lists (Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3).
+// Fragments pass of devices that order the fragments of a pixel, by fragment shader interlock or, with AGAA_IN_TARGETS, by
+// attachments that shaders read: each fragment merges into the surfaces of its pixel, in the order of the draws and without
+// lists (Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3).
 #include "host/fragment_coverage.glsl"
 
+#if AGAA_IN_TARGETS == 0
 layout(pixel_interlock_ordered) in;
+#endif
 
-#if AGAA_STORAGE_IMAGES
+#if AGAA_IN_TARGETS
+uint agaa_readSurfaces(uint word) { return agaa_targetWords[word]; }
+void agaa_setSurfaces(uint word, uint value) { agaa_targetWords[word] = value; }
+#elif AGAA_STORAGE_IMAGES
 layout(r32ui, AGAA_AT_AGGREGATES) coherent uniform uimageBuffer agaa_surfaces;
 uint agaa_readSurfaces(uint word) { return imageLoad(agaa_surfaces, int(word)).x; }
 void agaa_setSurfaces(uint word, uint value) { imageStore(agaa_surfaces, int(word), uvec4(value)); }
@@ -73,9 +79,18 @@ void agaa_mergeInOrder() {
         agaa_storeSurface(agaa_surfaceBase(pixel, done.to), agaa_kept[done.to]);
 }
 
+#if AGAA_IN_TARGETS
+void agaa_emit(AgaaSurfaceInput s) {
+    agaa_prepareMerge(s);
+    agaa_fetchTargets();
+    agaa_mergeInOrder();
+    agaa_storeTargets();
+}
+#else
 // GLSL has the critical section in main() alone, outside of all branches.
 #define agaa_emit(s) \
     agaa_prepareMerge(s); \
     beginInvocationInterlockARB(); \
     agaa_mergeInOrder(); \
     endInvocationInterlockARB()
+#endif

@@ -13,8 +13,17 @@
 #define AGAA_NORMAL_WORD (AGAA_MASK_WORDS + 2u)
 #define AGAA_MATERIAL_WORD (AGAA_MASK_WORDS + 3u)
 
+#ifndef AGAA_IN_TARGETS
+#define AGAA_IN_TARGETS 0
+#endif
+
+// Where the words of one begin: in a buffer of all pixels, or with AGAA_IN_TARGETS among those of the pixel.
 uint agaa_surfaceBase(uvec2 pixel, uint a) {
+#if AGAA_IN_TARGETS
+    return a * AGAA_STRIDE;
+#else
     return ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE;
+#endif
 }
 
 agaa_CoveredSurface agaa_surfaceOfWords(uvec4 mask, uint depth, uint slopes, uint normal) {
