@@ -108,7 +108,8 @@ typedef enum AgaaBrdf {
  * spread in each direction, so that lobes become elliptic: use them for thin geometry with sharp highlights. They need
  * the normal of each sample: the tier must be FRAGMENTS, or IDS or GBUFFER without AGAA_CONFIG_BUFFERED. Up to 32 samples,
  * AUTO selects IDS with an AgaaFetchFunction and GBUFFER without; any other tier fails with AGAA_ERROR_UNSUPPORTED.
- * Techniques other than "agaa", and views without specular light, use TOKSVIG instead. */
+ * "dcaa" keeps the spread of a surface's normals in 8 bytes more. Other techniques, and views without specular light, use
+ * TOKSVIG instead. */
 typedef enum AgaaNdf {
     AGAA_NDF_NONE = 0,    /* no widening, for ablation */
     AGAA_NDF_TOKSVIG = 1, /* isotropic, by the length of the mean normal (Toksvig 2005) */

@@ -204,6 +204,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
         define(out, "AGAA_HAS_SPECULAR", c[AGAA_HAS_SPECULAR]);
         define(out, "AGAA_NDF", c[AGAA_NDF]);
+        defineSwitch(out, "AGAA_SPREAD_WORDS", c[AGAA_SPREAD_WORDS]);
         out += packing(c);
     }
     if (mergesInOrder(pass)) {

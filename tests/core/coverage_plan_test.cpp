@@ -35,6 +35,23 @@ TEST(CoveragePlan, FragmentsWithMaterialsAreOf36Bytes) {
     }
 }
 
+// Two words for how normals spread, in each surface and in fragments that carry materials.
+TEST(CoveragePlan, EllipticLobesTakeEightBytes) {
+    ViewSpec spec = carried();
+    const uint64_t pixels = uint64_t(spec.width) * spec.height;
+    for (const uint32_t ndf : {AGAA_NDF_LEAN, AGAA_NDF_SGGX}) {
+        spec.change = [ndf](TechniqueConfig& config) { config.ndf = ndf; };
+        const Plan plan = planFor(spec, idealDevice());
+        EXPECT_EQ(plan.config.ndf, ndf);
+        EXPECT_EQ(plan.bytesPerAggregate, 36u);
+        EXPECT_EQ(bytesOf(plan, "surfaces"), 144 * pixels);
+        EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * 44) * pixels + 64);
+        EXPECT_TRUE(std::ranges::count(plan.effects, "elliptic-lobes"));
+    }
+    spec.facts = AGAA_FACT_EMISSIVE; // no highlights
+    EXPECT_EQ(planFor(spec, idealDevice()).config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
+}
+
 // AUTO fetches where the host can for all draws. Otherwise fragments carry their materials.
 TEST(CoveragePlan, FragmentsCarryMaterialsThatCannotBeFetched) {
     AgaaFetchFunction all = AGAA_FETCH_FUNCTION_INIT;

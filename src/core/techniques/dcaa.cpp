@@ -37,7 +37,8 @@ Aggregation keptSurfaces(const PlanBuilder& b) {
     surfaces.layout = surfaceLayout(b.plan.layout);
     surfaces.packing = packMaterial(surfaces.layout);
     const uint32_t geometryWords = b.plan.samples / 32 + 3; // of src/shaders/passes/covered_surface.glsl
-    surfaces.stride = geometryWords + surfaces.packing.words;
+    surfaces.spreadWords = b.plan.config.ndf > AGAA_NDF_TOKSVIG ? 2 : 0; // of src/shaders/passes/surface_spread.glsl
+    surfaces.stride = geometryWords + surfaces.spreadWords + surfaces.packing.words;
     return surfaces;
 }
 
@@ -162,6 +163,6 @@ constexpr const TechniqueSettings* settings[] = {&coverageSettings};
 
 } // namespace
 
-const Technique dcaaTechnique = {"dcaa", 0, 8, false, tiers, settings, build, work, nullptr, true};
+const Technique dcaaTechnique = {"dcaa", 0, 8, false, tiers, settings, build, work, nullptr, true, true};
 
 } // namespace agaa

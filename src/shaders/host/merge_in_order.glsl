@@ -69,10 +69,14 @@ void agaa_mergeInOrder() {
     agaa_CoveredSurface s =
         agaa_asStored(agaa_surfaceOfWords(agaa_covered, agaa_carried[0], agaa_carried[1], agaa_carried[2]));
     for (uint w = 0u; w < AGAA_WORDS; ++w)
-        agaa_packed[w] = agaa_carried[3u + w];
+        agaa_packed[w] = agaa_carried[3u + AGAA_SPREAD_WORDS + w];
     agaa_Stored own = agaa_unpackSurface();
+    agaa_NormalSpread spread = agaa_noSpread(s.normal);
+#if AGAA_SPREAD_WORDS
+    spread = agaa_unpackSpread(s.normal, uvec2(agaa_carried[3], agaa_carried[4]));
+#endif
     agaa_loadSurfaces(pixel);
-    agaa_Insertion done = agaa_insertFragment(pixel, s, own);
+    agaa_Insertion done = agaa_insertFragment(pixel, s, own, spread);
     if (done.from != AGAA_NO_SURFACE && done.into != agaa_aggregateLimit())
         agaa_storeSurface(agaa_surfaceBase(pixel, done.into), agaa_kept[done.into]);
     if (done.to != AGAA_NO_SURFACE)

@@ -1,8 +1,9 @@
-// Where a surface with coverage samples is shaded, and how much light gets past shadows there.
+// Where a surface with coverage samples is shaded, how much light gets past shadows there, and how its lobe widens.
 #ifndef AGAA_COVERED_PLACE_GLSL
 #define AGAA_COVERED_PLACE_GLSL
 #include "math/surface_resolve.glsl"
 #include "passes/covered_surface.glsl"
+#include "passes/surface_spread.glsl"
 
 // offset: from the pixel's centre, in pixels.
 vec3 agaa_surfacePosition(uvec2 pixel, vec3 plane, vec2 offset) {
@@ -34,5 +35,10 @@ void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] /= float(taps);
 #endif
+}
+
+// s: with the lobe of its material alone.
+void agaa_widenSurface(inout agaa_Surface s, agaa_NormalSpread spread) {
+    agaa_widenBySpread(spread, s.alpha2, AGAA_NDF == agaa_ndfSggx ? 1u : 0u, s.axis, s.alpha2Along, s.alpha2);
 }
 #endif

@@ -35,15 +35,18 @@ TEST_F(RasterOrder, MergesAsLists) {
         uint32_t samples, surfaces, merge;
         bool isTangle;
         float masked;
+        uint32_t ndf;
     };
-    for (const Case& c : {Case{64, 4, AGAA_MERGE_VISIBLE, true, 0}, {64, 2, AGAA_MERGE_PAPER, true, 0},
-                          {32, 4, AGAA_MERGE_VISIBLE, false, 0.5f}, {128, 1, AGAA_MERGE_NONE, true, 0}}) {
+    for (const Case& c : {Case{64, 3, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_LEAN}, {64, 4, AGAA_MERGE_PAPER, true, 0, AGAA_NDF_TOKSVIG},
+                          {32, 4, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG}, {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE}}) {
         SCOPED_TRACE(c.samples);
         const Shot shot{.triangles = c.isTangle ? tangle(400) : randomTriangles({.triangles = 200, .masked = c.masked}, 61),
                         .change = addAmbient};
         ViewSettings lists = settings(AGAA_TIER_MATERIAL_LISTS, c.samples, c.surfaces),
                      merging = settings(AGAA_TIER_RASTER_ORDER, c.samples, c.surfaces);
         lists.config.coverage.merge = merging.config.coverage.merge = c.merge;
+        lists.config.ndf = merging.config.ndf = c.ndf;
+        lists.surface = merging.surface = "s.normalDx = vec3(0.3, 0.0, 0.1); s.normalDy = vec3(0.0, 0.02, 0.0);";
         const Kept expected = keep(lists, shot), got = keep(merging, shot);
         expectSameFrame(got, expected);
         EXPECT_GT(expected.counters.discarded + expected.counters.mergedFirst, c.isTangle ? 20u : 0u);
