@@ -26,6 +26,7 @@ EFFECTS = [
     ("gloss-weight", ["--tier", "generation=gbuffer", "--gloss-weight", "0.5"], ["--tier", "generation=gbuffer"]),
     ("fact-checks", ["--check-facts"], []),
     ("what facts leave out", ["--plain-facts"], []),
+    ("the same frame", [], []), # how far times of equal frames differ
 ]
 # A scene that asks for nothing but diffuse light of the sun.
 BARE = ["--without", "specular", "--without", "emissive", "--without", "ambient", "--without", "shadows"]
@@ -160,7 +161,8 @@ def page(results):
         f"{results['size']}, Vulkan. Frames with and without an effect took turns.", "",
         "## Effects over all scenes", "",
         "What an effect adds; from the least to the most of the scenes where they differ. A time is that of frames with the",
-        "effect as a multiple of frames without it.", "", *effects_table(scenes), "",
+        "effect as a multiple of frames without it.",
+        "In the row \"the same frame\" both are equal: its times tell the noise.", "", *effects_table(scenes), "",
         "## Time by scene", "", *scene_table(scenes), "",
         "## Short ways", "",
         "Pixels and tiles for which passes do less, because the result is the same or meant to be. A share of counts is that",
