@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <limits>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -232,6 +233,26 @@ TEST(MeasuredGoals, TimesOfOnePartAreScaledAsAWhole) {
     }
     const AgaaObservation frame = timedFrame(rowNamed("single", 1), 3, 3); // twice as long
     EXPECT_FLOAT_EQ(host.freshMeasured(&frame).milliseconds, 20.0f);
+}
+
+// Two settings whose times lie 5 % apart, and frames that spread by 20 %.
+TEST(MeasuredGoals, ChoicesSettleUnderNoise) {
+    HostOfThree host;
+    host.goal.maxErrorShare = 0.5f;
+    host.measured[1].shadingMilliseconds = 9;
+    host.measured[2].geometryMilliseconds = 2.5f;
+    host.measured[2].shadingMilliseconds = 9;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> noise(0.8f, 1.2f);
+    ASSERT_EQ(host.chooseMeasured(), AGAA_OK);
+    for (int frame = 0; frame < 600; ++frame) {
+        const AgaaMeasuredSettings& m = host.measured[host.choice.samples == 4 ? 1 : 2];
+        const AgaaObservation o = timedFrame(rowNamed("ssaa", host.choice.samples), m.geometryMilliseconds * noise(random),
+                                             m.shadingMilliseconds * noise(random));
+        ASSERT_EQ(host.chooseMeasured(&o), AGAA_OK);
+        EXPECT_EQ(host.choice.hasChanged, 0u) << frame << ": " << host.choice.reason;
+    }
+    EXPECT_NEAR(host.choice.milliseconds, 11, 1);
 }
 
 // ---- wrong input ---------------------------------------------------------------------------------
