@@ -127,6 +127,9 @@ class Arguments(unittest.TestCase):
                     file.write(text)
                 with self.subTest(text=text):
                     self.check(["choose", "--measured", path], 1)
+            with open(path, "w") as file:
+                json.dump({"measured": [row]}, file) # what they were changed from
+            self.assertEqual(harness.data("choose", "--measured", path)["technique"], "single")
 
     def test_layout_files(self):
         with tempfile.TemporaryDirectory() as folder:

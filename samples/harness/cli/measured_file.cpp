@@ -56,7 +56,8 @@ MeasuredFile::MeasuredFile(const std::string& path) {
     if (!file)
         throw std::runtime_error("\"" + path + "\" cannot be read.");
     try {
-        for (const json& row : json::parse(file).at("measured"))
+        const json data = json::parse(file);
+        for (const json& row : data.at("measured"))
             settings_.push_back(settingsOf(row, names_));
     } catch (const std::exception& error) {
         throw std::runtime_error("\"" + path + "\" is no file of measured settings (" + error.what() + ").");
