@@ -85,19 +85,17 @@ def cell(name, ms):
     return f"{name} | {ms:.0f}" if name else "none | "
 
 
-def largest(ratios):
-    return f"{max(ratios):.2f}" if ratios else "no"
-
-
 def summary(results):
     """How far choices lie from their targets and from the best."""
     possible = [r for r in results if r["fastest"]]
     reached = [r for r in possible if r["error"] <= r["target"]]
-    return (f"{len(reached)} of {len(results)} targets are reached; no settings reach {len(results) - len(possible)}. Where some "
-            f"do, errors are at most {largest([r['error'] / r['target'] for r in possible])} times the target, and choices take at most "
-            f"{largest([r['ms'] / r['fastestPresetMs'] for r in possible if r['fastestPreset']])} times the time of the fastest "
-            f"preset that reaches it. Choices that reach the target take at most "
-            f"{largest([r['ms'] / r['fastestMs'] for r in reached])} times the time of the fastest settings that do.")
+    ratios = [("Errors are at most {:.2f} times the target where some settings reach it.", [r["error"] / r["target"] for r in possible]),
+              ("Choices take at most {:.2f} times the time of the fastest preset that reaches the target.",
+               [r["ms"] / r["fastestPresetMs"] for r in possible if r["fastestPreset"]]),
+              ("Choices that reach the target take at most {:.2f} times the time of the fastest settings that do.",
+               [r["ms"] / r["fastestMs"] for r in reached])]
+    return " ".join([f"{len(reached)} of {len(results)} targets are reached; no settings reach {len(results) - len(possible)}.",
+                     *(text.format(max(values)) for text, values in ratios if values)])
 
 
 def table(results):

@@ -53,8 +53,8 @@ class Judgement(unittest.TestCase):
                    for target, row in ((0.25, SSAA), (0.15, FAST), (0.05, SSAA))]
         text = goals.summary(results)
         self.assertIn("1 of 3 targets are reached; no settings reach 1.", text)
-        self.assertIn("errors are at most 1.33 times the target", text)
-        self.assertIn("choices take at most 1.60 times the time of the fastest preset", text)
+        self.assertIn("Errors are at most 1.33 times the target", text)
+        self.assertIn("Choices take at most 1.60 times the time of the fastest preset", text)
         self.assertIn("| s | 0.05 | ssaa-8 | 0.100 | 0.100 | 2.00 | 7 | 8 | none |  | none |  |", goals.table(results))
 
     def test_a_moved_camera_aims_at_its_target(self):
