@@ -45,6 +45,10 @@ def times(passes):
     return found
 
 
+def milliseconds(found):
+    return found["geometryMs"] + found["shadingMs"]
+
+
 class Frame:
     """One camera in one scene, with its reference."""
 
@@ -61,13 +65,16 @@ class Frame:
             if refusal:
                 return {"refusal": refusal}
             image = self.runs.work / f"{self.name}-{row.name}.exr"
-            found = self.runs.call("render", *self.view, "--warmup", 1, "--frames", 5, "--no-counters", "--no-validation",
-                                   "--exr", image, *settings)
-            return {"error": self.runs.call("compare", self.reference, image)["mseTm"], **times(found["passes"])}
+            found = self.times(row, "--exr", image)
+            return {"error": self.runs.call("compare", self.reference, image)["mseTm"], **found}
         return self.runs.kept(f"{self.name}-{row.name}", make)
 
-    def measure_all(self, rows):
-        """Those that the device can run."""
+    def times(self, row, *more):
+        return times(self.runs.call("render", *self.view, "--warmup", 1, "--frames", 5, "--no-counters", "--no-validation", *more,
+                                    *options(row))["passes"])
+
+    def measure_all(self, rows, turns):
+        """Those that the device can run. Times are the least of the turns: other programs make frames slower, never faster."""
         found = {}
         for row in rows:
             measured = self.measure(row)
@@ -75,6 +82,10 @@ class Frame:
                 print(f"Left out: {row.name}: {measured['refusal']}", flush=True)
             else:
                 found[row] = measured
+        for turn in range(1, turns):
+            for row, measured in found.items():
+                again = self.runs.kept(f"{self.name}-{row.name}-turn-{turn}", lambda: self.times(row))
+                found[row] = min(measured, {**measured, **again}, key=milliseconds)
         return found
 
 
@@ -103,13 +114,14 @@ def main():
     parser.add_argument("--camera", default="", help="ex,ey,ez,tx,ty,tz,fovDegrees; else the scene's own")
     parser.add_argument("--size", default="320x180")
     parser.add_argument("--spp", default=256, type=int, help="samples per pixel of the reference")
+    parser.add_argument("--turns", default=3, type=int, help="measurements of each time")
     parser.add_argument("--row", action="append", help="only these, as single-1 or agaa-8-fast-gbuffer, and single; repeatable")
     arguments = parser.parse_args()
     settings = {name: getattr(arguments, name) for name in ("scene", "camera", "size", "spp")}
     runs = Runs("calibrate", arguments.harness, arguments.out, settings)
     view = view_options(arguments.scene, arguments.camera, arguments.size)
     path = arguments.out / "measured.json"
-    write_measured(path, Frame(runs, "frame", view, arguments.spp).measure_all(wanted_rows(arguments.row)), arguments.size)
+    write_measured(path, Frame(runs, "frame", view, arguments.spp).measure_all(wanted_rows(arguments.row), arguments.turns), arguments.size)
     print(path)
 
 

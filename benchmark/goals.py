@@ -10,7 +10,7 @@ import json
 import math
 import pathlib
 
-from calibrate import Frame, options, single_error, table_rows, write_measured
+from calibrate import Frame, milliseconds, options, single_error, table_rows, write_measured
 from runs import HARNESS, Runs, find_scenes, view_options
 
 STEP = 0.1 # of the camera to the side, by the distance to its target
@@ -24,10 +24,6 @@ def moved(camera):
     level = math.hypot(forward[0], forward[2])
     side = (-forward[2] / level, forward[0] / level)
     return [x + STEP * distance * side[0], y, z + STEP * distance * side[1], tx, ty, tz, fov]
-
-
-def milliseconds(found):
-    return found["geometryMs"] + found["shadingMs"]
 
 
 def fastest(measured, rows):
@@ -68,12 +64,12 @@ class Scene:
         found = {"table": ["--observe", "--no-validation", "--scene-share", self.arguments.scene_share]}
         if self.other:
             path = self.runs.work / f"{self.name}-measured-settings.json"
-            write_measured(path, self.other.measure_all(table_rows()), self.arguments.size)
+            write_measured(path, self.other.measure_all(table_rows(), self.arguments.turns), self.arguments.size)
             found["measured"] = ["--measured", path, "--backend", "vk"]
         return found
 
     def results(self, targets):
-        measured = self.judged.measure_all(table_rows())
+        measured = self.judged.measure_all(table_rows(), self.arguments.turns)
         for way, how in self.ways().items():
             for target in targets:
                 choice = self.runs.kept(f"{self.name}-{way}-choice-{target}", lambda: self.runs.call(
@@ -117,6 +113,7 @@ def main():
     parser.add_argument("--scene", action="append", help="only these; repeatable")
     parser.add_argument("--target", action="append", type=float, help="errors by that of single; repeatable")
     parser.add_argument("--scene-share", default=0.8, type=float, help="AgaaGoal::sceneShare")
+    parser.add_argument("--turns", default=3, type=int, help="measurements of each time")
     parser.add_argument("--measured", action="store_true", help="choose by measurements of another frame, too")
     arguments = parser.parse_args()
     targets = arguments.target or [0.25, 0.1, 0.05, 0.02]
