@@ -33,6 +33,11 @@ class Calibration(unittest.TestCase):
         passes = [{"stage": stage, "ms": {"median": ms}} for stage, ms in stages]
         self.assertEqual(calibrate.times(passes), {"geometryMs": 7, "shadingMs": 24})
 
+    def test_the_median_of_turns(self):
+        turns = [{"geometryMs": float(i), "shadingMs": 2.0 * i} for i in (9, 1, 2)]
+        self.assertEqual(calibrate.middle(turns), turns[2])
+        self.assertEqual(calibrate.middle(turns[:2]), turns[1])
+
     def test_rows_have_names(self):
         self.assertEqual([row.name for row in calibrate.wanted_rows(["ssaa-8"])], ["single-1", "ssaa-8"])
         with self.assertRaises(SystemExit):
