@@ -6,6 +6,9 @@ GEOMETRY = ("prepass", "definition", "generation")
 
 # Follows the paper for comparison, and needs an AgaaMeasurement: not for hosts.
 LEFT_OUT = {"paper"}
+# Need structs that hosts chain to AgaaConfig: room for lists of fragments, a pattern of samples.
+TECHNIQUES_LEFT_OUT = {"dcaa", "adaptive"}
+TIERS_LEFT_OUT = {"fragments"}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -31,10 +34,15 @@ def scenes(results):
     return [scene for scene in results["backends"][0]["scenes"] if not scene["plain"]]
 
 
+def is_for_hosts(row):
+    return (row["preset"] not in LEFT_OUT and row["technique"] not in TECHNIQUES_LEFT_OUT
+            and row["tiers"].get("generation") not in TIERS_LEFT_OUT)
+
+
 def candidates(results):
     """In the order of the sweep: those that every scene has."""
     found = None
     for scene in scenes(results):
-        here = [candidate(row) for row in scene["rows"] if row["shadingCost"] == 1 and row["preset"] not in LEFT_OUT]
+        here = [candidate(row) for row in scene["rows"] if row["shadingCost"] == 1 and is_for_hosts(row)]
         found = here if found is None else [row for row in found if row in here]
     return list(dict.fromkeys(found))

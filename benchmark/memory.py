@@ -41,6 +41,7 @@ The 640x360 view keeps, in bytes per pixel:
 """
 COVERAGE_WAYS = [  # name, options, surface; None: all
     ("four surfaces, layout `dcaa28`", ["--aggregates", "4", "--layout", "dcaa28"], "surfaces"),
+    ("the same, elliptic lobes", ["--aggregates", "4", "--layout", "dcaa28", "--ndf", "lean"], "surfaces"),
     ("four surfaces, layout `precise`", ["--aggregates", "4"], "surfaces"),
     ("lists of fragments", ["--aggregates", "4"], "fragments"),
     ("`dcaa` S=4", ["--aggregates", "4"], None),

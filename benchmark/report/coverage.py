@@ -31,7 +31,8 @@ def accurate(scene, n, cost=1):
 def beside(scene):
     """Name and row of what is compared with ssaa n=8."""
     return [("`dcaa` S=4", find(scene, "dcaa", 64, 4)), ("`dcaa` S=8", find(scene, "dcaa", 64, 8)),
-            ("the paper's rule, S=4", variant(scene, "paper")), ("all fragments", variant(scene, "exact")),
+            ("elliptic lobes, S=4", variant(scene, "lean")), ("the paper's rule, S=4", variant(scene, "paper")),
+            ("all fragments", variant(scene, "exact")),
             ("`sbaa` n=8, S=4", find(scene, "sbaa", 8, 4)), ("`agaa` accurate, n=8", accurate(scene, 8)),
             ("fragments, c=2", find(scene, "agaa", 64, 2, by="fragments")), ("fragments, accurate", accurate(scene, 64)),
             ("`ssaa` n=4", find(scene, "ssaa", 4))]

@@ -32,6 +32,8 @@ static void applyCoverage(const std::string& preset, TechniqueConfig& config) {
     config.coverage.maxBatches = 8;
     if (preset == "paper")
         config.coverage.merge = AGAA_MERGE_PAPER;
+    if (preset == "lean")
+        config.ndf = AGAA_NDF_LEAN;
 }
 
 void SweepRow::apply(TechniqueConfig& config) const {
@@ -82,7 +84,7 @@ std::vector<SweepRow> sweepRows(bool quick) {
     }
     for (uint32_t surfaces : {4u, 8u})
         rows.push_back({"dcaa", 64, surfaces});
-    for (const char* preset : {"paper", "exact"})
+    for (const char* preset : {"lean", "paper", "exact"})
         rows.push_back({"dcaa", 64, 4, 1, AGAA_TIER_AUTO, preset});
     rows.push_back({"agaa", 64, 2, 1, AGAA_TIER_FRAGMENTS});
     rows.push_back({"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"});

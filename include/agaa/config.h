@@ -108,7 +108,8 @@ typedef enum AgaaBrdf {
  * spread in each direction, so that lobes become elliptic: use them for thin geometry with sharp highlights. They need
  * the normal of each sample: the tier must be FRAGMENTS, or IDS or GBUFFER without AGAA_CONFIG_BUFFERED. Up to 32 samples,
  * AUTO selects IDS with an AgaaFetchFunction and GBUFFER without; any other tier fails with AGAA_ERROR_UNSUPPORTED.
- * Techniques other than "agaa", and views without specular light, use TOKSVIG instead. */
+ * "dcaa" keeps the spread of a surface's normals in 8 bytes more. Other techniques, and views without specular light, use
+ * TOKSVIG instead. */
 typedef enum AgaaNdf {
     AGAA_NDF_NONE = 0,    /* no widening, for ablation */
     AGAA_NDF_TOKSVIG = 1, /* isotropic, by the length of the mean normal (Toksvig 2005) */
@@ -143,6 +144,8 @@ typedef enum AgaaTier {
                                       shader evaluates them */
     AGAA_TIER_FRAGMENT_INTERLOCK = 24, /* "dcaa": no lists. The host's fragment shader evaluates the materials and merges each
                                           fragment, in the order of the draws. AUTO does not select it */
+    AGAA_TIER_RASTER_ORDER = 25, /* "dcaa", OpenGL: the same by fragment shaders that read what the attachments hold. Surfaces
+                                    are the texels of up to eight attachments: 128 bytes a pixel. AUTO does not select it */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 
@@ -245,7 +248,7 @@ typedef enum AgaaMerge {
                                               the view fails with AGAA_ERROR_UNSUPPORTED. With the tier MATERIAL_LISTS,
                                               depth planes and materials are rounded as the layout stores them */
 
-/* How "dcaa" keeps and merges fragments. Chain it to AgaaConfig. The tier FRAGMENT_INTERLOCK has no lists and uses neither
+/* How "dcaa" keeps and merges fragments. Chain it to AgaaConfig. The tiers FRAGMENT_INTERLOCK and RASTER_ORDER have no lists and use neither
  * fragmentsPerPixel nor maxBatches. "agaa" with the tier FRAGMENTS uses fragmentsPerPixel; if maxBatches is not 1, that view
  * fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers check the struct and do not use it. The smallest cosine
  * between normals that merge is AgaaConfig::surfaceCosine; 0 selects that of pi/16, as in the paper. */

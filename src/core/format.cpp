@@ -29,6 +29,8 @@ uint32_t bytesPerTexel(Format format) {
     case Format::RGBA16F:
     case Format::RG32U:
         return 8;
+    case Format::RGBA32U:
+        return 16;
     }
     return 0;
 }
@@ -71,6 +73,8 @@ const char* formatName(Format format) {
         return "R32_UINT";
     case Format::RG32U:
         return "RG32_UINT";
+    case Format::RGBA32U:
+        return "RGBA32_UINT";
     }
     return "unknown";
 }

@@ -24,6 +24,7 @@ enum class Format {
     R16U,
     R32U,
     RG32U,
+    RGBA32U,
 };
 
 // Payload: the bits that carry data (D32S8 counts 5 bytes, whatever a driver pads it to).
@@ -37,7 +38,7 @@ constexpr bool hasStencil(Format format) {
 }
 constexpr bool isInteger(Format format) {
     return format == Format::R8U || format == Format::R16U || format == Format::R32U ||
-           format == Format::RG32U;
+           format == Format::RG32U || format == Format::RGBA32U;
 }
 
 } // namespace agaa

@@ -33,9 +33,28 @@ std::string fields(const Constants& constants) {
     return out;
 }
 
+bool mergesInOrder(const Pass& pass) { return pass.fragmentContent == FragmentContent::Merged; }
+bool mergesInTargets(const Pass& pass) { return mergesInOrder(pass) && !pass.colorTargets.empty(); }
+
+// Attachments that the shader reads and writes: the words of their texels, one attachment after the other.
+std::string fetchedTargets(const Pass& pass) {
+    const uint32_t attachments = pass.drawState.colorAttachmentCount;
+    std::string out, fetch, store;
+    for (uint32_t i = 0; i < attachments; ++i) {
+        out += format("layout(location = %u) inout uvec4 agaa_target%u;\n", i, i);
+        const uint32_t w = 4 * i;
+        for (uint32_t c = 0; c < 4; ++c)
+            fetch += format("    agaa_targetWords[%u] = agaa_target%u.%c;\n", w + c, i, "xyzw"[c]);
+        store += format("    agaa_target%u = uvec4(agaa_targetWords[%u], agaa_targetWords[%u], agaa_targetWords[%u], "
+                        "agaa_targetWords[%u]);\n", i, w, w + 1, w + 2, w + 3);
+    }
+    return out + format("uint agaa_targetWords[%u];\n", 4 * attachments) + "void agaa_fetchTargets() {\n" + fetch +
+           "}\nvoid agaa_storeTargets() {\n" + store + "}\n";
+}
+
 std::string outputs(const Pass& pass, const HostDialect& dialect) {
     std::string out;
-    for (size_t i = 0; i < pass.colorTargets.size(); ++i)
+    for (size_t i = 0; i < pass.colorTargets.size() && !mergesInTargets(pass); ++i)
         out += dialect.hostOutputs ? format("vec4 agaa_out%zu;\n", i)
                                    : format("layout(location = %zu) out vec4 agaa_out%zu;\n", i, i);
     return out;
@@ -101,8 +120,6 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
     defineSwitch(out, "AGAA_LIGHT_COUNT", std::max(plan.facts.maxLights, 1u));
     return out;
 }
-
-bool mergesInOrder(const Pass& pass) { return pass.fragmentContent == FragmentContent::Merged; }
 
 bool needsMaterial(const Pass& pass) {
     if (pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS)
@@ -187,9 +204,11 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
         define(out, "AGAA_HAS_SPECULAR", c[AGAA_HAS_SPECULAR]);
         define(out, "AGAA_NDF", c[AGAA_NDF]);
+        defineSwitch(out, "AGAA_SPREAD_WORDS", c[AGAA_SPREAD_WORDS]);
         out += packing(c);
     }
     if (mergesInOrder(pass)) {
+        defineSwitch(out, "AGAA_IN_TARGETS", mergesInTargets(pass));
         define(out, "AGAA_AGGREGATES", plan.aggregates);
         define(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
         define(out, "AGAA_MERGE_RULE", c[AGAA_MERGE_RULE]);
@@ -230,7 +249,7 @@ std::string hostExtensions(const Pass& pass, const HostDialect& dialect) {
     if (dialect.glslVersion < 430 && !dialect.storageImages)
         extension("ARB_shader_storage_buffer_object");
     for (const std::string& name : pass.extensions)
-        extension(("ARB_" + name).c_str());
+        extension(name.c_str());
     return out;
 }
 
@@ -257,6 +276,8 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
             out += fields(pass.constants);
             appendGlsl(out, "host/carried_material.glsl", seen);
         }
+        if (mergesInTargets(pass))
+            out += fetchedTargets(pass);
         appendGlsl(out, mergesInOrder(pass) ? "host/merge_in_order.glsl" : "host/fragments.glsl", seen);
         break;
     case AGAA_DRAW_PASS_GBUFFER:

@@ -26,6 +26,7 @@ constexpr TierName tiers[] = {
     {AGAA_TIER_FRAGMENTS, "fragments"},
     {AGAA_TIER_MATERIAL_LISTS, "material-lists"},
     {AGAA_TIER_FRAGMENT_INTERLOCK, "interlock"},
+    {AGAA_TIER_RASTER_ORDER, "raster-order"},
 };
 constexpr const char* stages[] = {"prepass", "definition", "generation", "shading", "other"};
 } // namespace

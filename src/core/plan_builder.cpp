@@ -72,6 +72,13 @@ ResourceId PlanBuilder::modelSurface(std::string name, Format format, uint32_t s
     return id;
 }
 
+ResourceId PlanBuilder::layeredImage(std::string name, Format format, uint32_t layers) {
+    const ResourceId id = image(std::move(name), format, false);
+    plan.resources[id].layers = layers;
+    plan.resources[id].bytes = checkedMultiply(plan.resources[id].bytes, layers);
+    return id;
+}
+
 ResourceId PlanBuilder::pixelBuffer(std::string name, uint64_t bytesPerPixel) {
     Resource r;
     r.name = std::move(name);

@@ -29,6 +29,8 @@ public:
 
     // One texel a pixel, or with atTargetRate the scaled, multisampled target.
     ResourceId image(std::string name, Format format, bool atTargetRate);
+    // One texel a pixel in each layer. As a target of a draw, each layer is an attachment.
+    ResourceId layeredImage(std::string name, Format format, uint32_t layers);
     ResourceId pixelBuffer(std::string name, uint64_t bytesPerPixel);
     // A record for each tile of side x side pixels, row by row.
     ResourceId tileBuffer(std::string name, uint32_t side, uint64_t bytesPerTile);

@@ -55,10 +55,11 @@ void PlanBuilder::dropUncalledFor(const Technique& technique) {
     }
     if (plan.aggregates < 2) // one place to go to
         plan.measurement.flags &= ~AGAA_MEASURE_FIRST_SAMPLE_ROUTING;
-    if (!technique.groupsSamples || !plan.layout.hasSpecularLight) { // no lobe: elliptic, or narrow
+    // No lobe: elliptic, or narrow.
+    if (!(technique.groupsSamples || technique.keepsSpread) || !plan.layout.hasSpecularLight)
         config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG);
+    if (!technique.groupsSamples || !plan.layout.hasSpecularLight)
         plan.aggregation.glossWeight = 0;
-    }
     const uint32_t lit = plan.aggregation.litShadows & ((1u << plan.facts.shadowMapCount) - 1);
     if (lit != plan.aggregation.litShadows)
         note("lit aggregates: AgaaAggregation::litShadows names shadows that AgaaSceneFacts does not declare; they are "

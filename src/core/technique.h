@@ -80,7 +80,8 @@ struct Technique {
 
     // Whether AUTO takes an ordered grid where n can be placed on one; null: no.
     bool (*prefersOrderedGrid)(const ViewSettings& view) = nullptr;
-    bool storesWidenedLobes = false; // as roughness
+    bool storesWidenedLobes = false; // as roughness, unless lobes are elliptic
+    bool keepsSpread = false;        // of normals, for elliptic lobes
 
     // Whether n counts coverage samples: the tier, or with AUTO n itself, decides.
     bool countsCoverage(uint32_t generationTier, uint32_t samples) const;

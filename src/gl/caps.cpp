@@ -19,6 +19,7 @@ constexpr const char* optionalExtensions[] = {
     "GL_ARB_post_depth_coverage", // else generation runs once per sample
     "GL_ARB_clip_control",        // core in 4.5; reversed depth is precise with it only
     "GL_ARB_fragment_shader_interlock",
+    "GL_EXT_shader_framebuffer_fetch",
 };
 
 GLint integer(const GladGLContext& gl, GLenum parameter) {
@@ -84,6 +85,8 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
         caps.flags |= AGAA_DEVICE_POST_DEPTH_COVERAGE;
     if (gl.ARB_fragment_shader_interlock)
         caps.flags |= AGAA_DEVICE_FRAGMENT_INTERLOCK;
+    if (gl.EXT_shader_framebuffer_fetch)
+        caps.flags |= AGAA_DEVICE_FRAMEBUFFER_FETCH;
     if (gl.NV_framebuffer_mixed_samples && gl.NV_sample_mask_override_coverage)
         caps.flags |= AGAA_DEVICE_NV_MIXED_SAMPLES;
     caps.sampleCounts = 0x1F; // no standard has a pattern of 32 samples

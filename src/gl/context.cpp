@@ -124,6 +124,8 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc, co
     std::copy_n(desc.bindings, hostBindingCount, dialect.bindings.begin());
     takeHostErrors("agaaGlCreateContext");
     caps = queryCaps(gl);
+    if (dialect.hostOutputs) // the host's cannot be read
+        caps.flags &= ~AGAA_DEVICE_FRAMEBUFFER_FETCH;
     checkBindings(gl, dialect);
     binaryFormats = binaryFormatsOf(gl);
     keepsPrograms = cache && !binaryFormats.empty();

@@ -19,8 +19,10 @@ void View::describePass(size_t index, AgaaDrawPass& out, void* native) const {
     if (!native)
         return;
     AgaaGlDrawPass own = AGAA_GL_DRAW_PASS_INIT;
-    for (size_t i = 0; i < pass.colorTargets.size(); ++i)
-        own.colorFormats[i] = internalFormat(plan.resources[pass.colorTargets[i]].format);
+    uint32_t attachments = 0;
+    for (ResourceId target : pass.colorTargets)
+        for (uint32_t layer = 0; layer < plan.resources[target].layers; ++layer)
+            own.colorFormats[attachments++] = internalFormat(plan.resources[target].format);
     own.depthStencilFormat =
         pass.depthTarget != noResource ? internalFormat(plan.resources[pass.depthTarget].format) : GL_NONE;
     own.framebuffer = objects.framebuffer;

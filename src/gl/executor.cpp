@@ -25,6 +25,20 @@ void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
     }
 }
 
+// Those of whole numbers become 0.
+void View::clearColor(const Pass& pass, GLuint framebuffer) const {
+    constexpr GLuint zero[4] = {};
+    GLint attachment = 0;
+    for (size_t i = 0; i < pass.colorTargets.size(); ++i) {
+        const Resource& target = plan.resources[pass.colorTargets[i]];
+        for (uint32_t layer = 0; layer < target.layers; ++layer, ++attachment)
+            if (isInteger(target.format))
+                context.gl.ClearNamedFramebufferuiv(framebuffer, GL_COLOR, attachment, zero);
+            else
+                context.gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, attachment, pass.clear.color[i].data());
+    }
+}
+
 // Clears obey masks, the scissor test and the discarding of primitives.
 void View::clearTargets(const Pass& pass, GLuint framebuffer) {
     const GladGLContext& gl = context.gl;
@@ -33,8 +47,8 @@ void View::clearTargets(const Pass& pass, GLuint framebuffer) {
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.DepthMask(GL_TRUE);
     gl.StencilMask(~0u);
-    for (size_t i = 0; pass.clearsColor && i < pass.colorTargets.size(); ++i)
-        gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, GLint(i), pass.clear.color[i].data());
+    if (pass.clearsColor)
+        clearColor(pass, framebuffer);
     if (!pass.clearsDepth || pass.depthTarget == noResource)
         return;
     if (hasStencil(plan.resources[pass.depthTarget].format))

@@ -39,6 +39,8 @@ inline GLenum internalFormat(Format format) {
         return GL_R32UI;
     case Format::RG32U:
         return GL_RG32UI;
+    case Format::RGBA32U:
+        return GL_RGBA32UI;
     case Format::None:
     case Format::Buffer:
     case Format::RGB16:

@@ -66,13 +66,16 @@ void ViewResources::createTexture(const Resource& resource, GpuResource& out) {
                  format("%s was to have %u samples; the driver gives it %d.", resource.name.c_str(),
                          resource.samples, samples));
     } else {
-        gl.CreateTextures(GL_TEXTURE_2D, 1, &out.texture);
-        gl.TextureStorage2D(out.texture, 1, texels, width, height);
+        gl.CreateTextures(resource.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &out.texture);
+        if (resource.layers > 1)
+            gl.TextureStorage3D(out.texture, 1, texels, width, height, GLsizei(resource.layers));
+        else
+            gl.TextureStorage2D(out.texture, 1, texels, width, height);
         for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
             gl.TextureParameteri(out.texture, filter, GL_NEAREST);
     }
     context_.label(GL_TEXTURE, out.texture, "agaa " + resource.name);
-    payloadBytes_ += uint64_t(resource.width) * resource.height * resource.samples *
+    payloadBytes_ += uint64_t(resource.width) * resource.height * resource.samples * resource.layers *
                      bytesPerTexel(resource.format);
 }
 

@@ -88,10 +88,16 @@ void View::createFramebuffer(const Pass& pass, PassObjects& objects) {
     gl.CreateFramebuffers(1, &objects.framebuffer);
     context.label(GL_FRAMEBUFFER, objects.framebuffer, "agaa " + pass.name);
     std::vector<GLenum> buffers;
-    for (size_t i = 0; i < pass.colorTargets.size(); ++i) {
-        buffers.push_back(GLenum(GL_COLOR_ATTACHMENT0 + i));
-        gl.NamedFramebufferTexture(objects.framebuffer, buffers.back(),
-                                   (*resources)[pass.colorTargets[i]].texture, 0);
+    for (ResourceId target : pass.colorTargets) {
+        const uint32_t layers = plan.resources[target].layers;
+        for (uint32_t layer = 0; layer < layers; ++layer) {
+            buffers.push_back(GLenum(GL_COLOR_ATTACHMENT0 + buffers.size()));
+            const GLuint texture = (*resources)[target].texture;
+            if (layers > 1)
+                gl.NamedFramebufferTextureLayer(objects.framebuffer, buffers.back(), texture, 0, GLint(layer));
+            else
+                gl.NamedFramebufferTexture(objects.framebuffer, buffers.back(), texture, 0);
+        }
     }
     if (pass.depthTarget != noResource)
         gl.NamedFramebufferTexture(objects.framebuffer, depthAttachment(plan.resources[pass.depthTarget].format),

@@ -72,6 +72,7 @@ private:
     void runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                      HostState& state);
     void dispatch(const Dispatch& dispatch, uint32_t slot);
+    void clearColor(const Pass& pass, GLuint framebuffer) const;
     void clearTargets(const Pass& pass, GLuint framebuffer);
     void bindConstants(GLuint place, ResourceId resource, uint32_t slot);
     void bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);

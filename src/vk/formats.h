@@ -38,6 +38,8 @@ inline VkFormat vkFormat(Format format) {
         return VK_FORMAT_R32_UINT;
     case Format::RG32U:
         return VK_FORMAT_R32G32_UINT;
+    case Format::RGBA32U:
+        return VK_FORMAT_R32G32B32A32_UINT;
     case Format::None:
     case Format::Buffer:
     case Format::RGB16:

@@ -35,6 +35,23 @@ TEST(CoveragePlan, FragmentsWithMaterialsAreOf36Bytes) {
     }
 }
 
+// Two words for how normals spread, in each surface and in fragments that carry materials.
+TEST(CoveragePlan, EllipticLobesTakeEightBytes) {
+    ViewSpec spec = carried();
+    const uint64_t pixels = uint64_t(spec.width) * spec.height;
+    for (const uint32_t ndf : {AGAA_NDF_LEAN, AGAA_NDF_SGGX}) {
+        spec.change = [ndf](TechniqueConfig& config) { config.ndf = ndf; };
+        const Plan plan = planFor(spec, idealDevice());
+        EXPECT_EQ(plan.config.ndf, ndf);
+        EXPECT_EQ(plan.bytesPerAggregate, 36u);
+        EXPECT_EQ(bytesOf(plan, "surfaces"), 144 * pixels);
+        EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * 44) * pixels + 64);
+        EXPECT_TRUE(std::ranges::count(plan.effects, "elliptic-lobes"));
+    }
+    spec.facts = AGAA_FACT_EMISSIVE; // no highlights
+    EXPECT_EQ(planFor(spec, idealDevice()).config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
+}
+
 // AUTO fetches where the host can for all draws. Otherwise fragments carry their materials.
 TEST(CoveragePlan, FragmentsCarryMaterialsThatCannotBeFetched) {
     AgaaFetchFunction all = AGAA_FETCH_FUNCTION_INIT;
@@ -85,10 +102,10 @@ TEST(CoveragePlan, VertexPullingReplacesGeometryShaders) {
     caps.flags &= ~AGAA_DEVICE_GEOMETRY_SHADERS;
     for (const auto& [technique, tier] :
          {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
-          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK}, {"dcaa", AGAA_TIER_AUTO},
+          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK}, {"dcaa", AGAA_TIER_RASTER_ORDER}, {"dcaa", AGAA_TIER_AUTO},
           {"agaa", AGAA_TIER_FRAGMENTS}, {"agaa", AGAA_TIER_AUTO}}) {
         SCOPED_TRACE(std::string(technique) + " " + agaaTierName(tier));
-        ViewSpec spec{.technique = technique, .samples = 64, .generationTier = uint32_t(tier)};
+        ViewSpec spec{.technique = technique, .samples = 64, .aggregates = 2, .generationTier = uint32_t(tier)};
         const std::string refused = refusal(spec, caps);
         EXPECT_NE(refused.find("the device has no geometry shaders"), std::string::npos) << refused;
         EXPECT_NE(refused.find("AGAA_VIEW_VERTEX_PULLING"), std::string::npos) << refused;
@@ -142,6 +159,36 @@ TEST(CoveragePlan, InterlockKeepsSurfacesAlone) {
     spec = carried();
     spec.generationTier = AGAA_TIER_AUTO;
     EXPECT_EQ(planFor(spec, idealDevice()).generationTier, AGAA_TIER_MATERIAL_LISTS);
+}
+
+// The texels of seven attachments are the surfaces; AUTO does not select the tier.
+TEST(CoveragePlan, RasterOrderKeepsSurfacesInAttachments) {
+    ViewSpec spec = carried();
+    spec.generationTier = AGAA_TIER_RASTER_ORDER;
+    AgaaDeviceCaps caps = idealDevice();
+    const Plan plan = planFor(spec, caps);
+    EXPECT_EQ(plan.generationTier, AGAA_TIER_RASTER_ORDER);
+    EXPECT_EQ(plan.totalBytes(), 112u * spec.width * spec.height);
+    EXPECT_EQ(plan.poolRecords, 0u);
+    const auto draw = std::ranges::find(plan.passes, PassKind::HostDraw, &Pass::kind);
+    ASSERT_NE(draw, plan.passes.end());
+    EXPECT_EQ(draw->drawState.colorAttachmentCount, 7u);
+    ASSERT_EQ(draw->colorTargets.size(), 1u);
+    EXPECT_EQ(plan.resources[draw->colorTargets[0]].layers, 7u);
+    HostDialect dialect;
+    dialect.openGl = true;
+    const std::string text = hostDeclarations(plan, *draw, dialect);
+    EXPECT_NE(hostExtensions(*draw, dialect).find("GL_EXT_shader_framebuffer_fetch"), std::string::npos);
+    EXPECT_NE(text.find("layout(location = 6) inout uvec4 agaa_target6;"), std::string::npos);
+    EXPECT_EQ(text.find("agaa_target7"), std::string::npos);
+    EXPECT_EQ(text.find("out vec4"), std::string::npos);
+    caps.flags &= ~AGAA_DEVICE_FRAMEBUFFER_FETCH;
+    EXPECT_NE(refusal(spec, caps).find("GL_EXT_shader_framebuffer_fetch"), std::string::npos);
+    spec.aggregates = 5;
+    EXPECT_NE(refusal(spec, idealDevice()).find("5 surfaces of this layout take 140"), std::string::npos);
+    spec.aggregates = 4;
+    spec.change = [](TechniqueConfig& config) { config.coverage.flags = AGAA_COVERAGE_EXACT; };
+    EXPECT_NE(refusal(spec, idealDevice()).find("the tier raster-order does not keep"), std::string::npos);
 }
 
 // No driver of the tests has the extension: the text is compiled, and says what it needs.

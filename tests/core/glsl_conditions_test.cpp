@@ -102,6 +102,7 @@ TEST_F(GlslConditions, NameWhatIsDefined) {
     const Case cases[] = {{"dcaa"},
                           {"dcaa", AGAA_TIER_MATERIAL_LISTS},
                           {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK},
+                          {"dcaa", AGAA_TIER_RASTER_ORDER},
                           {"single"},
                           {"fxaa"},
                           {"msaa"},
@@ -134,7 +135,7 @@ TEST_F(GlslConditions, NameWhatIsDefined) {
                 spec.shadowMaps = shadowMaps;
                 spec.change = [&](TechniqueConfig& config) { config.aggregation.litShadows = each.litShadows & shadowMaps; };
                 AgaaDeviceCaps caps = fourSampleDevice();
-                caps.flags |= AGAA_DEVICE_FRAGMENT_INTERLOCK;
+                caps.flags |= AGAA_DEVICE_FRAGMENT_INTERLOCK | AGAA_DEVICE_FRAMEBUFFER_FETCH;
                 const Plan plan = planFor(spec, caps);
                 for (const Pass& pass : plan.passes)
                     expectDefined(plan, pass, std::string(each.technique) + " " + pass.name);

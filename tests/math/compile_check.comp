@@ -19,6 +19,7 @@
 #include "../../src/shaders/math/encoding.glsl"
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/ndf.glsl"
+#include "../../src/shaders/math/normal_spread.glsl"
 #include "../../src/shaders/math/brdf.glsl"
 #include "../../src/shaders/math/depth.glsl"
 #include "../../src/shaders/math/barycentrics.glsl"

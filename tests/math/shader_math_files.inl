@@ -13,6 +13,7 @@
 #undef AGAA_MATH_ENCODING_GLSL
 #undef AGAA_MATH_METADATA_GLSL
 #undef AGAA_MATH_NDF_GLSL
+#undef AGAA_MATH_NORMAL_SPREAD_GLSL
 #undef AGAA_MATH_BRDF_GLSL
 #undef AGAA_MATH_DEPTH_GLSL
 #undef AGAA_MATH_BARYCENTRICS_GLSL
@@ -39,6 +40,7 @@
 #include "../../src/shaders/math/metadata.glsl"
 #include "../../src/shaders/math/records.glsl"
 #include "../../src/shaders/math/ndf.glsl"
+#include "../../src/shaders/math/normal_spread.glsl"
 #include "../../src/shaders/math/brdf.glsl"
 #include "../../src/shaders/math/depth.glsl"
 #include "../../src/shaders/math/barycentrics.glsl"

@@ -85,6 +85,32 @@ TYPED_TEST_P(CarriedCases, CurvedPrimitivesWidenLobes) {
     EXPECT_LT(compare(curved.rgb, flat.rgb).psnr, 60);
 }
 
+// Normals spread along one direction more than across it: the same by fragments that carry it, up to its rounding, and by
+// those whose materials are fetched; merged and exact.
+TYPED_TEST_P(CarriedCases, LobesWidenInEachDirection) {
+    Shot shot{.triangles = randomTriangles({.triangles = 60}, 5), .change = addAmbient};
+    for (Triangle& t : shot.triangles)
+        t.material.normal = glm::vec4(planeNormal(t), 0.001f);
+    shot.material = "m.normalDx = vec3(0.3, 0.0, 0.1); m.normalDy = vec3(0.0, 0.02, 0.0);";
+    for (const uint64_t flags : {UINT64_C(0), AGAA_COVERAGE_EXACT})
+        for (const uint32_t ndf : {AGAA_NDF_LEAN, AGAA_NDF_SGGX}) {
+            SCOPED_TRACE(std::to_string(flags) + " " + std::to_string(ndf));
+            ViewSettings fetched = dcaaSettings(64, 3), carried = carriedSettings(64, 3);
+            carried.surface = "s.normalDx = vec3(0.3, 0.0, 0.1); s.normalDy = vec3(0.0, 0.02, 0.0);";
+            carried.config.coverage.flags = fetched.config.coverage.flags = flags;
+            carried.config.coverage.fragmentsPerPixel = fetched.config.coverage.fragmentsPerPixel = 64;
+            const Shown round = this->render(fetched, shot);
+            carried.config.ndf = fetched.config.ndf = ndf;
+            const Shown elliptic = this->render(fetched, shot);
+            const double same = compare(this->render(carried, shot).rgb, elliptic.rgb).psnr;
+            const double other = compare(round.rgb, elliptic.rgb).psnr;
+            std::printf("PSNR %.1f dB, %.1f dB to round lobes\n", same, other);
+            EXPECT_EQ(nonFinite(elliptic.rgb), 0u);
+            EXPECT_GT(same, 75);
+            EXPECT_LT(other, 60);
+        }
+}
+
 // The numbers that the host gives decide the order, and where they are the same, what fragments carry: the order of the draws
 // does not.
 TYPED_TEST_P(CarriedCases, NumbersThenContentDecideTheOrder) {
@@ -141,6 +167,6 @@ TYPED_TEST_P(CarriedCases, BatchesAreForFragmentsInLists) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(CarriedCases, BatchesAreForFragmentsInLists, MergesAsFetchedFragments, MaterialsAreEvaluatedInTheMiddleOfWhatIsCovered,
-                            CurvedPrimitivesWidenLobes, NumbersThenContentDecideTheOrder, WhatIsNotFiniteIsReplaced);
+                            CurvedPrimitivesWidenLobes, LobesWidenInEachDirection, NumbersThenContentDecideTheOrder, WhatIsNotFiniteIsReplaced);
 
 } // namespace agaa::test

@@ -41,6 +41,14 @@ void setPlane(paper::Surface& s, float depth, uint32_t slopeX, uint32_t slopeY) 
 
 } // namespace
 
+std::vector<uint32_t> withoutRests(const std::vector<uint32_t>& words, size_t pixels, size_t wordsOfPixel) {
+    const size_t step = words.size() / pixels;
+    std::vector<uint32_t> kept;
+    for (size_t p = 0; p < pixels; ++p)
+        kept.insert(kept.end(), words.begin() + ptrdiff_t(p * step), words.begin() + ptrdiff_t(p * step + wordsOfPixel));
+    return kept;
+}
+
 Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const AgaaCounters& counters) {
     Kept kept;
     kept.counters = counters;

@@ -25,6 +25,9 @@ struct KeptBuffers {
 };
 Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const AgaaCounters& counters);
 
+// Texels may have words that no surface of their pixel needs, after the others.
+std::vector<uint32_t> withoutRests(const std::vector<uint32_t>& words, size_t pixels, size_t wordsOfPixel);
+
 // What a frame leaves in memory.
 template <class Host>
 Kept keepFrame(typename Host::Context& context, ViewSettings settings, const Shot& shot) {
@@ -32,6 +35,7 @@ Kept keepFrame(typename Host::Context& context, ViewSettings settings, const Sho
     return showBy<Host>(context, settings, shot, [&](typename Host::View& view) {
         const auto& plan = view.plan();
         KeptBuffers buffers{{}, view.readBuffer("surfaces"), plan.ownWords, plan.bytesPerAggregate / 4};
+        buffers.surfaces = withoutRests(buffers.surfaces, size_t(plan.width) * plan.height, plan.aggregates * buffers.stride);
         if (plan.poolRecords)
             buffers.fragments = view.readBuffer("fragments");
         Kept kept = keptOf(settings, buffers, view.statistics().counters);

@@ -45,9 +45,10 @@ TYPED_TEST_P(InterlockCases, MergesAsLists) {
         uint32_t samples, surfaces, merge;
         bool isTangle;
         float masked;
+        uint32_t ndf;
     };
-    for (const Case& c : {Case{64, 4, AGAA_MERGE_VISIBLE, true, 0}, {64, 2, AGAA_MERGE_PAPER, true, 0},
-                          {32, 8, AGAA_MERGE_VISIBLE, false, 0.5f}, {128, 1, AGAA_MERGE_NONE, true, 0}}) {
+    for (const Case& c : {Case{64, 4, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_LEAN}, {64, 2, AGAA_MERGE_PAPER, true, 0, AGAA_NDF_TOKSVIG},
+                          {32, 8, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG}, {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE}}) {
         SCOPED_TRACE(c.samples);
         const Shot shot{.triangles = c.isTangle ? tangle(400) : randomTriangles({.triangles = 200, .masked = c.masked}, 61),
                         .change = addAmbient};
@@ -55,6 +56,8 @@ TYPED_TEST_P(InterlockCases, MergesAsLists) {
         settings.hasInterlock = this->hasInterlock;
         settings.config.coverage.merge = c.merge;
         settings.config.surfaceCosine = 0.9f;
+        settings.config.ndf = c.ndf;
+        settings.surface = "s.normalDx = vec3(0.3, 0.0, 0.1); s.normalDy = vec3(0.0, 0.02, 0.0);";
         const Kept lists = this->keep(settings, shot);
         settings.config.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
         const Kept merged = this->keep(settings, shot);

@@ -35,7 +35,9 @@ struct TechniqueConfig : AgaaConfig {
         return name == "dcaa" || (name == "agaa" && (generationTier == AGAA_TIER_FRAGMENTS || samples > 32));
     }
     // Whether views keep fragments in lists.
-    bool keepsLists() const { return coversByEdges() && generationTier != AGAA_TIER_FRAGMENT_INTERLOCK; }
+    bool keepsLists() const {
+        return coversByEdges() && generationTier != AGAA_TIER_FRAGMENT_INTERLOCK && generationTier != AGAA_TIER_RASTER_ORDER;
+    }
     // Whether views need an AgaaFetchFunction, or AUTO prefers one.
     bool fetches() const {
         return generationTier == AGAA_TIER_IDS || generationTier == AGAA_TIER_FRAGMENT_LISTS ||

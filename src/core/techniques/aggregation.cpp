@@ -63,6 +63,7 @@ void setRecord(Pass& pass, const Aggregation& a) {
     pass.constants[AGAA_WORDS] = a.packing.words;
     pass.constants[AGAA_UNFILTERED_WORDS] = a.packing.unfilteredWords;
     pass.constants[AGAA_STRIDE] = a.stride;
+    pass.constants[AGAA_SPREAD_WORDS] = a.spreadWords;
     pass.constants[AGAA_FIELD_COVERAGE] = a.packing.coverage.constant();
     pass.constants[AGAA_FOLDED_ROUGHNESS] = a.layout.foldsRoughness();
     pass.constants[AGAA_YCBCR_SPECULAR] = a.layout.specularIsYCbCr();
@@ -104,7 +105,7 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
         b.bind(draw, host_slot::Normals, BindingType::Texture, prepass.normals);
     b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
     if (!perSample && b.plan.hwSamples > 1)
-        draw.extensions.push_back("post_depth_coverage");
+        draw.extensions.push_back("ARB_post_depth_coverage");
     setRecord(draw, a);
 }
 

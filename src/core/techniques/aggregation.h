@@ -24,6 +24,7 @@ struct Aggregation {
     Layout layout; // of an aggregate
     AggregatePacking packing;
     uint32_t stride = 0; // words from one aggregate to the next
+    uint32_t spreadWords = 0; // for how normals spread, of elliptic lobes
     // One sample's attributes stand for all, in place of the sums of all of them.
     bool represented = false;
     // Adds the pass that tells samples their aggregate. bindSamples: binds what it reads. Returns the image that

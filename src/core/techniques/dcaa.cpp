@@ -27,14 +27,18 @@ bool isExact(const ViewSettings& plan) { return plan.coverage.flags & AGAA_COVER
 ShadingWork work(const ViewSettings& plan) { return {isExact(plan) ? plan.samples : plan.aggregates, plan.samples}; }
 
 bool carriesMaterials(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_MATERIAL_LISTS; }
-bool mergesInOrder(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK; }
+bool mergesInTargets(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_RASTER_ORDER; }
+bool mergesInOrder(const PlanBuilder& b) {
+    return b.plan.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK || mergesInTargets(b);
+}
 
 Aggregation keptSurfaces(const PlanBuilder& b) {
     Aggregation surfaces;
     surfaces.layout = surfaceLayout(b.plan.layout);
     surfaces.packing = packMaterial(surfaces.layout);
     const uint32_t geometryWords = b.plan.samples / 32 + 3; // of src/shaders/passes/covered_surface.glsl
-    surfaces.stride = geometryWords + surfaces.packing.words;
+    surfaces.spreadWords = b.plan.config.ndf > AGAA_NDF_TOKSVIG ? 2 : 0; // of src/shaders/passes/surface_spread.glsl
+    surfaces.stride = geometryWords + surfaces.spreadWords + surfaces.packing.words;
     return surfaces;
 }
 
@@ -61,8 +65,9 @@ void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& su
 void buildExact(PlanBuilder& b) {
     require(!hasBatches(b), AGAA_ERROR_UNSUPPORTED,
             "AgaaDecoupledCoverage::maxBatches is for lists that are merged; AGAA_COVERAGE_EXACT needs all fragments at once.");
-    require(!mergesInOrder(b), AGAA_ERROR_UNSUPPORTED,
-            "AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier interlock does not keep.");
+    if (mergesInOrder(b))
+        fail(AGAA_ERROR_UNSUPPORTED, format("AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier %s does not keep.",
+                                            agaaTierName(b.plan.generationTier)));
     const Aggregation surfaces = keptSurfaces(b);
     const FragmentLists lists = drawScene(b, surfaces, 3); // a depth plane
     Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING, carriesMaterials(b) ? "shade_carried" : "shade_fragments",
@@ -77,15 +82,37 @@ ResourceId surfaceBuffer(PlanBuilder& b) {
     return b.pixelBuffer("surfaces", checkedMultiply(b.plan.aggregates, b.plan.bytesPerAggregate));
 }
 
-ResourceId mergeInOrder(PlanBuilder& b, const Aggregation& surfaces) {
-    const ResourceId kept = surfaceBuffer(b);
-    b.fill("clear surfaces", AGAA_STAGE_GENERATION, kept, AGAA_SEGMENT_PREPASS);
+Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces, const char* extension) {
     Pass& draw = drawTriangles(b);
     draw.fragmentContent = FragmentContent::Merged;
-    draw.extensions.push_back("fragment_shader_interlock");
+    draw.extensions.push_back(extension);
     draw.constants[AGAA_MERGE_RULE] = b.plan.coverage.merge;
     setRecord(draw, surfaces);
+    return draw;
+}
+
+ResourceId mergeInBuffer(PlanBuilder& b, const Aggregation& surfaces) {
+    const ResourceId kept = surfaceBuffer(b);
+    b.fill("clear surfaces", AGAA_STAGE_GENERATION, kept, AGAA_SEGMENT_PREPASS);
+    Pass& draw = drawMerging(b, surfaces, "ARB_fragment_shader_interlock");
     b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, kept, true);
+    return kept;
+}
+
+// Eight attachments are what all devices have.
+ResourceId mergeInTargets(PlanBuilder& b, const Aggregation& surfaces) {
+    constexpr uint32_t mostAttachments = 8, words = 4; // of a texel
+    const uint32_t bytes = 4 * b.plan.aggregates * surfaces.stride;
+    if (bytes > 4 * words * mostAttachments)
+        fail(AGAA_ERROR_UNSUPPORTED,
+             format("the tier raster-order keeps up to 128 bytes a pixel in attachments; %u surfaces of this layout take %u.",
+                    b.plan.aggregates, bytes));
+    const uint32_t attachments = (b.plan.aggregates * surfaces.stride + words - 1) / words;
+    const ResourceId kept = b.layeredImage("surfaces", Format::RGBA32U, attachments);
+    Pass& draw = drawMerging(b, surfaces, "EXT_shader_framebuffer_fetch");
+    draw.colorTargets = {kept};
+    draw.drawState.colorAttachmentCount = attachments;
+    draw.clearsColor = true;
     return kept;
 }
 
@@ -114,21 +141,28 @@ void build(PlanBuilder& b) {
     b.defaultSurface(0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
     const Aggregation surfaces = keptSurfaces(b);
     b.plan.bytesPerAggregate = 4 * surfaces.stride;
-    const ResourceId kept = mergesInOrder(b) ? mergeInOrder(b, surfaces) : mergeLists(b, surfaces);
-    Pass& shade = b.compute("shade surfaces", AGAA_STAGE_SHADING, "shade_surfaces", AGAA_SEGMENT_SHADING);
+    const ResourceId kept = mergesInTargets(b) ? mergeInTargets(b, surfaces)
+                            : mergesInOrder(b) ? mergeInBuffer(b, surfaces)
+                                               : mergeLists(b, surfaces);
+    Pass& shade = b.compute("shade surfaces", AGAA_STAGE_SHADING, "shade_surfaces", AGAA_SEGMENT_SHADING,
+                            mergesInTargets(b) ? "t1" : "t0");
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
-    b.bind(shade, slot::Aggregates, BindingType::StorageBuffer, kept);
+    if (mergesInTargets(b))
+        b.bind(shade, slot::Surface0, BindingType::Texture, kept);
+    else
+        b.bind(shade, slot::Aggregates, BindingType::StorageBuffer, kept);
     setRecord(shade, surfaces);
     b.copyCounters();
 }
 
-constexpr const GenerationTier* tiers[] = {&fragmentListsTier, &materialListsTier, &interlockTier};
+constexpr const GenerationTier* tiers[] = {&fragmentListsTier, &materialListsTier, &interlockTier,
+                                           &rasterOrderTier};
 constexpr const TechniqueSettings* settings[] = {&coverageSettings};
 
 } // namespace
 
-const Technique dcaaTechnique = {"dcaa", 0, 8, false, tiers, settings, build, work, nullptr, true};
+const Technique dcaaTechnique = {"dcaa", 0, 8, false, tiers, settings, build, work, nullptr, true, true};
 
 } // namespace agaa

@@ -170,6 +170,15 @@ TierAnswer answerInterlock(const GenerationQuery& q) {
     return {true, "fragments are merged in the order of the draws by the shader that draws them."};
 }
 
+TierAnswer answerRasterOrder(const GenerationQuery& q) {
+    if (const TierAnswer lists = answerMaterialLists(q); !lists.runs)
+        return lists;
+    if (!(q.caps.flags & AGAA_DEVICE_FRAMEBUFFER_FETCH))
+        return {false, "fragment shaders cannot read what attachments hold: that takes OpenGL, GL_EXT_shader_framebuffer_fetch "
+                       "and AGAA_GL_OUTPUTS_SDK."};
+    return {true, "fragments are merged in the order of the draws by the shader that draws them, in attachments."};
+}
+
 } // namespace
 
 const GenerationTier idsTier = {
@@ -213,5 +222,8 @@ const GenerationTier materialListsTier = {
 const GenerationTier interlockTier = {
     .tier = AGAA_TIER_FRAGMENT_INTERLOCK, .relativeCost = 1, .isAutomatic = false, .isModel = false, .knowsMaterials = true,
     .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = true, .answer = answerInterlock};
+const GenerationTier rasterOrderTier = {
+    .tier = AGAA_TIER_RASTER_ORDER, .relativeCost = 1, .isAutomatic = false, .isModel = false, .knowsMaterials = true,
+    .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = true, .answer = answerRasterOrder};
 
 } // namespace agaa

@@ -13,6 +13,7 @@ extern const GenerationTier mixedSamplesTier;
 // These shade samples and generate no aggregates.
 extern const GenerationTier sampleIdsTier;
 extern const GenerationTier sampleGBufferTier;
-extern const GenerationTier fragmentListsTier, materialListsTier, interlockTier, fragmentsTier;
+extern const GenerationTier fragmentListsTier, materialListsTier, interlockTier, rasterOrderTier,
+    fragmentsTier;
 
 } // namespace agaa

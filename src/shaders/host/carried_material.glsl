@@ -3,8 +3,8 @@
 #include "passes/carried.glsl"
 #include "passes/curvature.glsl"
 #include "passes/growing_depth.glsl"
-#include "passes/packed_plane.glsl"
 #include "passes/packing.glsl"
+#include "passes/surface_spread.glsl"
 
 uint agaa_carried[AGAA_CARRIED_WORDS]; // by agaa_carry()
 uint agaa_wasSanitised = 0u;
@@ -17,12 +17,19 @@ bool agaa_carry(AgaaSurfaceInput s, uvec4 mask) {
     vec3 kept = agaa_growingDepth(plane);
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE) | agaa_sanitiseNormalChange(s.normalDx, s.normalDy);
     agaa_wasSanitised = bad;
-    s.alpha2 = agaa_widenedByCurvature(s.alpha2, s.normalDx, s.normalDy, mask);
+    if (AGAA_SPREAD_WORDS == 0u)
+        s.alpha2 = agaa_widenedByCurvature(s.alpha2, s.normalDx, s.normalDy, mask);
     agaa_packSurface(agaa_storedInput(s));
     agaa_carried[0] = floatBitsToUint(kept.x);
     agaa_carried[1] = agaa_packSlopes(kept.yz);
     agaa_carried[2] = agaa_packNormal(s.normal);
+#if AGAA_SPREAD_WORDS
+    vec3 normal = agaa_unpackNormal(agaa_carried[2]);
+    uvec2 spread = agaa_packSpread(agaa_spreadOfFragment(normal, s.normalDx, s.normalDy, mask));
+    agaa_carried[3] = spread.x;
+    agaa_carried[4] = spread.y;
+#endif
     for (uint w = 0u; w < AGAA_WORDS; ++w)
-        agaa_carried[3u + w] = agaa_packed[w];
+        agaa_carried[3u + AGAA_SPREAD_WORDS + w] = agaa_packed[w];
     return !agaa_isFar(plane);
 }

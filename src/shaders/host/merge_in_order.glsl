@@ -1,10 +1,16 @@
-// Fragments pass of devices with fragment shader interlock: each fragment merges into the surfaces of its pixel, in the order
-// of the draws and without lists (Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3).
+// Fragments pass of devices that order the fragments of a pixel, by fragment shader interlock or, with AGAA_IN_TARGETS, by
+// attachments that shaders read: each fragment merges into the surfaces of its pixel, in the order of the draws and without
+// lists (Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3).
 #include "host/fragment_coverage.glsl"
 
+#if AGAA_IN_TARGETS == 0
 layout(pixel_interlock_ordered) in;
+#endif
 
-#if AGAA_STORAGE_IMAGES
+#if AGAA_IN_TARGETS
+uint agaa_readSurfaces(uint word) { return agaa_targetWords[word]; }
+void agaa_setSurfaces(uint word, uint value) { agaa_targetWords[word] = value; }
+#elif AGAA_STORAGE_IMAGES
 layout(r32ui, AGAA_AT_AGGREGATES) coherent uniform uimageBuffer agaa_surfaces;
 uint agaa_readSurfaces(uint word) { return imageLoad(agaa_surfaces, int(word)).x; }
 void agaa_setSurfaces(uint word, uint value) { imageStore(agaa_surfaces, int(word), uvec4(value)); }
@@ -63,19 +69,32 @@ void agaa_mergeInOrder() {
     agaa_CoveredSurface s =
         agaa_asStored(agaa_surfaceOfWords(agaa_covered, agaa_carried[0], agaa_carried[1], agaa_carried[2]));
     for (uint w = 0u; w < AGAA_WORDS; ++w)
-        agaa_packed[w] = agaa_carried[3u + w];
+        agaa_packed[w] = agaa_carried[3u + AGAA_SPREAD_WORDS + w];
     agaa_Stored own = agaa_unpackSurface();
+    agaa_NormalSpread spread = agaa_noSpread(s.normal);
+#if AGAA_SPREAD_WORDS
+    spread = agaa_unpackSpread(s.normal, uvec2(agaa_carried[3], agaa_carried[4]));
+#endif
     agaa_loadSurfaces(pixel);
-    agaa_Insertion done = agaa_insertFragment(pixel, s, own);
+    agaa_Insertion done = agaa_insertFragment(pixel, s, own, spread);
     if (done.from != AGAA_NO_SURFACE && done.into != agaa_aggregateLimit())
         agaa_storeSurface(agaa_surfaceBase(pixel, done.into), agaa_kept[done.into]);
     if (done.to != AGAA_NO_SURFACE)
         agaa_storeSurface(agaa_surfaceBase(pixel, done.to), agaa_kept[done.to]);
 }
 
+#if AGAA_IN_TARGETS
+void agaa_emit(AgaaSurfaceInput s) {
+    agaa_prepareMerge(s);
+    agaa_fetchTargets();
+    agaa_mergeInOrder();
+    agaa_storeTargets();
+}
+#else
 // GLSL has the critical section in main() alone, outside of all branches.
 #define agaa_emit(s) \
     agaa_prepareMerge(s); \
     beginInvocationInterlockARB(); \
     agaa_mergeInOrder(); \
     endInvocationInterlockARB()
+#endif

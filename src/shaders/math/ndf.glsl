@@ -12,6 +12,10 @@
 #include "real.glsl"
 #include "sanitise.glsl"
 
+// Values of AgaaNdf; from the first on, lobes are elliptic.
+#define agaa_ndfLean 2u
+#define agaa_ndfSggx 3u
+
 // alpha >= .002025: below, D overflows half floats and loses its digits in single precision.
 real agaa_minAlpha2() {
     return real(4.100625e-6);

@@ -3,6 +3,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_LISTS_QUALIFIER coherent
+#define AGAA_SHOWN uint // the first fragment of the list
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/bindings.glsl"
 #include "passes/constants.glsl"
@@ -109,7 +110,7 @@ vec3 agaa_placeFragments(uvec2 pixel, uint head, uint a, float weight) {
 }
 
 // The plane of the fragment that shows at a sample.
-vec3 agaa_planeAt(uint head, uint sampleOf) {
+vec3 agaa_shownPlane(uint head, uint sampleOf) {
     vec3 plane = vec3(0.0);
     for (uint fragment = head; fragment != 0u;) {
         uint record = agaa_record(fragment);
@@ -118,24 +119,6 @@ vec3 agaa_planeAt(uint head, uint sampleOf) {
         fragment = isFound ? 0u : agaa_nextOf(record);
     }
     return plane;
-}
-
-// Shadow taps at up to AGAA_SHADOW_TAPS of the aggregate's samples, evenly chosen, or in their middle.
-void agaa_tapAggregate(uvec2 pixel, uint head, uvec4 mask, vec3 position) {
-#if AGAA_SHADOWS
-    uint count = agaa_coverageCount(mask);
-    uint taps = AGAA_SHADOW_FILTER != 0u ? min(count, AGAA_SHADOW_TAPS) : 1u;
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] = 0.0;
-    if (taps == 1u)
-        agaa_addTaps(position);
-    for (uint j = 0u; j < taps && taps > 1u; ++j) {
-        uint sampleOf = agaa_coveredSample(mask, (2u * j + 1u) * count / (2u * taps));
-        agaa_addTaps(agaa_surfacePosition(pixel, agaa_planeAt(head, sampleOf), agaa_coveragePosition(sampleOf, AGAA_SAMPLES)));
-    }
-    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
-        agaa_visibility[map] /= float(taps);
-#endif
 }
 
 #if AGAA_LIT
@@ -171,7 +154,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     uvec4 mask = agaa_masks[lane * AGAA_AGGREGATES + a];
     float weight = float(agaa_coverageCount(mask));
     vec3 position = agaa_placeFragments(pixel, head, a, weight);
-    agaa_tapAggregate(pixel, head, mask, position);
+    agaa_tapSurface(pixel, head, mask, position);
     agaa_Means means = agaa_meansOf(pixel, head, a, 1.0 / weight, false);
     vec3 toEye = agaa_toEye(position);
     agaa_Surface s = agaa_surfaceOfMeans(means, false, toEye);

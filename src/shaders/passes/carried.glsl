@@ -2,5 +2,5 @@
 // (passes/covered_surface.glsl).
 #ifndef AGAA_CARRIED_GLSL
 #define AGAA_CARRIED_GLSL
-#define AGAA_CARRIED_WORDS (3u + AGAA_WORDS)
+#define AGAA_CARRIED_WORDS (3u + AGAA_SPREAD_WORDS + AGAA_WORDS)
 #endif

@@ -6,7 +6,7 @@
 #define AGAA_OWN_WORDS AGAA_CARRIED_WORDS
 #include "math/coverage_pattern.glsl"
 #include "passes/list_order.glsl"
-#include "passes/packed_plane.glsl"
+#include "passes/surface_spread.glsl"
 #include "passes/unpacking.glsl"
 
 #define AGAA_PLANE_WORD (2u + AGAA_SAMPLES / 32u)
@@ -18,9 +18,17 @@ vec3 agaa_keptPlane(uint record) {
 
 vec3 agaa_keptNormal(uint record) { return agaa_unpackNormal(agaa_fragments.words[record + AGAA_PLANE_WORD + 2u]); }
 
+agaa_NormalSpread agaa_keptSpread(uint record) {
+    uint at = record + AGAA_PLANE_WORD + 3u;
+    vec3 normal = agaa_keptNormal(record);
+    return AGAA_SPREAD_WORDS == 0u
+               ? agaa_noSpread(normal)
+               : agaa_unpackSpread(normal, uvec2(agaa_fragments.words[at], agaa_fragments.words[at + 1u]));
+}
+
 agaa_Stored agaa_keptMaterial(uint record) {
     for (uint w = 0u; w < AGAA_WORDS; ++w)
-        agaa_packed[w] = agaa_fragments.words[record + AGAA_PLANE_WORD + 3u + w];
+        agaa_packed[w] = agaa_fragments.words[record + AGAA_PLANE_WORD + 3u + AGAA_SPREAD_WORDS + w];
     return agaa_unpackSurface();
 }
 #endif

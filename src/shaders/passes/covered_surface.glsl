@@ -1,6 +1,6 @@
 // Surfaces of `dcaa` in memory. The words of one: its coverage, the depth at the pixel's centre, the growth of depth per
-// pixel in x and in y (16 bits each: sign, 8 bits of exponent, 7 of mantissa), the normal (octahedral, 16 bits each), then
-// its material (passes/packing.glsl). No coverage: there is no surface. Depths grow away from the eye; reversed ones are
+// pixel in x and in y (16 bits each: sign, 8 bits of exponent, 7 of mantissa), the normal (octahedral, 16 bits each), with
+// elliptic lobes how normals spread (passes/surface_spread.glsl), then its material (passes/packing.glsl). No coverage: there is no surface. Depths grow away from the eye; reversed ones are
 // negated.
 #ifndef AGAA_COVERED_SURFACE_GLSL
 #define AGAA_COVERED_SURFACE_GLSL
@@ -11,10 +11,20 @@
 #define AGAA_DEPTH_WORD AGAA_MASK_WORDS
 #define AGAA_SLOPE_WORD (AGAA_MASK_WORDS + 1u)
 #define AGAA_NORMAL_WORD (AGAA_MASK_WORDS + 2u)
-#define AGAA_MATERIAL_WORD (AGAA_MASK_WORDS + 3u)
+#define AGAA_SPREAD_WORD (AGAA_MASK_WORDS + 3u)
+#define AGAA_MATERIAL_WORD (AGAA_SPREAD_WORD + AGAA_SPREAD_WORDS)
 
+#ifndef AGAA_IN_TARGETS
+#define AGAA_IN_TARGETS 0
+#endif
+
+// Where the words of one begin: in a buffer of all pixels, or with AGAA_IN_TARGETS among those of the pixel.
 uint agaa_surfaceBase(uvec2 pixel, uint a) {
+#if AGAA_IN_TARGETS
+    return a * AGAA_STRIDE;
+#else
     return ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE;
+#endif
 }
 
 agaa_CoveredSurface agaa_surfaceOfWords(uvec4 mask, uint depth, uint slopes, uint normal) {

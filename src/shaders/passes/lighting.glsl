@@ -73,10 +73,6 @@ float agaa_shadowTap(uint map, vec3 p) {
     return agaa_mapTap(map, p);
 }
 
-// Values of AgaaNdf; from the first on, lobes are elliptic.
-const uint agaa_ndfLean = 2u;
-const uint agaa_ndfSggx = 3u;
-
 float agaa_visibility[4]; // per shadow map, for the surface at hand
 #if AGAA_LIT
 agaa_Surface agaa_litSurface[4]; // what the lights of these shadows reach of it

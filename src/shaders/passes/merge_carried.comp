@@ -12,12 +12,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/carried_fragments.glsl"
 #include "passes/covered_surface.glsl"
 
-bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own) {
+bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread) {
     s.mask = agaa_maskOf(record);
     s.plane = agaa_keptPlane(record);
     s.normal = agaa_keptNormal(record);
     s = agaa_asStored(s);
     own = agaa_keptMaterial(record);
+    spread = agaa_keptSpread(record);
     return true;
 }
 #include "passes/merge_lists.glsl"

@@ -13,8 +13,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "passes/sorted_list.glsl"
 #include "passes/covered_surface.glsl"
 #include "passes/stored_material.glsl"
+#include "passes/surface_spread.glsl"
 
-bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own) {
+bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread) {
     s.mask = agaa_maskOf(record);
     AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
     agaa_DepthPlane plane = agaa_planeOf(p, pixel);
@@ -22,11 +23,15 @@ bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out 
         return false;
     agaa_moveTo(p, pixel, agaa_coverageMiddle(s.mask, AGAA_SAMPLES) + 0.5);
     AgaaMaterial m = agaa_fetchMaterialThere(p);
-    agaa_widenByCurvature(m, s.mask);
+    if (AGAA_SPREAD_WORDS == 0u)
+        agaa_widenByCurvature(m, s.mask);
     s.plane = agaa_growingDepth(plane);
     s.normal = m.normal;
     s = agaa_asStored(s);
     own = agaa_storedMaterial(m);
+    spread = agaa_noSpread(s.normal);
+    if (AGAA_SPREAD_WORDS != 0u)
+        spread = agaa_spreadOfFragment(s.normal, m.normalDx, m.normalDy, s.mask);
     return true;
 }
 #include "passes/merge_lists.glsl"

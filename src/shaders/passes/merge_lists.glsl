@@ -1,6 +1,6 @@
 // Merges the fragments of each pixel, in the order of their ids, into surfaces in memory. The including text defines
-// bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own), which is false for what is
-// not shown.
+// bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread),
+// which is false for what is not shown.
 layout(std430, AGAA_AT_AGGREGATES) buffer agaa_SurfaceBlock {
     uint words[];
 } agaa_surfaces;
@@ -15,8 +15,9 @@ void agaa_mergePixel(uvec2 pixel) {
         uint record = agaa_record(fragment);
         agaa_CoveredSurface s;
         agaa_Stored own;
-        if (agaa_readFragment(pixel, record, s, own))
-            agaa_insertFragment(pixel, s, own);
+        agaa_NormalSpread spread;
+        if (agaa_readFragment(pixel, record, s, own, spread))
+            agaa_insertFragment(pixel, s, own, spread);
         fragment = agaa_fragments.words[record + 1u];
     }
     for (uint a = 0u; a < agaa_aggregateLimit(); ++a) {

@@ -18,7 +18,11 @@ agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle) 
     AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
     agaa_moveTo(p, pixel, middle + 0.5);
     AgaaMaterial m = agaa_fetchMaterialThere(p);
-    agaa_widenByCurvature(m, mask);
-    return agaa_surfaceOfMaterial(m);
+    if (AGAA_NDF < agaa_ndfLean)
+        agaa_widenByCurvature(m, mask);
+    agaa_Surface s = agaa_surfaceOfMaterial(m);
+    if (AGAA_NDF >= agaa_ndfLean)
+        agaa_widenSurface(s, agaa_spreadOfFragment(s.normal, m.normalDx, m.normalDy, mask));
+    return s;
 }
 #include "passes/shade_lists.glsl"

@@ -14,11 +14,20 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "passes/tile.glsl"
 
+#if AGAA_IN_TARGETS
+layout(AGAA_AT_SURFACE0) uniform usampler2DArray agaa_surfaces; // four words a layer
+uvec2 agaa_surfacesOf = uvec2(0u);
+void agaa_seekSurfaces(uvec2 pixel) { agaa_surfacesOf = pixel; }
+uint agaa_readSurfaces(uint word) { return texelFetch(agaa_surfaces, ivec3(agaa_surfacesOf, word >> 2u), 0)[word & 3u]; }
+#else
 layout(std430, AGAA_AT_AGGREGATES) readonly buffer agaa_SurfaceBlock {
     uint words[];
 } agaa_surfaces;
+void agaa_seekSurfaces(uvec2 pixel) {}
+uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
+#endif
 
-#define AGAA_AGGREGATE_WORD(i) agaa_surfaces.words[i]
+#define AGAA_AGGREGATE_WORD(i) agaa_readSurfaces(i)
 #define AGAA_IMAGE_WIDTH agaa_frame.size.x
 #define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
 #include "passes/stored_aggregate.glsl"
@@ -29,13 +38,13 @@ shared uvec4 agaa_shown[64u * AGAA_AGGREGATES]; // of each surface, the samples 
 uvec4 agaa_loadMask(uint base) {
     uvec4 mask = uvec4(0u);
     for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
-        mask[word] = agaa_surfaces.words[base + word];
+        mask[word] = agaa_readSurfaces(base + word);
     return mask;
 }
 
 vec3 agaa_loadPlane(uint base) {
-    return vec3(uintBitsToFloat(agaa_surfaces.words[base + AGAA_DEPTH_WORD]),
-                agaa_unpackSlopes(agaa_surfaces.words[base + AGAA_SLOPE_WORD]));
+    return vec3(uintBitsToFloat(agaa_readSurfaces(base + AGAA_DEPTH_WORD)),
+                agaa_unpackSlopes(agaa_readSurfaces(base + AGAA_SLOPE_WORD)));
 }
 
 // Returns the samples that surface a loses to the others.
@@ -51,6 +60,7 @@ uvec4 agaa_hiddenSamples(uvec2 pixel, uint a, uvec4 mask, vec3 plane) {
 }
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
+    agaa_seekSurfaces(pixel);
     agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
     uint first = gl_LocalInvocationIndex * AGAA_AGGREGATES;
     for (uint a = 0u; a < agaa_aggregateLimit(); ++a) {
@@ -73,6 +83,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
 
 vec3 agaa_shadeEvent(uint lane, uint a) {
     uvec2 pixel = agaa_pixelOf(lane);
+    agaa_seekSurfaces(pixel);
     uint base = agaa_surfaceBase(pixel, a);
     uvec4 mask = agaa_shown[lane * AGAA_AGGREGATES + a];
     vec3 plane = agaa_loadPlane(base);
@@ -82,7 +93,11 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     agaa_base = base + AGAA_MATERIAL_WORD;
     agaa_Means m = agaa_meansOfStored(agaa_storedMeans());
     agaa_Surface s = agaa_Surface(m.diffuse, m.specular, m.emissive,
-                                  agaa_unpackNormal(agaa_surfaces.words[base + AGAA_NORMAL_WORD]), 1.0, m.alpha2, 0.0, vec3(0.0));
+                                  agaa_unpackNormal(agaa_readSurfaces(base + AGAA_NORMAL_WORD)), 1.0, m.alpha2, 0.0, vec3(0.0));
+    if (AGAA_SPREAD_WORDS != 0u) {
+        uint at = base + AGAA_SPREAD_WORD;
+        agaa_widenSurface(s, agaa_unpackSpread(s.normal, uvec2(agaa_readSurfaces(at), agaa_readSurfaces(at + 1u))));
+    }
     vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, 0.0, s.diffuse) : agaa_lightSurface(s, position);
     return color * weight;
 }

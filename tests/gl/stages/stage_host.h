@@ -76,7 +76,7 @@ public:
     const SamplePositions& positions() const { return executor().positions; }
     // A surface by its name in the plan, texel by texel, sample by sample; floats as their bits.
     std::vector<glm::uvec4> readSurface(const std::string& name) const;
-    // The words of a buffer.
+    // The words of a buffer, or of an image of whole numbers with several layers: pixel by pixel, layer by layer.
     std::vector<uint32_t> readBuffer(const std::string& name) const;
     const ViewSettings& settings() const { return settings_; }
     const harness::gl::Texture& output() const { return output_; }

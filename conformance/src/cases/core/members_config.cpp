@@ -62,9 +62,9 @@ void addConfig(Suite& suite) {
 
 // Tiers that need other parts, and tiers of another stage, are in unsupported.cpp.
 void addTiers(Suite& suite) {
-    const std::vector<double> unknown = {6, 15, AGAA_TIER_FRAGMENT_INTERLOCK + 1};
+    const std::vector<double> unknown = {6, 15, AGAA_TIER_RASTER_ORDER + 1};
     const std::vector<double> coverageTiers = {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS,
-                                               AGAA_TIER_FRAGMENT_INTERLOCK};
+                                               AGAA_TIER_FRAGMENT_INTERLOCK, AGAA_TIER_RASTER_ORDER};
     addMember(suite, {"AgaaConfig.visibilityTier/enum", "AgaaConfig::visibilityTier",
                       [](ViewParts& p, double x) { p.config.visibilityTier = whole(x); },
                       {AGAA_TIER_AUTO, AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID}, largeNumbers({}), nullptr, unknown});
@@ -75,7 +75,12 @@ void addTiers(Suite& suite) {
                       largeNumbers({}), [](ViewParts& p) { p.chain(p.fetch); }, unknown});
     addMember(suite, {"AgaaConfig.generationTier/enum/dcaa", "AgaaConfig::generationTier",
                       [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
-                      coverageTiers, largeNumbers({}), useDcaa, unknown});
+                      coverageTiers, largeNumbers({}),
+                      [](ViewParts& p) {
+                          useDcaa(p);
+                          p.config.aggregates = 2; // for which attachments have room
+                      },
+                      unknown});
     // Techniques without a stage for it check the member all the same.
     addMember(suite, {"AgaaConfig.generationTier/enum/ssaa", "AgaaConfig::generationTier",
                       [](ViewParts& p, double x) { p.config.generationTier = whole(x); },

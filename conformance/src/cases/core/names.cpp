@@ -152,7 +152,8 @@ constexpr NamedTier tiers[] = {{AGAA_TIER_AUTO, "auto"}, {AGAA_TIER_NATIVE, "nat
                                {AGAA_TIER_NV_MIXED_SAMPLES, "mixed"}, {AGAA_TIER_POST_DEPTH_ATOMICS, "post"},
                                {AGAA_TIER_PER_SAMPLE, "per"}, {AGAA_TIER_GBUFFER, "gbuffer"}, {AGAA_TIER_IDS, "ids"},
                                {AGAA_TIER_FRAGMENT_LISTS, "lists"}, {AGAA_TIER_FRAGMENTS, "fragments"},
-                               {AGAA_TIER_MATERIAL_LISTS, "material"}, {AGAA_TIER_FRAGMENT_INTERLOCK, "interlock"}};
+                               {AGAA_TIER_MATERIAL_LISTS, "material"}, {AGAA_TIER_FRAGMENT_INTERLOCK, "interlock"},
+                               {AGAA_TIER_RASTER_ORDER, "raster"}};
 constexpr NamedTier stages[] = {{AGAA_STAGE_PREPASS, "prepass"}, {AGAA_STAGE_DEFINITION, "definition"},
                                 {AGAA_STAGE_GENERATION, "generation"}, {AGAA_STAGE_SHADING, "shading"},
                                 {AGAA_STAGE_OTHER, "other"}};

@@ -36,9 +36,10 @@ void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
                                           : std::vector<uint32_t>{1, 2, 4, 8, 16, 32})
             for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE, AGAA_TIER_GBUFFER,
                                         AGAA_TIER_IDS, AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_FRAGMENT_LISTS,
-                                        AGAA_TIER_FRAGMENTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK}) {
+                                        AGAA_TIER_FRAGMENTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK,
+                                        AGAA_TIER_RASTER_ORDER}) {
                 const bool isList = tier == AGAA_TIER_FRAGMENT_LISTS || tier == AGAA_TIER_MATERIAL_LISTS ||
-                                    tier == AGAA_TIER_FRAGMENT_INTERLOCK;
+                                    tier == AGAA_TIER_FRAGMENT_INTERLOCK || tier == AGAA_TIER_RASTER_ORDER;
                 const bool isFragments = tier == AGAA_TIER_FRAGMENTS || (samples > 32 && technique == std::string("agaa"));
                 if (isFragments && (samples < 32 || technique != std::string("agaa") ||
                                     (tier != AGAA_TIER_FRAGMENTS && tier != AGAA_TIER_AUTO)))
@@ -51,6 +52,8 @@ void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
                 parts.setTechnique(technique, samples);
                 parts.config.samples = samples;
                 parts.config.generationTier = tier;
+                if (tier == AGAA_TIER_RASTER_ORDER)
+                    parts.config.aggregates = 2; // for which attachments have room
                 if (tier == AGAA_TIER_IDS || isFragments)
                     parts.chain(parts.fetch);
                 check(parts);

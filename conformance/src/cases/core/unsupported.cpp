@@ -116,7 +116,7 @@ void testReservedTier(Test& test, uint32_t tier, const std::string& name) {
 void testOtherStage(Test& test) {
     for (const uint32_t tier : {AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
                                 AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_FRAGMENTS,
-                                AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK})
+                                AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK, AGAA_TIER_RASTER_ORDER})
         testRows(test, {{"visibilityTier = " + std::to_string(tier), unsupported,
                          [=](ViewParts& p) { p.config.visibilityTier = tier; }, ""}});
     for (const uint32_t tier : {AGAA_TIER_NATIVE, AGAA_TIER_NV_MULTICAST, AGAA_TIER_SCALED_TARGET, AGAA_TIER_LAYERS,
@@ -146,7 +146,9 @@ void testOtherTechnique(Test& test) {
                         {std::string("\"") + technique + "\" and AGAA_TIER_MATERIAL_LISTS", unsupported,
                          with(technique, AGAA_TIER_MATERIAL_LISTS), ""},
                         {std::string("\"") + technique + "\" and AGAA_TIER_FRAGMENT_INTERLOCK", unsupported,
-                         with(technique, AGAA_TIER_FRAGMENT_INTERLOCK), ""}});
+                         with(technique, AGAA_TIER_FRAGMENT_INTERLOCK), ""},
+                        {std::string("\"") + technique + "\" and AGAA_TIER_RASTER_ORDER", unsupported,
+                         with(technique, AGAA_TIER_RASTER_ORDER), ""}});
     for (const uint32_t tier : {AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
                                 AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_FRAGMENTS})
         testRows(test, {{"\"dcaa\" and generationTier = " + std::to_string(tier), unsupported, with("dcaa", tier), ""}});
@@ -209,11 +211,13 @@ void testCustomDepth(Test& test) {
 // The flag stands for geometry shaders and for nothing else.
 void testVertexPulling(Test& test) {
     for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
-                                          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK}, {"agaa", AGAA_TIER_FRAGMENTS}}) {
+                                          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK}, {"dcaa", AGAA_TIER_RASTER_ORDER},
+                                          {"agaa", AGAA_TIER_FRAGMENTS}}) {
         const auto with = [&, technique = technique, tier = tier](uint64_t flags, uint64_t without) {
             return [=](ViewParts& p) {
                 p.setTechnique("dcaa", 4); // and the function that fetches
                 p.config.technique = technique;
+                p.config.aggregates = 2; // for which attachments have room
                 p.config.generationTier = uint32_t(tier);
                 p.config.flags = 0;
                 p.desc.flags |= flags;
@@ -286,6 +290,22 @@ void testGenerationTier(Test& test) {
                                  (without ? ", without the feature" : ""),
                              without || flags ? unsupported : AGAA_OK, interlock, ""}});
         }
+    // Attachments have room for 128 bytes a pixel.
+    for (const uint64_t without : {UINT64_C(0), AGAA_DEVICE_FRAMEBUFFER_FETCH, AGAA_DEVICE_GEOMETRY_SHADERS})
+        for (const uint32_t surfaces : {1u, 2u, 8u})
+            for (const uint64_t flags : {UINT64_C(0), AGAA_COVERAGE_EXACT}) {
+                const auto rasterOrder = [=](ViewParts& p) {
+                    p.setTechnique("dcaa", 4);
+                    p.config.generationTier = AGAA_TIER_RASTER_ORDER;
+                    p.config.aggregates = surfaces;
+                    p.config.flags = 0;
+                    p.coverage.flags = flags;
+                    p.caps.flags &= ~without;
+                };
+                testRows(test, {{"the tier RASTER_ORDER, " + std::to_string(surfaces) + " surfaces, AgaaDecoupledCoverage::flags = " +
+                                     std::to_string(flags) + (without ? ", without a feature" : ""),
+                                 without || flags || surfaces > 2 ? unsupported : AGAA_OK, rasterOrder, ""}});
+            }
 }
 
 // 2^26 pixels are sorted at most.

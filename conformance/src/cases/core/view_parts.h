@@ -35,7 +35,7 @@ constexpr uint64_t idealDeviceFlags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEV
                                       AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_DYNAMIC_RENDERING |
                                       AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_NV_MIXED_SAMPLES | AGAA_DEVICE_D24S8 |
                                       AGAA_DEVICE_D32S8 | AGAA_DEVICE_GEOMETRY_SHADERS |
-                                      AGAA_DEVICE_FRAGMENT_INTERLOCK;
+                                      AGAA_DEVICE_FRAGMENT_INTERLOCK | AGAA_DEVICE_FRAMEBUFFER_FETCH;
 
 struct ViewQuery {
     const char* name;

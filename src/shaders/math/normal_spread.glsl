@@ -1,0 +1,75 @@
+// How the unit normals of a surface spread around their mean: second moments in its tangent plane, which merge with those of
+// other surfaces as if all normals were known. Lobes then widen along each direction by what normals do there.
+// Source: Olano and Baker 2010, "LEAN Mapping": moments of normals are linear.
+#ifndef AGAA_MATH_NORMAL_SPREAD_GLSL
+#define AGAA_MATH_NORMAL_SPREAD_GLSL
+#include "encoding.glsl"
+#include "ndf.glsl"
+
+struct agaa_NormalSpread {
+    rvec3 normal;    // unit, the direction of the mean
+    rvec3 moments;   // xx, yy and xy along the axes of agaa_viewBasis(normal), of all normals
+    real meanLength; // of the mean
+};
+
+agaa_NormalSpread agaa_noSpread(rvec3 normal) {
+    return agaa_NormalSpread(normal, rvec3(real(0.0)), real(1.0));
+}
+
+rvec3 agaa_mixedProducts(rvec3 a, rvec3 b) {
+    return rvec3(a.y * b.z, a.z * b.x, a.x * b.y);
+}
+
+// What is not in the tangent plane is along the normal: the squares of a unit vector's components add up to 1.
+void agaa_addSpread(INOUT(agaa_NormalMoments) m, real weight, agaa_NormalSpread s) {
+    rvec3 t;
+    rvec3 b;
+    agaa_viewBasis(s.normal, t, b);
+    const rvec3 n = s.normal;
+    const real xx = weight * s.moments.x;
+    const real yy = weight * s.moments.y;
+    const real xy = weight * s.moments.z;
+    const real nn = weight * max(real(1.0) - s.moments.x - s.moments.y, real(0.0));
+    m.squares = m.squares + nn * n * n + xx * t * t + yy * b * b + real(2.0) * xy * t * b;
+    m.mixed = m.mixed + nn * agaa_mixedProducts(n, n) + xx * agaa_mixedProducts(t, t) + yy * agaa_mixedProducts(b, b) +
+              xy * (agaa_mixedProducts(t, b) + agaa_mixedProducts(b, t));
+}
+
+// The share is of b. normal: the direction of the mean of both, or one that is given to them.
+agaa_NormalSpread agaa_mixSpreads(agaa_NormalSpread a, agaa_NormalSpread b, real share, rvec3 normal) {
+    agaa_NormalMoments m = agaa_NormalMoments(rvec3(real(0.0)), rvec3(real(0.0)));
+    agaa_addSpread(m, real(1.0) - share, a);
+    agaa_addSpread(m, share, b);
+    rvec3 t;
+    rvec3 u;
+    agaa_viewBasis(normal, t, u);
+    const rvec3 mean = a.normal * (a.meanLength * (real(1.0) - share)) + b.normal * (b.meanLength * share);
+    return agaa_NormalSpread(normal,
+                             rvec3(max(agaa_momentAlong(m, t, t), real(0.0)), max(agaa_momentAlong(m, u, u), real(0.0)),
+                                   agaa_momentAlong(m, t, u)),
+                             min(sqrt(dot(mean, mean)), real(1.0)));
+}
+
+// Of a normal that grows by dx and dy per pixel, at places whose second moments around their middle are xx, yy and xy.
+agaa_NormalSpread agaa_spreadOfChange(rvec3 normal, rvec3 dx, rvec3 dy, rvec3 places) {
+    rvec3 t;
+    rvec3 b;
+    agaa_viewBasis(normal, t, b);
+    const real ux = dot(dx, t);
+    const real uy = dot(dx, b);
+    const real vx = dot(dy, t);
+    const real vy = dot(dy, b);
+    const real xx = max(places.x * ux * ux + places.y * vx * vx + real(2.0) * places.z * ux * vx, real(0.0));
+    const real yy = max(places.x * uy * uy + places.y * vy * vy + real(2.0) * places.z * uy * vy, real(0.0));
+    const real xy = places.x * ux * uy + places.y * vx * vy + places.z * (ux * vy + uy * vx);
+    const real scale = real(1.0) / (real(1.0) + xx + yy);
+    return agaa_NormalSpread(normal, rvec3(xx, yy, xy) * scale, sqrt(scale));
+}
+
+// As agaa_spreadAlpha2(): alpha2 of the widest direction `axis` and of the one across it.
+void agaa_widenBySpread(agaa_NormalSpread s, real alpha2, uint sggx, OUT(rvec3) axis, OUT(real) along, OUT(real) across) {
+    agaa_NormalMoments m = agaa_NormalMoments(rvec3(real(0.0)), rvec3(real(0.0)));
+    agaa_addSpread(m, real(1.0), s);
+    agaa_spreadAlpha2(m, s.normal, s.meanLength, alpha2, sggx, real(0.0), axis, along, across);
+}
+#endif
