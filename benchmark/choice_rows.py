@@ -1,6 +1,9 @@
 """The rows of a sweep that agaaChooseSettings chooses among."""
 import dataclasses
 
+# Stages of passes that draw the scene; all others shade.
+GEOMETRY = ("prepass", "definition", "generation")
+
 # Follows the paper for comparison, and needs an AgaaMeasurement: not for hosts.
 LEFT_OUT = {"paper"}
 # Need structs that hosts chain to AgaaConfig: room for lists of fragments, a pattern of samples.

@@ -9,12 +9,11 @@ import json
 import pathlib
 import statistics
 
-from choice_rows import candidate, candidates, scenes
+from choice_rows import GEOMETRY, candidate, candidates, scenes
 from least_squares import nonnegative
 from runs import ROOT
 
 RESULTS = ROOT / "docs/results/lavapipe/sweep/results.json"
-GEOMETRY = ("prepass", "definition", "generation")
 TIERS = {"": "AUTO", "post-depth-atomics": "POST_DEPTH_ATOMICS", "gbuffer": "GBUFFER", "ids": "IDS"}
 
 

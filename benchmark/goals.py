@@ -1,80 +1,107 @@
 #!/usr/bin/env python3
-"""Compares what agaaChooseSettings chooses with what its choices reach, and with the fastest settings of the table that do.
+"""Compares what agaaChooseSettings chooses with what its choices reach, and with the fastest settings that reach it.
 
 For each scene and each target, `agaa-harness choose --observe` chooses by frames of `single`. All settings of the table are
-rendered, and their errors measured against the reference. OUT/goals.json has all numbers; a table in Markdown is printed.
+rendered, and their errors measured against the reference. With --measured, choices are also made by what all settings had in
+another frame, of a camera that is moved to the side. OUT/goals.json has all numbers; tables in Markdown are printed.
 """
 import argparse
 import json
+import math
 import pathlib
 
-from choice_rows import candidates
-from runs import HARNESS, ROOT, Runs, find_scenes, view_options
+from calibrate import Frame, milliseconds, options, single_error, table_rows, write_measured
+from runs import HARNESS, Runs, find_scenes, view_options
 
-SWEEP = ROOT / "docs/results/lavapipe/sweep/results.json"
+STEP = 0.1 # of the camera to the side, by the distance to its target
 
 
-def options(row):
-    tier = ["--tier", f"generation={row.tier}"] if row.tier else []
-    if row.preset:
-        return ["--preset", row.preset, "--samples", row.samples, *tier]
-    return ["--technique", row.technique, "--samples", row.samples, *(["--aggregates", row.aggregates] if row.aggregates else []),
-            *tier]
+def moved(camera):
+    """ex,ey,ez,tx,ty,tz,fov of a camera that still aims at its target."""
+    x, y, z, tx, ty, tz, fov = camera
+    forward = (tx - x, ty - y, tz - z)
+    distance = math.hypot(*forward)
+    level = math.hypot(forward[0], forward[2])
+    side = (-forward[2] / level, forward[0] / level)
+    return [x + STEP * distance * side[0], y, z + STEP * distance * side[1], tx, ty, tz, fov]
+
+
+def fastest(measured, rows):
+    """Name and time, or nothing."""
+    if not rows:
+        return None, None
+    best = min(rows, key=lambda row: milliseconds(measured[row]))
+    return best.name, milliseconds(measured[best])
+
+
+def judge(measured, target, choice):
+    """What a choice reached, and the settings that reach the target in the same frame."""
+    by_options = {tuple(sorted(map(str, options(row)))): row for row in measured}
+    row = by_options[tuple(sorted(choice["options"]))]
+    single = single_error(measured)
+    reaching = [other for other in measured if measured[other]["error"] <= target * single]
+    preset, preset_ms = fastest(measured, [other for other in reaching if other.preset])
+    best, best_ms = fastest(measured, reaching)
+    return {"target": target, "choice": row.name, "predictedError": choice["errorShare"], "error": measured[row]["error"] / single,
+            "predictedMs": choice["milliseconds"], "ms": milliseconds(measured[row]), "fastestPreset": preset,
+            "fastestPresetMs": preset_ms, "fastest": best, "fastestMs": best_ms, "missedLimits": choice["missedLimits"]}
 
 
 class Scene:
-    def __init__(self, runs, scene, size, spp):
-        self.runs, self.name = runs, scene[0]
-        self.view = view_options(scene[1], scene[2], size)
-        self.reference = runs.work / f"{self.name}-reference.exr"
-        runs.kept(f"{self.name}-reference", lambda: runs.call("reference", *self.view, "--spp", spp, "--exr", self.reference))
+    def __init__(self, runs, scene, cameras, arguments):
+        name, source, camera = scene
+        camera = list(map(float, camera.split(","))) if camera else cameras[name]
+        self.runs, self.name, self.arguments = runs, name, arguments
+        self.judged = self.frame(name, source, camera)
+        self.other = self.frame(f"{name}-other", source, moved(camera)) if arguments.measured else None
 
-    def measure(self, name, settings):
-        """Error and milliseconds of a frame."""
-        def make():
-            image = self.runs.work / f"{self.name}-{name}.exr"
-            found = self.runs.call("render", *self.view, "--warmup", 1, "--frames", 5, "--no-counters", "--no-validation",
-                                   "--exr", image, *settings)
-            return {"error": self.runs.call("compare", self.reference, image)["mseTm"], "frameMs": found["frameMs"]["median"],
-                    "passMs": sum((entry["ms"] or {"median": 0})["median"] for entry in found["passes"])}
-        return self.runs.kept(f"{self.name}-{name}", make)
+    def frame(self, name, source, camera):
+        view = view_options(source, ",".join(map(repr, camera)), self.arguments.size)
+        return Frame(self.runs, name, view, self.arguments.spp)
 
-    def choose(self, target, sceneShare):
-        return self.runs.kept(f"{self.name}-choice-{target}", lambda: self.runs.call(
-            "choose", *self.view, "--max-error", target, "--scene-share", sceneShare, "--observe", "--no-validation"))
+    def ways(self):
+        """By what choices are made: options of `choose`."""
+        found = {"table": ["--observe", "--no-validation", "--scene-share", self.arguments.scene_share]}
+        if self.other:
+            path = self.runs.work / f"{self.name}-measured-settings.json"
+            write_measured(path, self.other.measure_all(table_rows(), self.arguments.turns), self.arguments.size)
+            found["measured"] = ["--measured", path, "--backend", "vk"]
+        return found
 
-
-def compare(scene, rows, targets, sceneShare):
-    measured = {row: scene.measure(row.name, options(row)) for row in rows}
-    by_options = {tuple(map(str, options(row))): row for row in rows}
-    single = next(measured[row]["error"] for row in rows if row.technique == "single")
-    results = []
-    for target in targets:
-        choice = scene.choose(target, sceneShare)
-        found = {tuple(sorted(key)): row for key, row in by_options.items()}
-        row = found[tuple(sorted(choice["options"]))]
-        reaching = [other for other in rows if measured[other]["error"] <= target * single]
-        best = min(reaching, key=lambda other: measured[other]["passMs"]) if reaching else None
-        results.append({"scene": scene.name, "target": target, "choice": row.name, "predictedError": choice["errorShare"],
-                        "error": measured[row]["error"] / single, "predictedMs": choice["milliseconds"],
-                        "ms": measured[row]["passMs"], "fastest": best.name if best else None,
-                        "fastestMs": measured[best]["passMs"] if best else None, "missedLimits": choice["missedLimits"]})
-    return results
+    def results(self, targets):
+        measured = self.judged.measure_all(table_rows(), self.arguments.turns)
+        for way, how in self.ways().items():
+            for target in targets:
+                choice = self.runs.kept(f"{self.name}-{way}-choice-{target}", lambda: self.runs.call(
+                    "choose", *self.judged.view, "--max-error", target, *how))
+                yield {"scene": self.name, "by": way, **judge(measured, target, choice)}
 
 
-def print_table(results):
-    print("| scene | target | choice | error predicted | error reached | ms predicted | ms measured | fastest that reaches it | its ms |")
-    print("|---|---:|---|---:|---:|---:|---:|---|---:|")
+def cell(name, ms):
+    return f"{name} | {ms:.0f}" if name else "none | "
+
+
+def summary(results):
+    """How far choices lie from their targets and from the best."""
+    possible = [r for r in results if r["fastest"]]
+    reached = [r for r in possible if r["error"] <= r["target"]]
+    ratios = [("Errors are at most {:.2f} times the target where some settings reach it.", [r["error"] / r["target"] for r in possible]),
+              ("Choices take at most {:.2f} times the time of the fastest preset that reaches the target.",
+               [r["ms"] / r["fastestPresetMs"] for r in possible if r["fastestPreset"]]),
+              ("Choices that reach the target take at most {:.2f} times the time of the fastest settings that do.",
+               [r["ms"] / r["fastestMs"] for r in reached])]
+    return " ".join([f"{len(reached)} of {len(results)} targets are reached; no settings reach {len(results) - len(possible)}.",
+                     *(text.format(max(values)) for text, values in ratios if values)])
+
+
+def table(results):
+    lines = ["| scene | target | choice | error predicted | error reached | reached / target | ms predicted | ms | fastest preset | "
+             "its ms | fastest | its ms |", "|---|---:|---|---:|---:|---:|---:|---:|---|---:|---|---:|"]
     for r in results:
-        fastest = [r["fastest"], f"{r['fastestMs']:.0f}"] if r["fastest"] else ["none", ""]
-        print(f"| {r['scene']} | {r['target']} | {r['choice']} | {r['predictedError']:.3f} | {r['error']:.3f} | "
-              f"{r['predictedMs']:.0f} | {r['ms']:.0f} | {' | '.join(fastest)} |")
-    held = sum(r["error"] <= r["target"] for r in results)
-    both = [r["ms"] / r["fastestMs"] for r in results if r["fastest"] and r["error"] <= r["target"]]
-    print(f"\n{held} of {len(results)} targets are reached.", end="")
-    if both:
-        print(f" Choices that reach theirs take {min(both):.2f} to {max(both):.2f} times the fastest settings' time.", end="")
-    print()
+        lines.append(f"| {r['scene']} | {r['target']} | {r['choice']} | {r['predictedError']:.3f} | {r['error']:.3f} | "
+                     f"{r['error'] / r['target']:.2f} | {r['predictedMs']:.0f} | {r['ms']:.0f} | "
+                     f"{cell(r['fastestPreset'], r['fastestPresetMs'])} | {cell(r['fastest'], r['fastestMs'])} |")
+    return "\n".join(lines)
 
 
 def main():
@@ -86,16 +113,20 @@ def main():
     parser.add_argument("--scene", action="append", help="only these; repeatable")
     parser.add_argument("--target", action="append", type=float, help="errors by that of single; repeatable")
     parser.add_argument("--scene-share", default=0.8, type=float, help="AgaaGoal::sceneShare")
+    parser.add_argument("--turns", default=3, type=int, help="measurements of each time")
+    parser.add_argument("--measured", action="store_true", help="choose by measurements of another frame, too")
     arguments = parser.parse_args()
     targets = arguments.target or [0.25, 0.1, 0.05, 0.02]
-    rows = candidates(json.loads(SWEEP.read_text()))
     runs = Runs("goals", arguments.harness, arguments.out,
-                {"size": arguments.size, "spp": arguments.spp, "share": arguments.scene_share})
+                {"size": arguments.size, "spp": arguments.spp, "share": arguments.scene_share, "step": STEP})
+    cameras = {scene["name"]: scene["camera"] for scene in runs.call("scenes")["scenes"]}
     results = []
     for scene in find_scenes("goals", arguments.scene):
-        results += compare(Scene(runs, scene, arguments.size, arguments.spp), rows, targets, arguments.scene_share)
-    (arguments.out / "goals.json").write_text(json.dumps(results, indent=1) + "\n")
-    print_table(results)
+        results += Scene(runs, scene, cameras, arguments).results(targets)
+        (arguments.out / "goals.json").write_text(json.dumps(results, indent=1) + "\n")
+    for way in dict.fromkeys(r["by"] for r in results):
+        own = [r for r in results if r["by"] == way]
+        print(f"\nBy {'the table' if way == 'table' else 'measurements of another frame'}:\n\n{table(own)}\n\n{summary(own)}")
 
 
 if __name__ == "__main__":

@@ -59,13 +59,27 @@ class Runs:
             sys.exit(f"{tool}: {self.work} is of other settings; take another folder.")
         self.store("settings", settings)
 
+    def run(self, arguments):
+        """The command's result, and the last line of its messages."""
+        done = subprocess.run([self.harness, *map(str, arguments), "--json"], capture_output=True, text=True)
+        return done, (done.stderr.strip().splitlines()[-1:] or ["no message"])[0]
+
+    def fail(self, arguments, done, message):
+        sys.exit(f"{self.tool}: {' '.join(map(str, arguments))}: exit status {done.returncode}: {message}")
+
     def call(self, *arguments):
         """The JSON that a command of the sample engine prints."""
-        done = subprocess.run([self.harness, *map(str, arguments), "--json"], capture_output=True, text=True)
+        done, message = self.run(arguments)
         if done.returncode != 0:
-            last = done.stderr.strip().splitlines()[-1:] or ["no message"]
-            sys.exit(f"{self.tool}: {' '.join(map(str, arguments))}: exit status {done.returncode}: {last[0]}")
+            self.fail(arguments, done, message)
         return json.loads(done.stdout)
+
+    def refusal(self, *arguments):
+        """Why the SDK refuses the arguments of a command; None where it does not."""
+        done, message = self.run(arguments)
+        if done.returncode not in (0, 1):
+            self.fail(arguments, done, message)
+        return message if done.returncode == 1 else None
 
     def load(self, name):
         path = self.work / f"{name}.json"

@@ -22,8 +22,36 @@ typedef enum AgaaPreference {
 /* Bits of AgaaGoal::flags. */
 #define AGAA_GOAL_ONE_GEOMETRY_PASS UINT64_C(0x01) /* leave out settings that draw the scene more than once in a frame */
 
-/* Limits, and what is least within them. Errors are mean square errors after tone mapping, against full sampling. Predicted
- * errors are those of the ten scenes of docs/choosing.md: they do not depend on what a frame shows. */
+/* What a host measured of settings in its own scene. Two frames of the scene give the errors: one of these settings and one of
+ * full sampling. */
+typedef struct AgaaMeasuredSettings {
+    uint32_t sType;
+    uint32_t structSize;
+    const void* pNext;       /* null */
+    const char* technique;   /* of the table of choices, with the members below */
+    const char* preset;      /* null: none */
+    uint32_t samples;        /* n */
+    uint32_t aggregates;     /* c or S; 0: the technique has none */
+    uint32_t generationTier; /* an AgaaTier; AUTO: the technique has none */
+    uint32_t reserved;       /* 0 */
+    uint64_t pixels;         /* of the timed frame; 0 without times */
+    float errorShare;        /* error by that of "single", [0, 1e9] */
+    float error;             /* error, [0, 1e9]; AgaaGoal::maxError alone needs it */
+    /* As those of AgaaObservation; both 0: not measured. */
+    float geometryMilliseconds; /* [0, 1e9] */
+    float shadingMilliseconds;  /* [0, 1e9] */
+} AgaaMeasuredSettings;
+#define AGAA_MEASURED_SETTINGS_INIT                                                                 \
+    {AGAA_STRUCTURE_TYPE_MEASURED_SETTINGS, (uint32_t)sizeof(AgaaMeasuredSettings), NULL, NULL, NULL, 0, 0, 0, 0, 0, \
+     0.0f, 0.0f, 0.0f, 0.0f}
+AGAA_API void AGAA_CALL agaaInitMeasuredSettings(AgaaMeasuredSettings* outMeasured, size_t structSize);
+
+/* Limits, and what is least within them. Errors are mean square errors after tone mapping, against full sampling. Without
+ * `measured`, predicted errors are those of the ten scenes of docs/choosing.md: they do not depend on what a frame shows.
+ *
+ * With `measured`, only the settings that it names are chosen among, and their errors are the measured ones: sceneShare does
+ * not count. If it has times, they are predicted times, by the number of pixels, and times that were observed since then scale
+ * them. Either all measured settings have times, or none has. */
 typedef struct AgaaGoal {
     uint32_t sType;
     uint32_t structSize;
@@ -36,9 +64,12 @@ typedef struct AgaaGoal {
     uint32_t prefer;       /* AgaaPreference */
     uint32_t reserved;     /* 0 */
     uint64_t flags;        /* AGAA_GOAL_… */
+    const AgaaMeasuredSettings* measured; /* read during the call only */
+    uint32_t measuredCount;               /* 0: the table of ten scenes predicts */
+    uint32_t reservedMeasured;            /* 0 */
 } AgaaGoal;
 #define AGAA_GOAL_INIT                                                                              \
-    {AGAA_STRUCTURE_TYPE_GOAL, (uint32_t)sizeof(AgaaGoal), NULL, 0.0f, 0.0f, 0.8f, 0.0f, 0, AGAA_PREFER_TIME, 0, 0}
+    {AGAA_STRUCTURE_TYPE_GOAL, (uint32_t)sizeof(AgaaGoal), NULL, 0.0f, 0.0f, 0.8f, 0.0f, 0, AGAA_PREFER_TIME, 0, 0, NULL, 0, 0}
 AGAA_API void AGAA_CALL agaaInitGoal(AgaaGoal* outGoal, size_t structSize);
 
 /* ---- observations --------------------------------------------------------------------------- */
@@ -117,12 +148,14 @@ typedef struct AgaaChoice {
     uint32_t hasChanged;     /* 1: the settings differ from those of `current`, or there was no current choice */
     uint32_t missedLimits;   /* AGAA_LIMIT_… that the choice is predicted to miss. `reason` says why it is made or kept all the
                                 same */
-    uint32_t leftOut;        /* settings of the table that the device, the view or the goal's flags do not allow */
-    float errorShare;        /* predicted error by that of "single", in AgaaGoal::sceneShare of the scenes */
+    uint32_t leftOut;        /* settings of the table, or of AgaaGoal::measured, that the device, the view or the goal's flags
+                                do not allow */
+    float errorShare;        /* predicted error by that of "single", in AgaaGoal::sceneShare of the scenes. With
+                                AgaaGoal::measured, this member and the next two are the measured error */
     float errorShareMedian;  /* in half of the scenes */
     float errorShareWorst;   /* in all scenes */
-    float error;             /* predicted error, in AgaaGoal::sceneShare of the scenes */
-    float milliseconds;      /* predicted. Until a call had observed times, of the device of the table */
+    float error;             /* predicted error, in AgaaGoal::sceneShare of the scenes; or the measured one */
+    float milliseconds;      /* predicted. Until a call had measured or observed times, of the device of the table */
     uint32_t hasTimes;       /* 1: a call had observed times */
     uint64_t bytes;          /* AgaaMemoryReport::totalBytes */
     char reason[512];        /* what was chosen and why, one to three sentences */
@@ -134,36 +167,38 @@ typedef struct AgaaChoice {
      0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, {0}, {0.0f}}
 AGAA_API void AGAA_CALL agaaInitChoice(AgaaChoice* outChoice, size_t structSize);
 
-/* Chooses the technique, its tier, n, c and preset for a goal, among the settings of a table that was measured on ten scenes
- * (docs/integration/goals.md). It creates nothing: if hasChanged is 1, the host applies the choice (agaaApplyChoice) and
- * creates another view.
+/* Chooses the technique, its tier, n, c and preset for a goal, among the settings of a table that was measured on ten scenes,
+ * or among those that the host measured in its own (docs/integration/goals.md). It creates nothing: if hasChanged is 1, the
+ * host applies the choice (agaaApplyChoice) and creates another view.
  *
  * A byte limit goes before the other limits. If no settings hold all limits, the choice is the one whose largest ratio of a
  * predicted number to its limit is least.
  *
  * The current choice changes only in these cases, so that noise of times does not make it alternate:
- * - The view, the device or the goal's flags no longer allow it.
+ * - The view, the device, the goal's flags or AgaaGoal::measured no longer allow it.
  * - It misses the limit of bytes, and other settings hold it; or a limit of the error, and other settings hold all limits.
  * - It misses the limit of time by more than 10 %, or cannot hold all limits. Settings that hold all limits, that of time with
  *   10 % to spare, replace it; if there are none, settings whose largest ratio is 15 % less.
  * - Settings that hold all limits, that of time with 10 % to spare, need 15 % less time; with AGAA_PREFER_ERROR, have a
  *   smaller error.
  * If times were observed, the last two apply only after 16 observations with times of the current choice. Predictions follow
- * means of about 16 observations. Settings that ran before are predicted by their own times.
+ * means of about 16 observations. Settings that ran before are predicted by their own times. Observed times are forgotten when
+ * the measured times of the goal change.
  *
  * view          The size, layout, facts, functions and flags of the view. Of its settings, those that agaaApplyChoice sets
  *               do not count.
  * caps          Those of the context. Null: an ideal device.
  * log           May be null.
  * observation   Of a frame of any settings. Null: none since the last call. Frames of settings that are not in the table are
- *               not used.
+ *               not used, nor are times of settings that the goal's measured times lack.
  * current       The result of the last call, or initialised. May be null, and may be outChoice.
  * outChoice     Initialised; unchanged on failure.
  *
  * Errors        AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, functions of the host exclude each other, their
  *                                             glslExtensions are not valid, or current has settings that are not in the
- *                                             table
- *               AGAA_ERROR_STRUCT             a struct is not initialised
+ *                                             table; measured settings are not in the table, occur twice, have times
+ *                                             without pixels, or lack an error or times that they need
+ *               AGAA_ERROR_STRUCT             a struct is not initialised, or measured settings differ in structSize
  *               AGAA_ERROR_OUT_OF_RANGE       a number is not finite or out of its range, a flag is unknown, or a reserved
  *                                             member is not 0
  *               AGAA_ERROR_LAYOUT             the layout is not valid

@@ -1,6 +1,5 @@
 #include "core/choice_memory.h"
 
-#include "core/names.h"
 #include "core/validate.h"
 
 #include <algorithm>
@@ -16,25 +15,27 @@ void addTo(float& mean, double value, float count) {
     mean += (float(value) - mean) / std::min(count, meanOf);
 }
 
+// Hosts may measure the whole frame as one part: then one ratio is that of both.
+FrameTimes ratioOf(const FrameTimes& observed, const FrameTimes& predicted) {
+    const auto ratio = [](double a, double b) { return std::clamp(a / std::max(b, 1e-12), 1e-6, 1e12); };
+    if (predicted.geometry > 0 && predicted.shading > 0)
+        return {ratio(observed.geometry, predicted.geometry), ratio(observed.shading, predicted.shading)};
+    const double both = ratio(observed.geometry + observed.shading, predicted.geometry + predicted.shading);
+    return {both, both};
+}
+
 } // namespace
 
-const ChoiceRow* findRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, uint32_t tier) {
-    for (const ChoiceRow& row : choiceRows())
-        if (technique && isSameName(row.technique, technique) && row.samples == samples && row.aggregates == aggregates &&
-            isSameName(row.preset, preset ? preset : "") && uint32_t(row.tier) == tier)
-            return &row;
-    return nullptr;
-}
-
-const ChoiceRow* rowOf(const AgaaObservation& o) {
-    return findRow(o.technique, o.samples, o.aggregates, o.preset, o.generationTier);
-}
-
-ChoiceMemory::ChoiceMemory(const AgaaChoice& choice) {
+ChoiceMemory::ChoiceMemory(const AgaaChoice& choice, const Predictions& predictions) : predictions_(predictions) {
     require(choiceRows().size() <= maxRows, AGAA_ERROR_INTERNAL, "the table of choices has too many rows.");
     for (const float number : choice.memory)
         checkRange(double(number), 0.0, 1e12, "AgaaChoice::memory");
     std::memcpy(&numbers_, choice.memory, sizeof numbers_);
+    if (numbers_.timesNumber == predictions.timesNumber())
+        return;
+    numbers_.timesNumber = predictions.timesNumber();
+    numbers_.geometry = numbers_.shading = 0; // they are by other times
+    std::fill(std::begin(numbers_.rows), std::end(numbers_.rows), Row{});
 }
 
 void ChoiceMemory::store(AgaaChoice& choice) const { std::memcpy(choice.memory, &numbers_, sizeof numbers_); }
@@ -77,26 +78,28 @@ void ChoiceMemory::learnCounts(const AgaaObservation& o, const ChoiceRow& row) {
 
 // A row that did not run yet starts with the prediction, so that its first frame does not decide alone.
 void ChoiceMemory::learnTimes(const AgaaObservation& o, const ChoiceRow& row, const AgaaSceneFacts& facts) {
-    const FrameTimes table = predictTimes(row, terms(facts), o.pixels);
-    const auto ratio = [](float observed, double predicted) { return std::clamp(observed / std::max(predicted, 1e-12), 1e-6, 1e12); };
+    const std::optional<FrameTimes> predicted = predictions_.times(row, terms(facts), o.pixels);
+    if (!predicted)
+        return;
+    const FrameTimes ratio = ratioOf({o.geometryMilliseconds, o.shadingMilliseconds}, *predicted);
     Row& memory = numbers_.rows[indexOf(row)];
     if (memory.count == 0 && hasTimes())
         memory = {numbers_.geometry, numbers_.shading, 1};
     memory.count += 1;
-    addTo(memory.geometry, ratio(o.geometryMilliseconds, table.geometry), memory.count);
-    addTo(memory.shading, ratio(o.shadingMilliseconds, table.shading), memory.count);
+    addTo(memory.geometry, ratio.geometry, memory.count);
+    addTo(memory.shading, ratio.shading, memory.count);
     numbers_.geometry = memory.geometry;
     numbers_.shading = memory.shading;
 }
 
 double ChoiceMemory::milliseconds(const ChoiceRow& row, const AgaaSceneFacts& facts, uint64_t pixels) const {
-    const FrameTimes table = predictTimes(row, terms(facts), pixels);
+    const FrameTimes predicted = predictions_.times(row, terms(facts), pixels).value();
     const Row& own = numbers_.rows[indexOf(row)];
     if (own.count > 0)
-        return table.geometry * own.geometry + table.shading * own.shading;
+        return predicted.geometry * own.geometry + predicted.shading * own.shading;
     if (hasTimes())
-        return table.geometry * numbers_.geometry + table.shading * numbers_.shading;
-    return table.geometry + table.shading;
+        return predicted.geometry * numbers_.geometry + predicted.shading * numbers_.shading;
+    return predicted.geometry + predicted.shading;
 }
 
 } // namespace agaa

@@ -1,19 +1,15 @@
 // What choices remember of the frames that were observed.
 #pragma once
 
-#include "core/cost_model.h"
+#include "core/predictions.h"
 
 namespace agaa {
-
-// The row of these settings, or null. preset: null or empty: none.
-const ChoiceRow* findRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, uint32_t tier);
-const ChoiceRow* rowOf(const AgaaObservation& observation);
 
 // As AgaaChoice::memory holds it. 0 is what no frame has shown.
 class ChoiceMemory {
 public:
-    // Throws Error where a number is not finite or negative.
-    explicit ChoiceMemory(const AgaaChoice& choice);
+    // Throws Error where a number is not finite or negative. Forgets times that were learned by other predictions.
+    ChoiceMemory(const AgaaChoice& choice, const Predictions& predictions);
     void store(AgaaChoice& choice) const;
 
     void learn(const AgaaObservation& observation, const AgaaSceneFacts& facts);
@@ -23,13 +19,13 @@ public:
     float held() const { return numbers_.held; }
 
     bool hasTimes() const { return numbers_.geometry > 0; }
-    // Of a frame: by the times of these settings, or else by those of the settings that ran last.
+    // Of a frame: by the times of these settings, or else by those of the settings that ran last. The row has a prediction.
     double milliseconds(const ChoiceRow& row, const AgaaSceneFacts& facts, uint64_t pixels) const;
 
 private:
-    static constexpr size_t maxRows = 64;
+    static constexpr size_t maxRows = 63;
     struct Row {
-        float geometry, shading; // times by those of the table
+        float geometry, shading; // times by the predicted ones
         float count;             // of observations
     };
     struct Numbers {
@@ -37,6 +33,8 @@ private:
         float count; // of observed counts
         float coverage, complexity, lights, shadows; // means; complexity plus 1
         float geometry, shading; // of the row that ran last
+        float timesNumber; // of the predictions that times are by
+        float unused[2];
         Row rows[maxRows];
     };
     static_assert(sizeof(Numbers) == sizeof AgaaChoice::memory);
@@ -46,6 +44,7 @@ private:
     void learnTimes(const AgaaObservation& observation, const ChoiceRow& row, const AgaaSceneFacts& facts);
     static size_t indexOf(const ChoiceRow& row);
 
+    const Predictions& predictions_;
     Numbers numbers_;
 };
 

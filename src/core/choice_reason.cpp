@@ -49,14 +49,21 @@ std::string whyText(const AgaaChoice& choice, const AgaaGoal& goal, size_t holdi
     return format("is chosen for its %s: %zu of %zu settings hold all limits", least, holding, count);
 }
 
+std::string errorsText(const AgaaChoice& choice, const Predictions& predictions) {
+    if (predictions.areMeasured())
+        return format("Measured: error %.3g of single's. Predicted: ", choice.errorShare);
+    return format("Predicted: error %.3g of single's (median %.3g, worst %.3g), ", choice.errorShare, choice.errorShareMedian,
+                  choice.errorShareWorst);
+}
+
 } // namespace
 
-void explain(AgaaChoice& choice, const AgaaGoal& goal, size_t holding, size_t count, bool waits,
+void explain(AgaaChoice& choice, const AgaaGoal& goal, const Predictions& predictions, size_t holding, size_t count, bool waits,
              const std::string& leftOutBecause) {
     std::string text = settingsText(choice) + " " + whyText(choice, goal, holding, count, waits) + ". ";
-    text += format("Predicted: error %.3g of single's (median %.3g, worst %.3g), %.3g ms%s, %.3g MB.", choice.errorShare,
-                   choice.errorShareMedian, choice.errorShareWorst, choice.milliseconds,
-                   choice.hasTimes ? "" : " on the table's device", double(choice.bytes) * 1e-6);
+    const bool isOfDevice = choice.hasTimes || predictions.hasMeasuredTimes();
+    text += errorsText(choice, predictions) + format("%.3g ms%s, %.3g MB.", choice.milliseconds,
+                                                     isOfDevice ? "" : " on the table's device", double(choice.bytes) * 1e-6);
     if (choice.leftOut)
         text += format(" %u settings are left out, the first because %s", choice.leftOut, leftOutBecause.c_str());
     const size_t length = std::min(text.size(), sizeof choice.reason - 1);

@@ -1,5 +1,7 @@
 #include "core/cost_model.h"
 
+#include "core/names.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +22,7 @@ struct CommonCosts {
 #include "core/choice_table.inc"
 
 template <typename... Numbers>
-constexpr ChoiceRow rowOf(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, AgaaTier tier,
+constexpr ChoiceRow makeRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, AgaaTier tier,
                           float geometryRatio, float geometryTime, float pixelTime, float eventTime, float lightRatio,
                           float events, float eventsByComplexity, float taps, float tapsByComplexity, Numbers... errors) {
     static_assert(sizeof...(errors) == tableScenes, "a row has errors of other scenes");
@@ -31,7 +33,7 @@ constexpr ChoiceRow rowOf(const char* technique, uint32_t samples, uint32_t aggr
 #define AGAA_CHOICE_SCENES(...)
 #define AGAA_CHOICE_COMMON(...)
 #define AGAA_CHOICE_ROW(technique, samples, aggregates, preset, tier, ...) \
-    rowOf(technique, samples, aggregates, preset, AGAA_TIER_##tier, __VA_ARGS__),
+    makeRow(technique, samples, aggregates, preset, AGAA_TIER_##tier, __VA_ARGS__),
 constexpr ChoiceRow rows[] = {
 #include "core/choice_table.inc"
 };
@@ -47,6 +49,14 @@ double eventsOf(const ChoiceRow& row, double complexity) { return row.events + r
 } // namespace
 
 std::span<const ChoiceRow> choiceRows() { return rows; }
+
+const ChoiceRow* findRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, uint32_t tier) {
+    for (const ChoiceRow& row : choiceRows())
+        if (technique && isSameName(row.technique, technique) && row.samples == samples && row.aggregates == aggregates &&
+            isSameName(row.preset, preset ? preset : "") && uint32_t(row.tier) == tier)
+            return &row;
+    return nullptr;
+}
 
 float errorShareIn(const ChoiceRow& row, float share) { return quantile(row.errorShares, share); }
 

@@ -25,6 +25,13 @@ struct ChoiceRow {
 };
 std::span<const ChoiceRow> choiceRows();
 
+// The row of these settings, or null. preset: null or empty: none.
+const ChoiceRow* findRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, uint32_t tier);
+// Of an AgaaObservation, AgaaChoice or AgaaMeasuredSettings.
+template <class Settings> const ChoiceRow* rowOf(const Settings& s) {
+    return findRow(s.technique, s.samples, s.aggregates, s.preset, s.generationTier);
+}
+
 // Of the scenes at least `share` have at most this error: by that of "single", or as it is.
 float errorShareIn(const ChoiceRow& row, float share);
 float errorIn(const ChoiceRow& row, float share);

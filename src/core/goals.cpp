@@ -26,6 +26,7 @@ void checkGoal(const AgaaGoal& goal) {
     checkRange(double(goal.maxMilliseconds), 0.0, largest, "AgaaGoal::maxMilliseconds");
     checkRange(uint64_t(goal.prefer), 0, AGAA_PREFER_ERROR, "AgaaGoal::prefer");
     checkReserved(goal.reserved, "AgaaGoal::reserved");
+    checkReserved(goal.reservedMeasured, "AgaaGoal::reservedMeasured");
     checkFlags(goal.flags, AGAA_GOAL_ONE_GEOMETRY_PASS, "AgaaGoal::flags");
 }
 
@@ -57,21 +58,21 @@ uint64_t plannedBytes(const ViewSettings& view, const AgaaDeviceCaps& caps, cons
     return plan.totalBytes();
 }
 
-// The settings of the table that can be planned.
+// The settings that are predicted and can be planned.
 struct Candidates {
     std::vector<Candidate> list;
     uint32_t leftOut = 0;
     Error firstReason{AGAA_ERROR_UNSUPPORTED, {}}; // of those left out
 };
 
-Candidates listCandidates(const ViewSettings& view, const AgaaDeviceCaps& caps, const AgaaGoal& goal, const ChoiceMemory& memory) {
+Candidates listCandidates(const ViewSettings& view, const AgaaDeviceCaps& caps, const AgaaGoal& goal,
+                          const Predictions& predictions, const ChoiceMemory& memory) {
     Candidates found;
     const uint64_t pixels = uint64_t(view.width) * view.height;
-    for (const ChoiceRow& row : choiceRows()) {
+    for (const Prediction& prediction : predictions.list()) {
         try {
-            const uint64_t bytes = plannedBytes(withRow(view, row), caps, goal);
-            found.list.push_back({&row, errorShareIn(row, goal.sceneShare), errorIn(row, goal.sceneShare),
-                                  memory.milliseconds(row, view.facts, pixels), bytes});
+            const uint64_t bytes = plannedBytes(withRow(view, *prediction.row), caps, goal);
+            found.list.push_back({prediction, memory.milliseconds(*prediction.row, view.facts, pixels), bytes});
         } catch (const Error& error) {
             if (error.code == AGAA_ERROR_INTERNAL)
                 throw;
@@ -147,11 +148,11 @@ uint32_t missedLimits(const Candidate& c, const AgaaGoal& goal) {
            missed(double(c.bytes), double(goal.maxBytes), AGAA_LIMIT_BYTES);
 }
 
-const ChoiceRow* rowOf(const AgaaChoice& choice) {
+// Null: nothing is chosen yet.
+const ChoiceRow* chosenRow(const AgaaChoice& choice) {
     if (!choice.technique)
         return nullptr;
-    const ChoiceRow* row =
-        findRow(choice.technique, choice.samples, choice.aggregates, choice.preset, choice.generationTier);
+    const ChoiceRow* row = rowOf(choice);
     require(row, AGAA_ERROR_INVALID_ARGUMENT, "the AgaaChoice has settings that are not in the table of choices.");
     return row;
 }
@@ -166,8 +167,8 @@ AgaaChoice describe(const Candidate& chosen, const AgaaGoal& goal, const ChoiceM
     choice.generationTier = row.tier;
     choice.missedLimits = missedLimits(chosen, goal);
     choice.errorShare = chosen.errorShare;
-    choice.errorShareMedian = errorShareIn(row, 0.5f);
-    choice.errorShareWorst = errorShareIn(row, 1.0f);
+    choice.errorShareMedian = chosen.errorShareMedian;
+    choice.errorShareWorst = chosen.errorShareWorst;
     choice.error = chosen.error;
     choice.milliseconds = float(chosen.milliseconds);
     choice.hasTimes = memory.hasTimes();
@@ -181,13 +182,14 @@ AgaaChoice chooseSettings(const ViewSettings& view, const AgaaDeviceCaps& caps, 
                           const AgaaObservation& observation, const AgaaChoice& current) {
     checkGoal(goal);
     checkObservation(observation);
-    const ChoiceRow* currentRow = rowOf(current);
-    ChoiceMemory memory(current);
+    const Predictions predictions(goal);
+    const ChoiceRow* currentRow = chosenRow(current);
+    ChoiceMemory memory(current, predictions);
     memory.learn(observation, view.facts);
     if (currentRow && (observation.flags & AGAA_OBSERVED_TIMES) && rowOf(observation) == currentRow)
         memory.countObservation();
 
-    const Candidates candidates = listCandidates(view, caps, goal, memory);
+    const Candidates candidates = listCandidates(view, caps, goal, predictions, memory);
     const auto& list = candidates.list;
     const auto held = std::find_if(list.begin(), list.end(), [&](const Candidate& c) { return c.row == currentRow; });
     const Candidate& chosen = held == list.end() ? Order(goal).best(list) : choose(list, *held, goal, memory);
@@ -201,12 +203,12 @@ AgaaChoice chooseSettings(const ViewSettings& view, const AgaaDeviceCaps& caps, 
     memory.store(choice);
     const auto holding = size_t(std::count_if(list.begin(), list.end(), [&](const Candidate& c) { return Order(goal).holds(c); }));
     const bool waits = !hasChanged && memory.hasTimes() && memory.held() < heldFor;
-    explain(choice, goal, holding, list.size(), waits, candidates.firstReason.message);
+    explain(choice, goal, predictions, holding, list.size(), waits, candidates.firstReason.message);
     return choice;
 }
 
 void applyChoice(const AgaaChoice& choice, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
-    const ChoiceRow* row = rowOf(choice);
+    const ChoiceRow* row = chosenRow(choice);
     require(row, AGAA_ERROR_INVALID_ARGUMENT, "nothing is chosen yet: AgaaChoice::technique is null.");
     applyRow(*row, config, aggregation, measurement);
 }

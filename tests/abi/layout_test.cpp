@@ -39,7 +39,8 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaFactReport, 648);
     EXPECT_SIZE(AgaaFrameStatistics, 2912);
     EXPECT_SIZE(AgaaFrameValidation, 1120);
-    EXPECT_SIZE(AgaaGoal, 56);
+    EXPECT_SIZE(AgaaMeasuredSettings, 72);
+    EXPECT_SIZE(AgaaGoal, 72);
     EXPECT_SIZE(AgaaObservation, 88);
     EXPECT_SIZE(AgaaChoice, 1400);
     EXPECT_SIZE(AgaaVkRequirements, 56);
@@ -75,6 +76,7 @@ TEST(Abi, Offsets) {
     EXPECT_OFFSET(AgaaFrame, facts, 248);
     EXPECT_OFFSET(AgaaDrawTarget, state, 40);
     EXPECT_OFFSET(AgaaDrawTarget, pipelineKey, 104);
+    EXPECT_OFFSET(AgaaGoal, measured, 56);
     EXPECT_OFFSET(AgaaFrameStatistics, counters, 56);
     EXPECT_OFFSET(AgaaFrameStatistics, variantFlags, 2880);
     EXPECT_OFFSET(AgaaVkFrame, shadowViews, 48);

@@ -1,4 +1,5 @@
 """Wrong arguments: exit status 2 (1 for what is not an argument's fault) and one line on stderr."""
+import json
 import os
 import tempfile
 import unittest
@@ -52,6 +53,7 @@ WRONG = [
     ["choose", "--prefer", "beauty"],
     ["choose", "--max-error", "0.1", "--observe"],
     ["choose", "--max-error", "little"],
+    ["choose", "--measured"],
     ["price", "--technique", "taa"],
     ["price", "--samples", "5"],
     ["price", "--without", "fur"],
@@ -70,6 +72,7 @@ FAILS = [
     ["plan", "--technique", "ssaa", "--view", "clusters"],
     ["plan", "--lit", "--buffered"],
     ["price", "--times", "/nonexistent/times.json"],
+    ["choose", "--measured", "/nonexistent/measured.json"],
     ["choose", "--max-error", "2"],
     ["choose", "--max-ms", "-1"],
     ["choose", "--scene-share", "nan"],
@@ -109,6 +112,24 @@ class Arguments(unittest.TestCase):
                     file.write(text)
                 with self.subTest(text=text):
                     self.check(["price", "--times", path], 1)
+
+    def test_files_of_measured_settings(self):
+        row = {"technique": "single", "samples": 1, "aggregates": 0, "errorShare": 1, "error": 0.01}
+        wrong = [{"samples": -1}, {"samples": 1.5}, {"samples": 2**32}, {"technique": None}, {"technique": "taa"}, {"samples": 7},
+                 {"tier": "fast"}, {"preset": 1}, {"errorShare": -1}, {"errorShare": "1"}, {"error": 1e300}, {"errorShare": 0},
+                 {"geometryMs": 1}, {"pixels": 4, "geometryMs": -1}]
+        texts = ["{", "[]", "{}", '{"measured": []}', '{"measured": 1}', '{"measured": [1]}', '{"measured": [{}]}']
+        texts += [json.dumps({"measured": rows}) for rows in [[row, row], *([{**row, **change}] for change in wrong)]]
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "measured.json")
+            for text in texts:
+                with open(path, "w") as file:
+                    file.write(text)
+                with self.subTest(text=text):
+                    self.check(["choose", "--measured", path], 1)
+            with open(path, "w") as file:
+                json.dump({"measured": [row]}, file) # what they were changed from
+            self.assertEqual(harness.data("choose", "--measured", path)["technique"], "single")
 
     def test_layout_files(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,4 +1,7 @@
 """Settings for goals from the command line, with and without frames."""
+import json
+import os
+import tempfile
 import unittest
 
 import harness
@@ -46,6 +49,42 @@ class FromTheTable(unittest.TestCase):
     def test_text_is_the_reason(self):
         result = harness.run("choose", "--max-error", "0.1")
         self.assertEqual(result.stdout.strip(), choose("--max-error", "0.1")["reason"])
+
+
+def measured(technique, samples, error, milliseconds):
+    return {"technique": technique, "preset": None, "samples": samples, "aggregates": 0, "tier": None, "pixels": 640 * 360,
+            "errorShare": error, "error": 0.01 * error, "geometryMs": milliseconds, "shadingMs": 2 * milliseconds}
+
+
+class FromMeasurements(unittest.TestCase):
+    def choose(self, rows, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "measured.json")
+            with open(path, "w") as file:
+                json.dump({"measured": rows}, file)
+            return choose("--measured", path, *arguments)
+
+    def test_errors_and_times_are_those_of_the_file(self):
+        rows = [measured("single", 1, 1, 1), measured("ssaa", 4, 0.3, 4), measured("ssaa", 8, 0.02, 3)]
+        for limit, expected in ((1, 0), (0.5, 2), (0.01, 2)):
+            with self.subTest(limit=limit):
+                choice = self.choose(rows, "--max-error", str(limit))
+                row = rows[expected]
+                self.assertEqual((choice["technique"], choice["samples"]), (row["technique"], row["samples"]))
+                self.assertAlmostEqual(choice["errorShareWorst"], row["errorShare"])
+                self.assertAlmostEqual(choice["error"], row["error"])
+                self.assertAlmostEqual(choice["milliseconds"], 3 * row["geometryMs"], places=4)
+                self.assertEqual(choice["missedLimits"], ["max-error"] if row["errorShare"] > limit else [])
+
+    def test_presets_and_tiers(self):
+        row = {**measured("agaa", 8, 0.1, 1), "preset": "fast", "aggregates": 1, "tier": "gbuffer"}
+        choice = self.choose([row])
+        self.assertEqual((choice["preset"], choice["tier"]), ("fast", "gbuffer"))
+
+    def test_times_need_not_be_measured(self):
+        row = measured("ssaa", 4, 0.3, 0)
+        del row["pixels"]
+        self.assertIn("on the table's device", self.choose([row])["reason"])
 
 
 class FromFrames(unittest.TestCase):

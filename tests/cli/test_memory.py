@@ -70,6 +70,8 @@ class Memory(unittest.TestCase):
         for scene in scenes:
             self.assertGreater(scene["triangles"], 50000)
             self.assertEqual(scene["lights"], 17)
+            self.assertEqual(len(scene["camera"]), 7)
+            self.assertTrue(0 < scene["camera"][6] < 180)
 
 
 class ById(unittest.TestCase):

@@ -1,5 +1,6 @@
 // choose: settings for a limit of the error, the time or the memory.
 #include "cli/commands.h"
+#include "cli/measured_file.h"
 #include "cli/planned_view.h"
 
 #include <nlohmann/json.hpp>
@@ -106,7 +107,13 @@ json choiceJson(const AgaaChoice& choice) {
 
 void runChoose(const RenderArguments& arguments, const ChooseArguments& chosen, bool sceneGiven, bool asJson) {
     Configuration configuration(arguments.plan);
-    const AgaaGoal goal = goalOf(chosen);
+    AgaaGoal goal = goalOf(chosen);
+    std::optional<MeasuredFile> measured;
+    if (!chosen.measured.empty()) {
+        measured.emplace(chosen.measured);
+        goal.measured = measured->settings().data();
+        goal.measuredCount = uint32_t(measured->settings().size());
+    }
     if (chosen.observe && !sceneGiven)
         throw BadArgument("--observe needs a --scene.");
     RenderArguments rendered = arguments;

@@ -56,6 +56,7 @@ struct ChooseArguments {
     bool oneGeometryPass = false;
     bool noFetch = false;
     bool observe = false;
+    std::string measured; // a file, or empty
 };
 
 struct CompareArguments {

@@ -151,10 +151,13 @@ void runScenes(bool asJson) {
     json list = json::array();
     for (const BuiltinScene& row : builtinScenes()) {
         const Scene scene = *makeBuiltinScene(row.name);
+        const Camera camera = scene.cameras.empty() ? defaultCamera(scene) : scene.cameras[0];
         list.push_back({{"name", row.name},
                         {"triangles", scene.placedTriangles()},
                         {"materials", scene.materials.size()},
                         {"lights", (scene.lights.empty() ? defaultLights(scene) : scene.lights).size()},
+                        {"camera", {camera.eye.x, camera.eye.y, camera.eye.z, camera.target.x, camera.target.y, camera.target.z,
+                                    camera.fovDegrees}},
                         {"whatItStresses", row.stresses}});
     }
     if (asJson) {

@@ -109,6 +109,7 @@ void addGoalOptions(CLI::App& app, ChooseArguments& a) {
     app.add_option("--prefer", a.prefer, "what is least within the limits: time or error");
     app.add_flag("--one-geometry-pass", a.oneGeometryPass, "no settings that draw the scene more than once");
     app.add_flag("--no-fetch", a.noFetch, "without an AgaaFetchFunction");
+    app.add_option("--measured", a.measured, "JSON file of benchmark/calibrate.py: choose among its settings, by its errors and times");
     app.add_flag("--observe", a.observe, "render frames of --technique, or of single, and choose by what they show");
 }
 

@@ -9,11 +9,16 @@ struct GoalParts : ViewParts {
     explicit GoalParts(const Functions& sdk);
 
     AgaaGoal goal;
+    AgaaMeasuredSettings measured[2]; // "single" and "ssaa", n=8, with errors and times; not of the goal before useMeasured()
     AgaaObservation observation; // of "ssaa", n=8
     AgaaChoice current;          // "ssaa", n=8
     AgaaChoice choice;           // initialised
     AgaaFrameStatistics statistics;
 
+    void useMeasured() {
+        goal.measured = measured;
+        goal.measuredCount = 2;
+    }
     AgaaResult choose(Test& test, const AgaaLog* log) {
         return test.sdk.agaaChooseSettings(get(), &caps, log, &goal, &observation, &current, &choice);
     }

@@ -11,6 +11,8 @@ namespace agaa::conformance {
 
 GoalParts::GoalParts(const Functions& sdk) : ViewParts(sdk, nullptr) {
     sdk.agaaInitGoal(&goal, sizeof goal);
+    for (AgaaMeasuredSettings& settings : measured)
+        sdk.agaaInitMeasuredSettings(&settings, sizeof settings);
     sdk.agaaInitObservation(&observation, sizeof observation);
     sdk.agaaInitChoice(&current, sizeof current);
     sdk.agaaInitChoice(&choice, sizeof choice);
@@ -20,6 +22,16 @@ GoalParts::GoalParts(const Functions& sdk) : ViewParts(sdk, nullptr) {
     observation.technique = current.technique = "ssaa";
     observation.samples = current.samples = 8;
     observation.pixels = uint64_t(desc.width) * desc.height;
+    measured[0].technique = "single";
+    measured[1].technique = "ssaa";
+    for (const uint32_t i : {0u, 1u}) {
+        measured[i].samples = 1 + 7 * i;
+        measured[i].pixels = observation.pixels;
+        measured[i].errorShare = i == 0 ? 1.0f : 0.125f;
+        measured[i].error = 0.001f * measured[i].errorShare;
+        measured[i].geometryMilliseconds = 1;
+        measured[i].shadingMilliseconds = float(measured[i].samples);
+    }
 }
 
 namespace {
@@ -138,6 +150,7 @@ const WrongGoal wrongGoals[] = {
          p.chain(p.fetch);
          p.chain(p.gbuffer);
      }},
+    {"AgaaGoal::measured = null and a count", AGAA_ERROR_INVALID_ARGUMENT, [](GoalParts& p) { p.goal.measuredCount = 1; }},
     {"AgaaGoal::sType = 0", AGAA_ERROR_STRUCT, [](GoalParts& p) { p.goal.sType = 0; }},
     {"AgaaObservation::sType = 0", AGAA_ERROR_STRUCT, [](GoalParts& p) { p.observation.sType = 0; }},
     {"AgaaChoice::sType = 0 of current", AGAA_ERROR_STRUCT, [](GoalParts& p) { p.current.sType = 0; }},
@@ -159,18 +172,81 @@ const WrongGoal wrongGoals[] = {
     {"a device that is too small for the view", AGAA_ERROR_UNSUPPORTED, [](GoalParts& p) { p.caps.maxImageSize = 1; }},
 };
 
+struct WrongMeasured {
+    const char* what;
+    AgaaResult expected;
+    void (*spoil)(AgaaGoal& goal, AgaaMeasuredSettings* m);
+};
+
+const WrongMeasured wrongMeasured[] = {
+    {"other samples in AgaaGoal::measured", AGAA_ERROR_INVALID_ARGUMENT, [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].samples = 7; }},
+    {"AgaaMeasuredSettings::technique = null", AGAA_ERROR_INVALID_ARGUMENT,
+     [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].technique = nullptr; }},
+    {"an unknown AgaaMeasuredSettings::preset", AGAA_ERROR_INVALID_ARGUMENT,
+     [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].preset = "best"; }},
+    {"a tier that the measured technique lacks", AGAA_ERROR_INVALID_ARGUMENT,
+     [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].generationTier = AGAA_TIER_GBUFFER; }},
+    {"measured settings that occur twice", AGAA_ERROR_INVALID_ARGUMENT, [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1] = m[0]; }},
+    {"measured times without pixels", AGAA_ERROR_INVALID_ARGUMENT, [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].pixels = 0; }},
+    {"times of some measured settings", AGAA_ERROR_INVALID_ARGUMENT,
+     [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].geometryMilliseconds = m[1].shadingMilliseconds = 0; }},
+    {"a measured error without AgaaMeasuredSettings::errorShare", AGAA_ERROR_INVALID_ARGUMENT,
+     [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].errorShare = 0; }},
+    {"AgaaGoal::maxError without AgaaMeasuredSettings::error", AGAA_ERROR_INVALID_ARGUMENT,
+     [](AgaaGoal& goal, AgaaMeasuredSettings* m) {
+         goal.maxError = 1;
+         m[1].error = 0;
+     }},
+    {"AgaaMeasuredSettings::sType = 0", AGAA_ERROR_STRUCT, [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].sType = 0; }},
+    {"measured settings of other structSizes", AGAA_ERROR_STRUCT, [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].structSize += 8; }},
+    {"a measured error that is not a number", AGAA_ERROR_OUT_OF_RANGE,
+     [](AgaaGoal&, AgaaMeasuredSettings* m) { m[1].errorShare = std::numeric_limits<float>::quiet_NaN(); }},
+};
+
+void expectGoalRefused(Test& test, GoalParts& parts, AgaaResult error, const char* what) {
+    const AgaaChoice before = parts.choice;
+    LogRecorder log;
+    const std::string call = callWith("agaaChooseSettings", what);
+    expectRefused(test, parts.choose(test, log.get()), error, log, "agaaChooseSettings", call);
+    test.check(isSameChoice(before, parts.choice), call + " writes.");
+}
+
+// error: AGAA_OK for all.
 void testWrongGoals(Test& test, AgaaResult error) {
     for (const WrongGoal& row : wrongGoals) {
         if (error != AGAA_OK && row.expected != error)
             continue;
         GoalParts parts(test.sdk);
         row.spoil(parts);
-        const AgaaChoice before = parts.choice;
-        LogRecorder log;
-        const std::string call = callWith("agaaChooseSettings", row.what);
-        expectRefused(test, parts.choose(test, log.get()), row.expected, log, "agaaChooseSettings", call);
-        test.check(isSameChoice(before, parts.choice), call + " writes.");
+        expectGoalRefused(test, parts, row.expected, row.what);
     }
+    for (const WrongMeasured& row : wrongMeasured) {
+        if (error != AGAA_OK && row.expected != error)
+            continue;
+        GoalParts parts(test.sdk);
+        parts.useMeasured();
+        row.spoil(parts.goal, parts.measured);
+        expectGoalRefused(test, parts, row.expected, row.what);
+    }
+}
+
+// Only measured settings are chosen, by what was measured of them.
+void testMeasured(Test& test) {
+    GoalParts parts(test.sdk);
+    parts.useMeasured();
+    test.sdk.agaaInitObservation(&parts.observation, sizeof parts.observation);
+    for (const float share : {1.0f, 0.125f}) {
+        parts.goal.maxErrorShare = share;
+        test.sdk.agaaInitChoice(&parts.current, sizeof parts.current);
+        test.requireOk(parts.choose(test, nullptr), "agaaChooseSettings with AgaaGoal::measured");
+        const AgaaMeasuredSettings& expected = parts.measured[share < 1 ? 1 : 0];
+        test.check(parts.choice.samples == expected.samples && parts.choice.errorShare == expected.errorShare &&
+                       parts.choice.error == expected.error &&
+                       parts.choice.milliseconds == expected.geometryMilliseconds + expected.shadingMilliseconds,
+                   "agaaChooseSettings does not choose by AgaaGoal::measured: " + std::string(parts.choice.reason));
+    }
+    parts.goal.measuredCount = 0;
+    test.requireOk(parts.choose(test, nullptr), "agaaChooseSettings with AgaaGoal::measured and measuredCount = 0");
 }
 
 void testChooseInvalid(Test& test) {
@@ -255,6 +331,7 @@ void addGoalCases(Suite& suite) {
     suite.core("agaaObserve/merged", testMerged);
     for (const char* parameter : {"caps", "log", "observation", "current"})
         suite.core(std::string("agaaChooseSettings/") + parameter + ".null", testChooseNulls);
+    suite.core("agaaChooseSettings/measured", testMeasured);
     suite.core("agaaChooseSettings/outChoice.unchanged", [](Test& test) { testWrongGoals(test, AGAA_OK); });
     suite.core("agaaChooseSettings/AGAA_ERROR_INVALID_ARGUMENT", testChooseInvalid);
     for (const auto& [name, error] : {std::pair<const char*, AgaaResult>{"STRUCT", AGAA_ERROR_STRUCT},

@@ -142,6 +142,14 @@ std::vector<HeaderCase> inputs() {
              return test.sdk.agaaChooseSettings(parts.get(), nullptr, log, &as<AgaaGoal>(structure), nullptr, nullptr,
                                                 &parts.choice);
          }},
+        {"AgaaMeasuredSettings", "agaaChooseSettings",
+         [](Test& test, void* structure) { copyMembers(structure, GoalParts(test.sdk).measured[0]); },
+         [](Test& test, void* structure, const AgaaLog* log) {
+             GoalParts parts(test.sdk);
+             parts.goal.measured = &as<AgaaMeasuredSettings>(structure);
+             parts.goal.measuredCount = 1;
+             return parts.choose(test, log);
+         }},
         {"AgaaObservation", "agaaChooseSettings", nullptr,
          [](Test& test, void* structure, const AgaaLog* log) {
              GoalParts parts(test.sdk);

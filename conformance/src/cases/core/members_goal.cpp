@@ -51,8 +51,37 @@ void addGoal(Suite& suite) {
                 {AGAA_PREFER_TIME, AGAA_PREFER_ERROR}, largeNumbers({})});
     add(suite, {"AgaaGoal.reserved/zero", "AgaaGoal::reserved", [](GoalParts& p, double x) { p.goal.reserved = whole(x); }, {0},
                 largeNumbers({})});
+    add(suite, {"AgaaGoal.reservedMeasured/zero", "AgaaGoal::reservedMeasured",
+                [](GoalParts& p, double x) { p.goal.reservedMeasured = whole(x); }, {0}, largeNumbers({})});
     add(suite, {"AgaaGoal.flags/flags", "AgaaGoal::flags", [](GoalParts& p, double x) { p.goal.flags = uint64_t(x); },
                 {0, double(AGAA_GOAL_ONE_GEOMETRY_PASS)}, {double(UINT64_C(1) << 62), double(UINT64_C(1) << 63)}});
+}
+
+void addMeasured(Suite& suite) {
+    add(suite, {"AgaaMeasuredSettings.reserved/zero", "AgaaGoal::measured[1].reserved",
+                [](GoalParts& p, double x) {
+                    p.useMeasured();
+                    p.measured[1].reserved = whole(x);
+                },
+                {0}, largeNumbers({})});
+    struct Number {
+        const char* name;
+        float AgaaMeasuredSettings::*member;
+        double least; // that other members allow
+    };
+    for (const Number& n : {Number{"errorShare", &AgaaMeasuredSettings::errorShare, above(0)},
+                            {"error", &AgaaMeasuredSettings::error, 0},
+                            {"geometryMilliseconds", &AgaaMeasuredSettings::geometryMilliseconds, 0},
+                            {"shadingMilliseconds", &AgaaMeasuredSettings::shadingMilliseconds, 0}}) {
+        const std::string promise = std::string("AgaaMeasuredSettings.") + n.name + "/range";
+        const Member member = {"", std::string("AgaaGoal::measured[1].") + n.name,
+                               [n](GoalParts& p, double x) {
+                                   p.useMeasured();
+                                   p.measured[1].*n.member = float(x);
+                               },
+                               {n.least, 1, 1e9}, notNumbers({-1, above(1e9f)})};
+        suite.core(promise, [member](Test& test) { testMember(test, member); });
+    }
 }
 
 void addObservation(Suite& suite) {
@@ -95,6 +124,8 @@ void testUnknown(Test& test) {
     GoalParts parts(test.sdk);
     parts.observation.technique = parts.observation.preset = nullptr;
     parts.current.technique = parts.current.preset = nullptr;
+    parts.useMeasured();
+    parts.measured[0].preset = nullptr;
     test.requireOk(parts.choose(test, nullptr), "agaaChooseSettings with null for techniques and presets");
     test.check(parts.choice.hasChanged == 1, "a choice without a current one has not changed.");
 }
@@ -127,7 +158,9 @@ void testDescriptions(Test& test) {
 
 void addGoalMemberCases(Suite& suite) {
     addGoal(suite);
+    addMeasured(suite);
     addObservation(suite);
+    suite.core("AgaaMeasuredSettings.preset/null", testUnknown);
     suite.core("AgaaObservation.technique/null", testUnknown);
     suite.core("AgaaObservation.preset/null", testUnknown);
     suite.core("AgaaChoice.technique/null", testUnknown);

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Measures the settings that agaaChooseSettings chooses among in a scene of your own: errors against a reference, and times.
+
+OUT/measured.json is for `agaa-harness choose --measured`, and says what a host passes as AgaaGoal::measured. Resumable: what
+OUT/work holds is not measured again.
+"""
+import argparse
+import json
+import pathlib
+import sys
+
+from choice_rows import GEOMETRY, candidates
+from runs import HARNESS, ROOT, Runs, view_options
+
+SWEEP = ROOT / "docs/results/lavapipe/sweep/results.json"
+
+
+def table_rows():
+    return candidates(json.loads(SWEEP.read_text()))
+
+
+def wanted_rows(names):
+    """All, or those of these names and "single", by whose error all others are."""
+    rows = table_rows()
+    unknown = set(names or ()) - {row.name for row in rows}
+    if unknown:
+        sys.exit(f"calibrate: no row is called {', '.join(sorted(unknown))}; there are {', '.join(row.name for row in rows)}.")
+    return [row for row in rows if not names or row.name in names or row.technique == "single"]
+
+
+def options(row):
+    """Those of the sample engine for a row of the table."""
+    tier = ["--tier", f"generation={row.tier}"] if row.tier else []
+    if row.preset:
+        return ["--preset", row.preset, "--samples", row.samples, *tier]
+    return ["--technique", row.technique, "--samples", row.samples, *(["--aggregates", row.aggregates] if row.aggregates else []),
+            *tier]
+
+
+def times(passes):
+    """Milliseconds of geometry and of shading: medians of the frames."""
+    found = {"geometryMs": 0.0, "shadingMs": 0.0}
+    for entry in passes:
+        found["geometryMs" if entry["stage"] in GEOMETRY else "shadingMs"] += entry["ms"]["median"]
+    return found
+
+
+def milliseconds(found):
+    return found["geometryMs"] + found["shadingMs"]
+
+
+def middle(times_of_turns):
+    """That of the median."""
+    return sorted(times_of_turns, key=milliseconds)[(len(times_of_turns) - 1) // 2]
+
+
+class Frame:
+    """One camera in one scene, with its reference."""
+
+    def __init__(self, runs, name, view, spp):
+        self.runs, self.name, self.view = runs, name, view
+        self.reference = runs.work / f"{name}-reference.exr"
+        runs.kept(f"{name}-reference", lambda: runs.call("reference", *view, "--spp", spp, "--exr", self.reference))
+
+    def measure(self, row):
+        """Error and times of a row's frame, or why there is none."""
+        def make():
+            settings = options(row)
+            refusal = self.runs.refusal("plan", *self.view, "--backend", "vk", *settings)
+            if refusal:
+                return {"refusal": refusal}
+            image = self.runs.work / f"{self.name}-{row.name}.exr"
+            found = self.times(row, "--exr", image)
+            return {"error": self.runs.call("compare", self.reference, image)["mseTm"], **found}
+        return self.runs.kept(f"{self.name}-{row.name}", make)
+
+    def times(self, row, *more):
+        return times(self.runs.call("render", *self.view, "--warmup", 1, "--frames", 5, "--no-counters", "--no-validation", *more,
+                                    *options(row))["passes"])
+
+    def measure_all(self, rows, turns):
+        """Those that the device can run. Turns go over all rows, and times are medians: the load of a machine changes."""
+        found = {}
+        for row in rows:
+            measured = self.measure(row)
+            if "refusal" in measured:
+                print(f"Left out: {row.name}: {measured['refusal']}", flush=True)
+            else:
+                found[row] = measured
+        taken = {row: [found[row]] for row in found}
+        for turn in range(1, turns):
+            for row in found:
+                taken[row].append(self.runs.kept(f"{self.name}-{row.name}-turn-{turn}", lambda: self.times(row)))
+        return {row: {**measured, **middle(taken[row])} for row, measured in found.items()}
+
+
+def single_error(measured):
+    return next(found["error"] for row, found in measured.items() if row.technique == "single")
+
+
+def measured_settings(measured, size):
+    """As `choose --measured` reads them."""
+    width, height = map(int, size.split("x"))
+    single = single_error(measured)
+    return [{"technique": row.technique, "preset": row.preset or None, "samples": row.samples, "aggregates": row.aggregates,
+             "tier": row.tier or None, "pixels": width * height, "errorShare": found["error"] / single, **found}
+            for row, found in measured.items()]
+
+
+def write_measured(path, measured, size):
+    path.write_text(json.dumps({"measured": measured_settings(measured, size)}, indent=1) + "\n")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
+    parser.add_argument("--out", default="calibration", type=pathlib.Path)
+    parser.add_argument("--scene", required=True, help="as of the sample engine")
+    parser.add_argument("--camera", default="", help="ex,ey,ez,tx,ty,tz,fovDegrees; else the scene's own")
+    parser.add_argument("--size", default="320x180")
+    parser.add_argument("--spp", default=256, type=int, help="samples per pixel of the reference")
+    parser.add_argument("--turns", default=3, type=int, help="measurements of each time")
+    parser.add_argument("--row", action="append", help="only these, as single-1 or agaa-8-fast-gbuffer, and single; repeatable")
+    arguments = parser.parse_args()
+    settings = {name: getattr(arguments, name) for name in ("scene", "camera", "size", "spp")}
+    runs = Runs("calibrate", arguments.harness, arguments.out, settings)
+    view = view_options(arguments.scene, arguments.camera, arguments.size)
+    path = arguments.out / "measured.json"
+    write_measured(path, Frame(runs, "frame", view, arguments.spp).measure_all(wanted_rows(arguments.row), arguments.turns), arguments.size)
+    print(path)
+
+
+if __name__ == "__main__":
+    main()
