@@ -39,12 +39,14 @@ def beside(scene):
 
 
 def ratios_of(scenes, figure):
-    """A table of figure(row) by that of ssaa n=8."""
-    rows = []
-    for scene in scenes:
+    """A table of figure(row) by that of ssaa n=8, without columns that no scene has."""
+    compared = [beside(scene) for scene in scenes]
+    columns = [i for i in range(len(compared[0])) if any(rows[i][1] for rows in compared)]
+    lines = []
+    for scene, rows in zip(scenes, compared, strict=True):
         eight = find(scene, "ssaa", 8)
-        rows.append([named(scene)] + [shown(ratio(figure(row) if row else None, figure(eight))) for _, row in beside(scene)])
-    return table(["scene"] + [name for name, _ in beside(scenes[0])], rows)
+        lines.append([named(scene)] + [shown(ratio(figure(rows[i][1]) if rows[i][1] else None, figure(eight))) for i in columns])
+    return table(["scene"] + [compared[0][i][0] for i in columns], lines)
 
 
 def times(scenes, row_of):

@@ -25,7 +25,8 @@ def document(*rows):
 class Coverage(unittest.TestCase):
     def test_errors_are_by_those_of_ssaa(self):
         text = document(row("ssaa", 8, 0, 0.4, 10), row("dcaa", 64, 4, 0.2, 30), row("dcaa", 64, 4, 0.1, 50, "exact"))
-        self.assertEqual(text.count("| a\\_b | 0.50 | not measured | not measured | 0.25 |"), 4)
+        self.assertEqual(text.count("| scene | `dcaa` S=4 | all fragments |"), 4)
+        self.assertEqual(text.count("| a\\_b | 0.50 | 0.25 |"), 4)
         self.assertIn("| a\\_b | 3.50 | 1.25 | 1.25 | 1.25 |", text)
 
     def test_times_are_of_the_same_turn_and_cost(self):
