@@ -4,6 +4,10 @@
 
 #include "dcaa_cases.h"
 
+#include "shader_math.h"
+
+#include <bit>
+
 namespace agaa::test {
 
 inline ViewSettings carriedSettings(uint32_t samples = 64, uint32_t surfaces = 4) {
@@ -111,6 +115,43 @@ TYPED_TEST_P(CarriedCases, LobesWidenInEachDirection) {
         }
 }
 
+// Two normals of a pixel end in one surface: what memory keeps of them is what all samples' normals say. The larger share comes
+// first, and last, so that either one takes the other.
+TYPED_TEST_P(CarriedCases, SpreadsAreThoseOfTheNormalsThatMerged) {
+    const glm::vec3 a = glm::normalize(glm::vec3(0.4f, 0.1f, 1)), b = glm::normalize(glm::vec3(-0.2f, 0.3f, 1));
+    for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS})
+        for (const float share : {0.25f, 0.75f}) {
+            SCOPED_TRACE(std::string(agaaTierName(tier)) + " " + std::to_string(share));
+            ViewSettings settings = dcaaSettings(64, 1, tier);
+            settings.config.ndf = AGAA_NDF_LEAN;
+            settings.projection = pixelOrthographic(48, 32, 10);
+            Material first, second;
+            first.normal = glm::vec4(a, 0.01f);
+            second.normal = glm::vec4(b, 0.01f);
+            Shot shot{.triangles = rectangle(10, 10, 10 + share, 11, 5, first)};
+            for (const Triangle& t : rectangle(10 + share, 10, 11, 11, 5, second))
+                shot.triangles.push_back(t);
+            const std::vector<uint32_t> words = this->keep(settings, shot).words[10 * 48 + 10];
+            ASSERT_GT(words.size(), 6u);
+            EXPECT_EQ(std::popcount(words[0]) + std::popcount(words[1]), 64);
+            const glm::vec2 code = glm::vec2(float(words[4] & 0xFFFFu), float(words[4] >> 16)) / 65535.0f;
+            const glm::vec3 n = math_f::agaa_decodeOct(code, 16);
+            EXPECT_GT(glm::dot(n, glm::normalize(share * a + (1 - share) * b)), 0.999f);
+            glm::vec3 t, u;
+            math_f::agaa_spreadBasis(n, t, u);
+            const auto moment = [&](const glm::vec3& x, const glm::vec3& y) {
+                return share * glm::dot(a, x) * glm::dot(a, y) + (1 - share) * glm::dot(b, x) * glm::dot(b, y);
+            };
+            const auto low = [](uint32_t word) { return std::bit_cast<float>(word << 16); };
+            const auto high = [](uint32_t word) { return std::bit_cast<float>(word & 0xFFFF0000u); };
+            EXPECT_NEAR(low(words[5]), moment(t, t), 0.004f);
+            EXPECT_NEAR(high(words[5]), moment(u, u), 0.004f);
+            EXPECT_NEAR(low(words[6]), moment(t, u), 0.004f);
+            EXPECT_NEAR(high(words[6]), glm::length(share * a + (1 - share) * b), 0.004f);
+            EXPECT_GT(moment(t, t) + moment(u, u), 0.02f);
+        }
+}
+
 // The numbers that the host gives decide the order, and where they are the same, what fragments carry: the order of the draws
 // does not.
 TYPED_TEST_P(CarriedCases, NumbersThenContentDecideTheOrder) {
@@ -167,6 +208,6 @@ TYPED_TEST_P(CarriedCases, BatchesAreForFragmentsInLists) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(CarriedCases, BatchesAreForFragmentsInLists, MergesAsFetchedFragments, MaterialsAreEvaluatedInTheMiddleOfWhatIsCovered,
-                            CurvedPrimitivesWidenLobes, LobesWidenInEachDirection, NumbersThenContentDecideTheOrder, WhatIsNotFiniteIsReplaced);
+                            CurvedPrimitivesWidenLobes, LobesWidenInEachDirection, SpreadsAreThoseOfTheNormalsThatMerged, NumbersThenContentDecideTheOrder, WhatIsNotFiniteIsReplaced);
 
 } // namespace agaa::test

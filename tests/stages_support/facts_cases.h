@@ -30,6 +30,7 @@ constexpr FactWay factWays[] = {{"ssaa"},
                                 {"agaa", 8, AGAA_TIER_IDS, 0, "precise", AGAA_NDF_LEAN},
                                 {"agaa", 64, AGAA_TIER_FRAGMENTS},
                                 {"dcaa", 64, AGAA_TIER_MATERIAL_LISTS},
+                                {"dcaa", 64, AGAA_TIER_MATERIAL_LISTS, 0, "precise", AGAA_NDF_LEAN},
                                 {"dcaa", 64, AGAA_TIER_FRAGMENT_LISTS}};
 // By fragments of the host, by ids, and both.
 constexpr FactWay checkedWays[] = {{"simple_complex"},
@@ -95,7 +96,7 @@ TYPED_TEST_P(FactsCases, ValuesReplaceThoseOfMaterials) {
         for (const FixedValues& values : fixedValues) {
             const bool isFirst = &values == fixedValues;
             if (way.samples == 64 && isFirst != (way.tier == AGAA_TIER_MATERIAL_LISTS))
-                continue; // such ways compile for long, and are three
+                continue; // such ways compile for long, and are four
             SCOPED_TRACE(way.name() + ", " + values.name);
             ViewSettings settings = this->settingsOf(way);
             if (values.facts & AGAA_FACT_NO_DIFFUSE && layoutIsCoarse(way))

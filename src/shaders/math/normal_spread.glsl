@@ -6,9 +6,15 @@
 #include "encoding.glsl"
 #include "ndf.glsl"
 
+// Axes at right angles to a stored normal. Codes of normals are further apart than rounding is: where z is rounding alone, its
+// sign does not mirror the axes, for shaders need not agree on it.
+void agaa_spreadBasis(rvec3 n, OUT(rvec3) t, OUT(rvec3) b) {
+    agaa_viewBasis(rvec3(n.x, n.y, abs(n.z) < real(1e-5) ? real(0.0) : n.z), t, b);
+}
+
 struct agaa_NormalSpread {
     rvec3 normal;    // unit, the direction of the mean
-    rvec3 moments;   // xx, yy and xy along the axes of agaa_viewBasis(normal), of all normals
+    rvec3 moments;   // xx, yy and xy along the axes of agaa_spreadBasis(normal), of all normals
     real meanLength; // of the mean
 };
 
@@ -24,7 +30,7 @@ rvec3 agaa_mixedProducts(rvec3 a, rvec3 b) {
 void agaa_addSpread(INOUT(agaa_NormalMoments) m, real weight, agaa_NormalSpread s) {
     rvec3 t;
     rvec3 b;
-    agaa_viewBasis(s.normal, t, b);
+    agaa_spreadBasis(s.normal, t, b);
     const rvec3 n = s.normal;
     const real xx = weight * s.moments.x;
     const real yy = weight * s.moments.y;
@@ -42,7 +48,7 @@ agaa_NormalSpread agaa_mixSpreads(agaa_NormalSpread a, agaa_NormalSpread b, real
     agaa_addSpread(m, share, b);
     rvec3 t;
     rvec3 u;
-    agaa_viewBasis(normal, t, u);
+    agaa_spreadBasis(normal, t, u);
     const rvec3 mean = a.normal * (a.meanLength * (real(1.0) - share)) + b.normal * (b.meanLength * share);
     return agaa_NormalSpread(normal,
                              rvec3(max(agaa_momentAlong(m, t, t), real(0.0)), max(agaa_momentAlong(m, u, u), real(0.0)),
@@ -54,7 +60,7 @@ agaa_NormalSpread agaa_mixSpreads(agaa_NormalSpread a, agaa_NormalSpread b, real
 agaa_NormalSpread agaa_spreadOfChange(rvec3 normal, rvec3 dx, rvec3 dy, rvec3 places) {
     rvec3 t;
     rvec3 b;
-    agaa_viewBasis(normal, t, b);
+    agaa_spreadBasis(normal, t, b);
     const real ux = dot(dx, t);
     const real uy = dot(dx, b);
     const real vx = dot(dy, t);

@@ -94,11 +94,14 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     agaa_Means m = agaa_meansOfStored(agaa_storedMeans());
     agaa_Surface s = agaa_Surface(m.diffuse, m.specular, m.emissive,
                                   agaa_unpackNormal(agaa_readSurfaces(base + AGAA_NORMAL_WORD)), 1.0, m.alpha2, 0.0, vec3(0.0));
-    if (AGAA_SPREAD_WORDS != 0u) {
+    float widening = 0.0;
+    if (AGAA_SPREAD_WORDS != 0u && AGAA_HAS_SPECULAR != 0u) {
         uint at = base + AGAA_SPREAD_WORD;
         agaa_widenSurface(s, agaa_unpackSpread(s.normal, uvec2(agaa_readSurfaces(at), agaa_readSurfaces(at + 1u))));
+        widening = max(sqrt(s.alpha2Along) - sqrt(m.alpha2), 0.0);
+        agaa_count(AGAA_COUNT_WIDENED, widening > 0.0 ? 1u : 0u);
     }
-    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, 0.0, s.diffuse) : agaa_lightSurface(s, position);
+    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, widening, s.diffuse) : agaa_lightSurface(s, position);
     return color * weight;
 }
 
