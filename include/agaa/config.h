@@ -244,8 +244,8 @@ typedef enum AgaaMerge {
 
 /* Bits of AgaaDecoupledCoverage::flags. */
 #define AGAA_COVERAGE_EXACT UINT64_C(0x01) /* keep all fragments and shade those that show at a sample: the reference of the
-                                              merging ways. AgaaConfig::aggregates is not used; maxBatches must be 1, otherwise
-                                              the view fails with AGAA_ERROR_UNSUPPORTED. With the tier MATERIAL_LISTS,
+                                              merging ways. AgaaConfig::aggregates is not used; maxBatches must be 1, and the
+                                              tier one with lists, otherwise the view fails with AGAA_ERROR_UNSUPPORTED. With the tier MATERIAL_LISTS,
                                               depth planes and materials are rounded as the layout stores them */
 
 /* How "dcaa" keeps and merges fragments. Chain it to AgaaConfig. The tiers FRAGMENT_INTERLOCK and RASTER_ORDER have no lists and use neither
@@ -292,7 +292,8 @@ typedef enum AgaaDebugView {
                                        without shadows */
     AGAA_DEBUG_VIEW_WIDENED = 6,    /* "agaa" and "sbaa", with layouts that store roughness: how far the NDF widens
                                        lobes, as GGX alpha in the widest direction, mean over the covered samples. 0 for
-                                       "dcaa", which keeps the widened roughness alone */
+                                       "dcaa" with round lobes, which keeps the widened roughness alone, and with
+                                       AGAA_COVERAGE_EXACT */
     AGAA_DEBUG_VIEW_TIER = 7, /* grey: no aggregation; orange: two geometry passes; blue: from a G-buffer, unfetched draws
                                  included; green: by ids; yellow: by lists of fragments. Half as bright if the pixel has
                                  one shading event. With AGAA_CONFIG_BUFFERED, unfetched draws are green */

@@ -22,8 +22,8 @@ typedef enum AgaaPreference {
 /* Bits of AgaaGoal::flags. */
 #define AGAA_GOAL_ONE_GEOMETRY_PASS UINT64_C(0x01) /* leave out settings that draw the scene more than once in a frame */
 
-/* What a host measured of settings in its own scene. Two frames of the scene give the errors: one of these settings and one of
- * full sampling. */
+/* What a host measured of settings in its own scene. Three frames of one camera give the errors: one of these settings, one of
+ * "single" and one of full sampling. */
 typedef struct AgaaMeasuredSettings {
     uint32_t sType;
     uint32_t structSize;
@@ -35,8 +35,8 @@ typedef struct AgaaMeasuredSettings {
     uint32_t generationTier; /* an AgaaTier; AUTO: the technique has none */
     uint32_t reserved;       /* 0 */
     uint64_t pixels;         /* of the timed frame; 0 without times */
-    float errorShare;        /* error by that of "single", [0, 1e9] */
-    float error;             /* error, [0, 1e9]; AgaaGoal::maxError alone needs it */
+    float errorShare;        /* error by that of "single", (0, 1e9] */
+    float error;             /* error, [0, 1e9]; above 0 where AgaaGoal::maxError is a limit */
     /* As those of AgaaObservation; both 0: not measured. */
     float geometryMilliseconds; /* [0, 1e9] */
     float shadingMilliseconds;  /* [0, 1e9] */

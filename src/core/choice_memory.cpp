@@ -18,7 +18,8 @@ void addTo(float& mean, double value, float count) {
 // Hosts may measure the whole frame as one part: then one ratio is that of both.
 FrameTimes ratioOf(const FrameTimes& observed, const FrameTimes& predicted) {
     const auto ratio = [](double a, double b) { return std::clamp(a / std::max(b, 1e-12), 1e-6, 1e12); };
-    if (predicted.geometry > 0 && predicted.shading > 0)
+    const auto isWhole = [](const FrameTimes& t) { return t.geometry <= 0 || t.shading <= 0; };
+    if (!isWhole(predicted) && !isWhole(observed))
         return {ratio(observed.geometry, predicted.geometry), ratio(observed.shading, predicted.shading)};
     const double both = ratio(observed.geometry + observed.shading, predicted.geometry + predicted.shading);
     return {both, both};
@@ -34,7 +35,7 @@ ChoiceMemory::ChoiceMemory(const AgaaChoice& choice, const Predictions& predicti
     if (numbers_.timesNumber == predictions.timesNumber())
         return;
     numbers_.timesNumber = predictions.timesNumber();
-    numbers_.geometry = numbers_.shading = 0; // they are by other times
+    numbers_.geometry = numbers_.shading = numbers_.held = 0; // they are by other times
     std::fill(std::begin(numbers_.rows), std::end(numbers_.rows), Row{});
 }
 

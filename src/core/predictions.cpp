@@ -25,10 +25,10 @@ bool isTimed(const AgaaMeasuredSettings& m) { return m.geometryMilliseconds > 0 
 
 // An error of 0 would hold every limit: it must not stand for one that is not known.
 void checkErrors(const AgaaMeasuredSettings& m, const AgaaGoal& goal, const std::string& name) {
-    if (m.error > 0 && m.errorShare <= 0)
-        refuse(name + ".errorShare is 0, and its error is not.");
-    if (goal.maxError > 0 && m.errorShare > 0 && m.error <= 0)
-        refuse("AgaaGoal::maxError is a limit, and " + name + ".error is 0 where its errorShare is not.");
+    if (m.errorShare <= 0)
+        refuse(name + ".errorShare is 0, as if it was not measured.");
+    if (goal.maxError > 0 && m.error <= 0)
+        refuse("AgaaGoal::maxError is a limit, and " + name + ".error is 0, as if it was not measured.");
 }
 
 } // namespace
@@ -67,19 +67,18 @@ void Predictions::addMeasured(const AgaaMeasuredSettings& m, const AgaaGoal& goa
     measuredTimes_.push_back({m.geometryMilliseconds / double(m.pixels), m.shadingMilliseconds / double(m.pixels)});
 }
 
-// FNV-1a, in 24 bits: AgaaChoice::memory has floats.
+// The sum of FNV-1a of each row, whatever their order, in 24 bits: AgaaChoice::memory has floats.
 void Predictions::numberTimes() {
-    uint32_t hash = 2166136261u;
-    const auto add = [&](uint64_t word) {
-        for (int shift = 0; shift < 64; shift += 8)
-            hash = (hash ^ uint32_t(word >> shift & 0xFF)) * 16777619u;
-    };
+    uint32_t sum = 0;
     for (size_t i = 0; i < list_.size(); ++i) {
-        add(uint64_t(list_[i].row - choiceRows().data()));
-        add(std::bit_cast<uint64_t>(measuredTimes_[i].geometry));
-        add(std::bit_cast<uint64_t>(measuredTimes_[i].shading));
+        uint32_t hash = 2166136261u;
+        for (const uint64_t word : {uint64_t(list_[i].row - choiceRows().data()), std::bit_cast<uint64_t>(measuredTimes_[i].geometry),
+                                    std::bit_cast<uint64_t>(measuredTimes_[i].shading)})
+            for (int shift = 0; shift < 64; shift += 8)
+                hash = (hash ^ uint32_t(word >> shift & 0xFF)) * 16777619u;
+        sum += hash;
     }
-    timesNumber_ = float(1 + hash % 0xFFFFFFu);
+    timesNumber_ = float(1 + sum % 0xFFFFFFu);
 }
 
 std::optional<FrameTimes> Predictions::times(const ChoiceRow& row, const SceneTerms& terms, uint64_t pixels) const {
