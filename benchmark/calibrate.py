@@ -95,7 +95,10 @@ class Frame:
 
 
 def single_error(measured):
-    return next(found["error"] for row, found in measured.items() if row.technique == "single")
+    error = next((found["error"] for row, found in measured.items() if row.technique == "single"), 0)
+    if error <= 0:
+        sys.exit("calibrate: single has no error here, or does not run, so that no error can be told by it.")
+    return error
 
 
 def measured_settings(measured, size):

@@ -21,6 +21,18 @@ class Table(unittest.TestCase):
                          "benchmark/choice_table.py > src/core/choice_table.inc")
 
 
+class Rows(unittest.TestCase):
+    def test_what_needs_structs_of_its_own_is_left_out(self):
+        def row(technique, preset="", tier=None):
+            return {"technique": technique, "preset": preset, "tiers": {"generation": tier} if tier else {}}
+
+        for kept in (row("ssaa"), row("agaa", "accurate", "gbuffer"), row("agaa", tier="ids")):
+            self.assertTrue(choice_rows.is_for_hosts(kept), kept)
+        for left in (row("dcaa"), row("dcaa", "lean"), row("adaptive", "device"), row("agaa", "accurate", "fragments"),
+                     row("agaa", "paper")):
+            self.assertFalse(choice_rows.is_for_hosts(left), left)
+
+
 class LeastSquares(unittest.TestCase):
     def test_finds_the_coefficients(self):
         numbers = random.Random(1)

@@ -296,6 +296,32 @@ TEST(MeasuredGoals, BadInputLeavesTheOutput) {
     EXPECT_NE(host.message.find("AgaaGoal::measured is null"), std::string::npos) << host.message;
 }
 
+// A frame whose geometry is not timed apart is twice as slow as a whole.
+TEST(MeasuredGoals, TimesOfTheWholeFrameScaleWholeFrames) {
+    HostOfThree host;
+    host.goal.maxErrorShare = 0.25f;
+    const AgaaObservation whole = timedFrame(rowNamed("single", 1), 0, 6); // measured: 1 and 2
+    EXPECT_NEAR(host.freshMeasured(&whole).milliseconds, 20, 1e-4) << host.choice.reason;
+}
+
+// They are forgotten with what was observed before, so that a choice waits for 16 observations again.
+TEST(MeasuredGoals, OneFrameAfterOtherMeasuredTimesChangesNothing) {
+    HostOfThree host;
+    const ChoiceRow& eight = rowNamed("ssaa", 8);
+    host.goal.prefer = AGAA_PREFER_ERROR;
+    host.goal.maxMilliseconds = 30;
+    ASSERT_TRUE(isOf(host.freshMeasured(), eight)) << host.choice.reason;
+    const AgaaObservation usual = timedFrame(eight, 4, 16), slow = timedFrame(eight, 8, 32);
+    for (int i = 0; i < 20; ++i)
+        ASSERT_EQ(host.chooseMeasured(&usual), AGAA_OK) << host.message;
+    host.measured[2].geometryMilliseconds = 4.1f;
+    ASSERT_EQ(host.chooseMeasured(&slow), AGAA_OK) << host.message;
+    EXPECT_TRUE(isOf(host.choice, eight)) << host.choice.reason;
+    for (int i = 0; i < 20; ++i)
+        ASSERT_EQ(host.chooseMeasured(&slow), AGAA_OK) << host.message;
+    EXPECT_FALSE(isOf(host.choice, eight)) << host.choice.reason;
+}
+
 // In whatever order the host names them, times are the same, and so is what was observed since.
 TEST(MeasuredGoals, TheirOrderDoesNotMatter) {
     HostOfThree host;
