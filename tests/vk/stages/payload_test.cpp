@@ -11,6 +11,7 @@ Created created;
 PFN_vkGetDeviceProcAddr realGetDeviceProcAddr = nullptr;
 PFN_vkCreateImage realCreateImage = nullptr;
 PFN_vkCreateBuffer realCreateBuffer = nullptr;
+PFN_vkCreateShaderModule realCreateShaderModule = nullptr;
 
 // From the Vulkan specification, not from the library.
 uint64_t bytesOf(VkFormat format) {
@@ -35,6 +36,8 @@ uint64_t bytesOf(VkFormat format) {
     case VK_FORMAT_R16G16B16A16_SFLOAT:
     case VK_FORMAT_R32G32_UINT:
         return 8;
+    case VK_FORMAT_R32G32B32A32_UINT:
+        return 16;
     default:
         ADD_FAILURE() << "format " << format << " is not in the test's table";
         return 0;
@@ -55,6 +58,25 @@ VKAPI_ATTR VkResult VKAPI_CALL createBuffer(VkDevice device, const VkBufferCreat
     return realCreateBuffer(device, info, allocator, buffer);
 }
 
+// Views are not drawn: shaders that do nothing replace those of the passes, which tests of frames compile.
+VKAPI_ATTR VkResult VKAPI_CALL createShaderModule(VkDevice device, const VkShaderModuleCreateInfo* info,
+                                                  const VkAllocationCallbacks* allocator, VkShaderModule* shader) {
+    static constexpr uint32_t words[] = {
+        0x07230203, 0x00010000, 0, 5, 0,
+        2 << 16 | 17, 1,                       // OpCapability Shader
+        3 << 16 | 14, 0, 1,                    // OpMemoryModel Logical GLSL450
+        5 << 16 | 15, 5, 1, 0x6E69616D, 0,     // OpEntryPoint GLCompute %1 "main"
+        6 << 16 | 16, 1, 17, 1, 1, 1,          // OpExecutionMode %1 LocalSize 1 1 1
+        2 << 16 | 19, 2,                       // %2 = OpTypeVoid
+        3 << 16 | 33, 3, 2,                    // %3 = OpTypeFunction %2
+        5 << 16 | 54, 2, 1, 0, 3,              // %1 = OpFunction %2 None %3
+        2 << 16 | 248, 4, 1 << 16 | 253, 1 << 16 | 56}; // OpLabel, OpReturn, OpFunctionEnd
+    VkShaderModuleCreateInfo nothing = *info;
+    nothing.codeSize = sizeof words;
+    nothing.pCode = words;
+    return realCreateShaderModule(device, &nothing, allocator, shader);
+}
+
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice device, const char* name) {
     const PFN_vkVoidFunction real = realGetDeviceProcAddr(device, name);
     if (std::strcmp(name, "vkCreateImage") == 0) {
@@ -64,6 +86,10 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice device, cons
     if (std::strcmp(name, "vkCreateBuffer") == 0) {
         realCreateBuffer = reinterpret_cast<PFN_vkCreateBuffer>(real);
         return reinterpret_cast<PFN_vkVoidFunction>(createBuffer);
+    }
+    if (std::strcmp(name, "vkCreateShaderModule") == 0) {
+        realCreateShaderModule = reinterpret_cast<PFN_vkCreateShaderModule>(real);
+        return reinterpret_cast<PFN_vkVoidFunction>(createShaderModule);
     }
     return real;
 }
