@@ -1,5 +1,14 @@
 # Shaders in the library: passes as SPIR-V, one array a permutation; host GLSL as text.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+# Optimised SPIR-V makes pipelines faster to create. Some builds of glslang have no optimiser.
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/optimises.comp "#version 450\nvoid main() {}\n")
+execute_process(COMMAND ${GLSLANG_VALIDATOR} -V -Os -o optimises.spv optimises.comp WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
+                RESULT_VARIABLE AGAA_GLSLANG_FAILED OUTPUT_QUIET ERROR_QUIET)
+if(AGAA_GLSLANG_FAILED)
+  message(STATUS "${GLSLANG_VALIDATOR} does not optimise SPIR-V")
+else()
+  set(AGAA_GLSLANG_OPTIMISES -Os)
+endif()
 set(AGAA_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_text.cmake)
 
 # agaa_compile_pass(OUT_SPV PASS NAME DEFINES...): adds a command, appends the .spv to OUT_SPV.
@@ -10,7 +19,7 @@ function(agaa_compile_pass out_list pass name)
   add_custom_command(
     OUTPUT ${spv}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/spirv
-    COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 -I${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders
+    COMMAND ${GLSLANG_VALIDATOR} --quiet -V ${AGAA_GLSLANG_OPTIMISES} --target-env vulkan1.2 -I${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders
             -I${CMAKE_CURRENT_BINARY_DIR}/shaders ${ARGN} --vn spirv_${name} -o ${spv}
             ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders/passes/${pass}.comp
     DEPENDS ${sources} ${written_glsl}

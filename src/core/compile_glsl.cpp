@@ -48,7 +48,7 @@ std::vector<uint32_t> compileCompute(const std::string& text, const char* what) 
         refuse(program.getInfoLog());
     std::vector<uint32_t> words;
     glslang::SpvOptions options;
-    options.disableOptimizer = true; // the driver optimises
+    options.disableOptimizer = true; // the host waits for this
     glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), words, &options);
     return words;
 }
