@@ -177,6 +177,7 @@ json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer
                 {"aggregates", m.plain.plan.aggregates},
                 {"size", std::to_string(size.width) + "x" + std::to_string(size.height)},
                 {"frameMs", quantilesJson(m.plain.frameMs)},
+                {"recordMs", quantilesJson(m.plain.recordMs)},
                 {"geometryPasses", last.geometryPasses},
                 {"bytesPerPixel", m.plain.memory.bytesPerPixel},
                 {"bytesPerAggregate", m.plain.memory.bytesPerAggregate},

@@ -81,6 +81,7 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
             continue;
         result.frameMs.push_back(milliseconds);
         result.wholeFrameMs.push_back(whole.count());
+        result.recordMs.push_back(std::chrono::duration<double, std::milli>(recordTime_ - drawTime_).count());
         AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
         log().check(agaaGetFrameStatistics(view, frameIndex_, &statistics),
                     "agaaGetFrameStatistics");
@@ -120,7 +121,9 @@ AgaaFrame HostRenderer::describeFrame(const FrameInput& input) const {
 AgaaResult AGAA_CALL HostRenderer::onDraw(void* user, const AgaaDrawTarget* target) {
     auto& renderer = *static_cast<HostRenderer*>(user);
     try {
+        const Clock::time_point start = Clock::now();
         renderer.draw(*target, *renderer.input_);
+        renderer.drawTime_ += Clock::now() - start;
         return AGAA_OK;
     } catch (const std::exception& error) {
         renderer.drawError_ = error.what();

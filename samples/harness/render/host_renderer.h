@@ -6,6 +6,7 @@
 #include "render/draw_list.h"
 #include "render/sdk_log.h"
 
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -63,6 +64,9 @@ private:
     bool isLoaded_ = false;
     uint64_t frameIndex_ = 0; // of the newest frame; all are waited for
     const FrameInput* input_ = nullptr; // of the frame being recorded
+    using Clock = std::chrono::steady_clock;
+    Clock::duration recordTime_{}; // of the SDK in the newest frame, with drawTime_
+    Clock::duration drawTime_{};   // of the callback
     std::string drawError_;
 };
 
@@ -75,10 +79,13 @@ void HostRenderer::record(const FrameInput& input, const char* call, const Recor
     if (input.settings.splitSegments)
         calls = {AGAA_SEGMENT_PREPASS, AGAA_SEGMENT_GENERATION, AGAA_SEGMENT_SHADING};
     input_ = &input;
+    recordTime_ = drawTime_ = {};
     for (const uint64_t segments : calls) {
         frame.segments = segments;
         drawError_.clear();
+        const Clock::time_point start = Clock::now();
         const AgaaResult recorded = record(frame);
+        recordTime_ += Clock::now() - start;
         if (!drawError_.empty())
             throw std::runtime_error(drawError_);
         log().check(recorded, call);

@@ -67,6 +67,7 @@ struct RenderResult {
     Image image; // of the last frame, linear
     std::vector<double> frameMs; // submission to completion, per counted frame, without warm-up
     std::vector<double> wholeFrameMs; // the same, from the beginning of recording
+    std::vector<double> recordMs; // elapsed in the SDK's recording calls, without the draw callbacks
     std::vector<AgaaFrameStatistics> statistics; // per counted frame
     std::optional<AgaaFactReport> facts; // of the last frame, with AGAA_CONFIG_CHECK_FACTS
     AgaaMemoryReport memory = AGAA_MEMORY_REPORT_INIT; // predicted for this device
