@@ -106,7 +106,8 @@ typedef enum AgaaGlOutputs {
 /* The SDK's resources in the host's fragment shaders, and the kind of binding point of each. */
 typedef enum AgaaGlBinding {
     AGAA_GL_BINDING_FRAME = 0,      /* uniform buffer, or as AgaaGlConstants says */
-    AGAA_GL_BINDING_METADATA = 1,   /* texture unit */
+    AGAA_GL_BINDING_METADATA = 1,   /* texture unit. In AGAA_DRAW_PASS_FRAGMENTS, the table for a pattern of coverage samples of
+                                       the host's own (AgaaDecoupledCoverage::samplePositions) */
     AGAA_GL_BINDING_AGGREGATES = 2, /* shader storage buffer; image unit with AGAA_GL_STORAGE_IMAGES */
     AGAA_GL_BINDING_COUNTERS = 3,   /* as AGAA_GL_BINDING_AGGREGATES */
     AGAA_GL_BINDING_LIGHTS = 4,     /* shader storage buffer; uniform buffer with AGAA_GL_STORAGE_IMAGES */

@@ -249,8 +249,8 @@ typedef enum AgaaMerge {
                                               depth planes and materials are rounded as the layout stores them */
 
 /* How "dcaa" keeps and merges fragments. Chain it to AgaaConfig. The tiers FRAGMENT_INTERLOCK and RASTER_ORDER have no lists and use neither
- * fragmentsPerPixel nor maxBatches. "agaa" with the tier FRAGMENTS uses fragmentsPerPixel; if maxBatches is not 1, that view
- * fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers check the struct and do not use it. The smallest cosine
+ * fragmentsPerPixel nor maxBatches. "agaa" with the tier FRAGMENTS uses fragmentsPerPixel, samplePositions and tableSize; if
+ * maxBatches is not 1, that view fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers check the struct and do not use it. The smallest cosine
  * between normals that merge is AgaaConfig::surfaceCosine; 0 selects that of pi/16, as in the paper. */
 typedef struct AgaaDecoupledCoverage {
     uint32_t sType;
@@ -267,9 +267,18 @@ typedef struct AgaaDecoupledCoverage {
                                 AGAA_DEVICE_CONDITIONAL_RENDERING, and otherwise runs all */
     uint32_t reserved;       /* 0 */
     uint64_t flags;          /* AGAA_COVERAGE_… */
+    /* Positions of the coverage samples: AgaaConfig::samples pairs x, y in [0, 1) of gl_FragCoord; copied. Null: the
+     * library's pattern, whose masks are exact. Masks of other patterns come from a table of half-planes (DCAA 3.1), which a
+     * pass fills in each frame. The table rounds the direction of each edge and its distance from the pixel's centre. The
+     * two sides of an edge share no sample and miss none. Near a vertex, triangles may miss a sample or cover it twice. */
+    const float* samplePositions;
+    uint32_t tableSize;     /* number of directions, and of distances, of the table, [16, 1024]; 0 selects 128. An entry takes
+                               16 bytes. Without samplePositions, there is no table */
+    uint32_t reservedTable; /* 0 */
 } AgaaDecoupledCoverage;
 #define AGAA_DECOUPLED_COVERAGE_INIT                                                                \
-    {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, (uint32_t)sizeof(AgaaDecoupledCoverage), NULL, AGAA_MERGE_VISIBLE, 8.0f, 1, 0, 0}
+    {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, (uint32_t)sizeof(AgaaDecoupledCoverage), NULL, AGAA_MERGE_VISIBLE, 8.0f, 1, 0, 0, \
+     NULL, 0, 0}
 AGAA_API void AGAA_CALL agaaInitDecoupledCoverage(AgaaDecoupledCoverage* outCoverage, size_t structSize);
 
 typedef enum AgaaSeeds {

@@ -137,9 +137,9 @@ typedef struct AgaaSurface {
     char format[32];         /* empty for buffers */
     uint32_t width, height;  /* texels; 0 for buffers */
     uint32_t samples, layers;
-    uint32_t scaleX, scaleY; /* texels per pixel; 0 for buffers */
+    uint32_t scaleX, scaleY; /* texels per pixel; 0 for buffers, and for images whose size is not that of the target */
     uint64_t bytes;          /* payload of all copies */
-    uint32_t isPerPixel;     /* 0: constants, uploads and read-back, which do not grow with the target */
+    uint32_t isPerPixel;     /* 0: constants, tables, uploads and read-back, which do not grow with the target */
     uint32_t firstPass, lastPass; /* the surface is in use from pass firstPass to pass lastPass of the plan */
     uint32_t reserved;
 } AgaaSurface;

@@ -198,6 +198,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     if (hasCorners) {
         defineSwitch(out, "AGAA_CLIP_Z_FROM_MINUS_ONE", plan.clipZFromMinusOne);
         define(out, "AGAA_OWN_WORDS", plan.ownWords);
+        defineSwitch(out, "AGAA_TABLE_SIZE", c[AGAA_TABLE_SIZE]);
         defineSwitch(out, "AGAA_HAS_BATCHES", plan.coverage.maxBatches > 1);
     }
     if (hasCorners && needsMaterial(pass)) {

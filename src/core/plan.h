@@ -41,7 +41,7 @@ inline constexpr ResourceId noResource = ~0u;
 inline constexpr uint32_t noCounter = ~0u;
 
 enum class ResourceKind {
-    Image,        // per pixel
+    Image,        // per pixel, unless it has a size of its own
     Buffer,       // per pixel
     SmallBuffer,  // device local, does not grow with the target
     UploadBuffer, // written by the CPU, one per frame in flight
@@ -69,9 +69,10 @@ struct Resource {
     uint32_t firstPass = 0;  // lifetime, by index into Plan::passes
     uint32_t lastPass = 0;
     uint64_t segments = 0;   // of the passes that use it
+    bool hasOwnSize = false;    // Image: that of the view does not matter
     bool outlivesFrame = false; // Buffer: keeps its contents from frame to frame, which are 0 before the first
 
-    bool isPerPixel() const { return kind == ResourceKind::Image || kind == ResourceKind::Buffer; }
+    bool isPerPixel() const { return !hasOwnSize && (kind == ResourceKind::Image || kind == ResourceKind::Buffer); }
     bool isHosts() const { return kind == ResourceKind::Output || kind == ResourceKind::ShadowMap; }
     bool operator==(const Resource&) const = default;
 };

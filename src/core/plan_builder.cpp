@@ -79,6 +79,16 @@ ResourceId PlanBuilder::layeredImage(std::string name, Format format, uint32_t l
     return id;
 }
 
+ResourceId PlanBuilder::squareImage(std::string name, Format format, uint32_t side) {
+    return add({.name = std::move(name),
+                .kind = ResourceKind::Image,
+                .format = format,
+                .width = side,
+                .height = side,
+                .bytes = uint64_t(side) * side * bytesPerTexel(format),
+                .hasOwnSize = true});
+}
+
 ResourceId PlanBuilder::pixelBuffer(std::string name, uint64_t bytesPerPixel) {
     Resource r;
     r.name = std::move(name);

@@ -31,6 +31,8 @@ public:
     ResourceId image(std::string name, Format format, bool atTargetRate);
     // One texel a pixel in each layer. As a target of a draw, each layer is an attachment.
     ResourceId layeredImage(std::string name, Format format, uint32_t layers);
+    // As many texels for views of any size.
+    ResourceId squareImage(std::string name, Format format, uint32_t side);
     ResourceId pixelBuffer(std::string name, uint64_t bytesPerPixel);
     // A record for each tile of side x side pixels, row by row.
     ResourceId tileBuffer(std::string name, uint32_t side, uint64_t bytesPerTile);

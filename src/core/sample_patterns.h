@@ -17,7 +17,7 @@ std::vector<SamplePosition> standardPositions(uint32_t hwSamples);
 
 // Sample i of a target of scaleX x scaleY sub-pixels, each with samples at these positions:
 // i = (sy scaleX + sx) hwSamples + s.
-using SamplePositions = std::array<SamplePosition, 32>;
+using SamplePositions = std::array<SamplePosition, 128>;
 SamplePositions samplePositions(std::span<const SamplePosition> texel, uint32_t scaleX,
                                 uint32_t scaleY);
 SamplePositions samplePositions(std::span<const float> pairs); // x, y

@@ -200,6 +200,8 @@ ViewSettings resolveView(const AgaaViewDesc* pointer) {
     view.config.technique = technique.name; // static storage
     view.technique = technique.name;
     setCounts(view, checkSamples(view.config.samples, technique, view.config.generationTier), view.config.aggregates);
+    if (!technique.countsCoverage(view.config.generationTier, view.samples))
+        view.coveragePositions.clear();
     readShadowFunction(desc, view);
     readGBufferFunction(desc, view);
     readFetchFunction(desc, view);

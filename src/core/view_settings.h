@@ -25,7 +25,8 @@ struct ViewSettings {
     bool vertexPulling = false; // the host's vertex shaders expand triangles
     AgaaConfig config{}; // technique: static storage; layout: null
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
-    AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT;
+    AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT; // samplePositions: null
+    std::vector<float> coveragePositions; // pairs, of the host's own pattern of coverage samples
     AgaaAdaptiveSampling adaptive = AGAA_ADAPTIVE_SAMPLING_INIT;
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
     AgaaSceneFacts facts{};        // that the host announced: of layouts, tiers, resources and draw passes

@@ -75,8 +75,9 @@ void ViewResources::createTexture(const Resource& resource, GpuResource& out) {
             gl.TextureParameteri(out.texture, filter, GL_NEAREST);
     }
     context_.label(GL_TEXTURE, out.texture, "agaa " + resource.name);
-    payloadBytes_ += uint64_t(resource.width) * resource.height * resource.samples * resource.layers *
-                     bytesPerTexel(resource.format);
+    if (resource.isPerPixel())
+        payloadBytes_ += uint64_t(resource.width) * resource.height * resource.samples * resource.layers *
+                         bytesPerTexel(resource.format);
 }
 
 void ViewResources::createBuffers(const Resource& resource, GLenum texels, GpuResource& out) {

@@ -138,8 +138,9 @@ void ViewResources::createImage(const Plan& plan, ResourceId id, std::vector<Req
     check(context_.vk.CreateImage(context_.device, &info, nullptr, &image), "vkCreateImage");
     resources_[id].image = image;
     context_.name(VK_OBJECT_TYPE_IMAGE, (uint64_t)image, "agaa " + resource.name);
-    payloadBytes_ += uint64_t(info.extent.width) * info.extent.height * info.arrayLayers *
-                     info.samples * bytesPerTexel(resource.format);
+    if (resource.isPerPixel())
+        payloadBytes_ += uint64_t(info.extent.width) * info.extent.height * info.arrayLayers *
+                         info.samples * bytesPerTexel(resource.format);
     Request request{id, 0, image, VK_NULL_HANDLE, {}, resource.firstPass, resource.lastPass,
                     resource.kind};
     context_.vk.GetImageMemoryRequirements(context_.device, image, &request.requirements);

@@ -5,7 +5,7 @@ import unittest
 
 import harness
 
-FIELDS = ["frameMs", "passes", "shadingEventsPerPixel", "geometryPasses", "bytesPerPixel",
+FIELDS = ["frameMs", "recordMs", "passes", "shadingEventsPerPixel", "geometryPasses", "bytesPerPixel",
           "predictedBytes", "memoryBytes", "driverBytes", "peakBytes", "tiers", "counters",
           "apiMessages"]
 
@@ -25,9 +25,10 @@ class Render(unittest.TestCase):
 
     backend = "vk"
 
-    def render(self, *arguments, size="96x54", scene="metal"):
+    def render(self, *arguments, size="96x54", scene="metal", timed=False):
+        """timed: adds the times of passes, which another view measures."""
         return harness.data("render", "--backend", self.backend, "--scene", scene, "--size", size,
-                            *arguments)
+                            *([] if timed else ["--no-timestamps"]), *arguments)
 
     def test_counting_changes_no_pixel(self):
         for technique in ("single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"):
@@ -153,10 +154,24 @@ class Render(unittest.TestCase):
                         size="64x36")
         self.assertGreater(harness.data("compare", *images)["psnr"], 50)
 
+    def test_patterns_of_the_host(self):
+        exact = [*options("dcaa"), "--exact", "--fragments-per-pixel", "64"]
+        own = [*exact, "--coverage-pattern", "r2"]
+        images = {size: self.path(size + ".exr") for size in ("512", "128", "16")}
+        library = self.render(*exact, size="64x36")
+        for size, image in images.items():
+            data = self.render(*own, "--table-size", size, "--exr", image, size="64x36")
+            self.assertEqual(data["apiMessages"], [])
+            self.assertEqual(data["memoryBytes"], data["predictedBytes"])
+            self.assertEqual(data["memoryBytes"], library["memoryBytes"]) # the table does not grow with the image
+        near, far = (harness.data("compare", images["512"], images[size])["mseTm"] for size in ("128", "16"))
+        self.assertGreater(near, 0)
+        self.assertLess(near, 0.3 * far)
+
     def test_every_technique(self):
         for technique in ("single", "ssaa", "agaa", "dcaa", "adaptive"):
             with self.subTest(technique=technique):
-                data = self.render(*options(technique), "--frames", "2")
+                data = self.render(*options(technique), "--frames", "2", timed=True)
                 for field in FIELDS:
                     self.assertIn(field, data)
                 counters = data["counters"]
@@ -209,7 +224,7 @@ class Render(unittest.TestCase):
         images = set()
         for view in ("none", "events", "clusters", "primitives", "lit", "widened", "tier"):
             self.render("--tier", "generation=ids", "--view", view, "--png", self.path("v.png"), "--no-counters",
-                        "--no-timestamps", size="48x27")
+                        size="48x27")
             with open(self.path("v.png"), "rb") as file:
                 images.add(file.read())
         self.assertEqual(len(images), 7, "each shows something else")
@@ -259,7 +274,7 @@ class Render(unittest.TestCase):
     # The lists have room for 65536 fragments at least, 4.6 a pixel.
     def test_lists_have_the_room_that_a_frame_needs(self):
         def lists(scene, room):
-            return self.render(*options("dcaa"), "--fragments-per-pixel", room, "--frames", "1", "--no-timestamps",
+            return self.render(*options("dcaa"), "--fragments-per-pixel", room, "--frames", "1",
                                size="160x90", scene=scene)
 
         dense, sparse = lists("foliage", "8"), lists("metal", "8")
@@ -274,7 +289,7 @@ class Render(unittest.TestCase):
             self.assertEqual(fitted["memoryBytes"] < fixed["memoryBytes"], fixed is sparse)
             self.assertEqual(fitted["fragmentsPerPixel"] < 8, fixed is sparse)
         clustered = self.render("--technique", "agaa", "--samples", "64", "--fragments-per-pixel", "auto", "--frames", "1",
-                                "--no-timestamps", size="160x90", scene="foliage")
+                                size="160x90", scene="foliage")
         self.assertEqual(clustered["counters"]["lostFragments"], 0)
         self.assertEqual(clustered["fragmentsPerPixel"], lists("foliage", "auto")["fragmentsPerPixel"])
 

@@ -191,14 +191,65 @@ TEST(CoveragePlan, RasterOrderKeepsSurfacesInAttachments) {
     EXPECT_NE(refusal(spec, idealDevice()).find("the tier raster-order does not keep"), std::string::npos);
 }
 
+const std::vector<float> ownPositions(2 * 128, 0.25f);
+
+void useOwnPattern(TechniqueConfig& config) { config.coverage.samplePositions = ownPositions.data(); }
+
+// A table of the usual size, a pass that fills it, and all else as with the library's pattern.
+TEST(CoveragePlan, OwnPatternsTakeATable) {
+    for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
+                                          {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK}, {"dcaa", AGAA_TIER_RASTER_ORDER},
+                                          {"agaa", AGAA_TIER_FRAGMENTS}}) {
+        SCOPED_TRACE(agaaTierName(tier));
+        ViewSpec spec{.technique = technique, .samples = 64, .aggregates = 2, .generationTier = uint32_t(tier)};
+        const Plan library = planFor(spec, idealDevice());
+        spec.change = useOwnPattern;
+        const Plan own = planFor(spec, idealDevice());
+        EXPECT_EQ(own.totalBytes(), library.totalBytes());
+        EXPECT_EQ(own.constantBytes(), library.constantBytes() + 128 * 128 * 16);
+        EXPECT_EQ(own.samplePositions, std::vector<float>(2 * 64, 0.25f));
+        EXPECT_TRUE(library.samplePositions.empty());
+        std::vector<std::string> names;
+        for (const Pass& pass : own.passes)
+            if (pass.name != "fill coverage table")
+                names.push_back(pass.name);
+        ASSERT_EQ(own.passes.size(), library.passes.size() + 1);
+        for (size_t i = 0; i < names.size(); ++i)
+            EXPECT_EQ(names[i], library.passes[i].name);
+        for (const Pass& pass : own.passes)
+            if (pass.kind == PassKind::Compute) {
+                EXPECT_EQ(pass.constants[AGAA_TABLE_SIZE], 128u) << pass.name;
+            }
+        spec.change = [](TechniqueConfig& config) {
+            useOwnPattern(config);
+            config.coverage.tableSize = 256;
+        };
+        EXPECT_EQ(planFor(spec, idealDevice()).constantBytes(), library.constantBytes() + 256 * 256 * 16);
+    }
+}
+
+// Techniques and tiers without coverage samples do not read positions.
+TEST(CoveragePlan, OtherTechniquesHaveNoTable) {
+    for (const ViewSpec& used : {ViewSpec{.technique = "ssaa", .samples = 32}, ViewSpec{.technique = "agaa", .samples = 8},
+                                 ViewSpec{.technique = "agaa", .samples = 32, .generationTier = AGAA_TIER_GBUFFER}}) {
+        ViewSpec spec = used;
+        const Plan plain = planFor(spec, idealDevice());
+        spec.change = useOwnPattern;
+        EXPECT_EQ(planToJson(planFor(spec, idealDevice())), planToJson(plain)) << used.technique << used.samples;
+    }
+}
+
 // No driver of the tests has the extension: the text is compiled, and says what it needs.
 TEST(CoveragePlan, InterlockCompiles) {
     glslang::InitializeProcess();
     for (const char* masked : {"0", "1"})
-        for (const uint64_t flags : {UINT64_C(0), uint64_t(AGAA_CONFIG_COUNTERS)}) {
+        for (const bool hasOwnPattern : {false, true}) {
             ViewSpec spec = carried();
             spec.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
-            spec.configFlags = flags;
+            if (hasOwnPattern) {
+                spec.change = useOwnPattern;
+                spec.configFlags = AGAA_CONFIG_COUNTERS;
+            }
             const Plan plan = planFor(spec, idealDevice());
             const auto pass = std::ranges::find(plan.passes, PassKind::HostDraw, &Pass::kind);
             ASSERT_NE(pass, plan.passes.end());

@@ -322,6 +322,15 @@ TEST(Prices, WhatIsNotPossibleSaysWhy) {
             EXPECT_EQ(price.isPossible, 0u);
             EXPECT_NE(std::string(price.reason).find("samplePositions"), std::string::npos) << price.reason;
         }
+    const std::vector<float> places(2 * 64);
+    Host covering("dcaa", 64);
+    covering.config.coverage.samplePositions = places.data();
+    const AgaaPrice more = pricesOf(covering).step(AGAA_PRICE_SAMPLES, 64, 128);
+    EXPECT_EQ(more.isPossible, 0u);
+    EXPECT_NE(std::string(more.reason).find("AgaaDecoupledCoverage::samplePositions"), std::string::npos) << more.reason;
+    Host other("ssaa", 32); // has no coverage samples
+    other.config.coverage.samplePositions = places.data();
+    EXPECT_EQ(pricesOf(other).step(AGAA_PRICE_SAMPLES, 8, 16).isPossible, 1u);
     Host small("ssaa", 4);
     small.caps.maxImageSize = 700; // 180 pixels with 2 texels each, not with 4
     EXPECT_EQ(pricesOf(small).step(AGAA_PRICE_SAMPLES, 4, 8).isPossible, 1u);

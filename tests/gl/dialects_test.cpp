@@ -80,11 +80,23 @@ TEST_P(Dialects, GiveTheSameImage) {
     }
 }
 
-// Of vertex shaders that expand triangles, beside geometry shaders of GLSL 450.
+// Places of coverage samples, in rows that are shifted by sevenths of a pixel.
+std::vector<float> sevenths(uint32_t samples) {
+    std::vector<float> pairs;
+    for (uint32_t i = 0; i < samples; ++i) {
+        pairs.push_back(float(i * 3 % 7) / 7);
+        pairs.push_back(float(i) / float(samples));
+    }
+    return pairs;
+}
+
+// With a pattern of coverage samples of the host's own. Of vertex shaders that expand triangles, beside geometry shaders of GLSL 450.
 TEST_P(Dialects, PulledVerticesGiveTheSameImage) {
     settings_.config.technique = "dcaa";
     settings_.config.samples = 64;
     settings_.config.coverage.fragmentsPerPixel = 64;
+    const std::vector<float> pattern = sevenths(64);
+    settings_.config.coverage.samplePositions = pattern.data();
     for (const AgaaTier tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS}) {
         settings_.config.generationTier = uint32_t(tier);
         settings_.vertexPulling = false;

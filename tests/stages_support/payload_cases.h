@@ -39,6 +39,8 @@ protected:
         settings.config.flags = row.configFlags;
         settings.config.measurement.flags = row.measurementFlags;
         settings.config.layout = &layout;
+        const std::vector<float> pattern(2 * row.samples);
+        settings.config.coverage.samplePositions = row.hasOwnPattern ? pattern.data() : nullptr;
         settings.width = size.width;
         settings.height = size.height;
         settings.flags = viewFlags;
@@ -54,7 +56,7 @@ protected:
         AgaaView view = nullptr;
         ASSERT_EQ(context.createView(desc, view), AGAA_OK) << context.lines.back().text;
         const uint64_t bufferBytes = takePixelBuffers(predicted, created.bufferSizes);
-        EXPECT_EQ(created.imageBytes + bufferBytes, predicted.report.totalBytes)
+        EXPECT_EQ(created.imageBytes + bufferBytes, predicted.report.totalBytes + tableBytes(predicted))
             << row.technique << " n=" << row.samples << " c=" << c << " " << agaaTierName(row.tier) << " "
             << row.configFlags << " " << layoutName << " " << size.width << "x" << size.height;
         AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;

@@ -28,6 +28,13 @@ uint64_t takePixelBuffers(const Prediction& prediction, std::map<uint64_t, uint3
     return bytes;
 }
 
+uint64_t tableBytes(const Prediction& prediction) {
+    uint64_t bytes = 0;
+    for (const AgaaSurface& surface : prediction.surfaces)
+        bytes += surface.format[0] && !surface.isPerPixel ? surface.bytes : 0;
+    return bytes;
+}
+
 const std::vector<PayloadRow>& payloadRows() {
     static const std::vector<PayloadRow> rows = [] {
         std::vector<PayloadRow> list = {{"fxaa", 1}};
@@ -48,6 +55,7 @@ const std::vector<PayloadRow>& payloadRows() {
             for (const uint32_t tier : {AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS, AGAA_TIER_FRAGMENT_INTERLOCK,
                                         AGAA_TIER_FRAGMENTS})
                 list.push_back({tier == AGAA_TIER_FRAGMENTS ? "agaa" : "dcaa", n, tier});
+        list.push_back({.technique = "dcaa", .samples = 64, .tier = AGAA_TIER_FRAGMENT_LISTS, .hasOwnPattern = true});
         return list;
     }();
     return rows;

@@ -22,10 +22,14 @@ struct PayloadRow {
     uint64_t configFlags = 0;
     uint64_t measurementFlags = 0;
     uint64_t fetchFlags = 0; // of the tier ids
+    bool hasOwnPattern = false; // of coverage samples
 };
 const std::vector<PayloadRow>& payloadRows();
 // Of functions that give triangles without area and black materials.
 AgaaFetchFunction emptyFetch(uint64_t flags);
+
+// Bytes of images whose size is not that of the view.
+uint64_t tableBytes(const Prediction& prediction);
 
 // Bytes of the per-pixel buffers. Each must be among those created, bytes to how many, and is taken out.
 uint64_t takePixelBuffers(const Prediction& prediction, std::map<uint64_t, uint32_t>& created);

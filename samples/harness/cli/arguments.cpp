@@ -152,6 +152,20 @@ void requireBackend(const std::string& name) {
         throw BadArgument("--backend is \"" + name + "\"; it can be vk or gl.");
 }
 
+// A pattern of the host's own: any number of its first points lies evenly (Roberts 2018, "The Unreasonable Effectiveness of
+// Quasirandom Sequences": R2).
+static const std::vector<float>& quasirandomPositions() {
+    static const std::vector<float> positions = [] {
+        constexpr uint32_t most = 128;
+        std::vector<float> pairs;
+        for (uint32_t i = 0; i < most; ++i)
+            for (const double step : {0.7548776662466927, 0.5698402909980532})
+                pairs.push_back(float(std::fmod(0.5 + i * step, 1.0)));
+        return pairs;
+    }();
+    return positions;
+}
+
 Configuration::Configuration(const PlanArguments& arguments) {
     checkTechnique(arguments.technique);
     size = parseSize(arguments.size);
@@ -190,6 +204,9 @@ Configuration::Configuration(const PlanArguments& arguments) {
             finite(parseNumbers(arguments.fragmentsPerPixel, 1, "--fragments-per-pixel")[0], "--fragments-per-pixel");
     config.coverage.maxBatches = arguments.maxBatches;
     config.coverage.flags = arguments.exact ? AGAA_COVERAGE_EXACT : 0;
+    if (choice(arguments.coveragePattern, "--coverage-pattern", {{"library", 0}, {"r2", 1}}))
+        config.coverage.samplePositions = quasirandomPositions().data();
+    config.coverage.tableSize = arguments.tableSize;
     arguments.adaptive.apply(config);
     config.aggregation.litShadows = arguments.lit ? 1 : 0; // scenes have one
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };

@@ -60,6 +60,8 @@ struct PlanArguments {
     std::string fragmentsPerPixel = "8"; // or auto
     uint32_t maxBatches = 1;
     bool exact = false;
+    std::string coveragePattern = "library";
+    uint32_t tableSize = 0;
     AdaptiveArguments adaptive;
     bool noDiffuseFilter = false;
     bool noShadowFilter = false;

@@ -42,6 +42,8 @@ void addShadingOptions(CLI::App& app, PlanArguments& a) {
     app.add_option("--fragments-per-pixel", a.fragmentsPerPixel, "that lists of fragments have room for; auto: as a frame needs");
     app.add_option("--max-batches", a.maxBatches, "dcaa: draws of the scene where the lists have too little room");
     app.add_flag("--exact", a.exact, "dcaa: keep and shade all fragments that show");
+    app.add_option("--coverage-pattern", a.coveragePattern, "positions of coverage samples: library, or r2 by a table of half-planes");
+    app.add_option("--table-size", a.tableSize, "entries a side of the table of half-planes for r2; 0: 128");
     a.adaptive.addTo(app);
     app.add_option("--gloss-weight", a.glossWeight, "agaa by id or from a G-buffer: of shading normals");
     app.add_flag("--lit", a.lit, "agaa by id or from a G-buffer: lit statistics for the lights with shadows");

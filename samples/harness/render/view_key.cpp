@@ -91,7 +91,7 @@ std::string viewKey(const AgaaViewDesc& desc) {
     for (const uint32_t value :
          {config.samples, config.aggregates, config.brdf, config.ndf, measurement.seeds,
           config.shadowTaps, config.visibilityTier, config.generationTier, measurement.shadingCost,
-          aggregation.litShadows, measurement.debugView, coverage.merge, coverage.maxBatches})
+          aggregation.litShadows, measurement.debugView, coverage.merge, coverage.maxBatches, coverage.tableSize})
         key.add(value);
     for (const float value : {aggregation.characteristicLength, aggregation.characteristicLengthPerDistance,
                               aggregation.aggregateThreshold, config.surfaceCosine, config.surfaceDistance,
@@ -103,6 +103,9 @@ std::string viewKey(const AgaaViewDesc& desc) {
     key.add(measurement.flags);
     key.add(coverage.flags);
     key.add(adaptive.flags);
+    key.add(uint32_t(coverage.samplePositions != nullptr));
+    for (uint32_t i = 0; coverage.samplePositions && i < 2 * config.samples; ++i)
+        key.add(coverage.samplePositions[i]);
     key.add(uint32_t(config.layout != nullptr));
     if (config.layout)
         addLayout(key, *config.layout);

@@ -7,12 +7,24 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace agaa {
 
 bool hasBatches(const PlanBuilder& b) { return b.plan.coverage.maxBatches > 1; }
 
 namespace {
+
+// The struct may be chained for all techniques: other counts have no coverage samples, and no positions.
+void readPositions(uint32_t samples, ViewSettings& view) {
+    const float* positions = std::exchange(view.coverage.samplePositions, nullptr);
+    if (!positions || (samples != 32 && samples != 64 && samples != 128))
+        return;
+    view.coveragePositions.assign(positions, positions + 2 * samples);
+    for (const float place : view.coveragePositions)
+        require(place >= 0 && place < 1, AGAA_ERROR_OUT_OF_RANGE,
+                "AgaaDecoupledCoverage::samplePositions holds a place outside the pixel, [0;1).");
+}
 
 void readCoverage(const AgaaConfig& config, ViewSettings& view) {
     const std::optional<AgaaDecoupledCoverage> chained = readChained<AgaaDecoupledCoverage>(&config);
@@ -25,6 +37,10 @@ void readCoverage(const AgaaConfig& config, ViewSettings& view) {
     checkRange(uint64_t(c.maxBatches), 1, 16, "AgaaDecoupledCoverage::maxBatches");
     checkReserved(c.reserved, "AgaaDecoupledCoverage::reserved");
     checkFlags(c.flags, AGAA_COVERAGE_EXACT, "AgaaDecoupledCoverage::flags");
+    if (c.tableSize)
+        checkRange(uint64_t(c.tableSize), 16, 1024, "AgaaDecoupledCoverage::tableSize");
+    checkReserved(c.reservedTable, "AgaaDecoupledCoverage::reservedTable");
+    readPositions(config.samples, view);
 }
 
 // Words of the buffer of lists: its counts, then the first fragment of each pixel, then the fragments
@@ -60,9 +76,33 @@ ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
 
 } // namespace
 
+namespace {
+
+// Masks of half-planes, for a pattern of samples that has no rows.
+ResourceId makeCoverageTable(PlanBuilder& b) {
+    constexpr uint32_t usualSize = 128; // as in the paper
+    const uint32_t size = b.plan.coverage.tableSize ? b.plan.coverage.tableSize : usualSize;
+    require(b.plan.coveragePositions.size() == 2 * b.plan.samples, AGAA_ERROR_INTERNAL,
+            "positions of coverage samples are of another number of samples.");
+    b.plan.samplePositions = b.plan.coveragePositions;
+    b.passConstants()[AGAA_TABLE_SIZE] = size;
+    const ResourceId table = b.squareImage("coverage-table", Format::RGBA32U, size);
+    Pass& fill = b.compute("fill coverage table", AGAA_STAGE_GENERATION, "coverage_table", AGAA_SEGMENT_PREPASS);
+    fill.dispatch = {.kind = DispatchKind::Items, .items = uint64_t(size) * size};
+    b.bind(fill, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_PREPASS));
+    b.bind(fill, slot::MetadataOut, BindingType::StorageImage, table, true);
+    b.note(format("coverage: by a table of %u x %u half-planes, because the host says where the samples lie.", size, size));
+    return table;
+}
+
+} // namespace
+
 Pass& drawTriangles(PlanBuilder& b) {
+    const ResourceId table = b.plan.coveragePositions.empty() ? noResource : makeCoverageTable(b);
     Pass& draw = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, AGAA_SEGMENT_PREPASS);
     b.bindCommon(draw);
+    if (table != noResource)
+        b.bind(draw, host_slot::CoverageTable, BindingType::Texture, table);
     draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
     draw.drawState.vertexPulling = b.plan.vertexPulling;
     draw.expansionText = b.plan.vertexPulling ? "#include \"host/pulled_hull.glsl\"" : "#include \"host/triangle_hull.glsl\"";

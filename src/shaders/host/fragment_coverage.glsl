@@ -5,6 +5,9 @@
 #include "host/corners.glsl"
 #include "math/barycentrics.glsl"
 #include "math/triangle_coverage.glsl"
+#if AGAA_TABLE_SIZE
+#include "math/coverage_table.glsl"
+#endif
 
 AGAA_CORNER_AT(0) flat in AGAA_CORNER agaa_corner0;
 AGAA_CORNER_AT(1) flat in AGAA_CORNER agaa_corner1;
@@ -14,6 +17,29 @@ AGAA_CORNER_AT(2) flat in AGAA_CORNER agaa_corner2;
 // triangle are moved in. Members: at; dx and dy, their growth per pixel. The host weighs its flat attributes by them.
 agaa_Barycentrics agaa_cornerWeights(vec2 offset) {
     return agaa_barycentrics(agaa_corner0.xyz, agaa_corner1.xyz, agaa_corner2.xyz, gl_FragCoord.xy + offset, vec2(1.0));
+}
+
+#if AGAA_TABLE_SIZE
+layout(AGAA_AT_COVERAGE_TABLE) uniform usampler2D agaa_coverageTable;
+
+uvec4 agaa_edgeByTable(vec3 a, vec3 b) {
+    agaa_CoverageLookup found = agaa_findCoverage(a, b, AGAA_TABLE_SIZE);
+    uvec2 place = agaa_tablePlace(found.entry, AGAA_TABLE_SIZE);
+    uvec4 mask = place.y < AGAA_TABLE_SIZE ? texelFetch(agaa_coverageTable, ivec2(place), 0) : uvec4(0u);
+    return agaa_foundCoverage(found, mask, AGAA_SAMPLES);
+}
+#endif
+
+// Of the samples, those in the triangle.
+uvec4 agaa_cornerCoverage() {
+#if AGAA_TABLE_SIZE
+    vec3 a = agaa_vertexFromCentre(agaa_corner0.xyz, gl_FragCoord.xy);
+    vec3 b = agaa_vertexFromCentre(agaa_corner1.xyz, gl_FragCoord.xy);
+    vec3 c = agaa_vertexFromCentre(agaa_corner2.xyz, gl_FragCoord.xy);
+    return agaa_joinEdges(a, b, c, agaa_edgeByTable(b, c), agaa_edgeByTable(c, a), agaa_edgeByTable(a, b), AGAA_SAMPLES);
+#else
+    return agaa_triangleCoverage(agaa_corner0.xyz, agaa_corner1.xyz, agaa_corner2.xyz, gl_FragCoord.xy, AGAA_SAMPLES);
+#endif
 }
 
 #if AGAA_ALPHA_MASKED
@@ -70,7 +96,7 @@ uvec4 agaa_coverageOf(AgaaSurfaceInput s) {
     if (agaa_isCoverageKnown)
         return agaa_covered;
     agaa_isCoverageKnown = true;
-    agaa_covered = agaa_triangleCoverage(agaa_corner0.xyz, agaa_corner1.xyz, agaa_corner2.xyz, gl_FragCoord.xy, AGAA_SAMPLES);
+    agaa_covered = agaa_cornerCoverage();
 #if AGAA_ALPHA_MASKED
     agaa_covered &= agaa_alphaCoverage(s);
 #endif

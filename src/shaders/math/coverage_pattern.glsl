@@ -13,9 +13,28 @@
 //
 // Sample row * columns + column is bit i & 31 of word i >> 5 of a mask; words without samples are 0. All coordinates
 // are multiples of 1/512, so that float holds them exactly.
+//
+// Shaders with the constants of a frame may have a pattern of the host's own instead, whose masks come from a table of
+// half-planes (coverage_table.glsl).
 #ifndef AGAA_MATH_COVERAGE_PATTERN_GLSL
 #define AGAA_MATH_COVERAGE_PATTERN_GLSL
 #include "real.glsl"
+
+#ifdef AGAA_FRAME_GLSL
+bool agaa_hasOwnPattern() {
+    return AGAA_TABLE_SIZE != 0u;
+}
+rvec2 agaa_ownPosition(uint i) {
+    return agaa_sampleLocation(i) - rvec2(real(0.5));
+}
+#else
+bool agaa_hasOwnPattern() {
+    return false;
+}
+rvec2 agaa_ownPosition(uint i) {
+    return rvec2(real(i));
+}
+#endif
 
 uint agaa_coverageColumns(uint samples) {
     return samples == 32u ? 2u : 4u;
@@ -40,6 +59,8 @@ real agaa_coverageRowY(uint row, uint samples) {
 
 // From the pixel's centre, in pixels: (-1/2, 1/2).
 rvec2 agaa_coveragePosition(uint i, uint samples) {
+    if (agaa_hasOwnPattern())
+        return agaa_ownPosition(i);
     const uint columns = agaa_coverageColumns(samples);
     const uint row = i / columns;
     const real spacing = columns == 2u ? real(0.5) : real(0.25);
@@ -47,8 +68,24 @@ rvec2 agaa_coveragePosition(uint i, uint samples) {
                  agaa_coverageRowY(row, samples));
 }
 
+rvec2 agaa_ownMiddle(uvec4 mask) {
+    rvec2 sum = rvec2(real(0.0));
+    real count = real(0.0);
+    for (uint word = 0u; word < 4u; ++word) {
+        uint left = mask[word];
+        while (left != 0u) {
+            sum += agaa_ownPosition(word * 32u + uint(findLSB(left)));
+            count += real(1.0);
+            left = left & (left - 1u);
+        }
+    }
+    return sum / max(count, real(1.0));
+}
+
 // The mean position of a mask's samples, of which there is one at least, from the pixel's centre in pixels.
 rvec2 agaa_coverageMiddle(uvec4 mask, uint samples) {
+    if (agaa_hasOwnPattern())
+        return agaa_ownMiddle(mask);
     const uint columns = agaa_coverageColumns(samples);
     const uint rows = agaa_coverageRows(samples);
     const uint rowsOfWord = 32u / columns;

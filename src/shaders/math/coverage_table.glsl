@@ -2,7 +2,7 @@
 // Source: DCAA (Wang et al., I3D 2016) section 3.1, figure 3; Waller et al. 2000, "Efficient coverage mask generation
 // for antialiasing".
 //
-// A table has size * size + 1 masks: entry direction * size + distance, and last an empty mask. Only half of all
+// A table has size * size masks: entry direction * size + distance. Entry size * size is empty. Only half of all
 // directions are stored; the others are complements, so that the two sides of an edge stay complementary. Edges are
 // rounded to the nearest entry: of the samples that small triangles cover, about 1.5 % are wrong at size 128 and half
 // as many at size 256.
@@ -25,6 +25,11 @@ bool agaa_isInTableEntry(uint entry, uint size, rvec2 position) {
     return entry < size * size && line.x * position.x + line.y * position.y + line.z >= real(0.0);
 }
 
+// Distance and direction of an entry.
+uvec2 agaa_tablePlace(uint entry, uint size) {
+    return uvec2(entry % size, entry / size);
+}
+
 struct agaa_CoverageLookup {
     uint entry;
     bool complement; // the covered samples are those that the entry's mask lacks
@@ -32,20 +37,20 @@ struct agaa_CoverageLookup {
 
 // a, b: from agaa_vertexFromCentre. Covered samples are on the left of a to b, as in agaa_edgeCoverage.
 agaa_CoverageLookup agaa_findCoverage(rvec3 a, rvec3 b, uint size) {
-    rvec3 line = agaa_edgeLine(a, b);
+    const rvec3 line = agaa_edgeLine(a, b);
     agaa_CoverageLookup result;
     result.entry = size * size;
-    const real length = abs(line.x) + abs(line.y);
+    PRECISE real length = abs(line.x) + abs(line.y); // meshes that share an edge may have shaders of their own
     if (!(abs(line.z) < length * real(0.5))) {
         result.complement = line.z > real(0.0) || (line.z == real(0.0) && agaa_isOrdered(a, b));
         return result;
     }
     result.complement = line.y < real(0.0) || (line.y == real(0.0) && line.x < real(0.0));
-    line = (result.complement ? -line : line) / length;
+    const real side = result.complement ? real(-1.0) : real(1.0);
+    PRECISE real direction = (side * line.x / length + real(1.0)) * (real(0.5) * real(size));
+    PRECISE real distance = (side * line.z / length + real(0.5)) * real(size);
     const real last = real(size - 1u);
-    const uint direction = uint(clamp((line.x + real(1.0)) * real(0.5) * real(size), real(0.0), last));
-    const uint distance = uint(clamp((line.z + real(0.5)) * real(size), real(0.0), last));
-    result.entry = direction * size + distance;
+    result.entry = uint(clamp(direction, real(0.0), last)) * size + uint(clamp(distance, real(0.0), last));
     return result;
 }
 

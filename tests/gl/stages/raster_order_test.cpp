@@ -2,6 +2,7 @@
 #include "show.h"
 
 #include "interlock_cases.h"
+#include "pattern_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -46,6 +47,9 @@ TEST_F(RasterOrder, MergesAsLists) {
                      merging = settings(AGAA_TIER_RASTER_ORDER, c.samples, c.surfaces);
         lists.config.coverage.merge = merging.config.coverage.merge = c.merge;
         lists.config.ndf = merging.config.ndf = c.ndf;
+        const std::vector<float> pattern = ownPattern(c.samples);
+        if (c.samples == 32)
+            lists.config.coverage.samplePositions = merging.config.coverage.samplePositions = pattern.data();
         lists.surface = merging.surface = "s.normalDx = vec3(0.3, 0.0, 0.1); s.normalDy = vec3(0.0, 0.02, 0.0);";
         const Kept expected = keep(lists, shot), got = keep(merging, shot);
         expectSameFrame(got, expected);

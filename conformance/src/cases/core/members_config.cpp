@@ -114,6 +114,14 @@ void addAggregation(Suite& suite) {
                       {0, 1, 2, 8, 15}, largeNumbers({}), [](ViewParts& p) { p.facts.shadowMapCount = 1; }, {16}});
 }
 
+void setCoveragePosition(ViewParts& parts, double x) {
+    static thread_local float positions[2 * 128];
+    for (uint32_t i = 0; i < 2 * 128; ++i)
+        positions[i] = float(i) / 256;
+    positions[5] = float(x);
+    parts.coverage.samplePositions = positions;
+}
+
 // Of "dcaa", and of techniques that check the struct and do not use it.
 void addDecoupledCoverage(Suite& suite) {
     struct Use {
@@ -136,7 +144,20 @@ void addDecoupledCoverage(Suite& suite) {
             [](ViewParts& p, double x) { p.coverage.maxBatches = whole(x); }, {1, 2, 15, 16}, largeNumbers({0, 17, 32}));
         add("reserved/zero", "AgaaDecoupledCoverage::reserved",
             [](ViewParts& p, double x) { p.coverage.reserved = whole(x); }, {0}, largeNumbers({}), {1});
+        add("tableSize/range", "AgaaDecoupledCoverage::tableSize",
+            [](ViewParts& p, double x) { p.coverage.tableSize = whole(x); }, {0, 16, 17, 1023, 1024},
+            largeNumbers({1, 15, 1025, 4096}));
+        add("reservedTable/zero", "AgaaDecoupledCoverage::reservedTable",
+            [](ViewParts& p, double x) { p.coverage.reservedTable = whole(x); }, {0}, largeNumbers({}), {1});
     }
+    addMember(suite, {"AgaaDecoupledCoverage.samplePositions/range", "AgaaDecoupledCoverage::samplePositions", setCoveragePosition,
+                      {0, 0.5, below(1)}, notNumbers({below(0), -1, 1, 2}), useDcaa});
+    suite.core("AgaaDecoupledCoverage.samplePositions/null", [](Test& test) {
+        ViewParts parts(test.sdk, nullptr);
+        useDcaa(parts);
+        parts.coverage.samplePositions = nullptr;
+        expectAccepted(test, parts, "AgaaDecoupledCoverage::samplePositions = null");
+    });
     addFlags(suite, {"AgaaDecoupledCoverage.flags/flags", "AgaaDecoupledCoverage::flags",
                      [](ViewParts& p, uint64_t flags) { p.coverage.flags = flags; }, AGAA_COVERAGE_EXACT, useDcaa});
 }

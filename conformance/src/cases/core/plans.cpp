@@ -18,7 +18,7 @@ constexpr const char* techniques[] = {"single", "fxaa", "msaa", "ssaa", "simple_
 std::string nameOf(const ViewParts& p) {
     return std::string("\"") + p.config.technique + "\", n = " + std::to_string(p.config.samples) + ", tier " +
            std::to_string(p.config.generationTier) + ", " + std::to_string(p.desc.width) + " x " +
-           std::to_string(p.desc.height);
+           std::to_string(p.desc.height) + (p.coverage.samplePositions ? ", own positions" : "");
 }
 
 // Whether 9 samples are to be had.
@@ -56,6 +56,11 @@ void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
                     parts.config.aggregates = 2; // for which attachments have room
                 if (tier == AGAA_TIER_IDS || isFragments)
                     parts.chain(parts.fetch);
+                check(parts);
+                if (!countsCoverage(parts.config))
+                    continue;
+                const std::vector<float> positions(2 * samples, 0.5f); // of a pattern of the host's own
+                parts.coverage.samplePositions = positions.data();
                 check(parts);
             }
 }
@@ -104,7 +109,8 @@ void checkSurfaces(Test& test, ViewParts& parts) {
         const bool isBuffer = s.format[0] == 0;
         test.check(!isBuffer || (s.width == 0 && s.height == 0), what + " is a buffer and has a size in texels.");
         test.check(!isBuffer || (s.scaleX == 0 && s.scaleY == 0), what + " is a buffer and has a scale.");
-        test.check(isBuffer || (s.width == parts.desc.width * s.scaleX && s.height == parts.desc.height * s.scaleY),
+        test.check(s.isPerPixel || (s.scaleX == 0 && s.scaleY == 0), what + " does not grow with the view and has a scale.");
+        test.check(isBuffer || !s.isPerPixel || (s.width == parts.desc.width * s.scaleX && s.height == parts.desc.height * s.scaleY),
                    what + ": the size is not the scale times the view's.");
     }
     const bool hasDepth = target.geometryPasses > 0 && !countsCoverage(parts.config);
@@ -151,6 +157,7 @@ void checkGrowth(Test& test, ViewParts& parts) {
         larger.setTechnique(parts.config.technique, 4);
         larger.config.samples = parts.config.samples;
         larger.config.generationTier = parts.config.generationTier;
+        larger.coverage.samplePositions = parts.coverage.samplePositions;
         if (parts.desc.pNext)
             larger.chainAlone(larger.fetch);
         larger.desc.width = width;
