@@ -243,13 +243,13 @@ TEST(CoveragePlan, OtherTechniquesHaveNoTable) {
 TEST(CoveragePlan, InterlockCompiles) {
     glslang::InitializeProcess();
     for (const char* masked : {"0", "1"})
-        for (const bool hasOwnPattern : {false, true}) {
+        for (const auto& [flags, hasOwnPattern] :
+             {std::pair{UINT64_C(0), false}, {AGAA_CONFIG_COUNTERS, false}, {AGAA_CONFIG_COUNTERS, true}}) {
             ViewSpec spec = carried();
             spec.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
-            if (hasOwnPattern) {
+            spec.configFlags = flags;
+            if (hasOwnPattern)
                 spec.change = useOwnPattern;
-                spec.configFlags = AGAA_CONFIG_COUNTERS;
-            }
             const Plan plan = planFor(spec, idealDevice());
             const auto pass = std::ranges::find(plan.passes, PassKind::HostDraw, &Pass::kind);
             ASSERT_NE(pass, plan.passes.end());

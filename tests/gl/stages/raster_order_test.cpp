@@ -37,9 +37,11 @@ TEST_F(RasterOrder, MergesAsLists) {
         bool isTangle;
         float masked;
         uint32_t ndf;
+        bool hasOwnPattern = false;
     };
     for (const Case& c : {Case{64, 3, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_LEAN}, {64, 4, AGAA_MERGE_PAPER, true, 0, AGAA_NDF_TOKSVIG},
-                          {32, 4, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG}, {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE}}) {
+                          {32, 4, AGAA_MERGE_VISIBLE, false, 0.5f, AGAA_NDF_TOKSVIG}, {128, 1, AGAA_MERGE_NONE, true, 0, AGAA_NDF_NONE},
+                          {32, 2, AGAA_MERGE_VISIBLE, true, 0, AGAA_NDF_TOKSVIG, true}}) {
         SCOPED_TRACE(c.samples);
         const Shot shot{.triangles = c.isTangle ? tangle(400) : randomTriangles({.triangles = 200, .masked = c.masked}, 61),
                         .change = addAmbient};
@@ -48,7 +50,7 @@ TEST_F(RasterOrder, MergesAsLists) {
         lists.config.coverage.merge = merging.config.coverage.merge = c.merge;
         lists.config.ndf = merging.config.ndf = c.ndf;
         const std::vector<float> pattern = ownPattern(c.samples);
-        if (c.samples == 32)
+        if (c.hasOwnPattern)
             lists.config.coverage.samplePositions = merging.config.coverage.samplePositions = pattern.data();
         lists.surface = merging.surface = "s.normalDx = vec3(0.3, 0.0, 0.1); s.normalDy = vec3(0.0, 0.02, 0.0);";
         const Kept expected = keep(lists, shot), got = keep(merging, shot);
