@@ -94,7 +94,8 @@ typedef struct AgaaVkDeviceDesc {
     uint32_t enabledExtensionCount;
     uint32_t descriptorSet; /* index of the SDK's descriptor set in the host's pipeline layouts, [0, 7] */
     /* VkPhysicalDeviceFeatures2 with the chain that was passed to vkCreateDevice. Null: the host enabled every feature of
-     * AgaaVkRequirements that the device has; conditionalRendering is then not used. */
+     * AgaaVkRequirements that the device has; conditionalRendering and rasterizationOrderColorAttachmentAccess are then not
+     * used. */
     const void* enabledFeatures;
     /* VkPipelineCache that outlives the context, or 0: the SDK uses an empty cache of its own. Without
      * VK_PIPELINE_CACHE_CREATE_EXTERNALLY_SYNCHRONIZED_BIT if agaaPrepareVariants runs beside other calls. */
@@ -208,7 +209,8 @@ typedef struct AgaaVkDrawPass {
     uint32_t colorFormats[8];     /* VkFormat, of the first AgaaDrawState::colorAttachmentCount */
     uint32_t depthStencilFormat;  /* VkFormat; UNDEFINED without a depth attachment */
     uint32_t reserved;
-    uint64_t renderPass;          /* VkRenderPass of the view, subpass 0; 0 with dynamic rendering */
+    uint64_t renderPass;          /* VkRenderPass of the view, subpass 0; 0 with dynamic rendering, but for a pass
+                                     with AgaaDrawState::readsAttachments */
     uint64_t descriptorSetLayout; /* VkDescriptorSetLayout of the SDK's set, owned by the view */
 } AgaaVkDrawPass;
 #define AGAA_VK_DRAW_PASS_INIT                                                                      \
@@ -221,7 +223,7 @@ typedef struct AgaaVkSurface {
     uint32_t structSize;
     void* pNext;
     uint64_t image;  /* VkImage, or 0 */
-    uint64_t view;   /* VkImageView: 2D, of depth formats the depth aspect */
+    uint64_t view;   /* VkImageView: 2D, or a 2D array of all layers; of depth formats the depth aspect */
     uint64_t buffer; /* VkBuffer, or 0 */
     uint32_t format; /* VkFormat */
     /* VkImageLayout after the commands of segment 1 << i; UNDEFINED if the contents are lost. A host that uses the image

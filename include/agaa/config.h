@@ -144,8 +144,8 @@ typedef enum AgaaTier {
                                       shader evaluates them */
     AGAA_TIER_FRAGMENT_INTERLOCK = 24, /* "dcaa": no lists. The host's fragment shader evaluates the materials and merges each
                                           fragment, in the order of the draws. AUTO does not select it */
-    AGAA_TIER_RASTER_ORDER = 25, /* "dcaa", OpenGL: the same by fragment shaders that read what the attachments hold. Surfaces
-                                    are the texels of up to eight attachments: 128 bytes a pixel. AUTO does not select it */
+    AGAA_TIER_RASTER_ORDER = 25, /* "dcaa": the same by fragment shaders that read what the attachments hold. Surfaces are the
+                                    texels of up to eight attachments: 128 bytes a pixel. AUTO does not select it */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 

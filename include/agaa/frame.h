@@ -58,7 +58,10 @@ typedef struct AgaaDrawState {
                                 triangle touches (VK_EXT_conservative_rasterization, GL_NV_conservative_raster) */
     uint32_t vertexPulling;  /* 1: the pipeline has no geometry shader. Its vertex shader has AgaaDrawPass::glslVertex, fetches
                                 the vertices of each triangle from buffers, and draws the triangle as a strip of 8 vertices */
-    uint32_t reserved[5];    /* 0 */
+    uint32_t readsAttachments; /* 1: the fragment shader reads what the colour attachments hold, in the order of the draws. On
+                                Vulkan the pipeline is for AgaaVkDrawPass::renderPass, and its colour blend state has the flag
+                                RASTERIZATION_ORDER_ATTACHMENT_ACCESS (VK_EXT_rasterization_order_attachment_access) */
+    uint32_t reserved[4];    /* 0 */
 } AgaaDrawState;
 
 /* A draw pass of a view, known before anything is recorded. Chain an AgaaVkDrawPass or an AgaaGlDrawPass to receive
@@ -90,7 +93,7 @@ typedef struct AgaaDrawPass {
 } AgaaDrawPass;
 #define AGAA_DRAW_PASS_INIT                                                                         \
     {AGAA_STRUCTURE_TYPE_DRAW_PASS, (uint32_t)sizeof(AgaaDrawPass), NULL, 0, 0, NULL, 0, 0, 0, 0, 0,   \
-     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0, 0}}, NULL, NULL, NULL, NULL}
+     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0}}, NULL, NULL, NULL, NULL}
 AGAA_API void AGAA_CALL agaaInitDrawPass(AgaaDrawPass* outPass, size_t structSize);
 
 /* Lists the draw passes of a view.

@@ -27,7 +27,8 @@ extern "C" {
                                                              not needed (AgaaDecoupledCoverage::maxBatches) */
 #define AGAA_DEVICE_FRAGMENT_INTERLOCK UINT64_C(0x1000) /* ordered critical sections for each pixel in fragment shaders */
 #define AGAA_DEVICE_FRAMEBUFFER_FETCH UINT64_C(0x2000)  /* fragment shaders read what attachments hold, in the order of the
-                                                           draws (GL_EXT_shader_framebuffer_fetch; OpenGL only) */
+                                                           draws (GL_EXT_shader_framebuffer_fetch,
+                                                           VK_EXT_rasterization_order_attachment_access) */
 
 /* What a device can do. agaaVkGetDeviceCaps, agaaVkGetContextCaps, agaaGlGetDeviceCaps and agaaGlGetContextCaps fill it. */
 typedef struct AgaaDeviceCaps {

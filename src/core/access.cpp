@@ -27,7 +27,7 @@ std::vector<Access> accessesOf(const Pass& pass) {
     for (const Binding& binding : pass.bindings)
         add(binding.resource, useOf(binding));
     for (ResourceId target : pass.colorTargets)
-        add(target, Use::Color);
+        add(target, pass.drawState.readsAttachments ? Use::FetchedColor : Use::Color);
     add(pass.depthTarget, Use::Depth);
     add(pass.source, Use::CopyFrom);
     add(pass.destination, Use::CopyTo);

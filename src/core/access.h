@@ -14,6 +14,7 @@ enum class Use {
     Fetch,       // texture
     ImageWrite,  // image stores
     Color,       // target
+    FetchedColor, // target whose contents the shader reads, too
     Depth,       // target: the stencil is written where depth is only compared
     CopyFrom,
     CopyTo,      // or filled
@@ -26,7 +27,8 @@ struct Access {
     Use use = Use::Uniform;
     bool isDraw = false; // by fragments, else by compute shaders
 
-    bool writes() const { return use == Use::Color || use == Use::Depth || use == Use::CopyTo || stores(); }
+    bool writes() const { return isTarget() || use == Use::CopyTo || stores(); }
+    bool isTarget() const { return use == Use::Color || use == Use::FetchedColor || use == Use::Depth; }
     bool stores() const { return use == Use::StorageWrite || use == Use::ImageWrite; } // of shaders
 };
 std::vector<Access> accessesOf(const Pass& pass);

@@ -49,6 +49,8 @@ template <size_t count> constexpr bool isInOrder(const BindingRow (&table)[count
 }
 static_assert(isInOrder(bindingTable) && isInOrder(hostBindingTable), "slots count from 0, each once");
 static_assert(hostBindingCount == AGAA_GL_BINDING_COUNT);
+// Vulkan's array of input attachments, after all others.
+inline constexpr uint32_t fetchedTargetsSlot = hostBindingCount;
 #define AGAA_HOST_BINDING(macro, name, slot, kind, openGl) static_assert(AGAA_GL_BINDING_##macro == slot);
 #include "shaders/passes/bindings.inc"
 

@@ -34,17 +34,21 @@ std::string fields(const Constants& constants) {
 }
 
 bool mergesInOrder(const Pass& pass) { return pass.fragmentContent == FragmentContent::Merged; }
-bool mergesInTargets(const Pass& pass) { return mergesInOrder(pass) && !pass.colorTargets.empty(); }
+bool mergesInTargets(const Pass& pass) { return mergesInOrder(pass) && pass.drawState.readsAttachments; }
 
 // Attachments that the shader reads and writes: the words of their texels, one attachment after the other.
-std::string fetchedTargets(const Pass& pass) {
+std::string fetchedTargets(const Pass& pass, const HostDialect& dialect) {
     const uint32_t attachments = pass.drawState.colorAttachmentCount;
-    std::string out, fetch, store;
+    std::string out, fetch = "    uvec4 held;\n", store;
+    if (!dialect.openGl)
+        out += format("layout(input_attachment_index = 0, set = %u, binding = %u) uniform usubpassInput agaa_held[%u];\n",
+                      dialect.descriptorSet, fetchedTargetsSlot, attachments);
     for (uint32_t i = 0; i < attachments; ++i) {
-        out += format("layout(location = %u) inout uvec4 agaa_target%u;\n", i, i);
+        out += format("layout(location = %u) %s uvec4 agaa_target%u;\n", i, dialect.openGl ? "inout" : "out", i);
+        fetch += dialect.openGl ? format("    held = agaa_target%u;\n", i) : format("    held = subpassLoad(agaa_held[%u]);\n", i);
         const uint32_t w = 4 * i;
         for (uint32_t c = 0; c < 4; ++c)
-            fetch += format("    agaa_targetWords[%u] = agaa_target%u.%c;\n", w + c, i, "xyzw"[c]);
+            fetch += format("    agaa_targetWords[%u] = held.%c;\n", w + c, "xyzw"[c]);
         store += format("    agaa_target%u = uvec4(agaa_targetWords[%u], agaa_targetWords[%u], agaa_targetWords[%u], "
                         "agaa_targetWords[%u]);\n", i, w, w + 1, w + 2, w + 3);
     }
@@ -251,6 +255,8 @@ std::string hostExtensions(const Pass& pass, const HostDialect& dialect) {
         extension("ARB_shader_storage_buffer_object");
     for (const std::string& name : pass.extensions)
         extension(name.c_str());
+    if (dialect.openGl && pass.drawState.readsAttachments)
+        extension("EXT_shader_framebuffer_fetch");
     return out;
 }
 
@@ -278,7 +284,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
             appendGlsl(out, "host/carried_material.glsl", seen);
         }
         if (mergesInTargets(pass))
-            out += fetchedTargets(pass);
+            out += fetchedTargets(pass, dialect);
         appendGlsl(out, mergesInOrder(pass) ? "host/merge_in_order.glsl" : "host/fragments.glsl", seen);
         break;
     case AGAA_DRAW_PASS_GBUFFER:

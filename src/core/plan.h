@@ -97,6 +97,9 @@ struct Binding {
     bool operator==(const Binding&) const = default;
 };
 
+// Attachments of a draw with AgaaDrawState::readsAttachments.
+inline constexpr uint32_t mostFetchedTargets = 8;
+
 enum class PassKind { HostDraw, Compute, Fill, Copy };
 
 // How many groups a compute pass has.

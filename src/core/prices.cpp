@@ -73,6 +73,7 @@ Traffic trafficOf(const Access& access, const Pass& pass) {
     case Use::StorageWrite: // and reads, or not
     case Use::ImageWrite:
     case Use::Color:
+    case Use::FetchedColor:
     case Use::CopyTo:
         return {.writes = true};
     case Use::Depth:

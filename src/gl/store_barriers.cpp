@@ -16,6 +16,7 @@ static GLbitfield barrierBit(const Access& access, bool drawsUseImages) {
     case Use::Fetch:
         return GL_TEXTURE_FETCH_BARRIER_BIT;
     case Use::Color:
+    case Use::FetchedColor:
     case Use::Depth:
         return GL_FRAMEBUFFER_BARRIER_BIT;
     case Use::CopyFrom:

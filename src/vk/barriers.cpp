@@ -49,7 +49,7 @@ void BarrierTracker::use(ResourceId id, const VkAccess& access) {
         barrier.newLayout = access.layout;
         barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
         barrier.image = resources_[id].image;
-        barrier.subresourceRange = {aspects(resource.format), 0, 1, 0, 1};
+        barrier.subresourceRange = {aspects(resource.format), 0, 1, 0, resource.layers};
         images_.push_back(barrier);
     }
     // The image's barrier is of its own texels, not of another surface that had their memory.
@@ -89,6 +89,10 @@ VkAccess vkAccess(const Plan& plan, const Access& access) {
     case Use::Color:
         return {VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_COLOR_ATTACHMENT_READ_BIT,
                 VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+    case Use::FetchedColor:
+        return {VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
+                VK_ACCESS_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_INPUT_ATTACHMENT_READ_BIT,
+                VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
     case Use::Depth: // store operations count as writes
         return {VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT,
                 VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT, VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,

@@ -2,6 +2,7 @@
 #include "vk/context.h"
 
 #include "core/api_guard.h"
+#include "core/plan.h"
 #include "core/structs.h"
 
 #include <algorithm>
@@ -19,11 +20,13 @@ constexpr const char* requiredFeatures[] = {
     "shaderStorageImageWriteWithoutFormat",
 };
 constexpr const char* optionalFeatures[] = {"dynamicRendering", "geometryShader", "conditionalRendering",
-                                            "fragmentShaderPixelInterlock"};
+                                            "fragmentShaderPixelInterlock",
+                                            "rasterizationOrderColorAttachmentAccess"};
 constexpr const char* optionalExtensions[] = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME,
                                               VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME,
                                               VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME,
-                                              VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME};
+                                              VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME,
+                                              VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME};
 
 std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk,
                                                     VkPhysicalDevice device) {
@@ -80,6 +83,16 @@ bool hasPixelInterlock(const InstanceTable& vk, VkPhysicalDevice device) {
     return interlock.fragmentShaderPixelInterlock;
 }
 
+// Of a device that has the extension, for as many attachments as a tier may want.
+bool ordersColorAccess(const InstanceTable& vk, VkPhysicalDevice device, const VkPhysicalDeviceLimits& limits) {
+    VkPhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT order{};
+    order.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT;
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &order, {}};
+    vk.GetPhysicalDeviceFeatures2(device, &features);
+    return order.rasterizationOrderColorAttachmentAccess &&
+           std::min(limits.maxColorAttachments, limits.maxPerStageDescriptorInputAttachments) >= mostFetchedTargets;
+}
+
 bool rendersAndSamples(const InstanceTable& vk, VkPhysicalDevice device, VkFormat format) {
     VkFormatProperties properties{};
     vk.GetPhysicalDeviceFormatProperties(device, format, &properties);
@@ -130,6 +143,8 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
             AGAA_DEVICE_CONDITIONAL_RENDERING);
         set(name == VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME && hasPixelInterlock(vk, device),
             AGAA_DEVICE_FRAGMENT_INTERLOCK);
+        set(name == VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME && ordersColorAccess(vk, device, limits),
+            AGAA_DEVICE_FRAMEBUFFER_FETCH);
     }
     VkSampleCountFlags counts = usableSamples(vk, device, limits, VK_FORMAT_D32_SFLOAT);
     for (VkFormat depth : {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT})

@@ -26,6 +26,8 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
     // Hosts that enable the extensions of AgaaVkRequirements by name need not know the features of all of them.
     if (!enabled(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME) || !desc.enabledFeatures)
         caps.flags &= ~AGAA_DEVICE_CONDITIONAL_RENDERING;
+    if (!enabled(VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME) || !desc.enabledFeatures)
+        caps.flags &= ~AGAA_DEVICE_FRAMEBUFFER_FETCH;
     if (!desc.enabledFeatures)
         return;
     const auto* core = static_cast<const VkPhysicalDeviceFeatures2*>(desc.enabledFeatures);
@@ -38,7 +40,7 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
     keep(f.sampleRateShading, AGAA_DEVICE_SAMPLE_RATE_SHADING);
     keep(f.shaderStorageImageExtendedFormats && f.shaderStorageImageWriteWithoutFormat,
          AGAA_DEVICE_STORAGE_FORMATS);
-    VkBool32 dynamicRendering = VK_FALSE, conditionalRendering = VK_FALSE, interlock = VK_FALSE;
+    VkBool32 dynamicRendering = VK_FALSE, conditionalRendering = VK_FALSE, interlock = VK_FALSE, colorOrder = VK_FALSE;
     for (const auto* next = static_cast<const VkBaseInStructure*>(core->pNext); next;
          next = next->pNext) {
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES)
@@ -54,10 +56,14 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADER_INTERLOCK_FEATURES_EXT)
             interlock |= reinterpret_cast<const VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT*>(next)
                              ->fragmentShaderPixelInterlock;
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT)
+            colorOrder |= reinterpret_cast<const VkPhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT*>(next)
+                              ->rasterizationOrderColorAttachmentAccess;
     }
     keep(dynamicRendering, AGAA_DEVICE_DYNAMIC_RENDERING);
     keep(conditionalRendering, AGAA_DEVICE_CONDITIONAL_RENDERING);
     keep(interlock, AGAA_DEVICE_FRAGMENT_INTERLOCK);
+    keep(colorOrder, AGAA_DEVICE_FRAMEBUFFER_FETCH);
 }
 
 static VkSampler createSampler(const Context& context, VkFilter filter, bool compare) {

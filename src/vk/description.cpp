@@ -3,6 +3,8 @@
 #include "vk/formats.h"
 #include "vk/view.h"
 
+#include <algorithm>
+
 namespace agaa::vk {
 
 const StructRow& View::drawPassRow() const { return StructOf<AgaaVkDrawPass>::row; }
@@ -19,8 +21,7 @@ void View::describePass(size_t index, AgaaDrawPass& out, void* native) const {
     if (!native)
         return;
     AgaaVkDrawPass own = AGAA_VK_DRAW_PASS_INIT;
-    for (size_t i = 0; i < pass.colorTargets.size(); ++i)
-        own.colorFormats[i] = vkFormat(plan.resources[pass.colorTargets[i]].format);
+    std::ranges::copy(colorFormats(plan, pass), own.colorFormats);
     own.depthStencilFormat = pass.depthTarget != noResource ? vkFormat(plan.resources[pass.depthTarget].format)
                                                             : VK_FORMAT_UNDEFINED;
     own.renderPass = (uint64_t)host.renderPass;

@@ -1,6 +1,7 @@
 // Recording a frame: validate, call the host, then passes with the barriers between them.
 #include "vk/view.h"
 
+#include "core/bindings.h"
 #include "core/checked.h"
 #include "core/frame_data.h"
 #include "core/validate.h"
@@ -51,6 +52,23 @@ void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
     }
 }
 
+// images: reserved, so that pointers into it stay.
+VkWriteDescriptorSet View::writeOfAttachments(const Pass& pass, VkDescriptorSet set,
+                                              std::vector<VkDescriptorImageInfo>& images) const {
+    const size_t first = images.size();
+    for (ResourceId target : pass.colorTargets)
+        for (VkImageView view : (*resources)[target].layerViews)
+            images.push_back({VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL});
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set;
+    write.dstBinding = fetchedTargetsSlot;
+    write.descriptorCount = uint32_t(images.size() - first);
+    write.descriptorType = VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT;
+    write.pImageInfo = &images[first];
+    return write;
+}
+
 // Only of the passes about to be recorded: sets that an earlier segment bound must not change.
 void View::writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot) {
     std::vector<VkWriteDescriptorSet> writes;
@@ -59,7 +77,7 @@ void View::writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, 
     std::vector<VkDescriptorImageInfo> images;
     size_t total = 0;
     for (const Pass& pass : plan.passes)
-        total += pass.bindings.size();
+        total += pass.bindings.size() + pass.drawState.colorAttachmentCount;
     buffers.reserve(total);
     images.reserve(total);
     uint64_t anyShadow = 0;
@@ -125,6 +143,8 @@ void View::writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, 
             }
             writes.push_back(write);
         }
+        if (plan.passes[i].drawState.readsAttachments)
+            writes.push_back(writeOfAttachments(plan.passes[i], passes[i].sets[slot], images));
     }
     context.vk.UpdateDescriptorSets(context.device, uint32_t(writes.size()), writes.data(), 0,
                                     nullptr);
@@ -274,7 +294,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
             vk.CmdExecuteCommands(commands, 1, &slots[slot].secondaries[secondary]);
         else
             result = callHost(frame, step, slot, commands);
-        endHostRendering(context, commands);
+        endHostRendering(context, passes[index].host, commands);
         break;
     case PassKind::Compute:
         beginCondition(step, slot, commands);

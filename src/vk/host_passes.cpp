@@ -24,11 +24,19 @@ VkClearValue colorClear(const Pass& pass, size_t target) {
     return value;
 }
 
-VkAttachmentDescription attachment(const Resource& resource, bool clear) {
-    const bool depth = isDepth(resource.format);
+// Each layer of a colour target is an attachment: calls f(resource, index of the target, layer).
+template <typename F> void forColorAttachments(const Plan& plan, const Pass& pass, F f) {
+    for (size_t i = 0; i < pass.colorTargets.size(); ++i)
+        for (uint32_t layer = 0; layer < plan.resources[pass.colorTargets[i]].layers; ++layer)
+            f(pass.colorTargets[i], i, layer);
+}
+
+VkImageLayout colorLayout(const Pass& pass) {
+    return pass.drawState.readsAttachments ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+}
+
+VkAttachmentDescription attachment(const Resource& resource, bool clear, VkImageLayout layout) {
     const VkAttachmentLoadOp load = clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
-    const VkImageLayout layout = depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
-                                       : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     return {0,
             vkFormat(resource.format),
             VkSampleCountFlagBits(resource.samples),
@@ -47,24 +55,28 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     std::vector<VkAttachmentDescription> attachments;
     std::vector<VkAttachmentReference> colors;
     std::vector<VkImageView> views;
-    for (ResourceId target : pass.colorTargets) {
-        colors.push_back(
-            {uint32_t(attachments.size()), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL});
-        attachments.push_back(attachment(plan.resources[target], pass.clearsColor));
-        views.push_back(resources[target].attachmentView);
-    }
+    forColorAttachments(plan, pass, [&](ResourceId target, size_t, uint32_t layer) {
+        colors.push_back({uint32_t(attachments.size()), colorLayout(pass)});
+        attachments.push_back(attachment(plan.resources[target], pass.clearsColor, colorLayout(pass)));
+        views.push_back(resources[target].layerViews[layer]);
+    });
     const VkAttachmentReference depth{uint32_t(attachments.size()),
                                       VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
     const bool hasDepth = pass.depthTarget != noResource;
     if (hasDepth) {
-        attachments.push_back(attachment(plan.resources[pass.depthTarget], pass.clearsDepth));
-        views.push_back(resources[pass.depthTarget].attachmentView);
+        attachments.push_back(attachment(plan.resources[pass.depthTarget], pass.clearsDepth, depth.layout));
+        views.push_back(resources[pass.depthTarget].layerViews[0]);
     }
     VkSubpassDescription subpass{};
     subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
     subpass.colorAttachmentCount = uint32_t(colors.size());
     subpass.pColorAttachments = colors.data();
     subpass.pDepthStencilAttachment = hasDepth ? &depth : nullptr;
+    if (pass.drawState.readsAttachments) {
+        subpass.flags = VK_SUBPASS_DESCRIPTION_RASTERIZATION_ORDER_ATTACHMENT_COLOR_ACCESS_BIT_EXT;
+        subpass.inputAttachmentCount = subpass.colorAttachmentCount;
+        subpass.pInputAttachments = colors.data();
+    }
     VkRenderPassCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO;
     info.attachmentCount = uint32_t(attachments.size());
@@ -98,7 +110,20 @@ VkRenderingAttachmentInfo renderingAttachment(VkImageView view, VkImageLayout la
     return info;
 }
 
+// Dynamic rendering of the Vulkan versions that the SDK takes has no input attachments.
+bool needsRenderPass(const Context& context, const Pass& pass) {
+    return !context.dynamicRendering || pass.drawState.readsAttachments;
+}
+
 } // namespace
+
+std::vector<VkFormat> colorFormats(const Plan& plan, const Pass& pass) {
+    std::vector<VkFormat> formats;
+    forColorAttachments(plan, pass, [&](ResourceId target, size_t, uint32_t) {
+        formats.push_back(vkFormat(plan.resources[target].format));
+    });
+    return formats;
+}
 
 void createHostPass(const Context& context, const Plan& plan, const Pass& pass,
                     const ViewResources& resources, HostPassObjects& objects) {
@@ -109,12 +134,12 @@ void createHostPass(const Context& context, const Plan& plan, const Pass& pass,
     objects.declarations = hostDeclarations(plan, pass, dialect);
     objects.geometry = hostGeometry(plan, pass, dialect);
     objects.vertex = hostVertex(plan, pass, dialect);
-    if (!context.dynamicRendering)
+    if (needsRenderPass(context, pass))
         createRenderPass(context, plan, pass, resources, objects);
 }
 
 void destroyHostPass(const Context& context, HostPassObjects& objects) {
-    if (context.dynamicRendering)
+    if (!objects.renderPass)
         return;
     context.vk.DestroyFramebuffer(context.device, objects.framebuffer, nullptr);
     context.vk.DestroyRenderPass(context.device, objects.renderPass, nullptr);
@@ -125,10 +150,11 @@ void beginHostRendering(const Context& context, const Plan& plan, const Pass& pa
                         VkCommandBuffer commands, bool secondary) {
     const VkRect2D area{{0, 0}, {pass.width, pass.height}};
     const bool hasDepth = pass.depthTarget != noResource;
-    if (!context.dynamicRendering) {
+    if (objects.renderPass) {
         std::vector<VkClearValue> clears;
-        for (size_t i = 0; i < pass.colorTargets.size(); ++i)
-            clears.push_back(colorClear(pass, i));
+        forColorAttachments(plan, pass, [&](ResourceId, size_t target, uint32_t) {
+            clears.push_back(colorClear(pass, target));
+        });
         if (hasDepth)
             clears.push_back(depthClear(pass));
         VkRenderPassBeginInfo info{};
@@ -144,13 +170,13 @@ void beginHostRendering(const Context& context, const Plan& plan, const Pass& pa
         return;
     }
     std::vector<VkRenderingAttachmentInfo> colors;
-    for (size_t i = 0; i < pass.colorTargets.size(); ++i)
-        colors.push_back(renderingAttachment(resources[pass.colorTargets[i]].attachmentView,
-                                             VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, pass.clearsColor,
-                                             colorClear(pass, i)));
+    forColorAttachments(plan, pass, [&](ResourceId target, size_t index, uint32_t layer) {
+        colors.push_back(renderingAttachment(resources[target].layerViews[layer], colorLayout(pass), pass.clearsColor,
+                                             colorClear(pass, index)));
+    });
     VkRenderingAttachmentInfo depth{};
     if (hasDepth)
-        depth = renderingAttachment(resources[pass.depthTarget].attachmentView,
+        depth = renderingAttachment(resources[pass.depthTarget].layerViews[0],
                                     VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, pass.clearsDepth, depthClear(pass));
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
@@ -164,19 +190,17 @@ void beginHostRendering(const Context& context, const Plan& plan, const Pass& pa
     context.vk.CmdBeginRendering(commands, &info);
 }
 
-void endHostRendering(const Context& context, VkCommandBuffer commands) {
-    if (context.dynamicRendering)
-        context.vk.CmdEndRendering(commands);
-    else
+void endHostRendering(const Context& context, const HostPassObjects& objects, VkCommandBuffer commands) {
+    if (objects.renderPass)
         context.vk.CmdEndRenderPass(commands);
+    else
+        context.vk.CmdEndRendering(commands);
 }
 
 void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
                     const HostPassObjects& objects, VkCommandBuffer commands) {
     const Format depth = pass.depthTarget != noResource ? plan.resources[pass.depthTarget].format : Format::None;
-    std::vector<VkFormat> colors;
-    for (ResourceId target : pass.colorTargets)
-        colors.push_back(vkFormat(plan.resources[target].format));
+    const std::vector<VkFormat> colors = colorFormats(plan, pass);
     VkCommandBufferInheritanceRenderingInfo rendering{};
     rendering.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_RENDERING_INFO;
     rendering.colorAttachmentCount = uint32_t(colors.size());
@@ -186,7 +210,7 @@ void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
     rendering.rasterizationSamples = VkSampleCountFlagBits(pass.drawState.samples);
     VkCommandBufferInheritanceInfo inheritance{};
     inheritance.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_INFO;
-    inheritance.pNext = context.dynamicRendering ? &rendering : nullptr;
+    inheritance.pNext = objects.renderPass ? nullptr : &rendering;
     inheritance.renderPass = objects.renderPass;
     inheritance.framebuffer = objects.framebuffer;
     VkCommandBufferBeginInfo info{};

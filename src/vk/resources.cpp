@@ -41,7 +41,8 @@ ViewResources::~ViewResources() { destroy(); }
 void ViewResources::destroy() {
     const DeviceTable& vk = context_.vk;
     for (GpuResource& resource : resources_) {
-        vk.DestroyImageView(context_.device, resource.attachmentView, nullptr);
+        for (VkImageView view : resource.layerViews)
+            vk.DestroyImageView(context_.device, view, nullptr);
         vk.DestroyImageView(context_.device, resource.fetchView, nullptr);
         vk.DestroyImage(context_.device, resource.image, nullptr);
         for (VkBuffer buffer : resource.buffers)
@@ -76,6 +77,8 @@ static VkImageUsageFlags imageUsage(Use use) {
         return VK_IMAGE_USAGE_STORAGE_BIT;
     case Use::Color:
         return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    case Use::FetchedColor:
+        return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
     case Use::Depth: // which hosts may read between segments
         return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
     default:
@@ -353,13 +356,13 @@ void ViewResources::createViews(const Plan& plan) {
         const Resource& resource = plan.resources[id];
         if (resource.kind != ResourceKind::Image)
             continue;
-        const auto view = [&](VkImageAspectFlags aspect) {
+        const auto view = [&](VkImageAspectFlags aspect, uint32_t layer, uint32_t layers) {
             VkImageViewCreateInfo info{};
             info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
             info.image = resources_[id].image;
-            info.viewType = VK_IMAGE_VIEW_TYPE_2D;
+            info.viewType = layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
             info.format = vkFormat(resource.format);
-            info.subresourceRange = {aspect, 0, 1, 0, 1};
+            info.subresourceRange = {aspect, 0, 1, layer, layers};
             VkImageView handle = VK_NULL_HANDLE;
             check(context_.vk.CreateImageView(context_.device, &info, nullptr, &handle),
                   "vkCreateImageView");
@@ -367,9 +370,12 @@ void ViewResources::createViews(const Plan& plan) {
             return handle;
         };
         const bool depth = isDepth(resource.format);
-        resources_[id].attachmentView = view(aspects(resource.format));
+        resources_[id].layerViews.reserve(resource.layers); // what is created is not lost
+        for (uint32_t layer = 0; layer < resource.layers; ++layer)
+            resources_[id].layerViews.push_back(view(aspects(resource.format), layer, 1));
         resources_[id].fetchView = view(depth ? VkImageAspectFlags(VK_IMAGE_ASPECT_DEPTH_BIT)
-                                              : VkImageAspectFlags(VK_IMAGE_ASPECT_COLOR_BIT));
+                                              : VkImageAspectFlags(VK_IMAGE_ASPECT_COLOR_BIT),
+                                        0, resource.layers);
     }
 }
 

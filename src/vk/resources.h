@@ -11,8 +11,8 @@ namespace agaa::vk {
 
 struct GpuResource {
     VkImage image = VK_NULL_HANDLE;
-    VkImageView attachmentView = VK_NULL_HANDLE;
-    VkImageView fetchView = VK_NULL_HANDLE; // depth aspect only for depth formats
+    std::vector<VkImageView> layerViews;    // as attachments
+    VkImageView fetchView = VK_NULL_HANDLE; // of all layers; depth aspect only for depth formats
     std::vector<VkBuffer> buffers;          // one per copy
     std::vector<void*> mapped;              // uploads and read-back
 };

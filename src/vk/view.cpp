@@ -1,5 +1,6 @@
 #include "vk/view.h"
 
+#include "core/bindings.h"
 #include "core/compile_glsl.h"
 #include "core/embedded.h"
 #include "core/glsl_text.h"
@@ -85,6 +86,12 @@ void View::createPassObjects() {
                                                   : VK_SHADER_STAGE_COMPUTE_BIT;
             bindings.push_back({binding.slot, type, 1, stages, nullptr});
             counts[type] += context.framesInFlight;
+        }
+        if (pass.drawState.readsAttachments) {
+            const uint32_t count = pass.drawState.colorAttachmentCount;
+            bindings.push_back({fetchedTargetsSlot, VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT, count, VK_SHADER_STAGE_FRAGMENT_BIT,
+                                nullptr});
+            counts[VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT] += count * context.framesInFlight;
         }
         setCount += context.framesInFlight;
         VkDescriptorSetLayoutCreateInfo info{};

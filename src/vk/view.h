@@ -67,6 +67,8 @@ private:
     void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, uint32_t slot,
                       bool begins);
     void writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot);
+    VkWriteDescriptorSet writeOfAttachments(const Pass& pass, VkDescriptorSet set,
+                                            std::vector<VkDescriptorImageInfo>& images) const;
     bool isConditional(const Step& step) const; // the device reads Step::goesOn
     void beginCondition(const Step& step, uint32_t slot, VkCommandBuffer commands) const;
     void endCondition(const Step& step, VkCommandBuffer commands) const;

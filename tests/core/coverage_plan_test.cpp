@@ -182,8 +182,18 @@ TEST(CoveragePlan, RasterOrderKeepsSurfacesInAttachments) {
     EXPECT_NE(text.find("layout(location = 6) inout uvec4 agaa_target6;"), std::string::npos);
     EXPECT_EQ(text.find("agaa_target7"), std::string::npos);
     EXPECT_EQ(text.find("out vec4"), std::string::npos);
+    dialect = {};
+    dialect.descriptorSet = 2;
+    const std::string vulkan = hostDeclarations(plan, *draw, dialect);
+    EXPECT_EQ(hostExtensions(*draw, dialect), "");
+    EXPECT_NE(vulkan.find("layout(input_attachment_index = 0, set = 2, binding = 10) uniform usubpassInput agaa_held[7];"),
+              std::string::npos);
+    EXPECT_NE(vulkan.find("layout(location = 6) out uvec4 agaa_target6;"), std::string::npos);
+    EXPECT_EQ(draw->drawState.readsAttachments, 1u);
     caps.flags &= ~AGAA_DEVICE_FRAMEBUFFER_FETCH;
-    EXPECT_NE(refusal(spec, caps).find("GL_EXT_shader_framebuffer_fetch"), std::string::npos);
+    const std::string refused = refusal(spec, caps);
+    for (const char* extension : {"GL_EXT_shader_framebuffer_fetch", "VK_EXT_rasterization_order_attachment_access"})
+        EXPECT_NE(refused.find(extension), std::string::npos) << refused;
     spec.aggregates = 5;
     EXPECT_NE(refusal(spec, idealDevice()).find("5 surfaces of this layout take 140"), std::string::npos);
     spec.aggregates = 4;

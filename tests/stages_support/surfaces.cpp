@@ -39,4 +39,15 @@ std::string surfaceText(const Resource& resource) {
     return text + (isUint ? fetch : "floatBitsToUint(" + fetch + ")") + ";\n}\n";
 }
 
+std::vector<uint32_t> byPixels(const Resource& resource, const std::vector<uint32_t>& layers) {
+    constexpr uint32_t wordsOfTexel = 4;
+    const size_t pixels = size_t(resource.width) * resource.height;
+    std::vector<uint32_t> words(layers.size());
+    for (size_t i = 0; i < layers.size(); ++i) {
+        const size_t layer = i / (pixels * wordsOfTexel), pixel = i / wordsOfTexel % pixels;
+        words[(pixel * resource.layers + layer) * wordsOfTexel + i % wordsOfTexel] = layers[i];
+    }
+    return words;
+}
+
 } // namespace agaa::test

@@ -223,6 +223,7 @@ void Device::createDevice(const RendererOptions& options) {
         has.synchronization2 |= is(VK_KHR_SYNCHRONIZATION_2_EXTENSION_NAME);
         has.conditionalRendering |= is(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
         has.interlock |= is(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME);
+        has.attachmentOrder |= is(VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME);
     }
 
     FeatureChain supported(apiVersion_, has);

@@ -11,6 +11,7 @@ FeatureChain::FeatureChain(uint32_t apiVersion, const Extensions& has) {
     synchronization2_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SYNCHRONIZATION_2_FEATURES;
     conditionalRendering_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT;
     interlock_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADER_INTERLOCK_FEATURES_EXT;
+    attachmentOrder_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT;
     core_.pNext = &v11_;
     v11_.pNext = &v12_;
     hasV13_ = apiVersion >= VK_API_VERSION_1_3;
@@ -30,6 +31,8 @@ FeatureChain::FeatureChain(uint32_t apiVersion, const Extensions& has) {
         append(conditionalRendering_);
     if (has.interlock)
         append(interlock_);
+    if (has.attachmentOrder)
+        append(attachmentOrder_);
 }
 
 void FeatureChain::query(VkPhysicalDevice device) {
@@ -88,6 +91,7 @@ const VkBool32* FeatureChain::find(std::string_view name) const {
     FEATURE(v12_, shaderOutputLayer);
     FEATURE(conditionalRendering_, conditionalRendering); // not set where it is not in the chain
     FEATURE(interlock_, fragmentShaderPixelInterlock);
+    FEATURE(attachmentOrder_, rasterizationOrderColorAttachmentAccess);
     if (hasV13_) {
         FEATURE(v13_, dynamicRendering);
         FEATURE(v13_, synchronization2);

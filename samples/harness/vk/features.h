@@ -12,7 +12,8 @@ class FeatureChain {
 public:
     // Extensions of these names, of which the first two matter where the version is below the one that took them into the core.
     struct Extensions {
-        bool dynamicRendering = false, synchronization2 = false, conditionalRendering = false, interlock = false;
+        bool dynamicRendering = false, synchronization2 = false, conditionalRendering = false, interlock = false,
+             attachmentOrder = false;
     };
     FeatureChain(uint32_t apiVersion, const Extensions& has);
     FeatureChain(const FeatureChain&) = delete;
@@ -36,6 +37,7 @@ private:
     VkPhysicalDeviceSynchronization2Features synchronization2_{};
     VkPhysicalDeviceConditionalRenderingFeaturesEXT conditionalRendering_{};
     VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock_{};
+    VkPhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT attachmentOrder_{};
     bool hasV13_ = false;
 };
 

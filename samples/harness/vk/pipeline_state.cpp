@@ -74,6 +74,8 @@ PipelineState::PipelineState(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked
         depthStencil.front.reference = 0;
         depthStencil.back = depthStencil.front;
     }
+    if (wanted.readsAttachments)
+        blendFlags |= VK_PIPELINE_COLOR_BLEND_STATE_CREATE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_BIT_EXT;
     // The bits of the SDK's mask are those of VkColorComponentFlags.
     for (VkPipelineColorBlendAttachmentState& blend : blends) {
         blend.colorWriteMask = wanted.colorWriteMask;
@@ -123,6 +125,7 @@ Pipeline PipelineState::create(const Device& device, VkShaderModule vertex, VkSh
     viewport.scissorCount = 1;
     VkPipelineColorBlendStateCreateInfo blend{};
     blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
+    blend.flags = blendFlags;
     blend.attachmentCount = uint32_t(blends.size());
     blend.pAttachments = blends.data();
     const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};

@@ -37,6 +37,7 @@ public:
     VkPipelineMultisampleStateCreateInfo multisample{};
     VkPipelineDepthStencilStateCreateInfo depthStencil{};
     std::vector<VkPipelineColorBlendAttachmentState> blends;
+    VkPipelineColorBlendStateCreateFlags blendFlags = 0;
     VkPipelineRenderingCreateInfo rendering{}; // with dynamic rendering
 };
 

@@ -82,10 +82,9 @@ ResourceId surfaceBuffer(PlanBuilder& b) {
     return b.pixelBuffer("surfaces", checkedMultiply(b.plan.aggregates, b.plan.bytesPerAggregate));
 }
 
-Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces, const char* extension) {
+Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces) {
     Pass& draw = drawTriangles(b);
     draw.fragmentContent = FragmentContent::Merged;
-    draw.extensions.push_back(extension);
     draw.constants[AGAA_MERGE_RULE] = b.plan.coverage.merge;
     setRecord(draw, surfaces);
     return draw;
@@ -94,24 +93,25 @@ Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces, const char* exten
 ResourceId mergeInBuffer(PlanBuilder& b, const Aggregation& surfaces) {
     const ResourceId kept = surfaceBuffer(b);
     b.fill("clear surfaces", AGAA_STAGE_GENERATION, kept, AGAA_SEGMENT_PREPASS);
-    Pass& draw = drawMerging(b, surfaces, "ARB_fragment_shader_interlock");
+    Pass& draw = drawMerging(b, surfaces);
+    draw.extensions.push_back("ARB_fragment_shader_interlock");
     b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, kept, true);
     return kept;
 }
 
-// Eight attachments are what all devices have.
 ResourceId mergeInTargets(PlanBuilder& b, const Aggregation& surfaces) {
-    constexpr uint32_t mostAttachments = 8, words = 4; // of a texel
+    constexpr uint32_t words = 4; // of a texel
     const uint32_t bytes = 4 * b.plan.aggregates * surfaces.stride;
-    if (bytes > 4 * words * mostAttachments)
+    if (bytes > 4 * words * mostFetchedTargets)
         fail(AGAA_ERROR_UNSUPPORTED,
              format("the tier raster-order keeps up to 128 bytes a pixel in attachments; %u surfaces of this layout take %u.",
                     b.plan.aggregates, bytes));
     const uint32_t attachments = (b.plan.aggregates * surfaces.stride + words - 1) / words;
     const ResourceId kept = b.layeredImage("surfaces", Format::RGBA32U, attachments);
-    Pass& draw = drawMerging(b, surfaces, "EXT_shader_framebuffer_fetch");
+    Pass& draw = drawMerging(b, surfaces);
     draw.colorTargets = {kept};
     draw.drawState.colorAttachmentCount = attachments;
+    draw.drawState.readsAttachments = 1;
     draw.clearsColor = true;
     return kept;
 }

@@ -174,8 +174,9 @@ TierAnswer answerRasterOrder(const GenerationQuery& q) {
     if (const TierAnswer lists = answerMaterialLists(q); !lists.runs)
         return lists;
     if (!(q.caps.flags & AGAA_DEVICE_FRAMEBUFFER_FETCH))
-        return {false, "fragment shaders cannot read what attachments hold: that takes OpenGL, GL_EXT_shader_framebuffer_fetch "
-                       "and AGAA_GL_OUTPUTS_SDK."};
+        return {false, "fragment shaders cannot read what attachments hold: that takes "
+                       "VK_EXT_rasterization_order_attachment_access on Vulkan, on OpenGL GL_EXT_shader_framebuffer_fetch and "
+                       "AGAA_GL_OUTPUTS_SDK."};
     return {true, "fragments are merged in the order of the draws by the shader that draws them, in attachments."};
 }
 

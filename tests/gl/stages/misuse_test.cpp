@@ -1,6 +1,8 @@
 // Misuse of contexts and views on OpenGL, their memory and their order.
 #include "bench.h"
 #include "context_misuse.h"
+#include "dcaa_cases.h"
+#include "show.h"
 
 #include "agaa_vk.h"
 
@@ -193,6 +195,13 @@ TEST(GlLifetime, ViewsAndContextsDoNotDisturbEachOther) {
     sharedEgl().makeCurrent();
     EXPECT_EQ(bench.picture(), expected);
     EXPECT_EQ(second.image(), other);
+}
+
+// Outputs that the host declares are not read.
+TEST(GlMisuse, AttachmentsOfHostOutputsAreNotRead) {
+    StageContext context(OpenGLHost::changed([](OpenGLContextDesc& desc) { desc.device.outputs = AGAA_GL_OUTPUTS_HOST; }));
+    const std::string reason = expectRefused(context, dcaaSettings(64, 1, AGAA_TIER_RASTER_ORDER), AGAA_ERROR_UNSUPPORTED, "outputs");
+    EXPECT_NE(reason.find("AGAA_GL_OUTPUTS_SDK"), std::string::npos) << reason;
 }
 
 } // namespace

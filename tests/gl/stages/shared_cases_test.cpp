@@ -18,6 +18,7 @@
 #include "pattern_cases.h"
 #include "plan_cases.h"
 #include "pulling_cases.h"
+#include "raster_order_cases.h"
 #include "shadow_function_cases.h"
 #include "validation_cases.h"
 #include "variant_cases.h"
@@ -32,6 +33,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, FragmentsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CarriedCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PatternCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, InterlockCases, OpenGLHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, RasterOrderCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, PullingCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardGeometryCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, HardMaterialCases, OpenGLHost);

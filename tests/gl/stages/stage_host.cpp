@@ -305,17 +305,6 @@ std::vector<glm::uvec4> StageView::readSurface(const std::string& name) const {
     return texels;
 }
 
-// From layer by layer to pixel by pixel.
-static std::vector<uint32_t> byPixels(const std::vector<uint32_t>& layers, size_t pixels, uint32_t layerCount) {
-    constexpr uint32_t wordsOfTexel = 4;
-    std::vector<uint32_t> words(layers.size());
-    for (size_t i = 0; i < layers.size(); ++i) {
-        const size_t layer = i / (pixels * wordsOfTexel), pixel = i / wordsOfTexel % pixels;
-        words[(pixel * layerCount + layer) * wordsOfTexel + i % wordsOfTexel] = layers[i];
-    }
-    return words;
-}
-
 std::vector<uint32_t> StageView::readBuffer(const std::string& name) const {
     const ResourceId id = findResource(plan(), name);
     const Resource& resource = plan().resources[id];
@@ -324,7 +313,7 @@ std::vector<uint32_t> StageView::readBuffer(const std::string& name) const {
         gl_.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
         gl_.GetTextureImage((*executor().resources)[id].texture, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei(4 * words.size()),
                             words.data());
-        return byPixels(words, size_t(resource.width) * resource.height, resource.layers);
+        return byPixels(resource, words);
     }
     gl_.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     gl_.GetNamedBufferSubData(executor().resources->buffer(id, 0), 0, GLsizeiptr(4 * words.size()), words.data());

@@ -1,4 +1,6 @@
 // Every kind of host gets the same bits.
+#include "dcaa_cases.h"
+#include "show.h"
 #include "truth.h"
 
 #include "render/messages.h"
@@ -47,6 +49,24 @@ TEST_P(HostsTest, RenderPassesDynamicRenderingAndRecordingAgree) {
     EXPECT_EQ(pixels({.renderPass = true}, settings), expected);
     EXPECT_EQ(pixels({.inlineRecording = true}, settings), expected);
     EXPECT_EQ(pixels({.renderPass = true, .inlineRecording = true}, settings), expected);
+}
+
+// Where shaders read attachments, contexts with dynamic rendering have a render pass, too.
+TEST(Hosts, AttachmentsThatShadersReadAgree) {
+    StageContext context;
+    if (!(context.caps().flags & AGAA_DEVICE_FRAMEBUFFER_FETCH))
+        GTEST_SKIP() << "the device does not order what shaders read of attachments";
+    AgaaLayout layout = AGAA_LAYOUT_INIT;
+    ASSERT_EQ(agaaGetBuiltinLayout("dcaa28", &layout), AGAA_OK);
+    ViewSettings settings = dcaaSettings(64, 4, AGAA_TIER_RASTER_ORDER);
+    settings.config.layout = &layout;
+    const std::vector<float> expected = pixels({}, settings);
+    EXPECT_GT(std::ranges::max(expected), 0.1f) << "there is something to compare";
+    for (const bool renderPass : {false, true})
+        for (const bool inlineRecording : {false, true})
+            EXPECT_EQ(pixels({.renderPass = renderPass, .inlineRecording = inlineRecording}, settings, true), expected);
+    StageContext unknown({.change = [](auto& desc) { desc.device.enabledFeatures = nullptr; }});
+    expectRefused(unknown, settings, AGAA_ERROR_UNSUPPORTED, "the host does not say that it enabled the feature");
 }
 
 TEST_P(HostsTest, SegmentsInCallsOfTheirOwnAgree) {

@@ -18,6 +18,7 @@
 #include "pattern_cases.h"
 #include "plan_cases.h"
 #include "pulling_cases.h"
+#include "raster_order_cases.h"
 #include "shadow_function_cases.h"
 #include "validation_cases.h"
 #include "variant_cases.h"
@@ -34,6 +35,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, FragmentsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CarriedCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PatternCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, InterlockCases, VulkanHost);
+INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, RasterOrderCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, PullingCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardGeometryCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, HardMaterialCases, VulkanHost);

@@ -413,6 +413,9 @@ std::vector<glm::uvec4> StageView::readSurface(const std::string& name) const {
 
 std::vector<uint32_t> StageView::readBuffer(const std::string& name) const {
     const ResourceId id = findResource(plan(), name);
+    const Resource& resource = plan().resources[id];
+    if (resource.kind == ResourceKind::Image)
+        return byPixels(resource, readImage(sharedDevice(), resource, (*executor().resources)[id].image));
     return readWords(sharedDevice(), (*executor().resources)[id].buffers[0], plan().resources[id].bytes);
 }
 

@@ -104,7 +104,7 @@ public:
 
     // A surface by its name in the plan, texel by texel, sample by sample; floats as their bits.
     std::vector<glm::uvec4> readSurface(const std::string& name) const;
-    // The words of a buffer.
+    // The words of a buffer, or of an image of whole numbers with several layers: pixel by pixel, layer by layer.
     std::vector<uint32_t> readBuffer(const std::string& name) const;
     // Index of sample i of a pixel in what readSurface returns.
     size_t sampleIndex(uint32_t x, uint32_t y, uint32_t i) const { return test::sampleIndex(plan(), x, y, i); }

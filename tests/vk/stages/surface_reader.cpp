@@ -4,6 +4,7 @@
 #include "surfaces.h"
 
 #include "vk/arena.h"
+#include "vk/barrier.h"
 
 #include <cstring>
 
@@ -90,6 +91,26 @@ std::vector<glm::uvec4> readTexels(const Device& device, const Resource& resourc
     std::vector<glm::uvec4> texels(count);
     std::memcpy(texels.data(), out.mapped, count * sizeof(glm::uvec4));
     return texels;
+}
+
+std::vector<uint32_t> readImage(const Device& device, const Resource& resource, VkImage image) {
+    Arena arena(device);
+    const BufferResource out = arena.hostBuffer(resource.bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, true);
+    constexpr ImageUse shown{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_ACCESS_MEMORY_WRITE_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    constexpr ImageUse copied{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+    constexpr ImageUse shownAgain{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_ACCESS_MEMORY_READ_BIT, shown.layout};
+    device.runCommands([&](VkCommandBuffer commands) {
+        imageBarrier(commands, image, VK_IMAGE_ASPECT_COLOR_BIT, shown, copied);
+        VkBufferImageCopy region{};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, resource.layers};
+        region.imageExtent = {resource.width, resource.height, 1};
+        vkCmdCopyImageToBuffer(commands, image, copied.layout, out.buffer.get(), 1, &region);
+        imageBarrier(commands, image, VK_IMAGE_ASPECT_COLOR_BIT, copied, shownAgain);
+        toHost(commands);
+    });
+    std::vector<uint32_t> words(resource.bytes / 4);
+    std::memcpy(words.data(), out.mapped, words.size() * 4);
+    return words;
 }
 
 std::vector<uint32_t> readWords(const Device& device, VkBuffer buffer, uint64_t bytes) {
