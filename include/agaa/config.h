@@ -390,6 +390,10 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
  * ONE_SPECULAR      the specular reflectance is AgaaSceneFacts::specular, as of dielectrics. None is stored
  * NO_DIFFUSE        the diffuse albedo is 0, as of metals. None is stored
  * NO_LOCAL_LIGHTS   all lights are directional. No light is culled
+ * PLANE_NORMALS     AgaaSurfaceInput::normal is geometricNormal, or with an AgaaFetchFunction the normal of the triangle, on
+ *                   the side of the eye: no normal maps, and no normals that are interpolated. No effect with an
+ *                   AgaaGBufferFunction. Aggregates of two geometry passes keep no normals and take those of the first pass,
+ *                   which have 16 bits, unless the layout folds roughness into normals
  * NO_TRANSLUCENCY   alpha-masked materials are cut-outs (AgaaSurfaceInput::alphaCutoff > 0)
  * NO_CUTOUTS        alpha-masked materials are translucent, if NO_TRANSLUCENCY is not set */
 #define AGAA_FACT_ONE_ROUGHNESS UINT64_C(0x100)
@@ -397,6 +401,7 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
 #define AGAA_FACT_ONE_SPECULAR UINT64_C(0x400)
 #define AGAA_FACT_NO_TRANSLUCENCY UINT64_C(0x2000)
 #define AGAA_FACT_NO_CUTOUTS UINT64_C(0x4000)
+#define AGAA_FACT_PLANE_NORMALS UINT64_C(0x8000)
 /* If a layout has emission of one channel, a factor of the albedo, the view fails with AGAA_ERROR_LAYOUT. */
 #define AGAA_FACT_NO_DIFFUSE UINT64_C(0x800)
 /* Point and spot lights fail with AGAA_ERROR_OUT_OF_RANGE. */

@@ -187,6 +187,7 @@ typedef struct AgaaFactReport {
     uint64_t withDiffuse;     /* with diffuse albedo */
     uint64_t translucent;     /* of the alpha-masked ones */
     uint64_t cutouts;         /* of the alpha-masked ones */
+    uint64_t otherNormals;    /* whose normal is more than a degree from that of their primitive's plane */
     /* Of the frame: */
     uint32_t lightCount;
     uint32_t localLights;     /* point and spot lights */
@@ -200,7 +201,7 @@ typedef struct AgaaFactReport {
 } AgaaFactReport;
 #define AGAA_FACT_REPORT_INIT                                                                       \
     {AGAA_STRUCTURE_TYPE_FACT_REPORT, (uint32_t)sizeof(AgaaFactReport), NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-     0, 0, 0, 0, 0, 0, 0, {0}}
+     0, 0, 0, 0, 0, 0, 0, 0, {0}}
 AGAA_API void AGAA_CALL agaaInitFactReport(AgaaFactReport* outReport, size_t structSize);
 
 /* Compares the facts of a view with the frame that agaaGetFrameStatistics would report. The first contradiction of a view

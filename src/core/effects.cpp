@@ -53,6 +53,7 @@ constexpr Effect table[] = {
     unlessFact<AGAA_FACT_GREY_SPECULAR>("coloured-specular", "Highlights have colours, as those of gold and copper."),
     unlessFact<AGAA_FACT_ONE_SPECULAR>("varied-specular", "Materials differ in specular reflectance, as metals and plastics."),
     unlessFact<AGAA_FACT_NO_DIFFUSE>("diffuse", "Materials reflect light diffusely, as all but metals do."),
+    unlessFact<AGAA_FACT_PLANE_NORMALS>("shading-normals", "Normal maps, or normals between vertices, change the shading."),
     fact<AGAA_FACT_EMISSIVE>("emissive", "Materials emit light."),
     fact<AGAA_FACT_AMBIENT>("ambient", "Ambient light reaches the surfaces."),
     fact<AGAA_FACT_ALPHA_MASKED>("alpha-mask", "Materials have cut-outs, for example leaves."),

@@ -31,6 +31,7 @@ constexpr FactRow rows[] = {
     {AGAA_FACT_NO_DIFFUSE, "NO_DIFFUSE", &AgaaFactReport::withDiffuse},
     {AGAA_FACT_NO_TRANSLUCENCY, "NO_TRANSLUCENCY", &AgaaFactReport::translucent},
     {AGAA_FACT_NO_CUTOUTS, "NO_CUTOUTS", &AgaaFactReport::cutouts},
+    {AGAA_FACT_PLANE_NORMALS, "PLANE_NORMALS", &AgaaFactReport::otherNormals},
     {AGAA_FACT_AMBIENT, "AMBIENT", nullptr},
     {AGAA_FACT_NO_LOCAL_LIGHTS, "NO_LOCAL_LIGHTS", nullptr},
 };
@@ -121,8 +122,9 @@ AgaaFactReport factReport(const Plan& plan, const FrameSequence::Slot& frame, co
     report.hasAmbient = frame.content.hasAmbient;
     report.contradicted = contradictedFacts(report, plan.facts.flags);
     report.sufficient = sufficientFacts(report, plan.facts.flags);
-    if (plan.hostGBuffer) // of whose masks nothing is known
-        report.sufficient |= plan.facts.flags & (AGAA_FACT_ALPHA_MASKED | ofMasks);
+    if (plan.hostGBuffer) // of whose masks and planes nothing is known
+        report.sufficient = (report.sufficient & ~AGAA_FACT_PLANE_NORMALS) |
+                            (plan.facts.flags & (AGAA_FACT_ALPHA_MASKED | ofMasks | AGAA_FACT_PLANE_NORMALS));
     std::strncpy(report.explanation, explain(report, plan.facts.flags).c_str(), sizeof report.explanation - 1);
     return report;
 }

@@ -10,7 +10,7 @@ inline constexpr uint64_t grantingFacts = AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTO
 // Bits that say what all materials or lights have in common. They are those of the view in all its frames.
 inline constexpr uint64_t commonValues = AGAA_FACT_ONE_ROUGHNESS | AGAA_FACT_GREY_SPECULAR | AGAA_FACT_ONE_SPECULAR |
                                          AGAA_FACT_NO_DIFFUSE | AGAA_FACT_NO_LOCAL_LIGHTS | AGAA_FACT_NO_TRANSLUCENCY |
-                                         AGAA_FACT_NO_CUTOUTS;
+                                         AGAA_FACT_NO_CUTOUTS | AGAA_FACT_PLANE_NORMALS;
 // Bits that change compute passes. Others change layouts, tiers and draw passes, which are those of the view.
 inline constexpr uint64_t computeFacts = AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_AMBIENT;
 

@@ -222,6 +222,12 @@ Layout reduceLayout(Layout layout, uint64_t factFlags, bool keepsRoughness) {
     return layout;
 }
 
+Layout twoPassLayout(Layout layout, uint64_t factFlags) {
+    if (factFlags & AGAA_FACT_PLANE_NORMALS && !layout.foldsRoughness())
+        layout.attributes[AGAA_SEMANTIC_NORMAL] = {};
+    return layout;
+}
+
 // Calls visit(attribute, its first channel) of what the layout has.
 template <typename Visit>
 static void forEachAttribute(const Layout& layout, const Visit& visit) {

@@ -73,6 +73,9 @@ std::vector<const char*> layoutNames();
 // Without the attributes that the scene does not call for. keepsRoughness: the technique stores lobes that it widened.
 Layout reduceLayout(Layout layout, uint64_t factFlags, bool keepsRoughness = false);
 
+// Of aggregates of two geometry passes, without the normals that the prepass has.
+Layout twoPassLayout(Layout layout, uint64_t factFlags);
+
 // Sums of n fragments in 32-bit words. A field has bits + log2(n) bits, so that n values of full scale
 // do not carry into the next (hard case 36); a coverage mask of n bits is one more field. Numbers that are no
 // power of two, or above 32, throw AGAA_ERROR_OUT_OF_RANGE: log2(n) bits do not hold their sums.

@@ -35,7 +35,7 @@ void PlanBuilder::chooseGenerationTier(const Technique& technique) {
 
 // In memory, as two geometry passes leave them.
 uint64_t PlanBuilder::aggregateBytes() const {
-    const uint64_t words = packAggregate(plan.layout, plan.samples).words;
+    const uint64_t words = packAggregate(twoPassLayout(plan.layout, plan.facts.flags), plan.samples).words;
     return checkedMultiply(uint64_t(plan.width) * plan.height, 4 * words * plan.aggregates + claimBytes());
 }
 

@@ -42,6 +42,10 @@ class Memory(unittest.TestCase):
             return {r["name"] for r in harness.data("plan", "--scene", "metal", *arguments)["resources"]}
         self.assertIn("shadow-map-0", resources())
         self.assertNotIn("shadow-map-0", resources("--without", "shadows"))
+        def aggregates(*arguments):
+            data = harness.data("plan", "--scene", "metal", "--size", "64x64", *arguments)
+            return next(r["bytes"] for r in data["resources"] if r["name"] == "aggregates")
+        self.assertEqual(aggregates() - aggregates("--without", "shading-normals"), 2 * 8 * 64 * 64)
         by_id = ("--tier", "generation=ids")
         self.assertGreater(len(resources(*by_id, "--unfetched-every", "3")), len(resources(*by_id)))
 

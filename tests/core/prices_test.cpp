@@ -139,6 +139,7 @@ const std::map<std::string, Switch>& switches() {
         {"coloured-specular", common(AGAA_FACT_GREY_SPECULAR)},
         {"varied-specular", common(AGAA_FACT_ONE_SPECULAR)},
         {"diffuse", common(AGAA_FACT_NO_DIFFUSE)},
+        {"shading-normals", common(AGAA_FACT_PLANE_NORMALS)},
         {"translucency", common(AGAA_FACT_NO_TRANSLUCENCY)},
         {"cut-outs", common(AGAA_FACT_NO_CUTOUTS)},
         {"local-lights", common(AGAA_FACT_NO_LOCAL_LIGHTS)},

@@ -116,6 +116,33 @@ TYPED_TEST_P(FactsCases, ValuesReplaceThoseOfMaterials) {
         }
 }
 
+// Each way to keep or fetch a normal; the first two take that of the prepass, whose 16 bits round.
+constexpr FactWay normalWays[] = {{"agaa", 8, AGAA_TIER_PER_SAMPLE},
+                                  {"sbaa"},
+                                  {"ssaa"},
+                                  {"agaa", 8, AGAA_TIER_IDS},
+                                  {"dcaa", 64, AGAA_TIER_MATERIAL_LISTS}};
+
+// Normals of planes replace those of materials, and two geometry passes keep none in aggregates.
+TYPED_TEST_P(FactsCases, NormalsArePlanes) {
+    const std::vector<Triangle> differing = this->scene();
+    std::vector<Triangle> flat = differing;
+    for (Triangle& t : flat)
+        t.material.normal = glm::vec4(planeNormal(t), t.material.normal.w);
+    for (const FactWay& way : normalWays) {
+        SCOPED_TRACE(way.name());
+        const bool rounds = &way < normalWays + 2;
+        ViewSettings settings = this->settingsOf(way);
+        const Shown stored = this->shownOf(settings, flat);
+        settings.facts.flags |= AGAA_FACT_PLANE_NORMALS;
+        const Shown given = this->shownOf(settings, flat);
+        const double psnr = compare(given.rgb, stored.rgb).psnr;
+        std::printf("%s: PSNR %.1f dB to stored normals\n", way.name().c_str(), psnr);
+        EXPECT_GT(psnr, rounds ? 75 : 120);
+        EXPECT_GT(compare(this->shownOf(settings, differing).rgb, given.rgb).psnr, 100);
+    }
+}
+
 // Rectangles that each contradict some facts, in a view of one sample, where each pixel has one fragment.
 TYPED_TEST_P(FactsCases, CountsAreThoseOfFragments) {
     Material plain;
@@ -124,6 +151,7 @@ TYPED_TEST_P(FactsCases, CountsAreThoseOfFragments) {
     plain.normal.w = 0.25f;
     Material glowing = plain, gold = plain;
     glowing.emissive = {1, 0, 0, 0};
+    glowing.normal = {0, 0.6f, 0.8f, 0.25f};
     gold.specular = {0.9f, 0.6f, 0.2f, 0};
     gold.diffuse = {0, 0, 0, 1};
     gold.normal.w = 0.1f;
@@ -148,6 +176,7 @@ TYPED_TEST_P(FactsCases, CountsAreThoseOfFragments) {
     EXPECT_EQ(report.otherSpecular, row);
     EXPECT_EQ(report.withDiffuse, 2 * row);
     EXPECT_EQ(report.translucent + report.cutouts, 0u);
+    EXPECT_EQ(report.otherNormals, row);
     EXPECT_EQ(report.lightCount, 1u);
     EXPECT_EQ(report.localLights, 0u);
     EXPECT_EQ(report.hasAmbient, 1u);
@@ -228,7 +257,7 @@ TYPED_TEST_P(FactsCases, LocalLightsAreRefused) {
     });
 }
 
-REGISTER_TYPED_TEST_SUITE_P(FactsCases, ValuesReplaceThoseOfMaterials, CountsAreThoseOfFragments, SufficientFactsSuffice,
+REGISTER_TYPED_TEST_SUITE_P(FactsCases, ValuesReplaceThoseOfMaterials, NormalsArePlanes, CountsAreThoseOfFragments, SufficientFactsSuffice,
                             DebugViewShowsContradictions, LocalLightsAreRefused);
 
 } // namespace agaa::test

@@ -23,9 +23,11 @@ void leaveOut(const std::string& effect, AgaaSceneFacts& facts) {
         facts.flags &= ~AGAA_FACT_AMBIENT;
     else if (effect == "shadows")
         facts.shadowMapCount = 0;
+    else if (effect == "shading-normals")
+        facts.flags |= AGAA_FACT_PLANE_NORMALS;
     else
         throw BadArgument("--without names \"" + effect +
-                          "\"; it can be specular, emissive, ambient or shadows.");
+                          "\"; it can be specular, emissive, ambient, shadows or shading-normals.");
 }
 
 void changeFacts(const RenderArguments& arguments, AgaaSceneFacts& facts) {
@@ -123,7 +125,7 @@ json countersJson(const AgaaCounters& c) {
 json factsJson(const AgaaFactReport& r) {
     return {{"inspected", r.inspected},         {"withSpecular", r.withSpecular},       {"withEmission", r.withEmission},
             {"alphaMasked", r.alphaMasked},     {"otherRoughness", r.otherRoughness},   {"coloredSpecular", r.coloredSpecular},
-            {"otherSpecular", r.otherSpecular}, {"withDiffuse", r.withDiffuse},         {"translucent", r.translucent},
+            {"otherSpecular", r.otherSpecular}, {"otherNormals", r.otherNormals}, {"withDiffuse", r.withDiffuse},         {"translucent", r.translucent},
             {"cutouts", r.cutouts},             {"lightCount", r.lightCount},           {"localLights", r.localLights},
             {"shadowCount", r.shadowCount},     {"hasAmbient", r.hasAmbient != 0},      {"contradicted", r.contradicted},
             {"sufficient", r.sufficient},       {"explanation", r.explanation}};

@@ -4,6 +4,7 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace harness {
 
@@ -30,6 +31,23 @@ float alpha2Of(float roughness) {
     return std::min(alpha * alpha, 1.0f);
 }
 
+// Whether the normals of a mesh's vertices are those of its triangles, as far as the SDK tells them apart.
+bool isFlat(const Scene& scene, const Mesh& mesh) {
+    constexpr float least = 0.9998f;
+    for (uint32_t i = 0; i + 2 < mesh.indexCount; i += 3) {
+        const auto vertex = [&](uint32_t corner) -> const Vertex& {
+            return scene.vertices[mesh.firstVertex + scene.indices[mesh.firstIndex + i + corner]];
+        };
+        const glm::dvec3 a(vertex(0).position);
+        const glm::dvec3 n = glm::cross(glm::dvec3(vertex(1).position) - a, glm::dvec3(vertex(2).position) - a);
+        const double size = glm::length(n);
+        for (uint32_t corner = 0; corner < 3 && size > 0; ++corner)
+            if (std::abs(glm::dot(n, glm::dvec3(vertex(corner).normal))) < least * size * glm::length(vertex(corner).normal))
+                return false;
+    }
+    return true;
+}
+
 uint64_t commonValues(const Scene& scene, const std::vector<UsedMaterial>& used, AgaaSceneFacts& facts) {
     const auto all = [&](const auto& has) { return !used.empty() && std::ranges::all_of(used, has); };
     const auto isGrey = [](const Material& m) {
@@ -51,6 +69,9 @@ uint64_t commonValues(const Scene& scene, const std::vector<UsedMaterial>& used,
         flags |= AGAA_FACT_ONE_ROUGHNESS;
         facts.alpha2 = alpha2Of(used[0].material.roughness);
     }
+    if (all([](const UsedMaterial& u) { return u.material.normalTexture < 0; }) &&
+        std::ranges::all_of(scene.meshes, [&](const Mesh& mesh) { return isFlat(scene, mesh); }))
+        flags |= AGAA_FACT_PLANE_NORMALS;
     if (all([](const UsedMaterial& u) { return !u.isMasked || u.material.alphaMode == AlphaMode::Mask; }))
         flags |= AGAA_FACT_NO_TRANSLUCENCY;
     else if (all([](const UsedMaterial& u) { return !u.isMasked || u.material.alphaMode == AlphaMode::Blend; }))

@@ -84,8 +84,8 @@ void build(PlanBuilder& b) {
     if ((byIds || fromGBuffer) && !(b.plan.config.flags & AGAA_CONFIG_BUFFERED))
         return byIds ? shadeFromIds(b) : shadeFromGBuffer(b);
     Aggregation sums;
-    sums.layout = b.plan.layout;
-    sums.packing = packAggregate(b.plan.layout, b.plan.samples);
+    sums.layout = byIds || fromGBuffer ? b.plan.layout : twoPassLayout(b.plan.layout, b.plan.facts.flags);
+    sums.packing = packAggregate(sums.layout, b.plan.samples);
     sums.stride = sums.packing.words;
     sums.define = [&](const auto& bindSamples, ResourceId) { return defineAggregates(b, bindSamples); };
     byIds ? buildFromIds(b, sums) : fromGBuffer ? buildFromGBuffer(b, sums) : buildTwoPasses(b, sums);

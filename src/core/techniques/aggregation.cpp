@@ -109,7 +109,7 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     setRecord(draw, a);
 }
 
-// bindDepth: the samples' depth and, where counted, what tells those that show geometry.
+// bindDepth: the samples' depth, and what tells those that show geometry.
 void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates,
                      const std::function<void(Pass&)>& bindDepth) {
     b.cullLights(bindDepth);
@@ -140,10 +140,11 @@ void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
         b.fill("clear aggregates", AGAA_STAGE_GENERATION, aggregates, AGAA_SEGMENT_GENERATION);
     drawAggregates(b, a, prepass, metadata, aggregates);
     shadeAggregates(b, a, aggregates, [&](Pass& pass) {
+        const bool hasNormals = a.layout.has(AGAA_SEMANTIC_NORMAL);
         b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
-        if (b.counts())
-            b.bind(pass, slot::Surface0, BindingType::Texture, prepass.normals);
+        b.bind(pass, slot::Surface0, BindingType::Texture, b.counts() || !hasNormals ? prepass.normals : prepass.depth);
         pass.constants[AGAA_COVERAGE_COMPONENT] = 0;
+        pass.constants[AGAA_PREPASS_NORMALS] = !hasNormals;
     });
 }
 
@@ -203,8 +204,7 @@ void buildFromIds(PlanBuilder& b, const Aggregation& a) {
     setRecord(gather, a);
     shadeAggregates(b, a, aggregates, [&](Pass& pass) {
         b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth);
-        if (b.counts())
-            b.bind(pass, slot::Surface0, BindingType::Texture, ids.prepass.normals);
+        b.bind(pass, slot::Surface0, BindingType::Texture, b.counts() ? ids.prepass.normals : ids.prepass.depth);
         pass.constants[AGAA_COVERAGE_COMPONENT] = anyComponent;
     });
 }

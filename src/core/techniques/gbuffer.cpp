@@ -65,8 +65,7 @@ void GBuffer::bindDepth(PlanBuilder& b, Pass& pass) const {
         return b.bindHostGBuffer(pass);
     b.bind(pass, slot::Depth, BindingType::Texture, depth);
     const Field& normal = packing.fields[ChannelNormalX];
-    if (b.counts())
-        b.bind(pass, slot::Surface0, BindingType::Texture, attachments[normal.word]);
+    b.bind(pass, slot::Surface0, BindingType::Texture, b.counts() ? attachments[normal.word] : depth);
     pass.constants[AGAA_COVERAGE_COMPONENT] = normal.shift;
 }
 

@@ -31,7 +31,10 @@ void build(PlanBuilder& b) {
     if (b.plan.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
         return buildNative(b);
     Aggregation surfaces;
+    const bool fromGBuffer = b.plan.generationTier == AGAA_TIER_GBUFFER;
     surfaces.layout = surfaceLayout(b.plan.layout);
+    if (!fromGBuffer)
+        surfaces.layout = twoPassLayout(surfaces.layout, b.plan.facts.flags);
     surfaces.packing = packAggregate(surfaces.layout, 1);
     const uint32_t ownWords = b.plan.samples > 16 ? 2 : 1; // of src/shaders/math/records.glsl
     surfaces.stride = surfaces.packing.words + ownWords;
@@ -46,8 +49,7 @@ void build(PlanBuilder& b) {
         setRecord(select, surfaces);
         return noResource;
     };
-    b.plan.generationTier == AGAA_TIER_GBUFFER ? buildFromGBuffer(b, surfaces)
-                                               : buildTwoPasses(b, surfaces);
+    fromGBuffer ? buildFromGBuffer(b, surfaces) : buildTwoPasses(b, surfaces);
 }
 
 } // namespace

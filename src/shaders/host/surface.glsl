@@ -2,7 +2,8 @@
 // host's axes, origin at the eye), colours linear, alpha2 is GGX alpha squared.
 struct AgaaSurfaceInput {
     vec3 position;        // of the fragment
-    vec3 geometricNormal; // of the primitive's plane; either side
+    vec3 geometricNormal; // of the primitive's plane; either side. Read in the visibility pass, and in all passes with
+                          // AGAA_FACT_PLANE_NORMALS or AGAA_CONFIG_CHECK_FACTS
     float alpha;          // used where AGAA_ALPHA_MASKED is 1. Must be equal in every pass: declare it
                           // precise and take it at AGAA_AT_CENTRE, because AGAA_INSIDE depends on which
                           // samples survive. A value that is not finite counts as 0, and so does a cutoff
@@ -174,10 +175,24 @@ uint agaa_demandsOfMask(AgaaSurfaceInput s) {
 #endif
 }
 
+// Of the primitive's plane, on the side of the eye.
+vec3 agaa_facingNormal(AgaaSurfaceInput s) {
+    uint ignored = 0u;
+    vec3 n = agaa_sanitiseNormal(s.geometricNormal, ignored);
+    vec3 towards = agaa_frame.projection1.z != 0.0 ? transpose(mat3(agaa_frame.view))[2] : -s.position;
+    return dot(n, towards) < 0.0 ? -n : n;
+}
+
 // What the facts of the scene fix.
 void agaa_applyFacts(inout AgaaSurfaceInput s) {
 #if AGAA_CHECK_FACTS
-    agaa_demands = agaa_demandsOf(s.diffuse, s.specular, s.emissive, s.alpha2) | agaa_demandsOfMask(s);
+    agaa_demands = agaa_demandsOf(s.diffuse, s.specular, s.emissive, s.alpha2) | agaa_demandsOfMask(s) |
+                   agaa_demandOfNormal(s.normal, agaa_facingNormal(s));
+#endif
+    s.normal = agaa_factNormal(s.normal, agaa_facingNormal(s));
+#if AGAA_HAS_CORNERS
+    if (agaa_hasFact(agaa_factPlaneNormals))
+        s.normalDx = s.normalDy = vec3(0.0);
 #endif
 #if AGAA_SHOWS_FACTS
     s.diffuse = vec3(agaa_unmetDemands(agaa_demands) != 0u ? 1.0 : 0.0);

@@ -50,7 +50,9 @@ AgaaMaterial agaa_fetchMaterialThere(AgaaPrimitive p) {
     AgaaMaterial m = agaa_defaultMaterial();
     agaaHostMaterial(p, m);
     agaa_count(AGAA_COUNT_MATERIALS, 1u);
-    agaa_count(AGAA_COUNT_SANITISED, agaa_sanitiseMaterial(m));
+    agaa_count(AGAA_COUNT_SANITISED, agaa_sanitiseValues(m));
+    const bool asksPlane = agaa_hasFact(agaa_factPlaneNormals) || AGAA_CHECK_FACTS != 0u;
+    agaa_applyFacts(m, asksPlane ? agaa_toShadingSpace(agaa_planeNormal(p)) : m.normal);
     agaa_countFacts();
     return m;
 }

@@ -19,17 +19,21 @@ AgaaMaterial agaa_defaultMaterial() {
 
 uint agaa_demands = 0u; // of the material at hand, by agaa_applyFacts()
 
-// What the facts of the scene fix.
-void agaa_applyFacts(inout AgaaMaterial m) {
+// What the facts of the scene fix. planeNormal: of the primitive, on the side of the eye, or that of the material where nothing
+// is known of it.
+void agaa_applyFacts(inout AgaaMaterial m, vec3 planeNormal) {
     if (AGAA_CHECK_FACTS != 0u)
-        agaa_demands = agaa_demandsOf(m.diffuse, m.specular, m.emissive, m.alpha2);
+        agaa_demands = agaa_demandsOf(m.diffuse, m.specular, m.emissive, m.alpha2) | agaa_demandOfNormal(m.normal, planeNormal);
+    m.normal = agaa_factNormal(m.normal, planeNormal);
+    if (agaa_hasFact(agaa_factPlaneNormals))
+        m.normalDx = m.normalDy = vec3(0.0);
     m.diffuse = AGAA_DEBUG_VIEW == 8u ? vec3(agaa_unmetDemands(agaa_demands) != 0u ? 1.0 : 0.0) : agaa_factDiffuse(m.diffuse);
     m.specular = agaa_factSpecular3(m.specular);
     m.alpha2 = agaa_factAlpha2(m.alpha2);
 }
 
 // What is not finite becomes the least of its range (hard case 37). Returns 1 where something was not.
-uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
+uint agaa_sanitiseValues(inout AgaaMaterial m) {
     uint bad = 0u;
     m.diffuse = agaa_sanitise3(m.diffuse, 0.0, 1.0, bad);
     m.specular = agaa_sanitise3(m.specular, 0.0, 1.0, bad);
@@ -37,9 +41,7 @@ uint agaa_sanitiseMaterial(inout AgaaMaterial m) {
     m.normal = agaa_sanitiseNormal(m.normal, bad);
     m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
     AGAA_SANITISE_CUSTOM(m, bad)
-    bad |= agaa_sanitiseNormalChange(m.normalDx, m.normalDy);
-    agaa_applyFacts(m);
-    return bad;
+    return bad | agaa_sanitiseNormalChange(m.normalDx, m.normalDy);
 }
 
 // Of the material that was sanitised last.
@@ -63,7 +65,8 @@ bool agaa_readHost(uvec2 pixel, uint i, out float depth, out AgaaMaterial materi
     material = agaa_defaultMaterial();
     if (!agaaHostSample(pixel, i, depth, material))
         return false;
-    uint bad = agaa_sanitiseMaterial(material);
+    uint bad = agaa_sanitiseValues(material);
+    agaa_applyFacts(material, material.normal);
     depth = agaa_sanitise(depth, 0.0, 1.0, bad);
     agaa_countFacts();
     return true;

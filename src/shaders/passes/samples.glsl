@@ -17,7 +17,7 @@
 #include "passes/gbuffer.glsl"
 #endif
 #if !defined(AGAA_HOST_FETCH) && !AGAA_FROM_GBUFFER
-layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
+#include "passes/prepass_normals.glsl"
 #endif
 
 #ifndef AGAA_HOST_FETCH
@@ -31,7 +31,7 @@ bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
     uvec2 c = uvec2(agaa_normalCode() * 65535.0 + 0.5);
     code = (c.x << 16 | c.y) * 2654435761u >> 16;
 #else
-    uvec2 c = uvec2(AGAA_FETCH(agaa_normals, pixel, i).xy * 255.0 + 0.5);
+    uvec2 c = agaa_prepassCode(pixel, i);
     if (c.x + c.y == 0u)
         return false;
     normal = agaa_decodeHemiOct8(c);
@@ -54,14 +54,7 @@ mat3 agaa_normalFrame(uvec2 pixel) {
 #if AGAA_FROM_GBUFFER
     return mat3(agaa_frame.view);
 #else
-    vec2 centre = (vec2(pixel) + 0.5) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
-    vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projection0.x, agaa_frame.projection0.y,
-                                 agaa_frame.projection0.z, agaa_frame.projection0.w,
-                                 agaa_isOrthographic());
-    vec3 v = agaa_isOrthographic() != 0u ? vec3(0.0, 0.0, 1.0) : normalize(-ray);
-    vec3 t, b;
-    agaa_viewBasis(v, t, b);
-    return mat3(t, b, v);
+    return agaa_prepassFrame(pixel);
 #endif
 }
 

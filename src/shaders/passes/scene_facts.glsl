@@ -20,6 +20,11 @@ uint agaa_demandsOf(vec3 diffuse, vec3 specular, vec3 emissive, float alpha2) {
     return demands;
 }
 
+uint agaa_demandOfNormal(vec3 normal, vec3 planeNormal) {
+    const float least = 0.9998; // more than codes of 8 bits round by
+    return dot(normal, planeNormal) < least ? agaa_factPlaneNormals : 0u;
+}
+
 // The demands that the facts of the view do not meet.
 uint agaa_unmetDemands(uint demands) {
     const uint wanted = agaa_factSpecular | agaa_factEmissive | agaa_factAlphaMasked;
@@ -44,6 +49,8 @@ vec3 agaa_storedSpecular(vec3 specular) {
     return agaa_hasFact(agaa_factGreySpecular) && !agaa_hasFact(agaa_factOneSpecular) ? specular.xxx
                                                                                       : agaa_factSpecular3(specular);
 }
+
+vec3 agaa_factNormal(vec3 normal, vec3 planeNormal) { return agaa_hasFact(agaa_factPlaneNormals) ? planeNormal : normal; }
 
 float agaa_factAlpha2(float alpha2) {
     return agaa_hasFact(agaa_factOneRoughness) ? uintBitsToFloat(AGAA_ONE_ALPHA2) : alpha2;

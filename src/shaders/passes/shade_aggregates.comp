@@ -16,12 +16,14 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "passes/tile.glsl"
 
+#ifndef AGAA_HOST_GBUFFER
+#include "passes/prepass_normals.glsl"
+#endif
+
 #if AGAA_COUNTING
 #ifdef AGAA_HOST_GBUFFER
 bool agaa_isVisible(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
 #else
-layout(AGAA_AT_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
-
 bool agaa_isVisible(uvec2 pixel, uint i) {
     vec4 texel = AGAA_FETCH(agaa_normals, pixel, i);
     // Of an id, which is not 0, any byte may be.
@@ -71,18 +73,32 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     return work;
 }
 
+// normals: samples whose mean it is.
+agaa_Means agaa_meansOfAggregate(uvec2 pixel, uint normals) {
+    agaa_Means means = agaa_meansOfStored(agaa_storedMeans());
+#ifndef AGAA_HOST_GBUFFER
+    if (AGAA_PREPASS_NORMALS != 0u) {
+        means.normal = agaa_meanPrepassNormal(pixel, normals);
+        means.lengthBound = 1e-6; // they are unit
+    }
+#endif
+    return means;
+}
+
 vec3 agaa_shadeEvent(uint lane, uint a) {
     uvec2 pixel = agaa_pixelOf(lane);
     agaa_selectAggregate(pixel, a);
     uint mask = agaa_coverage();
+    uint normals = mask;
     agaa_count_ = uint(bitCount(mask));
     vec3 position = agaa_placeAggregate(pixel, mask);
 #if AGAA_REPRESENTED
     uint shaded = agaa_recordShaded(agaa_record(), AGAA_SAMPLES);
+    normals = 1u << shaded;
     position = agaa_toShadingSpace(
         agaa_sampleViewPosition(pixel, shaded, agaa_depthOf(pixel, shaded)));
 #endif
-    return agaa_shadeMeans(pixel, position, a, mask, agaa_meansOfStored(agaa_storedMeans()), AGAA_FOLDED_ROUGHNESS != 0u);
+    return agaa_shadeMeans(pixel, position, a, mask, agaa_meansOfAggregate(pixel, normals), AGAA_FOLDED_ROUGHNESS != 0u);
 }
 
 void main() {

@@ -19,7 +19,7 @@ void addFactsAndView(Suite& suite) {
                      [](ViewParts& p, uint64_t flags) { p.facts.flags = flags; },
                      AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH | AGAA_FACT_ONE_ROUGHNESS | AGAA_FACT_GREY_SPECULAR |
                          AGAA_FACT_ONE_SPECULAR | AGAA_FACT_NO_DIFFUSE | AGAA_FACT_NO_LOCAL_LIGHTS |
-                         AGAA_FACT_NO_TRANSLUCENCY | AGAA_FACT_NO_CUTOUTS,
+                         AGAA_FACT_NO_TRANSLUCENCY | AGAA_FACT_NO_CUTOUTS | AGAA_FACT_PLANE_NORMALS,
                      nullptr});
     addMember(suite, {"AgaaSceneFacts.alpha2/range", "AgaaSceneFacts::alpha2",
                       [](ViewParts& p, double x) { p.facts.alpha2 = float(x); }, {5e-6, 0.25, below(1), 1},

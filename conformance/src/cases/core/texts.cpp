@@ -168,6 +168,13 @@ void testAggregatesUnsupported(Test& test) {
         test.check(hasSurface == row.isKept,
                    callWith("agaaQueryMemory", row.what) + (row.isKept ? " lists no" : " lists a") + " surface \"aggregates\".");
     }
+    ViewParts flat(test.sdk, nullptr);
+    flat.config.technique = "agaa";
+    flat.facts.flags |= AGAA_FACT_PLANE_NORMALS;
+    LogRecorder log;
+    const AgaaResult result = aggregateGlslQuery.call(test.sdk, &flat.desc, nullptr, log.get());
+    expectRefused(test, result, AGAA_ERROR_UNSUPPORTED, log, "agaaGetAggregateGlsl",
+                  callWith("agaaGetAggregateGlsl", "AGAA_FACT_PLANE_NORMALS"));
 }
 
 using Step = void (*)(Test&, const TextCall&);
