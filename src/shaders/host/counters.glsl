@@ -1,9 +1,11 @@
 // Counts of a host's fragments, added to the frame's 64-bit counts.
-#define AGAA_COUNTER(index, name, member) const uint name = index;
-#define AGAA_COUNTER_MAX(index, name, member) const uint name = index;
+#define AGAA_COUNTER(index, name, member)
+#define AGAA_COUNTER_DRAWN(index, name, member) const uint name = index;
+#define AGAA_COUNTER_MAX(index, name, member)
 #define AGAA_COUNTER_FACT(index, name, member, fact) const uint name = index;
 #include "passes/counters.inc"
 #undef AGAA_COUNTER
+#undef AGAA_COUNTER_DRAWN
 #undef AGAA_COUNTER_MAX
 #undef AGAA_COUNTER_FACT
 
