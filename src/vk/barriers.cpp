@@ -3,72 +3,9 @@
 #include "vk/formats.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace agaa::vk {
-
-BarrierTracker::BarrierTracker(const Context& context, const Plan& plan,
-                               const ViewResources& resources)
-    : context_(context), plan_(plan), resources_(resources), states_(plan.resources.size()) {}
-
-void BarrierTracker::beginFrame() {
-    for (State& state : states_)
-        state = {};
-    // Of a frame that was given up while it was recorded.
-    images_.clear();
-    memory_.clear();
-    source_ = destination_ = 0;
-}
-
-void BarrierTracker::use(ResourceId id, const VkAccess& access) {
-    const Resource& resource = plan_.resources[id];
-    if (resource.isHosts() || resource.kind == ResourceKind::UploadBuffer)
-        return;
-    State& state = states_[id];
-    const bool isImage = resource.kind == ResourceKind::Image;
-    const bool relayout = isImage && state.last.layout != access.layout;
-    // A write that a stage already sees is seen by that stage's later reads of the same kind, too.
-    const bool seen = std::any_of(state.seenBy.begin(), state.seenBy.end(), [&](const VkAccess& other) {
-        return !(access.stages & ~other.stages) && !(access.reads & ~other.reads);
-    });
-    if (state.used && !state.written && !access.writes && !relayout && seen)
-        return;
-    // The first use follows whatever used this memory before, in this frame or the one before it.
-    const VkPipelineStageFlags source =
-        state.used ? state.last.stages | state.writeStages
-                   : VkPipelineStageFlags(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT);
-    const VkAccessFlags sourceAccess =
-        state.used ? state.writes : VkAccessFlags(VK_ACCESS_MEMORY_WRITE_BIT);
-    source_ |= source;
-    destination_ |= access.stages;
-    if (isImage) {
-        VkImageMemoryBarrier barrier{};
-        barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
-        barrier.srcAccessMask = sourceAccess;
-        barrier.dstAccessMask = access.reads | access.writes;
-        barrier.oldLayout = state.last.layout;
-        barrier.newLayout = access.layout;
-        barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-        barrier.image = resources_[id].image;
-        barrier.subresourceRange = {aspects(resource.format), 0, 1, 0, resource.layers};
-        images_.push_back(barrier);
-    }
-    // The image's barrier is of its own texels, not of another surface that had their memory.
-    if (!isImage || (!state.used && plan_.aliases))
-        memory_.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, sourceAccess, access.reads | access.writes});
-    const bool readAfterRead = state.used && !state.written && !access.writes && !relayout;
-    const VkAccess before = readAfterRead ? state.last : VkAccess{};
-    state.used = true;
-    state.written = access.writes != 0;
-    state.last = access;
-    state.last.stages |= before.stages;
-    if (access.writes || relayout)
-        state.seenBy.clear();
-    state.seenBy.push_back(access);
-    if (access.writes || relayout) { // a layout transition writes, too
-        state.writeStages = access.stages;
-        state.writes = access.writes;
-    }
-}
 
 VkAccess vkAccess(const Plan& plan, const Access& access) {
     const VkPipelineStageFlags shader = access.isDraw ? VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT
@@ -110,7 +47,87 @@ VkAccess vkAccess(const Plan& plan, const Access& access) {
     return {VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT, VK_ACCESS_INDIRECT_COMMAND_READ_BIT, 0, VK_IMAGE_LAYOUT_UNDEFINED};
 }
 
-void BarrierTracker::usePass(const Pass& pass) {
+namespace {
+
+// Follows the resources through a frame.
+class Tracker {
+public:
+    Tracker(const Plan& plan, const ViewResources& resources)
+        : plan_(plan), resources_(resources), states_(plan.resources.size()) {}
+
+    // Collects what a use needs.
+    void use(ResourceId id, const VkAccess& access);
+    void usePass(const Pass& pass);
+    void useOutput(const Step& step);
+    StepBarriers take() { return std::exchange(next_, {}); }
+
+private:
+    struct State {
+        bool used = false;
+        VkAccess last; // the last write, or all reads since
+        bool written = false;
+        VkPipelineStageFlags writeStages = 0; // of the last write, which later reads elsewhere
+        VkAccessFlags writes = 0;             // must still see
+        std::vector<VkAccess> seenBy;         // reads that wait for the last write
+    };
+    const Plan& plan_;
+    const ViewResources& resources_;
+    std::vector<State> states_;
+    StepBarriers next_;
+};
+
+void Tracker::use(ResourceId id, const VkAccess& access) {
+    const Resource& resource = plan_.resources[id];
+    if (resource.isHosts() || resource.kind == ResourceKind::UploadBuffer)
+        return;
+    State& state = states_[id];
+    const bool isImage = resource.kind == ResourceKind::Image;
+    const bool relayout = isImage && state.last.layout != access.layout;
+    // A write that a stage already sees is seen by that stage's later reads of the same kind, too.
+    const bool seen = std::any_of(state.seenBy.begin(), state.seenBy.end(), [&](const VkAccess& other) {
+        return !(access.stages & ~other.stages) && !(access.reads & ~other.reads);
+    });
+    if (state.used && !state.written && !access.writes && !relayout && seen)
+        return;
+    // The first use follows whatever used this memory before, in this frame or the one before it.
+    const VkPipelineStageFlags source =
+        state.used ? state.last.stages | state.writeStages
+                   : VkPipelineStageFlags(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT);
+    const VkAccessFlags sourceAccess =
+        state.used ? state.writes : VkAccessFlags(VK_ACCESS_MEMORY_WRITE_BIT);
+    next_.source |= source;
+    next_.destination |= access.stages;
+    if (isImage) {
+        VkImageMemoryBarrier barrier{};
+        barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
+        barrier.srcAccessMask = sourceAccess;
+        barrier.dstAccessMask = access.reads | access.writes;
+        barrier.oldLayout = state.last.layout;
+        barrier.newLayout = access.layout;
+        barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+        barrier.image = resources_[id].image;
+        barrier.subresourceRange = {aspects(resource.format), 0, 1, 0, resource.layers};
+        next_.images.push_back(barrier);
+    }
+    // The image's barrier is of its own texels, not of another surface that had their memory.
+    if (!isImage || (!state.used && plan_.aliases))
+        next_.memory.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, sourceAccess, access.reads | access.writes});
+    const bool readAfterRead = state.used && !state.written && !access.writes && !relayout;
+    const VkAccess before = readAfterRead ? state.last : VkAccess{};
+    state.used = true;
+    state.written = access.writes != 0;
+    state.last = access;
+    state.last.stages |= before.stages;
+    if (access.writes || relayout)
+        state.seenBy.clear();
+    state.seenBy.push_back(access);
+    if (access.writes || relayout) { // a layout transition writes, too
+        state.writeStages = access.stages;
+        state.writes = access.writes;
+    }
+}
+
+void Tracker::usePass(const Pass& pass) {
     // Writes last: they are what later passes wait for.
     const std::vector<Access> accesses = accessesOf(pass);
     for (const bool writes : {false, true})
@@ -119,34 +136,71 @@ void BarrierTracker::usePass(const Pass& pass) {
                 use(access.resource, vkAccess(plan_, access));
 }
 
-void BarrierTracker::useOutput(VkImage image, VkImageLayout from, VkImageLayout to, bool acquire) {
+VkImageMemoryBarrier outputBarrier() {
     VkImageMemoryBarrier barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
-    barrier.oldLayout = from;
-    barrier.newLayout = to;
+    barrier.oldLayout = barrier.newLayout = VK_IMAGE_LAYOUT_GENERAL;
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.image = image;
     barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    constexpr VkAccessFlags shader = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
-    constexpr VkAccessFlags any = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
-    barrier.srcAccessMask = acquire ? VkAccessFlags(VK_ACCESS_MEMORY_WRITE_BIT)
-                                    : VkAccessFlags(VK_ACCESS_SHADER_WRITE_BIT);
-    barrier.dstAccessMask = acquire ? shader : any;
-    source_ |= acquire ? VK_PIPELINE_STAGE_ALL_COMMANDS_BIT : VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
-    destination_ |=
-        acquire ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;
-    images_.push_back(barrier);
+    return barrier;
 }
 
-void BarrierTracker::record(VkCommandBuffer commands) {
-    if (images_.empty() && memory_.empty())
+// Each use follows the host's or that of an earlier step.
+void Tracker::useOutput(const Step& step) {
+    for (const Binding& binding : plan_.passes[step.pass].bindings) {
+        const Resource& resource = plan_.resources[binding.resource];
+        if (resource.kind != ResourceKind::Output)
+            continue;
+        VkImageMemoryBarrier barrier = outputBarrier();
+        barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
+        barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
+        next_.source |= VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;
+        next_.destination |= VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
+        next_.images.push_back(barrier);
+        next_.usesOutput = true;
+        next_.beginsOutput = step.pass == resource.firstPass && step.isFirst;
+        next_.endsOutput = step.pass == resource.lastPass && step.isLast;
         return;
-    context_.vk.CmdPipelineBarrier(commands, source_, destination_, 0, uint32_t(memory_.size()),
-                                   memory_.data(), 0, nullptr, uint32_t(images_.size()),
-                                   images_.data());
-    images_.clear();
-    memory_.clear();
-    source_ = destination_ = 0;
+    }
+}
+
+} // namespace
+
+std::vector<StepBarriers> stepBarriers(const Plan& plan, const std::vector<Step>& steps, const ViewResources& resources,
+                                       bool readsConditions) {
+    Tracker tracker(plan, resources);
+    std::vector<StepBarriers> list;
+    list.reserve(steps.size());
+    for (const Step& step : steps) {
+        tracker.usePass(plan.passes[step.pass]);
+        // After the pass's own use, so that what is recorded next waits for the read of the condition, too.
+        if (readsConditions && step.goesOn != noResource)
+            tracker.use(step.goesOn, vkAccess(plan, {step.goesOn, Use::Condition, false}));
+        tracker.useOutput(step);
+        list.push_back(tracker.take());
+    }
+    return list;
+}
+
+void recordBarriers(const DeviceTable& vk, VkCommandBuffer commands, StepBarriers& barriers, const AgaaVkFrame& frame) {
+    if (barriers.images.empty() && barriers.memory.empty())
+        return;
+    if (barriers.usesOutput)
+        barriers.images.back().image = (VkImage)frame.outputImage;
+    if (barriers.beginsOutput)
+        barriers.images.back().oldLayout = VkImageLayout(frame.outputLayoutIn);
+    vk.CmdPipelineBarrier(commands, barriers.source, barriers.destination, 0, uint32_t(barriers.memory.size()),
+                          barriers.memory.data(), 0, nullptr, uint32_t(barriers.images.size()), barriers.images.data());
+}
+
+void releaseOutput(const DeviceTable& vk, VkCommandBuffer commands, const AgaaVkFrame& frame) {
+    VkImageMemoryBarrier barrier = outputBarrier();
+    barrier.image = (VkImage)frame.outputImage;
+    barrier.newLayout = VkImageLayout(frame.outputLayoutOut);
+    barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
+    vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
+                          nullptr, 0, nullptr, 1, &barrier);
 }
 
 } // namespace agaa::vk

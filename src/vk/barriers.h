@@ -1,8 +1,8 @@
-// Barriers between passes, derived from what each pass does with each resource.
+// Barriers between passes, derived from what each pass does with each resource. Every frame has the same but for the host's
+// output: they are derived once.
 #pragma once
 
 #include "core/access.h"
-#include "vk/context.h"
 #include "vk/resources.h"
 
 #include <vector>
@@ -19,37 +19,25 @@ struct VkAccess {
 
 VkAccess vkAccess(const Plan& plan, const Access& access);
 
-class BarrierTracker {
-public:
-    BarrierTracker(const Context& context, const Plan& plan, const ViewResources& resources);
-
-    // Forgets the frame before: every resource's contents are undefined and its memory may have held
-    // another resource.
-    void beginFrame();
-    // Collects what a pass needs; record() emits it as one barrier.
-    void use(ResourceId id, const VkAccess& access);
-    void usePass(const Pass& pass);
-    // The host's output around the shading segment.
-    void useOutput(VkImage image, VkImageLayout from, VkImageLayout to, bool acquire);
-    void record(VkCommandBuffer commands);
-
-private:
-    struct State {
-        bool used = false;
-        VkAccess last; // the last write, or all reads since
-        bool written = false;
-        VkPipelineStageFlags writeStages = 0; // of the last write, which later reads elsewhere
-        VkAccessFlags writes = 0;             // must still see
-        std::vector<VkAccess> seenBy;         // reads that wait for the last write
-    };
-    const Context& context_;
-    const Plan& plan_;
-    const ViewResources& resources_;
-    std::vector<State> states_;
-    std::vector<VkImageMemoryBarrier> images_;
-    std::vector<VkMemoryBarrier> memory_;
-    VkPipelineStageFlags source_ = 0;
-    VkPipelineStageFlags destination_ = 0;
+// Before a step of a frame.
+struct StepBarriers {
+    VkPipelineStageFlags source = 0;
+    VkPipelineStageFlags destination = 0;
+    std::vector<VkMemoryBarrier> memory;
+    std::vector<VkImageMemoryBarrier> images;
+    bool usesOutput = false;   // the host's, of the last image
+    bool beginsOutput = false; // in the layout that the host left it in
+    bool endsOutput = false;   // no later step uses it
 };
+
+// In the order of the steps, which may be recorded in several calls. The first use of a resource in a frame waits for all that
+// was recorded before, and an image's contents are lost. readsConditions: the device reads Step::goesOn.
+std::vector<StepBarriers> stepBarriers(const Plan& plan, const std::vector<Step>& steps, const ViewResources& resources,
+                                       bool readsConditions);
+
+// All of a step as one command, with the output of this frame.
+void recordBarriers(const DeviceTable& vk, VkCommandBuffer commands, StepBarriers& barriers, const AgaaVkFrame& frame);
+// Leaves the output to the host.
+void releaseOutput(const DeviceTable& vk, VkCommandBuffer commands, const AgaaVkFrame& frame);
 
 } // namespace agaa::vk

@@ -224,12 +224,15 @@ VkBuffer View::bufferOf(ResourceId id, uint32_t slot) const {
     return (*resources)[id].buffers[plan.resources[id].copies > 1 ? slot : 0];
 }
 
-// What outlives a frame begins with 0.
+// What outlives a frame begins with 0. It follows whatever used this memory before; the first use in each frame waits for all
+// that was recorded before.
 void View::clearLasting(VkCommandBuffer commands) {
+    const VkMemoryBarrier before{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_MEMORY_WRITE_BIT,
+                                 VK_ACCESS_TRANSFER_WRITE_BIT};
     for (ResourceId id = 0; id < plan.resources.size(); ++id)
         if (plan.resources[id].outlivesFrame) {
-            barriers->use(id, vkAccess(plan, {id, Use::CopyTo, false}));
-            barriers->record(commands);
+            context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0,
+                                          1, &before, 0, nullptr, 0, nullptr);
             context.vk.CmdFillBuffer(commands, bufferOf(id, 0), 0, VK_WHOLE_SIZE, 0);
         }
 }
@@ -255,8 +258,9 @@ void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer comma
                                   nullptr);
 }
 
-void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, const Step& step,
+void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, size_t number,
                       size_t secondary, uint32_t slot, VkCommandBuffer commands) {
+    const Step& step = steps[number];
     const size_t index = step.pass;
     const Pass& pass = plan.passes[index];
     const DeviceTable& vk = context.vk;
@@ -266,21 +270,8 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
                                          text.c_str(), {}};
         vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
     }
-    barriers->usePass(pass);
-    // After the pass's own use, so that what is recorded next waits for the read of the condition, too.
-    if (isConditional(step))
-        barriers->use(step.goesOn, vkAccess(plan, {step.goesOn, Use::Condition, false}));
-    const Resource* output = nullptr; // where the pass uses it
-    for (const Binding& binding : pass.bindings)
-        if (plan.resources[binding.resource].kind == ResourceKind::Output)
-            output = &plan.resources[binding.resource];
-    const auto image = (VkImage)vkFrame.outputImage;
-    if (output)
-        barriers->useOutput(image,
-                            index == output->firstPass && step.isFirst ? VkImageLayout(vkFrame.outputLayoutIn)
-                                                       : VK_IMAGE_LAYOUT_GENERAL,
-                            VK_IMAGE_LAYOUT_GENERAL, true);
-    barriers->record(commands);
+    StepBarriers& before = barriers[number];
+    recordBarriers(vk, commands, before, vkFrame);
     const uint32_t query = uint32_t(2 * (slot * passes.size() + index));
     // Of a pass that repeats, from its first beginning to its last end.
     if (queries && step.isFirst)
@@ -308,11 +299,8 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     }
     if (queries && step.isLast)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query + 1);
-    if (output && index == output->lastPass && step.isLast) {
-        barriers->useOutput(image, VK_IMAGE_LAYOUT_GENERAL, VkImageLayout(vkFrame.outputLayoutOut),
-                            false);
-        barriers->record(commands);
-    }
+    if (before.endsOutput)
+        releaseOutput(vk, commands, vkFrame);
     if (vk.CmdEndDebugUtilsLabelEXT)
         vk.CmdEndDebugUtilsLabelEXT(commands);
     if (result != AGAA_OK)
@@ -324,8 +312,6 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
 void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, uint32_t slot,
                         bool begins) {
     const auto commands = static_cast<VkCommandBuffer>(vkFrame.commandBuffer);
-    if (begins)
-        barriers->beginFrame();
     if (begins && queries)
         context.vk.CmdResetQueryPool(commands, queries, uint32_t(2 * slot * passes.size()),
                                      uint32_t(2 * passes.size()));
@@ -334,10 +320,11 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, cons
         clearedIn_ = frame.frameIndex;
     }
     size_t secondary = 0;
-    for (const Step& step : steps) {
-        if (plan.passes[step.pass].segment & frame.segments)
-            recordStep(frame, vkFrame, variant, step, secondary, slot, commands);
-        secondary += plan.passes[step.pass].kind == PassKind::HostDraw;
+    for (size_t number = 0; number < steps.size(); ++number) {
+        const Pass& pass = plan.passes[steps[number].pass];
+        if (pass.segment & frame.segments)
+            recordStep(frame, vkFrame, variant, number, secondary, slot, commands);
+        secondary += pass.kind == PassKind::HostDraw;
     }
 }
 

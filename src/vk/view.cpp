@@ -22,7 +22,7 @@ View::View(Context& device, Plan framePlan)
                     : samplePositions(plan.samplePositions)) {
     try {
         resources.emplace(context, plan);
-        barriers.emplace(context, plan, *resources);
+        barriers = stepBarriers(plan, steps, *resources, context.conditionalRendering);
         createPassObjects();
         createPipelineLayouts();
         addVariant(plan);

@@ -51,7 +51,7 @@ public:
     const std::vector<Step> steps;
     std::vector<PassObjects> passes;
     std::vector<FrameSlot> slots;
-    std::optional<BarrierTracker> barriers;
+    std::vector<StepBarriers> barriers; // of the steps
     VkDescriptorPool descriptorPool = VK_NULL_HANDLE;
     VkQueryPool queries = VK_NULL_HANDLE; // two timestamps per pass and slot
     SamplePositions positions;
@@ -75,7 +75,7 @@ private:
     AgaaResult callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands);
     AgaaResult recordSecondaries(const AgaaFrame& frame, uint32_t slot);
     // secondary: of the host draws among the steps.
-    void recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, const Step& step,
+    void recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, size_t number,
                     size_t secondary, uint32_t slot, VkCommandBuffer commands);
     void recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, uint32_t slot,
                        VkCommandBuffer commands);
