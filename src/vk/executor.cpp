@@ -1,7 +1,6 @@
 // Recording a frame: validate, call the host, then passes with the barriers between them.
 #include "vk/view.h"
 
-#include "core/bindings.h"
 #include "core/checked.h"
 #include "core/frame_data.h"
 #include "core/validate.h"
@@ -50,104 +49,6 @@ void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
             writeUpload(plan, resource.content, frame, positions, newest ? &*newest : nullptr,
                         (*resources)[id].mapped[slot]);
     }
-}
-
-// images: reserved, so that pointers into it stay.
-VkWriteDescriptorSet View::writeOfAttachments(const Pass& pass, VkDescriptorSet set,
-                                              std::vector<VkDescriptorImageInfo>& images) const {
-    const size_t first = images.size();
-    for (ResourceId target : pass.colorTargets)
-        for (VkImageView view : (*resources)[target].layerViews)
-            images.push_back({VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL});
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set;
-    write.dstBinding = fetchedTargetsSlot;
-    write.descriptorCount = uint32_t(images.size() - first);
-    write.descriptorType = VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT;
-    write.pImageInfo = &images[first];
-    return write;
-}
-
-// Only of the passes about to be recorded: sets that an earlier segment bound must not change.
-void View::writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot) {
-    std::vector<VkWriteDescriptorSet> writes;
-    // Reserved, so that pointers into them stay.
-    std::vector<VkDescriptorBufferInfo> buffers;
-    std::vector<VkDescriptorImageInfo> images;
-    size_t total = 0;
-    for (const Pass& pass : plan.passes)
-        total += pass.bindings.size() + pass.drawState.colorAttachmentCount;
-    buffers.reserve(total);
-    images.reserve(total);
-    uint64_t anyShadow = 0;
-    for (const Resource& resource : plan.resources)
-        if (resource.kind == ResourceKind::ShadowMap && !anyShadow)
-            anyShadow = vkFrame.shadowViews[resource.hostSlot];
-    for (size_t i = 0; i < passes.size(); ++i) {
-        if (!(plan.passes[i].segment & frame.segments))
-            continue;
-        for (const Binding& binding : plan.passes[i].bindings) {
-            const Resource& resource = plan.resources[binding.resource];
-            const GpuResource& gpu = (*resources)[binding.resource];
-            VkWriteDescriptorSet write{};
-            write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-            write.dstSet = passes[i].sets[slot];
-            write.dstBinding = binding.slot;
-            write.descriptorCount = 1;
-            const auto image = [&](VkDescriptorType type, VkSampler sampler, VkImageView view,
-                                   VkImageLayout layout) {
-                images.push_back({sampler, view, layout});
-                write.descriptorType = type;
-                write.pImageInfo = &images.back();
-            };
-            const auto buffer = [&](VkDescriptorType type) {
-                buffers.push_back({gpu.buffers[resource.copies > 1 ? slot : 0], 0, VK_WHOLE_SIZE});
-                write.descriptorType = type;
-                write.pBufferInfo = &buffers.back();
-            };
-            switch (binding.type) {
-            case BindingType::UniformBuffer:
-                buffer(VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
-                break;
-            case BindingType::StorageBuffer:
-                buffer(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-                break;
-            case BindingType::StorageImage: {
-                const bool output = resource.kind == ResourceKind::Output;
-                image(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_NULL_HANDLE,
-                      output ? (VkImageView)vkFrame.outputView : gpu.fetchView,
-                      VK_IMAGE_LAYOUT_GENERAL);
-                break;
-            }
-            case BindingType::ShadowTexture: {
-                // What lies beyond the frame's shadows may be stale.
-                const uint64_t view = resource.hostSlot < frame.shadowCount
-                                          ? vkFrame.shadowViews[resource.hostSlot]
-                                          : anyShadow;
-                image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, context.shadowSampler,
-                      (VkImageView)view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-                break;
-            }
-            case BindingType::Texture:
-                if (resource.kind == ResourceKind::Output) {
-                    image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, context.texelSampler,
-                          (VkImageView)vkFrame.outputView, VK_IMAGE_LAYOUT_GENERAL);
-                    break;
-                }
-                image(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                      binding.filter == Filter::Linear ? context.linearSampler : context.texelSampler, gpu.fetchView,
-                      isDepth(resource.format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
-                                               : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-                break;
-            }
-            writes.push_back(write);
-        }
-        if (plan.passes[i].drawState.readsAttachments)
-            writes.push_back(writeOfAttachments(plan.passes[i], passes[i].sets[slot], images));
-    }
-    context.vk.UpdateDescriptorSets(context.device, uint32_t(writes.size()), writes.data(), 0,
-                                    nullptr);
 }
 
 bool View::isConditional(const Step& step) const { return context.conditionalRendering && step.goesOn != noResource; }
@@ -338,7 +239,7 @@ AgaaResult View::record(AgaaFrame frame, const AgaaVkFrame& vkFrame) {
     checkTarget(frame, vkFrame);
     const Variant& variant = variantOf(frame);
     writeFrameData(frame, slot);
-    writeDescriptors(frame, vkFrame, slot);
+    writeHostsDescriptors(frame, vkFrame, slot);
     if (context.secondary)
         recordSecondaries(frame, slot);
     // Up to here nothing of the host's was touched.

@@ -24,6 +24,7 @@ View::View(Context& device, Plan framePlan)
         resources.emplace(context, plan);
         barriers = stepBarriers(plan, steps, *resources, context.conditionalRendering);
         createPassObjects();
+        writeLastingDescriptors();
         createPipelineLayouts();
         addVariant(plan);
         createSlots();
@@ -53,21 +54,6 @@ void View::destroy() {
         vk.DestroyDescriptorSetLayout(device, objects.setLayout, nullptr);
     }
     vk.DestroyDescriptorPool(device, descriptorPool, nullptr);
-}
-
-static VkDescriptorType descriptorType(BindingType type) {
-    switch (type) {
-    case BindingType::UniformBuffer:
-        return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    case BindingType::StorageBuffer:
-        return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    case BindingType::StorageImage:
-        return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-    case BindingType::Texture:
-    case BindingType::ShadowTexture:
-        break;
-    }
-    return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 }
 
 void View::createPassObjects() {

@@ -14,6 +14,8 @@
 
 namespace agaa::vk {
 
+VkDescriptorType descriptorType(BindingType type);
+
 // Objects of a pass that live as long as the view.
 struct PassObjects {
     VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
@@ -66,9 +68,9 @@ private:
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
     void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, uint32_t slot,
                       bool begins);
-    void writeDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot);
-    VkWriteDescriptorSet writeOfAttachments(const Pass& pass, VkDescriptorSet set,
-                                            std::vector<VkDescriptorImageInfo>& images) const;
+    void writeLastingDescriptors();
+    void writeLasting(VkDescriptorSet set, const Binding& binding, uint32_t slot);
+    void writeHostsDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot);
     bool isConditional(const Step& step) const; // the device reads Step::goesOn
     void beginCondition(const Step& step, uint32_t slot, VkCommandBuffer commands) const;
     void endCondition(const Step& step, VkCommandBuffer commands) const;
