@@ -55,10 +55,8 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     for (size_t i = 0; newest && i < plan.feedback.size(); ++i)
         if (plan.feedback[i] != noCounter)
             out.feedback[i] = newest->counts[plan.feedback[i]][0];
-    for (size_t i = 0; i < positions.size(); ++i) {
-        out.samples[i][0] = positions[i].x;
-        out.samples[i][1] = positions[i].y;
-    }
+    static_assert(sizeof out.samples == sizeof(SamplePositions));
+    std::memcpy(out.samples, positions.data(), sizeof out.samples);
     out.counts[0] = plan.aggregates;
     out.counts[1] = uint32_t(plan.poolRecords);
     out.counts[2] = plan.coverage.maxBatches;

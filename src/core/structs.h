@@ -114,7 +114,11 @@ template <class T> AgaaResult writeStructs(const std::vector<T>& source, uint32_
 
 // Element i of an array without headers, whose elements are `bytes` apart. T{} has the defaults of what it lacks.
 template <class T> T readElement(const T* first, uint32_t bytes, uint32_t i, T value) {
-    std::memcpy(&value, reinterpret_cast<const char*>(first) + size_t(i) * bytes, std::min<size_t>(bytes, sizeof value));
+    const char* element = reinterpret_cast<const char*>(first) + size_t(i) * bytes;
+    if (bytes >= sizeof value) // mostly: a size that compilers know is copied at once
+        std::memcpy(&value, element, sizeof value);
+    else
+        std::memcpy(&value, element, bytes);
     return value;
 }
 // bytes: from one element to the next, as the host says in `name`. firstSize: as of StructRow.
