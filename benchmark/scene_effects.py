@@ -14,6 +14,7 @@ from runs import HARNESS, Runs, find_scenes, view_options
 # Name as agaaQueryPrices has it, options with the effect, options without it. What is not named is as in the scene.
 EFFECTS = [
     ("specular", [], ["--without", "specular"]),
+    ("shading-normals", [], ["--without", "shading-normals"]),
     ("emissive", [], ["--without", "emissive"]),
     ("ambient", [], ["--without", "ambient"]),
     ("shadow-map-0", [], ["--without", "shadows"]),
@@ -29,11 +30,16 @@ EFFECTS = [
     ("the same frame", [], []), # how far times of equal frames differ
 ]
 # A scene that asks for nothing but diffuse light of the sun.
-BARE = ["--without", "specular", "--without", "emissive", "--without", "ambient", "--without", "shadows"]
+BARE = ["--without", "specular", "--without", "shading-normals", "--without", "emissive", "--without", "ambient", "--without", "shadows"]
 # Of the short ways: options that switch them off.
 LONG_WAYS = [
     ("one surface is not clustered", ["--split-surfaces"]),
     ("lights and shadows out of reach are left out", ["--no-culling"]),
+]
+# Of two geometry passes: what aggregates keep of normals, and the options for it.
+NORMALS = [
+    ("aggregates keep normals", []),
+    ("aggregates take those of the prepass", ["--without", "shading-normals"]),
 ]
 
 
@@ -50,7 +56,7 @@ class Measurement:
         self.arguments = arguments
         self.runs = Runs("scene_effects", arguments.harness, arguments.out,
                          {"size": arguments.size, "frames": arguments.frames, "turns": arguments.turns, "effects": EFFECTS,
-                          "long": LONG_WAYS})
+                          "long": LONG_WAYS, "normals": NORMALS})
         width, height = (int(side) for side in arguments.size.split("x"))
         self.pixels = width * height
         self.image, self.other = self.runs.work / "image.exr", self.runs.work / "other.exr"
@@ -90,9 +96,18 @@ class Measurement:
                           "mse": error["mseTm"], "ratio": self.ratio(view, options, [])}
         return rows
 
+    def normals(self, view):
+        """How far two geometry passes are from aggregates of a G-buffer with the same facts, which keep normals in both rows."""
+        rows = {}
+        for name, options in NORMALS:
+            self.render(view, "--exr", self.image, *options)
+            self.render(view, "--exr", self.other, "--tier", "generation=gbuffer", "--buffered", *options)
+            rows[name] = self.runs.call("compare", self.other, self.image)["mseTm"]
+        return rows
+
     def scene(self, source, camera):
         view = view_options(source, camera, self.arguments.size)
-        return {"effects": self.effects(view), "short": self.short_ways(view)}
+        return {"effects": self.effects(view), "short": self.short_ways(view), "normals": self.normals(view)}
 
 
 def change(row, key):
@@ -145,6 +160,13 @@ def short_table(scenes):
     return lines
 
 
+def normals_table(scenes):
+    lines = ["| two geometry passes | " + " | ".join(scenes) + " |", "|---|" + "---:|" * len(scenes)]
+    for name, _ in NORMALS:
+        lines.append(f"| {name} | " + " | ".join(f"{scene['normals'][name]:.2g}" for scene in scenes.values()) + " |")
+    return lines
+
+
 def times_file(results):
     """What `agaa-harness price --times` reads: medians over the scenes."""
     scenes = results["scenes"].values()
@@ -167,7 +189,11 @@ def page(results):
         "## Short ways", "",
         "Pixels and tiles for which passes do less, because the result is the same or meant to be. A share of counts is that",
         "with the short way as a part of that without. The largest difference is that of a channel of any pixel, linear.", "",
-        *short_table(scenes), ""])
+        *short_table(scenes), "",
+        "## Normals of the prepass", "",
+        "Mean square errors of two geometry passes after tone mapping, against aggregates that a G-buffer fills. In the second",
+        "row both have AGAA_FACT_PLANE_NORMALS, with which aggregates of two geometry passes take the 16 bits of the prepass.", "",
+        *normals_table(scenes), ""])
 
 
 def main():

@@ -21,7 +21,8 @@ def scene(ratio, lights):
     effects["bare"] = {"with": more, "without": less, "ratio": 2 * ratio}
     way = {"short": more, "long": counts(5, 100.5, 10, 80, 2 * lights), "largest": 0, "mse": 0, "ratio": 1.5}
     short = {"uncovered pixels": {"share": 0.25}, "pixels of one aggregate": {"share": 0.5}}
-    return {"effects": effects, "short": {**short, **{name: way for name, _ in scene_effects.LONG_WAYS}}}
+    return {"effects": effects, "short": {**short, **{name: way for name, _ in scene_effects.LONG_WAYS}},
+            "normals": {name: ratio / 1e5 for name, _ in scene_effects.NORMALS}}
 
 
 class SceneEffects(unittest.TestCase):
@@ -41,6 +42,11 @@ class SceneEffects(unittest.TestCase):
         name = scene_effects.LONG_WAYS[1][0]
         self.assertIn(f"| {name}: light evaluations with it | 0.50 | 0.50 | 0 |", text)
         self.assertIn(f"| {name}: frame without it | 1.50 | 1.50 | 0 |", text)
+
+    def test_normals_are_errors(self):
+        text = scene_effects.page(self.results)
+        for name, _ in scene_effects.NORMALS:
+            self.assertIn(f"| {name} | 1.3e-05 | 1.7e-05 |", text)
 
     def test_times_have_the_names_of_prices(self):
         times = scene_effects.times_file(self.results)

@@ -187,7 +187,9 @@ typedef struct AgaaFactReport {
     uint64_t withDiffuse;     /* with diffuse albedo */
     uint64_t translucent;     /* of the alpha-masked ones */
     uint64_t cutouts;         /* of the alpha-masked ones */
-    uint64_t otherNormals;    /* whose normal is more than a degree from that of their primitive's plane */
+    uint64_t otherNormals;    /* whose normal is more than a degree from that of their primitive's plane, as
+                                 AgaaSurfaceInput::geometricNormal or the triangle of an AgaaFetchFunction says; triangles too
+                                 small to tell, and materials of an AgaaGBufferFunction, do not count */
     /* Of the frame: */
     uint32_t lightCount;
     uint32_t localLights;     /* point and spot lights */

@@ -28,6 +28,7 @@ struct Access {
     bool isDraw = false; // by fragments, else by compute shaders
 
     bool writes() const { return isTarget() || use == Use::CopyTo || stores(); }
+    bool reads() const { return !writes() || use == Use::FetchedColor; } // what earlier passes left, or the same pass
     bool isTarget() const { return use == Use::Color || use == Use::FetchedColor || use == Use::Depth; }
     bool stores() const { return use == Use::StorageWrite || use == Use::ImageWrite; } // of shaders
 };

@@ -4,6 +4,7 @@
 #include "core/names.h"
 #include "core/plan.h"
 
+#include <set>
 #include <charconv>
 #include <cstdio>
 
@@ -153,14 +154,16 @@ void writePass(Writer& w, const Plan& plan, size_t index) {
     for (const bool writes : {false, true}) {
         w.key(writes ? "writes" : "reads");
         w.open('[');
+        std::set<ResourceId> named;
         for (const Access& access : accessesOf(pass))
-            if (access.writes() == writes)
+            if ((writes ? access.writes() : access.reads()) && named.insert(access.resource).second)
                 w.value(plan.resources[access.resource].name);
         w.close(']');
     }
     w.strings("extensions", pass.extensions);
     if (pass.kind == PassKind::HostDraw) {
         w.field("stencilTest", pass.drawState.stencilTest != 0);
+        w.field("readsAttachments", pass.drawState.readsAttachments != 0);
         w.field("sampleShading", pass.drawState.sampleShading != 0);
     }
     w.close('}');

@@ -89,8 +89,10 @@ bool ordersColorAccess(const InstanceTable& vk, VkPhysicalDevice device, const V
     order.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT;
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &order, {}};
     vk.GetPhysicalDeviceFeatures2(device, &features);
-    return order.rasterizationOrderColorAttachmentAccess &&
-           std::min(limits.maxColorAttachments, limits.maxPerStageDescriptorInputAttachments) >= mostFetchedTargets;
+    const uint32_t withCounters = mostFetchedTargets + 1;
+    return order.rasterizationOrderColorAttachmentAccess && limits.maxColorAttachments >= mostFetchedTargets &&
+           limits.maxPerStageDescriptorInputAttachments >= mostFetchedTargets &&
+           limits.maxFragmentCombinedOutputResources >= withCounters;
 }
 
 bool rendersAndSamples(const InstanceTable& vk, VkPhysicalDevice device, VkFormat format) {

@@ -63,6 +63,17 @@ TEST(MathEncoding, HemiOctErrorAndFloatAgainstDouble) {
     EXPECT_LT(different, count / 5000);
 }
 
+TEST(MathEncoding, MeansOfNeighbouringHemiOctCodesAreWithinTheBound) {
+    double most = 0;
+    for (unsigned x = 1; x < 255; ++x)
+        for (unsigned y = 1; y < 255; ++y)
+            for (const glm::uvec2 other : {glm::uvec2(x + 1, y), glm::uvec2(x, y + 1), glm::uvec2(x + 1, y + 1), glm::uvec2(x + 1, y - 1)})
+                most = std::max(most, 1 - glm::length(0.5 * (math_d::agaa_decodeHemiOct8({x, y}) + math_d::agaa_decodeHemiOct8(other))));
+    std::printf("[ measured ] mean of neighbouring codes is shorter by %.3g\n", most);
+    EXPECT_LE(most, double(math_f::agaa_hemiOct8LengthBound()));
+    EXPECT_GT(most, 0.95 * double(math_f::agaa_hemiOct8LengthBound()));
+}
+
 TEST(MathEncoding, HemiOctProjectsBelowTheHorizon) {
     Random random(3);
     Worst azimuth("normals below the horizon: azimuth error in degrees", 0.65);

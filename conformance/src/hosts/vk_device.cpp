@@ -220,7 +220,7 @@ void VulkanApi::createDevice(const Functions& sdk, bool withOptions) {
     vkGetDeviceQueue(device, queueFamily, 0, &queue);
 }
 
-// Dynamic and conditional rendering and the interlock of fragment shaders, the first by whichever of both ways the device has, and the extensions.
+// The extensions and their features, dynamic rendering by whichever of both ways the device has.
 void VulkanApi::enableOptions(const AgaaVkRequirements& requirements) {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physicalDevice, &properties);
@@ -258,6 +258,8 @@ void VulkanApi::enableOptions(const AgaaVkRequirements& requirements) {
     conditionalRendering.inheritedConditionalRendering = VK_FALSE;
     interlock.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADER_INTERLOCK_FEATURES_EXT;
     enableWhatIsThere(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME, interlock);
+    attachmentOrder.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT;
+    enableWhatIsThere(VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME, attachmentOrder);
 }
 
 } // namespace agaa::conformance

@@ -42,6 +42,7 @@ public:
     VkPhysicalDeviceDynamicRenderingFeatures dynamicRendering{}; // chained if it is used
     VkPhysicalDeviceConditionalRenderingFeaturesEXT conditionalRendering{}; // chained if it is used
     VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock{};         // chained if it is used
+    VkPhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT attachmentOrder{}; // chained if it is used
     std::vector<const char*> enabledExtensions;
     std::string deviceName, driverName;
     Messages messages;

@@ -196,6 +196,7 @@ VkPipeline VulkanPipelines::createOne(const AgaaDrawPass& pass, const AgaaVkDraw
                                                                    blendState(state, mistakes_.blends));
     VkPipelineColorBlendStateCreateInfo blend{};
     blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
+    blend.flags = state.readsAttachments ? VK_PIPELINE_COLOR_BLEND_STATE_CREATE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_BIT_EXT : 0;
     blend.attachmentCount = state.colorAttachmentCount;
     blend.pAttachments = targets.data();
     const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};

@@ -125,10 +125,10 @@ json countersJson(const AgaaCounters& c) {
 json factsJson(const AgaaFactReport& r) {
     return {{"inspected", r.inspected},         {"withSpecular", r.withSpecular},       {"withEmission", r.withEmission},
             {"alphaMasked", r.alphaMasked},     {"otherRoughness", r.otherRoughness},   {"coloredSpecular", r.coloredSpecular},
-            {"otherSpecular", r.otherSpecular}, {"otherNormals", r.otherNormals}, {"withDiffuse", r.withDiffuse},         {"translucent", r.translucent},
-            {"cutouts", r.cutouts},             {"lightCount", r.lightCount},           {"localLights", r.localLights},
-            {"shadowCount", r.shadowCount},     {"hasAmbient", r.hasAmbient != 0},      {"contradicted", r.contradicted},
-            {"sufficient", r.sufficient},       {"explanation", r.explanation}};
+            {"otherSpecular", r.otherSpecular}, {"withDiffuse", r.withDiffuse},         {"translucent", r.translucent},
+            {"cutouts", r.cutouts},             {"otherNormals", r.otherNormals},       {"lightCount", r.lightCount},
+            {"localLights", r.localLights},     {"shadowCount", r.shadowCount},         {"hasAmbient", r.hasAmbient != 0},
+            {"contradicted", r.contradicted},   {"sufficient", r.sufficient},           {"explanation", r.explanation}};
 }
 
 json messagesJson(Renderer& renderer) {

@@ -47,7 +47,7 @@ void buildNative(PlanBuilder& b) {
         b.modelSurface(name, format, slots);
         bytes += bytesPerTexel(format);
     };
-    for (const NativeSurface& native : packNativeAggregate(b.plan.layout))
+    for (const NativeSurface& native : packNativeAggregate(twoPassLayout(b.plan.layout, b.plan.facts.flags)))
         surface(native.name, native.format);
     surface("aggregate-coverage", Format::R8U);
     if (b.plan.samples > 8)

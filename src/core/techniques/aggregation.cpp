@@ -100,7 +100,7 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     if (metadata != noResource)
         b.bind(draw, host_slot::Metadata, BindingType::Texture, metadata);
     // Samples at the far plane, which the prepass does not show, are equal in depth all the same: the normals tell them.
-    // Floats reach 0, the far plane of a reversed depth, at the plane itself; there the normals' memory is free again.
+    // Floats reach 0, the far plane of a reversed depth, at the plane itself.
     if (!a.represented && !b.plan.reversedZ)
         b.bind(draw, host_slot::Normals, BindingType::Texture, prepass.normals);
     b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);

@@ -175,7 +175,8 @@ TierAnswer answerRasterOrder(const GenerationQuery& q) {
         return lists;
     if (!(q.caps.flags & AGAA_DEVICE_FRAMEBUFFER_FETCH))
         return {false, "fragment shaders cannot read what attachments hold: that takes "
-                       "VK_EXT_rasterization_order_attachment_access on Vulkan, on OpenGL GL_EXT_shader_framebuffer_fetch and "
+                       "VK_EXT_rasterization_order_attachment_access on Vulkan, with its feature in "
+                       "AgaaVkDeviceDesc::enabledFeatures, and on OpenGL GL_EXT_shader_framebuffer_fetch and "
                        "AGAA_GL_OUTPUTS_SDK."};
     return {true, "fragments are merged in the order of the draws by the shader that draws them, in attachments."};
 }

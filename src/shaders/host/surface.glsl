@@ -1,3 +1,4 @@
+#include "passes/camera.glsl"
 // What a host's fragment shader fills and hands over. Positions and normals are in shading space (the
 // host's axes, origin at the eye), colours linear, alpha2 is GGX alpha squared.
 struct AgaaSurfaceInput {
@@ -175,12 +176,12 @@ uint agaa_demandsOfMask(AgaaSurfaceInput s) {
 #endif
 }
 
-// Of the primitive's plane, on the side of the eye.
+// Of the primitive's plane, on the side of the eye; without a plane, the direction to the eye.
 vec3 agaa_facingNormal(AgaaSurfaceInput s) {
-    uint ignored = 0u;
-    vec3 n = agaa_sanitiseNormal(s.geometricNormal, ignored);
-    vec3 towards = agaa_frame.projection1.z != 0.0 ? transpose(mat3(agaa_frame.view))[2] : -s.position;
-    return dot(n, towards) < 0.0 ? -n : n;
+    uint hasNone = 0u;
+    vec3 n = agaa_sanitiseNormal(s.geometricNormal, hasNone);
+    vec3 toEye = agaa_toEye(s.position);
+    return hasNone != 0u ? toEye : dot(n, toEye) < 0.0 ? -n : n;
 }
 
 // What the facts of the scene fix.

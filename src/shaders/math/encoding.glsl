@@ -104,6 +104,9 @@ rvec3 agaa_decodeHemiOct8(uvec2 code) {
     return normalize(rvec3(x, y, z));
 }
 
+// How much shorter than 1 the mean of normals in neighbouring codes can be, which rounding alone may have put apart.
+real agaa_hemiOct8LengthBound() { return real(4.7e-5); }
+
 // ---- octahedral, full sphere -----------------------------------------------------------------
 
 // The value to store in two UNORM channels of `bits` bits each (2 to 16). Neither is ever code 0.

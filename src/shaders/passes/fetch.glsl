@@ -23,16 +23,32 @@ vec3 agaa_vertexViewPosition(vec4 clip) {
     return vec3((clip.xy + agaa_frame.projection0.zw * clip.w) / agaa_frame.projection0.xy, -clip.w);
 }
 
+float agaa_largest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
+
 // Of the primitive's plane in view space, facing the eye; vertices behind the eye are no exception.
 vec3 agaa_planeNormal(AgaaPrimitive p) {
     vec3 a = agaa_vertexViewPosition(p.a);
     vec3 n = cross(agaa_vertexViewPosition(p.b) - a, agaa_vertexViewPosition(p.c) - a);
-    float size = max(abs(n.x), max(abs(n.y), abs(n.z)));
+    float size = agaa_largest(n);
     if (!agaa_isFinite3(n) || size == 0.0)
         return vec3(0.0, 0.0, 1.0);
     n = normalize(n / size);
-    float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, a / max(max(abs(a.x), max(abs(a.y), abs(a.z))), 1e-30));
+    float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, a / max(agaa_largest(a), 1e-30));
     return away > 0.0 ? -n : n;
+}
+
+// By how much rounding of the corners, some steps of their size, may turn the normal: the sine of the angle. 1 without an area.
+float agaa_doubtOfPlane(AgaaPrimitive p) {
+    vec3 a = agaa_vertexViewPosition(p.a), b = agaa_vertexViewPosition(p.b), c = agaa_vertexViewPosition(p.c);
+    float longest = max(length(b - a), max(length(c - b), length(a - c)));
+    float height = length(cross(b - a, c - a)) / max(longest, 1e-30);
+    float rounding = 1e-6 * max(agaa_largest(a), max(agaa_largest(b), agaa_largest(c)));
+    return height > rounding ? rounding / height : 1.0;
+}
+
+// In shading space; the direction to the eye where corners tell no plane.
+vec3 agaa_facingNormal(AgaaPrimitive p, float doubt) {
+    return doubt < 1.0 ? agaa_toShadingSpace(agaa_planeNormal(p)) : agaa_toEye(agaa_toShadingSpace(agaa_vertexViewPosition(p.a)));
 }
 
 // The primitive at a place in the pixel.
@@ -51,8 +67,12 @@ AgaaMaterial agaa_fetchMaterialThere(AgaaPrimitive p) {
     agaaHostMaterial(p, m);
     agaa_count(AGAA_COUNT_MATERIALS, 1u);
     agaa_count(AGAA_COUNT_SANITISED, agaa_sanitiseValues(m));
-    const bool asksPlane = agaa_hasFact(agaa_factPlaneNormals) || AGAA_CHECK_FACTS != 0u;
-    agaa_applyFacts(m, asksPlane ? agaa_toShadingSpace(agaa_planeNormal(p)) : m.normal);
+    if (agaa_hasFact(agaa_factPlaneNormals) || AGAA_CHECK_FACTS != 0u) {
+        float doubt = agaa_doubtOfPlane(p);
+        agaa_applyFacts(m, agaa_facingNormal(p, doubt), doubt < 0.005);
+    } else {
+        agaa_applyFacts(m, m.normal, false);
+    }
     agaa_countFacts();
     return m;
 }

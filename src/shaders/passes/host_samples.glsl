@@ -20,10 +20,11 @@ AgaaMaterial agaa_defaultMaterial() {
 uint agaa_demands = 0u; // of the material at hand, by agaa_applyFacts()
 
 // What the facts of the scene fix. planeNormal: of the primitive, on the side of the eye, or that of the material where nothing
-// is known of it.
-void agaa_applyFacts(inout AgaaMaterial m, vec3 planeNormal) {
+// is known of it. isExact: it is known well enough to say that the material's differs.
+void agaa_applyFacts(inout AgaaMaterial m, vec3 planeNormal, bool isExact) {
     if (AGAA_CHECK_FACTS != 0u)
-        agaa_demands = agaa_demandsOf(m.diffuse, m.specular, m.emissive, m.alpha2) | agaa_demandOfNormal(m.normal, planeNormal);
+        agaa_demands = agaa_demandsOf(m.diffuse, m.specular, m.emissive, m.alpha2) |
+                       (isExact ? agaa_demandOfNormal(m.normal, planeNormal) : 0u);
     m.normal = agaa_factNormal(m.normal, planeNormal);
     if (agaa_hasFact(agaa_factPlaneNormals))
         m.normalDx = m.normalDy = vec3(0.0);
@@ -66,7 +67,7 @@ bool agaa_readHost(uvec2 pixel, uint i, out float depth, out AgaaMaterial materi
     if (!agaaHostSample(pixel, i, depth, material))
         return false;
     uint bad = agaa_sanitiseValues(material);
-    agaa_applyFacts(material, material.normal);
+    agaa_applyFacts(material, material.normal, false);
     depth = agaa_sanitise(depth, 0.0, 1.0, bad);
     agaa_countFacts();
     return true;

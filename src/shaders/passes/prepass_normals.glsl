@@ -21,11 +21,17 @@ mat3 agaa_prepassFrame(uvec2 pixel) {
     return mat3(t, b, v);
 }
 
-// Mean over these samples, one or more, in shading space; as long as they agree.
+// Mean over those of these samples that have one, in shading space; as long as they agree, and 0 where none has.
 vec3 agaa_meanPrepassNormal(uvec2 pixel, uint mask) {
     vec3 sum = vec3(0.0);
-    for (uint rest = mask; rest != 0u; rest &= rest - 1u)
-        sum += agaa_decodeHemiOct8(agaa_prepassCode(pixel, uint(findLSB(rest))));
-    return agaa_toShadingSpace(agaa_prepassFrame(pixel) * sum) / float(bitCount(mask));
+    float count = 0.0;
+    for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
+        uvec2 code = agaa_prepassCode(pixel, uint(findLSB(rest)));
+        if (code != uvec2(0u)) {
+            sum += agaa_decodeHemiOct8(code);
+            count += 1.0;
+        }
+    }
+    return agaa_toShadingSpace(agaa_prepassFrame(pixel) * sum) / max(count, 1.0);
 }
 #endif

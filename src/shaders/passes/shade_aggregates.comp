@@ -79,7 +79,7 @@ agaa_Means agaa_meansOfAggregate(uvec2 pixel, uint normals) {
 #ifndef AGAA_HOST_GBUFFER
     if (AGAA_PREPASS_NORMALS != 0u) {
         means.normal = agaa_meanPrepassNormal(pixel, normals);
-        means.lengthBound = 1e-6; // they are unit
+        means.lengthBound = agaa_hemiOct8LengthBound();
     }
 #endif
     return means;

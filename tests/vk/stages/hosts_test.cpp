@@ -65,6 +65,15 @@ TEST(Hosts, AttachmentsThatShadersReadAgree) {
     for (const bool renderPass : {false, true})
         for (const bool inlineRecording : {false, true})
             EXPECT_EQ(pixels({.renderPass = renderPass, .inlineRecording = inlineRecording}, settings, true), expected);
+    StageView view(context, settings);
+    AgaaVkSurface native = AGAA_VK_SURFACE_INIT;
+    AgaaSurface surface = AGAA_SURFACE_INIT;
+    surface.pNext = &native;
+    ASSERT_EQ(agaaGetSurface(view.get(), "surfaces", &surface), AGAA_OK);
+    EXPECT_EQ(surface.layers, 7u);
+    EXPECT_EQ(native.format, uint32_t(VK_FORMAT_R32G32B32A32_UINT));
+    EXPECT_EQ(native.view, uint64_t((*view.executor().resources)[view.plan().surface("surfaces")].fetchView));
+    EXPECT_EQ(native.layouts[0], uint32_t(VK_IMAGE_LAYOUT_GENERAL));
     StageContext unknown({.change = [](auto& desc) { desc.device.enabledFeatures = nullptr; }});
     expectRefused(unknown, settings, AGAA_ERROR_UNSUPPORTED, "the host does not say that it enabled the feature");
 }

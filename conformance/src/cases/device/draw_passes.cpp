@@ -68,7 +68,7 @@ void testStateRanges(Test& test) {
             test.check(s.colorAttachmentCount <= 8, what + " has more than 8 attachments.");
             for (const uint32_t flag :
                  {s.depthWrite, s.stencilTest, s.stencilTestMasked, s.sampleShading, s.keepFirst, s.conservative,
-                  s.vertexPulling})
+                  s.vertexPulling, s.readsAttachments})
                 test.check(flag <= 1, what + " has a flag that is neither 0 nor 1.");
             test.check(s.samples && !(s.samples & (s.samples - 1)), what + " has a number of samples that is no power of 2.");
         }

@@ -58,7 +58,7 @@ void testOptions(Test& test) {
         OwnContext unnamed(inner, [](ContextDescription& d) { d.vk.enabledFeatures = nullptr; });
         AgaaDeviceCaps ofUnnamed = AGAA_DEVICE_CAPS_INIT;
         inner.requireOk(device->getContextCaps(test.sdk, unnamed.get(), &ofUnnamed), "agaaVkGetContextCaps");
-        inner.check(ofUnnamed.flags == (caps.flags & ~AGAA_DEVICE_CONDITIONAL_RENDERING),
+        inner.check(ofUnnamed.flags == (caps.flags & ~(AGAA_DEVICE_CONDITIONAL_RENDERING | AGAA_DEVICE_FRAMEBUFFER_FETCH)),
                     "enabledFeatures = null gives the context other flags.");
         const bool isDynamic = caps.flags & AGAA_DEVICE_DYNAMIC_RENDERING;
         const auto ask = [](ContextDescription& d) { d.vk.rendering = AGAA_VK_RENDERING_DYNAMIC; };
