@@ -36,6 +36,16 @@ LONG_WAYS = [
     ("one surface is not clustered", ["--split-surfaces"]),
     ("lights and shadows out of reach are left out", ["--no-culling"]),
 ]
+# What a bound could prove for a pixel, whether passes use it, and how or why not.
+SHORT_WAYS = [
+    ("no sample shows geometry: only background", "yes", "pixels without coverage have no shading event"),
+    ("one primitive or one plane: no clustering", "yes", "samples of one surface are one aggregate; `--split-surfaces` switches it off"),
+    ("normals do not vary: no widening", "yes", "a mean normal as long as rounding allows leaves the lobe as it is"),
+    ("a light does not reach the tile: not evaluated", "yes", "`cull lights`; `--no-culling` switches it off"),
+    ("nothing that a shadow's lights reach: no lookup", "yes", "shadows are looked up only where one of their lights reaches the tile"),
+    ("flat aggregate: one shadow lookup", "no", "the edge of a shadow may cross a plane between two of its samples"),
+    ("all samples lit, or none: one lookup", "no", "a bound would need the least and the greatest depth of an area of the host's shadow map"),
+]
 # Of two geometry passes: what aggregates keep of normals, and the options for it.
 NORMALS = [
     ("aggregates keep normals", []),
@@ -187,6 +197,7 @@ def page(results):
         "In the row \"the same frame\" both are equal: its times tell the noise.", "", *effects_table(scenes), "",
         "## Time by scene", "", *scene_table(scenes), "",
         "## Short ways", "",
+        "| what holds for a pixel | used | |", "|---|---|---|", *(f"| {what} | {used} | {how} |" for what, used, how in SHORT_WAYS), "",
         "Pixels and tiles for which passes do less, because the result is the same or meant to be. A share of counts is that",
         "with the short way as a part of that without. The largest difference is that of a channel of any pixel, linear.", "",
         *short_table(scenes), "",

@@ -39,6 +39,7 @@ class SceneEffects(unittest.TestCase):
     def test_short_ways_are_shares(self):
         text = scene_effects.page(self.results)
         self.assertIn("| uncovered pixels, share | 0.25 | 0.25 | |", text)
+        self.assertIn("| flat aggregate: one shadow lookup | no |", text)
         name = scene_effects.LONG_WAYS[1][0]
         self.assertIn(f"| {name}: light evaluations with it | 0.50 | 0.50 | 0 |", text)
         self.assertIn(f"| {name}: frame without it | 1.50 | 1.50 | 0 |", text)
