@@ -36,7 +36,7 @@ TEST(Abi, Sizes) {
     EXPECT_SIZE(AgaaMemoryReport, 56);
     EXPECT_SIZE(AgaaTarget, 40);
     EXPECT_SIZE(AgaaPrice, 408);
-    EXPECT_SIZE(AgaaFactReport, 648);
+    EXPECT_SIZE(AgaaFactReport, 656);
     EXPECT_SIZE(AgaaFrameStatistics, 2912);
     EXPECT_SIZE(AgaaFrameValidation, 1120);
     EXPECT_SIZE(AgaaMeasuredSettings, 72);
