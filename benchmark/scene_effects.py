@@ -48,8 +48,8 @@ SHORT_WAYS = [
 ]
 # Of two geometry passes: what aggregates keep of normals, and the options for it.
 NORMALS = [
-    ("aggregates keep normals", []),
-    ("aggregates take those of the prepass", ["--without", "shading-normals"]),
+    ("aggregates keep normals", ["--without", "specular"]),
+    ("aggregates take those of the prepass", ["--without", "specular", "--without", "shading-normals"]),
 ]
 
 
@@ -202,8 +202,9 @@ def page(results):
         "with the short way as a part of that without. The largest difference is that of a channel of any pixel, linear.", "",
         *short_table(scenes), "",
         "## Normals of the prepass", "",
-        "Mean square errors of two geometry passes after tone mapping, against aggregates that a G-buffer fills. In the second",
-        "row both have AGAA_FACT_PLANE_NORMALS, with which aggregates of two geometry passes take the 16 bits of the prepass.", "",
+        "Mean square errors of two geometry passes after tone mapping, against aggregates that a G-buffer fills; without specular",
+        "light. In the second row both have AGAA_FACT_PLANE_NORMALS, with which aggregates of two geometry passes take the 16",
+        "bits of the prepass.", "",
         *normals_table(scenes), ""])
 
 

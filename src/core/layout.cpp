@@ -223,7 +223,8 @@ Layout reduceLayout(Layout layout, uint64_t factFlags, bool keepsRoughness) {
 }
 
 Layout twoPassLayout(Layout layout, uint64_t factFlags) {
-    if (factFlags & AGAA_FACT_PLANE_NORMALS && !layout.foldsRoughness())
+    // Highlights on flat surfaces would show the steps of 16 bits as stripes.
+    if (factFlags & AGAA_FACT_PLANE_NORMALS && !layout.hasSpecularLight)
         layout.attributes[AGAA_SEMANTIC_NORMAL] = {};
     return layout;
 }

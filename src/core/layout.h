@@ -73,7 +73,7 @@ std::vector<const char*> layoutNames();
 // Without the attributes that the scene does not call for. keepsRoughness: the technique stores lobes that it widened.
 Layout reduceLayout(Layout layout, uint64_t factFlags, bool keepsRoughness = false);
 
-// Of aggregates of two geometry passes, without the normals that the prepass has.
+// Of aggregates of two geometry passes: without normals where those of the prepass are precise enough. layout: reduced.
 Layout twoPassLayout(Layout layout, uint64_t factFlags);
 
 // Sums of n fragments in 32-bit words. A field has bits + log2(n) bits, so that n values of full scale

@@ -4,9 +4,9 @@
 #include "core/names.h"
 #include "core/plan.h"
 
-#include <set>
 #include <charconv>
 #include <cstdio>
+#include <set>
 
 namespace agaa {
 
