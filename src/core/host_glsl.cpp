@@ -247,6 +247,8 @@ std::string hostExtensions(const Pass& pass, const HostDialect& dialect) {
         extension("ARB_gpu_shader5");
         extension("ARB_sample_shading");
     }
+    if (dialect.glslVersion < 410) // locations between stages
+        extension("ARB_separate_shader_objects");
     if (dialect.glslVersion < 420) {
         extension("ARB_shading_language_420pack");
         extension("ARB_shader_image_load_store");

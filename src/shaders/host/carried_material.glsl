@@ -12,8 +12,8 @@ uint agaa_wasSanitised = 0u;
 // False where the triangle is at the far plane, which is background.
 // agaa_wasSanitised: a member was not finite or beyond its range.
 bool agaa_carry(AgaaSurfaceInput s, uvec4 mask) {
-    agaa_DepthPlane plane = agaa_depthPlane(agaa_corner0.xyz, agaa_corner1.xyz, agaa_corner2.xyz,
-                                            vec3(agaa_corner0.w, agaa_corner1.w, agaa_corner2.w), gl_FragCoord.xy);
+    agaa_DepthPlane plane = agaa_depthPlane(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz,
+                                            vec3(agaa_corners[0].w, agaa_corners[1].w, agaa_corners[2].w), gl_FragCoord.xy);
     vec3 kept = agaa_growingDepth(plane);
     uint bad = agaa_sanitiseSurface(s, AGAA_EMISSIVE_RANGE) | agaa_sanitiseNormalChange(s.normalDx, s.normalDy);
     agaa_wasSanitised = bad;

@@ -8,9 +8,5 @@
 #else
 #define AGAA_CORNER vec3
 #endif
-// Older GLSL has no expressions there and matches by name.
-#if __VERSION__ >= 440
-#define AGAA_CORNER_AT(n) layout(location = AGAA_CORNER_LOCATION + n)
-#else
-#define AGAA_CORNER_AT(n)
-#endif
+// NVIDIA's linker gives a name without a location those that the host gave to its own.
+#define AGAA_AT_CORNERS layout(location = AGAA_CORNER_LOCATION)

@@ -9,14 +9,12 @@
 #include "math/coverage_table.glsl"
 #endif
 
-AGAA_CORNER_AT(0) flat in AGAA_CORNER agaa_corner0;
-AGAA_CORNER_AT(1) flat in AGAA_CORNER agaa_corner1;
-AGAA_CORNER_AT(2) flat in AGAA_CORNER agaa_corner2;
+AGAA_AT_CORNERS flat in AGAA_CORNER agaa_corners[3];
 
 // Perspective-correct weights of the triangle's corners at an offset from the pixel's centre, in pixels. Points outside the
 // triangle are moved in. Members: at; dx and dy, their growth per pixel. The host weighs its flat attributes by them.
 agaa_Barycentrics agaa_cornerWeights(vec2 offset) {
-    return agaa_barycentrics(agaa_corner0.xyz, agaa_corner1.xyz, agaa_corner2.xyz, gl_FragCoord.xy + offset, vec2(1.0));
+    return agaa_barycentrics(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz, gl_FragCoord.xy + offset, vec2(1.0));
 }
 
 #if AGAA_TABLE_SIZE
@@ -33,12 +31,12 @@ uvec4 agaa_edgeByTable(vec3 a, vec3 b) {
 // Of the samples, those in the triangle.
 uvec4 agaa_cornerCoverage() {
 #if AGAA_TABLE_SIZE
-    vec3 a = agaa_vertexFromCentre(agaa_corner0.xyz, gl_FragCoord.xy);
-    vec3 b = agaa_vertexFromCentre(agaa_corner1.xyz, gl_FragCoord.xy);
-    vec3 c = agaa_vertexFromCentre(agaa_corner2.xyz, gl_FragCoord.xy);
+    vec3 a = agaa_vertexFromCentre(agaa_corners[0].xyz, gl_FragCoord.xy);
+    vec3 b = agaa_vertexFromCentre(agaa_corners[1].xyz, gl_FragCoord.xy);
+    vec3 c = agaa_vertexFromCentre(agaa_corners[2].xyz, gl_FragCoord.xy);
     return agaa_joinEdges(a, b, c, agaa_edgeByTable(b, c), agaa_edgeByTable(c, a), agaa_edgeByTable(a, b), AGAA_SAMPLES);
 #else
-    return agaa_triangleCoverage(agaa_corner0.xyz, agaa_corner1.xyz, agaa_corner2.xyz, gl_FragCoord.xy, AGAA_SAMPLES);
+    return agaa_triangleCoverage(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz, gl_FragCoord.xy, AGAA_SAMPLES);
 #endif
 }
 

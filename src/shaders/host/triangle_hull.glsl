@@ -9,9 +9,7 @@
 
 #define AGAA_MAX_STRIP 8 // of layout(triangle_strip, max_vertices = AGAA_MAX_STRIP) out
 
-AGAA_CORNER_AT(0) flat out AGAA_CORNER agaa_corner0;
-AGAA_CORNER_AT(1) flat out AGAA_CORNER agaa_corner1;
-AGAA_CORNER_AT(2) flat out AGAA_CORNER agaa_corner2;
+AGAA_AT_CORNERS flat out AGAA_CORNER agaa_corners[3];
 
 agaa_Hull agaa_hull;
 AGAA_CORNER agaa_hullCorners[3];
@@ -53,8 +51,6 @@ void agaa_setVertex(uint i) {
     // A strip that turns the other way: neighbours change places, but for the first vertex and the last of an even number.
     uint other = (i & 1u) == 0u ? i - min(i, 1u) : i + 1u < agaa_hull.count ? i + 1u : i;
     gl_Position = agaa_hull.vertices[agaa_isHullMirrored ? other : i];
-    agaa_corner0 = agaa_hullCorners[0];
-    agaa_corner1 = agaa_hullCorners[1];
-    agaa_corner2 = agaa_hullCorners[2];
+    agaa_corners = agaa_hullCorners;
 }
 #endif
