@@ -5,10 +5,16 @@ namespace agaa::gl {
 static constexpr std::array<GLint, 4> inOrder = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
 
 OutputView::OutputView(const GladGLContext& gl, GLuint texture) : gl_(gl), texture_(texture) {
+    GLint isImmutable = GL_FALSE;
+    gl.GetTextureParameteriv(texture, GL_TEXTURE_IMMUTABLE_FORMAT, &isImmutable);
+    if (!isImmutable)
+        gl.GetTextureParameteriv(texture, GL_TEXTURE_MAX_LEVEL, &maxLevel_);
     gl.GetTextureParameteriv(texture, GL_TEXTURE_BASE_LEVEL, &baseLevel_);
     gl.GetTextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA, swizzle_.data());
     if (baseLevel_ != 0)
         gl.TextureParameteri(texture, GL_TEXTURE_BASE_LEVEL, 0);
+    if (maxLevel_ != 0)
+        gl.TextureParameteri(texture, GL_TEXTURE_MAX_LEVEL, 0);
     if (swizzle_ != inOrder)
         gl.TextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA, inOrder.data());
 }
@@ -16,6 +22,8 @@ OutputView::OutputView(const GladGLContext& gl, GLuint texture) : gl_(gl), textu
 OutputView::~OutputView() {
     if (baseLevel_ != 0)
         gl_.TextureParameteri(texture_, GL_TEXTURE_BASE_LEVEL, baseLevel_);
+    if (maxLevel_ != 0)
+        gl_.TextureParameteri(texture_, GL_TEXTURE_MAX_LEVEL, maxLevel_);
     if (swizzle_ != inOrder)
         gl_.TextureParameteriv(texture_, GL_TEXTURE_SWIZZLE_RGBA, swizzle_.data());
 }
