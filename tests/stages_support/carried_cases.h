@@ -2,6 +2,7 @@
 // instantiates these.
 #pragma once
 
+#include "agreement.h"
 #include "dcaa_cases.h"
 
 #include "shader_math.h"
@@ -31,7 +32,9 @@ TYPED_TEST_P(CarriedCases, MergesAsFetchedFragments) {
         const Shot shot{.triangles = isTangle ? tangle(300) : randomTriangles({.triangles = 150}, 61), .change = addAmbient};
         const Kept fetched = this->keep(dcaaSettings(samples), shot), carried = this->keep(carriedSettings(samples), shot);
         for (size_t p = 0; p < fetched.pixels.size(); ++p) {
-            ASSERT_EQ(carried.lists[p].size(), fetched.lists[p].size()) << p;
+            if (isInOrder(this->context.caps())) { // merging puts other lists in order, and some fragments before the first
+                ASSERT_EQ(carried.lists[p].size(), fetched.lists[p].size()) << p;
+            }
             expectSame(carried.pixels[p], fetched.pixels[p], p);
         }
         const AgaaCounters &a = fetched.counters, &b = carried.counters;
@@ -175,7 +178,7 @@ TYPED_TEST_P(CarriedCases, NumbersThenContentDecideTheOrder) {
 // What is not finite, and surfaces at the far plane.
 TYPED_TEST_P(CarriedCases, WhatIsNotFiniteIsReplaced) {
     ViewSettings settings = carriedSettings();
-    settings.surface = "s.diffuse.x = 0.0 / min(position.z * 0.0, 0.0); s.normalDx = vec3(s.diffuse.x);";
+    settings.surface = "s.diffuse.x = uintBitsToFloat(0x7FC00000u); s.normalDx = vec3(s.diffuse.x);";
     const Shot shot{.triangles = randomTriangles({.triangles = 40}, 9), .change = addAmbient};
     const Shown shown = this->render(settings, shot);
     EXPECT_EQ(nonFinite(shown.rgb), 0u);
@@ -193,7 +196,7 @@ TYPED_TEST_P(CarriedCases, BatchesAreForFragmentsInLists) {
     settings.width = 322;
     settings.height = 242;
     settings.projection = pixelOrthographic(322, 242, 10);
-    settings.surface = "s.diffuse.x = 0.0 / min(position.z * 0.0, 0.0);";
+    settings.surface = "s.diffuse.x = uintBitsToFloat(0x7FC00000u);";
     settings.config.coverage.fragmentsPerPixel = 1;
     settings.config.coverage.maxBatches = 8;
     Shot shot{.triangles = rectangle(0, 0, 322, 242, 10, {})};

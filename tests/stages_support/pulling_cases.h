@@ -8,7 +8,8 @@
 
 namespace agaa::test {
 
-// Of each pixel, the words of its fragments but for their places in the buffer, last drawn first.
+// Of each pixel, the words of its fragments but for their places in the buffer, from the last drawn on. Merging puts lists in
+// order, so the others are before it where fragments do not arrive in the order of their numbers.
 struct FragmentWords {
     std::vector<std::vector<uint32_t>> pixels;
     size_t count = 0; // of fragments
@@ -81,13 +82,15 @@ TYPED_TEST_P(PullingCases, FragmentsAndSurfacesAreThoseOfGeometryShaders) {
                     settings.flags = AGAA_VIEW_REVERSED_Z;
                     settings.projection = reversedInfinite(60, 1.5f, 0.1f);
                 }
-                const FragmentWords expected = this->fragments(settings, shot), got = this->fragments(pulled(settings), shot);
-                EXPECT_GT(expected.count, 1000u);
-                EXPECT_EQ(got.count, expected.count);
-                EXPECT_EQ(got.pixels, expected.pixels);
+                if (isInOrder(this->context.caps())) {
+                    const FragmentWords expected = this->fragments(settings, shot), got = this->fragments(pulled(settings), shot);
+                    EXPECT_GT(expected.count, 1000u);
+                    EXPECT_EQ(got.count, expected.count);
+                    EXPECT_EQ(got.pixels, expected.pixels);
+                }
                 const Kept kept = this->keep(settings, shot);
                 EXPECT_GT(sumOf(kept.rgb), 100);
-                expectSameFrame(this->keep(pulled(settings), shot), kept);
+                expectSameFrame(this->keep(pulled(settings), shot), kept, this->context.caps());
             }
 }
 
@@ -100,7 +103,7 @@ TYPED_TEST_P(PullingCases, AggregatesOfFragmentsAreThoseOfGeometryShaders) {
     settings.facts.shadowMapCount = 0;
     const Shown expected = this->render(settings, shot), got = this->render(pulled(settings), shot);
     EXPECT_GT(sumOf(expected.rgb), 100);
-    EXPECT_EQ(got.rgb, expected.rgb);
+    expectSameImage(got.rgb, expected.rgb, this->context.caps());
     EXPECT_EQ(got.counters.fragments, expected.counters.fragments);
     EXPECT_EQ(got.counters.primitives, expected.counters.primitives);
     EXPECT_EQ(got.counters.shadingEvents, expected.counters.shadingEvents);
@@ -132,7 +135,7 @@ TYPED_TEST_P(PullingCases, SurfacesOfInterlockAreThoseOfGeometryShaders) {
     this->context.get()->caps.flags |= AGAA_DEVICE_FRAGMENT_INTERLOCK;
     const ViewSettings settings = dcaaSettings(64, 4, AGAA_TIER_FRAGMENT_INTERLOCK);
     const Shot shot = everyTriangle();
-    expectSameFrame(this->keep(pulled(settings), shot), this->keep(settings, shot));
+    expectSameFrame(this->keep(pulled(settings), shot), this->keep(settings, shot), this->context.caps());
 }
 
 // What hosts are told, and what devices without geometry shaders can do.

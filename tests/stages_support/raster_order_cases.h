@@ -53,7 +53,7 @@ TYPED_TEST_P(RasterOrderCases, MergesAsLists) {
             lists.config.coverage.samplePositions = merging.config.coverage.samplePositions = pattern.data();
         lists.surface = merging.surface = "s.normalDx = vec3(0.3, 0.0, 0.1); s.normalDy = vec3(0.0, 0.02, 0.0);";
         const Kept expected = this->keep(lists, shot), got = this->keep(merging, shot);
-        expectSameFrame(got, expected);
+        expectSameFrame(got, expected, this->context.caps());
         EXPECT_GT(expected.counters.discarded + expected.counters.mergedFirst, c.isTangle ? 20u : 0u);
     }
 }

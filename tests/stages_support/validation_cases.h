@@ -35,6 +35,7 @@ inline std::vector<Triangle> validatedScene() {
         material.diffuse.w = alpha;
         for (Triangle& t : rectangle(float(r.x0), float(r.y0), float(r.x1), float(r.y1), depth, material)) {
             t.isMasked = alpha < 1;
+            t.seed = 7; // samples at the common edge are of one mask
             list.push_back(t);
         }
     };

@@ -92,6 +92,7 @@ void GLAD_API_PTR sampleQuery(GLenum, GLenum, GLsizei samples, GLenum parameter,
 
 // As NVIDIA's 16 samples, which are 4 in each of four texels.
 TEST(GlCalls, SupersamplingIsNotTakenForSamples) {
+    sharedEgl().makeCurrent();
     Replaced replaced;
     replace(replaced, "glGetIntegerv", integersAndOneExtension);
     replace(replaced, "glGetStringi", stringOrExtension);

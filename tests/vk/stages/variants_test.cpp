@@ -1,6 +1,7 @@
 // Variants that another thread prepares while frames are recorded. Validation layers check the calls of both threads.
 #include "variant_cases.h"
 
+#include "agreement.h"
 #include "show.h"
 
 #include <atomic>
@@ -42,7 +43,8 @@ void expectEqualFramesWhile(const ViewSettings& settings, bool fromTwoThreads) {
     for (bool isLast = false; !isLast; ++frames) {
         isLast = running == 0 && frames >= list.size();
         const size_t which = (frames * 5) % list.size();
-        EXPECT_EQ(rig.show(list[which]), expected[which]) << frames;
+        SCOPED_TRACE(frames);
+        expectSameImage(rig.show(list[which]), expected[which], context.caps());
         EXPECT_LE(rig.statistics().variantCount, list.size());
     }
     first.join();
@@ -51,7 +53,7 @@ void expectEqualFramesWhile(const ViewSettings& settings, bool fromTwoThreads) {
     const AgaaFrameStatistics statistics = rig.statistics();
     EXPECT_EQ(statistics.variantCount, list.size()) << "the last of the list is that of the view";
     for (size_t i = 0; i < list.size(); ++i) {
-        EXPECT_EQ(rig.show(list[i]), expected[i]);
+        expectSameImage(rig.show(list[i]), expected[i], context.caps());
         EXPECT_EQ(rig.statistics().variantFlags, list[i].flags);
         EXPECT_EQ(rig.statistics().variantShadowMaps, list[i].shadowMapCount);
     }
