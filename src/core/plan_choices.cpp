@@ -95,6 +95,10 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
 }
 
 void PlanBuilder::chooseVisibilityTier(const Technique& technique) {
+    if (hasFact(AGAA_FACT_CUSTOM_DEPTH) && !(technique.facts & AGAA_FACT_CUSTOM_DEPTH))
+        fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\" knows what a material covers before it runs, so materials that write "
+                                            "depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) are not for it.",
+                                            technique.name));
     if (technique.countsCoverage(plan.config.generationTier, plan.samples)) {
         const uint32_t forced = plan.config.visibilityTier;
         if (forced != AGAA_TIER_AUTO && forced != AGAA_TIER_NATIVE)

@@ -3,6 +3,8 @@
 
 #include "agaa_sdk.h"
 
+#include "core/facts.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -66,6 +68,9 @@ struct TechniqueSettings {
     void (*read)(const AgaaConfig& config, ViewSettings& view);
 };
 
+// Of techniques that find coverage by triangles, or draw again at equal depth.
+inline constexpr uint64_t knownCoverageFacts = (grantingFacts | commonValues) & ~AGAA_FACT_CUSTOM_DEPTH;
+
 struct Technique {
     const char* name;
     uint32_t maxSamples;    // of n, of tiers without coverage samples; 0: there are none
@@ -82,6 +87,8 @@ struct Technique {
     bool (*prefersOrderedGrid)(const ViewSettings& view) = nullptr;
     bool storesWidenedLobes = false; // as roughness, unless lobes are elliptic
     bool keepsSpread = false;        // of normals, for elliptic lobes
+    // Bits of AgaaSceneFacts::flags that views may announce. Tiers may refuse more; what facts save follows from plans.
+    uint64_t facts = grantingFacts | commonValues;
 
     // Whether n counts coverage samples: the tier, or with AUTO n itself, decides.
     bool countsCoverage(uint32_t generationTier, uint32_t samples) const;

@@ -272,6 +272,24 @@ TEST(Planner, MaterialsOfTheirOwnDepthGoThroughAGBuffer) {
     EXPECT_THROW(planFor(spec, fourSampleDevice()), Error);
 }
 
+// The row of a technique says which facts views may announce.
+TEST(Planner, FactsThatATechniqueCannotShowAreRefused) {
+    for (const Technique* technique : techniques())
+        for (const uint64_t fact : {AGAA_FACT_CUSTOM_DEPTH, AGAA_FACT_ONE_ROUGHNESS, AGAA_FACT_NO_DIFFUSE, AGAA_FACT_PLANE_NORMALS}) {
+            ViewSpec spec;
+            spec.technique = technique->name;
+            spec.samples = technique->maxSamples == 0 ? 64 : 1;
+            spec.facts |= fact;
+            SCOPED_TRACE(std::string(technique->name) + " " + std::to_string(fact));
+            if (technique->facts & fact) {
+                EXPECT_NO_THROW(planFor(spec, idealDevice()));
+            } else {
+                EXPECT_THROW(planFor(spec, idealDevice()), Error);
+            }
+        }
+    EXPECT_FALSE(findTechnique("msaa")->facts & AGAA_FACT_CUSTOM_DEPTH);
+}
+
 TEST(Planner, AggregatesThatNoBufferHoldsAreNotKept) {
     const AgaaDeviceCaps caps = fourSampleDevice();
     EXPECT_NE(planFor({}, caps).generationTier, uint32_t(AGAA_TIER_GBUFFER));

@@ -153,8 +153,6 @@ TierAnswer answerFragments(const GenerationQuery& q) {
 TierAnswer answerMaterialLists(const GenerationQuery& q) {
     if (q.hostGBuffer)
         return {false, noCoverageReason};
-    if (q.customDepth)
-        return {false, "materials that write depth or discard on their own have other samples than their edges and alpha say."};
     if (!hasAtomics(q))
         return {false, "the device has no atomics in fragment shaders."};
     if (!expandsTriangles(q))

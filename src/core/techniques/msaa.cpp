@@ -1,15 +1,11 @@
 // `msaa`: forward shading once per fragment into a multisampled target, which is resolved. A depth pass first,
 // so that what is hidden is not shaded.
-#include "core/error.h"
 #include "core/plan_builder.h"
 #include "core/techniques/techniques.h"
 
 namespace agaa {
 
 static void build(PlanBuilder& b) {
-    require(!b.hasFact(AGAA_FACT_CUSTOM_DEPTH), AGAA_ERROR_UNSUPPORTED,
-            "materials that write depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) cannot be drawn a second time "
-            "at equal depth, which \"msaa\" asks for.");
     const ResourceId depth = b.depth(b.wantsStencil());
     const ResourceId color = b.image("color", Format::RGBA16F, true);
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
@@ -43,6 +39,8 @@ static void build(PlanBuilder& b) {
 // Fragments of one surface are shaded once for each primitive that shows.
 static ShadingWork work(const ViewSettings&) { return {}; }
 
-const Technique msaaTechnique = {"msaa", 32, 0, false, {}, {}, build, work};
+const Technique msaaTechnique = {
+    .name = "msaa", .maxSamples = 32, .maxAggregates = 0, .groupsSamples = false, .tiers = {}, .settings = {}, .build = build,
+    .work = work, .facts = knownCoverageFacts};
 
 } // namespace agaa
