@@ -37,9 +37,12 @@ std::string textOf(GLenum name) {
 
 } // namespace
 
-OpenGlApi::OpenGlApi(const std::string& name)
-    : earlierDisplay_(eglGetCurrentDisplay()), earlierContext_(eglGetCurrentContext()),
-      earlierDraw_(eglGetCurrentSurface(EGL_DRAW)), earlierRead_(eglGetCurrentSurface(EGL_READ)) {
+CurrentOpenGl::~CurrentOpenGl() {
+    if (context_ != EGL_NO_CONTEXT)
+        eglMakeCurrent(display_, draw_, read_, context_);
+}
+
+OpenGlApi::OpenGlApi(const std::string& name) {
     for (const EGLDisplay display : findDisplays()) {
         if (display == EGL_NO_DISPLAY || !create(display))
             continue;
@@ -90,8 +93,6 @@ bool OpenGlApi::create(EGLDisplay display) {
 void OpenGlApi::destroy() const {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
-    if (earlierContext_ != EGL_NO_CONTEXT)
-        eglMakeCurrent(earlierDisplay_, earlierDraw_, earlierRead_, earlierContext_);
 }
 
 void APIENTRY OpenGlApi::onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text,

@@ -9,6 +9,20 @@
 
 namespace agaa::conformance {
 
+// The context that is current in this thread, and current again at the end of the scope.
+class CurrentOpenGl {
+public:
+    CurrentOpenGl() = default;
+    ~CurrentOpenGl();
+    CurrentOpenGl(const CurrentOpenGl&) = delete;
+    CurrentOpenGl& operator=(const CurrentOpenGl&) = delete;
+
+private:
+    EGLDisplay display_ = eglGetCurrentDisplay();
+    EGLContext context_ = eglGetCurrentContext();
+    EGLSurface draw_ = eglGetCurrentSurface(EGL_DRAW), read_ = eglGetCurrentSurface(EGL_READ);
+};
+
 class OpenGlApi {
 public:
     // Core 4.5, current in this thread. Of the first display whose GL_RENDERER contains the name.
@@ -28,9 +42,9 @@ private:
     static void APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* text,
                                    const void* user);
 
-    EGLDisplay display_ = EGL_NO_DISPLAY, earlierDisplay_ = EGL_NO_DISPLAY;
-    EGLContext context_ = EGL_NO_CONTEXT, earlierContext_ = EGL_NO_CONTEXT;
-    EGLSurface earlierDraw_ = EGL_NO_SURFACE, earlierRead_ = EGL_NO_SURFACE;
+    const CurrentOpenGl earlier_;
+    EGLDisplay display_ = EGL_NO_DISPLAY;
+    EGLContext context_ = EGL_NO_CONTEXT;
     std::vector<std::string> messages_;
 };
 

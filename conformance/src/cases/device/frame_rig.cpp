@@ -162,6 +162,16 @@ void expectSame(Test& test, const Image& got, const Image& expected, uint32_t wi
                               colorText(&expected[4 * first]) + at(first, width) + ".");
 }
 
+void expectAlike(Test& test, const Image& got, const Image& expected, float rounding, const std::string& what) {
+    if (!test.check(got.size() == expected.size(), what + " has another size."))
+        return;
+    float largest = 0;
+    for (size_t i = 0; i < got.size(); ++i)
+        if (const float difference = std::fabs(got[i] - expected[i]) / (1 + std::fabs(expected[i])); !(difference <= largest))
+            largest = difference;
+    test.check(largest <= rounding, what + " differs by " + std::to_string(largest) + ".");
+}
+
 void expectColor(Test& test, const Image& got, uint32_t width, const Area& area, const float* rgb,
                  float tolerance, const std::string& what) {
     for (uint32_t y = area.y0; y < area.y1; ++y)

@@ -1,6 +1,7 @@
 // Contexts and views of the other graphics API: functions refuse their handles.
 #include "cases.h"
 #include "frame_rig.h"
+#include "hosts/gl_device.h"
 
 namespace agaa::conformance {
 
@@ -15,6 +16,7 @@ std::unique_ptr<Device> otherDevice(Test& test) {
 
 // The functions of the test's API, with a context of the other.
 struct Handles {
+    const CurrentOpenGl current; // which NVIDIA's driver loses when its Vulkan goes
     const std::unique_ptr<Device> device;
     Test inner; // whose failures are the test's
     std::unique_ptr<OwnContext> context;

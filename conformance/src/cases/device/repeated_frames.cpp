@@ -10,7 +10,8 @@ namespace agaa::conformance {
 
 namespace {
 
-// Many small rectangles, which overlap in depth and share pixels, with all that materials have.
+// Many small rectangles, which overlap in depth and share pixels, with all that materials have. No two are at one depth: of
+// masked surfaces there, devices show which comes first.
 Scene busyScene(uint32_t width, uint32_t height) {
     Scene scene = smallScene(width, height);
     uint32_t state = 1;
@@ -33,7 +34,7 @@ Scene busyScene(uint32_t width, uint32_t height) {
         surface.isMasked = i % 3 == 0;
         const float x = float(width) * random(), y = float(height) * random();
         addRectangle(scene, width, height, x, y, x + 0.3f + 6 * random(), y + 0.3f + 5 * random(),
-                     1 + float(int(12 * random())), surface);
+                     1 + 12 * random(), surface);
     }
     return scene;
 }
@@ -170,7 +171,8 @@ void testFacts(Test& test, const char* technique) {
     test.requireOk(test.sdk.agaaPrepareVariants(rig.view.get(), 1, &fewer), "agaaPrepareVariants");
     rig.expectNoErrors("agaaPrepareVariants");
     const uint32_t compiled = rig.statistics().compiledPipelines;
-    expectSame(test, renderFewer(), expected, 32, named("a frame of fewer facts with a variant of its own,", technique));
+    // A program of its own, which may round in its own way.
+    expectAlike(test, renderFewer(), expected, 2e-5f, named("a frame of fewer facts with a variant of its own,", technique));
     const uint64_t ran = rig.statistics().variantFlags;
     test.check(ran == fewer.flags, "AgaaFrameStatistics::variantFlags are not those of the variant that was prepared.");
     expectSame(test, renderLit(rig), all, 32, named("a frame of all facts after one of fewer,", technique));
