@@ -18,8 +18,8 @@ vec3 pulledVector(int word) { return vec3(pulledFloat(word), pulledFloat(word + 
 vec4 pull(uint vertex, out Corner corner) {
     int word = vertexWords * int(vertex);
     vec4 color = pulledBytes(word + 12);
-    precise vec3 position = transform(draw.toShading, pulledVector(word));
-    precise vec4 clip = clipOf(position); // as material.vert's invariant gl_Position
+    vec3 position = transform(draw.toShading, pulledVector(word));
+    vec4 clip = clipOf(position);
     corner.uv = vec2(pulledFloat(word + 10), pulledFloat(word + 11));
     corner.alpha = color.a;
 #if AGAA_NEEDS_MATERIAL

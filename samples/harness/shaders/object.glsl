@@ -12,9 +12,13 @@ DRAW_BLOCK Draw {
     uint firstVertex;
 } draw;
 
-// Sums in an order of their own: compilers are free to choose that of dot() and of matrix products, and of
-// surfaces at equal depth rounding picks the one that shows.
-float transformRow(vec4 row, vec3 p) { return ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w; }
+// Sums in an order of their own, and precise: compilers are free to choose the order of dot() and of matrix products and to
+// contract sums, and of surfaces at equal depth rounding picks the one that shows. `invariant gl_Position` says nothing of
+// the vertex shader that pulls, and a caller's `precise` nothing of what functions compute.
+float transformRow(vec4 row, vec3 p) {
+    precise float sum = ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w;
+    return sum;
+}
 
 vec3 transform(vec4 rows[3], vec3 p) {
     return vec3(transformRow(rows[0], p), transformRow(rows[1], p), transformRow(rows[2], p));
@@ -26,7 +30,8 @@ vec3 rotate(vec4 rows[3], vec3 v) {
 
 vec4 clipOf(vec3 position) {
     mat4 m = camera.viewProjection;
-    return ((m[0] * position.x + m[1] * position.y) + m[2] * position.z) + m[3];
+    precise vec4 clip = ((m[0] * position.x + m[1] * position.y) + m[2] * position.z) + m[3];
+    return clip;
 }
 
 // vertex: with the mesh's first one, of the primitive's first corner.

@@ -31,7 +31,8 @@ void main() {
     position = corner + float(gl_InstanceID) * STAGE_INSTANCE_STEP;
     constants = material;
     drawn = uvec2(gl_InstanceID, gl_VertexID / 3);
-    gl_Position = clip * vec4(position, 1.0);
+    precise vec4 place = clip * vec4(position, 1.0); // as pullingText
+    gl_Position = place;
 }
 )";
 

@@ -32,7 +32,8 @@ void main() {
     instance = uint(gl_InstanceIndex);
     uv = vertices.data[2 * gl_VertexIndex + 1].xy;
     triangle = uint(gl_VertexIndex) / 3u;
-    gl_Position = clip * vec4(position, 1.0);
+    precise vec4 place = clip * vec4(position, 1.0); // as pullingText
+    gl_Position = place;
 }
 )";
 
