@@ -89,6 +89,18 @@ Difference differenceOf(const Image& a, const Image& b) {
     return d;
 }
 
+bool isSoftware(const Renderer& renderer) { return renderer.caps().flags & AGAA_DEVICE_SOFTWARE; }
+
+void expectSameBySamples(const Image& got, const Image& expected, const Renderer& renderer) {
+    const Difference d = differenceOf(got, expected);
+    if (isSoftware(renderer)) {
+        EXPECT_EQ(d.pixels, 0u) << d.largest;
+    } else {
+        EXPECT_LE(shareAbove(got, expected, 1e-5), 1e-4) << d.pixels << " pixels, " << d.largest;
+        EXPECT_LE(d.largest, 0.02);
+    }
+}
+
 double meanDifference(const Image& a, const Image& b) {
     double sum = 0;
     for (size_t i = 0; i < a.rgb.size(); ++i)
@@ -159,13 +171,13 @@ void expectExpansionsAgree(Renderer& geometry, Renderer& pulling, RenderSettings
             settings.vertexPulling = true;
             const RenderResult got = pulling.render(settings);
             const AgaaCounters &a = expected.statistics.back().counters, &b = got.statistics.back().counters;
-            const Difference difference = differenceOf(expected.image, got.image);
-            EXPECT_EQ(difference.pixels, 0u) << difference.largest;
+            expectSameBySamples(got.image, expected.image, pulling);
             EXPECT_GT(a.fragments, 10000u);
             EXPECT_EQ(a.lostFragments, 0u);
-            EXPECT_EQ(b.fragments, a.fragments);
-            EXPECT_EQ(b.visible, a.visible);
-            EXPECT_EQ(b.shadingEvents, a.shadingEvents);
+            const double rounding = isSoftware(pulling) ? 0 : 2e-5;
+            EXPECT_NEAR(double(b.fragments), double(a.fragments), rounding * double(a.fragments));
+            EXPECT_NEAR(double(b.visible), double(a.visible), rounding * double(a.visible));
+            EXPECT_NEAR(double(b.shadingEvents), double(a.shadingEvents), rounding * double(a.shadingEvents));
         }
 }
 
@@ -239,8 +251,10 @@ void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* n
         EXPECT_LT(mean, 0.3 / 255);
         // Small as it is here, the helmet's normals from a G-buffer part other aggregates: 49.5.
         const bool isSmallHelmet = std::string_view(name) == "khronos_flight_helmet" && tier == AGAA_TIER_GBUFFER;
-        EXPECT_GE(psnr, isSmallHelmet ? 49.4 : 50);
-        EXPECT_LE(far, 0.0005);
+        // A device with eight samples a pixel has no texels of four, whose fragments evaluate attributes nearer to samples.
+        const bool hasWholePixels = renderer.caps().sampleCounts & 8u;
+        EXPECT_GE(psnr, hasWholePixels ? 45 : isSmallHelmet ? 49.4 : 50);
+        EXPECT_LE(far, hasWholePixels ? 0.001 : 0.0005);
     }
 }
 

@@ -33,6 +33,10 @@ struct Difference {
     double largest = 0;
 };
 Difference differenceOf(const Image& a, const Image& b);
+// Of shaders that are programs of their own: software rasterisers contract no sums, so that the images are equal bit by bit.
+// Elsewhere a rounding may move an edge across a sample.
+void expectSameBySamples(const Image& got, const Image& expected, const Renderer& renderer);
+bool isSoftware(const Renderer& renderer);
 // After tone mapping, so that no highlight speaks for the image.
 double meanDifference(const Image& a, const Image& b);
 // Pixels a channel of which differs by more, after tone mapping, as a share of all.
