@@ -17,6 +17,7 @@ EFFECTS = [
     ("shading-normals", [], ["--without", "shading-normals"]),
     ("emissive", [], ["--without", "emissive"]),
     ("ambient", [], ["--without", "ambient"]),
+    ("local-lights", [], ["--without", "local-lights"]),
     ("shadow-map-0", [], ["--without", "shadows"]),
     ("light-culling", [], ["--no-culling"]),
     ("shadow-filter", [], ["--no-shadow-filter"]),
@@ -30,7 +31,8 @@ EFFECTS = [
     ("the same frame", [], []), # how far times of equal frames differ
 ]
 # A scene that asks for nothing but diffuse light of the sun.
-BARE = ["--without", "specular", "--without", "shading-normals", "--without", "emissive", "--without", "ambient", "--without", "shadows"]
+BARE = ["--without", "specular", "--without", "shading-normals", "--without", "emissive", "--without", "ambient", "--without", "shadows",
+        "--without", "local-lights"]
 # Of the short ways: options that switch them off.
 LONG_WAYS = [
     ("one surface is not clustered", ["--split-surfaces"]),
@@ -48,8 +50,9 @@ SHORT_WAYS = [
 ]
 # Of two geometry passes: what aggregates keep of normals, and the options for it.
 NORMALS = [
-    ("aggregates keep normals", ["--without", "specular"]),
-    ("aggregates take those of the prepass", ["--without", "specular", "--without", "shading-normals"]),
+    ("aggregates keep normals", ["--without", "specular", "--without", "local-lights"]),
+    ("aggregates take those of the prepass",
+     ["--without", "specular", "--without", "local-lights", "--without", "shading-normals"]),
 ]
 
 
@@ -203,7 +206,7 @@ def page(results):
         *short_table(scenes), "",
         "## Normals of the prepass", "",
         "Mean square errors of two geometry passes after tone mapping, against aggregates that a G-buffer fills; without specular",
-        "light. In the second row both have AGAA_FACT_PLANE_NORMALS, with which aggregates of two geometry passes take the 16",
+        "light and local lights. In the second row both have AGAA_FACT_PLANE_NORMALS, with which aggregates of two geometry passes take the 16",
         "bits of the prepass.", "",
         *normals_table(scenes), ""])
 

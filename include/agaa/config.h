@@ -392,8 +392,8 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
  * NO_LOCAL_LIGHTS   all lights are directional. No light is culled
  * PLANE_NORMALS     AgaaSurfaceInput::normal is geometricNormal, or with an AgaaFetchFunction the normal of the triangle, on
  *                   the side of the eye: no normal maps, and no normals that are interpolated. No effect with an
- *                   AgaaGBufferFunction. Without AGAA_FACT_SPECULAR, aggregates of two geometry passes keep no normals and take
- *                   those of the first pass, which have 16 bits
+ *                   AgaaGBufferFunction. With NO_LOCAL_LIGHTS and without AGAA_FACT_SPECULAR, aggregates of two geometry
+ *                   passes keep no normals and take those of the first pass, which have 16 bits
  * NO_TRANSLUCENCY   alpha-masked materials are cut-outs (AgaaSurfaceInput::alphaCutoff > 0)
  * NO_CUTOUTS        alpha-masked materials are translucent, if NO_TRANSLUCENCY is not set */
 #define AGAA_FACT_ONE_ROUGHNESS UINT64_C(0x100)

@@ -254,7 +254,7 @@ AGAA_API AgaaResult AGAA_CALL agaaGetSurface(AgaaView view, const char* name, Ag
  * Errors   Those of agaaPlanToJson, and
  *          AGAA_ERROR_UNSUPPORTED   the view keeps no aggregates in memory. "agaa" keeps them with two geometry passes, and
  *                                   with the tiers IDS and GBUFFER if AGAA_CONFIG_BUFFERED is set; or
- *                                   they keep no normals (AGAA_FACT_PLANE_NORMALS without AGAA_FACT_SPECULAR)
+ *                                   they keep no normals (AGAA_FACT_PLANE_NORMALS and NO_LOCAL_LIGHTS without SPECULAR)
  * Threads  Any. */
 AGAA_API AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
                                                    const AgaaLog* log, size_t* size, char* text);

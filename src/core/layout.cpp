@@ -223,8 +223,10 @@ Layout reduceLayout(Layout layout, uint64_t factFlags, bool keepsRoughness) {
 }
 
 Layout twoPassLayout(Layout layout, uint64_t factFlags) {
-    // Highlights on flat surfaces would show the steps of 16 bits as stripes.
-    if (factFlags & AGAA_FACT_PLANE_NORMALS && !layout.hasSpecularLight)
+    // Highlights, and lights near a flat surface, would show the steps of 16 bits as stripes. Diffuse light of one direction is
+    // the same all over a plane.
+    constexpr uint64_t even = AGAA_FACT_PLANE_NORMALS | AGAA_FACT_NO_LOCAL_LIGHTS;
+    if ((factFlags & even) == even && !layout.hasSpecularLight)
         layout.attributes[AGAA_SEMANTIC_NORMAL] = {};
     return layout;
 }

@@ -173,11 +173,12 @@ TEST(Layout, FactsSaveBytes) {
         EXPECT_EQ(packAggregate(layout, 8).bytes(), row.aggregateBytes) << row.facts;
         EXPECT_EQ(layout.hasSpecularLight, (row.facts & AGAA_FACT_SPECULAR) != 0);
     }
-    constexpr uint64_t flat = AGAA_FACT_PLANE_NORMALS;
+    constexpr uint64_t flat = AGAA_FACT_PLANE_NORMALS | AGAA_FACT_NO_LOCAL_LIGHTS;
     const auto twoPass = [&](uint64_t facts) { return twoPassLayout(reduceLayout(builtin("precise"), facts), facts); };
     EXPECT_EQ(packAggregate(twoPass(flat), 8).bytes(), 8u);
     EXPECT_EQ(packAggregate(twoPass(0), 8).bytes(), 16u);
-    EXPECT_EQ(packAggregate(twoPass(all | flat), 8).bytes(), 36u) << "highlights need all bits of normals";
+    EXPECT_EQ(packAggregate(twoPass(AGAA_FACT_PLANE_NORMALS), 8).bytes(), 16u) << "lights near planes need all bits of normals";
+    EXPECT_EQ(packAggregate(twoPass(all | flat), 8).bytes(), 36u) << "and highlights";
     Layout kept = reduceLayout(builtin("precise"), all | AGAA_FACT_ONE_ROUGHNESS, true);
     EXPECT_TRUE(kept.has(AGAA_SEMANTIC_ROUGHNESS)) << "of techniques that store widened lobes";
     EXPECT_THROW(reduceLayout(builtin("paper16"), all | AGAA_FACT_NO_DIFFUSE), Error) << "emission is a factor of it";

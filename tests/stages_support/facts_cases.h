@@ -116,7 +116,8 @@ TYPED_TEST_P(FactsCases, ValuesReplaceThoseOfMaterials) {
         }
 }
 
-// Each way to keep or fetch a normal; the first three take that of the prepass, whose 16 bits round, where nothing is specular.
+// Each way to keep or fetch a normal; the first three take that of the prepass, whose 16 bits round, where no light is local and
+// nothing specular.
 constexpr FactWay normalWays[] = {{"agaa", 8, AGAA_TIER_PER_SAMPLE},
                                   {"agaa", 4, AGAA_TIER_PER_SAMPLE}, // with reversed depth
                                   {"sbaa", 32},
@@ -141,7 +142,8 @@ TYPED_TEST_P(FactsCases, NormalsArePlanes) {
             settings.flags = AGAA_VIEW_REVERSED_Z;
             settings.projection = reversedInfinite(60, 1.5f, 0.1f);
         }
-        settings.facts.flags &= rounds ? ~AGAA_FACT_SPECULAR : ~UINT64_C(0);
+        if (rounds)
+            settings.facts.flags = (settings.facts.flags & ~AGAA_FACT_SPECULAR) | AGAA_FACT_NO_LOCAL_LIGHTS;
         const Shown stored = this->shownOf(settings, flat);
         settings.facts.flags |= AGAA_FACT_PLANE_NORMALS;
         if (way.samples == 64)

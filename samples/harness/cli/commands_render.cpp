@@ -25,9 +25,11 @@ void leaveOut(const std::string& effect, AgaaSceneFacts& facts) {
         facts.shadowMapCount = 0;
     else if (effect == "shading-normals")
         facts.flags |= AGAA_FACT_PLANE_NORMALS;
+    else if (effect == "local-lights")
+        facts.flags |= AGAA_FACT_NO_LOCAL_LIGHTS;
     else
         throw BadArgument("--without names \"" + effect +
-                          "\"; it can be specular, emissive, ambient, shadows or shading-normals.");
+                          "\"; it can be specular, emissive, ambient, shadows, shading-normals or local-lights.");
 }
 
 void changeFacts(const RenderArguments& arguments, AgaaSceneFacts& facts) {
@@ -49,9 +51,12 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     settings.lights = scene.lights.empty() ? defaultLights(scene, settings.camera) : scene.lights;
     for (const Light& light : smallLights(scene, settings.camera, arguments.lights))
         settings.lights.push_back(light);
-    for (const std::string& effect : arguments.without)
+    for (const std::string& effect : arguments.without) {
+        if (effect == "local-lights")
+            std::erase_if(settings.lights, [](const Light& light) { return light.type != LightType::Directional; });
         for (Light& light : settings.lights)
             light.castsShadow = light.castsShadow && effect != "shadows";
+    }
     settings.facts = sceneFacts(scene, settings.lights);
     changeFacts(arguments, settings.facts);
     settings.reversedZ = arguments.plan.reversedZ;

@@ -92,7 +92,7 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
     app.add_option("--jitter", a.jitter, "x,y in pixels");
     app.add_option("--frames", a.frames)->check(CLI::Range(1u, 100000u));
     app.add_option("--warmup", a.warmup);
-    app.add_option("--without", a.without, "specular, emissive, ambient, shadows or shading-normals; repeatable");
+    app.add_option("--without", a.without, "specular, emissive, ambient, shadows, shading-normals or local-lights; repeatable");
     app.add_flag("--plain-facts", a.plainFacts, "as if materials and lights of the scene had nothing in common");
     app.add_option("--draw-order-seed", a.drawOrderSeed, "shuffle draws");
     app.add_option("--dither-frame", a.ditherFrame, "selects the random numbers of translucent surfaces");

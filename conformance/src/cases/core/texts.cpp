@@ -170,7 +170,7 @@ void testAggregatesUnsupported(Test& test) {
     }
     ViewParts flat(test.sdk, nullptr);
     flat.config.technique = "agaa";
-    flat.facts.flags = AGAA_FACT_PLANE_NORMALS;
+    flat.facts.flags = AGAA_FACT_PLANE_NORMALS | AGAA_FACT_NO_LOCAL_LIGHTS;
     LogRecorder log;
     const AgaaResult result = aggregateGlslQuery.call(test.sdk, &flat.desc, nullptr, log.get());
     expectRefused(test, result, AGAA_ERROR_UNSUPPORTED, log, "agaaGetAggregateGlsl",
