@@ -35,13 +35,22 @@ def measure(runs, scenes, size, backends, frames):
                 arguments = ["render", "--backend", backend, *view_options(source, camera, size), *options(*row), "--frames",
                              frames, "--warmup", 8, "--no-validation"]
                 key = "-".join(map(str, (name, backend, *row)))
-                rendered = runs.kept(key, lambda: {"refusal": why} if (why := runs.refusal(*arguments)) else
-                                     runs.call(*arguments))
+                rendered = runs.kept(key, lambda: render(runs, arguments))
                 if "refusal" in rendered:
                     print(f"{key}: {rendered['refusal']}", flush=True)
                 else:
                     rows.append({**kept(rendered, row[2] if len(row) > 2 else 0), "scene": name})
     return rows
+
+
+def render(runs, arguments):
+    """What a render says, or why the SDK refuses it."""
+    done, message = runs.run(arguments)
+    if done.returncode == 1:
+        return {"refusal": message}
+    if done.returncode != 0:
+        runs.fail(arguments, done, message)
+    return json.loads(done.stdout)
 
 
 def way(row):
@@ -57,11 +66,13 @@ def milliseconds(value):
 def table(rows):
     lines = ["| technique, n, c or S | passes, ms | of `ssaa` 8 | longest passes, ms | bytes a pixel | events a covered pixel |",
              "|---|---|---|---|---|---|"]
+    def timed(row): # passes that copy have no time
+        return [one for one in row["passes"] if one["ms"]]
     def total(row):
-        return sum(one["ms"]["median"] for one in row["passes"])
+        return sum(one["ms"]["median"] for one in timed(row))
     full = next((total(row) for row in rows if (row["technique"], row["samples"]) == ("ssaa", 8)), None)
     for row in rows:
-        longest = sorted(row["passes"], key=lambda one: -one["ms"]["median"])[:2]
+        longest = sorted(timed(row), key=lambda one: -one["ms"]["median"])[:2]
         lines.append("| " + " | ".join([
             way(row), milliseconds(total(row)), f"{total(row) / full:.2f}" if full else "–",
             ", ".join(f"{one['name']} {milliseconds(one['ms']['median'])}" for one in longest),

@@ -206,8 +206,8 @@ def page(results):
         *short_table(scenes), "",
         "## Normals of the prepass", "",
         "Mean square errors of two geometry passes after tone mapping, against aggregates that a G-buffer fills; without specular",
-        "light and local lights. In the second row both have AGAA_FACT_PLANE_NORMALS, with which aggregates of two geometry passes take the 16",
-        "bits of the prepass.", "",
+        "light and without local lights. In the second row both have AGAA_FACT_PLANE_NORMALS, with which aggregates of two",
+        "geometry passes then take the 16 bits of the prepass.", "",
         *normals_table(scenes), ""])
 
 

@@ -20,6 +20,7 @@ PlanBuilder::PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, u
     plan.aliases = !(caps.flags & AGAA_DEVICE_NO_ALIASING) && !(plan.config.flags & AGAA_CONFIG_READBACK);
     const Technique& technique = *findTechnique(plan.technique);
     dropUncalledFor(technique);
+    checkFacts(technique);
     chooseVisibilityTier(technique);
     if (!technique.tiers.empty())
         chooseGenerationTier(technique);

@@ -88,6 +88,7 @@ private:
     uint32_t variantLitShadows() const; // of the shadows that the variant has
     void leaveOutEffects(); // that the variant has not
     uint32_t listLength() const; // of primitives that a group of lanes takes at a time
+    void checkFacts(const Technique& technique) const;
     void chooseVisibilityTier(const Technique& technique);
     void setConstants();
     void checkLimits() const;

@@ -94,11 +94,17 @@ void PlanBuilder::checkTierOptions(const Technique& technique) const {
             "AGAA_CONFIG_BUFFERED, count.");
 }
 
+void PlanBuilder::checkFacts(const Technique& technique) const {
+    const uint64_t refused = plan.facts.flags & ~technique.facts;
+    if (refused & AGAA_FACT_CUSTOM_DEPTH)
+        fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\" does not take materials that write depth or discard on their own "
+                                            "(AGAA_FACT_CUSTOM_DEPTH).", technique.name));
+    if (refused)
+        fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\" does not take the bits 0x%llx of AgaaSceneFacts::flags.", technique.name,
+                                            static_cast<unsigned long long>(refused)));
+}
+
 void PlanBuilder::chooseVisibilityTier(const Technique& technique) {
-    if (hasFact(AGAA_FACT_CUSTOM_DEPTH) && !(technique.facts & AGAA_FACT_CUSTOM_DEPTH))
-        fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\" knows what a material covers before it runs, so materials that write "
-                                            "depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) are not for it.",
-                                            technique.name));
     if (technique.countsCoverage(plan.config.generationTier, plan.samples)) {
         const uint32_t forced = plan.config.visibilityTier;
         if (forced != AGAA_TIER_AUTO && forced != AGAA_TIER_NATIVE)

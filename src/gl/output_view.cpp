@@ -4,10 +4,16 @@ namespace agaa::gl {
 
 static constexpr std::array<GLint, 4> inOrder = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
 
-OutputView::OutputView(const GladGLContext& gl, GLuint texture) : gl_(gl), texture_(texture) {
-    GLint isImmutable = GL_FALSE;
+// Immutable storage has all levels that it can have.
+static bool mayLackLevels(const GladGLContext& gl, GLuint texture) {
+    GLint isImmutable = GL_FALSE, filter = GL_NEAREST;
     gl.GetTextureParameteriv(texture, GL_TEXTURE_IMMUTABLE_FORMAT, &isImmutable);
-    if (!isImmutable)
+    gl.GetTextureParameteriv(texture, GL_TEXTURE_MIN_FILTER, &filter);
+    return !isImmutable && filter != GL_NEAREST && filter != GL_LINEAR;
+}
+
+OutputView::OutputView(const GladGLContext& gl, GLuint texture) : gl_(gl), texture_(texture) {
+    if (mayLackLevels(gl, texture))
         gl.GetTextureParameteriv(texture, GL_TEXTURE_MAX_LEVEL, &maxLevel_);
     gl.GetTextureParameteriv(texture, GL_TEXTURE_BASE_LEVEL, &baseLevel_);
     gl.GetTextureParameteriv(texture, GL_TEXTURE_SWIZZLE_RGBA, swizzle_.data());

@@ -7,10 +7,14 @@
 
 namespace agaa::gl {
 
-// Image stores do nothing to a level below the base level, nor, on NVIDIA's driver, to a texture that lacks mip levels which
-// its filter wants: glTexImage2D leaves one. A sampler object does not replace a texture's base level and swizzle. Sets what
-// lets level 0 be written and read, and brings the host's values back at the end of the scope. Leaves alone what needs no
-// change: textures with bindless handles refuse any.
+// Lets passes write and read level 0 of the output, and brings the host's values back at the end of the scope:
+//
+// * the base level: image stores to a level below it do nothing, and a sampler object does not replace it
+// * the last level, where the texture lacks mip levels that its filter wants, as glTexImage2D leaves one: an image unit with an
+//   incomplete texture is invalid, and stores to it do nothing
+// * the swizzle, which a sampler object does not replace either
+//
+// Leaves alone what needs no change: textures with bindless handles refuse any.
 class OutputView {
 public:
     OutputView(const GladGLContext& gl, GLuint texture);
@@ -22,7 +26,7 @@ private:
     const GladGLContext& gl_;
     GLuint texture_;
     GLint baseLevel_ = 0;
-    GLint maxLevel_ = 0; // 0 in a texture of immutable storage, which lacks no level
+    GLint maxLevel_ = 0; // 0 where no level is lacked
     std::array<GLint, 4> swizzle_{};
 };
 

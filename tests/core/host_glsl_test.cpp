@@ -111,6 +111,27 @@ TEST_P(HostDialects, CompilesForEveryPlan) {
 }
 
 // For shaders that are not of the SDK's passes: it has no macros that the host's could be.
+// NVIDIA's linker places outputs without a location over those of the host.
+TEST(HostGlslCorners, HaveALocationInEveryVersion) {
+    for (const bool isPulled : {false, true}) {
+        ViewSpec spec{.technique = "dcaa", .samples = 64, .aggregates = 4, .generationTier = AGAA_TIER_MATERIAL_LISTS};
+        spec.viewFlags = isPulled ? AGAA_VIEW_VERTEX_PULLING : 0;
+        const Plan plan = planFor(spec, idealDevice());
+        const Pass& pass = *std::ranges::find_if(plan.passes, [](const Pass& p) { return p.kind == PassKind::HostDraw; });
+        for (const uint32_t version : {330u, 400u, 410u, 430u, 460u}) {
+            HostDialect dialect;
+            dialect.openGl = true;
+            dialect.glslVersion = version;
+            const std::string expansion = isPulled ? hostVertex(plan, pass, dialect) : hostGeometry(plan, pass, dialect);
+            for (const std::string& text : {expansion, hostDeclarations(plan, pass, dialect)}) {
+                EXPECT_NE(text.find("#define AGAA_AT_CORNERS layout(location = AGAA_CORNER_LOCATION)"), std::string::npos);
+                EXPECT_NE(text.find("AGAA_AT_CORNERS flat"), std::string::npos);
+            }
+            EXPECT_EQ(hostExtensions(pass, dialect).find("ARB_separate_shader_objects") != std::string::npos, version < 410);
+        }
+    }
+}
+
 TEST_F(HostGlsl, CoverageCompilesAlone) {
     size_t size = 0;
     ASSERT_EQ(agaaGetCoverageGlsl(nullptr, &size, nullptr), AGAA_OK);

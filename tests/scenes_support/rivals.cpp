@@ -67,7 +67,7 @@ void expectRivals(Renderer& renderer, RenderSettings settings, const char* name)
     EXPECT_LT(forward.error, hasWholePixels ? 0.06 : 0.04);
     // No sample more than single has; the errors of its edges are softened, not gone.
     const Rival filtered = rivals.measure("fxaa", 1);
-    EXPECT_LT(filtered.error, 0.72);
+    EXPECT_LT(filtered.error, isSoftware(renderer) ? 0.7 : 0.72); // the reference has samples at other places
     EXPECT_EQ(filtered.counters.maxEventsPerPixel, 1u);
     double before = 1;
     for (uint32_t surfaces : {1u, 2u, 4u, 6u}) {

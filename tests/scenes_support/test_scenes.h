@@ -33,8 +33,8 @@ struct Difference {
     double largest = 0;
 };
 Difference differenceOf(const Image& a, const Image& b);
-// Of shaders that are programs of their own: software rasterisers contract no sums, so that the images are equal bit by bit.
-// Elsewhere a rounding may move an edge across a sample.
+// Expects images of two programs to be equal: bit by bit on software rasterisers, which contract no sums. On other devices a
+// rounding may move an edge across a sample in a few pixels.
 void expectSameBySamples(const Image& got, const Image& expected, const Renderer& renderer);
 bool isSoftware(const Renderer& renderer);
 // After tone mapping, so that no highlight speaks for the image.

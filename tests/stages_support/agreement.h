@@ -1,4 +1,4 @@
-// What frames have in common whose shaders are programs of their own, and frames in which draws are at the same place.
+// Compares frames of programs that may round differently, and settles which of two draws at the same place is shown.
 //
 // Mesa's software rasterisers neither contract nor reorder sums, and run the fragments of a pixel one after another. Other
 // devices promise neither: equal expressions of two programs may differ by rounding, and fragments arrive in any order unless

@@ -1,6 +1,7 @@
 // Decoupled coverage, by what can be seen from outside. Each graphics API instantiates these.
 #pragma once
 
+#include "agreement.h"
 #include "dcaa_lists.h"
 #include "shown.h"
 
@@ -182,7 +183,7 @@ TYPED_TEST_P(DcaaCases, TrianglesThroughTheEyePlaneShowWhatSamplesShow) {
     reversed.projection = reversedInfinite(60, 1.5f, 0.1f);
     const Difference other = compare(this->render(reversed, shot).rgb, shown.rgb);
     std::printf("PSNR %.1f dB to 32 samples, %.1f dB between depth conventions\n", d.psnr, other.psnr);
-    EXPECT_GT(d.psnr, 26.5);
+    EXPECT_GT(d.psnr, isInOrder(this->context.caps()) ? 27 : 26.5) << "32 samples at places of the device's own";
     EXPECT_GT(other.psnr, 80);
 }
 

@@ -220,8 +220,9 @@ TYPED_TEST_P(HardGeometryCases, HardCase25RoutedDuplicatesCountOnce) {
         view.config.flags = AGAA_CONFIG_SPLIT_SURFACES;
         view.config.measurement.flags = routes ? AGAA_MEASURE_FIRST_SAMPLE_ROUTING : 0;
         const Shown r = this->render(view, scene, {sun()});
-        EXPECT_GT(double(r.counters.shadingEvents), (routes ? 1.5 : 2) * double(r.counters.shadedPixels))
-            << "there are several aggregates";
+        // Which is a fragment's first sample depends on the places of samples.
+        const double several = routes && !isInOrder(typename TypeParam::Context().caps()) ? 1.5 : 2;
+        EXPECT_GT(double(r.counters.shadingEvents), several * double(r.counters.shadedPixels)) << "there are several aggregates";
         EXPECT_GT(r.counters.ties, 0u);
         EXPECT_EQ(r.counters.once, r.counters.visible);
         EXPECT_EQ(r.counters.overlapping, 0u) << (routes ? "routed" : "split");

@@ -45,7 +45,8 @@ invariant gl_Position;
 void main() {
     setAttributes();
     primitive = uint(VERTEX) / 3u;
-    gl_Position = clipFromShading * vec4(inPosition, 1.0);
+    precise vec4 clip = clipFromShading * vec4(inPosition, 1.0); // as pullingShader
+    gl_Position = clip;
 }
 )";
 

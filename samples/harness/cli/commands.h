@@ -84,6 +84,8 @@ void runCompare(const CompareArguments& arguments, bool json);
 
 // Takes an effect out of what the scene calls for, so that the plan drops it. BadArgument for other names.
 void leaveOut(const std::string& effect, AgaaSceneFacts& facts);
+// The lights that remain without the effects of --without.
+std::vector<Light> remainingLights(const RenderArguments& arguments, std::vector<Light> lights);
 
 // Shared by commands that render.
 std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments);

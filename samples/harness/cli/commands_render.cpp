@@ -32,6 +32,16 @@ void leaveOut(const std::string& effect, AgaaSceneFacts& facts) {
                           "\"; it can be specular, emissive, ambient, shadows, shading-normals or local-lights.");
 }
 
+std::vector<Light> remainingLights(const RenderArguments& arguments, std::vector<Light> lights) {
+    for (const std::string& effect : arguments.without) {
+        if (effect == "local-lights")
+            std::erase_if(lights, [](const Light& light) { return light.type != LightType::Directional; });
+        for (Light& light : lights)
+            light.castsShadow = light.castsShadow && effect != "shadows";
+    }
+    return lights;
+}
+
 void changeFacts(const RenderArguments& arguments, AgaaSceneFacts& facts) {
     for (const std::string& effect : arguments.without)
         leaveOut(effect, facts);
@@ -51,12 +61,7 @@ RenderSettings renderSettings(const RenderArguments& arguments, const Configurat
     settings.lights = scene.lights.empty() ? defaultLights(scene, settings.camera) : scene.lights;
     for (const Light& light : smallLights(scene, settings.camera, arguments.lights))
         settings.lights.push_back(light);
-    for (const std::string& effect : arguments.without) {
-        if (effect == "local-lights")
-            std::erase_if(settings.lights, [](const Light& light) { return light.type != LightType::Directional; });
-        for (Light& light : settings.lights)
-            light.castsShadow = light.castsShadow && effect != "shadows";
-    }
+    settings.lights = remainingLights(arguments, std::move(settings.lights));
     settings.facts = sceneFacts(scene, settings.lights);
     changeFacts(arguments, settings.facts);
     settings.reversedZ = arguments.plan.reversedZ;

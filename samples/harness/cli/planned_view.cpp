@@ -56,7 +56,7 @@ AgaaSceneFacts plannedFacts(const RenderArguments& arguments, bool sceneGiven) {
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     if (sceneGiven) {
         const Scene scene = loadSceneArgument(arguments.scene);
-        facts = sceneFacts(scene, scene.lights.empty() ? defaultLights(scene) : scene.lights);
+        facts = sceneFacts(scene, remainingLights(arguments, scene.lights.empty() ? defaultLights(scene) : scene.lights));
     }
     changeFacts(arguments, facts);
     return facts;

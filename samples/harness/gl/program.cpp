@@ -81,6 +81,7 @@ std::string versionLine(uint32_t glslVersion) {
 std::string vertexText(uint32_t glslVersion, const char* body) {
     return versionLine(glslVersion) +
            (glslVersion < 420 ? "#extension GL_ARB_shading_language_420pack : require\n" : "") +
+           (glslVersion < 400 ? "#extension GL_ARB_gpu_shader5 : require\n" : "") + // `precise`
            "#define HARNESS_GL\n" + embedded::interface_glsl + body;
 }
 

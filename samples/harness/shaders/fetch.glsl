@@ -36,7 +36,10 @@ FetchDraw fetchDraw(uint index) {
 
 vec4 fetchRowOf(FetchDraw draw, int row) { return uintBitsToFloat(texelFetch(fetchDraws, draw.at + row)); }
 
-float fetchRow(vec4 row, vec3 p) { return ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w; }
+float fetchRow(vec4 row, vec3 p) {
+    precise float sum = ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w;
+    return sum;
+}
 vec3 fetchTransform(FetchDraw draw, vec3 p) { // as object.glsl's
     return vec3(fetchRow(fetchRowOf(draw, 0), p), fetchRow(fetchRowOf(draw, 1), p), fetchRow(fetchRowOf(draw, 2), p));
 }
@@ -54,7 +57,8 @@ int fetchVertex(FetchDraw draw, uint primitive, uint corner) {
 vec4 fetchClip(FetchDraw draw, int vertex) {
     vec3 p = fetchTransform(draw, uintBitsToFloat(texelFetch(fetchVertices, vertex).xyz));
     mat4 m = fetchCamera.viewProjection;
-    return ((m[0] * p.x + m[1] * p.y) + m[2] * p.z) + m[3];
+    precise vec4 clip = ((m[0] * p.x + m[1] * p.y) + m[2] * p.z) + m[3];
+    return clip;
 }
 
 void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c) {

@@ -8,5 +8,5 @@
 #else
 #define AGAA_CORNER vec3
 #endif
-// NVIDIA's linker gives a name without a location those that the host gave to its own.
+// NVIDIA's linker places outputs without a location over those of the host.
 #define AGAA_AT_CORNERS layout(location = AGAA_CORNER_LOCATION)

@@ -15,7 +15,7 @@ struct agaa_Barycentrics {
     real facing; // > 0 where the vertices turn from x to y of ndc, < 0 where the other way
 };
 
-// PRECISE: thin triangles leave little of the products, and programs that contract one of them differ by much of it.
+// PRECISE: in thin triangles the two products nearly cancel, and a program that contracts one of them gets another difference.
 real agaa_cross2(rvec2 a, rvec2 b) {
     PRECISE real area = a.x * b.y - a.y * b.x;
     return area;

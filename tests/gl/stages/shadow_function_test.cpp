@@ -2,6 +2,8 @@
 // its view.
 #include "bench.h"
 
+#include "gl/output_view.h"
+
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -116,7 +118,35 @@ TEST(GlFrames, CompositeOverATextureWithoutMipLevels) {
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, GLsizei(settings.width), GLsizei(settings.height), 0,
                   GL_RGBA, GL_FLOAT, nullptr);
     gl.BindTexture(GL_TEXTURE_2D, 0);
+    gl.TextureParameteri(name, GL_TEXTURE_MAX_LEVEL, 3);
     EXPECT_EQ(render(name), render(bench.view.output().get()));
+    GLint maxLevel = 0, filter = 0;
+    gl.GetTextureParameteriv(name, GL_TEXTURE_MAX_LEVEL, &maxLevel);
+    gl.GetTextureParameteriv(name, GL_TEXTURE_MIN_FILTER, &filter);
+    EXPECT_EQ(maxLevel, 3) << "the host's";
+    EXPECT_EQ(filter, GL_NEAREST_MIPMAP_LINEAR);
+}
+
+// Textures with bindless handles refuse any change: those that lack no level keep their last one during a frame.
+TEST(GlFrames, OutputsThatLackNoLevelAreNotChanged) {
+    const GladGLContext& gl = sharedEgl().gl();
+    for (const bool isImmutable : {false, true}) {
+        ViewSettings settings = benchSettings();
+        const harness::gl::Texture output = harness::gl::createTexture(gl, GL_TEXTURE_2D);
+        const auto width = GLsizei(settings.width), height = GLsizei(settings.height);
+        if (isImmutable) {
+            gl.TextureStorage2D(output.get(), 1, GL_RGBA32F, width, height);
+        } else {
+            gl.BindTexture(GL_TEXTURE_2D, output.get());
+            gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+            gl.BindTexture(GL_TEXTURE_2D, 0);
+            gl.TextureParameteri(output.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        }
+        const agaa::gl::OutputView view(gl, output.get());
+        GLint maxLevel = 0;
+        gl.GetTextureParameteriv(output.get(), GL_TEXTURE_MAX_LEVEL, &maxLevel);
+        EXPECT_EQ(maxLevel, 1000) << "OpenGL's default";
+    }
 }
 
 // Level 0 and its channels are written and read, whatever the host's own sampling of the texture is set to.

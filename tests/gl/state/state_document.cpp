@@ -53,8 +53,9 @@ constexpr const char* kAfter = R"(
   active. Transform feedback must be paused, or the frame is refused.
 - What belongs to objects: the draw buffers of a framebuffer, the attributes of a vertex array, the uniforms of
   a program. The SDK does not touch the host's objects, except the output texture: frames write its contents, and set its
-  base level and swizzle to 0 and to the channels in order while a pass uses it, where they are not. Textures with
-  bindless handles must have these values already, because OpenGL refuses to change them.
+  base level and swizzle to 0 and to the channels in order while a pass uses it, where they are not. If its filter uses mip
+  levels and its storage is not immutable, they set its last level to 0 too. Textures with bindless handles must have these
+  values already, because OpenGL refuses to change them.
 - Objects that a callback deletes: their bindings are 0 afterwards. A program linked anew without success is not
   used again.
 - A program that the host has deleted while it is in use, which is legal: OpenGL drops it as soon as a frame uses

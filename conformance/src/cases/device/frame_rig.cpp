@@ -165,11 +165,14 @@ void expectSame(Test& test, const Image& got, const Image& expected, uint32_t wi
 void expectAlike(Test& test, const Image& got, const Image& expected, float rounding, const std::string& what) {
     if (!test.check(got.size() == expected.size(), what + " has another size."))
         return;
-    float largest = 0;
-    for (size_t i = 0; i < got.size(); ++i)
-        if (const float difference = std::fabs(got[i] - expected[i]) / (1 + std::fabs(expected[i])); !(difference <= largest))
-            largest = difference;
-    test.check(largest <= rounding, what + " differs by " + std::to_string(largest) + ".");
+    for (size_t i = 0; i < got.size(); ++i) {
+        const float difference = std::fabs(got[i] - expected[i]);
+        if (!(difference <= rounding * (1 + std::fabs(expected[i])))) { // also of what is no number
+            test.check(false, what + " has " + std::to_string(got[i]) + " in place of " + std::to_string(expected[i]) +
+                                  " in pixel " + std::to_string(i / 4) + ".");
+            return;
+        }
+    }
 }
 
 void expectColor(Test& test, const Image& got, uint32_t width, const Area& area, const float* rgb,

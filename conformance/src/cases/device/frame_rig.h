@@ -70,7 +70,7 @@ void addRecordCase(Suite& suite, const std::string& promise, const std::function
 const float* pixel(const Image& image, uint32_t width, uint32_t x, uint32_t y);
 // Compares bit by bit, and names the first pixel that differs.
 void expectSame(Test& test, const Image& got, const Image& expected, uint32_t width, const std::string& what);
-// Each value up to this share of it and of 1.
+// Passes if |got - expected| <= rounding (1 + |expected|) for each value.
 void expectAlike(Test& test, const Image& got, const Image& expected, float rounding, const std::string& what);
 // All pixels of [x0, x1) x [y0, y1) have the colour within the tolerance.
 struct Area {

@@ -10,8 +10,8 @@ namespace agaa::conformance {
 
 namespace {
 
-// Many small rectangles, which overlap in depth and share pixels, with all that materials have. No two are at one depth: of
-// masked surfaces there, devices show which comes first.
+// Many small rectangles, which overlap in depth and share pixels, with all that materials have. No two are at one depth:
+// there, a device may show either of two masked surfaces.
 Scene busyScene(uint32_t width, uint32_t height) {
     Scene scene = smallScene(width, height);
     uint32_t state = 1;
