@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Tests of benchmark/scene_effects.py: what its tables say of results."""
 
+import json
 import sys
 import unittest
 from pathlib import Path
@@ -29,6 +30,10 @@ class SceneEffects(unittest.TestCase):
     def setUp(self):
         self.results = {"device": "D", "driver": "E", "size": "320x180",
                         "scenes": {"metal": scene(1.25, 20), "city": scene(1.75, 30)}}
+
+    def test_the_kept_page_follows_from_its_results(self):
+        kept = Path(__file__).resolve().parents[2] / "docs" / "results" / "lavapipe" / "effects" / "effects.json"
+        self.assertEqual(kept.with_suffix(".md").read_text(), scene_effects.page(json.loads(kept.read_text())))
 
     def test_effects_are_differences_and_ratios(self):
         text = scene_effects.page(self.results)
