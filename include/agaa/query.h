@@ -61,7 +61,7 @@ typedef struct AgaaCapability {
     uint32_t isNative;  /* 1: as the papers describe it */
     float relativeCost; /* approximate, from measurements on lavapipe: the stage against native visibility or post-depth
                            atomics; for GBUFFER and IDS whole frames of "agaa" with n = 8; for tiers of "dcaa" whole frames
-                           against FRAGMENT_LISTS, of FRAGMENT_INTERLOCK on an NVIDIA H200 */
+                           against FRAGMENT_LISTS, of FRAGMENT_INTERLOCK passes on an NVIDIA H200 */
     uint32_t reserved;
     char reason[256];   /* one sentence */
 } AgaaCapability;

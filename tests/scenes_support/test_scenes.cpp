@@ -97,7 +97,7 @@ void expectSameBySamples(const Image& got, const Image& expected, const Renderer
         EXPECT_EQ(d.pixels, 0u) << d.largest;
     } else {
         EXPECT_LE(shareAbove(got, expected, 1e-5), 1e-4) << d.pixels << " pixels, " << d.largest;
-        EXPECT_LE(d.largest, 0.02);
+        EXPECT_LE(d.largest, 0.006);
     }
 }
 
@@ -251,7 +251,7 @@ void expectTiersAgree(Renderer& renderer, RenderSettings settings, const char* n
         EXPECT_LT(mean, 0.3 / 255);
         // Small as it is here, the helmet's normals from a G-buffer part other aggregates: 49.5.
         const bool isSmallHelmet = std::string_view(name) == "khronos_flight_helmet" && tier == AGAA_TIER_GBUFFER;
-        // A device with eight samples a pixel has no texels of four, whose fragments evaluate attributes nearer to samples.
+        // An NVIDIA H200, which has eight samples a texel: 45.7 and 0.0008 in metal.
         const bool hasWholePixels = renderer.caps().sampleCounts & 8u;
         EXPECT_GE(psnr, hasWholePixels ? 45 : isSmallHelmet ? 49.4 : 50);
         EXPECT_LE(far, hasWholePixels ? 0.001 : 0.0005);

@@ -35,7 +35,7 @@ TYPED_TEST_P(CarriedCases, MergesAsFetchedFragments) {
             if (isInOrder(this->context.caps())) { // merging puts other lists in order, and some fragments before the first
                 ASSERT_EQ(carried.lists[p].size(), fetched.lists[p].size()) << p;
             }
-            expectSame(carried.pixels[p], fetched.pixels[p], p);
+            expectSame(carried.pixels[p], fetched.pixels[p], p, isInOrder(this->context.caps()) ? 1e-9f : roundedStep);
         }
         const AgaaCounters &a = fetched.counters, &b = carried.counters;
         EXPECT_EQ(b.fragments, a.fragments);
@@ -62,7 +62,7 @@ TYPED_TEST_P(CarriedCases, MaterialsAreEvaluatedInTheMiddleOfWhatIsCovered) {
     shot.material = "m.diffuse = p.at; m.emissive = vec3(0.0);";
     const Difference d = compare(this->render(carried, shot).rgb, this->render(opaque, shot).rgb);
     std::printf("PSNR %.1f dB\n", d.psnr);
-    EXPECT_GT(d.psnr, isInOrder(this->context.caps()) ? 90 : 75) << "weights divide, which devices round in their own way";
+    EXPECT_GT(d.psnr, isInOrder(this->context.caps()) ? 90 : 75) << "78.0 on an NVIDIA H200";
     // A cut-out's samples are on one side of the pixel, and so is their middle.
     carried.surface = "s.alphaCutoff = 0.5; s.hasAlphaNear = true; s.alphaNear = vec4(-1.0, 1.0, -1.0, 1.0) * 0.4 + 0.5; "
                       "s.emissive = vec3(agaa_coveredMiddle(s), 0.0); s.diffuse = s.specular = vec3(0.0);";

@@ -49,6 +49,10 @@ void storeSurface(paper::Surface& surface);
 paper::Rules rulesOf(const ViewSettings& settings, const paper::Surface& fragment);
 
 // Masks are equal; numbers differ by steps of what memory keeps at most.
-void expectSame(const std::vector<paper::Surface>& got, const std::vector<paper::Surface>& expected, size_t pixel);
+// leastStep: of slopes near 0.
+void expectSame(const std::vector<paper::Surface>& got, const std::vector<paper::Surface>& expected, size_t pixel,
+                float leastStep = 1e-9f);
+// Of slopes of programs that round differently: half floats below their normal range step by 6e-8.
+constexpr float roundedStep = 3e-8f;
 
 } // namespace agaa::test

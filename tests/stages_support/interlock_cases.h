@@ -28,7 +28,7 @@ inline void expectSameFrame(const Kept& got, const Kept& expected, const AgaaDev
         if (isInOrder(caps)) {
             ASSERT_EQ(got.words[p], expected.words[p]) << p;
         } else {
-            expectSame(got.pixels[p], expected.pixels[p], p);
+            expectSame(got.pixels[p], expected.pixels[p], p, roundedStep);
         }
     expectSameImage(got.rgb, expected.rgb, caps);
     const AgaaCounters &a = expected.counters, &b = got.counters;

@@ -122,7 +122,7 @@ TEST(PolishedTubes, EllipticLobesErrLessThanShadingEachSample) {
     s.config.ndf = AGAA_NDF_TOKSVIG;
     const double round = error("the same, round");
     EXPECT_GT(ssaa, 10 * truth.splitHalfMseTm);
-    EXPECT_LT(elliptic, (isSoftware(sharedRenderer()) ? 0.7 : 0.75) * ssaa); // whose samples are at other places
+    EXPECT_LT(elliptic, (isSoftware(sharedRenderer()) ? 0.7 : 0.75) * ssaa); // 0.72 on an NVIDIA H200
     EXPECT_LT(elliptic, 0.7 * round);
 }
 

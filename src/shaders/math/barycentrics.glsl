@@ -15,16 +15,13 @@ struct agaa_Barycentrics {
     real facing; // > 0 where the vertices turn from x to y of ndc, < 0 where the other way
 };
 
-// PRECISE: in thin triangles the two products nearly cancel, and a program that contracts one of them gets another difference.
 real agaa_cross2(rvec2 a, rvec2 b) {
-    PRECISE real area = a.x * b.y - a.y * b.x;
-    return area;
+    return a.x * b.y - a.y * b.x;
 }
 
 // What a vertex's clip coordinates x, y, w are away from the ray through ndc, in units of a pixel times w.
 rvec2 agaa_fromRay(rvec3 clip, rvec2 ndc, rvec2 pixelsPerNdc) {
-    PRECISE rvec2 away = (rvec2(clip.x, clip.y) - ndc * clip.z) * pixelsPerNdc;
-    return away;
+    return (rvec2(clip.x, clip.y) - ndc * clip.z) * pixelsPerNdc;
 }
 
 // a, b, c: clip coordinates x, y, w. pixelsPerNdc: half of the image's size. Points outside, of slivers that a

@@ -409,7 +409,7 @@ TEST(Definition, HardCase20AWallStaysOneAggregate) {
                 for (uint32_t i = 1; i < 8; ++i)
                     stepped += depth[view.sampleIndex(x, y, 0)].x != depth[view.sampleIndex(x, y, i)].x;
             }
-        if (isInOrder(context.caps())) { // hardware interpolates depth in more bits
+        if (isInOrder(context.caps())) { // an NVIDIA H200 has no step there
             EXPECT_GT(stepped, 0u) << "the wall must cross steps of the depth buffer";
         }
         EXPECT_EQ(split, 0u) << "at " << distance;
