@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints src/core/choice_table.inc: the settings that agaaChooseSettings chooses among, their errors and the coefficients of
+"""Prints src/core/tuning/choice_table.inc: the settings that agaaChooseSettings chooses among, their errors and the coefficients of
 their times.
 
 All are of a sweep (benchmark/full_sweep.py). To measure again, pass the results.json of another one.

@@ -1,4 +1,4 @@
-# Writes the GLSL of src/shaders/passes/bindings.inc: a macro AGAA_AT_… for each binding of the SDK's compute passes.
+# Writes the GLSL of src/shaders/tables/bindings.inc: a macro AGAA_BINDING_… for each binding of the SDK's compute passes.
 
 # agaa_write_bindings(TABLE OUTPUT)
 function(agaa_write_bindings table output)
@@ -11,8 +11,8 @@ function(agaa_write_bindings table output)
     if(NOT matched)
       message(FATAL_ERROR "${table} has a row that is no binding: ${row}")
     endif()
-    string(APPEND vulkan "#define AGAA_AT_${CMAKE_MATCH_1} set = 0, binding = ${CMAKE_MATCH_2}\n")
-    string(APPEND opengl "#define AGAA_AT_${CMAKE_MATCH_1} binding = ${CMAKE_MATCH_3}\n")
+    string(APPEND vulkan "#define AGAA_BINDING_${CMAKE_MATCH_1} set = 0, binding = ${CMAKE_MATCH_2}\n")
+    string(APPEND opengl "#define AGAA_BINDING_${CMAKE_MATCH_1} binding = ${CMAKE_MATCH_3}\n")
   endforeach()
   file(CONFIGURE OUTPUT ${output} @ONLY CONTENT
        "#ifndef AGAA_BINDINGS_GLSL\n#define AGAA_BINDINGS_GLSL\n#ifdef AGAA_GL\n${opengl}#else\n${vulkan}#endif\n#endif\n")

@@ -11,18 +11,19 @@ else()
 endif()
 set(AGAA_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_text.cmake)
 
-# agaa_compile_pass(OUT_SPV PASS NAME DEFINES...): adds a command, appends the .spv to OUT_SPV.
-function(agaa_compile_pass out_list pass name)
+# agaa_compile_pass(OUT_SPV FILE NAME DEFINES...): adds a command, appends the .spv to OUT_SPV.
+function(agaa_compile_pass out_list file name)
   set(spv ${CMAKE_CURRENT_BINARY_DIR}/spirv/${name}.inc)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders/math/*.glsl
-       ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders/passes/*)
+  set(shaders ${PROJECT_SOURCE_DIR}/src/shaders)
+  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/spirv)
+  # glslang names the files that the pass includes, so that a change compiles only what reads it.
   add_custom_command(
     OUTPUT ${spv}
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/spirv
-    COMMAND ${GLSLANG_VALIDATOR} --quiet -V ${AGAA_GLSLANG_OPTIMISES} --target-env vulkan1.2 -I${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders
-            -I${CMAKE_CURRENT_BINARY_DIR}/shaders ${ARGN} --vn spirv_${name} -o ${spv}
-            ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/shaders/passes/${pass}.comp
-    DEPENDS ${sources} ${written_glsl}
+    COMMAND ${GLSLANG_VALIDATOR} --quiet -V ${AGAA_GLSLANG_OPTIMISES} --target-env vulkan1.2 -I${shaders}
+            -I${CMAKE_CURRENT_BINARY_DIR}/shaders ${ARGN} --vn spirv_${name} --depfile ${spv}.d -o ${spv}
+            ${shaders}/${file}
+    DEPENDS ${shaders}/${file} ${written_glsl}
+    DEPFILE ${spv}.d
     COMMENT "Compiling ${name}" VERBATIM)
   set(${out_list} ${${out_list}} ${spv} PARENT_SCOPE)
 endfunction()

@@ -1,4 +1,4 @@
-"""src/core/choice_table.inc is what benchmark/choice_table.py prints, and its coefficients are those of the frames."""
+"""src/core/tuning/choice_table.inc is what benchmark/choice_table.py prints, and its coefficients are those of the frames."""
 import pathlib
 import random
 import subprocess
@@ -17,8 +17,8 @@ class Table(unittest.TestCase):
     def test_is_what_the_tool_prints(self):
         printed = subprocess.run([sys.executable, ROOT / "benchmark/choice_table.py"], check=True, capture_output=True,
                                  text=True).stdout
-        self.assertEqual((ROOT / "src/core/choice_table.inc").read_text(), printed,
-                         "benchmark/choice_table.py > src/core/choice_table.inc")
+        self.assertEqual((ROOT / "src/core/tuning/choice_table.inc").read_text(), printed,
+                         "benchmark/choice_table.py > src/core/tuning/choice_table.inc")
 
 
 class Rows(unittest.TestCase):

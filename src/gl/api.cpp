@@ -1,5 +1,6 @@
 // The OpenGL part of the C ABI.
-#include "core/backend_api.h"
+#include "core/abi/backend_api.h"
+#include "core/base/error.h"
 #include "gl/bindings.h"
 #include "gl/view.h"
 

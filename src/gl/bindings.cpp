@@ -1,6 +1,6 @@
 #include "gl/bindings.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace agaa::gl {
 

@@ -1,8 +1,8 @@
 // Binding points of OpenGL: plans number bindings in one space, OpenGL has a space of places for each kind.
 #pragma once
 
-#include "core/bindings.h"
-#include "core/host_glsl.h"
+#include "core/plan/bindings.h"
+#include "core/glsl/host_glsl.h"
 #include "gl/state_context.h"
 
 #include <optional>

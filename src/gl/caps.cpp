@@ -1,5 +1,7 @@
 // What an OpenGL context must, should and does offer.
-#include "core/structs.h"
+#include "core/abi/api_guard.h"
+#include "core/base/error.h"
+#include "core/base/structs.h"
 #include "gl/context.h"
 #include "gl/formats.h"
 

@@ -1,6 +1,7 @@
 #include "gl/context.h"
 
-#include "core/validate.h"
+#include "core/base/error.h"
+
 #include "gl/bindings.h"
 #include "gl/timer_probe.h"
 
@@ -187,7 +188,7 @@ void Context::createObjects() {
     label(GL_FRAMEBUFFER, noTarget, "agaa no target");
     for (GLenum side : {GL_FRAMEBUFFER_DEFAULT_WIDTH, GL_FRAMEBUFFER_DEFAULT_HEIGHT})
         gl.NamedFramebufferParameteri(noTarget, side, 1);
-    gl.GetIntegerv(GL_MAX_DEBUG_GROUP_STACK_DEPTH, &mostDebugGroups);
+    gl.GetIntegerv(GL_MAX_DEBUG_GROUP_STACK_DEPTH, &maxDebugGroups);
     gl.CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &noShadow);
     label(GL_TEXTURE, noShadow, "agaa no shadow");
     gl.TextureStorage3D(noShadow, 1, GL_DEPTH_COMPONENT16, 1, 1, 1);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "agaa_gl.h"
-#include "core/handles.h"
-#include "core/host_glsl.h"
+#include "core/abi/handles.h"
+#include "core/glsl/host_glsl.h"
 #include "gl/host_bindings.h"
 #include "gl/program_cache.h"
 #include "gl/state_guard.h"
@@ -44,7 +44,7 @@ public:
     GLuint linearSampler = 0;
     GLuint texelSampler = 0; // for textures of the host, whose own filter may need mip levels
     GLuint noTarget = 0;     // framebuffer without images: what is fetched from must not be drawn into (4.5, 9.3.1)
-    GLint mostDebugGroups = 0; // of the context's stack
+    GLint maxDebugGroups = 0; // of the context's stack
     ProgramCache programs;   // kept where the host keeps them
     bool keepsPrograms = false;
     std::vector<uint32_t> binaryFormats; // that the driver loads

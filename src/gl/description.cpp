@@ -1,5 +1,5 @@
 // What hosts are told of a view's draw passes and surfaces.
-#include "core/structs.h"
+#include "core/base/structs.h"
 #include "gl/formats.h"
 #include "gl/view.h"
 

@@ -1,7 +1,9 @@
 // Running a frame: validate, then passes with the host's state away, but for the host's own draws.
-#include "core/frame_data.h"
-#include "core/draw_passes.h"
-#include "core/validate.h"
+#include "core/base/callbacks.h"
+#include "core/base/error.h"
+#include "core/frame/frame_data.h"
+#include "core/abi/draw_passes.h"
+#include "core/frame/frame_checks.h"
 #include "gl/bindings.h"
 #include "gl/formats.h"
 #include "gl/host_state.h"
@@ -284,13 +286,13 @@ private:
 // Whether the repetition has nothing left to do.
 bool View::endsBefore(const Step& step, uint32_t slot) const {
     for (const Repeat& repeat : plan.repeats) {
-        if (repeat.firstPass != step.pass || repeat.goesOn == noResource)
+        if (repeat.firstPass != step.pass || repeat.predicateBuffer == noResource)
             continue;
         context.gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        GLuint goesOn = 1;
-        context.gl.GetNamedBufferSubData(resources->buffer(repeat.goesOn, slot), GLintptr(repeat.goesOnOffset), sizeof goesOn,
-                                         &goesOn);
-        return goesOn == 0;
+        GLuint predicateBuffer = 1;
+        context.gl.GetNamedBufferSubData(resources->buffer(repeat.predicateBuffer, slot), GLintptr(repeat.predicateOffset), sizeof predicateBuffer,
+                                         &predicateBuffer);
+        return predicateBuffer == 0;
     }
     return false;
 }
@@ -311,7 +313,7 @@ void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const V
             continue;
         }
         std::optional<DebugGroup> group;
-        if (groups < context.mostDebugGroups)
+        if (groups < context.maxDebugGroups)
             group.emplace(context.gl, "agaa " + pass.name);
         runStep(frame, glFrame, variant, step, slot, state);
     }
@@ -334,7 +336,7 @@ AgaaResult View::record(AgaaFrame frame, const AgaaGlFrame& glFrame) {
         runPasses(frame, glFrame, variant, slot, state);
         state.finish();
     } catch (...) {
-        sequence.failedHalfway(frame);
+        sequence.abortedAfterExecution(frame);
         throw;
     }
     recorded(frame);

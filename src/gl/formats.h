@@ -1,7 +1,7 @@
 // Plan formats in OpenGL's words.
 #pragma once
 
-#include "core/format.h"
+#include "core/base/format.h"
 
 #include <glad/gl.h>
 

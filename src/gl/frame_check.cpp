@@ -1,7 +1,8 @@
 // What a frame brings along, checked before anything runs.
 #include "gl/view.h"
 
-#include "core/validate.h"
+#include "core/base/arguments.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <iterator>

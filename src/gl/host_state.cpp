@@ -1,6 +1,7 @@
 #include "gl/host_state.h"
 
-#include "core/error.h"
+#include "core/base/callbacks.h"
+#include "core/base/error.h"
 
 namespace agaa::gl {
 

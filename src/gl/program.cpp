@@ -1,7 +1,7 @@
 #include "gl/program.h"
 
-#include "core/error.h"
-#include "core/glsl_text.h"
+#include "core/base/error.h"
+#include "core/glsl/glsl_text.h"
 #include "gl/context.h"
 
 #include <algorithm>
@@ -107,9 +107,9 @@ Compiled compilePass(Context& context, const Pass& pass) {
         if (const GLuint program = loadBinary(gl, *kept))
             return {program, true};
     const StageText stage{GL_COMPUTE_SHADER, text.c_str()};
-    const bool isHosts = !pass.hostCode.empty();
-    const GLuint program = linkProgram(gl, {stage}, isHosts ? pass.hostCodeOrigin : "the pass " + pass.name,
-                                       isHosts ? AGAA_ERROR_INVALID_ARGUMENT : AGAA_ERROR_INTERNAL, context.keepsPrograms);
+    const bool isImported = !pass.hostCode.empty();
+    const GLuint program = linkProgram(gl, {stage}, isImported ? pass.hostCodeOrigin : "the pass " + pass.name,
+                                       isImported ? AGAA_ERROR_INVALID_ARGUMENT : AGAA_ERROR_INTERNAL, context.keepsPrograms);
     if (context.keepsPrograms)
         keepBinary(gl, program, key, context.programs);
     return {program, false};

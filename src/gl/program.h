@@ -1,7 +1,7 @@
 // Programs from GLSL.
 #pragma once
 
-#include "core/variants.h"
+#include "core/frame/variants.h"
 
 #include <glad/gl.h>
 

@@ -1,5 +1,7 @@
 #include "gl/resources.h"
 
+#include "core/base/error.h"
+
 #include "gl/formats.h"
 
 namespace agaa::gl {
@@ -25,7 +27,7 @@ ViewResources::ViewResources(const Context& context, const Plan& plan) : context
         resources_.resize(plan.resources.size());
         for (ResourceId id = 0; id < plan.resources.size(); ++id) {
             const Resource& resource = plan.resources[id];
-            if (resource.isHosts())
+            if (resource.isImported())
                 continue;
             if (resource.kind == ResourceKind::Image)
                 createTexture(resource, resources_[id]);
@@ -91,7 +93,7 @@ void ViewResources::createBuffers(const Resource& resource, GLenum texels, GpuRe
                                                                              : GL_DYNAMIC_COPY;
         gl.NamedBufferData(buffer, GLsizeiptr(resource.bytes), nullptr, usage);
         context_.label(GL_BUFFER, buffer, "agaa " + resource.name);
-        if (resource.outlivesFrame)
+        if (resource.isPersistent)
             gl.ClearNamedBufferData(buffer, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
         if (resource.isPerPixel())
             payloadBytes_ += resource.bytes;

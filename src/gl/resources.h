@@ -1,7 +1,7 @@
 // OpenGL objects of a plan's resources.
 #pragma once
 
-#include "core/plan.h"
+#include "core/plan/plan.h"
 #include "gl/context.h"
 
 #include <vector>

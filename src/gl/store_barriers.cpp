@@ -1,6 +1,6 @@
 #include "gl/store_barriers.h"
 
-#include "core/access.h"
+#include "core/plan/access.h"
 
 namespace agaa::gl {
 
@@ -34,7 +34,7 @@ GLbitfield StoreBarriers::before(const Plan& plan, const Pass& pass, bool drawsU
     for (const Access& access : accessesOf(pass)) {
         const GLbitfield bit = barrierBit(access, drawsUseImages);
         const State& state = states_[access.resource];
-        if (plan.resources[access.resource].isHosts())
+        if (plan.resources[access.resource].isImported())
             continue;
         if ((state.stored && !(state.visible & bit)) || (state.read && access.stores()))
             bits |= bit;
@@ -52,7 +52,7 @@ void StoreBarriers::after(const Plan& plan, const Pass& pass) {
         if (access.use == Use::StorageRead || access.use == Use::Fetch || access.use == Use::Indirect)
             states_[access.resource].read = true;
     for (const Access& access : accesses)
-        if (access.stores() && !plan.resources[access.resource].isHosts())
+        if (access.stores() && !plan.resources[access.resource].isImported())
             states_[access.resource] = {true, false, 0};
 }
 

@@ -2,7 +2,7 @@
 // it is used next.
 #pragma once
 
-#include "core/plan.h"
+#include "core/plan/plan.h"
 
 #include <glad/gl.h>
 

@@ -1,6 +1,6 @@
 #include "gl/timer_probe.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "gl/pass_clock.h"
 #include "gl/program.h"
 #include "gl/query_buffer.h"

@@ -1,6 +1,7 @@
 #include "gl/view.h"
 
-#include "core/planner.h"
+#include "core/base/error.h"
+#include "core/plan/planner.h"
 #include "gl/formats.h"
 #include "gl/program.h"
 
@@ -12,7 +13,7 @@ View::View(Context& owner, const ViewSettings& settings)
     : View(owner, makePlan(settings, owner.caps, owner.framesInFlight)) {}
 
 View::View(Context& owner, Plan framePlan)
-    : SizedView(owner, std::move(framePlan)), context(owner), steps(plan.steps()),
+    : ViewState(owner, std::move(framePlan)), context(owner), steps(plan.steps()),
       barriers(plan.resources.size()) {
     require(plan.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
             "set layouts of AgaaGBufferFunction, AgaaFetchFunction and AgaaShadowFunction are of Vulkan.");
@@ -37,7 +38,7 @@ View::View(Context& owner, Plan framePlan)
 
 View::~View() { destroy(); }
 
-SizedView* View::remade(const ViewSettings& settings) const {
+ViewState* View::recreate(const ViewSettings& settings) const {
     return construct<View>(context.allocator, context, settings);
 }
 
@@ -64,7 +65,7 @@ Compiled View::compile(const Pass& pass, size_t) {
 
 void View::prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) {
     context.takeHostErrors("agaaPrepareVariants");
-    SizedView::prepare(settings, facts);
+    ViewState::prepare(settings, facts);
 }
 
 void View::createPasses() {

@@ -1,7 +1,7 @@
 // One camera's frame on OpenGL: a plan with everything it needs to be run again and again.
 #pragma once
 
-#include "core/sample_patterns.h"
+#include "core/plan/sample_patterns.h"
 #include "gl/context.h"
 #include "gl/pass_clock.h"
 #include "gl/resources.h"
@@ -24,13 +24,13 @@ struct PassObjects {
     std::string vertex;       // GLSL, or empty
 };
 
-class View : public SizedView {
+class View : public ViewState {
 public:
     View(Context& owner, const ViewSettings& settings);
     View(Context& owner, Plan plan);
     ~View() override;
 
-    SizedView* remade(const ViewSettings& settings) const override;
+    ViewState* recreate(const ViewSettings& settings) const override;
     void prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) override;
     AgaaResult record(AgaaFrame frame, const AgaaGlFrame& glFrame);
 

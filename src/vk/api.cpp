@@ -1,5 +1,6 @@
 // The Vulkan part of the C ABI.
-#include "core/backend_api.h"
+#include "core/abi/backend_api.h"
+#include "core/base/error.h"
 #include "vk/view.h"
 
 using namespace agaa;

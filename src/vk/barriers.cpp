@@ -78,7 +78,7 @@ private:
 
 void Tracker::use(ResourceId id, const VkAccess& access) {
     const Resource& resource = plan_.resources[id];
-    if (resource.isHosts() || resource.kind == ResourceKind::UploadBuffer)
+    if (resource.isImported() || resource.kind == ResourceKind::UploadBuffer)
         return;
     State& state = states_[id];
     const bool isImage = resource.kind == ResourceKind::Image;
@@ -174,8 +174,8 @@ std::vector<StepBarriers> stepBarriers(const Plan& plan, const std::vector<Step>
     for (const Step& step : steps) {
         tracker.usePass(plan.passes[step.pass]);
         // After the pass's own use, so that what is recorded next waits for the read of the condition, too.
-        if (readsConditions && step.goesOn != noResource)
-            tracker.use(step.goesOn, vkAccess(plan, {step.goesOn, Use::Condition, false}));
+        if (readsConditions && step.predicateBuffer != noResource)
+            tracker.use(step.predicateBuffer, vkAccess(plan, {step.predicateBuffer, Use::Condition, false}));
         tracker.useOutput(step);
         list.push_back(tracker.take());
     }

@@ -2,7 +2,7 @@
 // output: they are derived once.
 #pragma once
 
-#include "core/access.h"
+#include "core/plan/access.h"
 #include "vk/resources.h"
 
 #include <vector>
@@ -31,7 +31,7 @@ struct StepBarriers {
 };
 
 // In the order of the steps, which may be recorded in several calls. The first use of a resource in a frame waits for all that
-// was recorded before, and an image's contents are lost. readsConditions: the device reads Step::goesOn.
+// was recorded before, and an image's contents are lost. readsConditions: the device reads Step::predicateBuffer.
 std::vector<StepBarriers> stepBarriers(const Plan& plan, const std::vector<Step>& steps, const ViewResources& resources,
                                        bool readsConditions);
 

@@ -1,9 +1,10 @@
 // What a Vulkan device must, should and does offer.
 #include "vk/context.h"
 
-#include "core/api_guard.h"
-#include "core/plan.h"
-#include "core/structs.h"
+#include "core/abi/api_guard.h"
+#include "core/base/error.h"
+#include "core/plan/plan.h"
+#include "core/base/structs.h"
 
 #include <algorithm>
 #include <cstring>
@@ -89,9 +90,9 @@ bool ordersColorAccess(const InstanceTable& vk, VkPhysicalDevice device, const V
     order.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT;
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &order, {}};
     vk.GetPhysicalDeviceFeatures2(device, &features);
-    const uint32_t withCounters = mostFetchedTargets + 1;
-    return order.rasterizationOrderColorAttachmentAccess && limits.maxColorAttachments >= mostFetchedTargets &&
-           limits.maxPerStageDescriptorInputAttachments >= mostFetchedTargets &&
+    const uint32_t withCounters = maxFetchedTargets + 1;
+    return order.rasterizationOrderColorAttachmentAccess && limits.maxColorAttachments >= maxFetchedTargets &&
+           limits.maxPerStageDescriptorInputAttachments >= maxFetchedTargets &&
            limits.maxFragmentCombinedOutputResources >= withCounters;
 }
 

@@ -1,6 +1,7 @@
 #include "vk/context.h"
 
-#include "core/validate.h"
+#include "core/base/error.h"
+
 
 #include <algorithm>
 #include <cstring>

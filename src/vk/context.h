@@ -1,7 +1,7 @@
 // The SDK inside one host device.
 #pragma once
 
-#include "core/handles.h"
+#include "core/abi/handles.h"
 #include "vk/device_table.h"
 
 namespace agaa::vk {

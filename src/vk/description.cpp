@@ -1,5 +1,5 @@
 // What hosts are told of a view's draw passes and surfaces.
-#include "core/structs.h"
+#include "core/base/structs.h"
 #include "vk/formats.h"
 #include "vk/view.h"
 

@@ -1,6 +1,6 @@
 // What the descriptor sets of passes hold. Most of it lasts as long as the view and is written once; views of the host's images
 // are given anew in each frame.
-#include "core/bindings.h"
+#include "core/plan/bindings.h"
 #include "vk/view.h"
 
 namespace agaa::vk {
@@ -56,19 +56,19 @@ static void writeAttachments(const Context& context, VkDescriptorSet set, const 
     context.vk.UpdateDescriptorSets(context.device, 1, &write, 0, nullptr);
 }
 
-void View::writeLastingDescriptors() {
+void View::writeStaticDescriptors() {
     for (size_t i = 0; i < passes.size(); ++i)
         for (uint32_t slot = 0; slot < passes[i].sets.size(); ++slot) {
             const VkDescriptorSet set = passes[i].sets[slot];
             for (const Binding& binding : plan.passes[i].bindings)
-                if (!plan.resources[binding.resource].isHosts())
-                    writeLasting(set, binding, slot);
+                if (!plan.resources[binding.resource].isImported())
+                    writeStatic(set, binding, slot);
             if (plan.passes[i].drawState.readsAttachments)
                 writeAttachments(context, set, plan.passes[i], *resources);
         }
 }
 
-void View::writeLasting(VkDescriptorSet set, const Binding& binding, uint32_t slot) {
+void View::writeStatic(VkDescriptorSet set, const Binding& binding, uint32_t slot) {
     const VkImageView view = (*resources)[binding.resource].fetchView;
     switch (binding.type) {
     case BindingType::UniformBuffer:

@@ -1,6 +1,6 @@
 #include "vk/device_table.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace agaa::vk {
 

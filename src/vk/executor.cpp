@@ -1,9 +1,11 @@
 // Recording a frame: validate, call the host, then passes with the barriers between them.
 #include "vk/view.h"
 
-#include "core/checked.h"
-#include "core/frame_data.h"
-#include "core/validate.h"
+#include "core/base/callbacks.h"
+#include "core/base/checked.h"
+#include "core/base/error.h"
+#include "core/frame/frame_data.h"
+#include "core/frame/frame_checks.h"
 
 #include <algorithm>
 #include <new>
@@ -51,7 +53,7 @@ void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
     }
 }
 
-bool View::isConditional(const Step& step) const { return context.conditionalRendering && step.goesOn != noResource; }
+bool View::isConditional(const Step& step) const { return context.conditionalRendering && step.predicateBuffer != noResource; }
 
 // Draws and dispatches up to endCondition() do nothing where the step has nothing to do. Barriers, timestamps and what
 // begins and ends rendering stand outside or are not affected.
@@ -60,8 +62,8 @@ void View::beginCondition(const Step& step, uint32_t slot, VkCommandBuffer comma
         return;
     VkConditionalRenderingBeginInfoEXT info{};
     info.sType = VK_STRUCTURE_TYPE_CONDITIONAL_RENDERING_BEGIN_INFO_EXT;
-    info.buffer = bufferOf(step.goesOn, slot);
-    info.offset = step.goesOnOffset;
+    info.buffer = bufferOf(step.predicateBuffer, slot);
+    info.offset = step.predicateOffset;
     context.vk.CmdBeginConditionalRenderingEXT(commands, &info);
 }
 
@@ -127,11 +129,11 @@ VkBuffer View::bufferOf(ResourceId id, uint32_t slot) const {
 
 // What outlives a frame begins with 0. It follows whatever used this memory before; the first use in each frame waits for all
 // that was recorded before.
-void View::clearLasting(VkCommandBuffer commands) {
+void View::clearPersistent(VkCommandBuffer commands) {
     const VkMemoryBarrier before{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_MEMORY_WRITE_BIT,
                                  VK_ACCESS_TRANSFER_WRITE_BIT};
     for (ResourceId id = 0; id < plan.resources.size(); ++id)
-        if (plan.resources[id].outlivesFrame) {
+        if (plan.resources[id].isPersistent) {
             context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0,
                                           1, &before, 0, nullptr, 0, nullptr);
             context.vk.CmdFillBuffer(commands, bufferOf(id, 0), 0, VK_WHOLE_SIZE, 0);
@@ -217,7 +219,7 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, cons
         context.vk.CmdResetQueryPool(commands, queries, uint32_t(2 * slot * passes.size()),
                                      uint32_t(2 * passes.size()));
     if (begins && clearedIn_ == 0) {
-        clearLasting(commands);
+        clearPersistent(commands);
         clearedIn_ = frame.frameIndex;
     }
     size_t secondary = 0;

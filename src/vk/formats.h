@@ -1,7 +1,7 @@
 // Plan formats and states in Vulkan's words.
 #pragma once
 
-#include "core/format.h"
+#include "core/base/format.h"
 #include "vk/vulkan.h"
 
 namespace agaa::vk {

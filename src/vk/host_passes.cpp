@@ -1,7 +1,7 @@
 #include "vk/host_passes.h"
 
-#include "core/draw_passes.h"
-#include "core/host_glsl.h"
+#include "core/abi/draw_passes.h"
+#include "core/glsl/host_glsl.h"
 #include "vk/formats.h"
 
 #include <algorithm>

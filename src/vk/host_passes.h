@@ -1,7 +1,7 @@
 // Host draws: what hosts must know to build pipelines, and how rendering begins and ends around them.
 #pragma once
 
-#include "core/plan.h"
+#include "core/plan/plan.h"
 #include "vk/context.h"
 #include "vk/resources.h"
 

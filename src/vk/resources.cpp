@@ -1,8 +1,11 @@
 #include "vk/resources.h"
 
-#include "core/access.h"
+#include "core/plan/arena.h"
+#include "core/base/callbacks.h"
+#include "core/base/error.h"
+#include "core/plan/access.h"
 
-#include "core/checked.h"
+#include "core/base/checked.h"
 #include "vk/formats.h"
 
 #include <algorithm>
@@ -61,7 +64,7 @@ void ViewResources::create(const Plan& plan, std::vector<Request>& requests) {
     resources_.resize(plan.resources.size());
     for (ResourceId id = 0; id < plan.resources.size(); ++id) {
         const Resource& resource = plan.resources[id];
-        if (resource.isHosts())
+        if (resource.isImported())
             continue;
         if (resource.kind == ResourceKind::Image)
             createImage(plan, id, requests);
@@ -157,10 +160,10 @@ void ViewResources::createBuffers(const Plan& plan, ResourceId id, std::vector<R
         info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
         info.size = resource.bytes;
         info.usage = usageOf(plan, id, bufferUsage, VkBufferUsageFlags(VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
-        if (resource.outlivesFrame) // cleared before the first frame
+        if (resource.isPersistent) // cleared before the first frame
             info.usage |= VK_BUFFER_USAGE_TRANSFER_DST_BIT;
         for (const Repeat& repeat : plan.repeats)
-            if (repeat.goesOn == id && context_.conditionalRendering)
+            if (repeat.predicateBuffer == id && context_.conditionalRendering)
                 info.usage |= bufferUsage(Use::Condition);
         if (!info.usage) // of lights in a plan without lighting
             info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;

@@ -1,7 +1,7 @@
 // Vulkan objects of a plan's resources. Per-pixel resources of disjoint lifetimes share memory.
 #pragma once
 
-#include "core/plan.h"
+#include "core/plan/plan.h"
 #include "vk/context.h"
 
 #include <span>

@@ -1,11 +1,11 @@
 #include "vk/view.h"
 
-#include "core/bindings.h"
-#include "core/compile_glsl.h"
-#include "core/embedded.h"
-#include "core/glsl_text.h"
-#include "core/planner.h"
-#include "core/validate.h"
+#include "core/base/error.h"
+#include "core/plan/bindings.h"
+#include "core/glsl/compile_glsl.h"
+#include "core/base/embedded.h"
+#include "core/glsl/glsl_text.h"
+#include "core/plan/planner.h"
 
 #include <algorithm>
 #include <map>
@@ -16,7 +16,7 @@ View::View(Context& device, const ViewSettings& settings)
     : View(device, makePlan(settings, device.caps, device.framesInFlight)) {}
 
 View::View(Context& device, Plan framePlan)
-    : SizedView(device, std::move(framePlan)), context(device), steps(plan.steps()),
+    : ViewState(device, std::move(framePlan)), context(device), steps(plan.steps()),
       positions(plan.samplePositions.empty()
                     ? samplePositions(standardPositions(plan.hwSamples), plan.scaleX, plan.scaleY)
                     : samplePositions(plan.samplePositions)) {
@@ -24,7 +24,7 @@ View::View(Context& device, Plan framePlan)
         resources.emplace(context, plan);
         barriers = stepBarriers(plan, steps, *resources, context.conditionalRendering);
         createPassObjects();
-        writeLastingDescriptors();
+        writeStaticDescriptors();
         createPipelineLayouts();
         addVariant(plan);
         createSlots();
@@ -36,7 +36,7 @@ View::View(Context& device, Plan framePlan)
 
 View::~View() { destroy(); }
 
-SizedView* View::remade(const ViewSettings& settings) const {
+ViewState* View::recreate(const ViewSettings& settings) const {
     return construct<View>(context.allocator, context, settings);
 }
 

@@ -1,8 +1,8 @@
 // One camera's frame on Vulkan: a plan with everything it needs to be recorded again and again.
 #pragma once
 
-#include "core/plan.h"
-#include "core/sample_patterns.h"
+#include "core/plan/plan.h"
+#include "core/plan/sample_patterns.h"
 #include "vk/barriers.h"
 #include "vk/context.h"
 #include "vk/host_passes.h"
@@ -30,13 +30,13 @@ struct FrameSlot {
     std::vector<VkCommandBuffer> secondaries; // one per step that is a host draw, in order
 };
 
-class View : public SizedView {
+class View : public ViewState {
 public:
     View(Context& owner, const ViewSettings& settings);
     View(Context& owner, Plan plan);
     ~View() override;
 
-    SizedView* remade(const ViewSettings& settings) const override;
+    ViewState* recreate(const ViewSettings& settings) const override;
     AgaaResult record(AgaaFrame frame, const AgaaVkFrame& vkFrame);
 
     MemoryUse memoryUse() const override;
@@ -68,10 +68,10 @@ private:
     void writeFrameData(const AgaaFrame& frame, uint32_t slot);
     void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, uint32_t slot,
                       bool begins);
-    void writeLastingDescriptors();
-    void writeLasting(VkDescriptorSet set, const Binding& binding, uint32_t slot);
+    void writeStaticDescriptors();
+    void writeStatic(VkDescriptorSet set, const Binding& binding, uint32_t slot);
     void writeHostsDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot);
-    bool isConditional(const Step& step) const; // the device reads Step::goesOn
+    bool isConditional(const Step& step) const; // the device reads Step::predicateBuffer
     void beginCondition(const Step& step, uint32_t slot, VkCommandBuffer commands) const;
     void endCondition(const Step& step, VkCommandBuffer commands) const;
     AgaaResult callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands);
@@ -82,7 +82,7 @@ private:
     void recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, uint32_t slot,
                        VkCommandBuffer commands);
     void recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands);
-    void clearLasting(VkCommandBuffer commands);
+    void clearPersistent(VkCommandBuffer commands);
     void forgetClear(const AgaaFrame& frame);
     VkBuffer bufferOf(ResourceId id, uint32_t slot) const;
     bool usesHostSet(const Pass& pass) const; // set 1 is the host's

@@ -1,5 +1,5 @@
 // Structs of hosts that were compiled against earlier and later headers: every versioned struct.
-#include "core/structs.h"
+#include "core/base/structs.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::vector<Case> allStructs() {
                              agaaInit##Name(static_cast<Agaa##Name*>(structure), size);                                \
                          }});                                                                                          \
     }
-#include "core/structs.inc"
+#include "core/base/structs.inc"
     return cases;
 }
 

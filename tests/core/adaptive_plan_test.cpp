@@ -1,12 +1,12 @@
 // Plans of `adaptive`: ordered grids, orders of samples, and passes that options add.
 #include "plan_support.h"
 
-#include "core/error.h"
-#include "core/sample_order.h"
-#include "core/sample_patterns.h"
-#include "core/tiers.h"
+#include "core/base/error.h"
+#include "core/plan/sample_order.h"
+#include "core/plan/sample_patterns.h"
+#include "core/view/tiers.h"
 
-#include "shaders/passes/choice_words.inc"
+#include "shaders/tables/choice_words.inc"
 
 #include <gtest/gtest.h>
 
@@ -151,7 +151,7 @@ TEST(Adaptive, ListsSayHowManyGroupsThereAre) {
             lists.emplace_back(pass.name, pass.dispatch.argumentsOffset);
         }
     using Lists = std::vector<std::pair<std::string, uint64_t>>;
-    EXPECT_EQ(lists, (Lists{{"count samples", 4 * (AGAA_SEVERAL_AT + 1)}, {"place pixels", 4 * (AGAA_FURTHER_AT + 1)},
+    EXPECT_EQ(lists, (Lists{{"count samples", 4 * (AGAA_COMPLEX_PIXELS_AT + 1)}, {"place pixels", 4 * (AGAA_FURTHER_AT + 1)},
                             {"shade further samples", 4 * (AGAA_FURTHER_AT + 1)}}));
 }
 
@@ -166,9 +166,9 @@ TEST(Adaptive, MemoryIsAGBufferFirstSamplesAndChoices) {
     EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.countMemory = 0.5f; }), sums), gbuffer + 8 + 12);
     EXPECT_EQ(perPixel(adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; }), sums), gbuffer + 8 + 16);
     const Plan remembering = adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.countMemory = 0.5f; });
-    EXPECT_TRUE(remembering.resources[remembering.surface("sample-choices")].outlivesFrame);
+    EXPECT_TRUE(remembering.resources[remembering.surface("sample-choices")].isPersistent);
     const Plan plain = adaptivePlan(9);
-    EXPECT_FALSE(plain.resources[plain.surface("sample-choices")].outlivesFrame);
+    EXPECT_FALSE(plain.resources[plain.surface("sample-choices")].isPersistent);
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // Plans of "dcaa" whose fragments carry their materials.
 #include "plan_support.h"
 
-#include "core/error.h"
-#include "core/host_glsl.h"
+#include "core/base/error.h"
+#include "core/glsl/host_glsl.h"
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
@@ -149,7 +149,7 @@ TEST(CoveragePlan, InterlockKeepsSurfacesAlone) {
     const Plan plan = planFor(spec, idealDevice());
     EXPECT_EQ(plan.generationTier, AGAA_TIER_FRAGMENT_INTERLOCK);
     EXPECT_EQ(plan.totalBytes(), 112u * spec.width * spec.height);
-    EXPECT_EQ(plan.poolRecords, 0u);
+    EXPECT_EQ(plan.fragmentCapacity, 0u);
     EXPECT_EQ(plan.geometryPasses(), 1u);
     AgaaDeviceCaps caps = idealDevice();
     caps.flags &= ~AGAA_DEVICE_FRAGMENT_INTERLOCK;
@@ -169,7 +169,7 @@ TEST(CoveragePlan, RasterOrderKeepsSurfacesInAttachments) {
     const Plan plan = planFor(spec, caps);
     EXPECT_EQ(plan.generationTier, AGAA_TIER_RASTER_ORDER);
     EXPECT_EQ(plan.totalBytes(), 112u * spec.width * spec.height);
-    EXPECT_EQ(plan.poolRecords, 0u);
+    EXPECT_EQ(plan.fragmentCapacity, 0u);
     const auto draw = std::ranges::find(plan.passes, PassKind::HostDraw, &Pass::kind);
     ASSERT_NE(draw, plan.passes.end());
     EXPECT_EQ(draw->drawState.colorAttachmentCount, 7u);

@@ -2,8 +2,8 @@
 // drivers differ in what they forgive.
 #include "plan_support.h"
 
-#include "core/glsl_text.h"
-#include "core/host_glsl.h"
+#include "core/glsl/glsl_text.h"
+#include "core/glsl/host_glsl.h"
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>

@@ -1,8 +1,8 @@
 // Settings for goals: limits, the nearest settings where there are none, lights, and that choices settle.
 #include "goal_host.h"
 
-#include "core/cost_model.h"
-#include "core/technique.h"
+#include "core/tuning/cost_model.h"
+#include "core/view/technique.h"
 
 #include <gtest/gtest.h>
 

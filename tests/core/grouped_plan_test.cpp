@@ -1,9 +1,9 @@
 // Plans that know materials when they group samples: by id, from a G-buffer; presets.
 #include "plan_support.h"
 
-#include "core/compile_glsl.h"
-#include "core/error.h"
-#include "core/glsl_text.h"
+#include "core/glsl/compile_glsl.h"
+#include "core/base/error.h"
+#include "core/glsl/glsl_text.h"
 
 #include <gtest/gtest.h>
 

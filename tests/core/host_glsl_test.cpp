@@ -1,8 +1,8 @@
 // The GLSL handed to hosts compiles for every technique, n, c, layout, tier and switch.
 #include "plan_support.h"
 
-#include "core/error.h"
-#include "core/host_glsl.h"
+#include "core/base/error.h"
+#include "core/glsl/host_glsl.h"
 
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/Public/ResourceLimits.h>
@@ -185,7 +185,7 @@ TEST(HostGlslForward, WithoutStorageBlocksLightsAreBounded) {
                 EXPECT_THROW(hostDeclarations(plan, pass, dialect), Error);
                 continue;
             }
-            EXPECT_NE(hostDeclarations(plan, pass, dialect).find("std140, AGAA_AT_LIGHTS"),
+            EXPECT_NE(hostDeclarations(plan, pass, dialect).find("std140, AGAA_BINDING_LIGHTS"),
                       std::string::npos);
         }
     }

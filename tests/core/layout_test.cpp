@@ -1,7 +1,7 @@
 // Packing: fields never overlap, sums never carry, sizes are those of the papers.
-#include "core/embedded.h"
-#include "core/error.h"
-#include "core/layout.h"
+#include "core/base/embedded.h"
+#include "core/base/error.h"
+#include "core/view/layout.h"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ std::vector<std::string> membersOf(const char* file, const std::string& structur
 
 // Attributes of a host become members of these structs.
 TEST(Layout, MembersOfShaderStructsAreTaken) {
-    for (const auto& [file, structure, least] : {std::tuple{"host/surface.glsl", "AgaaSurfaceInput", 15u}, {"passes/host_code.glsl", "AgaaMaterial", 6u}}) {
+    for (const auto& [file, structure, least] : {std::tuple{"host/surface.glsl", "AgaaSurfaceInput", 15u}, {"common/host_code.glsl", "AgaaMaterial", 6u}}) {
         const std::vector<std::string> names = membersOf(file, structure);
         EXPECT_GE(names.size(), least) << structure;
         for (const std::string& name : names) {

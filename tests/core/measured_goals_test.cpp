@@ -1,7 +1,7 @@
 // Settings for goals by what a host measured in its own scene: its errors and times decide, and observed times scale them.
 #include "goal_host.h"
 
-#include "core/cost_model.h"
+#include "core/tuning/cost_model.h"
 
 #include <functional>
 #include <limits>

@@ -1,7 +1,8 @@
 // Memory figures of plans: the papers' model, the tiers that run, and arithmetic at the limits.
 #include "plan_support.h"
 
-#include "core/error.h"
+#include "core/plan/arena.h"
+#include "core/base/error.h"
 
 #include <gtest/gtest.h>
 

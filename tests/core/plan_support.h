@@ -1,8 +1,8 @@
 // Views for planner tests.
 #pragma once
 
-#include "core/planner.h"
-#include "core/technique.h"
+#include "core/plan/planner.h"
+#include "core/view/technique.h"
 
 #include "render/technique_config.h"
 

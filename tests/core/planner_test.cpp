@@ -1,12 +1,12 @@
 // What the planner decides: tiers, formats, passes, and what it leaves out.
 #include "plan_support.h"
 
-#include "core/embedded.h"
-#include "core/error.h"
-#include "core/host_glsl.h"
-#include "core/plan_builder.h"
-#include "core/sample_patterns.h"
-#include "core/tiers.h"
+#include "core/base/embedded.h"
+#include "core/base/error.h"
+#include "core/glsl/host_glsl.h"
+#include "core/plan/plan_builder.h"
+#include "core/plan/sample_patterns.h"
+#include "core/view/tiers.h"
 
 #include <gtest/gtest.h>
 
@@ -345,7 +345,7 @@ TEST(Planner, ReversedZGetsAFloatFormat) {
 TEST(Planner, LightsAreCulledWhereThereAreManyAndADepth) {
     const auto passesOf = [](const ViewSpec& spec) {
         const Plan plan = planFor(spec, fourSampleDevice());
-        const auto isCulling = [](const Pass& pass) { return pass.file == "passes/cull_lights.comp"; };
+        const auto isCulling = [](const Pass& pass) { return pass.file == "common/cull_lights.comp"; };
         const auto cull = std::ranges::find_if(plan.passes, isCulling);
         const bool culls = cull != plan.passes.end();
         for (const Pass& pass : plan.passes)

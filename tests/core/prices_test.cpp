@@ -1,8 +1,8 @@
 // Prices of effects, samples and aggregates: what the memory queries say of the two views that a price compares.
 #include "plan_support.h"
 
-#include "core/effects.h"
-#include "core/prices.h"
+#include "core/view/effects.h"
+#include "core/reports/prices.h"
 
 #include <gtest/gtest.h>
 

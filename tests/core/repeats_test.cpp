@@ -1,6 +1,6 @@
 // Passes that run several times.
-#include "core/error.h"
-#include "core/plan_builder.h"
+#include "core/base/error.h"
+#include "core/plan/plan_builder.h"
 #include "plan_support.h"
 
 #include <gtest/gtest.h>
@@ -46,8 +46,8 @@ TEST(Repeats, TheWordDecidesOnAllButTheFirstTurnAndTheLastPass) {
     for (const Step& step : steps) {
         SCOPED_TRACE(testing::Message() << plan.passes[step.pass].name << ' ' << step.batch);
         const bool isConditional = plan.passes[step.pass].name == "work" && step.batch > 0;
-        EXPECT_EQ(step.goesOn, isConditional ? plan.repeats[0].goesOn : noResource);
-        EXPECT_EQ(step.goesOnOffset, isConditional ? 8u : 0u);
+        EXPECT_EQ(step.predicateBuffer, isConditional ? plan.repeats[0].predicateBuffer : noResource);
+        EXPECT_EQ(step.predicateOffset, isConditional ? 8u : 0u);
     }
 }
 

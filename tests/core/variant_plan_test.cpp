@@ -2,12 +2,12 @@
 // variant frames run with.
 #include "plan_support.h"
 
-#include "core/compile_glsl.h"
-#include "core/embedded.h"
-#include "core/error.h"
-#include "core/facts.h"
-#include "core/glsl_text.h"
-#include "core/variants.h"
+#include "core/glsl/compile_glsl.h"
+#include "core/base/embedded.h"
+#include "core/base/error.h"
+#include "core/view/facts.h"
+#include "core/glsl/glsl_text.h"
+#include "core/frame/variants.h"
 
 #include <gtest/gtest.h>
 

@@ -80,7 +80,7 @@ class Guides(unittest.TestCase):
     def test_names_exist(self):
         """Every name of the SDK's in the guides is declared in a header, in a shader or in the library."""
         declaring = [*(ROOT / "include").rglob("*.h"), *(ROOT / "src" / "shaders").rglob("*.*"),
-                     ROOT / "src/core/host_glsl.cpp", ROOT / "CMakeLists.txt", ROOT / "benchmark/runs.py",
+                     ROOT / "src/core/glsl/host_glsl.cpp", ROOT / "CMakeLists.txt", ROOT / "benchmark/runs.py",
                      ROOT / "conformance/include/agaa_conformance.h", ROOT / "conformance/CMakeLists.txt"]
         declared = set(re.findall(r"\w+", "".join(path.read_text() for path in declaring)))
         for document in (README, *WRITTEN):

@@ -176,7 +176,7 @@ TEST(NormalSpread, StaysFiniteOnExtremes) {
     for (const float v : extremeFloats())
         for (int i = 0; i < 200; ++i) {
             const glm::vec3 n(random.direction()), change = v * glm::vec3(random.direction());
-            // Normals change by a unit a pixel at most (passes/curvature.glsl).
+            // Normals change by a unit a pixel at most (common/curvature.glsl).
             const glm::vec3 bounded = glm::length(change) <= 1.0f ? change : glm::vec3(random.direction());
             const auto s = math_f::agaa_spreadOfChange(n, bounded, -bounded, glm::vec3(0.25f, 0.25f, random.rangeF(-0.25, 0.25)));
             const auto m = math_f::agaa_mixSpreads(s, math_f::agaa_noSpread(n), random.rangeF(0, 1), n);

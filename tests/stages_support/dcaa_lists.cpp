@@ -57,12 +57,12 @@ Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const Agaa
     for (uint32_t p = 0; p < pixels; ++p) {
         std::vector<uint32_t>& list = kept.lists.emplace_back();
         for (uint32_t at = fragments.empty() ? 0 : fragments[countWords + p]; at != 0;) {
-            const uint32_t record = countWords + pixels + (at - 1) * (2 + masks + buffers.ownWords);
+            const uint32_t record = countWords + pixels + (at - 1) * (2 + masks + buffers.payloadWords);
             list.push_back(fragments[record]);
             at = fragments[record + 1];
         }
         std::vector<paper::Surface>& own = kept.pixels.emplace_back();
-        std::vector<uint32_t>& ownWords = kept.words.emplace_back();
+        std::vector<uint32_t>& payloadWords = kept.words.emplace_back();
         for (uint32_t a = 0; a < settings.config.aggregates; ++a) {
             const uint32_t* words = &buffers.surfaces[(size_t(p) * settings.config.aggregates + a) * buffers.stride];
             paper::Surface s{};
@@ -73,7 +73,7 @@ Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const Agaa
             setPlane(s, std::bit_cast<float>(words[masks]), words[masks + 1] & 0xFFFFu, words[masks + 1] >> 16);
             setNormal(s, words[masks + 2]);
             own.push_back(s);
-            ownWords.insert(ownWords.end(), words, words + buffers.stride);
+            payloadWords.insert(payloadWords.end(), words, words + buffers.stride);
         }
     }
     return kept;

@@ -20,7 +20,7 @@ struct Kept {
 // Buffers, and the words of what they hold. Without lists there are no fragments.
 struct KeptBuffers {
     std::vector<uint32_t> fragments, surfaces;
-    uint32_t ownWords = 0; // of a fragment, beside id, next fragment and mask
+    uint32_t payloadWords = 0; // of a fragment, beside id, next fragment and mask
     uint32_t stride = 0;   // of a surface
 };
 Kept keptOf(const ViewSettings& settings, const KeptBuffers& buffers, const AgaaCounters& counters);
@@ -34,9 +34,9 @@ Kept keepFrame(typename Host::Context& context, ViewSettings settings, const Sho
     settings.config.flags |= AGAA_CONFIG_READBACK;
     return showBy<Host>(context, settings, shot, [&](typename Host::View& view) {
         const auto& plan = view.plan();
-        KeptBuffers buffers{{}, view.readBuffer("surfaces"), plan.ownWords, plan.bytesPerAggregate / 4};
+        KeptBuffers buffers{{}, view.readBuffer("surfaces"), plan.payloadWords, plan.bytesPerAggregate / 4};
         buffers.surfaces = withoutRests(buffers.surfaces, size_t(plan.width) * plan.height, plan.aggregates * buffers.stride);
-        if (plan.poolRecords)
+        if (plan.fragmentCapacity)
             buffers.fragments = view.readBuffer("fragments");
         Kept kept = keptOf(settings, buffers, view.statistics().counters);
         kept.rgb = withoutAlpha(Host::rgba(view));

@@ -6,7 +6,7 @@
 #include "host_bench.h"
 #include "shown.h"
 
-#include "core/plan.h"
+#include "core/plan/plan.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "agreement.h"
 #include "carried_cases.h"
 
-#include "core/handles.h"
+#include "core/abi/handles.h"
 
 namespace agaa::test {
 

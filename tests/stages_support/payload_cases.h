@@ -5,7 +5,7 @@
 #include "prediction.h"
 #include "view_settings.h"
 
-#include "core/handles.h"
+#include "core/abi/handles.h"
 
 #include <gtest/gtest.h>
 

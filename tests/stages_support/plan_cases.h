@@ -4,8 +4,8 @@
 #include "plan_view.h"
 #include "view_settings.h"
 
-#include "core/techniques/aggregation.h"
-#include "core/techniques/gbuffer.h"
+#include "core/plan/techniques/aggregation.h"
+#include "core/plan/techniques/gbuffer.h"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ constexpr uint32_t planWidth = 48, planHeight = 32, planPixels = planWidth * pla
 // A compute pass of this body, with what all of them declare.
 inline Pass& planPass(PlanBuilder& b, const char* name, const std::string& declarations, const std::string& body) {
     Pass& pass = b.compute(name, AGAA_STAGE_OTHER, "resolve", AGAA_SEGMENT_SHADING);
-    pass.text = "#version 450\nlayout(local_size_x = 64) in;\n#include \"passes/bindings.glsl\"\n"
-                "#include \"passes/constants.glsl\"\n#include \"passes/frame.glsl\"\n" + declarations +
+    pass.text = "#version 450\nlayout(local_size_x = 64) in;\n#include \"common/bindings.glsl\"\n"
+                "#include \"common/constants.glsl\"\n#include \"common/frame.glsl\"\n" + declarations +
                 "void main() {\n    uint item = (gl_WorkGroupID.y * 32768u + gl_WorkGroupID.x) * 64u + "
                 "gl_LocalInvocationIndex;\n" + body + "}\n";
     b.bindCommon(pass);
@@ -30,12 +30,12 @@ inline Pass& planPass(PlanBuilder& b, const char* name, const std::string& decla
 
 inline void dispatchItems(Pass& pass, uint64_t items) { pass.dispatch = {.kind = DispatchKind::Items, .items = items}; }
 
-constexpr const char* wordsText = "layout(std430, AGAA_AT_AGGREGATES) buffer Words { uint words[]; };\n";
-constexpr const char* argumentsText = "layout(std430, AGAA_AT_FRAGMENTS) buffer Arguments { uint arguments[]; };\n";
+constexpr const char* wordsText = "layout(std430, AGAA_BINDING_AGGREGATES) buffer Words { uint words[]; };\n";
+constexpr const char* argumentsText = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Arguments { uint arguments[]; };\n";
 
 // Shows color, a GLSL vec3 of `item`, a pixel.
 inline Pass& showPixels(PlanBuilder& b, const std::string& declarations, const std::string& color) {
-    Pass& pass = planPass(b, "show", declarations + "layout(AGAA_AT_OUTPUT) writeonly uniform image2D image;\n",
+    Pass& pass = planPass(b, "show", declarations + "layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D image;\n",
                           "    if (item < 1536u)\n        imageStore(image, ivec2(item % 48u, item / 48u), vec4(" + color +
                               ", 1.0));\n");
     dispatchItems(pass, planPixels);
@@ -56,7 +56,7 @@ inline void buildEndingGroup(PlanBuilder& b) {
     Pass& draw = b.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_SHADING);
     b.bindCommon(draw);
     draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
-    draw.text = "layout(std430, AGAA_AT_FRAGMENTS) buffer Words { uint words[]; };\n"
+    draw.text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
                 "void agaa_emit(AgaaSurfaceInput s) {\n    if (agaa_hostPixel() == uvec2(0u))\n"
                 "        atomicAdd(words[0], 1u);\n}\n";
     b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
@@ -198,7 +198,7 @@ TYPED_TEST_P(PlanCases, PassesEndThemselves) {
         dispatchItems(before, 1);
         bindWords(b, before, words, true);
         Pass& work = planPass(b, "work", std::string(wordsText) + argumentsText +
-                                             "layout(AGAA_AT_OUTPUT) writeonly uniform image2D image;\n",
+                                             "layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D image;\n",
                               "    if (item != 0u)\n        return;\n    if (words[0] == 3u)\n        arguments[0] = 0u;\n"
                               "    imageStore(image, ivec2(0), vec4(words[0]));\n");
         work.dispatch = {.kind = DispatchKind::Indirect, .arguments = arguments};
@@ -213,7 +213,7 @@ TYPED_TEST_P(PlanCases, PassesEndThemselves) {
 TYPED_TEST_P(PlanCases, BuffersOutliveFrames) {
     const auto build = [](PlanBuilder& b) {
         const ResourceId words = b.tileBuffer("words", 16, 4);
-        b.plan.resources[words].outlivesFrame = true;
+        b.plan.resources[words].isPersistent = true;
         Pass& count = planPass(b, "count", wordsText, "    if (item < 6u)\n        words[item] += item + 1u;\n");
         dispatchItems(count, 6); // 48 x 32 pixels have six tiles of 16
         bindWords(b, count, words, true);
@@ -229,7 +229,7 @@ TYPED_TEST_P(PlanCases, BuffersOutliveFrames) {
 TYPED_TEST_P(PlanCases, CountersComeBackInConstants) {
     const auto build = [](PlanBuilder& b) {
         b.plan.feedback[1] = AGAA_COUNT_EVENTS;
-        Pass& count = planPass(b, "count", "layout(std430, AGAA_AT_COUNTERS) buffer Counts { uint counts[]; };\n",
+        Pass& count = planPass(b, "count", "layout(std430, AGAA_BINDING_COUNTERS) buffer Counts { uint counts[]; };\n",
                                "    if (item == 0u)\n        counts[" + std::to_string(2 * AGAA_COUNT_EVENTS) +
                                    "] = agaa_frame.dither.z + 2u;\n");
         dispatchItems(count, 1);
@@ -258,8 +258,8 @@ TYPED_TEST_P(PlanCases, DrawsWithoutDepthAreClearedToColours) {
         draw.clear.color[0] = {0.25f, 0.5f, 0.75f, 1.0f};
         setFields(draw.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.plan.layout).fields);
         b.plan.repeats.push_back({first, first, 2});
-        const std::string textures = "layout(AGAA_AT_SURFACE0) uniform sampler2D nearest;\n"
-                                     "layout(AGAA_AT_SURFACE1) uniform sampler2D linear;\n";
+        const std::string textures = "layout(AGAA_BINDING_SURFACE0) uniform sampler2D nearest;\n"
+                                     "layout(AGAA_BINDING_SURFACE1) uniform sampler2D linear;\n";
         // On the border between two texels the linear sampler mixes them.
         const std::string at = "vec2(float(item % 48u), float(item / 48u) + 0.5) / vec2(48.0, 32.0)";
         Pass& show = showPixels(b, textures, "vec3(textureLod(nearest, " + at + " + vec2(0.1 / 48.0, 0.0), 0.0).rg, "
@@ -315,7 +315,7 @@ TYPED_TEST_P(PlanCases, DrawsHaveTextAndBuffersOfTheirOwn) {
         Pass& draw = b.hostDraw("draw", AGAA_STAGE_OTHER, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_SHADING);
         b.bindCommon(draw);
         draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
-        draw.text = "layout(std430, AGAA_AT_FRAGMENTS) buffer Words { uint words[]; };\n"
+        draw.text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
                     "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
                     "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], uint(s.diffuse.x * 8.0));\n}\n";
         draw.expansionText = "vec4 agaa_place(vec4 clip) {\n"
@@ -346,7 +346,7 @@ TYPED_TEST_P(PlanCases, DrawsAskForConservativeRasterisation) {
             b.bindCommon(draw);
             draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
             draw.drawState.conservative = conservative;
-            draw.text = "layout(std430, AGAA_AT_FRAGMENTS) buffer Words { uint words[]; };\n"
+            draw.text = "layout(std430, AGAA_BINDING_FRAGMENTS) buffer Words { uint words[]; };\n"
                         "void agaa_emit(AgaaSurfaceInput s) {\n    uvec2 pixel = agaa_hostPixel();\n"
                         "    atomicAdd(words[pixel.y * agaa_frame.size.x + pixel.x], 1u);\n}\n";
             b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, words, true);
@@ -364,8 +364,8 @@ TYPED_TEST_P(PlanCases, DrawsAskForConservativeRasterisation) {
 TYPED_TEST_P(PlanCases, MasksHaveRoomFor128Samples) {
     const auto build = [](PlanBuilder& b) {
         Pass& shade = planPass(b, "shade", "#define AGAA_COUNTING 1\n#define AGAA_EVENT_WORDS 4\n#define AGAA_MAX_EVENTS 4u\n"
-                                           "#include \"passes/target.glsl\"\n#include \"passes/counters.glsl\"\n"
-                                           "#include \"passes/events.glsl\"\n"
+                                           "#include \"common/target.glsl\"\n#include \"common/counters.glsl\"\n"
+                                           "#include \"common/events.glsl\"\n"
                                            "vec3 agaa_shadeEvent(uint lane, uint which) {\n"
                                            "    return vec3(lane, which & 127u, which >> 7u);\n}\n",
                                "    agaa_countBegin();\n"
@@ -397,8 +397,8 @@ TYPED_TEST_P(PlanCases, ATechniqueIsAFileAndAShader) {
     const auto build = [](PlanBuilder& b) {
         const GBuffer gbuffer = makeGBuffer(b);
         Pass& shade = planPass(b, "shade one sample",
-                               "#include \"passes/target.glsl\"\n#include \"passes/gbuffer.glsl\"\n"
-                               "layout(AGAA_AT_OUTPUT) writeonly uniform image2D image;\n",
+                               "#include \"common/target.glsl\"\n#include \"gbuffer/gbuffer.glsl\"\n"
+                               "layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D image;\n",
                                "    if (item >= 1536u)\n        return;\n"
                                "    uvec2 pixel = uvec2(item % 48u, item / 48u);\n"
                                "    uint i = item * 2654435761u >> 16u & 3u;\n"

@@ -1,8 +1,8 @@
 // Views of plans that no technique of the library makes.
 #pragma once
 
-#include "core/handles.h"
-#include "core/plan_builder.h"
+#include "core/abi/handles.h"
+#include "core/plan/plan_builder.h"
 
 namespace agaa::test {
 

@@ -16,7 +16,7 @@ struct FragmentWords {
 
     FragmentWords(const Plan& plan, const std::vector<uint32_t>& buffer) : pixels(size_t(plan.width) * plan.height) {
         constexpr size_t countWords = 16; // before the first fragments
-        const size_t length = 2 + plan.samples / 32 + plan.ownWords;
+        const size_t length = 2 + plan.samples / 32 + plan.payloadWords;
         for (size_t p = 0; p < pixels.size(); ++p)
             for (uint32_t at = buffer[countWords + p]; at != 0; ++count) {
                 const auto record = buffer.begin() + ptrdiff_t(countWords + pixels.size() + (at - 1) * length);

@@ -5,7 +5,7 @@
 #include "frame_misuse.h"
 #include "host_bench.h"
 
-#include "core/gpu_layout.h"
+#include "core/plan/gpu_layout.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "surfaces.h"
 
-#include "core/frame_data.h"
+#include "core/frame/frame_data.h"
 
 #include <glm/glm.hpp>
 

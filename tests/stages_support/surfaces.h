@@ -1,7 +1,7 @@
 // The surfaces of plans, which hosts read back.
 #pragma once
 
-#include "core/plan.h"
+#include "core/plan/plan.h"
 
 #include <string>
 #include <vector>

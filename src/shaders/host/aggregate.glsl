@@ -5,16 +5,16 @@ layout(early_fragment_tests) in;
 layout(post_depth_coverage) in;
 #endif
 #if AGAA_AGGREGATES > 1 && !AGAA_REPRESENTED
-layout(AGAA_AT_METADATA) uniform usampler2D agaa_metadata;
+layout(AGAA_BINDING_METADATA) uniform usampler2D agaa_metadata;
 #endif
 #if AGAA_STORAGE_IMAGES
-layout(r32ui, AGAA_AT_AGGREGATES) uniform uimageBuffer agaa_aggregates;
+layout(r32ui, AGAA_BINDING_AGGREGATES) uniform uimageBuffer agaa_aggregates;
 uint agaa_readWord(uint word) { return imageLoad(agaa_aggregates, int(word)).x; }
 uint agaa_orWord(uint word, uint bits) { return imageAtomicOr(agaa_aggregates, int(word), bits); }
 void agaa_addToWord(uint word, uint amount) { imageAtomicAdd(agaa_aggregates, int(word), amount); }
 void agaa_raiseWord(uint word, uint least) { imageAtomicMax(agaa_aggregates, int(word), least); }
 #else
-layout(std430, AGAA_AT_AGGREGATES) buffer agaa_AggregateBlock {
+layout(std430, AGAA_BINDING_AGGREGATES) buffer agaa_AggregateBlock {
     uint words[];
 } agaa_aggregates;
 uint agaa_readWord(uint word) { return agaa_aggregates.words[word]; }
@@ -24,7 +24,7 @@ void agaa_raiseWord(uint word, uint least) { atomicMax(agaa_aggregates.words[wor
 #endif
 
 #if AGAA_CHECKS_FAR_PLANE
-layout(AGAA_AT_NORMALS) uniform AGAA_TARGET_TEXTURE agaa_normals; // of the first pass; 0: background
+layout(AGAA_BINDING_NORMALS) uniform AGAA_TARGET_TEXTURE agaa_normals; // of the first pass; 0: background
 #if AGAA_HW_SAMPLES == 1
 #define AGAA_NORMAL_OF(i) texelFetch(agaa_normals, ivec2(gl_FragCoord.xy), 0)
 #else

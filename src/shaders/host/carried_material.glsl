@@ -1,10 +1,10 @@
 // What a fragment carries beside its coverage.
 #include "host/fragment_coverage.glsl"
-#include "passes/carried.glsl"
-#include "passes/curvature.glsl"
-#include "passes/growing_depth.glsl"
-#include "passes/packing.glsl"
-#include "passes/surface_spread.glsl"
+#include "coverage/carried.glsl"
+#include "common/curvature.glsl"
+#include "coverage/growing_depth.glsl"
+#include "aggregate/packing.glsl"
+#include "coverage/surface_spread.glsl"
 
 uint agaa_carried[AGAA_CARRIED_WORDS]; // by agaa_carry()
 uint agaa_wasSanitised = 0u;

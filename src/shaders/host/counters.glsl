@@ -3,17 +3,17 @@
 #define AGAA_COUNTER_DRAWN(index, name, member) const uint name = index;
 #define AGAA_COUNTER_MAX(index, name, member)
 #define AGAA_COUNTER_FACT(index, name, member, fact) const uint name = index;
-#include "passes/counters.inc"
+#include "tables/counters.inc"
 #undef AGAA_COUNTER
 #undef AGAA_COUNTER_DRAWN
 #undef AGAA_COUNTER_MAX
 #undef AGAA_COUNTER_FACT
 
 #if AGAA_COUNTING && AGAA_STORAGE_IMAGES
-layout(r32ui, AGAA_AT_COUNTERS) uniform uimageBuffer agaa_counterWords;
+layout(r32ui, AGAA_BINDING_COUNTERS) uniform uimageBuffer agaa_counterWords;
 uint agaa_addToCounter(uint word, uint amount) { return imageAtomicAdd(agaa_counterWords, int(word), amount); }
 #elif AGAA_COUNTING
-layout(std430, AGAA_AT_COUNTERS) buffer agaa_CounterBlock {
+layout(std430, AGAA_BINDING_COUNTERS) buffer agaa_CounterBlock {
     uint words[];
 } agaa_counterBuffer;
 uint agaa_addToCounter(uint word, uint amount) { return atomicAdd(agaa_counterBuffer.words[word], amount); }
@@ -36,7 +36,7 @@ void agaa_countDemands(uint demands, bool isInspected) {
 #define AGAA_COUNTER_FACT(index, name, member, fact) \
     if (fact == 0u ? isInspected : (demands & fact) != 0u) \
         agaa_countFragment(name, 1u);
-#include "passes/counters.inc"
+#include "tables/counters.inc"
 #undef AGAA_COUNTER
 #undef AGAA_COUNTER_MAX
 #undef AGAA_COUNTER_FACT

@@ -2,8 +2,8 @@
 layout(early_fragment_tests) in; // what is hidden is neither shaded nor counted
 void agaa_count(uint counter, uint amount) { agaa_countFragment(counter, amount); }
 #define AGAA_COMPARE(map, at) textureGrad(map, at, vec2(0.0), vec2(0.0))
-#include "passes/lighting.glsl"
-#include "passes/forward_color.glsl"
+#include "common/lighting.glsl"
+#include "gbuffer/forward_color.glsl"
 
 agaa_Surface agaa_forwardSurface(AgaaSurfaceInput s) {
     agaa_Surface surface;

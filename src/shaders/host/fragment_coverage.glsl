@@ -18,7 +18,7 @@ agaa_Barycentrics agaa_cornerWeights(vec2 offset) {
 }
 
 #if AGAA_TABLE_SIZE
-layout(AGAA_AT_COVERAGE_TABLE) uniform usampler2D agaa_coverageTable;
+layout(AGAA_BINDING_COVERAGE_TABLE) uniform usampler2D agaa_coverageTable;
 
 uvec4 agaa_edgeByTable(vec3 a, vec3 b) {
     agaa_CoverageLookup found = agaa_findCoverage(a, b, AGAA_TABLE_SIZE);

@@ -4,13 +4,13 @@
 #include "host/fragment_coverage.glsl"
 
 #if AGAA_STORAGE_IMAGES
-layout(r32ui, AGAA_AT_FRAGMENTS) uniform uimageBuffer agaa_fragments;
+layout(r32ui, AGAA_BINDING_FRAGMENTS) uniform uimageBuffer agaa_fragments;
 uint agaa_readFragments(uint word) { return imageLoad(agaa_fragments, int(word)).x; }
 uint agaa_addToFragments(uint word, uint amount) { return imageAtomicAdd(agaa_fragments, int(word), amount); }
 uint agaa_exchangeFragments(uint word, uint value) { return imageAtomicExchange(agaa_fragments, int(word), value); }
 void agaa_setFragments(uint word, uint value) { imageStore(agaa_fragments, int(word), uvec4(value)); }
 #else
-layout(std430, AGAA_AT_FRAGMENTS) buffer agaa_FragmentBlock {
+layout(std430, AGAA_BINDING_FRAGMENTS) buffer agaa_FragmentBlock {
     uint words[];
 } agaa_fragments;
 uint agaa_readFragments(uint word) { return agaa_fragments.words[word]; }
@@ -18,7 +18,7 @@ uint agaa_addToFragments(uint word, uint amount) { return atomicAdd(agaa_fragmen
 uint agaa_exchangeFragments(uint word, uint value) { return atomicExchange(agaa_fragments.words[word], value); }
 void agaa_setFragments(uint word, uint value) { agaa_fragments.words[word] = value; }
 #endif
-#include "passes/fragment_layout.glsl"
+#include "coverage/fragment_layout.glsl"
 
 void agaa_emit(AgaaSurfaceInput s) {
     uvec4 mask = agaa_coverageOf(s);

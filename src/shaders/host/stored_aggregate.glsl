@@ -1,5 +1,5 @@
 // What a host's own shading pass reads of an aggregate.
-#include "passes/stored_aggregate.glsl"
+#include "aggregate/stored_aggregate.glsl"
 
 struct AgaaAggregate {
     uint samples;  // bit i: it holds sample i of the pixel; 0: there is no such aggregate
@@ -16,7 +16,7 @@ AgaaAggregate agaaAggregate(uvec2 pixel, uint a) {
     agaa_selectAggregate(pixel, a);
     AgaaAggregate result;
     result.samples = agaa_coverage();
-    agaa_count_ = max(uint(bitCount(result.samples)), 1u);
+    agaa_aggregateSamples = max(uint(bitCount(result.samples)), 1u);
     agaa_Stored stored = agaa_storedMeans();
     agaa_Means m = agaa_meansOfStored(stored);
     result.diffuse = m.diffuse;

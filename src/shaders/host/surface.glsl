@@ -1,4 +1,4 @@
-#include "passes/camera.glsl"
+#include "common/camera.glsl"
 
 // What a host's fragment shader fills and hands over. Positions and normals are in shading space (the
 // host's axes, origin at the eye), colours linear, alpha2 is GGX alpha squared.

@@ -2,8 +2,8 @@
 #include "host_gbuffer_cases.h"
 #include "show.h"
 
-#include "core/error.h"
-#include "core/glsl_text.h"
+#include "core/base/error.h"
+#include "core/glsl/glsl_text.h"
 
 #include <set>
 

@@ -6,7 +6,7 @@
 
 #include "agaa_vk.h"
 
-#include "core/handles.h"
+#include "core/abi/handles.h"
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // Programs that hosts keep from run to run: what is loaded, and that no bytes do harm.
 #include "bench.h"
 
-#include "core/glsl_text.h"
+#include "core/glsl/glsl_text.h"
 #include "gl/program_cache.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Whole frames, recorded in a context in any state by a host that leaves it in any other.
 #include "frame_host.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 #include <memory>
 #include <set>

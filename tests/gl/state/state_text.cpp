@@ -1,6 +1,6 @@
 #include "state_text.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "gl/state_table.h"
 
 namespace agaa::test {

@@ -2,7 +2,7 @@
 #include "agreement.h"
 #include "stage_host.h"
 
-#include "core/frame_data.h"
+#include "core/frame/frame_data.h"
 #include "shader_math.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The SDK's surfaces on the CPU. They must be in the layout in which shaders read them.
 #pragma once
 
-#include "core/plan.h"
+#include "core/plan/plan.h"
 #include "vk/device.h"
 
 #include <glm/glm.hpp>

@@ -1,0 +1,52 @@
+#include "core/abi/draw_passes.h"
+
+#include "core/base/error.h"
+#include "core/base/structs.h"
+
+namespace agaa {
+
+AgaaDrawTarget emptyTarget(const Plan& plan, const Pass& pass) {
+    AgaaDrawTarget target{};
+    target.sType = AGAA_STRUCTURE_TYPE_DRAW_TARGET;
+    target.structSize = sizeof target;
+    target.pass = pass.drawPass;
+    target.width = pass.width;
+    target.height = pass.height;
+    target.scaleX = plan.scaleX;
+    target.scaleY = plan.scaleY;
+    target.state = pass.drawState;
+    return target;
+}
+
+AgaaResult writeDrawPasses(const ViewState& view, uint32_t* count, AgaaDrawPass* passes) {
+    require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
+    const uint32_t available = view.plan.geometryPasses();
+    if (passes) {
+        require(*count >= available, AGAA_ERROR_BUFFER_TOO_SMALL, "the array is too small for the draw passes.");
+        checkOutputs(passes, available, {view.drawPassRow().sType});
+        for (uint32_t i = 0; i < available; ++i)
+            nativePart(elementOf(passes, i), view.drawPassRow());
+        uint32_t next = 0;
+        for (size_t i = 0; i < view.plan.passes.size(); ++i) {
+            const Pass& pass = view.plan.passes[i];
+            if (pass.kind != PassKind::HostDraw)
+                continue;
+            AgaaDrawPass out = AGAA_DRAW_PASS_INIT;
+            out.pass = pass.drawPass;
+            out.stage = pass.stage;
+            out.name = pass.name.c_str();
+            out.width = pass.width;
+            out.height = pass.height;
+            out.scaleX = view.plan.scaleX;
+            out.scaleY = view.plan.scaleY;
+            out.state = pass.drawState;
+            AgaaDrawPass* element = elementOf(passes, next++);
+            view.describePass(i, out, nativePart(element, view.drawPassRow()));
+            writeStruct(element, out);
+        }
+    }
+    *count = available;
+    return AGAA_OK;
+}
+
+} // namespace agaa

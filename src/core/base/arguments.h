@@ -1,0 +1,27 @@
+// Checks of single arguments that a host passes in. A failed check throws Error with one sentence.
+#pragma once
+
+#include "agaa_sdk.h"
+#include "core/base/error.h"
+
+#include <cmath>
+
+namespace agaa {
+
+inline void checkFinite(float value, const char* name) {
+    if (!std::isfinite(value))
+        fail(AGAA_ERROR_OUT_OF_RANGE, format("%s is not finite.", name));
+}
+
+void checkRange(double value, double low, double high, const char* name);
+// The numbers of samples a pixel that sums, coverage masks and targets are made for.
+void checkSampleCount(uint32_t samples, const char* name);
+void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name);
+// Bits of `flags` beyond the known ones.
+void checkFlags(uint64_t flags, uint64_t known, const char* name);
+void checkReserved(uint64_t value, const char* name);
+
+// The version that a host was built for.
+void checkHeaderVersion(uint32_t version);
+
+} // namespace agaa

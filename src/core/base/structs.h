@@ -1,0 +1,130 @@
+// Versioned structs of hosts that were compiled against this version of the headers or another one.
+#pragma once
+
+#include "agaa_gl.h"
+#include "agaa_vk.h"
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace agaa {
+
+struct StructRow {
+    uint32_t sType;
+    const char* name;
+    size_t size;      // in this version
+    size_t firstSize; // in version 0.2: no host has a smaller one
+};
+
+template <class T> struct StructOf; // row, and the value that AGAA_…_INIT gives
+#define AGAA_STRUCT(Name, TYPE, bytes)                                                                          \
+    template <> struct StructOf<Agaa##Name> {                                                                   \
+        static constexpr StructRow row = {AGAA_STRUCTURE_TYPE_##TYPE, "Agaa" #Name, sizeof(Agaa##Name), bytes}; \
+        static Agaa##Name initial() {                                                                           \
+            const Agaa##Name value = AGAA_##TYPE##_INIT;                                                        \
+            return value;                                                                                       \
+        }                                                                                                       \
+        static_assert(sizeof(Agaa##Name) >= bytes, "structs grow at their end");                                \
+    };
+#include "core/base/structs.inc"
+
+// Throw Error where a host's struct is null, of another type, too small, or has data beyond what the row knows.
+void checkStruct(const void* structure, const StructRow& row);
+void checkStructSize(const void* structure, const StructRow& row);
+// known: the types that may be chained to the struct, each once.
+void checkChain(const void* structure, const char* name, const std::vector<uint32_t>& known = {});
+// The struct of this type in a chain, or null.
+const void* findChained(const void* structure, uint32_t sType);
+
+// The chained struct of a row for output, whose size is checked, or null.
+void* nativePart(void* structure, const StructRow& row);
+
+// What both the host's struct, which was checked, and the library's of `size` bytes have: read over the defaults, or
+// written behind the header.
+void copyKnown(const void* structure, void* value, size_t size);
+void writeKnown(void* structure, const void* value, size_t size);
+
+// known: as of checkChain(). Members that the host's struct lacks have their defaults.
+template <class T> T readStruct(const T* structure, const std::vector<uint32_t>& known = {}) {
+    checkStruct(structure, StructOf<T>::row);
+    checkChain(structure, StructOf<T>::row.name, known);
+    T value = StructOf<T>::initial();
+    copyKnown(structure, &value, sizeof value);
+    return value;
+}
+
+// The struct in a chain that checkChain() has accepted.
+template <class T> std::optional<T> readChained(const void* structure) {
+    const auto* chained = static_cast<const T*>(findChained(structure, StructOf<T>::row.sType));
+    if (!chained)
+        return std::nullopt;
+    checkStructSize(chained, StructOf<T>::row);
+    T value = StructOf<T>::initial();
+    copyKnown(chained, &value, sizeof value);
+    return value;
+}
+
+// For output: checks now, so that nothing is written where the call fails.
+template <class T> void checkOutput(const T* structure, const std::vector<uint32_t>& known = {}) {
+    checkStruct(structure, StructOf<T>::row);
+    checkChain(structure, StructOf<T>::row.name, known);
+}
+// All but the first three members, as far as the host's struct has room.
+template <class T> void writeStruct(T* structure, const T& value) {
+    writeKnown(structure, &value, sizeof value);
+}
+
+// Element i of an array of a host's, whose elements all have the size of the first.
+template <class T> T* elementOf(T* first, uint32_t i) {
+    using Byte = std::conditional_t<std::is_const_v<T>, const char, char>;
+    return reinterpret_cast<T*>(reinterpret_cast<Byte*>(first) + size_t(i) * first->structSize);
+}
+template <class T> void requireEqualSizes(const T* element, const T* first) {
+    if (element->structSize != first->structSize)
+        fail(AGAA_ERROR_STRUCT, format("elements of an array of %s have different structSizes.", StructOf<T>::row.name));
+}
+// Checks an array of `count` elements for output.
+template <class T> void checkOutputs(T* first, uint32_t count, const std::vector<uint32_t>& known = {}) {
+    for (uint32_t i = 0; i < count; ++i) {
+        const T* element = elementOf(first, i);
+        checkOutput(element, known);
+        requireEqualSizes(element, first);
+    }
+}
+
+// Two-call convention for arrays of structs.
+template <class T> AgaaResult writeStructs(const std::vector<T>& source, uint32_t* count, T* first) {
+    require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
+    const auto available = uint32_t(source.size());
+    if (first) {
+        if (*count < available)
+            fail(AGAA_ERROR_BUFFER_TOO_SMALL,
+                 format("the array holds %u elements where %u are needed.", *count, available));
+        checkOutputs(first, available);
+        for (uint32_t i = 0; i < available; ++i)
+            writeStruct(elementOf(first, i), source[i]);
+    }
+    *count = available;
+    return AGAA_OK;
+}
+
+// Element i of an array without headers, whose elements are `bytes` apart. T{} has the defaults of what it lacks.
+template <class T> T readElement(const T* first, uint32_t bytes, uint32_t i, T value) {
+    const char* element = reinterpret_cast<const char*>(first) + size_t(i) * bytes;
+    if (bytes >= sizeof value) // mostly: a size that compilers know is copied at once
+        std::memcpy(&value, element, sizeof value);
+    else
+        std::memcpy(&value, element, bytes);
+    return value;
+}
+// bytes: from one element to the next, as the host says in `name`. firstSize: as of StructRow.
+void checkElements(const void* first, uint32_t bytes, uint32_t count, size_t size, size_t firstSize, const char* name);
+
+// What AGAA_…_INIT gives, as far as structSize bytes have room.
+void initialise(void* structure, size_t structSize, const void* initial, size_t size);
+
+} // namespace agaa

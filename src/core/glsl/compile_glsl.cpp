@@ -1,0 +1,56 @@
+#include "core/glsl/compile_glsl.h"
+
+#include "core/base/error.h"
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+namespace agaa {
+
+namespace {
+
+// glslang counts its users in a process.
+struct Glslang {
+    Glslang() { glslang::InitializeProcess(); }
+    ~Glslang() { glslang::FinalizeProcess(); }
+};
+
+std::string firstLine(const char* log) {
+    const std::string text(log);
+    const size_t begin = text.starts_with("ERROR: ") ? 7 : 0;
+    std::string line = text.substr(begin, text.find('\n') - begin);
+    while (!line.empty() && (line.back() == '.' || line.back() == ' '))
+        line.pop_back();
+    return line;
+}
+
+} // namespace
+
+std::vector<uint32_t> compileCompute(const std::string& text, const char* what) {
+    const Glslang library;
+    constexpr auto messages = EShMessages(EShMsgSpvRules | EShMsgVulkanRules);
+    const auto refuse = [&](const char* log) {
+        fail(AGAA_ERROR_INVALID_ARGUMENT,
+             format("%s does not compile: %s.", what, firstLine(log).c_str()));
+    };
+    glslang::TShader shader(EShLangCompute);
+    const char* source = text.c_str();
+    shader.setStrings(&source, 1);
+    shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
+    if (!shader.parse(GetDefaultResources(), 450, false, messages))
+        refuse(shader.getInfoLog());
+    glslang::TProgram program;
+    program.addShader(&shader);
+    if (!program.link(messages))
+        refuse(program.getInfoLog());
+    std::vector<uint32_t> words;
+    glslang::SpvOptions options;
+    options.disableOptimizer = true; // the host waits for this
+    glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), words, &options);
+    return words;
+}
+
+} // namespace agaa

@@ -1,0 +1,95 @@
+#include "core/glsl/glsl_text.h"
+
+#include "core/base/embedded.h"
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <regex>
+
+namespace agaa {
+
+// Lines of a text in this folder, with what they include.
+static void appendLines(std::string& out, std::string_view text, const std::string& folder, std::set<std::string>& seen,
+                        const std::string& hostCode) {
+    size_t begin = 0;
+    while (begin < text.size()) {
+        const size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = text.substr(begin, end - begin);
+        if (line.starts_with("#extension GL_GOOGLE_include_directive")) {
+            // Nothing is left to include.
+        } else if (line == "#include \"host-code\"") {
+            // Compilers count the host's own lines, and say 100000 and more for ours.
+            out += hostCode + "#line 100000\n";
+        } else if (line.starts_with("#include \"")) {
+            std::string name(line.substr(10, line.find('"', 10) - 10));
+            appendGlsl(out, name.find('/') == std::string::npos ? folder + name : name, seen,
+                       hostCode);
+        } else {
+            out += line;
+            out += '\n';
+        }
+        begin = end + 1;
+    }
+}
+
+void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
+                const std::string& hostCode) {
+    const bool isTable = path.ends_with(".inc"); // read once for each macro that its rows call
+    if (!seen.insert(path).second && !isTable)
+        return;
+    const std::string_view text = embeddedGlsl(path);
+    if (text.empty())
+        fail(AGAA_ERROR_INTERNAL, "the shader text " + path + " is not in the library.");
+    appendLines(out, text, path.substr(0, path.find('/') + 1), seen, hostCode);
+}
+
+void appendGlslText(std::string& out, const std::string& text, std::set<std::string>& seen) {
+    appendLines(out, text, "", seen, {});
+}
+
+// The macros of math/real.glsl, which the host may use for something else, are written out.
+std::string coverageGlsl() {
+    std::string text;
+    std::set<std::string> seen;
+    appendGlsl(text, "math/coverage.glsl", seen);
+    const std::pair<const char*, const char*> steps[] = {
+        {R"(#define (real|rvec[234]|OUT|INOUT|PRECISE)\b[^\n]*\n)", ""},
+        {R"(\breal\b)", "float"},
+        {R"(\brvec([234])\b)", "vec$1"},
+        {R"(\bOUT\((\w+)\))", "out $1"},
+        {R"(\bINOUT\((\w+)\))", "inout $1"},
+        {R"(\bPRECISE\b)", "precise"},
+    };
+    for (const auto& [macro, written] : steps)
+        text = std::regex_replace(text, std::regex(macro), written);
+    return text;
+}
+
+static std::string assemble(const Pass& pass, std::set<std::string> seen, const std::string& version,
+                            const std::string& head) {
+    std::string text;
+    if (pass.text.empty())
+        appendGlsl(text, pass.file, seen, pass.hostCode);
+    else
+        appendLines(text, pass.text, "", seen, pass.hostCode);
+    // #version stays first.
+    const std::string_view line = "#version 450\n";
+    const size_t at = text.find(line);
+    if (at == std::string::npos)
+        fail(AGAA_ERROR_INTERNAL, "the pass " + pass.name + " has no version.");
+    return text.replace(at, line.size(), version + pass.hostCodeExtensions + head);
+}
+
+std::string passGlsl(const Pass& pass) {
+    return assemble(pass, {}, "#version 450\n", pass.defines);
+}
+
+std::string passGlslForOpenGl(const Pass& pass, uint32_t glslVersion) {
+    std::string head = "#define AGAA_GL 1\n" + pass.defines;
+#define AGAA_CONSTANT(id, name, value) head += format("const uint %s = %uu;\n", #name, pass.constants[id]);
+#include "shaders/tables/constants.inc"
+#undef AGAA_CONSTANT
+    return assemble(pass, {"common/constants.glsl"}, format("#version %u\n", glslVersion), head);
+}
+
+} // namespace agaa

@@ -1,0 +1,350 @@
+#include "core/glsl/host_glsl.h"
+
+#include "core/base/error.h"
+#include "core/base/glsl_number.h"
+#include "core/frame/frame_data.h"
+#include "core/glsl/glsl_text.h"
+#include "core/plan/gpu_layout.h"
+#include "core/plan/plan_builder.h"
+#include "core/view/custom_glsl.h"
+#include "core/view/facts.h"
+
+#include <algorithm>
+#include <set>
+
+namespace agaa {
+
+namespace {
+
+void define(std::string& out, const char* name, uint32_t value) {
+    out += format("#define %s %uu\n", name, value);
+}
+
+// Preprocessor conditions cannot hold a `u` suffix in every compiler's eyes, so switches are plain.
+void defineSwitch(std::string& out, const char* name, uint32_t value) {
+    out += format("#define %s %u\n", name, value);
+}
+
+// Where an aggregate has each channel.
+std::string fields(const Constants& constants) {
+    std::string out;
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) define(out, #field, constants[field]);
+#include "shaders/tables/channels.inc"
+    return out;
+}
+
+bool mergesInOrder(const Pass& pass) { return pass.fragmentContent == FragmentContent::Merged; }
+bool mergesInTargets(const Pass& pass) { return mergesInOrder(pass) && pass.drawState.readsAttachments; }
+
+// Attachments that the shader reads and writes: the words of their texels, one attachment after the other.
+std::string fetchedTargets(const Pass& pass, const HostDialect& dialect) {
+    const uint32_t attachments = pass.drawState.colorAttachmentCount;
+    std::string out, fetch = "    uvec4 held;\n", store;
+    if (!dialect.openGl)
+        out += format("layout(input_attachment_index = 0, set = %u, binding = %u) uniform usubpassInput agaa_held[%u];\n",
+                      dialect.descriptorSet, fetchedTargetsSlot, attachments);
+    for (uint32_t i = 0; i < attachments; ++i) {
+        out += format("layout(location = %u) %s uvec4 agaa_target%u;\n", i, dialect.openGl ? "inout" : "out", i);
+        fetch += dialect.openGl ? format("    held = agaa_target%u;\n", i) : format("    held = subpassLoad(agaa_held[%u]);\n", i);
+        const uint32_t w = 4 * i;
+        for (uint32_t c = 0; c < 4; ++c)
+            fetch += format("    agaa_targetWords[%u] = held.%c;\n", w + c, "xyzw"[c]);
+        store += format("    agaa_target%u = uvec4(agaa_targetWords[%u], agaa_targetWords[%u], agaa_targetWords[%u], "
+                        "agaa_targetWords[%u]);\n", i, w, w + 1, w + 2, w + 3);
+    }
+    return out + format("uint agaa_targetWords[%u];\n", 4 * attachments) + "void agaa_fetchTargets() {\n" + fetch +
+           "}\nvoid agaa_storeTargets() {\n" + store + "}\n";
+}
+
+std::string outputs(const Pass& pass, const HostDialect& dialect) {
+    std::string out;
+    for (size_t i = 0; i < pass.colorTargets.size() && !mergesInTargets(pass); ++i)
+        out += dialect.hostOutputs ? format("vec4 agaa_out%zu;\n", i)
+                                   : format("layout(location = %zu) out vec4 agaa_out%zu;\n", i, i);
+    return out;
+}
+
+// Where the host's set or binding points hold each of the SDK's resources.
+std::string bindingDefines(const HostDialect& dialect) {
+    std::string out;
+    for (const BindingRow& row : hostBindingTable)
+        out += dialect.openGl ? format("#define AGAA_BINDING_%s binding = %u\n", row.macro, dialect.bindings[row.slot])
+                              : format("#define AGAA_BINDING_%s set = %u, binding = %u\n", row.macro,
+                                       dialect.descriptorSet, row.slot);
+#define AGAA_HOST_ALIAS(macro, name, ofMacro, of) out += "#define AGAA_BINDING_" #macro " AGAA_BINDING_" #ofMacro "\n";
+#include "shaders/tables/bindings.inc"
+    return out;
+}
+
+std::string storeAttachments(const Pass& pass) {
+    static constexpr const char* members[ChannelCount] = {
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) #member,
+#include "shaders/tables/channels.inc"
+    };
+    std::string out = "void agaa_store(agaa_Stored v) {\n";
+    for (size_t i = 0; i < pass.colorTargets.size(); ++i) {
+        std::string components[4] = {"0.0", "0.0", "0.0", "0.0"};
+        for (uint32_t channel = 0; channel < ChannelCount; ++channel) {
+            const uint32_t source = pass.constants[AGAA_SOURCE_DIFFUSE_R + channel];
+            if (source >> 16 && (source & 0xFF) == i)
+                components[source >> 8 & 0xFF] = format("agaa_sourceOf(v.%s, %uu)", members[channel], source);
+        }
+        out += format("    agaa_out%zu = vec4(%s, %s, %s, %s);\n", i, components[0].c_str(),
+                      components[1].c_str(), components[2].c_str(), components[3].c_str());
+    }
+    return out + "}\n";
+}
+
+std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    if (dialect.constants != AGAA_GL_CONSTANTS_BLOCK)
+        fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\", which shades in the host's shaders, needs AGAA_GL_CONSTANTS_BLOCK.",
+                                            plan.config.technique));
+    std::string out;
+    const Constants& c = pass.constants;
+    define(out, "AGAA_BRDF", c[AGAA_BRDF]);
+    define(out, "AGAA_NDF", c[AGAA_NDF]);
+    define(out, "AGAA_FILTER_DIFFUSE", c[AGAA_FILTER_DIFFUSE]);
+    define(out, "AGAA_HAS_SPECULAR", c[AGAA_HAS_SPECULAR]);
+    define(out, "AGAA_HAS_AMBIENT", c[AGAA_HAS_AMBIENT]);
+    define(out, "AGAA_SHADOW_MAPS", c[AGAA_SHADOW_MAPS]);
+    define(out, "AGAA_SHADING_COST", c[AGAA_SHADING_COST]);
+    define(out, "AGAA_LIGHT_WORDS", 0);
+    defineSwitch(out, "AGAA_SHADOWS", plan.facts.shadowMapCount > 0);
+    if (!dialect.storageImages)
+        return out;
+    // Without storage blocks lights come in a uniform block, which promises no more than this.
+    constexpr uint64_t most = 16384;
+    if (lightBufferBytes(plan.facts.maxLights) > most)
+        fail(AGAA_ERROR_UNSUPPORTED,
+             format("forward shading without storage blocks takes %u lights; AgaaSceneFacts::maxLights is "
+                    "%u.",
+                    uint32_t((most - lightBufferBytes(1)) / sizeof(GpuLight) + 1), plan.facts.maxLights));
+    out += "#define AGAA_LIGHT_BLOCK layout(std140, AGAA_BINDING_LIGHTS) uniform\n";
+    defineSwitch(out, "AGAA_LIGHT_COUNT", std::max(plan.facts.maxLights, 1u));
+    return out;
+}
+
+bool needsMaterial(const Pass& pass) {
+    if (pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS)
+        return pass.fragmentContent != FragmentContent::Ids;
+    return pass.drawPass != AGAA_DRAW_PASS_VISIBILITY;
+}
+
+// Of passes that pack attributes (aggregate/packing.glsl).
+std::string packing(const Constants& c) {
+    std::string out;
+    define(out, "AGAA_MAX_WORDS", c[AGAA_WORDS]);
+    define(out, "AGAA_UNFILTERED_WORDS", c[AGAA_UNFILTERED_WORDS]);
+    define(out, "AGAA_FOLDED_ROUGHNESS", c[AGAA_FOLDED_ROUGHNESS]);
+    define(out, "AGAA_YCBCR_SPECULAR", c[AGAA_YCBCR_SPECULAR]);
+    return out;
+}
+
+// Those that the pass reads: pipelines of other facts keep their keys.
+std::string facts(const Pass& pass) {
+    const Constants& c = pass.constants;
+    const uint64_t ofLights = AGAA_FACT_NO_LOCAL_LIGHTS;
+    const uint64_t read = c[AGAA_CHECK_FACTS]                      ? ~UINT64_C(0)
+                          : pass.drawPass == AGAA_DRAW_PASS_FORWARD ? commonValues
+                                                                     : commonValues & ~ofLights;
+    const auto valueIf = [&](uint64_t fact, Constant value) {
+        return c[AGAA_CHECK_FACTS] || c[AGAA_FACTS] & fact ? c[value] : 0u;
+    };
+    std::string out;
+    define(out, "AGAA_FACTS", uint32_t(c[AGAA_FACTS] & read));
+    define(out, "AGAA_ONE_ALPHA2", valueIf(AGAA_FACT_ONE_ROUGHNESS, AGAA_ONE_ALPHA2));
+    define(out, "AGAA_ONE_SPECULAR", valueIf(AGAA_FACT_ONE_SPECULAR, AGAA_ONE_SPECULAR));
+    defineSwitch(out, "AGAA_CHECK_FACTS", c[AGAA_CHECK_FACTS]);
+    return out;
+}
+
+std::string defines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    std::string out;
+    const Constants& c = pass.constants;
+    defineSwitch(out, "AGAA_STORAGE_IMAGES", dialect.storageImages);
+    defineSwitch(out, "AGAA_FRAME_CONSTANTS", dialect.constants);
+    if (dialect.constants == AGAA_GL_CONSTANTS_UNIFORMS)
+        defineSwitch(out, "AGAA_CONSTANT_VECTORS", constantVectors(plan));
+    // Helper invocations store nothing in any version; knowing them only saves work.
+    out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n"
+                                      : "#define AGAA_HELPER false\n";
+    defineSwitch(out, "AGAA_PASS", pass.drawPass);
+    defineSwitch(out, "AGAA_NEEDS_MATERIAL", needsMaterial(pass));
+    defineSwitch(out, "AGAA_SAMPLES", plan.samples);
+    defineSwitch(out, "AGAA_HW_SAMPLES", plan.hwSamples);
+    define(out, "AGAA_SCALE_X", plan.scaleX);
+    define(out, "AGAA_SCALE_Y", plan.scaleY);
+    defineSwitch(out, "AGAA_COUNTING", c[AGAA_COUNTERS]);
+    define(out, "AGAA_EMISSIVE_CHANNELS", c[AGAA_EMISSIVE_CHANNELS]);
+    out += "#define AGAA_EMISSIVE_RANGE " + glslNumber(plan.layout.emissiveRange()) + "\n";
+    defineSwitch(out, "AGAA_FAR_DEPTH", c[AGAA_FAR_DEPTH]);
+    out += facts(pass);
+    defineSwitch(out, "AGAA_SHOWS_FACTS", c[AGAA_DEBUG_VIEW] == AGAA_DEBUG_VIEW_FACTS);
+    if (pass.drawPass == AGAA_DRAW_PASS_AGGREGATE) {
+        out += format("#define AGAA_TARGET_TEXTURE %s\n", plan.hwSamples > 1 ? "sampler2DMS" : "sampler2D");
+        defineSwitch(out, "AGAA_AGGREGATES", std::max(plan.aggregates, 1u));
+        defineSwitch(out, "AGAA_PER_SAMPLE", pass.drawState.sampleShading);
+        defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE", !pass.extensions.empty());
+        defineSwitch(out, "AGAA_FIRST_SAMPLE_ROUTING",
+                     (plan.measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING) != 0);
+        defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
+        defineSwitch(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
+        defineSwitch(out, "AGAA_REPRESENTED", c[AGAA_STRIDE] != c[AGAA_WORDS]);
+        const auto isNormals = [](const Binding& binding) { return binding.slot == host_slot::Normals; };
+        defineSwitch(out, "AGAA_CHECKS_FAR_PLANE",
+                     std::any_of(pass.bindings.begin(), pass.bindings.end(), isNormals));
+        define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
+        out += packing(c);
+    }
+    const bool hasCorners = pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS;
+    defineSwitch(out, "AGAA_HAS_CORNERS", hasCorners);
+    if (hasCorners) {
+        defineSwitch(out, "AGAA_CLIP_Z_FROM_MINUS_ONE", plan.clipZFromMinusOne);
+        define(out, "AGAA_PAYLOAD_WORDS", plan.payloadWords);
+        defineSwitch(out, "AGAA_TABLE_SIZE", c[AGAA_TABLE_SIZE]);
+        defineSwitch(out, "AGAA_HAS_BATCHES", plan.coverage.maxBatches > 1);
+    }
+    if (hasCorners && needsMaterial(pass)) {
+        defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
+        define(out, "AGAA_HAS_SPECULAR", c[AGAA_HAS_SPECULAR]);
+        define(out, "AGAA_NDF", c[AGAA_NDF]);
+        defineSwitch(out, "AGAA_SPREAD_WORDS", c[AGAA_SPREAD_WORDS]);
+        out += packing(c);
+    }
+    if (mergesInOrder(pass)) {
+        defineSwitch(out, "AGAA_IN_TARGETS", mergesInTargets(pass));
+        define(out, "AGAA_AGGREGATES", plan.aggregates);
+        define(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
+        define(out, "AGAA_MERGE_RULE", c[AGAA_MERGE_RULE]);
+    }
+    defineSwitch(out, "AGAA_FIRST_PASS", pass.clearsDepth);
+    if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
+        define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
+    out += customGlsl(plan.layout);
+    const bool writesIds = pass.sampleContent == SampleContent::Id;
+    defineSwitch(out, "AGAA_WRITES_IDS", writesIds);
+    if (writesIds || (hasCorners && plan.maxDraws)) {
+        defineSwitch(out, "AGAA_SOME_UNFETCHED", plan.someUnfetched);
+        define(out, "AGAA_MAX_DRAWS", plan.maxDraws);
+        define(out, "AGAA_MAX_PRIMITIVES", plan.maxPrimitives);
+        define(out, "AGAA_PRIMITIVE_BITS", plan.primitiveBits);
+    }
+    if (pass.drawPass == AGAA_DRAW_PASS_VISIBILITY)
+        defineSwitch(out, "AGAA_WRITES_NORMALS", !pass.colorTargets.empty() && !writesIds);
+    if (pass.drawPass == AGAA_DRAW_PASS_FORWARD)
+        out += lightingDefines(plan, pass, dialect);
+    return out;
+}
+
+} // namespace
+
+std::string hostExtensions(const Pass& pass, const HostDialect& dialect) {
+    std::string out;
+    const auto extension = [&](const char* name) { out += format("#extension GL_%s : require\n", name); };
+    // What older languages lack.
+    if (dialect.glslVersion < 400) {
+        extension("ARB_gpu_shader5");
+        extension("ARB_sample_shading");
+    }
+    if (dialect.glslVersion < 410) // locations between stages
+        extension("ARB_separate_shader_objects");
+    if (dialect.glslVersion < 420) {
+        extension("ARB_shading_language_420pack");
+        extension("ARB_shader_image_load_store");
+    }
+    if (dialect.glslVersion < 430 && !dialect.storageImages)
+        extension("ARB_shader_storage_buffer_object");
+    for (const std::string& name : pass.extensions)
+        extension(name.c_str());
+    if (dialect.openGl && pass.drawState.readsAttachments)
+        extension("EXT_shader_framebuffer_fetch");
+    return out;
+}
+
+std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    std::set<std::string> seen;
+    std::string out = "#ifndef AGAA_ALPHA_MASKED\n#define AGAA_ALPHA_MASKED 0\n#endif\n";
+    out += defines(plan, pass, dialect) + bindingDefines(dialect) + outputs(pass, dialect);
+    for (const char* path : {"common/frame.glsl", "math/sanitise.glsl", "math/coverage.glsl",
+                             "math/encoding.glsl",
+                             "math/ndf.glsl", "math/depth.glsl", "math/metadata.glsl", "math/records.glsl", "common/stored.glsl",
+                             "common/scene_facts.glsl", "host/surface.glsl",
+                             "host/counters.glsl", "host/placement.glsl"})
+        appendGlsl(out, path, seen);
+    if (!pass.text.empty())
+        return out + pass.text;
+    switch (pass.drawPass) {
+    case AGAA_DRAW_PASS_VISIBILITY:
+        appendGlsl(out, "host/ids.glsl", seen);
+        appendGlsl(out, "host/visibility.glsl", seen);
+        break;
+    case AGAA_DRAW_PASS_FRAGMENTS:
+        appendGlsl(out, "host/ids.glsl", seen);
+        if (needsMaterial(pass)) {
+            out += fields(pass.constants);
+            appendGlsl(out, "host/carried_material.glsl", seen);
+        }
+        if (mergesInTargets(pass))
+            out += fetchedTargets(pass, dialect);
+        appendGlsl(out, mergesInOrder(pass) ? "host/merge_in_order.glsl" : "host/fragments.glsl", seen);
+        break;
+    case AGAA_DRAW_PASS_GBUFFER:
+        out += storeAttachments(pass);
+        appendGlsl(out, "host/gbuffer.glsl", seen);
+        break;
+    case AGAA_DRAW_PASS_FORWARD:
+        appendGlsl(out, "host/far_plane.glsl", seen);
+        appendGlsl(out, "host/forward.glsl", seen);
+        break;
+    case AGAA_DRAW_PASS_AGGREGATE:
+        out += fields(pass.constants);
+        appendGlsl(out, "aggregate/packing.glsl", seen);
+        appendGlsl(out, "host/far_plane.glsl", seen);
+        appendGlsl(out, "host/aggregate.glsl", seen);
+        break;
+    default:
+        fail(AGAA_ERROR_INTERNAL, "a draw pass of unknown kind.");
+    }
+    return out;
+}
+
+static std::string expansion(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    if (pass.expansionText.empty())
+        return {};
+    std::set<std::string> seen;
+    std::string out = defines(plan, pass, dialect) + bindingDefines(dialect);
+    appendGlsl(out, "common/frame.glsl", seen);
+    appendGlslText(out, pass.expansionText, seen);
+    return out;
+}
+
+std::string hostGeometry(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    return pass.drawState.vertexPulling ? std::string() : expansion(plan, pass, dialect);
+}
+
+std::string hostVertex(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    return pass.drawState.vertexPulling ? expansion(plan, pass, dialect) : std::string();
+}
+
+uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    // FNV-1a over everything a host's shaders and pipelines depend on.
+    uint64_t key = 1469598103934665603ull;
+    const auto mix = [&](const void* data, size_t size) {
+        for (size_t i = 0; i < size; ++i)
+            key = (key ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
+    };
+    const auto mixValue = [&](auto value) { mix(&value, sizeof value); };
+    mixValue(uint32_t(pass.drawPass));
+    mix(&pass.drawState, sizeof pass.drawState);
+    const std::string text =
+        hostExtensions(pass, dialect) + hostDeclarations(plan, pass, dialect) + expansion(plan, pass, dialect);
+    mix(text.data(), text.size());
+    for (ResourceId target : pass.colorTargets)
+        mixValue(uint32_t(plan.resources[target].format));
+    mixValue(pass.depthTarget != noResource ? uint32_t(plan.resources[pass.depthTarget].format) : 0u);
+    return key;
+}
+
+} // namespace agaa

@@ -1,0 +1,57 @@
+// Where resources are bound, by src/shaders/tables/bindings.inc.
+#pragma once
+
+#include "agaa_gl.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+
+namespace agaa {
+
+// Of the SDK's compute passes.
+namespace slot {
+enum : uint32_t {
+#define AGAA_BINDING(macro, name, slot, kind, openGl) name = slot,
+#include "shaders/tables/bindings.inc"
+};
+}
+// Of the set that hosts bind.
+namespace host_slot {
+enum : uint32_t {
+#define AGAA_HOST_BINDING(macro, name, slot, kind, openGl) name = slot,
+#define AGAA_HOST_ALIAS(macro, name, ofMacro, of) name = of,
+#include "shaders/tables/bindings.inc"
+};
+}
+
+enum class BindingKind { Uniform, Texture, Image, Storage, WrittenStorage };
+
+struct BindingRow {
+    const char* macro; // after AGAA_BINDING_
+    uint32_t slot;     // in plans and on Vulkan
+    BindingKind kind;
+    uint32_t openGl;   // place of the kind
+};
+
+inline constexpr BindingRow bindingTable[] = { // by slot
+#define AGAA_BINDING(macro, name, slot, kind, openGl) {#macro, slot, BindingKind::kind, openGl},
+#include "shaders/tables/bindings.inc"
+};
+inline constexpr BindingRow hostBindingTable[] = { // by host_slot
+#define AGAA_HOST_BINDING(macro, name, slot, kind, openGl) {#macro, slot, BindingKind::kind, openGl},
+#include "shaders/tables/bindings.inc"
+};
+inline constexpr uint32_t hostBindingCount = uint32_t(std::size(hostBindingTable));
+
+template <size_t count> constexpr bool isInOrder(const BindingRow (&table)[count]) {
+    return std::ranges::all_of(table, [&](const BindingRow& row) { return &row == &table[row.slot]; });
+}
+static_assert(isInOrder(bindingTable) && isInOrder(hostBindingTable), "slots count from 0, each once");
+static_assert(hostBindingCount == AGAA_GL_BINDING_COUNT);
+// Vulkan's array of input attachments, after all others.
+inline constexpr uint32_t fetchedTargetsSlot = hostBindingCount;
+#define AGAA_HOST_BINDING(macro, name, slot, kind, openGl) static_assert(AGAA_GL_BINDING_##macro == slot);
+#include "shaders/tables/bindings.inc"
+
+} // namespace agaa

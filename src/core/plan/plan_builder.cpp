@@ -1,0 +1,421 @@
+#include "core/plan/plan_builder.h"
+
+#include "core/base/checked.h"
+#include "core/base/error.h"
+#include "core/plan/access.h"
+#include "core/plan/gpu_layout.h"
+#include "core/plan/permutations.h"
+#include "core/view/custom_glsl.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace agaa {
+
+PlanBuilder::PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight)
+    : plan(view), caps_(caps), framesInFlight_(framesInFlight) {
+    shadowMaps_.fill(noResource);
+    frames_.fill(noResource);
+    plan.aliases = !(caps.flags & AGAA_DEVICE_NO_ALIASING) && !(plan.config.flags & AGAA_CONFIG_READBACK);
+    const Technique& technique = *findTechnique(plan.technique);
+    stripUnusedFeatures(technique);
+    checkFacts(technique);
+    chooseVisibilityTier(technique);
+    if (!technique.tiers.empty())
+        chooseGenerationTier(technique);
+    checkTierOptions(technique);
+    require(!counts() || caps_.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
+            "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");
+    setConstants();
+    lights_ = add({.name = "lights",
+                   .kind = ResourceKind::UploadBuffer,
+                   .content = UploadContent::Lights,
+                   .format = Format::Buffer,
+                   .bytes = lightBufferBytes(plan.facts.maxLights),
+                   .copies = framesInFlight});
+    if (counts()) {
+        counters_ = add({.name = "counters",
+                         .kind = ResourceKind::SmallBuffer,
+                         .format = Format::Buffer,
+                         .bytes = sizeof(CounterBuffer)});
+        fill("clear counters", AGAA_STAGE_OTHER, counters_, AGAA_SEGMENT_PREPASS);
+    }
+}
+
+void setFields(Constants& constants, Constant first, const Fields& fields) {
+    static_assert(uint32_t(AGAA_SOURCE_DIFFUSE_R) == uint32_t(AGAA_FIELD_DIFFUSE_R) + uint32_t(ChannelCount), "ranges of constants.inc");
+    for (uint32_t i = 0; i < ChannelCount; ++i)
+        constants[first + i] = fields[i].constant();
+}
+
+ResourceId PlanBuilder::add(Resource resource) {
+    plan.resources.push_back(std::move(resource));
+    return ResourceId(plan.resources.size() - 1);
+}
+
+ResourceId PlanBuilder::image(std::string name, Format format, bool atTargetRate) {
+    Resource r;
+    r.name = std::move(name);
+    r.format = format;
+    r.width = atTargetRate ? scaledWidth() : plan.width;
+    r.height = atTargetRate ? scaledHeight() : plan.height;
+    r.samples = atTargetRate ? plan.hwSamples : 1;
+    r.bytes = checkedMultiply(checkedMultiply(uint64_t(r.width) * r.height, r.samples),
+                              bytesPerTexel(format));
+    return add(std::move(r));
+}
+
+ResourceId PlanBuilder::modelSurface(std::string name, Format format, uint32_t samples) {
+    const ResourceId id = image(std::move(name), format, false);
+    plan.resources[id].samples = samples;
+    plan.resources[id].bytes = checkedMultiply(plan.resources[id].bytes, samples);
+    return id;
+}
+
+ResourceId PlanBuilder::layeredImage(std::string name, Format format, uint32_t layers) {
+    const ResourceId id = image(std::move(name), format, false);
+    plan.resources[id].layers = layers;
+    plan.resources[id].bytes = checkedMultiply(plan.resources[id].bytes, layers);
+    return id;
+}
+
+ResourceId PlanBuilder::squareImage(std::string name, Format format, uint32_t side) {
+    return add({.name = std::move(name),
+                .kind = ResourceKind::Image,
+                .format = format,
+                .width = side,
+                .height = side,
+                .bytes = uint64_t(side) * side * bytesPerTexel(format),
+                .hasFixedSize = true});
+}
+
+ResourceId PlanBuilder::pixelBuffer(std::string name, uint64_t bytesPerPixel) {
+    Resource r;
+    r.name = std::move(name);
+    r.kind = ResourceKind::Buffer;
+    r.format = Format::Buffer;
+    r.width = plan.width;
+    r.height = plan.height;
+    r.bytes = checkedMultiply(uint64_t(plan.width) * plan.height, bytesPerPixel);
+    return add(std::move(r));
+}
+
+ResourceId PlanBuilder::depth(bool needsStencil) {
+    const bool d24 = caps_.flags & AGAA_DEVICE_D24S8;
+    const bool d32s8 = caps_.flags & AGAA_DEVICE_D32S8;
+    if (plan.reversedZ) {
+        plan.depthFormat = needsStencil && d32s8 ? Format::D32S8 : Format::D32;
+        note(format("depth: %s, 4 bytes%s, because reversed z wants a float format.",
+                    formatName(plan.depthFormat),
+                    plan.depthFormat == Format::D32S8 ? " and 1 for stencil" : ""));
+    } else if (d24) {
+        plan.depthFormat = Format::D24S8;
+        note("depth: D24_UNORM_S8_UINT, 4 bytes with stencil.");
+    } else {
+        plan.depthFormat = needsStencil && d32s8 ? Format::D32S8 : Format::D32;
+        note(format("depth: %s, because the device has no D24_UNORM_S8_UINT.",
+                    formatName(plan.depthFormat)));
+    }
+    plan.depthBits = plan.depthFormat == Format::D24S8 ? 24 : 0;
+    return image("depth", plan.depthFormat, true);
+}
+
+Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass,
+                            uint64_t segment) {
+    require(!plan.hostGBuffer, AGAA_ERROR_UNSUPPORTED,
+            "AgaaGBufferFunction is for techniques that shade a G-buffer; this one draws.");
+    Pass pass;
+    pass.name = std::move(name);
+    pass.stage = stage;
+    pass.kind = PassKind::HostDraw;
+    pass.segment = segment;
+    pass.drawPass = drawPass;
+    pass.drawState.samples = plan.hwSamples;
+    pass.drawState.colorWriteMask = 0xF;
+    pass.clear.depth = plan.reversedZ ? 0.0f : 1.0f;
+    pass.width = scaledWidth();
+    pass.height = scaledHeight();
+    pass.constants = constants_;
+    plan.passes.push_back(std::move(pass));
+    bind(plan.passes.back(), host_slot::Frame, BindingType::UniformBuffer, frameConstants(segment));
+    return plan.passes.back();
+}
+
+bool PlanBuilder::isSwitchedOn(char letter) const {
+    switch (letter) {
+    case 'm':
+        return plan.hwSamples > 1;
+    case 's':
+        return plan.variantFacts.shadowMapCount > 0;
+    case 'c':
+        return counts();
+    case 'b':
+        return plan.composite;
+    case 'a':
+        return plan.aggregates > 1;
+    case 'g':
+        return generation_ && generation_->readsGBuffer;
+    case 'l':
+        return variantLitShadows() != 0;
+    default: // the pass says it
+        return false;
+    }
+}
+
+Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string& shader, uint64_t segment,
+                           std::string_view switches) {
+    Pass pass;
+    pass.name = std::move(name);
+    pass.stage = stage;
+    pass.file = passFile(shader);
+    pass.shader = shader + "_";
+    for (const char letter : passSwitches(shader)) {
+        const size_t said = switches.find(letter);
+        const bool on = said == std::string_view::npos ? isSwitchedOn(letter) : switches[said + 1] == '1';
+        pass.shader += letter;
+        pass.shader += on ? '1' : '0';
+        pass.defines += format("#define %s %d\n", switchMacro(letter), on);
+    }
+    pass.segment = segment;
+    pass.constants = constants_;
+    plan.passes.push_back(std::move(pass));
+    return plan.passes.back();
+}
+
+Pass& PlanBuilder::fill(std::string name, AgaaStage stage, ResourceId destination, uint64_t segment,
+                        uint32_t value) {
+    Pass pass;
+    pass.name = std::move(name);
+    pass.stage = stage;
+    pass.kind = PassKind::Fill;
+    pass.segment = segment;
+    pass.destination = destination;
+    pass.fillValue = value;
+    plan.passes.push_back(std::move(pass));
+    return plan.passes.back();
+}
+
+ResourceId PlanBuilder::tileBuffer(std::string name, uint32_t side, uint64_t bytesPerTile) {
+    const auto tiles = [&](uint32_t pixels) { return (uint64_t(pixels) + side - 1) / side; };
+    return itemBuffer(std::move(name), checkedMultiply(tiles(plan.width), tiles(plan.height)), bytesPerTile);
+}
+
+ResourceId PlanBuilder::itemBuffer(std::string name, uint64_t items, uint64_t bytesPerItem) {
+    return add({.name = std::move(name),
+                .kind = ResourceKind::Buffer,
+                .format = Format::Buffer,
+                .width = plan.width,
+                .height = plan.height,
+                .bytes = checkedMultiply(items, bytesPerItem)});
+}
+
+uint32_t PlanBuilder::scaledWidth() const { return uint32_t(std::min<uint64_t>(uint64_t(plan.width) * plan.scaleX, ~0u)); }
+uint32_t PlanBuilder::scaledHeight() const { return uint32_t(std::min<uint64_t>(uint64_t(plan.height) * plan.scaleY, ~0u)); }
+
+ResourceId PlanBuilder::deferredPixels() { return tileBuffer("deferred-pixels", 8, 8); }
+
+// A group of the pass has so many tiles of 8 by 8 pixels across and down.
+static void takeTiles(Pass& pass, uint32_t side) {
+    pass.dispatch.groupSide = 8 * side;
+    pass.defines += format("#define AGAA_REGION_SIDE %uu\n", side);
+}
+
+void PlanBuilder::deferPixels(Pass& pass, ResourceId deferred) {
+    bind(pass, slot::Deferred, BindingType::StorageBuffer, deferred, true);
+    takeTiles(pass, 2);
+}
+
+// Software rasterisers of Mesa end all loops of an invocation once they have turned 65535 times together: at many samples
+// a group has fewer pixels, which fill its lanes all the same.
+void PlanBuilder::consumeDeferred(Pass& pass, ResourceId deferred) {
+    bind(pass, slot::Deferred, BindingType::StorageBuffer, deferred);
+    takeTiles(pass, plan.samples > 8 ? 1 : 2);
+}
+
+void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
+                       bool writes) {
+    pass.bindings.push_back({slot, type, resource, writes});
+}
+
+void PlanBuilder::defaultSurface(float cosine, float distance, float material) {
+    const auto set = [](float& value, float otherwise) { value = value > 0 ? value : otherwise; };
+    set(plan.config.surfaceCosine, cosine);
+    set(plan.config.surfaceDistance, distance);
+    set(plan.config.surfaceMaterial, material);
+}
+
+// Segments have a buffer each, because later ones bring other values (ambient, background) while an
+// earlier one may still run.
+ResourceId PlanBuilder::frameConstants(uint64_t segment) {
+    const char* const names[] = {"frame-constants-prepass", "frame-constants-generation", "frame-constants-shading"};
+    const size_t index = size_t(std::countr_zero(segment));
+    if (frames_[index] == noResource)
+        frames_[index] = add({.name = names[index],
+                              .kind = ResourceKind::UploadBuffer,
+                              .content = UploadContent::FrameConstants,
+                              .format = Format::Buffer,
+                              .bytes = sizeof(FrameConstants),
+                              .copies = framesInFlight_});
+    return frames_[index];
+}
+
+void PlanBuilder::bindCommon(Pass& pass) {
+    const bool host = pass.kind == PassKind::HostDraw;
+    if (!host)
+        bind(pass, slot::Frame, BindingType::UniformBuffer, frameConstants(pass.segment));
+    if (counts())
+        bind(pass, host ? uint32_t(host_slot::Counters) : uint32_t(slot::Counters),
+             BindingType::StorageBuffer, counters_, true);
+}
+
+// Compilers count the lines of each text by themselves.
+void PlanBuilder::addHostCode(Pass& pass, const HostText& text, const char* origin) {
+    pass.hostCode += "#line 1\n" + text.glsl + "\n";
+    pass.hostCodeOrigin += (pass.hostCodeOrigin.empty() ? "" : " with ") + std::string(origin) + "::glsl";
+    if (text.extensions.empty())
+        return;
+    pass.hostCodeExtensions += "#line 1\n" + text.extensions + "\n#line 100000\n";
+    pass.hostCodeOrigin += " and ::glslExtensions";
+}
+
+void PlanBuilder::bindHostGBuffer(Pass& pass) {
+    addHostCode(pass, plan.gbufferFunction, "AgaaGBufferFunction");
+    pass.defines += "#define AGAA_HOST_GBUFFER 1\n" + customGlsl(plan.layout);
+}
+
+// A graphics processor hides how long fetches take by groups that share its memory, so that lists are short there: a
+// primitive a lane at most. By arithmetic, not by measurement.
+uint32_t PlanBuilder::listLength() const {
+    // What a listed primitive takes of shared memory by the rules of std430, and what else does.
+    constexpr uint32_t others = 8704;
+    // Its material comes to 92 bytes, the host's own attributes follow; 28 are beside it.
+    uint64_t material = 92;
+    for (const CustomAttribute& custom : plan.layout.customs) {
+        const uint32_t channels = custom.attribute.channels;
+        material = alignUp(material, channels == 1 ? 4 : channels == 2 ? 8 : 16) + 4 * channels;
+    }
+    const auto listed = uint32_t(28 + alignUp(material, 16));
+    const uint32_t room = (std::max(caps_.maxSharedBytes, others) - others) / listed;
+    return std::clamp(room / 32 * 32, 32u, caps_.flags & AGAA_DEVICE_SOFTWARE ? 256u : 64u);
+}
+
+void PlanBuilder::bindHostFetch(Pass& pass) {
+    addHostCode(pass, plan.fetchFunction, "AgaaFetchFunction");
+    pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
+                           "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",
+                           plan.primitiveBits, plan.clipZFromMinusOne, listLength());
+    pass.defines += customGlsl(plan.layout);
+    if (plan.someUnfetched)
+        pass.defines += "#define AGAA_SOME_UNFETCHED 1\n";
+}
+
+ResourceId PlanBuilder::output() {
+    if (output_ == noResource)
+        output_ = add({.name = "output", .kind = ResourceKind::Output, .width = plan.width,
+                       .height = plan.height});
+    return output_;
+}
+
+void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
+    bind(pass, slot::Output, BindingType::StorageImage, image == noResource ? output() : image, true);
+    if (plan.composite)
+        bind(pass, slot::Background, BindingType::Texture, output());
+}
+
+void PlanBuilder::copyCounters() {
+    if (!counts())
+        return;
+    const ResourceId readback = add({.name = "counters-readback",
+                                     .kind = ResourceKind::ReadbackBuffer,
+                                     .format = Format::Buffer,
+                                     .bytes = sizeof(CounterBuffer),
+                                     .copies = framesInFlight_});
+    Pass pass;
+    pass.name = "read counters";
+    pass.kind = PassKind::Copy;
+    pass.segment = AGAA_SEGMENT_SHADING;
+    pass.source = counters_;
+    pass.destination = readback;
+    plan.passes.push_back(std::move(pass));
+}
+
+void PlanBuilder::findLifetimes() {
+    for (Resource& resource : plan.resources) {
+        resource.firstPass = ~0u;
+        resource.lastPass = 0;
+    }
+    for (uint32_t i = 0; i < plan.passes.size(); ++i) {
+        const auto use = [&](ResourceId id) {
+            Resource& resource = plan.resources[id];
+            resource.firstPass = std::min(resource.firstPass, i);
+            resource.lastPass = std::max(resource.lastPass, i);
+            resource.segments |= plan.passes[i].segment;
+        };
+        for (const Access& access : accessesOf(plan.passes[i]))
+            use(access.resource);
+    }
+    for (Resource& resource : plan.resources)
+        if (resource.firstPass == ~0u) { // a model's surface that no pass of ours names
+            resource.firstPass = 0;
+            resource.lastPass = plan.passes.empty() ? 0 : uint32_t(plan.passes.size() - 1);
+        }
+    keepAlive();
+}
+
+// What a repeated pass uses may not share memory with what its group uses before or after, nor what outlives a frame with
+// anything.
+void PlanBuilder::keepAlive() {
+    for (Resource& resource : plan.resources) {
+        if (resource.isImported()) // its first and last use say when the executor takes it and gives it back
+            continue;
+        for (const Repeat& repeat : plan.repeats)
+            if (resource.firstPass <= repeat.lastPass && resource.lastPass >= repeat.firstPass) {
+                resource.firstPass = std::min(resource.firstPass, repeat.firstPass);
+                resource.lastPass = std::max(resource.lastPass, repeat.lastPass);
+            }
+        if (resource.isPersistent) {
+            resource.firstPass = 0;
+            resource.lastPass = uint32_t(plan.passes.size() - 1);
+        }
+    }
+}
+
+void PlanBuilder::checkLimits() const {
+    // Statistics tell of every pass.
+    if (plan.passes.size() > AGAA_MAX_PASSES)
+        fail(AGAA_ERROR_INTERNAL, format("the plan has %zu passes; AgaaFrameStatistics::passes holds %d.",
+                                         plan.passes.size(), AGAA_MAX_PASSES));
+    // The host's own targets and output, which are no resources with a size of ours.
+    const uint64_t width = uint64_t(plan.width) * plan.scaleX, height = uint64_t(plan.height) * plan.scaleY;
+    if (std::max(width, height) > caps_.maxImageSize)
+        fail(AGAA_ERROR_TOO_LARGE,
+             format("the target would be %llux%llu texels; the device allows %u. Ask for fewer samples or a smaller view.",
+                    static_cast<unsigned long long>(width), static_cast<unsigned long long>(height),
+                    caps_.maxImageSize));
+    for (const Resource& r : plan.resources) {
+        if (r.kind == ResourceKind::Image &&
+            (r.width > caps_.maxImageSize || r.height > caps_.maxImageSize))
+            fail(AGAA_ERROR_TOO_LARGE,
+                 format("%s would be %ux%u texels; the device allows %u. Ask for fewer samples or a "
+                        "smaller view.",
+                        r.name.c_str(), r.width, r.height, caps_.maxImageSize));
+        if (r.kind == ResourceKind::Buffer && r.bytes > caps_.maxStorageRange)
+            fail(AGAA_ERROR_TOO_LARGE,
+                 format("%s would take %llu bytes; the device allows %llu in one storage buffer. Ask "
+                        "for fewer samples or aggregates, or a smaller view.",
+                        r.name.c_str(), static_cast<unsigned long long>(r.bytes),
+                        static_cast<unsigned long long>(caps_.maxStorageRange)));
+    }
+    plan.totalBytes(); // throws where the sum overflows
+}
+
+Plan PlanBuilder::finish() {
+    specialiseForVariant();
+    findLifetimes();
+    checkLimits();
+    checkRepeats(plan);
+    return std::move(plan);
+}
+
+} // namespace agaa

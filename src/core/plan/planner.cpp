@@ -1,0 +1,28 @@
+#include "core/plan/planner.h"
+
+#include "core/plan/plan_builder.h"
+#include "core/view/technique.h"
+
+namespace agaa {
+
+AgaaDeviceCaps idealDevice() {
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
+    caps.sampleCounts = 0x3F;
+    caps.maxImageSize = 1u << 20;
+    caps.maxStorageRange = UINT64_C(1) << 48;
+    caps.maxSharedBytes = 49152;
+    caps.flags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS |
+                 AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_DYNAMIC_RENDERING |
+                 AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_NV_MIXED_SAMPLES | AGAA_DEVICE_D24S8 |
+                 AGAA_DEVICE_D32S8 | AGAA_DEVICE_GEOMETRY_SHADERS | AGAA_DEVICE_FRAGMENT_INTERLOCK |
+                 AGAA_DEVICE_FRAMEBUFFER_FETCH;
+    return caps;
+}
+
+Plan makePlan(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
+    PlanBuilder builder(view, caps, framesInFlight);
+    findTechnique(builder.plan.technique)->build(builder);
+    return builder.finish();
+}
+
+} // namespace agaa

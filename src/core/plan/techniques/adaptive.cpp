@@ -1,0 +1,228 @@
+// `adaptive`: a G-buffer at n samples, one of which is shaded in each pixel, and further ones where geometry or shading say so
+// (Hollaender et al., "Adaptive Supersampling for Deferred Anti-Aliasing", JCGT 2013).
+#include "core/base/arguments.h"
+#include "core/base/checked.h"
+#include "core/base/error.h"
+#include "core/base/structs.h"
+#include "core/plan/sample_order.h"
+#include "core/plan/techniques/gbuffer.h"
+#include "core/plan/techniques/generation_tiers.h"
+#include "core/plan/techniques/sample_ids.h"
+#include "core/plan/techniques/techniques.h"
+#include "shaders/tables/choice_words.inc"
+
+#include <bit>
+
+namespace agaa {
+
+namespace {
+
+void readAdaptive(const AgaaConfig& config, ViewSettings& view) {
+    const std::optional<AgaaAdaptiveSampling> chained = readChained<AgaaAdaptiveSampling>(&config);
+    if (!chained)
+        return;
+    const AgaaAdaptiveSampling& a = view.adaptive = *chained;
+    view.adaptive.pNext = nullptr;
+    checkFlags(a.flags,
+               AGAA_ADAPTIVE_GEOMETRY | AGAA_ADAPTIVE_SHADING | AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER |
+                   AGAA_ADAPTIVE_EQUAL_WEIGHTS | AGAA_ADAPTIVE_LOOP | AGAA_ADAPTIVE_DEVICE_PATTERN | AGAA_ADAPTIVE_BUCKETS |
+                   AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM | AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS,
+               "AgaaAdaptiveSampling::flags");
+    checkRange(double(a.depthScale), 0.0, 1e12, "AgaaAdaptiveSampling::depthScale");
+    checkRange(double(a.normalScale), 0.0, 1e6, "AgaaAdaptiveSampling::normalScale");
+    checkRange(double(a.shadingScale), 0.0, 1e6, "AgaaAdaptiveSampling::shadingScale");
+    checkRange(double(a.shadingThreshold), 0.0, 1.0, "AgaaAdaptiveSampling::shadingThreshold");
+    checkRange(double(a.shadingMinimum), 0.0, 1.0, "AgaaAdaptiveSampling::shadingMinimum");
+    checkRange(double(a.glossWeight), 0.0, 16.0, "AgaaAdaptiveSampling::glossWeight");
+    checkRange(double(a.targetEvents), 0.0, 32.0, "AgaaAdaptiveSampling::targetEvents");
+    checkRange(double(a.countMemory), 0.0, double(0.99f), "AgaaAdaptiveSampling::countMemory");
+    checkReserved(a.reserved, "AgaaAdaptiveSampling::reserved");
+}
+
+// Sets constants of all passes that are added later.
+void setAdaptiveConstants(PlanBuilder& b) {
+    const AgaaAdaptiveSampling& a = b.plan.adaptive;
+    Constants& c = b.passConstants();
+    c[AGAA_ADAPTIVE_FLAGS] = uint32_t(a.flags);
+    const auto set = [&](Constant constant, float value) { c[constant] = value > 0 ? std::bit_cast<uint32_t>(value) : 0; };
+    set(AGAA_GLOSS_WEIGHT, a.glossWeight);
+    set(AGAA_DEPTH_SCALE, a.depthScale);
+    set(AGAA_NORMAL_SCALE, a.normalScale);
+    set(AGAA_SHADING_SCALE, a.shadingScale);
+    set(AGAA_SHADING_THRESHOLD, a.shadingThreshold);
+    set(AGAA_SHADING_MINIMUM, a.shadingMinimum);
+    set(AGAA_TARGET_EVENTS, a.targetEvents);
+    set(AGAA_COUNT_MEMORY, a.countMemory);
+    const std::vector<uint32_t> order = sampleOrder(positionsOf(b.plan));
+    for (size_t j = 0; j < order.size(); ++j)
+        c[AGAA_ORDER0 + j / 4] |= order[j] << 8 * (j % 4);
+}
+
+bool has(const PlanBuilder& b, uint64_t flag) { return b.plan.adaptive.flags & flag; }
+
+// Passes write to the sums, choices and lists of one buffer.
+ResourceId choiceBuffer(PlanBuilder& b) {
+    const bool remembers = b.plan.adaptive.countMemory > 0;
+    const uint64_t words = 2 + (remembers ? 1 : 0) + (has(b, AGAA_ADAPTIVE_SORTED) ? 2 : 0);
+    const ResourceId choices = b.pixelBuffer("sample-choices", 4 * words);
+    Resource& buffer = b.plan.resources[choices];
+    buffer.bytes = checkedAdd(buffer.bytes, 4 * AGAA_SUM_WORDS);
+    buffer.isPersistent = remembers;
+    return choices;
+}
+
+// Where numbers of samples by geometry are found.
+uint32_t whereCountsAreFound(const PlanBuilder& b) {
+    if (!has(b, AGAA_ADAPTIVE_GEOMETRY) || has(b, AGAA_ADAPTIVE_PRINTED_METRIC))
+        return AGAA_FOUND_WITH_FIRST;
+    const bool limitsShading = b.plan.adaptive.targetEvents > 0 && has(b, AGAA_ADAPTIVE_SHADING);
+    const bool changesCounts = has(b, AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM) ||
+                               b.plan.adaptive.countMemory > 0;
+    return limitsShading || changesCounts ? AGAA_FOUND_BETWEEN : AGAA_FOUND_WITH_FURTHER;
+}
+
+struct Adaptive {
+    GBuffer gbuffer;
+    std::optional<Ids> ids; // in place of it
+    ResourceId firstSamples = noResource, choices = noResource;
+
+    void bindSamples(PlanBuilder& b, Pass& pass) const {
+        if (!ids)
+            return gbuffer.bind(b, pass);
+        ids->bind(b, pass);
+        setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.plan.layout).fields); // how precise features are
+    }
+
+    void bindDepth(PlanBuilder& b, Pass& pass) const {
+        if (!ids)
+            return gbuffer.bindDepth(b, pass);
+        b.bind(pass, slot::Depth, BindingType::Texture, ids->prepass.depth);
+    }
+};
+
+void bindChoices(PlanBuilder& b, Pass& pass, const Adaptive& a) {
+    b.bind(pass, slot::Aggregates, BindingType::StorageBuffer, a.choices, true);
+}
+
+// A pass that reads samples, and chooses some.
+Pass& addChoice(PlanBuilder& b, const char* name, const char* shader, const Adaptive& a) {
+    Pass& pass = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
+    a.bindSamples(b, pass);
+    bindChoices(b, pass, a);
+    return pass;
+}
+
+Pass& addShading(PlanBuilder& b, const char* name, const char* shader, const Adaptive& a) {
+    Pass& pass = addChoice(b, name, shader, a);
+    b.bindCommon(pass);
+    b.bindLighting(pass);
+    return pass;
+}
+
+// A pass over numbers. reads: the image of first samples.
+Pass& addNumbers(PlanBuilder& b, const char* name, const char* shader, const Adaptive& a, bool reads = false) {
+    Pass& pass = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
+    b.bind(pass, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_SHADING));
+    bindChoices(b, pass, a);
+    if (reads)
+        b.bind(pass, slot::FirstSamples, BindingType::Texture, a.firstSamples);
+    return pass;
+}
+
+const Dispatch once = {.kind = DispatchKind::Items, .items = 1};
+
+// A lane for each pixel of a list. list: its place among the sums.
+Dispatch listed(const Adaptive& a, uint32_t list) {
+    return {.kind = DispatchKind::Indirect, .arguments = a.choices, .argumentsOffset = 4 * (list + 1)};
+}
+
+// The limit of differences at which the target is met.
+void addLimit(PlanBuilder& b, const Adaptive& a) {
+    Pass& demand = addChoice(b, "count demanded samples", "sample_demand", a);
+    b.bindCommon(demand);
+    addNumbers(b, "find limit", "sample_limit", a).dispatch = once;
+}
+
+// Numbers of samples by geometry, and from which demand on the shading has more.
+void addCounts(PlanBuilder& b, const Adaptive& a) {
+    Pass& counts = addChoice(b, "count samples", "count_samples", a);
+    b.bindCommon(counts);
+    counts.dispatch = listed(a, AGAA_COMPLEX_PIXELS_AT);
+    if (b.plan.adaptive.targetEvents > 0) {
+        addNumbers(b, "count shading's demand", "shading_demand", a, true);
+        addNumbers(b, "find shading's limit", "shading_limit", a).dispatch = once;
+    }
+}
+
+// The pixels that have further samples.
+void addList(PlanBuilder& b, const Adaptive& a) {
+    Pass& list = b.compute("list further samples", AGAA_STAGE_SHADING, "list_further", AGAA_SEGMENT_SHADING);
+    b.bindCommon(list);
+    bindChoices(b, list, a);
+    b.bind(list, slot::FirstSamples, BindingType::Texture, a.firstSamples);
+    b.bindOutput(list);
+    if (has(b, AGAA_ADAPTIVE_SORTED)) {
+        addNumbers(b, "place counts", "place_counts", a).dispatch = once;
+        addNumbers(b, "place pixels", "place_pixels", a).dispatch = listed(a, AGAA_FURTHER_AT);
+    }
+}
+
+// Refuses options that shade more samples than the differences call for.
+void checkTarget(const PlanBuilder& b, bool hasTarget) {
+    constexpr uint64_t excluded = AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_BUCKETS |
+                                  AGAA_ADAPTIVE_TILE_MAXIMUM;
+    require(!hasTarget || (has(b, AGAA_ADAPTIVE_GEOMETRY) && !has(b, excluded) && b.plan.adaptive.countMemory == 0),
+            AGAA_ERROR_UNSUPPORTED,
+            "AgaaAdaptiveSampling::targetEvents needs AGAA_ADAPTIVE_GEOMETRY, and neither countMemory nor the flags "
+            "PRINTED_METRIC, IN_ORDER, BUCKETS and TILE_MAXIMUM, by which more samples are shaded.");
+}
+
+void build(PlanBuilder& b) {
+    b.defaultSurface(0.95f, 1.5f, 0.08f);
+    const bool hasTarget = b.plan.adaptive.targetEvents > 0;
+    checkTarget(b, hasTarget);
+    const uint64_t pixels = checkedMultiply(b.plan.width, b.plan.height);
+    if (has(b, AGAA_ADAPTIVE_SORTED) && pixels > 1u << AGAA_RANK_BITS)
+        fail(AGAA_ERROR_TOO_LARGE, format("AGAA_ADAPTIVE_SORTED sorts at most %u pixels.", 1u << AGAA_RANK_BITS));
+    setAdaptiveConstants(b);
+    Adaptive a;
+    if (b.plan.generationTier == AGAA_TIER_IDS)
+        a.ids = drawIds(b);
+    else
+        a.gbuffer = makeGBuffer(b);
+    a.firstSamples = b.image("first-samples", Format::RGBA16F, false);
+    a.choices = choiceBuffer(b);
+    b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fillBytes = 4 * AGAA_SUM_WORDS;
+    const uint32_t found = b.passConstants()[AGAA_COUNTS_FOUND] = whereCountsAreFound(b);
+    if (hasTarget)
+        addLimit(b, a);
+    b.cullLights([&](Pass& pass) { a.bindDepth(b, pass); });
+    Pass& first = addShading(b, "shade first samples", "shade_first", a);
+    b.bindOutput(first, a.firstSamples);
+    if (found == AGAA_FOUND_BETWEEN)
+        addCounts(b, a);
+    addList(b, a);
+    Pass& further = addShading(b, "shade further samples", "shade_further", a);
+    b.bind(further, slot::FirstSamples, BindingType::Texture, a.firstSamples);
+    b.bindOutput(further);
+    further.dispatch = listed(a, AGAA_FURTHER_AT);
+    b.copyCounters();
+}
+
+} // namespace
+
+// A host's G-buffer has the device's pattern, unless the host says otherwise.
+static bool prefersOrderedGrid(const ViewSettings& view) {
+    return !view.hostGBuffer && !(view.adaptive.flags & AGAA_ADAPTIVE_DEVICE_PATTERN);
+}
+
+static ShadingWork work(const ViewSettings& plan) {
+    return {plan.samples, plan.adaptive.flags & AGAA_ADAPTIVE_EQUAL_WEIGHTS ? 1 : plan.samples};
+}
+
+static const TechniqueSettings adaptiveSettings = {AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, readAdaptive};
+static constexpr const GenerationTier* tiers[] = {&sampleIdsTier, &sampleGBufferTier};
+static constexpr const TechniqueSettings* settings[] = {&adaptiveSettings};
+const Technique adaptiveTechnique = {"adaptive", 32, 0, false, tiers, settings, build, work, prefersOrderedGrid};
+
+} // namespace agaa

@@ -1,0 +1,101 @@
+// `agaa`: prepass, aggregate definition, AG-buffer generation, shading (Crassin et al. 2016, section 3).
+#include "core/base/error.h"
+#include "core/plan/techniques/aggregation.h"
+#include "core/plan/techniques/fragment_lists.h"
+#include "core/plan/techniques/generation_tiers.h"
+#include "core/plan/techniques/techniques.h"
+
+#include <bit>
+
+namespace agaa {
+
+namespace {
+
+// Which aggregate each sample belongs to: ceil(log2 c) bit planes of n bits.
+Format metadataFormat(uint32_t samples, uint32_t aggregates) {
+    const uint32_t bits = samples * uint32_t(std::bit_width(aggregates - 1));
+    return bits <= 8    ? Format::R8U
+           : bits <= 16 ? Format::R16U
+           : bits <= 32 ? Format::R32U
+                        : Format::RG32U;
+}
+
+// With one aggregate there is nothing to define: no metadata, no pass.
+ResourceId defineAggregates(PlanBuilder& b, const std::function<void(Pass&)>& bindSamples) {
+    if (b.plan.aggregates == 1)
+        return noResource;
+    const ResourceId metadata =
+        b.image("metadata", metadataFormat(b.plan.samples, b.plan.aggregates), false);
+    Pass& define = b.compute("define aggregates", AGAA_STAGE_DEFINITION, "definition",
+                             AGAA_SEGMENT_GENERATION);
+    b.bindCommon(define);
+    bindSamples(define);
+    b.bind(define, slot::MetadataOut, BindingType::StorageImage, metadata, true);
+    return metadata;
+}
+
+// The papers' way, priced only: additive blending into c samples of colour targets.
+void buildNative(PlanBuilder& b) {
+    const Prepass prepass = drawPrepass(b, true);
+    defineAggregates(b, [&](Pass& define) {
+        b.bind(define, slot::Depth, BindingType::Texture, prepass.depth);
+        b.bind(define, slot::Surface0, BindingType::Texture, prepass.normals);
+    });
+    const uint32_t slots = std::bit_ceil(b.plan.aggregates); // no device has 3 samples
+    uint64_t bytes = 0;
+    const auto surface = [&](const std::string& name, Format format) {
+        b.modelSurface(name, format, slots);
+        bytes += bytesPerTexel(format);
+    };
+    for (const NativeSurface& native : packNativeAggregate(twoPassLayout(b.plan.layout, b.plan.facts.flags)))
+        surface(native.name, native.format);
+    surface("aggregate-coverage", Format::R8U);
+    if (b.plan.samples > 8)
+        surface("aggregate-coverage-beyond-8-bits",
+                b.plan.samples > 16 ? Format::R32U : Format::R8U);
+    b.plan.bytesPerAggregate = uint32_t(bytes);
+}
+
+// What lists of fragments show at coverage samples is clustered and shaded at once.
+void shadeFromFragments(PlanBuilder& b) {
+    require(!hasBatches(b), AGAA_ERROR_UNSUPPORTED,
+            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; the tier fragments needs all fragments at once.");
+    require(!(b.plan.config.flags & AGAA_CONFIG_BUFFERED), AGAA_ERROR_UNSUPPORTED,
+            "AGAA_CONFIG_BUFFERED is not for the tier fragments, which shades aggregates at once.");
+    const FragmentLists lists = drawFragments(b, 4); // a depth plane, the aggregate
+    Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_fragments", AGAA_SEGMENT_SHADING);
+    b.bindCommon(shade);
+    lists.bind(b, shade);
+    b.bindLighting(shade);
+    b.bindOutput(shade);
+    b.copyCounters();
+}
+
+void build(PlanBuilder& b) {
+    if (b.plan.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
+        return buildNative(b);
+    b.defaultSurface(0.98f, 1.0f, 1.0f);
+    if (b.plan.config.flags & AGAA_CONFIG_SPLIT_SURFACES)
+        b.plan.config.surfaceCosine = 2.0f; // that no two normals have
+    if (b.plan.generationTier == AGAA_TIER_FRAGMENTS)
+        return shadeFromFragments(b);
+    const bool byIds = b.plan.generationTier == AGAA_TIER_IDS;
+    const bool fromGBuffer = b.plan.generationTier == AGAA_TIER_GBUFFER;
+    if ((byIds || fromGBuffer) && !(b.plan.config.flags & AGAA_CONFIG_BUFFERED))
+        return byIds ? shadeFromIds(b) : shadeFromGBuffer(b);
+    Aggregation sums;
+    sums.layout = byIds || fromGBuffer ? b.plan.layout : twoPassLayout(b.plan.layout, b.plan.facts.flags);
+    sums.packing = packAggregate(sums.layout, b.plan.samples);
+    sums.stride = sums.packing.words;
+    sums.define = [&](const auto& bindSamples, ResourceId) { return defineAggregates(b, bindSamples); };
+    byIds ? buildFromIds(b, sums) : fromGBuffer ? buildFromGBuffer(b, sums) : buildTwoPasses(b, sums);
+}
+
+} // namespace
+
+static constexpr const GenerationTier* tiers[] = {&idsTier, &postDepthTier, &perSampleTier, &gbufferTier,
+                                                  &mixedSamplesTier, &fragmentsTier};
+static constexpr const TechniqueSettings* settings[] = {&aggregationSettings, &coverageSettings};
+const Technique agaaTechnique = {"agaa", 32, 4, true, tiers, settings, build, workOfAggregates};
+
+} // namespace agaa

@@ -1,0 +1,212 @@
+#include "core/plan/techniques/aggregation.h"
+
+#include "core/base/arguments.h"
+#include "core/base/checked.h"
+#include "core/base/error.h"
+#include "core/base/structs.h"
+#include "core/plan/techniques/gbuffer.h"
+#include "core/plan/techniques/sample_ids.h"
+
+#include <limits>
+#include <optional>
+
+namespace agaa {
+
+static void readAggregation(const AgaaConfig& config, ViewSettings& view) {
+    const std::optional<AgaaAggregation> chained = readChained<AgaaAggregation>(&config);
+    if (!chained)
+        return;
+    const AgaaAggregation& a = view.aggregation = *chained;
+    view.aggregation.pNext = nullptr;
+    checkReserved(a.reserved, "AgaaAggregation::reserved");
+    checkRange(double(a.characteristicLength), 0.0, double(std::numeric_limits<float>::max()),
+               "AgaaAggregation::characteristicLength");
+    checkRange(double(a.characteristicLengthPerDistance), 0.0, 1.0, "AgaaAggregation::characteristicLengthPerDistance");
+    // k = 0 divides by zero in equation 1 (hard case 21).
+    require(a.characteristicLength > 0 || a.characteristicLengthPerDistance > 0, AGAA_ERROR_OUT_OF_RANGE,
+            "AgaaAggregation::characteristicLength and its share per distance are both 0; k must be > 0.");
+    checkRange(double(a.aggregateThreshold), 0.0, 1e6, "AgaaAggregation::aggregateThreshold");
+    checkFlags(a.litShadows, (1u << AGAA_MAX_SHADOW_MAPS) - 1, "AgaaAggregation::litShadows");
+    checkRange(double(a.glossWeight), 0.0, 16.0, "AgaaAggregation::glossWeight");
+}
+
+const TechniqueSettings aggregationSettings = {AGAA_STRUCTURE_TYPE_AGGREGATION, readAggregation};
+
+ShadingWork workOfAggregates(const ViewSettings& plan) { return {plan.aggregates, plan.samples}; }
+
+Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format format, SampleContent content) {
+    const Prepass s{b.depth(stencil), b.image(name, format, true)};
+    Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
+                               AGAA_SEGMENT_PREPASS);
+    b.bindCommon(prepass);
+    prepass.sampleContent = content;
+    prepass.drawState.depthCompare = b.plan.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    prepass.drawState.depthWrite = 1;
+    prepass.drawState.colorAttachmentCount = 1;
+    prepass.colorTargets = {s.normals};
+    prepass.depthTarget = s.depth;
+    prepass.clearsColor = prepass.clearsDepth = true;
+    return s;
+}
+
+Layout surfaceLayout(Layout layout) {
+    for (AgaaLayoutAttribute& attribute : layout.attributes) {
+        attribute.encoding = AGAA_ENCODING_UNORM;
+        attribute.aggregateBits = std::max(attribute.sampleBits, 6u);
+    }
+    layout.customs.clear(); // nothing reads them: agaaGetAggregateGlsl() is for "agaa"
+    return layout;
+}
+
+void setRecord(Pass& pass, const Aggregation& a) {
+    setFields(pass.constants, AGAA_FIELD_DIFFUSE_R, a.packing.fields);
+    pass.constants[AGAA_WORDS] = a.packing.words;
+    pass.constants[AGAA_UNFILTERED_WORDS] = a.packing.unfilteredWords;
+    pass.constants[AGAA_STRIDE] = a.stride;
+    pass.constants[AGAA_SPREAD_WORDS] = a.spreadWords;
+    pass.constants[AGAA_FIELD_COVERAGE] = a.packing.coverage.constant();
+    pass.constants[AGAA_FOLDED_ROUGHNESS] = a.layout.foldsRoughness();
+    pass.constants[AGAA_YCBCR_SPECULAR] = a.layout.specularIsYCbCr();
+}
+
+namespace {
+
+constexpr uint32_t anyComponent = 4; // of AGAA_COVERAGE_COMPONENT
+
+// claimBytes: of each pixel, after all aggregates.
+ResourceId aggregateBuffer(PlanBuilder& b, const Aggregation& a, uint64_t claimBytes = 0) {
+    b.plan.bytesPerAggregate = 4 * a.stride;
+    return b.pixelBuffer("aggregates", checkedMultiply(b.plan.aggregates, 4 * a.stride) + claimBytes);
+}
+
+// metadata: or noResource.
+void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass, ResourceId metadata,
+                    ResourceId aggregates) {
+    const bool stencil = b.keepsFirst();
+    if (b.wantsStencil() && !stencil)
+        b.note("no format of depth and stencil: of equal depths the first to come is kept, which is "
+               "not repeatable.");
+    const bool perSample = b.plan.generationTier == AGAA_TIER_PER_SAMPLE && b.plan.hwSamples > 1;
+    Pass& draw = b.hostDraw("generate aggregates", AGAA_STAGE_GENERATION,
+                            AGAA_DRAW_PASS_AGGREGATE, AGAA_SEGMENT_GENERATION);
+    b.bindCommon(draw);
+    draw.drawState.depthCompare = AGAA_COMPARE_EQUAL;
+    draw.drawState.stencilTest = stencil;
+    // A masked fragment may pass depth and stencil where its mask has no sample; were it to take the
+    // stencil, the coplanar fragment that owns the sample would be refused.
+    draw.drawState.stencilTestMasked = 0;
+    draw.drawState.sampleShading = perSample;
+    draw.depthTarget = prepass.depth;
+    if (metadata != noResource)
+        b.bind(draw, host_slot::Metadata, BindingType::Texture, metadata);
+    // Samples at the far plane, which the prepass does not show, are equal in depth all the same: the normals tell them.
+    // Floats reach 0, the far plane of a reversed depth, at the plane itself.
+    if (!a.represented && !b.plan.reversedZ)
+        b.bind(draw, host_slot::Normals, BindingType::Texture, prepass.normals);
+    b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
+    if (!perSample && b.plan.hwSamples > 1)
+        draw.extensions.push_back("ARB_post_depth_coverage");
+    setRecord(draw, a);
+}
+
+// bindDepth: the samples' depth, and what tells those that show geometry.
+void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates,
+                     const std::function<void(Pass&)>& bindDepth) {
+    b.cullLights(bindDepth);
+    Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", AGAA_SEGMENT_SHADING,
+                            a.represented ? "r1" : "");
+    shade.shadesAggregates = true;
+    b.bindCommon(shade);
+    b.bindLighting(shade);
+    b.bindOutput(shade);
+    bindDepth(shade);
+    b.bind(shade, slot::Aggregates, BindingType::StorageBuffer, aggregates);
+    setRecord(shade, a);
+    b.copyCounters();
+}
+
+} // namespace
+
+void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
+    const Prepass prepass = drawPrepass(b, b.wantsStencil());
+    const ResourceId aggregates = aggregateBuffer(b, a, b.claimBytes());
+    const ResourceId metadata = a.define(
+        [&](Pass& pass) {
+            b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
+            b.bind(pass, slot::Surface0, BindingType::Texture, prepass.normals);
+        },
+        aggregates);
+    if (!a.definitionClears)
+        b.fill("clear aggregates", AGAA_STAGE_GENERATION, aggregates, AGAA_SEGMENT_GENERATION);
+    drawAggregates(b, a, prepass, metadata, aggregates);
+    shadeAggregates(b, a, aggregates, [&](Pass& pass) {
+        const bool hasNormals = a.layout.has(AGAA_SEMANTIC_NORMAL);
+        b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
+        b.bind(pass, slot::Surface0, BindingType::Texture, b.counts() || !hasNormals ? prepass.normals : prepass.depth);
+        pass.constants[AGAA_COVERAGE_COMPONENT] = 0;
+        pass.constants[AGAA_PREPASS_NORMALS] = !hasNormals;
+    });
+}
+
+void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {
+    const GBuffer gbuffer = makeGBuffer(b);
+    const ResourceId aggregates = aggregateBuffer(b, a);
+    const ResourceId metadata = a.define([&](Pass& pass) { gbuffer.bind(b, pass); }, aggregates);
+    Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather", AGAA_SEGMENT_GENERATION,
+                             a.represented ? "a0r1" : "");
+    b.bindCommon(gather);
+    gbuffer.bind(b, gather);
+    if (metadata != noResource)
+        b.bind(gather, slot::Metadata, BindingType::Texture, metadata);
+    b.bind(gather, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
+    setRecord(gather, a);
+    shadeAggregates(b, a, aggregates, [&](Pass& pass) { gbuffer.bindDepth(b, pass); });
+}
+
+namespace {
+
+// samples: what binds them.
+template <typename Samples>
+Pass& shadeAtOnce(PlanBuilder& b, const char* name, const char* shader, const Samples& samples) {
+    Pass& shade = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
+    b.bindCommon(shade);
+    samples.bind(b, shade);
+    b.bindLighting(shade);
+    b.bindOutput(shade);
+    return shade;
+}
+
+} // namespace
+
+void shadeFromGBuffer(PlanBuilder& b) {
+    const GBuffer gbuffer = makeGBuffer(b);
+    b.cullLights([&](Pass& pass) { gbuffer.bindDepth(b, pass); });
+    shadeAtOnce(b, "aggregate and shade", "aggregate_gbuffer", gbuffer);
+    b.copyCounters();
+}
+
+void shadeFromIds(PlanBuilder& b) {
+    const Ids ids = drawIds(b);
+    b.cullLights([&](Pass& pass) { b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth); });
+    const ResourceId several = b.deferredPixels();
+    b.deferPixels(shadeAtOnce(b, "shade single primitives", "single_ids", ids), several);
+    b.consumeDeferred(shadeAtOnce(b, "aggregate and shade", "aggregate_ids", ids), several);
+    b.copyCounters();
+}
+
+void buildFromIds(PlanBuilder& b, const Aggregation& a) {
+    const Ids ids = drawIds(b);
+    const ResourceId aggregates = aggregateBuffer(b, a);
+    Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather_ids", AGAA_SEGMENT_GENERATION);
+    b.bindCommon(gather);
+    ids.bind(b, gather);
+    b.bind(gather, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
+    setRecord(gather, a);
+    shadeAggregates(b, a, aggregates, [&](Pass& pass) {
+        b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth);
+        b.bind(pass, slot::Surface0, BindingType::Texture, b.counts() ? ids.prepass.normals : ids.prepass.depth);
+        pass.constants[AGAA_COVERAGE_COMPONENT] = anyComponent;
+    });
+}
+
+} // namespace agaa

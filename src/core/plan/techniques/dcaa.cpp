@@ -1,0 +1,170 @@
+// `dcaa`: all fragments of a pixel with their coverage, merged into a few surfaces that are shaded once each (Wang et al.,
+// "Decoupled Coverage Anti-Aliasing", I3D 2016).
+#include "core/base/checked.h"
+#include "core/base/error.h"
+#include "core/plan/techniques/aggregation.h"
+#include "core/plan/techniques/fragment_lists.h"
+#include "core/plan/techniques/generation_tiers.h"
+#include "core/plan/techniques/techniques.h"
+
+#include <algorithm>
+
+namespace agaa {
+
+namespace {
+
+// A group that decides what a draw of the scene is for.
+void addBatchPass(PlanBuilder& b, const char* name, const char* shader, ResourceId fragments) {
+    Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, AGAA_SEGMENT_PREPASS);
+    b.bindCommon(pass);
+    b.bind(pass, slot::Fragments, BindingType::StorageBuffer, fragments, true);
+    pass.dispatch = {.kind = DispatchKind::Items, .items = 1};
+}
+
+bool isExact(const ViewSettings& plan) { return plan.coverage.flags & AGAA_COVERAGE_EXACT; }
+
+// A sample shows one fragment.
+ShadingWork work(const ViewSettings& plan) { return {isExact(plan) ? plan.samples : plan.aggregates, plan.samples}; }
+
+bool carriesMaterials(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_MATERIAL_LISTS; }
+bool mergesInTargets(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_RASTER_ORDER; }
+bool mergesInOrder(const PlanBuilder& b) {
+    return b.plan.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK || mergesInTargets(b);
+}
+
+Aggregation keptSurfaces(const PlanBuilder& b) {
+    Aggregation surfaces;
+    surfaces.layout = surfaceLayout(b.plan.layout);
+    surfaces.packing = packMaterial(surfaces.layout);
+    const uint32_t geometryWords = b.plan.samples / 32 + 3; // of src/shaders/coverage/covered_surface.glsl
+    surfaces.spreadWords = b.plan.config.ndf > AGAA_NDF_TOKSVIG ? 2 : 0; // of src/shaders/coverage/surface_spread.glsl
+    surfaces.stride = geometryWords + surfaces.spreadWords + surfaces.packing.words;
+    return surfaces;
+}
+
+// otherWords: of fragments that do not carry the words of a surface.
+FragmentLists drawScene(PlanBuilder& b, const Aggregation& surfaces, uint32_t otherWords) {
+    if (!carriesMaterials(b))
+        return drawFragments(b, otherWords);
+    const FragmentLists lists = drawFragments(b, surfaces.stride - b.plan.samples / 32);
+    b.plan.passes[lists.firstPass].fragmentContent = FragmentContent::Materials;
+    setRecord(b.plan.passes[lists.firstPass], surfaces);
+    return lists;
+}
+
+void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& surfaces, Pass& pass) {
+    b.bindCommon(pass);
+    if (carriesMaterials(b))
+        lists.bindAlone(b, pass);
+    else
+        lists.bind(b, pass);
+    setRecord(pass, surfaces);
+}
+
+// What shows of each fragment is shaded: the reference of the merging ways.
+void buildExact(PlanBuilder& b) {
+    require(!hasBatches(b), AGAA_ERROR_UNSUPPORTED,
+            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; AGAA_COVERAGE_EXACT needs all fragments at once.");
+    if (mergesInOrder(b))
+        fail(AGAA_ERROR_UNSUPPORTED, format("AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier %s does not keep.",
+                                            agaaTierName(b.plan.generationTier)));
+    const Aggregation surfaces = keptSurfaces(b);
+    const FragmentLists lists = drawScene(b, surfaces, 3); // a depth plane
+    Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING, carriesMaterials(b) ? "shade_carried" : "shade_fragments",
+                            AGAA_SEGMENT_SHADING);
+    readLists(b, lists, surfaces, shade);
+    b.bindLighting(shade);
+    b.bindOutput(shade);
+    b.copyCounters();
+}
+
+ResourceId surfaceBuffer(PlanBuilder& b) {
+    return b.pixelBuffer("surfaces", checkedMultiply(b.plan.aggregates, b.plan.bytesPerAggregate));
+}
+
+Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces) {
+    Pass& draw = drawTriangles(b);
+    draw.fragmentContent = FragmentContent::Merged;
+    draw.constants[AGAA_MERGE_RULE] = b.plan.coverage.merge;
+    setRecord(draw, surfaces);
+    return draw;
+}
+
+ResourceId mergeInBuffer(PlanBuilder& b, const Aggregation& surfaces) {
+    const ResourceId kept = surfaceBuffer(b);
+    b.fill("clear surfaces", AGAA_STAGE_GENERATION, kept, AGAA_SEGMENT_PREPASS);
+    Pass& draw = drawMerging(b, surfaces);
+    draw.extensions.push_back("ARB_fragment_shader_interlock");
+    b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, kept, true);
+    return kept;
+}
+
+ResourceId mergeInTargets(PlanBuilder& b, const Aggregation& surfaces) {
+    constexpr uint32_t words = 4; // of a texel
+    const uint32_t bytes = 4 * b.plan.aggregates * surfaces.stride;
+    if (bytes > 4 * words * maxFetchedTargets)
+        fail(AGAA_ERROR_UNSUPPORTED,
+             format("the tier raster-order keeps up to 128 bytes a pixel in attachments; %u surfaces of this layout take %u.",
+                    b.plan.aggregates, bytes));
+    const uint32_t attachments = (b.plan.aggregates * surfaces.stride + words - 1) / words;
+    const ResourceId kept = b.layeredImage("surfaces", Format::RGBA32U, attachments);
+    Pass& draw = drawMerging(b, surfaces);
+    draw.colorTargets = {kept};
+    draw.drawState.colorAttachmentCount = attachments;
+    draw.drawState.readsAttachments = 1;
+    draw.clearsColor = true;
+    return kept;
+}
+
+ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
+    const FragmentLists lists = drawScene(b, surfaces, 0);
+    if (hasBatches(b))
+        addBatchPass(b, "divide tiles", "divide_tiles", lists.buffer);
+    const ResourceId kept = surfaceBuffer(b);
+    // A repetition lies in one segment.
+    Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, carriesMaterials(b) ? "merge_carried" : "merge_fragments",
+                            hasBatches(b) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
+    readLists(b, lists, surfaces, merge);
+    merge.constants[AGAA_MERGE_RULE] = b.plan.coverage.merge;
+    b.bind(merge, slot::Aggregates, BindingType::StorageBuffer, kept, true);
+    if (hasBatches(b)) {
+        addBatchPass(b, "next batch", "next_batch", lists.buffer);
+        b.plan.repeats.push_back({lists.firstPass, uint32_t(b.plan.passes.size() - 1), b.plan.coverage.maxBatches,
+                                  lists.buffer, predicateOffset});
+    }
+    return kept;
+}
+
+void build(PlanBuilder& b) {
+    if (isExact(b.plan))
+        return buildExact(b);
+    b.defaultSurface(0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
+    const Aggregation surfaces = keptSurfaces(b);
+    b.plan.bytesPerAggregate = 4 * surfaces.stride;
+    const ResourceId kept = mergesInTargets(b) ? mergeInTargets(b, surfaces)
+                            : mergesInOrder(b) ? mergeInBuffer(b, surfaces)
+                                               : mergeLists(b, surfaces);
+    Pass& shade = b.compute("shade surfaces", AGAA_STAGE_SHADING, "shade_surfaces", AGAA_SEGMENT_SHADING,
+                            mergesInTargets(b) ? "t1" : "t0");
+    b.bindCommon(shade);
+    b.bindLighting(shade);
+    b.bindOutput(shade);
+    if (mergesInTargets(b))
+        b.bind(shade, slot::Surface0, BindingType::Texture, kept);
+    else
+        b.bind(shade, slot::Aggregates, BindingType::StorageBuffer, kept);
+    setRecord(shade, surfaces);
+    b.copyCounters();
+}
+
+constexpr const GenerationTier* tiers[] = {&fragmentListsTier, &materialListsTier, &interlockTier,
+                                           &rasterOrderTier};
+constexpr const TechniqueSettings* settings[] = {&coverageSettings};
+
+} // namespace
+
+const Technique dcaaTechnique = {
+    .name = "dcaa", .maxSamples = 0, .maxAggregates = 8, .groupsSamples = false, .tiers = tiers, .settings = settings,
+    .build = build, .work = work, .storesWidenedLobes = true, .keepsSpread = true, .facts = knownCoverageFacts};
+
+} // namespace agaa

@@ -1,0 +1,137 @@
+#include "core/plan/techniques/fragment_lists.h"
+
+#include "core/base/arguments.h"
+#include "core/base/checked.h"
+#include "core/base/error.h"
+#include "core/base/structs.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace agaa {
+
+bool hasBatches(const PlanBuilder& b) { return b.plan.coverage.maxBatches > 1; }
+
+namespace {
+
+// The struct may be chained for all techniques: other counts have no coverage samples, and no positions.
+void readPositions(uint32_t samples, ViewSettings& view) {
+    const float* positions = std::exchange(view.coverage.samplePositions, nullptr);
+    if (!positions || (samples != 32 && samples != 64 && samples != 128))
+        return;
+    view.coveragePositions.assign(positions, positions + 2 * samples);
+    for (const float place : view.coveragePositions)
+        require(place >= 0 && place < 1, AGAA_ERROR_OUT_OF_RANGE,
+                "AgaaDecoupledCoverage::samplePositions holds a place outside the pixel, [0;1).");
+}
+
+void readCoverage(const AgaaConfig& config, ViewSettings& view) {
+    const std::optional<AgaaDecoupledCoverage> chained = readChained<AgaaDecoupledCoverage>(&config);
+    if (!chained)
+        return;
+    const AgaaDecoupledCoverage& c = view.coverage = *chained;
+    view.coverage.pNext = nullptr;
+    checkRange(uint64_t(c.merge), 0, AGAA_MERGE_NONE, "AgaaDecoupledCoverage::merge");
+    checkRange(double(c.fragmentsPerPixel), 1.0, 256.0, "AgaaDecoupledCoverage::fragmentsPerPixel");
+    checkRange(uint64_t(c.maxBatches), 1, 16, "AgaaDecoupledCoverage::maxBatches");
+    checkReserved(c.reserved, "AgaaDecoupledCoverage::reserved");
+    checkFlags(c.flags, AGAA_COVERAGE_EXACT, "AgaaDecoupledCoverage::flags");
+    if (c.tableSize)
+        checkRange(uint64_t(c.tableSize), 16, 1024, "AgaaDecoupledCoverage::tableSize");
+    checkReserved(c.reservedTable, "AgaaDecoupledCoverage::reservedTable");
+    readPositions(config.samples, view);
+}
+
+// Words of the buffer of lists: its counts, then the first fragment of each pixel, then the fragments
+// (src/shaders/coverage/fragment_layout.glsl).
+struct ListSizes {
+    uint64_t heads, words; // before the fragments; of a fragment
+};
+constexpr uint64_t countWords = 16;
+
+ListSizes listSizes(const PlanBuilder& b) {
+    const auto tiles = [](uint32_t pixels) { return (uint64_t(pixels) + 7) / 8; };
+    const uint64_t words = hasBatches(b) ? tiles(b.plan.width) * tiles(b.plan.height) : 0;
+    return {countWords + uint64_t(b.plan.width) * b.plan.height + words, 2 + b.plan.samples / 32 + b.plan.payloadWords};
+}
+
+ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
+    const uint64_t pixels = uint64_t(b.plan.width) * b.plan.height;
+    const double wanted = double(pixels) * double(b.plan.coverage.fragmentsPerPixel);
+    const uint64_t most = b.caps().maxStorageRange / 4;
+    const uint64_t room = std::min<uint64_t>(most > sizes.heads ? (most - sizes.heads) / sizes.words : 0, 0x7FFFFFFF / sizes.words);
+    b.plan.fragmentCapacity = std::min<uint64_t>(std::max<uint64_t>(uint64_t(wanted), 65536), room);
+    if (b.plan.fragmentCapacity < pixels)
+        fail(AGAA_ERROR_TOO_LARGE, format("lists of fragments need room for a fragment a pixel; one storage buffer of the device "
+                                          "has room for %llu, and the view has %llu pixels.",
+                                          static_cast<unsigned long long>(b.plan.fragmentCapacity),
+                                          static_cast<unsigned long long>(pixels)));
+    if (double(b.plan.fragmentCapacity) < wanted)
+        b.note(format("lists: room for %.1f fragments a pixel, because one storage buffer of the device holds no more.",
+                      double(b.plan.fragmentCapacity) / double(pixels)));
+    const uint64_t words = sizes.heads + checkedMultiply(b.plan.fragmentCapacity, sizes.words);
+    return b.itemBuffer("fragments", words, 4);
+}
+
+} // namespace
+
+namespace {
+
+// Masks of half-planes, for a pattern of samples that has no rows.
+ResourceId makeCoverageTable(PlanBuilder& b) {
+    constexpr uint32_t usualSize = 128; // as in the paper
+    const uint32_t size = b.plan.coverage.tableSize ? b.plan.coverage.tableSize : usualSize;
+    require(b.plan.coveragePositions.size() == 2 * b.plan.samples, AGAA_ERROR_INTERNAL,
+            "positions of coverage samples are of another number of samples.");
+    b.plan.samplePositions = b.plan.coveragePositions;
+    b.passConstants()[AGAA_TABLE_SIZE] = size;
+    const ResourceId table = b.squareImage("coverage-table", Format::RGBA32U, size);
+    Pass& fill = b.compute("fill coverage table", AGAA_STAGE_GENERATION, "coverage_table", AGAA_SEGMENT_PREPASS);
+    fill.dispatch = {.kind = DispatchKind::Items, .items = uint64_t(size) * size};
+    b.bind(fill, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_PREPASS));
+    b.bind(fill, slot::MetadataOut, BindingType::StorageImage, table, true);
+    b.note(format("coverage: by a table of %u x %u half-planes, because the host says where the samples lie.", size, size));
+    return table;
+}
+
+} // namespace
+
+Pass& drawTriangles(PlanBuilder& b) {
+    const ResourceId table = b.plan.coveragePositions.empty() ? noResource : makeCoverageTable(b);
+    Pass& draw = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, AGAA_SEGMENT_PREPASS);
+    b.bindCommon(draw);
+    if (table != noResource)
+        b.bind(draw, host_slot::CoverageTable, BindingType::Texture, table);
+    draw.drawState.depthCompare = AGAA_COMPARE_ALWAYS;
+    draw.drawState.vertexPulling = b.plan.vertexPulling;
+    draw.expansionText = b.plan.vertexPulling ? "#include \"host/pulled_hull.glsl\"" : "#include \"host/triangle_hull.glsl\"";
+    if (b.plan.vertexPulling)
+        b.note("triangles: vertex shaders of the host expand them (AGAA_VIEW_VERTEX_PULLING).");
+    return draw;
+}
+
+FragmentLists drawFragments(PlanBuilder& b, uint32_t payloadWords) {
+    b.plan.payloadWords = payloadWords;
+    const ListSizes sizes = listSizes(b);
+    FragmentLists lists{makeLists(b, sizes)};
+    b.fill("clear lists", AGAA_STAGE_GENERATION, lists.buffer, AGAA_SEGMENT_PREPASS).fillBytes = 4 * sizes.heads;
+    Pass& draw = drawTriangles(b);
+    lists.firstPass = uint32_t(b.plan.passes.size() - 1);
+    b.bind(draw, host_slot::Fragments, BindingType::StorageBuffer, lists.buffer, true);
+    return lists;
+}
+
+void FragmentLists::bind(PlanBuilder& b, Pass& pass) const {
+    b.bindHostFetch(pass);
+    pass.defines += format("#define AGAA_PAYLOAD_WORDS %uu\n", b.plan.payloadWords);
+    bindAlone(b, pass);
+}
+
+void FragmentLists::bindAlone(PlanBuilder& b, Pass& pass) const {
+    b.bind(pass, slot::Fragments, BindingType::StorageBuffer, buffer, true);
+}
+
+const TechniqueSettings coverageSettings = {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, readCoverage};
+
+} // namespace agaa

@@ -1,0 +1,72 @@
+#include "core/plan/techniques/gbuffer.h"
+
+#include <algorithm>
+
+namespace agaa {
+
+namespace {
+
+// Into attachments of its own, which it clears; over the depth that `g` has.
+Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const char* name) {
+    g.packing = packGBuffer(b.plan.layout);
+    for (size_t i = 0; i < g.packing.attachments.size(); ++i)
+        g.attachments.push_back(
+            b.image("gbuffer-" + std::to_string(i), g.packing.attachments[i], true));
+    Pass& draw = b.hostDraw(name, AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_PREPASS);
+    b.bindCommon(draw);
+    draw.drawState.colorAttachmentCount = uint32_t(g.attachments.size());
+    draw.colorTargets = g.attachments;
+    draw.depthTarget = g.depth;
+    draw.clearsColor = true;
+    setFields(draw.constants, AGAA_SOURCE_DIFFUSE_R, g.packing.fields);
+    return draw;
+}
+
+} // namespace
+
+GBuffer makeGBuffer(PlanBuilder& b) {
+    GBuffer g;
+    if (b.plan.hostGBuffer) {
+        g.packing = packGBuffer(b.plan.layout);
+        return g;
+    }
+    g.depth = b.depth(false);
+    Pass& draw = drawGBuffer(b, g, "gbuffer");
+    draw.drawState.depthCompare = b.plan.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    draw.drawState.depthWrite = 1;
+    draw.clearsDepth = true;
+    return g;
+}
+
+GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth) {
+    GBuffer g;
+    g.depth = depth;
+    Pass& draw = drawGBuffer(b, g, "gbuffer of unfetched draws");
+    draw.drawState.depthCompare = AGAA_COMPARE_EQUAL;
+    // The first pass shows the first of equal depths. Masks apply before this stencil test, because the shader's depth
+    // and stencil tests are late: masked materials take part.
+    draw.drawState.stencilTest = draw.drawState.stencilTestMasked = b.keepsFirst();
+    return g;
+}
+
+void GBuffer::bind(PlanBuilder& b, Pass& pass) const {
+    setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packing.fields);
+    if (attachments.empty())
+        return b.bindHostGBuffer(pass);
+    b.bind(pass, slot::Depth, BindingType::Texture, depth);
+    // Shaders name four attachments; slots beyond the layout's repeat the last and are not used.
+    for (uint32_t i = 0; i < 4; ++i)
+        b.bind(pass, slot::Surface0 + i, BindingType::Texture,
+               attachments[std::min<size_t>(i, attachments.size() - 1)]);
+}
+
+void GBuffer::bindDepth(PlanBuilder& b, Pass& pass) const {
+    if (attachments.empty())
+        return b.bindHostGBuffer(pass);
+    b.bind(pass, slot::Depth, BindingType::Texture, depth);
+    const Field& normal = packing.fields[ChannelNormalX];
+    b.bind(pass, slot::Surface0, BindingType::Texture, b.counts() ? attachments[normal.word] : depth);
+    pass.constants[AGAA_COVERAGE_COMPONENT] = normal.shift;
+}
+
+} // namespace agaa

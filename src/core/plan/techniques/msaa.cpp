@@ -1,0 +1,46 @@
+// `msaa`: forward shading once per fragment into a multisampled target, which is resolved. A depth pass first,
+// so that what is hidden is not shaded.
+#include "core/plan/plan_builder.h"
+#include "core/plan/techniques/techniques.h"
+
+namespace agaa {
+
+static void build(PlanBuilder& b) {
+    const ResourceId depth = b.depth(b.wantsStencil());
+    const ResourceId color = b.image("color", Format::RGBA16F, true);
+    Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
+                               AGAA_SEGMENT_PREPASS);
+    b.bindCommon(prepass);
+    prepass.drawState.depthCompare = b.plan.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    prepass.drawState.depthWrite = 1;
+    prepass.depthTarget = depth;
+    prepass.clearsDepth = true;
+    Pass& forward = b.hostDraw("forward", AGAA_STAGE_SHADING, AGAA_DRAW_PASS_FORWARD, AGAA_SEGMENT_SHADING);
+    b.bindCommon(forward);
+    b.bindLighting(forward);
+    forward.drawState.depthCompare = AGAA_COMPARE_EQUAL;
+    forward.drawState.stencilTest = b.keepsFirst();
+    // The stencil test comes before the mask of a masked material. It would refuse the coplanar fragment that owns the
+    // sample, so blending keeps the first there. Each coplanar masked fragment is still shaded.
+    forward.drawState.stencilTestMasked = 0;
+    forward.drawState.keepFirst = b.hasFact(AGAA_FACT_ALPHA_MASKED) || !b.keepsFirst();
+    forward.drawState.colorAttachmentCount = 1;
+    forward.colorTargets = {color};
+    forward.clearsColor = true;
+    forward.depthTarget = depth;
+    Pass& resolve = b.compute("resolve", AGAA_STAGE_OTHER, "resolve", AGAA_SEGMENT_SHADING);
+    b.bindCommon(resolve);
+    b.bind(resolve, slot::Surface0, BindingType::Texture, color);
+    b.bind(resolve, slot::Depth, BindingType::Texture, depth);
+    b.bindOutput(resolve);
+    b.copyCounters();
+}
+
+// Fragments of one surface are shaded once for each primitive that shows.
+static ShadingWork work(const ViewSettings&) { return {}; }
+
+const Technique msaaTechnique = {
+    .name = "msaa", .maxSamples = 32, .maxAggregates = 0, .groupsSamples = false, .tiers = {}, .settings = {}, .build = build,
+    .work = work, .facts = knownCoverageFacts};
+
+} // namespace agaa

@@ -1,0 +1,58 @@
+// `single`, `fxaa`, `ssaa` and `simple_complex`: a G-buffer at n samples, from which samples are shaded. Materials are
+// evaluated once per fragment, lighting once per sample, as multisampled deferred engines do.
+#include "core/plan/techniques/gbuffer.h"
+#include "core/plan/techniques/techniques.h"
+
+namespace agaa {
+
+namespace {
+
+// isClassified: pixels that show one surface are shaded once. image: to be shaded; noResource: the output.
+Pass& shadeSamples(PlanBuilder& b, const GBuffer& gbuffer, bool isClassified, ResourceId image = noResource) {
+    b.cullLights([&](Pass& pass) { gbuffer.bindDepth(b, pass); });
+    Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples", AGAA_SEGMENT_SHADING,
+                            isClassified ? "x1" : "");
+    b.bindCommon(shade);
+    b.bindLighting(shade);
+    b.bindOutput(shade, image);
+    gbuffer.bind(b, shade);
+    return shade;
+}
+
+void buildPerSample(PlanBuilder& b) {
+    shadeSamples(b, makeGBuffer(b), false);
+    b.copyCounters();
+}
+
+// Lottes 2009: edges of the shaded image are found and softened.
+void buildFxaa(PlanBuilder& b) {
+    if (b.plan.measurement.debugView != AGAA_DEBUG_VIEW_NONE)
+        return buildPerSample(b); // numbers, that are not to be filtered
+    const GBuffer gbuffer = makeGBuffer(b);
+    const ResourceId shaded = b.image("shaded", Format::RGBA16F, false);
+    shadeSamples(b, gbuffer, false, shaded).constants[AGAA_LUMA_IN_ALPHA] = 1;
+    Pass& filter = b.compute("fxaa", AGAA_STAGE_OTHER, "fxaa", AGAA_SEGMENT_SHADING);
+    b.bindCommon(filter);
+    b.bind(filter, slot::Surface0, BindingType::Texture, shaded);
+    b.bind(filter, slot::Output, BindingType::StorageImage, b.output(), true);
+    b.copyCounters();
+}
+
+// Lauritzen 2010: pixels that show one surface are shaded once.
+void buildSimpleComplex(PlanBuilder& b) {
+    b.defaultSurface(0.98f, 1.0f, 0.05f);
+    shadeSamples(b, makeGBuffer(b), true);
+    b.copyCounters();
+}
+
+ShadingWork eachSample(const ViewSettings& plan) { return {plan.samples, 1}; }
+ShadingWork someSamples(const ViewSettings& plan) { return {plan.samples, plan.samples}; }
+
+} // namespace
+
+const Technique singleTechnique = {"single", 1, 0, false, {}, {}, buildPerSample, eachSample};
+const Technique ssaaTechnique = {"ssaa", 32, 0, false, {}, {}, buildPerSample, eachSample};
+const Technique fxaaTechnique = {"fxaa", 1, 0, false, {}, {}, buildFxaa, eachSample};
+const Technique simpleComplexTechnique = {"simple_complex", 32, 0, false, {}, {}, buildSimpleComplex, someSamples};
+
+} // namespace agaa

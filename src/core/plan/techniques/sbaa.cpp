@@ -1,0 +1,61 @@
+// `sbaa`: prepass, selection of the surfaces that cover most, their attributes, shading once each (Salvi and
+// Vidimce 2012, merge mode).
+#include "core/plan/techniques/aggregation.h"
+#include "core/plan/techniques/generation_tiers.h"
+#include "core/plan/techniques/techniques.h"
+
+#include <algorithm>
+
+namespace agaa {
+
+namespace {
+
+// The papers' memory (AGAA section 5.4 and its slides): nine bytes a sample, and the G-buffer of a sample
+// and two bytes more a surface.
+void buildNative(PlanBuilder& b) {
+    drawPrepass(b, true);
+    b.image("primitive-ids", Format::R8, true);
+    b.image("depth-slopes", Format::RG8, true);
+    uint64_t bytes = bytesPerTexel(Format::R16U);
+    const GBufferPacking packing = packGBuffer(b.plan.layout);
+    for (size_t i = 0; i < packing.attachments.size(); ++i) {
+        b.modelSurface("surface-gbuffer-" + std::to_string(i), packing.attachments[i], b.plan.aggregates);
+        bytes += bytesPerTexel(packing.attachments[i]);
+    }
+    b.modelSurface("surface-data", Format::R16U, b.plan.aggregates);
+    b.plan.bytesPerAggregate = uint32_t(bytes);
+}
+
+void build(PlanBuilder& b) {
+    b.defaultSurface(0.9f, 1.0f, 1.0f);
+    if (b.plan.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
+        return buildNative(b);
+    Aggregation surfaces;
+    const bool fromGBuffer = b.plan.generationTier == AGAA_TIER_GBUFFER;
+    surfaces.layout = surfaceLayout(b.plan.layout);
+    if (!fromGBuffer)
+        surfaces.layout = twoPassLayout(surfaces.layout, b.plan.facts.flags);
+    surfaces.packing = packAggregate(surfaces.layout, 1);
+    const uint32_t payloadWords = b.plan.samples > 16 ? 2 : 1; // of src/shaders/math/records.glsl
+    surfaces.stride = surfaces.packing.words + payloadWords;
+    surfaces.represented = true;
+    surfaces.definitionClears = true;
+    surfaces.define = [&](const auto& bindSamples, ResourceId aggregates) {
+        Pass& select = b.compute("select surfaces", AGAA_STAGE_DEFINITION, "select",
+                                 AGAA_SEGMENT_GENERATION);
+        b.bindCommon(select);
+        bindSamples(select);
+        b.bind(select, slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
+        setRecord(select, surfaces);
+        return noResource;
+    };
+    fromGBuffer ? buildFromGBuffer(b, surfaces) : buildTwoPasses(b, surfaces);
+}
+
+} // namespace
+
+static constexpr const GenerationTier* tiers[] = {&postDepthTier, &perSampleTier, &gbufferTier, &mixedSamplesTier};
+static constexpr const TechniqueSettings* settings[] = {&aggregationSettings};
+const Technique sbaaTechnique = {"sbaa", 32, 6, false, tiers, settings, build, workOfAggregates};
+
+} // namespace agaa

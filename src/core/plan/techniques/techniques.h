@@ -1,0 +1,18 @@
+// One row a technique; the files beside this one hold them.
+#pragma once
+
+#include "core/plan/plan_builder.h"
+
+namespace agaa {
+
+extern const Technique singleTechnique;
+extern const Technique fxaaTechnique;
+extern const Technique msaaTechnique;
+extern const Technique ssaaTechnique;
+extern const Technique simpleComplexTechnique;
+extern const Technique sbaaTechnique;
+extern const Technique agaaTechnique;
+extern const Technique dcaaTechnique;
+extern const Technique adaptiveTechnique;
+
+} // namespace agaa

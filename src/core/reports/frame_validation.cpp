@@ -1,0 +1,86 @@
+#include "core/reports/frame_validation.h"
+
+#include "core/base/error.h"
+#include "core/reports/frame_statistics.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace agaa {
+
+// A few fragments of slivers lie outside their primitives; a wrong camera displaces nearly all.
+static bool isMisplaced(const AgaaFrameValidation& v) { return v.misplaced > v.visible / 100; }
+
+// What was found and what usually causes it, the more basic mistake first.
+static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses) {
+    if (v.visible == 0 && geometryPasses == 0)
+        return "Nothing is visible: agaaHostSample says of no sample that it shows geometry. Usual causes: its "
+               "resources are not those that were drawn, or were not readable by compute yet.";
+    if (v.visible == 0)
+        return "Nothing is visible: the first geometry pass drew nothing into the target. Usual causes: framebuffer, "
+               "viewport or projection are not those of the pass, the depth test is not that of "
+               "AgaaDrawState, or AGAA_VIEW_REVERSED_Z does not fit the projection.";
+    if (isMisplaced(v))
+        return "Fragments do not lie where AgaaFrame's camera puts AgaaSurfaceInput::position. Usual causes: "
+               "AgaaFrame::projection is not the rasteriser's (direction of y, clip correction, "
+               "AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE), positions are not relative to the eye, or another viewport "
+               "or view matrix was drawn with.";
+    if (v.unannounced)
+        return "Fragments have a draw or primitive that AgaaFetchFunction did not announce, and show the last that it "
+               "did. Usual causes: more draws or instances than maxDraws, an object of more primitives than "
+               "maxPrimitives, AgaaSurfaceInput::draw that does not start at 0, or AGAA_UNFETCHED without "
+               "AGAA_FETCH_NOT_ALL_DRAWS.";
+    if (v.uncovered && v.overlapping)
+        return "Samples were missed and others written where they are not visible. Usual causes: the passes "
+               "do not compute the same position (one expression and `invariant gl_Position` in both), or "
+               "draw different objects, instances or animation states.";
+    if (v.uncovered)
+        return "Samples that the prepass shows were never written. Usual causes: an object is left out of "
+               "the material pass, positions differ in the last bit (`invariant gl_Position`, one expression "
+               "in both passes), the depth test is not EQUAL, cull modes differ, or an alpha mask is not "
+               "computed from the same values in both passes.";
+    if (v.overlapping)
+        return "Samples were written twice or where nothing is visible. Usual causes: objects are drawn that "
+               "the prepass left out with the depth test off, or an alpha mask differs between the passes.";
+    if (geometryPasses == 0)
+        return "Every sample that agaaHostSample shows was accumulated exactly once. Whether its depth fits AgaaFrame's "
+               "camera cannot be told.";
+    if (geometryPasses == 1)
+        return "Every visible sample was written exactly once, by the only geometry pass: there is no other that "
+               "it could disagree with. Its fragments lie where AgaaFrame's camera puts them.";
+    return "Every visible sample was written exactly once. What this cannot show is a depth test other than "
+           "EQUAL in the material pass: then the image differs from that of \"ssaa\".";
+}
+
+AgaaResult frameValidation(const ViewState& view, uint64_t completedFrame, AgaaFrameValidation& out) {
+    const Plan& plan = view.plan;
+    require(plan.config.flags & AGAA_CONFIG_COUNTERS, AGAA_ERROR_WRONG_ORDER,
+            "the view was created without AGAA_CONFIG_COUNTERS.");
+    const FrameSequence::Slot* newest = view.sequence.newest(completedFrame);
+    if (!newest)
+        return AGAA_NOT_READY;
+    const CounterBuffer buffer = view.readCounters(view.sequence.indexOf(*newest));
+    const AgaaCounters counters = countersOf(buffer);
+    out.frameIndex = newest->frame;
+    out.visible = counters.visible;
+    out.once = counters.once;
+    out.uncovered = counters.uncovered;
+    out.overlapping = counters.overlapping;
+    out.ties = counters.ties;
+    out.misplaced = counters.misplaced;
+    out.unannounced = counters.unannounced;
+    out.invalidPixels = buffer.invalidPixels;
+    out.isValid = out.visible != 0 && out.uncovered == 0 && out.overlapping == 0 && out.unannounced == 0 &&
+                  !isMisplaced(out);
+    out.pixelCount = std::min<uint32_t>(buffer.invalidPixels, AGAA_MAX_INVALID_PIXELS);
+    for (uint32_t i = 0; i < AGAA_MAX_INVALID_PIXELS; ++i) {
+        out.pixels[i] = {};
+        if (i < out.pixelCount)
+            std::memcpy(&out.pixels[i], buffer.pixels[i], sizeof buffer.pixels[i]);
+    }
+    std::strncpy(out.explanation, explain(out, plan.geometryPasses()), sizeof out.explanation - 1);
+    out.explanation[sizeof out.explanation - 1] = 0;
+    return AGAA_OK;
+}
+
+} // namespace agaa

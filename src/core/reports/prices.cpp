@@ -1,0 +1,272 @@
+#include "core/reports/prices.h"
+
+#include "core/base/checked.h"
+#include "core/base/error.h"
+#include "core/plan/access.h"
+#include "core/view/effects.h"
+#include "core/view/technique.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace agaa {
+
+namespace {
+
+using Number = int64_t AgaaPrice::*;
+constexpr Number numbers[] = {
+    &AgaaPrice::passes,        &AgaaPrice::geometryPasses,    &AgaaPrice::pipelines,
+    &AgaaPrice::totalBytes,    &AgaaPrice::peakBytes,         &AgaaPrice::constantBytes,
+    &AgaaPrice::sampleBits,    &AgaaPrice::aggregateBits,     &AgaaPrice::trafficBytes,
+    &AgaaPrice::maxEventsPerPixel, &AgaaPrice::maxShadowTapsPerEvent, &AgaaPrice::maxLightsPerEvent};
+
+int64_t checkedSigned(uint64_t number) {
+    require(number <= uint64_t(std::numeric_limits<int64_t>::max()), AGAA_ERROR_TOO_LARGE,
+            "a number of the view's price does not fit 63 bits.");
+    return int64_t(number);
+}
+
+// What pipelines of passes differ in.
+auto pipelineOf(const Pass& pass) {
+    return std::tie(pass.kind, pass.file, pass.shader, pass.defines, pass.text, pass.hostCode, pass.constants, pass.drawPass,
+                    pass.sampleContent, pass.fragmentContent, pass.expansionText);
+}
+
+uint64_t pipelineCount(const Plan& plan) {
+    std::set<decltype(pipelineOf(std::declval<const Pass&>()))> different;
+    for (const Pass& pass : plan.passes)
+        if (pass.kind == PassKind::Compute || pass.kind == PassKind::HostDraw)
+            different.insert(pipelineOf(pass));
+    return different.size();
+}
+
+// Of the targets of geometry passes.
+uint64_t sampleBits(const Plan& plan) {
+    std::set<ResourceId> targets;
+    for (const Pass& pass : plan.passes) {
+        targets.insert(pass.colorTargets.begin(), pass.colorTargets.end());
+        if (pass.depthTarget != noResource)
+            targets.insert(pass.depthTarget);
+    }
+    uint64_t bits = 0;
+    for (const ResourceId target : targets)
+        bits += 8 * bytesPerTexel(plan.resources[target].format);
+    return bits;
+}
+
+struct Traffic {
+    bool reads = false, writes = false;
+};
+
+Traffic trafficOf(const Access& access, const Pass& pass) {
+    switch (access.use) {
+    case Use::Uniform:
+    case Use::StorageRead:
+    case Use::Fetch:
+    case Use::CopyFrom:
+        return {.reads = true};
+    case Use::StorageWrite: // and reads, or not
+    case Use::ImageWrite:
+    case Use::Color:
+    case Use::FetchedColor:
+    case Use::CopyTo:
+        return {.writes = true};
+    case Use::Depth:
+        return {.reads = !pass.clearsDepth, .writes = pass.drawState.depthWrite != 0};
+    case Use::Indirect: // a few words
+    case Use::Condition:
+        break;
+    }
+    return {};
+}
+
+uint64_t trafficBytes(const Plan& plan) {
+    uint64_t total = 0;
+    for (const Pass& pass : plan.passes) {
+        std::map<ResourceId, Traffic> surfaces;
+        for (const Access& access : accessesOf(pass)) {
+            const Traffic traffic = trafficOf(access, pass);
+            Traffic& surface = surfaces[access.resource];
+            surface.reads |= traffic.reads;
+            surface.writes |= traffic.writes;
+        }
+        for (const auto& [id, traffic] : surfaces) {
+            const Resource& resource = plan.resources[id];
+            if (!resource.isPerPixel())
+                continue;
+            const bool isPart = pass.kind == PassKind::Fill && pass.fillBytes > 0;
+            const uint64_t bytes = isPart ? pass.fillBytes : resource.bytes;
+            total = checkedAdd(total, checkedMultiply(bytes, uint64_t(traffic.reads) + traffic.writes));
+        }
+    }
+    return total;
+}
+
+// Of one shadow map that an event does not look up at each sample.
+uint64_t tapsOfMap(const Technique& technique, const Plan& plan, const Constants& constants, uint32_t samples) {
+    constexpr uint32_t sampleFilter = 1, depthFilter = 2; // of AGAA_SHADOW_FILTER
+    constexpr uint64_t depthTaps = 4; // of agaa_tapAlongDepth()
+    const uint32_t filter = constants[AGAA_SHADOW_FILTER];
+    const bool hasDepths =
+        technique.maxAggregates > 0 && !technique.countsCoverage(plan.config.generationTier, plan.samples);
+    if (filter == depthFilter && hasDepths)
+        return samples > 1 ? depthTaps : 1;
+    return filter >= sampleFilter ? std::min(samples, constants[AGAA_SHADOW_TAPS]) : 1;
+}
+
+uint64_t shadowTaps(const Technique& technique, const Plan& plan, uint32_t samples) {
+    const auto shades = std::find_if(plan.passes.rbegin(), plan.passes.rend(), [](const Pass& pass) {
+        return pass.kind == PassKind::Compute || pass.kind == PassKind::HostDraw;
+    });
+    if (shades == plan.passes.rend())
+        return 0;
+    const Constants& constants = shades->constants;
+    const uint32_t maps = constants[AGAA_SHADOW_MAPS], lit = uint32_t(std::popcount(constants[AGAA_LIT_SHADOWS]));
+    return (maps - lit) * tapsOfMap(technique, plan, constants, samples) + uint64_t(lit) * samples;
+}
+
+AgaaPrice priceOf(const Plan& plan) {
+    const Technique& technique = *findTechnique(plan.technique);
+    const ShadingWork work = technique.work(plan);
+    AgaaPrice price = AGAA_PRICE_INIT;
+    price.passes = checkedSigned(plan.passes.size());
+    price.geometryPasses = plan.geometryPasses();
+    price.pipelines = checkedSigned(pipelineCount(plan));
+    price.totalBytes = checkedSigned(plan.totalBytes());
+    price.peakBytes = checkedSigned(plan.peakBytes());
+    price.constantBytes = checkedSigned(plan.constantBytes());
+    price.sampleBits = checkedSigned(sampleBits(plan));
+    price.aggregateBits = 8 * int64_t(plan.bytesPerAggregate);
+    price.trafficBytes = checkedSigned(trafficBytes(plan));
+    price.maxEventsPerPixel = work.eventsPerPixel;
+    price.maxShadowTapsPerEvent = checkedSigned(shadowTaps(technique, plan, work.samplesPerEvent));
+    price.maxLightsPerEvent = plan.facts.maxLights;
+    price.isPossible = 1;
+    return price;
+}
+
+// Compares plans of changed views.
+class Comparison {
+public:
+    Comparison(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight)
+        : view_(view), caps_(caps), framesInFlight_(framesInFlight) {}
+
+    using Change = std::function<void(ViewSettings&)>;
+
+    AgaaPrice view() const { return priceOf(planOf([](ViewSettings&) {})); }
+
+    AgaaPrice difference(const Change& with, const Change& without) const try {
+        const Plan more = planOf(with), less = planOf(without);
+        AgaaPrice price = priceOf(more);
+        const AgaaPrice other = priceOf(less);
+        for (const Number number : numbers) // neither is negative
+            price.*number -= other.*number;
+        price.changesTier = more.visibilityTier != less.visibilityTier || more.generationTier != less.generationTier;
+        return price;
+    } catch (const Error& error) {
+        if (error.code == AGAA_ERROR_INTERNAL)
+            throw;
+        AgaaPrice price = AGAA_PRICE_INIT;
+        std::strncpy(price.reason, error.message.c_str(), sizeof price.reason - 1);
+        return price;
+    }
+
+private:
+    Plan planOf(const Change& change) const {
+        ViewSettings changed = view_;
+        change(changed);
+        changed.variantFacts = changed.facts;
+        return makePlan(changed, caps_, framesInFlight_);
+    }
+
+    const ViewSettings& view_;
+    const AgaaDeviceCaps& caps_;
+    uint32_t framesInFlight_;
+};
+
+std::vector<uint32_t> sampleCounts(const Technique& technique, const ViewSettings& view) {
+    std::vector<uint32_t> counts;
+    for (const uint32_t samples : {1u, 2u, 4u, 8u, gridOnlySamples, 16u, 32u, 64u, 128u}) {
+        const bool isCoverage = technique.countsCoverage(view.config.generationTier, samples);
+        const bool isOnlyGrid = samples == gridOnlySamples && view.samples != gridOnlySamples;
+        if (isCoverage ? samples >= 32 : samples <= technique.maxSamples && !isOnlyGrid)
+            counts.push_back(samples);
+    }
+    return counts;
+}
+
+std::vector<uint32_t> aggregateCounts(const Technique& technique, const ViewSettings& view) {
+    std::vector<uint32_t> counts;
+    for (uint32_t aggregates = 1; aggregates <= std::min(technique.maxAggregates, view.samples); ++aggregates)
+        counts.push_back(aggregates);
+    return counts;
+}
+
+void changeSamples(ViewSettings& view, uint32_t samples) {
+    require(view.samplePositions.empty() || samples == view.samples, AGAA_ERROR_UNSUPPORTED,
+            "AgaaGBufferFunction::samplePositions has the positions of the described samples alone.");
+    const bool countsCoverage = findTechnique(view.technique)->countsCoverage(view.config.generationTier, samples);
+    require(view.coveragePositions.empty() || samples == view.samples || !countsCoverage, AGAA_ERROR_UNSUPPORTED,
+            "AgaaDecoupledCoverage::samplePositions has the positions of the described samples alone.");
+    if (!countsCoverage)
+        view.coveragePositions.clear();
+    setCounts(view, samples, view.config.aggregates);
+}
+
+void changeAggregates(ViewSettings& view, uint32_t aggregates) { setCounts(view, view.samples, aggregates); }
+
+// What a price is of.
+struct Subject {
+    AgaaPriceKind kind;
+    const char* name;
+    const char* description;
+};
+
+AgaaPrice named(AgaaPrice price, const Subject& subject, bool isOn) {
+    price.kind = subject.kind;
+    price.name = subject.name;
+    price.description = subject.description;
+    price.isOn = isOn;
+    return price;
+}
+
+// Between neighbouring counts.
+void addSteps(std::vector<AgaaPrice>& list, const Comparison& comparison, const Subject& subject,
+              const std::vector<uint32_t>& counts, uint32_t described, void (*change)(ViewSettings&, uint32_t)) {
+    for (size_t i = 1; i < counts.size(); ++i) {
+        const uint32_t from = counts[i - 1], to = counts[i];
+        AgaaPrice price =
+            comparison.difference([&](ViewSettings& v) { change(v, to); }, [&](ViewSettings& v) { change(v, from); });
+        price.fromCount = from;
+        price.toCount = to;
+        list.push_back(named(price, subject, described >= to));
+    }
+}
+
+} // namespace
+
+std::vector<AgaaPrice> listPrices(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
+    const Comparison comparison(view, caps, framesInFlight);
+    const Technique& technique = *findTechnique(view.technique);
+    std::vector<AgaaPrice> list = {
+        named(comparison.view(), {AGAA_PRICE_VIEW, "view", "The numbers are those of the described view."}, true)};
+    for (const Effect& effect : effects())
+        list.push_back(named(comparison.difference([&](ViewSettings& v) { effect.set(v, true); },
+                                                   [&](ViewSettings& v) { effect.set(v, false); }),
+                             {AGAA_PRICE_EFFECT, effect.name, effect.need}, effect.isOn(view)));
+    addSteps(list, comparison,
+             {AGAA_PRICE_SAMPLES, "samples", "More samples reduce the error at edges and of thin geometry."},
+             sampleCounts(technique, view), view.samples, changeSamples);
+    addSteps(list, comparison,
+             {AGAA_PRICE_AGGREGATES, "aggregates", "More aggregates or surfaces keep more differences within a pixel."},
+             aggregateCounts(technique, view), view.aggregates, changeAggregates);
+    return list;
+}
+
+} // namespace agaa

@@ -1,0 +1,102 @@
+#include "core/tuning/observations.h"
+
+#include "core/base/arguments.h"
+#include "core/base/error.h"
+#include "core/base/names.h"
+#include "core/view/presets.h"
+
+#include <algorithm>
+
+namespace agaa {
+
+namespace {
+
+// Without what a frame showed.
+AgaaObservation describe(const ViewSettings& view, const Plan& plan) {
+    AgaaObservation o = AGAA_OBSERVATION_INIT;
+    o.technique = plan.config.technique;
+    o.preset = presetOf(view.config, view.aggregation, view.measurement); // plans drop what has no effect
+    o.samples = plan.samples;
+    o.aggregates = plan.aggregates;
+    o.generationTier = plan.generationTier;
+    o.pixels = uint64_t(plan.width) * plan.height;
+    return o;
+}
+
+bool isSame(const char* a, const char* b) { return a && b ? isSameName(a, b) : a == b; }
+
+bool areSameSettings(const AgaaObservation& a, const AgaaObservation& b) {
+    return isSame(a.technique, b.technique) && isSame(a.preset, b.preset) && a.samples == b.samples &&
+           a.aggregates == b.aggregates && a.generationTier == b.generationTier && a.pixels == b.pixels;
+}
+
+void readCounts(const AgaaCounters& c, AgaaObservation& o) {
+    const double pixels = double(o.pixels), events = double(c.shadingEvents);
+    o.flags |= AGAA_OBSERVED_COUNTS;
+    o.coverage = float(std::min(double(c.visible) / (pixels * o.samples), 1.0));
+    o.eventsPerPixel = float(events / pixels);
+    o.lightsPerEvent = events > 0 ? float(double(c.lightEvaluations) / events) : 0.0f;
+    o.shadowTapsPerEvent = events > 0 ? float(double(c.shadowTaps) / events) : 0.0f;
+}
+
+bool isGeometry(uint32_t stage) {
+    return stage == AGAA_STAGE_PREPASS || stage == AGAA_STAGE_DEFINITION || stage == AGAA_STAGE_GENERATION;
+}
+
+void readTimes(const AgaaFrameStatistics& statistics, AgaaObservation& o) {
+    o.flags |= AGAA_OBSERVED_TIMES;
+    o.geometryMilliseconds = o.shadingMilliseconds = 0;
+    for (uint32_t i = 0; i < statistics.passCount; ++i) {
+        const AgaaPassTime& pass = statistics.passes[i];
+        (isGeometry(pass.stage) ? o.geometryMilliseconds : o.shadingMilliseconds) += float(pass.milliseconds);
+    }
+}
+
+// Whether all passes are timed.
+bool checkTimes(const AgaaFrameStatistics& statistics) {
+    checkRange(uint64_t(statistics.passCount), 0, AGAA_MAX_PASSES, "AgaaFrameStatistics::passCount");
+    bool areTimed = statistics.passCount > 0;
+    for (uint32_t i = 0; i < statistics.passCount; ++i) {
+        const AgaaPassTime& pass = statistics.passes[i];
+        areTimed = areTimed && pass.isTimed;
+        if (pass.isTimed)
+            checkRange(pass.milliseconds, 0.0, 1e7, "AgaaPassTime::milliseconds");
+    }
+    return areTimed;
+}
+
+} // namespace
+
+AgaaObservation observe(const ViewSettings& view, const Plan& plan, const AgaaFrameStatistics& statistics,
+                        const AgaaObservation& previous) {
+    checkReserved(statistics.reserved, "AgaaFrameStatistics::reserved");
+    const bool areTimed = checkTimes(statistics);
+    AgaaObservation o = describe(view, plan);
+    if (areSameSettings(o, previous)) {
+        const AgaaObservation own = o;
+        o = previous;
+        o.technique = own.technique; // static storage
+        o.preset = own.preset;
+    }
+    if (statistics.counters.shadingEvents > 0)
+        readCounts(statistics.counters, o);
+    if (areTimed)
+        readTimes(statistics, o);
+    return o;
+}
+
+void checkObservation(const AgaaObservation& o) {
+    checkFlags(o.flags, AGAA_OBSERVED_COUNTS | AGAA_OBSERVED_TIMES, "AgaaObservation::flags");
+    checkRange(uint64_t(o.samples), 0, 128, "AgaaObservation::samples");
+    checkRange(uint64_t(o.aggregates), 0, 8, "AgaaObservation::aggregates");
+    require(isTier(o.generationTier), AGAA_ERROR_OUT_OF_RANGE, "AgaaObservation::generationTier is not an AgaaTier.");
+    checkReserved(o.reserved, "AgaaObservation::reserved");
+    checkRange(double(o.coverage), 0.0, 1.0, "AgaaObservation::coverage");
+    checkRange(double(o.eventsPerPixel), 0.0, 1e6, "AgaaObservation::eventsPerPixel");
+    checkRange(double(o.lightsPerEvent), 0.0, 1e6, "AgaaObservation::lightsPerEvent");
+    checkRange(double(o.shadowTapsPerEvent), 0.0, 1e6, "AgaaObservation::shadowTapsPerEvent");
+    checkRange(double(o.geometryMilliseconds), 0.0, 1e9, "AgaaObservation::geometryMilliseconds");
+    checkRange(double(o.shadingMilliseconds), 0.0, 1e9, "AgaaObservation::shadingMilliseconds");
+}
+
+} // namespace agaa

@@ -1,0 +1,102 @@
+// Named settings, chosen among those that benchmark/presets.py measures; docs/choosing.md has what they cost.
+#include "core/view/presets.h"
+
+#include "core/base/error.h"
+#include "core/base/names.h"
+
+namespace agaa {
+
+namespace {
+
+struct Preset {
+    const char* name;
+    uint32_t aggregates;
+    float threshold;
+    uint32_t seeds;
+    uint32_t litShadows;
+    float glossWeight;
+    uint32_t ndf;
+    uint64_t flags, measurementFlags; // of those that presets decide
+};
+
+constexpr uint64_t decided = AGAA_CONFIG_SPLIT_SURFACES | AGAA_CONFIG_FINE_MATERIALS;
+constexpr uint64_t decidedMeasurement = AGAA_MEASURE_SHADOW_ALONG_DEPTH | AGAA_MEASURE_FIRST_SAMPLE_ROUTING |
+                                        AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_NO_DIFFUSE_FILTER;
+
+constexpr Preset presets[] = {
+    {"paper", 2, 0.02f, AGAA_SEEDS_SUM_OF_SQUARES, 0, 0.0f, AGAA_NDF_TOKSVIG, AGAA_CONFIG_SPLIT_SURFACES,
+     AGAA_MEASURE_SHADOW_ALONG_DEPTH},
+    {"fast", 1, 0.02f, AGAA_SEEDS_MAXIMIN, 0, 0.0f, AGAA_NDF_TOKSVIG, 0, 0},
+    {"balanced", 4, 0.4f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, 0, 0},
+    {"accurate", 4, 0.1f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, AGAA_CONFIG_FINE_MATERIALS, 0},
+};
+
+constexpr Preset defaults = {"", 2, 0.02f, AGAA_SEEDS_MAXIMIN, 0, 0.0f, AGAA_NDF_TOKSVIG, 0, 0};
+
+void apply(const Preset& preset, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
+    const bool isDefault = preset.seeds == AGAA_SEEDS_MAXIMIN && preset.measurementFlags == 0;
+    if (!measurement && !isDefault)
+        fail(AGAA_ERROR_INVALID_ARGUMENT, format("the preset \"%s\" needs an AgaaMeasurement.", preset.name));
+    config.aggregates = preset.aggregates;
+    config.surfaceCosine = config.surfaceDistance = config.surfaceMaterial = 0;
+    config.shadowTaps = 0;
+    config.ndf = preset.ndf;
+    config.flags = (config.flags & ~decided) | preset.flags;
+    aggregation.aggregateThreshold = preset.threshold;
+    aggregation.litShadows = preset.litShadows;
+    aggregation.glossWeight = preset.glossWeight;
+    if (!measurement)
+        return;
+    measurement->seeds = preset.seeds;
+    measurement->flags = (measurement->flags & ~decidedMeasurement) | preset.measurementFlags;
+}
+
+void setPreset(const Preset& preset, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
+    apply(preset, config, aggregation, measurement);
+    config.technique = "agaa";
+}
+
+// Whether it would change nothing.
+bool isApplied(const Preset& preset, const AgaaConfig& config, const AgaaAggregation& aggregation,
+               const AgaaMeasurement& measurement) {
+    AgaaConfig c = config;
+    AgaaAggregation a = aggregation;
+    AgaaMeasurement m = measurement;
+    apply(preset, c, a, &m);
+    return c.aggregates == config.aggregates && c.surfaceCosine == config.surfaceCosine &&
+           c.surfaceDistance == config.surfaceDistance && c.surfaceMaterial == config.surfaceMaterial &&
+           c.shadowTaps == config.shadowTaps && c.ndf == config.ndf && c.flags == config.flags &&
+           a.aggregateThreshold == aggregation.aggregateThreshold && a.litShadows == aggregation.litShadows &&
+           a.glossWeight == aggregation.glossWeight && m.seeds == measurement.seeds && m.flags == measurement.flags;
+}
+
+} // namespace
+
+std::vector<const char*> presetNames() {
+    std::vector<const char*> names;
+    for (const Preset& preset : presets)
+        names.push_back(preset.name);
+    return names;
+}
+
+void applyPreset(const char* name, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
+    for (const Preset& preset : presets)
+        if (isSameName(preset.name, name))
+            return setPreset(preset, config, aggregation, measurement);
+    fail(AGAA_ERROR_INVALID_ARGUMENT, format("no preset is called \"%.64s\".", name));
+}
+
+void applyDefaults(AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
+    apply(defaults, config, aggregation, measurement);
+}
+
+const char* presetOf(const AgaaConfig& config, const AgaaAggregation& aggregation, const AgaaMeasurement& measurement) {
+    if (!isSameName(config.technique, "agaa"))
+        return nullptr;
+    for (const Preset& preset : presets)
+        if (isApplied(preset, config, aggregation, measurement))
+            return preset.name;
+    return nullptr;
+}
+
+} // namespace agaa

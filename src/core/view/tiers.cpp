@@ -1,0 +1,244 @@
+#include "core/view/tiers.h"
+
+#include "core/base/arguments.h"
+#include "core/base/error.h"
+#include "core/view/technique.h"
+#include "core/view/view_settings.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace agaa {
+
+static bool hasSamples(const AgaaDeviceCaps& caps, uint32_t samples) {
+    return (caps.sampleCounts >> std::countr_zero(samples)) & 1;
+}
+
+static VisibilityChoice scaledTarget(const AgaaDeviceCaps& caps, uint32_t samples) {
+    VisibilityChoice choice;
+    for (uint32_t hw = samples / 2; hw >= 1; hw /= 2) {
+        if (!hasSamples(caps, hw))
+            continue;
+        const uint32_t groups = samples / hw;
+        // 1x2, 2x2, 2x4, 4x4, 4x8: of these the taller ones measured better near vertical edges.
+        choice.scaleX = 1u << (std::bit_width(groups) - 1) / 2;
+        choice.scaleY = groups / choice.scaleX;
+        choice.hwSamples = hw;
+        choice.tier = AGAA_TIER_SCALED_TARGET;
+        choice.relativeCost = 1; // 0.9 to 1.0 of native at n = 4 on lavapipe
+        choice.reason =
+            format("a target of %ux%u sub-pixels at %u samples each gives %u per pixel.",
+                   choice.scaleX, choice.scaleY, hw, samples);
+        return choice;
+    }
+    choice.reason = format("%u samples cannot be made of the device's sample counts.", samples);
+    return choice;
+}
+
+uint32_t gridSide(uint32_t samples) { return samples == 4 ? 2 : samples == 9 ? 3 : samples == 16 ? 4 : 0; }
+
+// A texel of one sample for each sample of the pixel, as ordered supersampling has them.
+static VisibilityChoice orderedGrid(uint32_t samples) {
+    VisibilityChoice choice;
+    const uint32_t side = gridSide(samples);
+    if (side == 0) {
+        choice.reason = format("an ordered grid has 4, 9 or 16 samples, not %u.", samples);
+        return choice;
+    }
+    choice.tier = AGAA_TIER_ORDERED_GRID;
+    choice.scaleX = choice.scaleY = side;
+    choice.reason = format("a target of %ux%u texels of one sample each gives %u per pixel.", side, side, samples);
+    return choice;
+}
+
+VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced, bool prefersGrid) {
+    if (samples != gridOnlySamples)
+        checkSampleCount(samples, "the number of samples per pixel");
+    const bool isGridOnly = samples == gridOnlySamples;
+    VisibilityChoice choice;
+    if (forced == AGAA_TIER_ORDERED_GRID || (forced == AGAA_TIER_AUTO && (prefersGrid || isGridOnly))) {
+        choice = orderedGrid(samples);
+        if (choice.tier != AGAA_TIER_AUTO || forced != AGAA_TIER_AUTO)
+            return choice;
+    }
+    if (isGridOnly) {
+        choice.reason = format("the tier %s has no %u samples per pixel.", agaaTierName(forced), samples);
+        return choice;
+    }
+    if (forced == AGAA_TIER_NATIVE || forced == AGAA_TIER_AUTO) {
+        if (hasSamples(caps, samples)) {
+            choice.tier = AGAA_TIER_NATIVE;
+            choice.hwSamples = samples;
+            choice.reason = format("the device rasterises %u samples per pixel.", samples);
+            return choice;
+        }
+        choice.reason = format("the device has no %u samples per pixel.", samples);
+        if (forced == AGAA_TIER_NATIVE)
+            return choice;
+    }
+    if (forced == AGAA_TIER_SCALED_TARGET || forced == AGAA_TIER_AUTO)
+        return scaledTarget(caps, samples);
+    choice.reason = format("the tier %s is not built for visibility.", agaaTierName(forced));
+    return choice;
+}
+
+VisibilityChoice coverageByEdges(uint32_t samples) {
+    VisibilityChoice choice;
+    choice.tier = AGAA_TIER_NATIVE;
+    choice.reason = format("%u coverage samples by the edges of each triangle.", samples);
+    return choice;
+}
+
+// The techniques that have the tier.
+static std::string owners(uint32_t tier) {
+    std::string names;
+    for (const Technique* technique : techniques())
+        for (const GenerationTier* row : technique->tiers)
+            if (row->tier == AgaaTier(tier))
+                names += (names.empty() ? "\"" : ", \"") + std::string(technique->name) + "\"";
+    return names;
+}
+
+GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery query, uint32_t forced) {
+    checkSampleCount(query.hwSamples, "the number of samples per texel");
+    query.isForced = forced != AGAA_TIER_AUTO;
+    GenerationChoice choice;
+    for (const GenerationTier* row : technique.tiers) {
+        if (query.isForced ? row->tier != AgaaTier(forced)
+                           : !row->isAutomatic || row->hasCoverageSamples != query.coverageSamples)
+            continue;
+        const TierAnswer answer = row->answer(query);
+        choice.reason = answer.reason;
+        if (answer.runs) {
+            choice.row = row;
+            return choice;
+        }
+    }
+    if (choice.reason.empty()) { // no such row
+        const std::string names = owners(forced);
+        choice.reason = names.empty() ? format("the tier %s is not built for generation.", agaaTierName(forced))
+                                      : format("the tier %s is for %s.", agaaTierName(forced), names.c_str());
+    }
+    return choice;
+}
+
+static AgaaCapability capability(const Technique& technique, uint32_t samples, AgaaStage stage,
+                                 AgaaTier tier, bool native, float price,
+                                 const std::string& reason) {
+    AgaaCapability row = AGAA_CAPABILITY_INIT;
+    row.technique = technique.name;
+    row.samples = samples;
+    row.stage = stage;
+    row.tier = tier;
+    row.isNative = native;
+    row.relativeCost = price;
+    std::strncpy(row.reason, reason.c_str(), sizeof row.reason - 1);
+    return row;
+}
+
+// What the host must provide stands before the reason.
+static std::string withNeeds(bool fetches, bool pulls, const std::string& reason) {
+    if (!fetches && !pulls)
+        return reason;
+    return format("with %s%s%s, %s", fetches ? "an AgaaFetchFunction" : "", fetches && pulls ? " and " : "",
+                  pulls ? "AGAA_VIEW_VERTEX_PULLING" : "", reason.c_str());
+}
+
+// What is taken where the host asks for nothing, then all else that runs, then what needs an AgaaFetchFunction.
+static std::vector<GenerationChoice> runningChoices(const Technique& technique, const GenerationQuery& query) {
+    GenerationQuery offered = query;
+    offered.fetches = true;
+    const GenerationChoice automatic = chooseGeneration(technique, query, AGAA_TIER_AUTO);
+    std::vector<GenerationChoice> choices, offers;
+    if (automatic.row)
+        choices.push_back(automatic);
+    for (const GenerationTier* row : technique.tiers) {
+        if (row->hasCoverageSamples != query.coverageSamples || row->isModel || row == automatic.row)
+            continue;
+        if (const GenerationChoice choice = chooseGeneration(technique, query, row->tier); choice.row)
+            choices.push_back(choice);
+        else if (const GenerationChoice offer = chooseGeneration(technique, offered, row->tier); offer.row)
+            offers.push_back(offer);
+    }
+    for (GenerationChoice& choice : choices)
+        choice.reason = withNeeds(false, query.vertexPulling, choice.reason);
+    for (GenerationChoice& offer : offers)
+        choices.push_back({offer.row, withNeeds(true, query.vertexPulling, offer.reason)});
+    return choices;
+}
+
+// If nothing runs, what runs with vertex pulling.
+static std::vector<GenerationChoice> generationChoices(const Technique& technique, GenerationQuery query) {
+    for (const bool pulls : {false, true}) {
+        query.vertexPulling = pulls;
+        if (const std::vector<GenerationChoice> choices = runningChoices(technique, query); !choices.empty())
+            return choices;
+    }
+    query.fetches = true;
+    return {{nullptr, chooseGeneration(technique, query, AGAA_TIER_AUTO).reason}};
+}
+
+namespace {
+
+void addVisibility(std::vector<AgaaCapability>& rows, const Technique& technique, uint32_t samples,
+                   const VisibilityChoice& choice) {
+    rows.push_back(capability(technique, samples, AGAA_STAGE_PREPASS, choice.tier, choice.tier == AGAA_TIER_NATIVE,
+                              choice.relativeCost, choice.reason));
+}
+
+void addGeneration(std::vector<AgaaCapability>& rows, const Technique& technique, uint32_t samples,
+                   const GenerationQuery& query) {
+    for (const GenerationChoice& choice : generationChoices(technique, query))
+        rows.push_back(capability(technique, samples, AGAA_STAGE_GENERATION, choice.row ? choice.row->tier : AGAA_TIER_AUTO,
+                                  false, choice.row ? choice.row->relativeCost : 0, choice.reason));
+}
+
+void addShading(std::vector<AgaaCapability>& rows, const Technique& technique, uint32_t samples) {
+    rows.push_back(capability(technique, samples, AGAA_STAGE_SHADING, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
+}
+
+// Of samples that the device rasterises.
+void addDeviceSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& caps, const Technique& technique,
+                      uint32_t samples) {
+    const bool prefersGrid = technique.prefersOrderedGrid && technique.prefersOrderedGrid({});
+    const VisibilityChoice visibility = chooseVisibility(caps, samples, AGAA_TIER_AUTO, prefersGrid);
+    addVisibility(rows, technique, samples, visibility);
+    if (visibility.tier == AGAA_TIER_AUTO)
+        return; // no later stage can run either
+    for (const AgaaTier tier : {AGAA_TIER_NATIVE, AGAA_TIER_SCALED_TARGET, AGAA_TIER_ORDERED_GRID})
+        if (const VisibilityChoice other = chooseVisibility(caps, samples, tier);
+            other.tier != AGAA_TIER_AUTO && other.tier != visibility.tier)
+            addVisibility(rows, technique, samples, other);
+    if (technique.maxAggregates)
+        rows.push_back(capability(technique, samples, AGAA_STAGE_DEFINITION, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
+    if (!technique.tiers.empty())
+        addGeneration(rows, technique, samples, {.caps = caps, .hwSamples = visibility.hwSamples});
+    addShading(rows, technique, samples);
+}
+
+void addCoverageSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& caps, const Technique& technique,
+                        uint32_t samples) {
+    addVisibility(rows, technique, samples, coverageByEdges(samples));
+    addGeneration(rows, technique, samples, {.caps = caps, .coverageSamples = true});
+    addShading(rows, technique, samples);
+}
+
+} // namespace
+
+std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
+    std::vector<AgaaCapability> rows;
+    for (const Technique* technique : techniques()) {
+        for (uint32_t samples = 1; samples <= technique->maxSamples; samples *= 2)
+            addDeviceSamples(rows, caps, *technique, samples);
+        if (technique->takesGridOnlySamples() && technique->maxSamples > gridOnlySamples)
+            addDeviceSamples(rows, caps, *technique, gridOnlySamples);
+        // At 32, where tiers of both kinds may run, AUTO takes samples of the device.
+        for (uint32_t samples : {32u, 64u, 128u})
+            if (technique->countsCoverage(AGAA_TIER_AUTO, samples))
+                addCoverageSamples(rows, caps, *technique, samples);
+    }
+    return rows;
+}
+
+} // namespace agaa

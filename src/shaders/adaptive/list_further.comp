@@ -1,0 +1,79 @@
+// Decides how many samples pixels have, by both metrics (Hollaender et al. 2013, section 3.1), lists those that have several, and
+// completes the others.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/counters.glsl"
+#include "adaptive/first_samples.glsl"
+#include "adaptive/pixel_list.glsl"
+#include "common/pixel_work.glsl"
+#include "common/tile_pixels.glsl"
+
+shared uint agaa_mostOfTile;
+
+// The mean of counts over frames, or this frame's where that is more.
+uint agaa_remember(uvec2 pixel, uint count) {
+    float mean = uintBitsToFloat(agaa_choices.words[agaa_meanAt(pixel)]);
+    mean = agaa_meanOfCounts(mean, count, uintBitsToFloat(AGAA_COUNT_MEMORY));
+    agaa_choices.words[agaa_meanAt(pixel)] = floatBitsToUint(mean);
+    return count == 0u ? 0u : agaa_wholeCount(mean - 0.5, count, AGAA_SAMPLES);
+}
+
+// By the ways of section 4.2 to make numbers of neighbours alike. Called by all lanes of a tile.
+uint agaa_evenCount(uint count, uint covered) {
+    if (agaa_isAdaptive(agaa_tileMaximum)) {
+        if (gl_LocalInvocationIndex == 0u)
+            agaa_mostOfTile = 0u;
+        barrier();
+        atomicMax(agaa_mostOfTile, count);
+        barrier();
+        count = count != 0u ? agaa_mostOfTile : 0u;
+    }
+    return min(agaa_isAdaptive(agaa_bucketed) ? agaa_bucketOfCount(count) : count, covered);
+}
+
+void agaa_completePixel(uvec2 pixel, uint covered) {
+    agaa_count(AGAA_COUNT_VISIBLE, covered);
+    agaa_count(AGAA_COUNT_ONCE, covered);
+    agaa_countEvents(covered != 0u ? 1u : 0u);
+    agaa_count(AGAA_COUNT_PIXELS, covered != 0u ? 1u : 0u);
+    agaa_writePixel(pixel, agaa_pixelWork(covered != 0u ? 1u : 0u, 0u, covered),
+                    agaa_firstSample(ivec2(pixel)).rgb * float(covered));
+}
+
+void main() {
+    agaa_countBegin();
+    uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
+    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
+    uint covered = 0u, count = 0u;
+    float byShading = 0.0;
+    if (isInside) {
+        uint word = agaa_choices.words[agaa_choiceAt(pixel)];
+        covered = agaa_coveredIn(word);
+        count = agaa_countIn(word);
+        uint remembered = count;
+        if (AGAA_COUNT_MEMORY != 0u)
+            remembered = agaa_remember(pixel, count);
+        if (covered != 0u) {
+            byShading = agaa_countByShading(pixel);
+            // Samples that are remembered are those that the shading would call for.
+            count = max(agaa_countBoth(byShading, count, agaa_leftIn(word)), remembered);
+        }
+    }
+    count = agaa_evenCount(count, covered);
+    // Debug views need the data that the shading of several samples has.
+    bool isListed = count > 1u || (agaa_showsEvents() && covered != 0u);
+    uint place = agaa_listPixel(pixel, isListed, AGAA_FURTHER_AT);
+    if (isListed)
+        agaa_choices.words[agaa_choiceAt(pixel)] =
+            AGAA_COUNTS_FOUND == AGAA_FOUND_WITH_FURTHER ? floatBitsToUint(byShading) : count;
+    if (isListed && agaa_isAdaptive(agaa_sorted))
+        agaa_choices.words[agaa_rankAt(place)] =
+            count << AGAA_RANK_BITS | atomicAdd(agaa_choices.words[AGAA_TALLY_AT + count], 1u);
+    if (isInside && !isListed)
+        agaa_completePixel(pixel, covered);
+    agaa_countEnd();
+}

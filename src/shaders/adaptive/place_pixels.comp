@@ -1,0 +1,17 @@
+// Writes each listed pixel to its place in order.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "adaptive/listed_pixels.glsl"
+
+void main() {
+    uint place = agaa_placeOf(gl_LocalInvocationIndex);
+    if (place >= agaa_choices.words[AGAA_FURTHER_AT])
+        return;
+    uint word = agaa_choices.words[agaa_rankAt(place)];
+    uint sorted = agaa_choices.words[AGAA_TALLY_AT + agaa_countOfRank(word)] + agaa_rankOf(word);
+    agaa_choices.words[agaa_sortedAt(sorted)] = agaa_choices.words[agaa_listAt(place)];
+}

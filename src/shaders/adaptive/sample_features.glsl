@@ -1,0 +1,124 @@
+// Features by which samples are compared.
+#ifndef AGAA_SAMPLE_FEATURES_GLSL
+#define AGAA_SAMPLE_FEATURES_GLSL
+#include "math/adaptive.glsl"
+#include "adaptive/adaptive_flags.glsl" // before gbuffer.glsl, which includes some files under conditions
+#include "gbuffer/gbuffer.glsl"
+#include "common/sample_depth.glsl"
+#include "adaptive/stored_choice.glsl"
+
+struct agaa_Features {
+    vec3 position, normal; // in shading space
+    float width;           // how far its plane reaches
+    vec4 diffuse, specular; // and alpha; and how bright the sample glows
+};
+
+// Sample j of the pattern's order, which begins in the middle; a byte each.
+uint agaa_sampleInOrder(uint j) {
+    const uint words[8] = uint[8](AGAA_ORDER0, AGAA_ORDER1, AGAA_ORDER2, AGAA_ORDER3, AGAA_ORDER4, AGAA_ORDER5, AGAA_ORDER6,
+                                  AGAA_ORDER7);
+    return words[j >> 2u] >> (8u * (j & 3u)) & 0xFFu;
+}
+
+// materials: of what agaa_differenceOf() compares, the members diffuse and specular.
+agaa_Features agaa_featuresAt(uvec2 pixel, uint i, float depth, vec3 normal, mat2x4 materials) {
+    vec3 position = agaa_sampleViewPosition(pixel, i, depth);
+    float width = agaa_frame.surface.y * agaa_pixelWidth(position.z) +
+                  2.0 * agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x, agaa_frame.projection1.y,
+                                          agaa_isOrthographic(), agaa_storedQuantum(depth));
+    return agaa_Features(agaa_toShadingSpace(position), normal, width, materials[0], materials[1]);
+}
+
+// Of the sample fetched last.
+agaa_Features agaa_fetchedFeatures(uvec2 pixel, uint i, float depth) {
+    agaa_Surface s = agaa_sampleSurface();
+    return agaa_featuresAt(pixel, i, depth, s.normal,
+                           mat2x4(vec4(s.diffuse, sqrt(s.alpha2)), vec4(s.specular, agaa_displayLuma(s.emissive))));
+}
+
+// Depth, code of the normal, then materials in bytes.
+uvec4 agaa_packFeatures(float depth) {
+    agaa_Surface s = agaa_sampleSurface();
+    return uvec4(floatBitsToUint(depth), packUnorm2x16(agaa_normalCode()), packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))),
+                 packUnorm4x8(vec4(s.specular, agaa_displayLuma(s.emissive))));
+}
+
+agaa_Features agaa_unpackFeatures(uvec2 pixel, uint i, uvec4 words) {
+    return agaa_featuresAt(pixel, i, uintBitsToFloat(words.x),
+                           agaa_decodeOct(unpackUnorm2x16(words.y), agaa_fieldBits(AGAA_SOURCE_NORMAL_X)),
+                           mat2x4(unpackUnorm4x8(words.z), unpackUnorm4x8(words.w)));
+}
+
+// How many thresholds apart two samples are: normals, whose differences count the more the glossier the surface; the plane;
+// the material.
+float agaa_differenceOf(agaa_Features a, agaa_Features b) {
+    float gloss = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) / max(min(a.diffuse.w, b.diffuse.w), 0.01), 1.0, 20.0);
+    vec4 material = max(abs(a.diffuse - b.diffuse), abs(a.specular - b.specular));
+    return max(max(agaa_normalStep(a.normal, b.normal, agaa_frame.surface.x) * gloss,
+                   agaa_planeStep(b.position - a.position, a.normal, b.normal, max(a.width, b.width))),
+               max(max(material.x, material.y), max(material.z, material.w)) / max(agaa_frame.surface.z, 1e-3));
+}
+
+// The first of these samples in the pattern's order.
+uint agaa_firstInOrder(uint covered) {
+    uint j = 0u;
+    while ((covered >> agaa_sampleInOrder(j) & 1u) == 0u)
+        ++j;
+    return agaa_sampleInOrder(j);
+}
+
+// The samples whose shadows the first sample is shaded with. alike: those that do not differ enough to be shaded.
+uint agaa_samplesOfFirst(uint first, uint alike, uint covered) {
+    if (agaa_isAdaptive(agaa_byGeometry))
+        return alike;
+    return agaa_isAdaptive(agaa_byShading) ? covered : 1u << first;
+}
+
+uvec4 agaa_sampleFeatures[AGAA_SAMPLES]; // agaa_packFeatures() of the pixel's samples
+
+#ifdef AGAA_HOST_FETCH
+// Loads the pixel's samples, with one material for all of a primitive. Returns those that show geometry.
+uint agaa_loadFetched(uvec2 pixel) {
+    uint covered = 0u;
+    uint i = 0u;
+    do
+        covered |= agaa_isCovered(pixel, i) ? 1u << i : 0u;
+    while (++i < agaa_sampleCount());
+    for (uint left = covered; left != 0u;) {
+        uint own = agaa_samplesOfPrimitive(pixel, uint(findLSB(left)), left);
+        left &= ~own;
+        AgaaMaterial m = agaa_fetchMaterial(agaa_primitive(agaa_idOf(pixel, uint(findLSB(own)))), pixel, own);
+        agaa_fetched = m;
+        for (; own != 0u; own &= own - 1u) {
+            uint j = uint(findLSB(own));
+            agaa_fetched.normal = agaa_materialNormal(m, j);
+            agaa_sampleFeatures[j] = agaa_packFeatures(agaa_depthOf(pixel, j));
+        }
+    }
+    return covered;
+}
+
+// Before the pixel's samples are read.
+uint agaa_fetchedSamples = 0u;
+void agaa_beginSamples(uvec2 pixel) { agaa_fetchedSamples = agaa_loadFetched(pixel); }
+
+// False where the sample shows no geometry.
+bool agaa_readFeatures(uvec2 pixel, uint i, out agaa_Features f) {
+    f = agaa_unpackFeatures(pixel, i, agaa_sampleFeatures[i]);
+    return (agaa_fetchedSamples >> i & 1u) != 0u;
+}
+
+void agaa_keepFeatures(uvec2 pixel, uint i) {}
+#else
+void agaa_beginSamples(uvec2 pixel) {}
+
+bool agaa_readFeatures(uvec2 pixel, uint i, out agaa_Features f) {
+    bool isCovered = agaa_fetchSample(pixel, i);
+    f = agaa_fetchedFeatures(pixel, i, agaa_depthOf(pixel, i));
+    return isCovered;
+}
+
+// Of the sample that was read last.
+void agaa_keepFeatures(uvec2 pixel, uint i) { agaa_sampleFeatures[i] = agaa_packFeatures(agaa_depthOf(pixel, i)); }
+#endif
+#endif

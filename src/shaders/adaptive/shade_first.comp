@@ -1,0 +1,97 @@
+// Shades one sample of each pixel, and compares the others with it (Hollaender et al. 2013, sections 3 and 3.1).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#define AGAA_MAX_EVENTS 1u
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "common/lighting.glsl"
+#include "common/output.glsl"
+#include "adaptive/printed_metric.glsl"
+#include "adaptive/pixel_list.glsl"
+#include "gbuffer/sample_visibility.glsl"
+#include "common/tile_pixels.glsl"
+#include "common/events.glsl"
+
+shared uint agaa_represented[64]; // samples whose shadows each pixel's event has
+
+// How the pixel's samples differ from the first.
+struct agaa_Comparison {
+    uint covered; // samples that show geometry
+    uint alike;   // those that do not differ enough to be shaded
+    uint first;
+    float most; // the largest difference
+};
+
+agaa_Comparison agaa_compareSamples(uvec2 pixel) {
+    agaa_beginSamples(pixel);
+    agaa_Comparison c = agaa_Comparison(0u, 0u, 0u, 0.0);
+    uint k = 0u;
+    do
+        c.covered |= agaa_isCovered(pixel, k) ? 1u << k : 0u;
+    while (++k < agaa_sampleCount());
+    if (c.covered == 0u)
+        return c;
+    c.first = agaa_firstInOrder(c.covered);
+    agaa_Features f;
+    agaa_readFeatures(pixel, c.first, f);
+    for (uint rest = c.covered & ~(1u << c.first); rest != 0u; rest &= rest - 1u) {
+        uint i = uint(findLSB(rest));
+        agaa_Features own;
+        agaa_readFeatures(pixel, i, own);
+        float d = agaa_differenceOf(f, own);
+        c.alike |= agaa_callsForSample(d) ? 0u : 1u << i;
+        c.most = max(c.most, d);
+    }
+    c.alike |= 1u << c.first;
+    return c;
+}
+
+// As far as it is known.
+uint agaa_countByGeometry(uvec2 pixel, agaa_Comparison c) {
+    uint most = uint(bitCount(c.covered));
+    if (!agaa_isAdaptive(agaa_byGeometry))
+        return agaa_isAdaptive(agaa_byShading) ? 1u : most;
+    if (agaa_isAdaptive(agaa_printedMetric))
+        return agaa_wholeCount(agaa_printedCount(pixel, c.covered), 1u, most);
+    return agaa_callsForSample(c.most) ? 2u : 1u;
+}
+
+agaa_PixelWork agaa_workOf(uvec2 pixel, agaa_Comparison c, uint count) {
+    agaa_choices.words[agaa_choiceAt(pixel)] =
+        agaa_packCount(uint(bitCount(c.covered)), count, agaa_shareOfLimit(c.most));
+    if (c.covered == 0u) {
+        imageStore(agaa_output, ivec2(pixel), vec4(agaa_backgroundPixel(ivec2(pixel)).rgb, 0.0));
+        return agaa_pixelWork(0u, 0u, 0u);
+    }
+    agaa_represented[gl_LocalInvocationIndex] = agaa_samplesOfFirst(c.first, c.alike, c.covered);
+    return agaa_pixelWork(1u << c.first, 0u, 1u);
+}
+
+vec3 agaa_shadeEvent(uint lane, uint i) {
+    uvec2 pixel = agaa_pixelOf(lane);
+    agaa_findVisibility(pixel, agaa_isAdaptive(agaa_equalWeights) ? 1u << i : agaa_represented[lane]);
+    agaa_fetchEvent(pixel, i, agaa_represented[lane]);
+    return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i));
+}
+
+void main() {
+    agaa_countBegin();
+    uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
+    agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
+    uint count = 0u;
+    if (all(lessThan(pixel, agaa_frame.size.xy))) {
+        agaa_Comparison c = agaa_compareSamples(pixel);
+        count = c.covered != 0u ? agaa_countByGeometry(pixel, c) : 0u;
+        work = agaa_workOf(pixel, c, count);
+    }
+    if (AGAA_COUNTS_FOUND == AGAA_FOUND_BETWEEN)
+        agaa_listPixel(pixel, count > 1u, AGAA_COMPLEX_PIXELS_AT);
+    vec3 color = agaa_shadeWork(work);
+    if (work.covered != 0u)
+        imageStore(agaa_output, ivec2(pixel), vec4(min(color, vec3(65504.0)), 1.0));
+    agaa_countEnd();
+}

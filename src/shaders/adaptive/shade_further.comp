@@ -1,0 +1,123 @@
+// Shades further samples of listed pixels, and completes these (Hollaender et al. 2013, sections 3.1 and 3.2).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#define AGAA_MAX_EVENTS AGAA_SAMPLES
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "common/lighting.glsl"
+#include "common/output.glsl"
+#include "adaptive/owner_words.glsl"
+#include "adaptive/choose_more.glsl"
+#include "gbuffer/sample_visibility.glsl"
+#include "adaptive/listed_pixels.glsl"
+#include "common/events.glsl"
+
+// Of each pixel: the samples that show geometry and their owners, and those with whose shadows the first one was shaded.
+shared uint agaa_laneCovered[64];
+shared uint agaa_laneOwners[64u * agaa_ownerWords];
+shared uint agaa_laneFirst[64];
+
+uvec2 agaa_pixelOf(uint lane) {
+    uint place = agaa_boundedPlaceOf(lane);
+    return agaa_pixelAt(lane, agaa_isAdaptive(agaa_sorted) ? agaa_sortedAt(place) : agaa_listAt(place), AGAA_FURTHER_AT);
+}
+
+// The samples that a shaded one of a lane's pixel stands for.
+uint agaa_samplesOfLane(uint lane, uint chosen) {
+    uint samples = 0u;
+    uint i = 0u;
+    do {
+        uint word = agaa_laneOwners[lane * agaa_ownerWords + i / agaa_ownersPerWord];
+        samples |= agaa_ownerIn(word, i % agaa_ownersPerWord) == chosen ? 1u << i : 0u;
+    } while (++i < agaa_sampleCount());
+    return samples & agaa_laneCovered[lane];
+}
+
+float agaa_eventWeight(uint samples) { return agaa_isAdaptive(agaa_equalWeights) ? 1.0 : float(bitCount(samples)); }
+
+struct agaa_Further {
+    agaa_PixelWork work;
+    float firstWeight; // of the sample that is shaded already
+    float weights;     // of all
+};
+
+// The samples that are shaded. first: is already.
+uint agaa_chosenSamples(uvec2 pixel, uint covered, uint first) {
+    uint word = agaa_choices.words[agaa_choiceAt(pixel)];
+    bool isCounted = AGAA_COUNTS_FOUND != AGAA_FOUND_WITH_FURTHER;
+    float left;
+    return agaa_chooseMore(pixel, covered, 1u << first, isCounted ? word : 0u, isCounted ? 0.0 : uintBitsToFloat(word), left);
+}
+
+agaa_Further agaa_furtherOf(uvec2 pixel) {
+    const uint lane = gl_LocalInvocationIndex;
+    agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 0.0);
+    const uint covered = agaa_beginChoice(pixel);
+    const uint first = agaa_firstInOrder(covered);
+    agaa_laneCovered[lane] = covered;
+    agaa_laneFirst[lane] = agaa_samplesOfFirst(first, agaa_alikeSamples(covered), covered);
+    const uint chosen = agaa_chosenSamples(pixel, covered, first);
+    further.work.covered = uint(bitCount(covered));
+    for (uint rest = chosen; rest != 0u; rest &= rest - 1u) {
+        uint i = uint(findLSB(rest));
+        float weight = agaa_eventWeight(agaa_samplesOf(covered, i));
+        further.weights += weight;
+        further.firstWeight += i == first ? weight : 0.0;
+    }
+    uint word = 0u;
+    do
+        agaa_laneOwners[lane * agaa_ownerWords + word] = agaa_ownerWord(word, covered);
+    while (++word < agaa_ownerWords);
+    further.work.events[0] = agaa_showsEvents() ? chosen : chosen & ~(1u << first);
+    agaa_count(AGAA_COUNT_VISIBLE, further.work.covered);
+    agaa_count(AGAA_COUNT_ONCE, further.work.covered);
+    agaa_countEvents(uint(bitCount(chosen)));
+    agaa_count(AGAA_COUNT_PIXELS, 1u);
+    return further;
+}
+
+// The first sample was shaded with the shadows of all samples like it. Those of them that are shaded, too, share these shadows.
+uint agaa_shadowedSamples(uint lane, uint i, uint samples) {
+    if (agaa_isAdaptive(agaa_equalWeights))
+        return 1u << i;
+    return (agaa_laneFirst[lane] >> i & 1u) != 0u ? agaa_laneFirst[lane] : samples;
+}
+
+vec3 agaa_shadeEvent(uint lane, uint i) {
+    uvec2 pixel = agaa_pixelOf(lane);
+    uint samples = agaa_samplesOfLane(lane, i);
+    float weight = agaa_eventWeight(samples);
+    agaa_findVisibility(pixel, agaa_shadowedSamples(lane, i, samples));
+    agaa_fetchEvent(pixel, i, samples);
+    agaa_Surface s = agaa_sampleSurface();
+    return (agaa_showsEvents() ? agaa_shownOfEvent(0u, 0.0, s.diffuse) : agaa_lightSurface(s, agaa_samplePosition(pixel, i))) *
+           weight;
+}
+
+// One invocation for all samples of the pixel, as in the paper (section 4.2).
+vec3 agaa_shadeInLoop(agaa_PixelWork work) {
+    vec3 color = vec3(0.0);
+    for (uint rest = work.events[0]; rest != 0u; rest &= rest - 1u)
+        color += agaa_shadeEvent(gl_LocalInvocationIndex, uint(findLSB(rest)));
+    return color;
+}
+
+void main() {
+    agaa_countBegin();
+    uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
+    bool inside = all(lessThan(pixel, agaa_frame.size.xy));
+    agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 1.0);
+    if (inside)
+        further = agaa_furtherOf(pixel);
+    vec3 color = agaa_isAdaptive(agaa_shadeInLoops) ? agaa_shadeInLoop(further.work) : agaa_shadeWork(further.work);
+    if (inside) {
+        if (!agaa_showsEvents())
+            color += agaa_firstSample(ivec2(pixel)).rgb * further.firstWeight;
+        agaa_writePixel(pixel, further.work, color * float(further.work.covered) / further.weights);
+    }
+    agaa_countEnd();
+}

@@ -1,0 +1,118 @@
+// What shading an aggregate takes, wherever its sums are kept: its place, the shadows there, and its means as a
+// surface.
+#ifndef AGAA_AGGREGATE_GLSL
+#define AGAA_AGGREGATE_GLSL
+#include "aggregate/choice.glsl"
+#include "aggregate/mean_surface.glsl"
+#include "common/debug_view.glsl"
+#include "common/sample_depth.glsl"
+#include "math/encoding.glsl"
+#include "math/statistics.glsl"
+
+vec3 agaa_viewPositionOf(uvec2 pixel, uint i) {
+    return agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i));
+}
+
+// Shadow taps at up to AGAA_SHADOW_TAPS of these samples, evenly chosen. Returns how many.
+uint agaa_tapSomeSamples(uvec2 pixel, uint mask) {
+    uint taps = min(uint(bitCount(mask)), AGAA_SHADOW_TAPS);
+    agaa_Choice choice = agaa_chooseFrom(mask, taps);
+    for (uint j = 0u; j < taps; ++j)
+        agaa_addTaps(agaa_toShadingSpace(agaa_viewPositionOf(pixel, agaa_nextSample(choice, j))));
+    return taps;
+}
+
+// Shadow taps along the view ray, by the spread of the samples' depths. Returns how many.
+uint agaa_tapAlongDepth(vec3 mean, float sigma, float lowest, float highest) {
+    uint taps = sigma > 0.0 ? 4u : 1u;
+    for (uint j = 0u; j < taps; ++j) {
+        float z = taps > 1u ? agaa_depthTap(j, mean.z, sigma, lowest, highest) : mean.z;
+        float along = abs(mean.z) > 0.0 ? z / mean.z : 1.0;
+        agaa_addTaps(agaa_toShadingSpace(agaa_isOrthographic() != 0u ? vec3(mean.xy, z) : mean * along));
+    }
+    return taps;
+}
+
+// Mean position of all samples, and the aggregate's share of each shadow map's light: at some of its samples, at all
+// of them, along the view ray or at the mean position.
+vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
+    agaa_lightPixel(pixel);
+    uint count = uint(bitCount(mask));
+    vec3 mean = vec3(0.0);
+    vec3 first = vec3(0.0);
+    float lowest = 0.0;
+    float highest = 0.0;
+    agaa_Moments depthMoments = agaa_momentsInit(0.0);
+#if AGAA_SHADOWS
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] = 0.0;
+#endif
+    const bool tapsAll = AGAA_SHADOW_FILTER == 1u && AGAA_SAMPLES <= AGAA_SHADOW_TAPS;
+    for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
+        vec3 position = agaa_viewPositionOf(pixel, uint(findLSB(rest)));
+        if (rest == mask) { // sums are relative to the first sample (hard case 14)
+            first = position;
+            lowest = highest = position.z;
+            depthMoments = agaa_momentsInit(position.z);
+        }
+        mean += position - first;
+        if (AGAA_SHADOW_FILTER == 2u) {
+            agaa_momentsAdd(depthMoments, position.z);
+            lowest = min(lowest, position.z);
+            highest = max(highest, position.z);
+        }
+        if (tapsAll)
+            agaa_addTaps(agaa_toShadingSpace(position));
+    }
+    mean = first + mean / float(count);
+#if AGAA_SHADOWS
+    uint taps = count;
+    if (AGAA_SHADOW_FILTER != 1u) {
+        float sigma = AGAA_SHADOW_FILTER == 2u ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
+        taps = agaa_tapAlongDepth(mean, sigma, lowest, highest);
+    } else if (!tapsAll) {
+        taps = agaa_tapSomeSamples(pixel, mask);
+    }
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] /= float(taps);
+#endif
+    return agaa_toShadingSpace(mean);
+}
+
+#if AGAA_LIT
+float agaa_sampleLight[32]; // share of a shadow's light that each sample gets, of the aggregate at hand
+
+// Of the shader that includes this: sums of a pixel's samples, each times scale * agaa_sampleLight of it.
+agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale);
+
+// Of each key light's shadow, the share of the samples that its light reaches and the means over what it reaches.
+void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map) {
+        if (!agaa_isLitShadow(map))
+            continue;
+        float sum = 0.0;
+        const uint reached = (agaa_reachingShadows >> map & 1u) != 0u ? mask : 0u;
+        for (uint rest = reached; rest != 0u; rest &= rest - 1u) {
+            uint i = uint(findLSB(rest));
+            agaa_sampleLight[i] = agaa_shadowTap(map, agaa_toShadingSpace(agaa_viewPositionOf(pixel, i)));
+            sum += agaa_sampleLight[i];
+        }
+        agaa_visibility[map] = sum / float(bitCount(mask));
+        agaa_litSurface[map] =
+            agaa_surfaceOfMeans(agaa_litMeans(pixel, reached, sum > 1e-6 ? 1.0 / sum : 0.0), false, toEye);
+    }
+}
+#endif
+
+// Shading of an aggregate after agaa_placeAggregate(), times the number of its samples.
+vec3 agaa_shadeMeans(uvec2 pixel, vec3 position, uint a, uint mask, agaa_Means means, bool folded) {
+    vec3 toEye = agaa_toEye(position);
+    agaa_Surface s = agaa_surfaceOfMeans(means, folded, toEye);
+    agaa_countWidening(means, s);
+#if AGAA_LIT
+    agaa_findLitSurfaces(pixel, mask, toEye);
+#endif
+    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, agaa_widening(means, s), s.diffuse) : agaa_lightSurface(s, position);
+    return color * float(bitCount(mask));
+}
+#endif

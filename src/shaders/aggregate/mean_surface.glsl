@@ -1,0 +1,75 @@
+// An aggregate's means, from their sums to the surface that is shaded.
+#ifndef AGAA_MEAN_SURFACE_GLSL
+#define AGAA_MEAN_SURFACE_GLSL
+#include "aggregate/means.glsl"
+#include "math/encoding.glsl"
+#include "math/statistics.glsl"
+
+agaa_Means agaa_noMeans() {
+    return agaa_Means(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 1e-6,
+                      agaa_NormalMoments(vec3(0.0), vec3(0.0)));
+}
+
+void agaa_addNormal(inout agaa_Means m, float weight, vec3 normal) {
+    m.normal += weight * normal;
+    if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF >= agaa_ndfLean)
+        agaa_addNormalMoments(m.moments, weight, normal);
+}
+
+// An unwidened surface's, but for the normal.
+void agaa_addMaterial(inout agaa_Means m, float weight, agaa_Surface one) {
+    m.diffuse += weight * one.diffuse;
+    if (AGAA_HAS_SPECULAR != 0u) {
+        m.specular += weight * one.specular;
+        m.alpha2 += weight * one.alpha2;
+    }
+    if (AGAA_EMISSIVE_CHANNELS != 0u)
+        m.emissive += weight * one.emissive;
+}
+
+void agaa_addToMeans(inout agaa_Means m, float weight, agaa_Surface one) {
+    agaa_addMaterial(m, weight, one);
+    agaa_addNormal(m, weight, one.normal);
+}
+
+// folded: the normal's length says spread and roughness at once; the diffuse term cannot tell them apart.
+agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
+    agaa_Surface s;
+    float meanLength;
+    agaa_meanDirection(m.normal, toEye, s.normal, meanLength);
+    if (!folded && meanLength <= m.lengthBound) { // a direction of rounding
+        s.normal = toEye;
+        meanLength = 0.0;
+    }
+    s.diffuse = m.diffuse;
+    s.specular = m.specular;
+    s.emissive = m.emissive;
+    s.alpha2 = 1.0;
+    s.alpha2Along = 0.0;
+    s.axis = vec3(0.0);
+    s.meanLength = agaa_varianceFloor(meanLength, m.lengthBound);
+    if (folded)
+        s.meanLength = 1.0;
+    if (AGAA_HAS_SPECULAR == 0u)
+        return s;
+    if (folded) {
+        s.alpha2 = agaa_alpha2FromFoldedLength(meanLength);
+    } else if (AGAA_NDF >= agaa_ndfLean) {
+        agaa_spreadAlpha2(m.moments, s.normal, meanLength, m.alpha2, AGAA_NDF == agaa_ndfSggx ? 1u : 0u, m.lengthBound,
+                          s.axis, s.alpha2Along, s.alpha2);
+    } else {
+        s.alpha2 = AGAA_NDF != 0u ? agaa_toksvigAlpha2(m.alpha2, s.meanLength) : m.alpha2;
+    }
+    return s;
+}
+
+// By how much alpha grew.
+float agaa_widening(agaa_Means means, agaa_Surface surface) {
+    float widest = max(surface.alpha2, surface.alpha2Along);
+    return AGAA_HAS_SPECULAR == 0u ? 0.0 : max(sqrt(widest) - sqrt(means.alpha2), 0.0);
+}
+
+void agaa_countWidening(agaa_Means means, agaa_Surface surface) {
+    agaa_count(AGAA_COUNT_WIDENED, agaa_widening(means, surface) > 0.0 ? 1u : 0u);
+}
+#endif

@@ -1,0 +1,39 @@
+// The words of a fragment's attributes in an aggregate: quantised values, or their sums.
+#ifndef AGAA_PACKING_GLSL
+#define AGAA_PACKING_GLSL
+#include "math/ndf.glsl"
+#include "common/stored.glsl"
+
+#ifndef AGAA_MAX_WORDS
+// A word for each channel and the coverage at most.
+const uint agaa_maxWords = 1u
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) + 1u
+#include "tables/channels.inc"
+    ;
+#define AGAA_MAX_WORDS agaa_maxWords
+#endif
+uint agaa_packed[AGAA_MAX_WORDS]; // of one fragment, by agaa_packSurface()
+
+void agaa_pack(uint field, float value) {
+    uint bits = agaa_fieldBits(field);
+    if (bits != 0u)
+        agaa_packed[field & 0xFFu] |= (agaa_isSignedField(field) ? agaa_signedCode(value, bits) : agaa_quantise(value, bits))
+                                      << (field >> 8u & 0xFFu);
+}
+
+// The words that a fragment adds to an aggregate for each of its samples.
+void agaa_packSurface(agaa_Stored v) {
+    if (AGAA_FOLDED_ROUGHNESS != 0u)
+        v.normal *= agaa_foldedLength(v.alpha2);
+    if (AGAA_YCBCR_SPECULAR != 0u)
+        v.specular = agaa_rgbToYCbCr(v.specular);
+    for (uint w = 0u; w < AGAA_WORDS; ++w)
+        agaa_packed[w] = 0u;
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) agaa_pack(field, v.member);
+#include "tables/channels.inc"
+}
+
+bool agaa_isUnfilteredWord(uint w) { return (AGAA_UNFILTERED_WORDS >> w & 1u) != 0u; }
+#endif

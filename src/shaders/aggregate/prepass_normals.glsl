@@ -1,0 +1,37 @@
+// Normals of primitives' planes that the prepass leaves of each sample, in the frame of the pixel's view ray. After target.glsl.
+#ifndef AGAA_PREPASS_NORMALS_GLSL
+#define AGAA_PREPASS_NORMALS_GLSL
+#include "math/encoding.glsl"
+#include "common/camera.glsl"
+
+layout(AGAA_BINDING_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
+
+// 0 where there is no geometry.
+uvec2 agaa_prepassCode(uvec2 pixel, uint i) { return uvec2(AGAA_FETCH(agaa_normals, pixel, i).xy * 255.0 + 0.5); }
+
+// To view space.
+mat3 agaa_prepassFrame(uvec2 pixel) {
+    vec2 centre = (vec2(pixel) + 0.5) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
+    vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projection0.x, agaa_frame.projection0.y,
+                                 agaa_frame.projection0.z, agaa_frame.projection0.w,
+                                 agaa_isOrthographic());
+    vec3 v = agaa_isOrthographic() != 0u ? vec3(0.0, 0.0, 1.0) : normalize(-ray);
+    vec3 t, b;
+    agaa_viewBasis(v, t, b);
+    return mat3(t, b, v);
+}
+
+// Mean over those of these samples that have one, in shading space; as long as they agree, and 0 where none has.
+vec3 agaa_meanPrepassNormal(uvec2 pixel, uint mask) {
+    vec3 sum = vec3(0.0);
+    float count = 0.0;
+    for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
+        uvec2 code = agaa_prepassCode(pixel, uint(findLSB(rest)));
+        if (code != uvec2(0u)) {
+            sum += agaa_decodeHemiOct8(code);
+            count += 1.0;
+        }
+    }
+    return agaa_toShadingSpace(agaa_prepassFrame(pixel) * sum) / max(count, 1.0);
+}
+#endif

@@ -1,0 +1,108 @@
+// Shading once per aggregate, weighted by its share of the pixel's samples (AGAA section 3.5), or once per
+// surface that one of its samples represents (SBAA).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "common/lighting.glsl"
+#include "common/output.glsl"
+#include "aggregate/aggregate.glsl"
+#include "math/encoding.glsl"
+#include "math/records.glsl"
+#define AGAA_MAX_EVENTS AGAA_AGGREGATES
+#include "common/tile.glsl"
+
+#ifndef AGAA_HOST_GBUFFER
+#include "aggregate/prepass_normals.glsl"
+#endif
+
+#if AGAA_COUNTING
+#ifdef AGAA_HOST_GBUFFER
+bool agaa_isVisible(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
+#else
+bool agaa_isVisible(uvec2 pixel, uint i) {
+    vec4 texel = AGAA_FETCH(agaa_normals, pixel, i);
+    // Of an id, which is not 0, any byte may be.
+    return AGAA_COVERAGE_COMPONENT < 4u ? texel[AGAA_COVERAGE_COMPONENT & 3u] > 0.0 : texel != vec4(0.0);
+}
+#endif
+#endif
+layout(std430, AGAA_BINDING_AGGREGATES) readonly buffer agaa_AggregateBlock {
+    uint words[];
+} agaa_aggregates;
+
+#define AGAA_AGGREGATE_WORD(i) agaa_aggregates.words[i]
+#define AGAA_IMAGE_WIDTH agaa_frame.size.x
+#define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
+#include "aggregate/stored_aggregate.glsl"
+
+agaa_PixelWork agaa_workOf(uvec2 pixel) {
+    agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
+    uint coveredMask = 0u;
+    uint twice = 0u;
+    for (uint a = 0u; a < AGAA_AGGREGATES; ++a) {
+        agaa_selectAggregate(pixel, a);
+        uint mask = agaa_coverage();
+        work.events[0] |= mask != 0u ? 1u << a : 0u;
+        work.covered += uint(bitCount(mask));
+        twice |= coveredMask & mask;
+        coveredMask |= mask;
+    }
+#if AGAA_COUNTING
+    uint visible = 0u;
+    for (uint i = 0u; i < AGAA_SAMPLES; ++i)
+        if (agaa_isVisible(pixel, i))
+            visible |= 1u << i;
+    uint once = uint(bitCount(visible & coveredMask));
+    agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(visible)));
+    agaa_count(AGAA_COUNT_ONCE, once);
+    agaa_count(AGAA_COUNT_UNCOVERED, uint(bitCount(visible & ~coveredMask)));
+    agaa_count(AGAA_COUNT_OVERLAPPING, work.covered - once);
+    uint uncovered = visible & ~coveredMask;
+    uint overlapping = twice | (coveredMask & ~visible);
+    if ((uncovered | overlapping) != 0u)
+        agaa_reportPixel(pixel, visible, uncovered, overlapping);
+    agaa_countEvents(agaa_eventsOf(work));
+    agaa_count(AGAA_COUNT_AGGREGATES, agaa_eventsOf(work));
+    agaa_count(AGAA_COUNT_PIXELS, work.events[0] != 0u ? 1u : 0u);
+#endif
+    return work;
+}
+
+// normals: samples whose mean it is.
+agaa_Means agaa_meansOfAggregate(uvec2 pixel, uint normals) {
+    agaa_Means means = agaa_meansOfStored(agaa_storedMeans());
+#ifndef AGAA_HOST_GBUFFER
+    if (AGAA_PREPASS_NORMALS != 0u) {
+        means.normal = agaa_meanPrepassNormal(pixel, normals);
+        means.lengthBound = agaa_hemiOct8LengthBound();
+    }
+#endif
+    return means;
+}
+
+vec3 agaa_shadeEvent(uint lane, uint a) {
+    uvec2 pixel = agaa_pixelOf(lane);
+    agaa_selectAggregate(pixel, a);
+    uint mask = agaa_coverage();
+    uint normals = mask;
+    agaa_aggregateSamples = uint(bitCount(mask));
+    vec3 position = agaa_placeAggregate(pixel, mask);
+#if AGAA_REPRESENTED
+    uint shaded = agaa_recordShaded(agaa_record(), AGAA_SAMPLES);
+    normals = 1u << shaded;
+    position = agaa_toShadingSpace(
+        agaa_sampleViewPosition(pixel, shaded, agaa_depthOf(pixel, shaded)));
+#endif
+    return agaa_shadeMeans(pixel, position, a, mask, agaa_meansOfAggregate(pixel, normals), AGAA_FOLDED_ROUGHNESS != 0u);
+}
+
+void main() {
+    agaa_countBegin();
+    agaa_shadeTile();
+    agaa_countEnd();
+}

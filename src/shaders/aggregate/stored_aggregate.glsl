@@ -1,0 +1,63 @@
+// Reading of aggregates from memory, in the SDK's passes and in hosts' own. The including text says by
+// AGAA_AGGREGATE_WORD, AGAA_IMAGE_WIDTH and AGAA_EMISSIVE_RANGE where they are.
+#ifndef AGAA_STORED_AGGREGATE_GLSL
+#define AGAA_STORED_AGGREGATE_GLSL
+#include "aggregate/stored_means.glsl"
+#include "math/encoding.glsl"
+#include "math/ndf.glsl"
+#include "math/records.glsl"
+#include "common/stored.glsl"
+
+uint agaa_base = 0u;   // first word of the aggregate at hand
+uint agaa_aggregateSamples = 0u; // its samples
+
+uint agaa_field(uint field) {
+    uint bits = agaa_fieldBits(field);
+    uint word = AGAA_AGGREGATE_WORD(agaa_base + (field & 0xFFu));
+    return bitfieldExtract(word, int(field >> 8u & 0xFFu), int(bits));
+}
+
+#if AGAA_REPRESENTED
+uvec2 agaa_record() {
+    return uvec2(AGAA_AGGREGATE_WORD(agaa_base + AGAA_WORDS),
+                 AGAA_SAMPLES > 16u ? AGAA_AGGREGATE_WORD(agaa_base + AGAA_WORDS + 1u) : 0u);
+}
+
+// A surface that no fragment was kept for shows nothing.
+uint agaa_coverage() {
+    return agaa_field(AGAA_FIELD_COVERAGE) != 0u ? agaa_recordSamples(agaa_record(), AGAA_SAMPLES) : 0u;
+}
+
+uint agaa_sum(uint field) { return agaa_field(field); }
+uint agaa_summed() { return 1u; }
+#else
+uint agaa_coverage() { return agaa_field(AGAA_FIELD_COVERAGE); }
+
+// Sums take log2(n) bits more than one fragment's value.
+uint agaa_sum(uint field) { return agaa_field(field + (uint(findMSB(AGAA_SAMPLES)) << 16)); }
+
+uint agaa_summed() { return agaa_aggregateSamples; }
+#endif
+
+float agaa_meanOf(uint field) {
+    uint bits = agaa_fieldBits(field);
+    if (bits == 0u)
+        return 0.0;
+    if (agaa_isUnfilteredField(field))
+        return agaa_meanOfSum(agaa_field(field), 1u, bits);
+    return agaa_isSignedField(field) ? agaa_signedMeanOfSum(agaa_sum(field), agaa_summed(), bits)
+                                     : agaa_meanOfSum(agaa_sum(field), agaa_summed(), bits);
+}
+
+agaa_Stored agaa_storedMeans() {
+    agaa_Stored v;
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) v.member = agaa_meanOf(field);
+#include "tables/channels.inc"
+    return v;
+}
+
+void agaa_selectAggregate(uvec2 pixel, uint a) {
+    agaa_base = ((pixel.y * AGAA_IMAGE_WIDTH + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE;
+}
+#endif

@@ -1,0 +1,28 @@
+// Attributes as shading reads them, of those that memory holds. The including text defines AGAA_EMISSIVE_RANGE.
+#ifndef AGAA_STORED_MEANS_GLSL
+#define AGAA_STORED_MEANS_GLSL
+#include "math/encoding.glsl"
+#include "aggregate/means.glsl"
+#include "common/scene_facts.glsl"
+#include "common/stored.glsl"
+
+agaa_Means agaa_meansOfStored(agaa_Stored v) {
+    agaa_Means m;
+    m.moments = agaa_NormalMoments(vec3(0.0), vec3(0.0)); // memory has no place for them
+    m.diffuse = v.diffuse;
+    m.normal = v.normal;
+    m.lengthBound = agaa_storedLengthBound(1u, agaa_fieldBits(AGAA_FIELD_NORMAL_X));
+    m.specular = vec3(0.0);
+    m.alpha2 = 1.0;
+    if (AGAA_HAS_SPECULAR != 0u) {
+        m.specular = AGAA_YCBCR_SPECULAR != 0u ? max(agaa_yCbCrToRgb(v.specular), vec3(0.0)) : agaa_storedSpecular(v.specular);
+        m.alpha2 = agaa_fieldBits(AGAA_FIELD_ROUGHNESS) != 0u ? v.alpha2 : agaa_factAlpha2(1.0);
+    }
+    m.emissive = vec3(0.0);
+    if (AGAA_EMISSIVE_CHANNELS == 3u)
+        m.emissive = AGAA_EMISSIVE_RANGE * v.emissive;
+    if (AGAA_EMISSIVE_CHANNELS == 1u)
+        m.emissive = AGAA_EMISSIVE_RANGE * v.emissive.x * m.diffuse;
+    return m;
+}
+#endif

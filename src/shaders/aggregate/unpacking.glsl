@@ -1,0 +1,21 @@
+// The attributes that words of aggregate/packing.glsl stand for, where they are of one surface, not sums.
+#ifndef AGAA_UNPACKING_GLSL
+#define AGAA_UNPACKING_GLSL
+#include "aggregate/packing.glsl"
+
+float agaa_unpack(uint field) {
+    uint bits = agaa_fieldBits(field);
+    if (bits == 0u)
+        return 0.0;
+    uint code = bitfieldExtract(agaa_packed[field & 0xFFu], int(field >> 8u & 0xFFu), int(bits));
+    return agaa_isSignedField(field) ? agaa_signedMeanOfSum(code, 1u, bits) : agaa_meanOfSum(code, 1u, bits);
+}
+
+agaa_Stored agaa_unpackSurface() {
+    agaa_Stored v;
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) v.member = agaa_unpack(field);
+#include "tables/channels.inc"
+    return v;
+}
+#endif

@@ -1,0 +1,78 @@
+// Counts of a workgroup, added to the frame's 64-bit counts once per group.
+#ifndef AGAA_COUNTERS_GLSL
+#define AGAA_COUNTERS_GLSL
+#define AGAA_COUNTER(index, name, member) const uint name = index;
+#define AGAA_COUNTER_MAX(index, name, member) const uint name = index;
+#define AGAA_COUNTER_FACT(index, name, member, fact) const uint name = index;
+#include "tables/counters.inc"
+#undef AGAA_COUNTER
+#undef AGAA_COUNTER_MAX
+#undef AGAA_COUNTER_FACT
+const uint AGAA_COUNTS = AGAA_COUNT_MAX_EVENTS + 1u;
+
+#if AGAA_COUNTING
+layout(std430, AGAA_BINDING_COUNTERS) coherent buffer agaa_CounterBlock {
+    uint words[2u * AGAA_COUNTS];
+    uint invalidPixelCount; // with uncovered or overlapping samples
+    uint padding;
+    uint invalidPixels[8][14]; // x, y, masks of four words: visible, uncovered, overlapping of the first
+} agaa_counterBuffer;
+
+shared uint agaa_groupCounts[AGAA_COUNTS];
+uint agaa_laneCounts[AGAA_COUNTS]; // the last one: the most events of a pixel
+
+void agaa_countBegin() {
+    if (gl_LocalInvocationIndex < AGAA_COUNTS)
+        agaa_groupCounts[gl_LocalInvocationIndex] = 0u;
+    for (uint i = 0u; i < AGAA_COUNTS; ++i)
+        agaa_laneCounts[i] = 0u;
+    barrier();
+}
+void agaa_count(uint which, uint amount) { agaa_laneCounts[which] += amount; }
+// Of a pixel.
+void agaa_countEvents(uint count) {
+    agaa_laneCounts[AGAA_COUNT_EVENTS] += count;
+    agaa_laneCounts[AGAA_COUNT_MAX_EVENTS] = max(agaa_laneCounts[AGAA_COUNT_MAX_EVENTS], count);
+    if (count != 0u)
+        ++agaa_laneCounts[AGAA_COUNT_PIXELS_OF_1 + min(uint(findMSB(count - 1u) + 1), 5u)];
+}
+// The geometry passes disagree about these samples of the pixel.
+void agaa_reportPixel(uvec2 pixel, uvec4 visible, uvec4 uncovered, uvec4 overlapping) {
+    uint place = atomicAdd(agaa_counterBuffer.invalidPixelCount, 1u);
+    if (place >= 8u)
+        return;
+    agaa_counterBuffer.invalidPixels[place][0] = pixel.x;
+    agaa_counterBuffer.invalidPixels[place][1] = pixel.y;
+    for (uint word = 0u; word < 4u; ++word) {
+        agaa_counterBuffer.invalidPixels[place][2u + word] = visible[word];
+        agaa_counterBuffer.invalidPixels[place][6u + word] = uncovered[word];
+        agaa_counterBuffer.invalidPixels[place][10u + word] = overlapping[word];
+    }
+}
+void agaa_reportPixel(uvec2 pixel, uint visible, uint uncovered, uint overlapping) {
+    agaa_reportPixel(pixel, uvec4(visible, 0u, 0u, 0u), uvec4(uncovered, 0u, 0u, 0u), uvec4(overlapping, 0u, 0u, 0u));
+}
+void agaa_countEnd() {
+    for (uint i = 0u; i < AGAA_COUNT_MAX_EVENTS; ++i)
+        if (agaa_laneCounts[i] != 0u)
+            atomicAdd(agaa_groupCounts[i], agaa_laneCounts[i]);
+    atomicMax(agaa_groupCounts[AGAA_COUNT_MAX_EVENTS], agaa_laneCounts[AGAA_COUNT_MAX_EVENTS]);
+    barrier();
+    uint i = gl_LocalInvocationIndex;
+    // In range for all invocations: Mesa reads the right side of && whatever the left one says.
+    uint count = agaa_groupCounts[min(i, AGAA_COUNT_MAX_EVENTS)];
+    if (i < AGAA_COUNT_MAX_EVENTS && count != 0u) {
+        uint before = atomicAdd(agaa_counterBuffer.words[2u * i], count);
+        if (before + count < before) // carried
+            atomicAdd(agaa_counterBuffer.words[2u * i + 1u], 1u);
+    }
+    if (i == AGAA_COUNT_MAX_EVENTS)
+        atomicMax(agaa_counterBuffer.words[2u * i], count);
+}
+#else
+void agaa_countBegin() {}
+void agaa_count(uint which, uint amount) {}
+void agaa_countEvents(uint count) {}
+void agaa_countEnd() {}
+#endif
+#endif

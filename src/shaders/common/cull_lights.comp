@@ -1,0 +1,121 @@
+// The lights that may reach what each tile of 8 by 8 pixels shows, and the shadows that they need: a bit for each.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "math/light_culling.glsl"
+#include "common/sample_depth.glsl"
+#include "common/lights.glsl"
+#include "tables/light_words.inc"
+#include "common/tile_pixels.glsl"
+
+layout(std430, AGAA_BINDING_LIGHT_MASKS) writeonly buffer agaa_LightMaskBlock {
+    uint words[];
+} agaa_lightMasks;
+
+// Around the samples of the tile in view space.
+struct agaa_Box {
+    vec3 low, high;
+};
+shared uint agaa_tileBox[6];
+shared uint agaa_tileLights[AGAA_LIGHT_WORDS + 1u]; // and shadows in the last
+
+// Keeps the order of numbers.
+uint agaa_orderedBits(float x) {
+    uint bits = floatBitsToUint(x);
+    return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
+}
+float agaa_ofOrderedBits(uint bits) {
+    return uintBitsToFloat((bits & 0x80000000u) != 0u ? bits & 0x7FFFFFFFu : ~bits);
+}
+
+agaa_Box agaa_emptyBox() { return agaa_Box(vec3(3.0e38), vec3(-3.0e38)); }
+
+void agaa_addToTile(agaa_Box box) {
+    if (box.low.x > box.high.x)
+        return;
+    for (uint axis = 0u; axis < 3u; ++axis) {
+        atomicMin(agaa_tileBox[axis], agaa_orderedBits(box.low[axis]));
+        atomicMax(agaa_tileBox[3u + axis], agaa_orderedBits(box.high[axis]));
+    }
+}
+
+agaa_Box agaa_boxOfTile() {
+    agaa_Box box;
+    for (uint axis = 0u; axis < 3u; ++axis) {
+        box.low[axis] = agaa_ofOrderedBits(agaa_tileBox[axis]);
+        box.high[axis] = agaa_ofOrderedBits(agaa_tileBox[3u + axis]);
+    }
+    return box;
+}
+
+// False where the sample shows no geometry. Targets of the SDK show none at the far plane (host/far_plane.glsl).
+bool agaa_readDepth(uvec2 pixel, uint i, out float depth) {
+#ifdef AGAA_HOST_GBUFFER
+    AgaaMaterial material;
+    return agaa_readHost(pixel, i, depth, material);
+#else
+    depth = agaa_depthOf(pixel, i);
+    return depth != float(AGAA_FAR_DEPTH);
+#endif
+}
+
+void agaa_addPixel(uvec2 pixel) {
+    agaa_Box box = agaa_emptyBox();
+    uint i = 0u;
+    do {
+        float depth;
+        bool shows = agaa_readDepth(pixel, i, depth);
+        vec3 at = agaa_sampleViewPosition(pixel, i, depth);
+        box.low = shows ? min(box.low, at) : box.low;
+        box.high = shows ? max(box.high, at) : box.high;
+    } while (++i < agaa_sampleCount());
+    agaa_addToTile(box);
+}
+
+// toView: the inverse of agaa_toShadingSpace(). Hosts' views are rotations up to rounding only.
+bool agaa_reaches(agaa_GpuLight light, agaa_Box box, mat3 toView) {
+    uint type = floatBitsToUint(light.directionType.w);
+    if (type == 0u)
+        return true;
+    vec3 at = toView * light.positionRange.xyz;
+    if (!agaa_rangeReaches(at, light.positionRange.w, box.low, box.high))
+        return false;
+    vec3 middle = 0.5 * (box.low + box.high);
+    vec3 direction = toView * light.directionType.xyz;
+    float size = max(length(direction), 0.5); // about 1
+    return type != 2u || agaa_coneReaches(at, direction / size, light.cone.y / size, middle, length(box.high - middle));
+}
+
+void main() {
+    const uint lane = gl_LocalInvocationIndex;
+    for (uint i = lane; i <= AGAA_LIGHT_WORDS; i += 64u)
+        agaa_tileLights[i] = 0u;
+    if (lane < 6u)
+        agaa_tileBox[lane] = agaa_orderedBits(lane < 3u ? 3.0e38 : -3.0e38);
+    barrier();
+    const uint count = agaa_lightBuffer.shadows[0].lightCount;
+    const bool areFew = count < AGAA_LEAST_CULLED_LIGHTS;
+    uvec2 pixel = agaa_pixelOf(lane);
+    if (!areFew && all(lessThan(pixel, agaa_frame.size.xy)))
+        agaa_addPixel(pixel);
+    barrier();
+    const agaa_Box box = agaa_boxOfTile();
+    const bool isEmpty = box.low.x > box.high.x;
+    const mat3 toView = inverse(transpose(mat3(agaa_frame.view)));
+    for (uint i = lane; i < count; i += 64u)
+        if (areFew || (!isEmpty && agaa_reaches(agaa_lightBuffer.lights[i], box, toView))) {
+            atomicOr(agaa_tileLights[i >> 5u], 1u << (i & 31u));
+            uint map = floatBitsToUint(agaa_lightBuffer.lights[i].colorShadow.w);
+            if (map < 4u)
+                atomicOr(agaa_tileLights[AGAA_LIGHT_WORDS], 1u << map);
+        }
+    barrier();
+    const uint first = agaa_lightMaskAt(gl_WorkGroupID.xy);
+    for (uint i = lane; i <= AGAA_LIGHT_WORDS; i += 64u)
+        agaa_lightMasks.words[first + i] = agaa_tileLights[i];
+}

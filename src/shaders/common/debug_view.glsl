@@ -1,0 +1,69 @@
+// What the output shows in place of radiance (AgaaDebugView).
+#ifndef AGAA_DEBUG_VIEW_GLSL
+#define AGAA_DEBUG_VIEW_GLSL
+#ifndef AGAA_SHADOWS
+#define AGAA_SHADOWS 0
+#endif
+#define AGAA_SHOW_EVENTS 1u
+#define AGAA_SHOW_AGGREGATES 2u
+#define AGAA_SHOW_CLUSTERS 3u
+#define AGAA_SHOW_PRIMITIVES 4u
+#define AGAA_SHOW_LIT 5u
+#define AGAA_SHOW_WIDENED 6u
+#define AGAA_SHOW_FACTS 8u
+
+// Of the pixel at hand; set by passes that know.
+uint agaa_shownPrimitives = 0u;
+bool agaa_shownUnfetched = false; // it has samples of a G-buffer beside ids
+
+// Apart for people who do not see red and green apart (Okabe and Ito 2008).
+vec3 agaa_clusterColor(uint aggregate) {
+    const vec3 colors[6] = vec3[6](vec3(0.0, 0.17, 0.45), vec3(0.79, 0.35, 0.0), vec3(0.0, 0.34, 0.17),
+                                   vec3(0.87, 0.78, 0.05), vec3(0.6, 0.19, 0.39), vec3(0.09, 0.46, 0.81));
+    return colors[min(aggregate, 5u)];
+}
+
+vec3 agaa_tierColor(uint tier) {
+    if (tier == 0u)
+        return vec3(0.5);
+    if (tier == 19u)
+        return vec3(0.0, 0.17, 0.9);
+    if (tier >= 21u)
+        return vec3(0.8, 0.7, 0.0);
+    return tier == 20u ? vec3(0.0, 0.6, 0.2) : vec3(0.9, 0.4, 0.0);
+}
+
+bool agaa_showsEvents() { return AGAA_DEBUG_VIEW != 0u; }
+
+// The event's part in the mean of agaa_shownOfPixel(). diffuse: of its material.
+vec3 agaa_shownOfEvent(uint aggregate, float widening, vec3 diffuse) {
+    if (AGAA_DEBUG_VIEW == AGAA_SHOW_FACTS)
+        return diffuse; // 1 where facts do not hold (common/scene_facts.glsl)
+    if (AGAA_DEBUG_VIEW == AGAA_SHOW_CLUSTERS)
+        return agaa_clusterColor(aggregate);
+    if (AGAA_DEBUG_VIEW == AGAA_SHOW_WIDENED)
+        return vec3(widening);
+#if AGAA_SHADOWS
+    return vec3(agaa_visibility[0]);
+#else
+    return vec3(1.0);
+#endif
+}
+
+vec3 agaa_shownOfPixel(uint events, vec3 mean) {
+    switch (AGAA_DEBUG_VIEW) {
+    case AGAA_SHOW_EVENTS:
+    case AGAA_SHOW_AGGREGATES:
+        return vec3(events);
+    case AGAA_SHOW_PRIMITIVES:
+        return vec3(agaa_shownPrimitives);
+    case AGAA_SHOW_CLUSTERS:
+    case AGAA_SHOW_LIT:
+    case AGAA_SHOW_WIDENED:
+    case AGAA_SHOW_FACTS:
+        return mean;
+    default:
+        return agaa_tierColor(agaa_shownUnfetched ? 19u : AGAA_GENERATION_TIER) * (events == 0u ? 0.0 : events == 1u ? 0.5 : 1.0);
+    }
+}
+#endif

@@ -1,0 +1,197 @@
+// All lights on one surface or aggregate, and the shadow lookups they share.
+#ifndef AGAA_LIGHTING_GLSL
+#define AGAA_LIGHTING_GLSL
+#include "common/camera.glsl"
+#include "math/brdf.glsl"
+#include "math/light.glsl"
+#include "math/ndf.glsl"
+
+#include "common/lights.glsl"
+#include "common/scene_facts.glsl"
+
+#ifndef AGAA_LIT
+#define AGAA_LIT 0
+#endif
+#ifndef AGAA_SHADOW_TEXTURES // 0 where a function of the host's answers for all shadows
+#define AGAA_SHADOW_TEXTURES 1
+#endif
+
+#if AGAA_SHADOWS && AGAA_SHADOW_TEXTURES
+layout(AGAA_BINDING_SHADOW0) uniform sampler2DArrayShadow agaa_shadowMap0;
+layout(AGAA_BINDING_SHADOW1) uniform sampler2DArrayShadow agaa_shadowMap1;
+layout(AGAA_BINDING_SHADOW2) uniform sampler2DArrayShadow agaa_shadowMap2;
+layout(AGAA_BINDING_SHADOW3) uniform sampler2DArrayShadow agaa_shadowMap3;
+
+// The first layer whose clip volume holds the point; outside all of them it is lit. Points behind a
+// layer's eye (w <= 0) would read the mirrored map (hard case 41).
+bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
+    uint layer = 0u; // there is one
+    do {
+        vec4 clip = agaa_lightBuffer.shadows[map].matrices[layer] * vec4(p, 1.0);
+        if (clip.w > 0.0 && abs(clip.x) <= clip.w && abs(clip.y) <= clip.w && clip.z >= 0.0 &&
+            clip.z <= clip.w) {
+            vec3 ndc = clip.xyz / clip.w;
+            coordinate = vec4(ndc.xy * 0.5 + 0.5, float(layer),
+                              ndc.z - agaa_lightBuffer.shadows[map].bias);
+            return true;
+        }
+    } while (++layer < agaa_lightBuffer.shadows[map].layerCount);
+    return false;
+}
+
+#ifndef AGAA_COMPARE // level 0; in fragment shaders there would be derivatives, undefined in branches
+#define AGAA_COMPARE(map, at) texture(map, at)
+#endif
+
+// Samplers are named one by one: drivers without dynamic indexing of sampler arrays run this too.
+float agaa_mapTap(uint map, vec3 p) {
+    vec4 at;
+    if (!agaa_shadowCoordinate(map, p, at))
+        return 1.0;
+    if (map == 0u)
+        return AGAA_COMPARE(agaa_shadowMap0, at);
+    if (AGAA_SHADOW_MAPS > 1u && map == 1u)
+        return AGAA_COMPARE(agaa_shadowMap1, at);
+    if (AGAA_SHADOW_MAPS > 2u && map == 2u)
+        return AGAA_COMPARE(agaa_shadowMap2, at);
+    return AGAA_COMPARE(agaa_shadowMap3, at);
+}
+#else
+float agaa_mapTap(uint map, vec3 p) { return 1.0; }
+#endif
+
+// The light that p gets past shadow `map`; one that the frame has not shades nothing and costs no tap.
+float agaa_shadowTap(uint map, vec3 p) {
+    if (agaa_lightBuffer.shadows[map].layerCount == 0u)
+        return 1.0;
+    agaa_count(AGAA_COUNT_SHADOW_TAPS, 1u);
+#ifdef AGAA_HOST_SHADOWS
+    uint bad = 0u;
+    if ((AGAA_HOST_SHADOWS >> map & 1u) != 0u)
+        return agaa_sanitise(agaaHostShadow(map, p), 0.0, 1.0, bad);
+#endif
+    return agaa_mapTap(map, p);
+}
+
+float agaa_visibility[4]; // per shadow map, for the surface at hand
+#if AGAA_LIT
+agaa_Surface agaa_litSurface[4]; // what the lights of these shadows reach of it
+#endif
+
+// Whether visibility comes with the lit surface, not by taps.
+bool agaa_isLitShadow(uint map) {
+#if AGAA_LIT
+    return (AGAA_LIT_SHADOWS >> map & 1u) != 0u;
+#else
+    return false;
+#endif
+}
+
+uint agaa_reachingShadows = 0xFu; // bits of those whose lights reach the surface at hand
+
+void agaa_addTaps(vec3 position) {
+#if AGAA_SHADOWS
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        if (!agaa_isLitShadow(map) && (agaa_reachingShadows >> map & 1u) != 0u)
+            agaa_visibility[map] += agaa_shadowTap(map, position);
+#endif
+}
+
+vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
+    agaa_GpuLight light = agaa_lightBuffer.lights[index];
+    uint type = floatBitsToUint(light.directionType.w);
+    vec3 toLight = -light.directionType.xyz;
+    float intensity = 1.0;
+    if (type != 0u && !agaa_hasFact(agaa_factNoLocalLights)) {
+        vec3 d = light.positionRange.xyz - position;
+        float d2 = dot(d, d);
+        intensity = agaa_pointAttenuation(d2, light.positionRange.w,
+                                         light.cone.z * light.cone.z);
+        if (intensity <= 0.0)
+            return vec3(0.0);
+        toLight = agaa_lightDirection(d, light.cone.z * light.cone.z);
+        if (type == 2u)
+            intensity *= agaa_spotCone(dot(-toLight, light.directionType.xyz), light.cone.x,
+                                       light.cone.y);
+    }
+    uint map = floatBitsToUint(light.colorShadow.w);
+    if (map < 4u)
+        intensity *= agaa_visibility[map];
+    if (intensity <= 0.0)
+        return vec3(0.0);
+#if AGAA_LIT
+    // By constants, so that surfaces stay in registers.
+    for (uint k = 0u; k < 4u; ++k)
+        if (agaa_isLitShadow(k) && map == k)
+            s = agaa_litSurface[k];
+#endif
+    uint elliptic = AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
+    uint filterDiffuse = agaa_hasFact(agaa_factNoDiffuse) ? 0u : AGAA_FILTER_DIFFUSE;
+    vec3 reflected = agaa_shadeDiffuse(s, toLight, filterDiffuse);
+    if (AGAA_HAS_SPECULAR != 0u) {
+        vec3 both = agaa_shade(s, toEye, toLight, AGAA_BRDF, filterDiffuse, elliptic);
+        reflected = agaa_leavesOut(agaa_factSpecular) ? reflected : both;
+    }
+    return reflected * light.colorShadow.rgb * intensity;
+}
+
+// Lights in the order of the frame, so that the sum is the same whether those that reach nothing are left out.
+vec3 agaa_sumOfLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 sum) {
+    const uint count = agaa_lightBuffer.shadows[0].lightCount;
+    agaa_count(AGAA_COUNT_LIGHTS, count);
+    uint i = 0u;
+    do {
+        if (i < count)
+            sum += agaa_oneLight(s, position, toEye, i);
+    } while (++i < count);
+    return sum;
+}
+
+#ifdef AGAA_BINDING_LIGHT_MASKS
+layout(std430, AGAA_BINDING_LIGHT_MASKS) readonly buffer agaa_LightMaskBlock {
+    uint words[];
+} agaa_lightMasks;
+
+uint agaa_lightMask = 0u; // where the bits of the event's tile are
+
+void agaa_lightPixel(uvec2 pixel) {
+    agaa_lightMask = agaa_lightMaskAt(pixel / 8u);
+    if (AGAA_LIGHT_WORDS != 0u && AGAA_DEBUG_VIEW != 5u) // which shows visibility, lit or not
+        agaa_reachingShadows = agaa_lightMasks.words[agaa_lightMask + AGAA_LIGHT_WORDS];
+}
+
+vec3 agaa_sumOfReachingLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 sum) {
+    uint word = 0u;
+    do {
+        uint left = agaa_lightMasks.words[agaa_lightMask + word];
+        agaa_count(AGAA_COUNT_LIGHTS, uint(bitCount(left)));
+        for (; left != 0u; left &= left - 1u)
+            sum += agaa_oneLight(s, position, toEye, 32u * word + uint(findLSB(left)));
+    } while (++word < agaa_opaque(AGAA_LIGHT_WORDS));
+    return sum;
+}
+#endif
+
+vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
+    vec3 sum = agaa_leavesOut(agaa_factEmissive) ? vec3(0.0) : s.emissive;
+    if (AGAA_HAS_AMBIENT != 0u) {
+        vec3 all = s.diffuse + (agaa_leavesOut(agaa_factSpecular) ? vec3(0.0) : s.specular);
+        sum += agaa_leavesOut(agaa_factAmbient) ? vec3(0.0) : agaa_frame.ambient.rgb * all;
+    }
+#ifdef AGAA_BINDING_LIGHT_MASKS
+    if (AGAA_LIGHT_WORDS != 0u)
+        return agaa_sumOfReachingLights(s, position, toEye, sum);
+#endif
+    return agaa_sumOfLights(s, position, toEye, sum);
+}
+
+// The cost axis of measurements: the same lighting several times over. The offset is zero, which the
+// compiler cannot know.
+vec3 agaa_lightSurface(agaa_Surface s, vec3 position) {
+    vec3 toEye = agaa_toEye(position);
+    vec3 sum = agaa_allLights(s, position, toEye);
+    for (uint i = 1u; i < AGAA_SHADING_COST; ++i)
+        sum += agaa_allLights(s, position + float(i) * agaa_frame.cluster.w, toEye);
+    return AGAA_SHADING_COST > 1u ? sum / float(AGAA_SHADING_COST) : sum;
+}
+#endif

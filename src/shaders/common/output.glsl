@@ -1,0 +1,21 @@
+// The host's image. Shaded colour is composited over the background with the uncovered share.
+#ifndef AGAA_OUTPUT_GLSL
+#define AGAA_OUTPUT_GLSL
+#include "common/background.glsl"
+#include "common/display.glsl"
+
+layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D agaa_output;
+
+void agaa_writeOutput(uvec2 pixel, vec3 color, uint covered) {
+    vec4 below = agaa_frame.background;
+    if (covered < AGAA_SAMPLES) {
+        below = agaa_backgroundPixel(ivec2(pixel));
+        float rest = float(AGAA_SAMPLES - covered) / float(AGAA_SAMPLES);
+        // An empty pixel is exactly the background (hard case 18).
+        color = covered == 0u ? below.rgb : color + below.rgb * rest;
+    }
+    color = min(color, vec3(65504.0)); // brighter is infinite in half floats
+    float alpha = AGAA_LUMA_IN_ALPHA != 0u ? agaa_displayLuma(color) : 1.0;
+    imageStore(agaa_output, ivec2(pixel), vec4(color, alpha));
+}
+#endif

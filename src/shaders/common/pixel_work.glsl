@@ -1,0 +1,44 @@
+// What a pixel has to shade, and what becomes of it.
+#ifndef AGAA_PIXEL_WORK_GLSL
+#define AGAA_PIXEL_WORK_GLSL
+#include "common/debug_view.glsl"
+#include "common/output.glsl"
+
+// Words of a mask of events; a shader with more than 32 a pixel defines it first.
+#ifndef AGAA_EVENT_WORDS
+#define AGAA_EVENT_WORDS 1
+#endif
+
+// Events whose bits are set, each of the kind given.
+struct agaa_PixelWork {
+    uint events[AGAA_EVENT_WORDS];
+    uint kind;    // a multiple of 32 * AGAA_EVENT_WORDS
+    uint covered; // samples with geometry
+};
+
+// events: of the first word.
+agaa_PixelWork agaa_pixelWork(uint events, uint kind, uint covered) {
+    agaa_PixelWork work;
+    for (uint word = 0u; word < uint(AGAA_EVENT_WORDS); ++word)
+        work.events[word] = word == 0u ? events : 0u;
+    work.kind = kind;
+    work.covered = covered;
+    return work;
+}
+
+uint agaa_eventsOf(agaa_PixelWork work) {
+    uint count = 0u;
+    for (uint word = 0u; word < uint(AGAA_EVENT_WORDS); ++word)
+        count += uint(bitCount(work.events[word]));
+    return count;
+}
+
+void agaa_writePixel(uvec2 pixel, agaa_PixelWork work, vec3 color) {
+    if (AGAA_DEBUG_VIEW != 0u) {
+        vec3 mean = color / float(max(work.covered, 1u));
+        agaa_writeOutput(pixel, agaa_shownOfPixel(agaa_eventsOf(work), mean), AGAA_SAMPLES);
+    } else {
+        agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), work.covered);
+    }
+}
+#endif

@@ -1,0 +1,17 @@
+// Depth of a sample, as the depth buffer holds it.
+#ifndef AGAA_SAMPLE_DEPTH_GLSL
+#define AGAA_SAMPLE_DEPTH_GLSL
+#include "common/host_samples.glsl"
+#ifdef AGAA_HOST_GBUFFER
+float agaa_depthOf(uvec2 pixel, uint i) {
+    float depth;
+    AgaaMaterial material;
+    agaa_readHost(pixel, i, depth, material);
+    return depth;
+}
+#else
+layout(AGAA_BINDING_DEPTH) uniform AGAA_TARGET_TEXTURE agaa_depth;
+
+float agaa_depthOf(uvec2 pixel, uint i) { return AGAA_FETCH(agaa_depth, pixel, i).x; }
+#endif
+#endif

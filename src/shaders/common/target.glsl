@@ -1,0 +1,42 @@
+// Texels of the scaled, multisampled target by pixel and sample.
+#ifndef AGAA_TARGET_GLSL
+#define AGAA_TARGET_GLSL
+#include "common/camera.glsl"
+#include "math/depth.glsl"
+#include "math/sanitise.glsl"
+#include "common/host_code.glsl"
+
+#ifndef AGAA_MULTISAMPLED // passes that read no target
+#define AGAA_MULTISAMPLED 0
+#endif
+#if AGAA_MULTISAMPLED
+#define AGAA_TARGET_TEXTURE sampler2DMS
+#define AGAA_FETCH(image, pixel, i) texelFetch(image, agaaTexel(pixel, i), agaaTexelSample(i))
+#else
+#define AGAA_TARGET_TEXTURE sampler2D
+#define AGAA_FETCH(image, pixel, i) texelFetch(image, agaaTexel(pixel, i), 0)
+#endif
+
+float agaa_sampleViewZ(float depth) {
+    return agaa_viewZFromDepth(depth, agaa_frame.projection1.x, agaa_frame.projection1.y,
+                               agaa_isOrthographic());
+}
+
+// A step of the depth buffer at this depth; of float formats it is relative.
+float agaa_storedQuantum(float depth) {
+    float quantum = agaa_frame.projection1.w;
+    return quantum < 0.0 ? -quantum * depth : quantum;
+}
+
+// place: in the pixel, [0,1].
+vec3 agaa_placeViewPosition(uvec2 pixel, vec2 place, float depth) {
+    vec2 ndc = (vec2(pixel) + place) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
+    return agaa_viewPosition(ndc, agaa_sampleViewZ(depth), agaa_frame.projection0.x,
+                             agaa_frame.projection0.y, agaa_frame.projection0.z,
+                             agaa_frame.projection0.w, agaa_isOrthographic());
+}
+
+vec3 agaa_sampleViewPosition(uvec2 pixel, uint i, float depth) {
+    return agaa_placeViewPosition(pixel, agaa_sampleLocation(i), depth);
+}
+#endif

@@ -1,0 +1,34 @@
+// Lists of fragments that carry their materials.
+#ifndef AGAA_CARRIED_FRAGMENTS_GLSL
+#define AGAA_CARRIED_FRAGMENTS_GLSL
+#define AGAA_CARRIES_MATERIALS
+#include "coverage/carried.glsl"
+#define AGAA_PAYLOAD_WORDS AGAA_CARRIED_WORDS
+#include "math/coverage_pattern.glsl"
+#include "coverage/list_order.glsl"
+#include "coverage/surface_spread.glsl"
+#include "aggregate/unpacking.glsl"
+
+#define AGAA_PLANE_WORD (2u + AGAA_SAMPLES / 32u)
+
+vec3 agaa_keptPlane(uint record) {
+    uint at = record + AGAA_PLANE_WORD;
+    return vec3(uintBitsToFloat(agaa_fragments.words[at]), agaa_unpackSlopes(agaa_fragments.words[at + 1u]));
+}
+
+vec3 agaa_keptNormal(uint record) { return agaa_unpackNormal(agaa_fragments.words[record + AGAA_PLANE_WORD + 2u]); }
+
+agaa_NormalSpread agaa_keptSpread(uint record) {
+    uint at = record + AGAA_PLANE_WORD + 3u;
+    vec3 normal = agaa_keptNormal(record);
+    return AGAA_SPREAD_WORDS == 0u
+               ? agaa_noSpread(normal)
+               : agaa_unpackSpread(normal, uvec2(agaa_fragments.words[at], agaa_fragments.words[at + 1u]));
+}
+
+agaa_Stored agaa_keptMaterial(uint record) {
+    for (uint w = 0u; w < AGAA_WORDS; ++w)
+        agaa_packed[w] = agaa_fragments.words[record + AGAA_PLANE_WORD + 3u + AGAA_SPREAD_WORDS + w];
+    return agaa_unpackSurface();
+}
+#endif

@@ -1,0 +1,44 @@
+// Where a surface with coverage samples is shaded, how much light gets past shadows there, and how its lobe widens.
+#ifndef AGAA_COVERED_PLACE_GLSL
+#define AGAA_COVERED_PLACE_GLSL
+#include "math/surface_resolve.glsl"
+#include "coverage/covered_surface.glsl"
+#include "coverage/surface_spread.glsl"
+
+// offset: from the pixel's centre, in pixels.
+vec3 agaa_surfacePosition(uvec2 pixel, vec3 plane, vec2 offset) {
+    float depth = agaa_deviceDepth(plane.x + dot(plane.yz, offset));
+    return agaa_toShadingSpace(agaa_placeViewPosition(pixel, offset + 0.5, depth));
+}
+
+// The depth plane of what shows at a sample: the surface's, or what the including text finds by an AGAA_SHOWN of its own.
+#ifdef AGAA_SHOWN
+vec3 agaa_shownPlane(AGAA_SHOWN shown, uint sampleOf);
+#else
+#define AGAA_SHOWN vec3
+vec3 agaa_shownPlane(vec3 plane, uint sampleOf) { return plane; }
+#endif
+
+// Shadow taps at up to AGAA_SHADOW_TAPS of the samples, evenly chosen, or in their middle.
+void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
+#if AGAA_SHADOWS
+    uint count = agaa_coverageCount(mask);
+    uint taps = AGAA_SHADOW_FILTER != 0u ? min(count, AGAA_SHADOW_TAPS) : 1u;
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] = 0.0;
+    if (taps == 1u)
+        agaa_addTaps(position);
+    for (uint j = 0u; j < taps && taps > 1u; ++j) {
+        uint sampleOf = agaa_coveredSample(mask, (2u * j + 1u) * count / (2u * taps));
+        agaa_addTaps(agaa_surfacePosition(pixel, agaa_shownPlane(shown, sampleOf), agaa_coveragePosition(sampleOf, AGAA_SAMPLES)));
+    }
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] /= float(taps);
+#endif
+}
+
+// s: with the lobe of its material alone.
+void agaa_widenSurface(inout agaa_Surface s, agaa_NormalSpread spread) {
+    agaa_widenBySpread(spread, s.alpha2, AGAA_NDF == agaa_ndfSggx ? 1u : 0u, s.axis, s.alpha2Along, s.alpha2);
+}
+#endif

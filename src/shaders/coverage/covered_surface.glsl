@@ -1,0 +1,43 @@
+// Surfaces of `dcaa` in memory. The words of one: its coverage, the depth at the pixel's centre, the growth of depth per
+// pixel in x and in y (16 bits each: sign, 8 bits of exponent, 7 of mantissa), the normal (octahedral, 16 bits each), with
+// elliptic lobes how normals spread (coverage/surface_spread.glsl), then its material (aggregate/packing.glsl). No coverage: there is no surface. Depths grow away from the eye; reversed ones are
+// negated.
+#ifndef AGAA_COVERED_SURFACE_GLSL
+#define AGAA_COVERED_SURFACE_GLSL
+#include "math/surface_merge.glsl"
+#include "coverage/packed_plane.glsl"
+
+#define AGAA_MASK_WORDS (AGAA_SAMPLES / 32u)
+#define AGAA_DEPTH_WORD AGAA_MASK_WORDS
+#define AGAA_SLOPE_WORD (AGAA_MASK_WORDS + 1u)
+#define AGAA_NORMAL_WORD (AGAA_MASK_WORDS + 2u)
+#define AGAA_SPREAD_WORD (AGAA_MASK_WORDS + 3u)
+#define AGAA_MATERIAL_WORD (AGAA_SPREAD_WORD + AGAA_SPREAD_WORDS)
+
+#ifndef AGAA_IN_TARGETS
+#define AGAA_IN_TARGETS 0
+#endif
+
+// Where the words of one begin: in a buffer of all pixels, or with AGAA_IN_TARGETS among those of the pixel.
+uint agaa_surfaceBase(uvec2 pixel, uint a) {
+#if AGAA_IN_TARGETS
+    return a * AGAA_STRIDE;
+#else
+    return ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE;
+#endif
+}
+
+agaa_CoveredSurface agaa_surfaceOfWords(uvec4 mask, uint depth, uint slopes, uint normal) {
+    vec3 plane = vec3(uintBitsToFloat(depth), agaa_unpackSlopes(slopes));
+    float reach = 0.5 * (abs(plane.y) + abs(plane.z));
+    return agaa_CoveredSurface(mask, plane, vec2(plane.x - reach, plane.x + reach), agaa_unpackNormal(normal));
+}
+
+// As memory gives it back.
+agaa_CoveredSurface agaa_asStored(agaa_CoveredSurface s) {
+    return agaa_surfaceOfWords(s.mask, floatBitsToUint(s.plane.x), agaa_packSlopes(s.plane.yz), agaa_packNormal(s.normal));
+}
+
+// The depth buffer's, by a depth that grows away from the eye.
+float agaa_deviceDepth(float depth) { return AGAA_FAR_DEPTH != 0u ? depth : -depth; }
+#endif

@@ -1,0 +1,34 @@
+// Words of the buffer of lists: counts, the first fragment of each pixel, where the scene may be drawn again a word for each
+// tile of 8 by 8 pixels, then the fragments.
+//
+// A fragment is the id of its primitive, the next fragment of its pixel, its coverage, and AGAA_PAYLOAD_WORDS of the passes that
+// read lists. Fragments are numbered from 1; 0 ends a list.
+//
+// Batches: the first draw of the scene counts the fragments of each tile. If all of them found room, it was the only one.
+// Otherwise tiles are divided among further draws, which keep the fragments of their tiles alone.
+#ifndef AGAA_FRAGMENT_LAYOUT_GLSL
+#define AGAA_FRAGMENT_LAYOUT_GLSL
+#define AGAA_LIST_COUNT 0u   // fragments that asked for a place in this draw
+#define AGAA_LIST_BATCH 1u   // number of this draw
+#define AGAA_LIST_BATCHES 2u // draws that are needed, known after the first
+#define AGAA_LIST_PREDICATE 3u // 0: no further draw is needed
+#define AGAA_LIST_HEADS 16u  // where the first fragments begin
+#ifndef AGAA_PAYLOAD_WORDS
+#define AGAA_PAYLOAD_WORDS 0u // of a fragment, that passes after the draw of the scene write
+#endif
+#define AGAA_FRAGMENT_WORDS (2u + AGAA_SAMPLES / 32u + AGAA_PAYLOAD_WORDS)
+
+uint agaa_headOf(uvec2 pixel, uvec2 size) { return AGAA_LIST_HEADS + pixel.y * size.x + pixel.x; }
+
+uvec2 agaa_tilesOf(uvec2 size) { return (size + 7u) / 8u; }
+
+// Of the first draw the number of its fragments, then the draw that keeps them.
+uint agaa_tileOf(uvec2 pixel, uvec2 size) {
+    return AGAA_LIST_HEADS + size.x * size.y + pixel.y / 8u * agaa_tilesOf(size).x + pixel.x / 8u;
+}
+
+uint agaa_recordOf(uint fragment, uvec2 size, bool hasBatches) {
+    uvec2 tiles = hasBatches ? agaa_tilesOf(size) : uvec2(0u);
+    return AGAA_LIST_HEADS + size.x * size.y + tiles.x * tiles.y + (fragment - 1u) * AGAA_FRAGMENT_WORDS;
+}
+#endif

@@ -1,0 +1,28 @@
+// The buffer of lists of fragments.
+#ifndef AGAA_FRAGMENT_WORDS_GLSL
+#define AGAA_FRAGMENT_WORDS_GLSL
+#include "coverage/fragment_layout.glsl"
+
+#ifndef AGAA_LISTS_QUALIFIER
+#define AGAA_LISTS_QUALIFIER // coherent: lanes read what others wrote
+#endif
+layout(std430, AGAA_BINDING_FRAGMENTS) AGAA_LISTS_QUALIFIER buffer agaa_FragmentBlock {
+    uint words[];
+} agaa_fragments;
+bool agaa_hasBatches() { return agaa_opaque(agaa_frame.counts.z) > 1u; }
+uint agaa_record(uint fragment) { return agaa_recordOf(fragment, agaa_frame.size.xy, agaa_hasBatches()); }
+
+uvec4 agaa_maskOf(uint record) {
+    uvec4 mask = uvec4(0u);
+    for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
+        mask[word] = agaa_fragments.words[record + 2u + word];
+    return mask;
+}
+
+void agaa_setMask(uint record, uvec4 mask) {
+    for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
+        agaa_fragments.words[record + 2u + word] = mask[word];
+}
+
+uint agaa_nextOf(uint record) { return agaa_fragments.words[record + 1u]; }
+#endif

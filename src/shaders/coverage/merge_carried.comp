@@ -1,0 +1,24 @@
+// Merges the fragments of each pixel, which carry their materials, into surfaces in memory (DCAA sections 3.2 and 3.3).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "math/light.glsl"
+#include "common/tile_pixels.glsl"
+#include "coverage/carried_fragments.glsl"
+#include "coverage/covered_surface.glsl"
+
+bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread) {
+    s.mask = agaa_maskOf(record);
+    s.plane = agaa_keptPlane(record);
+    s.normal = agaa_keptNormal(record);
+    s = agaa_asStored(s);
+    own = agaa_keptMaterial(record);
+    spread = agaa_keptSpread(record);
+    return true;
+}
+#include "coverage/merge_lists.glsl"

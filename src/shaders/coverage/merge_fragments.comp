@@ -1,0 +1,37 @@
+// Merges the fragments of each pixel into surfaces in memory, whose materials the host fetches by id (DCAA sections 3.2 and
+// 3.3).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "math/light.glsl"
+#include "common/tile_pixels.glsl"
+#include "coverage/sorted_list.glsl"
+#include "coverage/covered_surface.glsl"
+#include "ids/stored_material.glsl"
+#include "coverage/surface_spread.glsl"
+
+bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread) {
+    s.mask = agaa_maskOf(record);
+    AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
+    agaa_DepthPlane plane = agaa_planeOf(p, pixel);
+    if (agaa_isFar(plane))
+        return false;
+    agaa_moveTo(p, pixel, agaa_coverageMiddle(s.mask, AGAA_SAMPLES) + 0.5);
+    AgaaMaterial m = agaa_fetchMaterialThere(p);
+    if (AGAA_SPREAD_WORDS == 0u)
+        agaa_widenByCurvature(m, s.mask);
+    s.plane = agaa_growingDepth(plane);
+    s.normal = m.normal;
+    s = agaa_asStored(s);
+    own = agaa_storedMaterial(m);
+    spread = agaa_noSpread(s.normal);
+    if (AGAA_SPREAD_WORDS != 0u)
+        spread = agaa_spreadOfFragment(s.normal, m.normalDx, m.normalDy, s.mask);
+    return true;
+}
+#include "coverage/merge_lists.glsl"

@@ -1,0 +1,60 @@
+// Merges the fragments of each pixel, in the order of their ids, into surfaces in memory. The including text defines
+// bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread),
+// which is false for what is not shown.
+layout(std430, AGAA_BINDING_AGGREGATES) buffer agaa_SurfaceBlock {
+    uint words[];
+} agaa_surfaces;
+uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
+void agaa_setSurfaces(uint word, uint value) { agaa_surfaces.words[word] = value; }
+#include "coverage/merged_surfaces.glsl"
+
+void agaa_mergePixel(uvec2 pixel) {
+    agaa_keptCount = 0u;
+    uint fragment = agaa_sortList(pixel);
+    while (fragment != 0u) {
+        uint record = agaa_record(fragment);
+        agaa_CoveredSurface s;
+        agaa_Stored own;
+        agaa_NormalSpread spread;
+        if (agaa_readFragment(pixel, record, s, own, spread))
+            agaa_insertFragment(pixel, s, own, spread);
+        fragment = agaa_fragments.words[record + 1u];
+    }
+    for (uint a = 0u; a < agaa_aggregateLimit(); ++a) {
+        uint base = agaa_surfaceBase(pixel, a);
+        if (a < agaa_keptCount)
+            agaa_storeSurface(base, agaa_kept[a]);
+        for (uint word = 0u; word < AGAA_MASK_WORDS && a >= agaa_keptCount; ++word)
+            agaa_setSurfaces(base + word, 0u);
+    }
+}
+
+// Whether this draw kept all fragments of the group's tile.
+bool agaa_isTileInBatch() {
+    if (!agaa_hasBatches())
+        return true;
+    uint batch = agaa_fragments.words[AGAA_LIST_BATCH];
+    if (agaa_fragments.words[AGAA_LIST_BATCHES] == 1u)
+        return batch == 0u;
+    return batch != 0u && agaa_fragments.words[agaa_tileOf(gl_WorkGroupID.xy * 8u, agaa_frame.size.xy)] == batch;
+}
+
+// Whether anything is left for this draw.
+bool agaa_isDrawNeeded() {
+    uint batch = agaa_fragments.words[AGAA_LIST_BATCH];
+    return batch == 0u || batch < agaa_fragments.words[AGAA_LIST_BATCHES];
+}
+
+void main() {
+    agaa_countBegin();
+    if (gl_WorkGroupID.xy == uvec2(0u) && gl_LocalInvocationIndex == 0u && agaa_isDrawNeeded())
+        agaa_count(AGAA_COUNT_BATCHES, 1u);
+    uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
+    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
+    bool turn = agaa_isTileInBatch();
+    if (isInside && turn)
+        agaa_mergePixel(pixel);
+    else if (isInside && agaa_fragments.words[AGAA_LIST_BATCH] == 0u)
+        agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size.xy)] = 0u; // a further draw makes the list anew
+    agaa_countEnd();
+}

@@ -1,0 +1,109 @@
+// Fragments that merge into a pixel's surfaces in memory (DCAA sections 3.2 and 3.3). The including text has
+// agaa_readSurfaces(word), agaa_setSurfaces(word, value) and agaa_count(counter, amount).
+#ifndef AGAA_MERGED_SURFACES_GLSL
+#define AGAA_MERGED_SURFACES_GLSL
+#include "coverage/covered_surface.glsl"
+#include "aggregate/packing.glsl"
+#include "coverage/surface_spread.glsl"
+#include "aggregate/unpacking.glsl"
+
+// Of the pixel's surface at `base`.
+agaa_Stored agaa_loadMaterial(uint base) {
+    for (uint w = 0u; w < AGAA_WORDS; ++w)
+        agaa_packed[w] = agaa_readSurfaces(base + AGAA_MATERIAL_WORD + w);
+    return agaa_unpackSurface();
+}
+
+// The share is of b. normalLength: of the mean normal, by which lobes widen.
+agaa_Stored agaa_mixMaterials(agaa_Stored a, agaa_Stored b, float share, float normalLength) {
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) a.member += (b.member - a.member) * share;
+#include "tables/channels.inc"
+    if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF != 0u && AGAA_SPREAD_WORDS == 0u)
+        a.alpha2 = agaa_toksvigAlpha2(a.alpha2, normalLength);
+    return a;
+}
+
+agaa_NormalSpread agaa_loadSpread(uint base) {
+    vec3 normal = agaa_unpackNormal(agaa_readSurfaces(base + AGAA_NORMAL_WORD));
+    uint at = base + AGAA_SPREAD_WORD;
+    return agaa_unpackSpread(normal, uvec2(agaa_readSurfaces(at), agaa_readSurfaces(at + 1u)));
+}
+
+// Memory has the normal that the spread is of.
+void agaa_giveSpread(uint base, agaa_NormalSpread spread, float share, vec3 normal) {
+    if (share < 1.0)
+        spread = agaa_mixSpreads(agaa_loadSpread(base), spread, share, normal);
+    uvec2 words = agaa_packSpread(spread);
+    agaa_setSurfaces(base + AGAA_NORMAL_WORD, agaa_packNormal(normal));
+    agaa_setSurfaces(base + AGAA_SPREAD_WORD, words.x);
+    agaa_setSurfaces(base + AGAA_SPREAD_WORD + 1u, words.y);
+}
+
+// Lets a surface have this share of another material.
+void agaa_giveMaterial(uint base, agaa_Stored v, float share, float normalLength) {
+    if (share < 1.0)
+        v = agaa_mixMaterials(agaa_loadMaterial(base), v, share, normalLength);
+    agaa_packSurface(v);
+    for (uint w = 0u; w < AGAA_WORDS; ++w)
+        agaa_setSurfaces(base + AGAA_MATERIAL_WORD + w, agaa_packed[w]);
+}
+
+void agaa_countInsertion(agaa_Insertion done, bool isNew) {
+    bool gave = done.from != AGAA_NO_SURFACE || (done.to != AGAA_NO_SURFACE && done.share < 1.0);
+    if (done.isSecond)
+        agaa_count(gave ? AGAA_COUNT_MERGED_SECOND : AGAA_COUNT_DISCARDED, 1u);
+    else if (!isNew)
+        agaa_count(AGAA_COUNT_MERGED_FIRST, 1u);
+    agaa_count(AGAA_COUNT_LOST_SAMPLES, done.lost);
+}
+
+agaa_MergeRules agaa_mergeRules() {
+    return agaa_MergeRules(agaa_aggregateLimit(), agaa_frame.surface.x, 0.0, AGAA_MERGE_RULE);
+}
+
+// s: as stored. own: its material; spread: of its normals. Materials and spreads are in memory, all else in agaa_kept.
+// Returns what became of it.
+agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stored own, agaa_NormalSpread spread) {
+    agaa_MergeRules rules = agaa_mergeRules();
+    rules.slack = abs(s.plane.x) * 9.5367e-7;
+    uint before = agaa_keptCount;
+    agaa_Insertion done = agaa_insertSurface(s, rules);
+    agaa_countInsertion(done, agaa_keptCount > before);
+    if (done.from != AGAA_NO_SURFACE) {
+        uint from = agaa_surfaceBase(pixel, done.from);
+        agaa_Stored moving = agaa_loadMaterial(from);
+        agaa_NormalSpread moved = spread;
+        if (AGAA_SPREAD_WORDS != 0u)
+            moved = agaa_loadSpread(from);
+        if (done.into == rules.limit) {
+            own = agaa_mixMaterials(own, moving, done.moved, done.movedLength);
+            if (AGAA_SPREAD_WORDS != 0u)
+                spread = agaa_mixSpreads(spread, moved, done.moved, agaa_asStored(agaa_kept[done.to]).normal);
+        } else {
+            uint into = agaa_surfaceBase(pixel, done.into);
+            agaa_giveMaterial(into, moving, done.moved, done.movedLength);
+            agaa_keep(done.into, agaa_asStored(agaa_kept[done.into]));
+            if (AGAA_SPREAD_WORDS != 0u)
+                agaa_giveSpread(into, moved, done.moved, agaa_kept[done.into].normal);
+        }
+    }
+    if (done.to != AGAA_NO_SURFACE) {
+        uint to = agaa_surfaceBase(pixel, done.to);
+        agaa_giveMaterial(to, own, done.share, done.shareLength);
+        agaa_keep(done.to, agaa_asStored(agaa_kept[done.to]));
+        if (AGAA_SPREAD_WORDS != 0u)
+            agaa_giveSpread(to, spread, done.share, agaa_kept[done.to].normal);
+    }
+    return done;
+}
+
+// All but the material.
+void agaa_storeSurface(uint base, agaa_CoveredSurface s) {
+    for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
+        agaa_setSurfaces(base + word, s.mask[word]);
+    agaa_setSurfaces(base + AGAA_DEPTH_WORD, floatBitsToUint(s.plane.x));
+    agaa_setSurfaces(base + AGAA_SLOPE_WORD, agaa_packSlopes(s.plane.yz));
+    agaa_setSurfaces(base + AGAA_NORMAL_WORD, agaa_packNormal(s.normal));
+}
+#endif

@@ -1,0 +1,20 @@
+// Between two draws of the scene.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 64) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "coverage/fragment_layout.glsl"
+
+layout(std430, AGAA_BINDING_FRAGMENTS) buffer agaa_FragmentBlock {
+    uint words[];
+} agaa_fragments;
+
+void main() {
+    if (gl_LocalInvocationIndex != 0u)
+        return;
+    uint next = agaa_fragments.words[AGAA_LIST_BATCH] + 1u;
+    agaa_fragments.words[AGAA_LIST_COUNT] = 0u;
+    agaa_fragments.words[AGAA_LIST_BATCH] = next;
+    agaa_fragments.words[AGAA_LIST_PREDICATE] = next < agaa_fragments.words[AGAA_LIST_BATCHES] ? 1u : 0u;
+}

@@ -1,0 +1,29 @@
+// Shades each fragment of a pixel that shows at a sample, with the material that it carries. DCAA's reference.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "common/lighting.glsl"
+#include "common/output.glsl"
+#include "common/debug_view.glsl"
+#include "common/tile_pixels.glsl"
+#include "coverage/covered_place.glsl"
+#include "coverage/carried_fragments.glsl"
+#define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
+#include "aggregate/stored_means.glsl"
+
+void agaa_keepPlanes(uvec2 pixel, uint head) {} // fragments carry them
+#include "coverage/list_visibility.glsl"
+
+agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle) {
+    agaa_Means m = agaa_meansOfStored(agaa_keptMaterial(record));
+    agaa_Surface s = agaa_Surface(m.diffuse, m.specular, m.emissive, agaa_keptNormal(record), 1.0, m.alpha2, 0.0, vec3(0.0));
+    if (AGAA_SPREAD_WORDS != 0u)
+        agaa_widenSurface(s, agaa_keptSpread(record));
+    return s;
+}
+#include "coverage/shade_lists.glsl"

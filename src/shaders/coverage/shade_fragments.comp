@@ -1,0 +1,28 @@
+// Shades each fragment of a pixel that shows at a sample, with the material that the host fetches by id. DCAA's reference.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "common/lighting.glsl"
+#include "common/output.glsl"
+#include "common/debug_view.glsl"
+#include "common/tile_pixels.glsl"
+#include "coverage/covered_place.glsl"
+#include "coverage/shown_fragments.glsl"
+
+agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle) {
+    AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
+    agaa_moveTo(p, pixel, middle + 0.5);
+    AgaaMaterial m = agaa_fetchMaterialThere(p);
+    if (AGAA_NDF < agaa_ndfLean)
+        agaa_widenByCurvature(m, mask);
+    agaa_Surface s = agaa_surfaceOfMaterial(m);
+    if (AGAA_NDF >= agaa_ndfLean)
+        agaa_widenSurface(s, agaa_spreadOfFragment(s.normal, m.normalDx, m.normalDy, mask));
+    return s;
+}
+#include "coverage/shade_lists.glsl"

@@ -1,0 +1,112 @@
+// Shades each surface of `dcaa` once, weighted by the samples that it shows (DCAA section 3.4).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define AGAA_REPRESENTED 1
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "common/lighting.glsl"
+#include "common/output.glsl"
+#include "coverage/covered_surface.glsl"
+#define AGAA_MAX_EVENTS AGAA_AGGREGATES
+#include "common/tile.glsl"
+
+#if AGAA_IN_TARGETS
+layout(AGAA_BINDING_SURFACE0) uniform usampler2DArray agaa_surfaces; // four words a layer
+uvec2 agaa_surfacesOf = uvec2(0u);
+void agaa_seekSurfaces(uvec2 pixel) { agaa_surfacesOf = pixel; }
+uint agaa_readSurfaces(uint word) { return texelFetch(agaa_surfaces, ivec3(agaa_surfacesOf, word >> 2u), 0)[word & 3u]; }
+#else
+layout(std430, AGAA_BINDING_AGGREGATES) readonly buffer agaa_SurfaceBlock {
+    uint words[];
+} agaa_surfaces;
+void agaa_seekSurfaces(uvec2 pixel) {}
+uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
+#endif
+
+#define AGAA_AGGREGATE_WORD(i) agaa_readSurfaces(i)
+#define AGAA_IMAGE_WIDTH agaa_frame.size.x
+#define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
+#include "aggregate/stored_aggregate.glsl"
+#include "coverage/covered_place.glsl"
+
+shared uvec4 agaa_shown[64u * AGAA_AGGREGATES]; // of each surface, the samples that show it
+
+uvec4 agaa_loadMask(uint base) {
+    uvec4 mask = uvec4(0u);
+    for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
+        mask[word] = agaa_readSurfaces(base + word);
+    return mask;
+}
+
+vec3 agaa_loadPlane(uint base) {
+    return vec3(uintBitsToFloat(agaa_readSurfaces(base + AGAA_DEPTH_WORD)),
+                agaa_unpackSlopes(agaa_readSurfaces(base + AGAA_SLOPE_WORD)));
+}
+
+// Returns the samples that surface a loses to the others.
+uvec4 agaa_hiddenSamples(uvec2 pixel, uint a, uvec4 mask, vec3 plane) {
+    uvec4 hidden = uvec4(0u);
+    for (uint other = 0u; other < agaa_aggregateLimit(); ++other) {
+        uint base = agaa_surfaceBase(pixel, other);
+        uvec4 both = agaa_loadMask(base) & mask;
+        if (other != a && agaa_coverageCount(both) != 0u)
+            hidden |= agaa_samplesBehind(plane, agaa_loadPlane(base), both, other < a, AGAA_SAMPLES);
+    }
+    return hidden;
+}
+
+agaa_PixelWork agaa_workOf(uvec2 pixel) {
+    agaa_seekSurfaces(pixel);
+    agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
+    uint first = gl_LocalInvocationIndex * AGAA_AGGREGATES;
+    for (uint a = 0u; a < agaa_aggregateLimit(); ++a) {
+        uint base = agaa_surfaceBase(pixel, a);
+        uvec4 mask = agaa_loadMask(base);
+        if (agaa_coverageCount(mask) != 0u)
+            mask &= ~agaa_hiddenSamples(pixel, a, mask, agaa_loadPlane(base));
+        agaa_shown[first + a] = mask;
+        uint count = agaa_coverageCount(mask);
+        work.events[0] |= count != 0u ? 1u << a : 0u;
+        work.covered += count;
+    }
+    agaa_countEvents(agaa_eventsOf(work));
+    agaa_count(AGAA_COUNT_VISIBLE, work.covered);
+    agaa_count(AGAA_COUNT_ONCE, work.covered);
+    agaa_count(AGAA_COUNT_AGGREGATES, agaa_eventsOf(work));
+    agaa_count(AGAA_COUNT_PIXELS, work.events[0] != 0u ? 1u : 0u);
+    return work;
+}
+
+vec3 agaa_shadeEvent(uint lane, uint a) {
+    uvec2 pixel = agaa_pixelOf(lane);
+    agaa_seekSurfaces(pixel);
+    uint base = agaa_surfaceBase(pixel, a);
+    uvec4 mask = agaa_shown[lane * AGAA_AGGREGATES + a];
+    vec3 plane = agaa_loadPlane(base);
+    vec3 position = agaa_surfacePosition(pixel, plane, agaa_coverageMiddle(mask, AGAA_SAMPLES));
+    agaa_tapSurface(pixel, plane, mask, position);
+    float weight = float(agaa_coverageCount(mask));
+    agaa_base = base + AGAA_MATERIAL_WORD;
+    agaa_Means m = agaa_meansOfStored(agaa_storedMeans());
+    agaa_Surface s = agaa_Surface(m.diffuse, m.specular, m.emissive,
+                                  agaa_unpackNormal(agaa_readSurfaces(base + AGAA_NORMAL_WORD)), 1.0, m.alpha2, 0.0, vec3(0.0));
+    float widening = 0.0;
+    if (AGAA_SPREAD_WORDS != 0u && AGAA_HAS_SPECULAR != 0u) {
+        uint at = base + AGAA_SPREAD_WORD;
+        agaa_widenSurface(s, agaa_unpackSpread(s.normal, uvec2(agaa_readSurfaces(at), agaa_readSurfaces(at + 1u))));
+        widening = max(sqrt(s.alpha2Along) - sqrt(m.alpha2), 0.0);
+        agaa_count(AGAA_COUNT_WIDENED, widening > 0.0 ? 1u : 0u);
+    }
+    vec3 color = agaa_showsEvents() ? agaa_shownOfEvent(a, widening, s.diffuse) : agaa_lightSurface(s, position);
+    return color * weight;
+}
+
+void main() {
+    agaa_countBegin();
+    agaa_shadeTile();
+    agaa_countEnd();
+}

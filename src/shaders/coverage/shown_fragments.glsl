@@ -1,0 +1,30 @@
+// Which fragments of a list show at which samples, by the planes of their primitives.
+#ifndef AGAA_SHOWN_FRAGMENTS_GLSL
+#define AGAA_SHOWN_FRAGMENTS_GLSL
+#include "coverage/sorted_list.glsl"
+
+#define AGAA_PLANE_WORD (2u + AGAA_SAMPLES / 32u)
+
+vec3 agaa_keptPlane(uint record) {
+    uint at = record + AGAA_PLANE_WORD;
+    return vec3(uintBitsToFloat(agaa_fragments.words[at]), uintBitsToFloat(agaa_fragments.words[at + 1u]),
+                uintBitsToFloat(agaa_fragments.words[at + 2u]));
+}
+
+// Keeps the planes of all fragments. What is at the far plane covers nothing.
+void agaa_keepPlanes(uvec2 pixel, uint head) {
+    uint fragment = head;
+    while (fragment != 0u) {
+        uint record = agaa_record(fragment);
+        agaa_DepthPlane plane = agaa_planeOf(agaa_primitive(agaa_fragments.words[record]), pixel);
+        vec3 kept = agaa_growingDepth(plane);
+        for (uint k = 0u; k < 3u; ++k)
+            agaa_fragments.words[record + AGAA_PLANE_WORD + k] = floatBitsToUint(kept[k]);
+        if (agaa_isFar(plane))
+            agaa_setMask(record, uvec4(0u));
+        fragment = agaa_nextOf(record);
+    }
+}
+
+#include "coverage/list_visibility.glsl"
+#endif

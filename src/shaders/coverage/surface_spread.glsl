@@ -1,0 +1,30 @@
+// The spread of normals beside a surface's normal, where lobes are elliptic (AGAA_SPREAD_WORDS): two words.
+#ifndef AGAA_SURFACE_SPREAD_GLSL
+#define AGAA_SURFACE_SPREAD_GLSL
+#include "math/coverage_pattern.glsl"
+#include "math/normal_spread.glsl"
+#include "coverage/packed_plane.glsl"
+
+uvec2 agaa_packSpread(agaa_NormalSpread s) {
+    return uvec2(agaa_packSlopes(s.moments.xy), agaa_packSlopes(vec2(s.moments.z, s.meanLength)));
+}
+
+agaa_NormalSpread agaa_unpackSpread(vec3 normal, uvec2 words) {
+    vec2 last = agaa_unpackSlopes(words.y);
+    return agaa_NormalSpread(normal, vec3(agaa_unpackSlopes(words.x), last.x), last.y);
+}
+
+// Of a fragment, over the samples that it covers.
+agaa_NormalSpread agaa_spreadOfFragment(vec3 normal, vec3 dx, vec3 dy, uvec4 mask) {
+    if (dx == vec3(0.0) && dy == vec3(0.0))
+        return agaa_noSpread(normal);
+    vec2 middle = agaa_coverageMiddle(mask, AGAA_SAMPLES);
+    vec3 places = vec3(0.0);
+    for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
+        for (uint left = mask[word]; left != 0u; left &= left - 1u) {
+            vec2 place = agaa_coveragePosition(word * 32u + uint(findLSB(left)), AGAA_SAMPLES) - middle;
+            places += vec3(place * place, place.x * place.y);
+        }
+    return agaa_spreadOfChange(normal, dx, dy, places / float(agaa_coverageCount(mask)));
+}
+#endif

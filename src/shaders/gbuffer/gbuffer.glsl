@@ -1,0 +1,133 @@
+// Samples of a multisampled G-buffer: by the layout, where its attachments are and what their channels hold; or by
+// functions of the host's, that read its G-buffer, or fetch materials by id.
+#ifndef AGAA_GBUFFER_GLSL
+#define AGAA_GBUFFER_GLSL
+#include "math/encoding.glsl"
+#include "math/light.glsl"
+#include "common/host_samples.glsl"
+#include "common/scene_facts.glsl"
+#include "common/stored.glsl"
+
+#if defined(AGAA_HOST_GBUFFER) || (defined(AGAA_HOST_FETCH) && !defined(AGAA_SOME_UNFETCHED))
+AgaaMaterial agaa_fetched; // of the sample fetched last
+
+#ifdef AGAA_HOST_GBUFFER
+bool agaa_fetchSample(uvec2 pixel, uint i) {
+    float depth;
+    return agaa_readHost(pixel, i, depth, agaa_fetched);
+}
+
+bool agaa_isCovered(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
+void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) { agaa_fetchSample(pixel, i); }
+#else
+#include "ids/fetched_samples.glsl"
+#endif
+
+vec2 agaa_normalCode() { return agaa_encodeOct(agaa_fetched.normal, agaa_fieldBits(AGAA_SOURCE_NORMAL_X)); }
+vec3 agaa_fetchedNormal() { return agaa_fetched.normal; }
+vec3 agaa_fetchedDiffuse() { return agaa_fetched.diffuse; }
+vec3 agaa_fetchedSpecular() { return agaa_fetched.specular; }
+float agaa_fetchedAlpha2() { return agaa_fetched.alpha2; }
+
+vec3 agaa_storedEmissive() {
+    vec3 e = agaa_fetched.emissive / agaa_frame.ambient.w;
+    if (AGAA_EMISSIVE_CHANNELS == 1u)
+        return vec3(agaa_emissiveFactor(agaa_fetched.diffuse, e));
+    return AGAA_EMISSIVE_CHANNELS == 3u ? e : vec3(0.0);
+}
+
+void agaa_storeFetchedCustom(inout agaa_Stored v) { AGAA_STORE_CUSTOM(agaa_fetched, v) }
+#else
+layout(AGAA_BINDING_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_gbuffer0;
+layout(AGAA_BINDING_SURFACE1) uniform AGAA_TARGET_TEXTURE agaa_gbuffer1;
+layout(AGAA_BINDING_SURFACE2) uniform AGAA_TARGET_TEXTURE agaa_gbuffer2;
+layout(AGAA_BINDING_SURFACE3) uniform AGAA_TARGET_TEXTURE agaa_gbuffer3;
+
+agaa_Stored agaa_fetched; // of the sample fetched last; absent channels are 0
+
+float agaa_sourceValue(float texel, uint source) {
+    uint bits = agaa_fieldBits(source);
+    if (!agaa_isSignedField(source))
+        return bits != 0u ? texel : 0.0;
+    return agaa_fromSignedCode(uint(texel * float(agaa_maxCode(bits)) + 0.5), bits);
+}
+
+// False where the sample shows no geometry.
+bool agaa_fetchSample(uvec2 pixel, uint i) {
+    vec4 texels[4];
+    texels[0] = AGAA_FETCH(agaa_gbuffer0, pixel, i);
+    texels[1] = AGAA_FETCH(agaa_gbuffer1, pixel, i);
+    texels[2] = AGAA_FETCH(agaa_gbuffer2, pixel, i);
+    texels[3] = AGAA_FETCH(agaa_gbuffer3, pixel, i);
+    // Sources are constants, so that each row folds to one component of one texel.
+#define AGAA_ATTRIBUTE(semantic, name)
+#define AGAA_CHANNEL(index, name, field, source, attribute, member) \
+    agaa_fetched.member = agaa_sourceValue(texels[source & 0xFFu][source >> 8u & 0xFFu], source);
+#include "tables/channels.inc"
+    return agaa_fetched.normal.x != 0.0;
+}
+
+// As agaa_fetchSample(), without the fetching of what is not asked for.
+bool agaa_isCovered(uvec2 pixel, uint i) {
+    const uint attachment = AGAA_SOURCE_NORMAL_X & 0xFFu;
+    vec4 texel = attachment == 0u   ? AGAA_FETCH(agaa_gbuffer0, pixel, i)
+                 : attachment == 1u ? AGAA_FETCH(agaa_gbuffer1, pixel, i)
+                 : attachment == 2u ? AGAA_FETCH(agaa_gbuffer2, pixel, i)
+                                    : AGAA_FETCH(agaa_gbuffer3, pixel, i);
+    return texel[AGAA_SOURCE_NORMAL_X >> 8u & 0xFFu] != 0.0;
+}
+
+// Of a shading event that stands for these samples.
+void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) { agaa_fetchSample(pixel, i); }
+
+// Whether two samples have the same values: those of a texel that one fragment covered.
+bool agaa_areAlike(uvec2 pixel, uint a, uint b) {
+    return AGAA_FETCH(agaa_gbuffer0, pixel, a) == AGAA_FETCH(agaa_gbuffer0, pixel, b) &&
+           AGAA_FETCH(agaa_gbuffer1, pixel, a) == AGAA_FETCH(agaa_gbuffer1, pixel, b) &&
+           AGAA_FETCH(agaa_gbuffer2, pixel, a) == AGAA_FETCH(agaa_gbuffer2, pixel, b) &&
+           AGAA_FETCH(agaa_gbuffer3, pixel, a) == AGAA_FETCH(agaa_gbuffer3, pixel, b);
+}
+
+vec2 agaa_normalCode() { return agaa_fetched.normal.xy; }
+
+// Emission as stored: in shares of the layout's range, or of range times diffuse.
+vec3 agaa_storedEmissive() {
+    if (AGAA_EMISSIVE_CHANNELS == 3u)
+        return agaa_fetched.emissive;
+    return AGAA_EMISSIVE_CHANNELS == 1u ? vec3(agaa_fetched.emissive.x) : vec3(0.0);
+}
+
+vec3 agaa_fetchedNormal() { return agaa_decodeOct(agaa_normalCode(), agaa_fieldBits(AGAA_SOURCE_NORMAL_X)); }
+vec3 agaa_fetchedDiffuse() { return agaa_fetched.diffuse; }
+vec3 agaa_fetchedSpecular() { return agaa_storedSpecular(agaa_fetched.specular); }
+float agaa_fetchedAlpha2() { return agaa_fieldBits(AGAA_SOURCE_ROUGHNESS) != 0u ? agaa_fetched.alpha2 : agaa_factAlpha2(1.0); }
+void agaa_storeFetchedCustom(inout agaa_Stored v) { v.custom = agaa_fetched.custom; }
+#endif
+
+agaa_Surface agaa_sampleSurface() {
+    agaa_Surface s;
+    s.diffuse = agaa_fetchedDiffuse();
+    s.normal = agaa_fetchedNormal();
+    s.meanLength = 1.0;
+    s.alpha2Along = 0.0;
+    s.axis = vec3(0.0);
+    s.specular = vec3(0.0);
+    s.alpha2 = 1.0;
+    if (AGAA_HAS_SPECULAR != 0u) {
+        s.specular = agaa_fetchedSpecular();
+        s.alpha2 = agaa_fetchedAlpha2();
+    }
+    s.emissive = agaa_frame.ambient.w * agaa_storedEmissive();
+    if (AGAA_EMISSIVE_CHANNELS == 1u)
+        s.emissive *= s.diffuse;
+    return s;
+}
+
+// The sample fetched last, as an aggregate stores it.
+agaa_Stored agaa_storedSample() {
+    agaa_Surface s = agaa_sampleSurface();
+    agaa_Stored v = agaa_storedSurface(s.diffuse, s.specular, s.normal, s.alpha2, agaa_storedEmissive());
+    agaa_storeFetchedCustom(v);
+    return v;
+}
+#endif

@@ -1,0 +1,30 @@
+// Shadows of a shading event at the samples of a G-buffer that it stands for.
+#ifndef AGAA_SAMPLE_VISIBILITY_GLSL
+#define AGAA_SAMPLE_VISIBILITY_GLSL
+#include "aggregate/choice.glsl"
+#include "common/lighting.glsl"
+#include "common/sample_depth.glsl"
+
+vec3 agaa_samplePosition(uvec2 pixel, uint i) {
+    return agaa_toShadingSpace(agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i)));
+}
+
+// Shadows end within surfaces too: of several samples that are shaded once, they are looked up at each of these, up to
+// AGAA_SHADOW_TAPS. mask: one or more samples with geometry.
+void agaa_findVisibility(uvec2 pixel, uint mask) {
+    agaa_lightPixel(pixel);
+#if AGAA_SHADOWS
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] = 0.0;
+    uint count = uint(bitCount(mask));
+    uint taps = AGAA_SHADOW_FILTER != 0u ? min(count, AGAA_SHADOW_TAPS) : 1u;
+    agaa_Choice choice = agaa_chooseFrom(mask, taps);
+    uint j = 0u;
+    do
+        agaa_addTaps(agaa_samplePosition(pixel, agaa_nextSample(choice, j)));
+    while (++j < taps);
+    for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
+        agaa_visibility[map] /= float(taps);
+#endif
+}
+#endif

@@ -1,0 +1,71 @@
+// Aggregates of what ids name in pixels of several primitives, shaded at once: nothing but the image goes to memory.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define AGAA_MAX_SAMPLES AGAA_SAMPLES
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "common/lighting.glsl"
+#include "common/output.glsl"
+#define AGAA_CONSUMES_DEFERRED
+#include "ids/deferred_pixels.glsl"
+#define AGAA_MAX_EVENTS AGAA_AGGREGATES
+#include "common/events.glsl"
+#include "aggregate/aggregate.glsl"
+#include "ids/primitives.glsl"
+#include "ids/primitive_means.glsl"
+
+// lane: of the pixel.
+agaa_Means agaa_meansOf(uint lane, uint mask, float scale, bool isLit) {
+    agaa_Means m = agaa_noMeans();
+    uint list = agaa_pixelList[lane];
+    uint end = (list & 0xFFFFu) + (list >> 16u);
+    for (uint at = list & 0xFFFFu; at < end; ++at) {
+        uint own = agaa_listSamples[at] & mask;
+        if (own != 0u)
+            agaa_addPrimitive(m, agaa_listMaterial[at], own, scale, isLit);
+    }
+    return m;
+}
+
+#if AGAA_LIT
+uint agaa_eventLane = 0u; // of the pixel at hand
+
+agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) { return agaa_meansOf(agaa_eventLane, mask, scale, true); }
+#endif
+
+vec3 agaa_shadeEvent(uint lane, uint a) {
+    uvec2 pixel = agaa_pixelOf(lane);
+#if AGAA_LIT
+    agaa_eventLane = lane;
+#endif
+    uint mask = agaa_masks[lane * AGAA_AGGREGATES + a];
+    agaa_Means means = agaa_meansOf(lane, mask, 1.0 / float(bitCount(mask)), false);
+    return agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, mask), a, mask, means, false);
+}
+
+void agaa_shadeDeferredPixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered) {
+    agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
+    if (isHeld)
+        work = agaa_countedWork(pixel, agaa_aggregateCount[gl_LocalInvocationIndex], covered, uncovered);
+    vec3 color = agaa_shadeWork(work);
+    if (isHeld)
+        agaa_writePixel(pixel, work, color);
+}
+
+void main() {
+    agaa_countBegin();
+    uint count = agaa_findDeferred();
+    agaa_turn = 0u;
+    do {
+        bool isHeld = agaa_turn + gl_LocalInvocationIndex < count;
+        uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
+        agaa_takeAll(pixel, isHeld ? agaa_loadIds(pixel) : 0u);
+        barrier();
+        agaa_turn += 64u;
+    } while (agaa_turn < count);
+    agaa_countEnd();
+}

@@ -1,0 +1,149 @@
+// Materials of primitives by their ids, by functions of the host's.
+#ifndef AGAA_FETCH_GLSL
+#define AGAA_FETCH_GLSL
+#include "math/barycentrics.glsl"
+#include "common/host_samples.glsl"
+
+AgaaPrimitive agaa_primitive(uint id) {
+    AgaaPrimitive p;
+    p.draw = (id - 1u) >> AGAA_PRIMITIVE_BITS;
+    p.primitive = id - 1u & (1u << AGAA_PRIMITIVE_BITS) - 1u;
+    p.a = p.b = p.c = vec4(0.0, 0.0, 0.0, 1.0);
+    agaaHostTriangle(p.draw, p.primitive, p.a, p.b, p.c);
+    return p;
+}
+
+vec3 agaa_vertexViewPosition(vec4 clip) {
+#if AGAA_CLIP_Z_FROM_MINUS_ONE
+    clip.z = 0.5 * (clip.z + clip.w);
+#endif
+    if (agaa_isOrthographic() != 0u)
+        return vec3((clip.xy - agaa_frame.projection0.zw) / agaa_frame.projection0.xy,
+                    (clip.z - agaa_frame.projection1.y) / agaa_frame.projection1.x);
+    return vec3((clip.xy + agaa_frame.projection0.zw * clip.w) / agaa_frame.projection0.xy, -clip.w);
+}
+
+float agaa_largest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
+
+// Of the primitive's plane in view space, facing the eye; vertices behind the eye are no exception.
+vec3 agaa_planeNormal(AgaaPrimitive p) {
+    vec3 a = agaa_vertexViewPosition(p.a);
+    vec3 n = cross(agaa_vertexViewPosition(p.b) - a, agaa_vertexViewPosition(p.c) - a);
+    float size = agaa_largest(n);
+    if (!agaa_isFinite3(n) || size == 0.0)
+        return vec3(0.0, 0.0, 1.0);
+    n = normalize(n / size);
+    float away = agaa_isOrthographic() != 0u ? -n.z : dot(n, a / max(agaa_largest(a), 1e-30));
+    return away > 0.0 ? -n : n;
+}
+
+// By how much rounding of the corners, some steps of their size, may turn the normal: the sine of the angle. 1 without an area.
+float agaa_doubtOfPlane(AgaaPrimitive p) {
+    vec3 a = agaa_vertexViewPosition(p.a), b = agaa_vertexViewPosition(p.b), c = agaa_vertexViewPosition(p.c);
+    float longest = max(length(b - a), max(length(c - b), length(a - c)));
+    float height = length(cross(b - a, c - a)) / max(longest, 1e-30);
+    float rounding = 1e-6 * max(agaa_largest(a), max(agaa_largest(b), agaa_largest(c)));
+    return height > rounding ? rounding / height : 1.0;
+}
+
+// In shading space; the direction to the eye where corners tell no plane.
+vec3 agaa_facingNormal(AgaaPrimitive p, float doubt) {
+    return doubt < 1.0 ? agaa_toShadingSpace(agaa_planeNormal(p)) : agaa_toEye(agaa_toShadingSpace(agaa_vertexViewPosition(p.a)));
+}
+
+// The primitive at a place in the pixel.
+void agaa_moveTo(inout AgaaPrimitive p, uvec2 pixel, vec2 place) {
+    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
+    vec2 ndc = (vec2(pixel) + place) / pixelsPerNdc - 1.0;
+    agaa_Barycentrics b = agaa_barycentrics(p.a.xyw, p.b.xyw, p.c.xyw, ndc, pixelsPerNdc);
+    p.at = b.at;
+    p.dx = b.dx;
+    p.dy = b.dy;
+    p.facing = b.facing;
+}
+
+AgaaMaterial agaa_fetchMaterialThere(AgaaPrimitive p) {
+    AgaaMaterial m = agaa_defaultMaterial();
+    agaaHostMaterial(p, m);
+    agaa_count(AGAA_COUNT_MATERIALS, 1u);
+    agaa_count(AGAA_COUNT_SANITISED, agaa_sanitiseValues(m));
+    if (agaa_hasFact(agaa_factPlaneNormals) || AGAA_CHECK_FACTS != 0u) {
+        float doubt = agaa_doubtOfPlane(p);
+        agaa_applyFacts(m, agaa_facingNormal(p, doubt), doubt < 0.005);
+    } else {
+        agaa_applyFacts(m, m.normal, false);
+    }
+    agaa_countFacts();
+    return m;
+}
+
+// Whether each texel of the target has materials of its own (AGAA_CONFIG_FINE_MATERIALS).
+bool agaa_hasFineMaterials() { return AGAA_FINE_MATERIALS != 0u; }
+
+// Samples of a pixel that share a primitive's material with this one.
+uint agaa_materialGroup(uint i) {
+    if (!agaa_hasFineMaterials() || AGAA_MATERIAL_SAMPLES >= 32u)
+        return 0xFFFFFFFFu;
+    return (1u << AGAA_MATERIAL_SAMPLES) - 1u << i / AGAA_MATERIAL_SAMPLES * AGAA_MATERIAL_SAMPLES;
+}
+
+// Samples of a texel that the primitive covers, nearer surfaces and masks left aside, by the weights at one of them.
+uint agaa_coveredOfTexel(AgaaPrimitive p, uint group, uint known) {
+    uint covered = 1u << known;
+    for (uint i = group * AGAA_MATERIAL_SAMPLES; i < (group + 1u) * AGAA_MATERIAL_SAMPLES; ++i) {
+        vec2 away = agaa_sampleLocation(i) - agaa_sampleLocation(known);
+        vec3 at = p.at + p.dx * away.x + p.dy * away.y;
+        covered |= min(at.x, min(at.y, at.z)) > 0.0 ? 1u << i : 0u;
+    }
+    return covered;
+}
+
+// A texel's material, where a fragment of a G-buffer has it (AGAA_INSIDE): one normal, in the centre or, where the
+// primitive does not cover all samples, at the first that it covers.
+AgaaMaterial agaa_fetchFineMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
+    uint first = uint(findLSB(samples));
+    uint group = first / AGAA_MATERIAL_SAMPLES;
+    uint covered = samples;
+    if (uint(bitCount(samples)) < AGAA_MATERIAL_SAMPLES) {
+        agaa_moveTo(p, pixel, agaa_sampleLocation(first));
+        covered = agaa_coveredOfTexel(p, group, first);
+    }
+    vec2 centre = (vec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X) + 0.5) / vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
+    bool isWhole = uint(bitCount(covered)) == AGAA_MATERIAL_SAMPLES;
+    agaa_moveTo(p, pixel, isWhole ? centre : agaa_sampleLocation(findLSB(covered)));
+    AgaaMaterial m = agaa_fetchMaterialThere(p);
+    m.normalDx = m.normalDy = vec3(0.0);
+    return m;
+}
+
+// Of these samples, one or more, in their middle; its normal is that at the pixel's corner, not unit.
+AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
+    if (agaa_hasFineMaterials())
+        return agaa_fetchFineMaterial(p, pixel, samples);
+    vec2 middle = vec2(0.0);
+    uint i = 0u;
+    do {
+        if ((samples >> i & 1u) != 0u)
+            middle += agaa_sampleLocation(i);
+    } while (++i < agaa_sampleCount());
+    middle /= float(bitCount(samples));
+    agaa_moveTo(p, pixel, middle);
+    AgaaMaterial m = agaa_fetchMaterialThere(p);
+    m.normal -= middle.x * m.normalDx + middle.y * m.normalDy;
+    return m;
+}
+
+bool agaa_isCurvedMaterial(AgaaMaterial m) { return m.normalDx != vec3(0.0) || m.normalDy != vec3(0.0); }
+
+// At sample i.
+vec3 agaa_materialNormal(AgaaMaterial m, uint i) {
+    vec2 place = agaa_sampleLocation(i);
+    vec3 n = m.normal + place.x * m.normalDx + place.y * m.normalDy;
+    return n * inversesqrt(max(dot(n, n), 1e-6));
+}
+
+// Of a curved one the normal is not a surface's.
+agaa_Surface agaa_surfaceOfMaterial(AgaaMaterial m) {
+    return agaa_Surface(m.diffuse, m.specular, m.emissive, m.normal, 1.0, m.alpha2, 0.0, vec3(0.0));
+}
+#endif

@@ -1,0 +1,52 @@
+// Aggregates of what a pixel's ids name, left in memory as the tiers that accumulate fragments leave theirs.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define AGAA_MAX_SAMPLES AGAA_SAMPLES
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "math/light.glsl"
+#include "common/tile_pixels.glsl"
+#include "ids/primitives.glsl"
+#include "aggregate/sums.glsl"
+#include "ids/stored_material.glsl"
+
+void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
+    agaa_clearSums();
+    uint list = agaa_pixelList[gl_LocalInvocationIndex];
+    uint end = (list & 0xFFFFu) + (list >> 16u);
+    for (uint at = list & 0xFFFFu; at < end && mask != 0u; ++at) {
+        agaa_Stored v = agaa_storedMaterial(agaa_listMaterial[at]);
+        uint own = agaa_listSamples[at] & mask;
+        bool isCurved = agaa_isCurvedMaterial(agaa_listMaterial[at]);
+        if (own != 0u && !isCurved)
+            agaa_addToSums(v, uint(bitCount(own)));
+        for (uint rest = isCurved ? own : 0u; rest != 0u; rest &= rest - 1u) {
+            v.normal = agaa_listedNormal(at, uint(findLSB(rest)));
+            agaa_addToSums(v, 1u);
+        }
+    }
+    agaa_storeSums(mask, ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE);
+}
+
+// What is missed is found by the pass that shades.
+void agaa_shadeDeferredPixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered) {
+    if (isHeld)
+        for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
+            agaa_storeAggregate(pixel, a, agaa_masks[gl_LocalInvocationIndex * AGAA_AGGREGATES + a]);
+}
+
+void main() {
+    agaa_countBegin();
+    uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
+    bool inside = all(lessThan(pixel, agaa_frame.size.xy));
+    uint covered = inside ? agaa_loadIds(pixel) : 0u;
+    if (inside && covered == 0u)
+        for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
+            agaa_storeAggregate(pixel, a, 0u);
+    agaa_takeAll(pixel, covered);
+    agaa_countEnd();
+}

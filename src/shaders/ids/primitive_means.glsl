@@ -1,0 +1,53 @@
+// Means over samples of primitives, each of one material for all its samples of a pixel.
+#ifndef AGAA_PRIMITIVE_MEANS_GLSL
+#define AGAA_PRIMITIVE_MEANS_GLSL
+#include "aggregate/aggregate.glsl"
+#include "ids/fetched_means.glsl"
+#include "ids/sample_ids.glsl"
+#include "common/pixel_work.glsl"
+
+float agaa_weightOf(uint i, bool isLit) {
+#if AGAA_LIT
+    if (isLit)
+        return agaa_sampleLight[i];
+#endif
+    return 1.0;
+}
+
+agaa_Places agaa_placesOf(uint samples, float scale, bool isLit) {
+    agaa_Places p = agaa_Places(0.0, vec2(0.0), vec3(0.0));
+    for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
+        uint i = uint(findLSB(rest));
+        float weight = scale * agaa_weightOf(i, isLit);
+        vec2 place = agaa_sampleLocation(i);
+        p.weight += weight;
+        p.sum += weight * place;
+        p.products += weight * vec3(place * place, place.x * place.y);
+    }
+    return p;
+}
+
+// Adds these samples of a primitive.
+void agaa_addPrimitive(inout agaa_Means m, AgaaMaterial material, uint samples, float scale, bool isLit) {
+    bool isCurved = agaa_isCurvedMaterial(material);
+    agaa_Places places = agaa_placesOf(isCurved || isLit ? samples : 0u, scale, isLit);
+    float weight = isCurved || isLit ? places.weight : scale * float(bitCount(samples));
+    agaa_addFetched(m, material, weight, places);
+}
+
+// count: of the pixel's aggregates; uncovered: samples beside the covered ones that no pass gave a material.
+agaa_PixelWork agaa_countedWork(uvec2 pixel, uint count, uint covered, uint uncovered) {
+    uint samples = uint(bitCount(covered));
+    agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(covered | uncovered)));
+    agaa_count(AGAA_COUNT_ONCE, samples);
+#if AGAA_COUNTING
+    agaa_count(AGAA_COUNT_UNCOVERED, uint(bitCount(uncovered)));
+    if (uncovered != 0u)
+        agaa_reportPixel(pixel, covered | uncovered, uncovered, 0u);
+#endif
+    agaa_countEvents(count);
+    agaa_count(AGAA_COUNT_AGGREGATES, count);
+    agaa_count(AGAA_COUNT_PIXELS, min(count, 1u));
+    return agaa_pixelWork((1u << count) - 1u, 0u, samples);
+}
+#endif

@@ -1,0 +1,23 @@
+// The ids that a prepass left at each sample.
+#ifndef AGAA_SAMPLE_IDS_GLSL
+#define AGAA_SAMPLE_IDS_GLSL
+#include "common/target.glsl"
+
+// Four bytes: each is exact in an 8-bit channel, on every device at every sample count.
+layout(AGAA_BINDING_METADATA) uniform AGAA_TARGET_TEXTURE agaa_ids;
+
+// 0: no geometry.
+uint agaa_idOf(uvec2 pixel, uint i) {
+    uvec4 bytes = uvec4(AGAA_FETCH(agaa_ids, pixel, i) * 255.0 + 0.5);
+    return bytes.x | bytes.y << 8 | bytes.z << 16 | bytes.w << 24;
+}
+
+// False of draws that a G-buffer holds instead (AGAA_FETCH_NOT_ALL_DRAWS).
+bool agaa_isFetched(uint id) {
+#ifdef AGAA_SOME_UNFETCHED
+    return id != 0xFFFFFFFFu;
+#else
+    return true;
+#endif
+}
+#endif

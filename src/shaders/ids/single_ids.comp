@@ -1,0 +1,124 @@
+// Shades pixels of one primitive, whose samples make one aggregate. Pixels that show several primitives, or whose
+// surfaces may be split, are left to the pass that groups samples.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define AGAA_MAX_SAMPLES AGAA_SAMPLES
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/bindings.glsl"
+#include "common/constants.glsl"
+#include "common/frame.glsl"
+#include "common/target.glsl"
+#include "common/counters.glsl"
+#include "common/lighting.glsl"
+#include "common/output.glsl"
+#include "aggregate/samples.glsl"
+#include "ids/deferred_pixels.glsl"
+#include "ids/primitive_means.glsl"
+
+// A group has a region of AGAA_REGION_SIDE tiles each way, whose pixels of one primitive are dealt out to full lanes.
+shared uint agaa_singleCount;
+shared uint agaa_singlePixel[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE]; // x | y << 16
+shared uint agaa_singleId[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
+shared uint agaa_singleSamples[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
+
+// Of the pixel at hand, by groups of samples that share one.
+AgaaMaterial agaa_materials[(AGAA_MAX_SAMPLES + AGAA_MATERIAL_SAMPLES - 1u) / AGAA_MATERIAL_SAMPLES];
+
+// Returns whether shading normals are of one surface. Before what reads materials: compilers warn of reads that they
+// meet before writes.
+bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
+    AgaaPrimitive primitive = agaa_primitive(id);
+    vec3 normal = vec3(0.0);
+    float least = 1.0;
+    for (uint left = samples; left != 0u;) {
+        uint first = uint(findLSB(left));
+        uint own = left & agaa_materialGroup(first);
+        AgaaMaterial m = agaa_fetchMaterial(primitive, pixel, own);
+        agaa_materials[first / AGAA_MATERIAL_SAMPLES] = m;
+        bool isFirst = left == samples;
+        left &= ~own;
+        if (AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u)
+            continue;
+        normal = isFirst ? agaa_materialNormal(m, first) : normal;
+        uint compared = agaa_isCurvedMaterial(m) ? own : 1u << first;
+        for (; compared != 0u; compared &= compared - 1u)
+            least = min(least, dot(normal, agaa_materialNormal(m, uint(findLSB(compared)))));
+    }
+    return least >= agaa_frame.surface.x || AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u;
+}
+
+agaa_Means agaa_meansOf(uint samples, float scale, bool isLit) {
+    agaa_Means m = agaa_noMeans();
+    for (uint left = samples; left != 0u;) {
+        uint first = uint(findLSB(left));
+        uint own = left & agaa_materialGroup(first);
+        agaa_addPrimitive(m, agaa_materials[first / AGAA_MATERIAL_SAMPLES], own, scale, isLit);
+        left &= ~own;
+    }
+    return m;
+}
+
+#if AGAA_LIT
+agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) { return agaa_meansOf(mask, scale, true); }
+#endif
+
+void agaa_shadeSingle(uvec2 pixel, uint id, uint samples) {
+    if (!agaa_fetchGroups(pixel, id, samples)) {
+        agaa_deferLate(pixel);
+        return;
+    }
+    agaa_count(AGAA_COUNT_PRIMITIVES, 1u);
+    agaa_shownPrimitives = 1u;
+    agaa_PixelWork work = agaa_countedWork(pixel, 1u, samples, 0u);
+    agaa_Means means = agaa_meansOf(samples, 1.0 / float(bitCount(samples)), false);
+    vec3 color = agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, samples), 0u, samples, means, false);
+    agaa_writePixel(pixel, work, color);
+}
+
+// Of a tile, whose lanes have a pixel each: writes what is empty, deals out or leaves the rest.
+void agaa_sortTile(uvec2 tile) {
+    const uint lane = gl_LocalInvocationIndex;
+    uvec2 pixel = tile * 8u + uvec2(lane & 7u, lane >> 3u);
+    uint id = 0u;
+    uint samples = 0u;
+    bool isOne = true;
+    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
+    uint i = 0u;
+    do {
+        uint own = isInside ? agaa_idOf(pixel, i) : 0u;
+        isOne = isOne && (own == 0u || ((id == 0u || own == id) && agaa_isFetched(own)));
+        id = own != 0u ? own : id;
+        samples |= own != 0u ? 1u << i : 0u;
+    } while (++i < agaa_sampleCount());
+    isOne = isOne && !(agaa_splitsSurfaces() && bitCount(samples) > 1);
+    if (samples == 0u && isInside)
+        agaa_writePixel(pixel, agaa_pixelWork(0u, 0u, 0u), vec3(0.0));
+    if (samples != 0u && isOne) {
+        uint place = atomicAdd(agaa_singleCount, 1u);
+        agaa_singlePixel[place] = pixel.x | pixel.y << 16u;
+        agaa_singleId[place] = id;
+        agaa_singleSamples[place] = samples;
+    }
+    agaa_deferPixel(tile, !isOne);
+}
+
+void main() {
+    agaa_countBegin();
+    const uint lane = gl_LocalInvocationIndex;
+    if (lane == 0u)
+        agaa_singleCount = 0u;
+    barrier();
+    for (uint t = 0u; t < AGAA_REGION_SIDE * AGAA_REGION_SIDE; ++t)
+        agaa_sortTile(gl_WorkGroupID.xy * AGAA_REGION_SIDE + uvec2(t % AGAA_REGION_SIDE, t / AGAA_REGION_SIDE));
+    memoryBarrierBuffer(); // for agaa_deferLate()
+    barrier();
+    uint at = lane;
+    do {
+        if (at < agaa_singleCount) {
+            uint pixel = agaa_singlePixel[at];
+            agaa_shadeSingle(uvec2(pixel & 0xFFFFu, pixel >> 16u), agaa_singleId[at], agaa_singleSamples[at]);
+        }
+        at += 64u;
+    } while (at < agaa_singleCount);
+    agaa_countEnd();
+}

@@ -1,0 +1,15 @@
+// A fetched material as layouts store it.
+#ifndef AGAA_STORED_MATERIAL_GLSL
+#define AGAA_STORED_MATERIAL_GLSL
+#include "common/host_code.glsl"
+#include "common/stored.glsl"
+
+agaa_Stored agaa_storedMaterial(AgaaMaterial m) {
+    vec3 emissive = m.emissive / agaa_frame.ambient.w;
+    if (AGAA_EMISSIVE_CHANNELS == 1u)
+        emissive = vec3(agaa_emissiveFactor(m.diffuse, emissive));
+    agaa_Stored v = agaa_storedSurface(m.diffuse, m.specular, m.normal, m.alpha2, emissive);
+    AGAA_STORE_CUSTOM(m, v)
+    return v;
+}
+#endif

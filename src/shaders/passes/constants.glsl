@@ -1,6 +1,0 @@
-#ifndef AGAA_CONSTANTS_GLSL
-#define AGAA_CONSTANTS_GLSL
-#define AGAA_CONSTANT(id, name, value) layout(constant_id = id) const uint name = value;
-#include "passes/constants.inc"
-#undef AGAA_CONSTANT
-#endif
