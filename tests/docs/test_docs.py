@@ -193,7 +193,7 @@ class Prices(unittest.TestCase):
     def test_of_tiers(self):
         for name, tier in (("gbufferCost", "gbuffer"), ("idsCost", "ids")):
             measured = [self.frame(scene, tier) / self.frame(scene, None) for scene in self.scenes]
-            self.assertAlmostEqual(statistics.median(measured), self.price("techniques/generation_tiers.cpp", name), delta=0.05)
+            self.assertAlmostEqual(statistics.median(measured), self.price("plan/techniques/generation_tiers.cpp", name), delta=0.05)
 
     def test_of_causes(self):
         """What the page of a sweep says of aggregates that err more than surfaces of SBAA."""
@@ -210,7 +210,7 @@ class Prices(unittest.TestCase):
     def test_of_lit_aggregates(self):
         effects = [effect for scene in self.scenes for effect in scene["ablation"] if effect["effect"] == "lit-aggregates"]
         measured = [effect["on"]["frameMs"]["median"] / effect["off"]["frameMs"]["median"] for effect in effects]
-        self.assertAlmostEqual(statistics.median(measured), self.price("plan_shading.cpp", "litCost"), delta=0.02)
+        self.assertAlmostEqual(statistics.median(measured), self.price("plan/plan_shading.cpp", "litCost"), delta=0.02)
 
 
 if __name__ == "__main__":
