@@ -20,11 +20,11 @@ void View::describePass(size_t index, AgaaDrawPass& out, void* native) const {
         return;
     AgaaGlDrawPass own = AGAA_GL_DRAW_PASS_INIT;
     uint32_t attachments = 0;
-    for (ResourceId target : pass.colorTargets)
+    for (ResourceId target : pass.draw.colorTargets)
         for (uint32_t layer = 0; layer < plan.resources[target].layers; ++layer)
             own.colorFormats[attachments++] = internalFormat(plan.resources[target].format);
     own.depthStencilFormat =
-        pass.depthTarget != noResource ? internalFormat(plan.resources[pass.depthTarget].format) : GL_NONE;
+        pass.draw.depthTarget != noResource ? internalFormat(plan.resources[pass.draw.depthTarget].format) : GL_NONE;
     own.framebuffer = objects.framebuffer;
     writeStruct(static_cast<AgaaGlDrawPass*>(native), own);
 }

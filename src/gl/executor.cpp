@@ -31,13 +31,13 @@ void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
 void View::clearColor(const Pass& pass, GLuint framebuffer) const {
     constexpr GLuint zero[4] = {};
     GLint attachment = 0;
-    for (size_t i = 0; i < pass.colorTargets.size(); ++i) {
-        const Resource& target = plan.resources[pass.colorTargets[i]];
+    for (size_t i = 0; i < pass.draw.colorTargets.size(); ++i) {
+        const Resource& target = plan.resources[pass.draw.colorTargets[i]];
         for (uint32_t layer = 0; layer < target.layers; ++layer, ++attachment)
             if (isInteger(target.format))
                 context.gl.ClearNamedFramebufferuiv(framebuffer, GL_COLOR, attachment, zero);
             else
-                context.gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, attachment, pass.clear.color[i].data());
+                context.gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, attachment, pass.draw.clear.color[i].data());
     }
 }
 
@@ -49,14 +49,14 @@ void View::clearTargets(const Pass& pass, GLuint framebuffer) {
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.DepthMask(GL_TRUE);
     gl.StencilMask(~0u);
-    if (pass.clearsColor)
+    if (pass.draw.clearsColor)
         clearColor(pass, framebuffer);
-    if (!pass.clearsDepth || pass.depthTarget == noResource)
+    if (!pass.draw.clearsDepth || pass.draw.depthTarget == noResource)
         return;
-    if (hasStencil(plan.resources[pass.depthTarget].format))
-        gl.ClearNamedFramebufferfi(framebuffer, GL_DEPTH_STENCIL, 0, pass.clear.depth, GLint(pass.clear.stencil));
+    if (hasStencil(plan.resources[pass.draw.depthTarget].format))
+        gl.ClearNamedFramebufferfi(framebuffer, GL_DEPTH_STENCIL, 0, pass.draw.clear.depth, GLint(pass.draw.clear.stencil));
     else
-        gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &pass.clear.depth);
+        gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &pass.draw.clear.depth);
 }
 
 // A map's own texture. Only the frame's maps were checked: where it has this one not, another takes its place,
@@ -129,7 +129,7 @@ void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const
                        HostState& state) {
     const Pass& pass = plan.passes[step.pass];
     const PassObjects& objects = passes[step.pass];
-    if (pass.clearsColor || pass.clearsDepth)
+    if (pass.draw.clearsColor || pass.draw.clearsDepth)
         clearTargets(pass, objects.framebuffer);
     AgaaDrawTarget target = emptyTarget(plan, pass);
     target.pipelineKey = objects.key;
@@ -205,12 +205,12 @@ static void fillBuffer(const GladGLContext& gl, GLuint buffer, uint64_t bytes, u
 void View::runTransfer(const Pass& pass, uint32_t slot) {
     const GladGLContext& gl = context.gl;
     if (pass.kind == PassKind::Fill)
-        fillBuffer(gl, resources->buffer(pass.destination, slot),
-                   pass.fillBytes ? pass.fillBytes : plan.resources[pass.destination].bytes, pass.fillValue);
+        fillBuffer(gl, resources->buffer(pass.fill.destination, slot),
+                   pass.fill.bytes ? pass.fill.bytes : plan.resources[pass.fill.destination].bytes, pass.fill.value);
     else
-        gl.CopyNamedBufferSubData(resources->buffer(pass.source, slot),
-                                  resources->buffer(pass.destination, slot), 0, 0,
-                                  GLsizeiptr(plan.resources[pass.source].bytes));
+        gl.CopyNamedBufferSubData(resources->buffer(pass.copy.source, slot),
+                                  resources->buffer(pass.copy.destination, slot), 0, 0,
+                                  GLsizeiptr(plan.resources[pass.copy.source].bytes));
 }
 
 static bool usesOutput(const Plan& plan, const Pass& pass) {
@@ -253,7 +253,7 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.noTarget);
         gl.UseProgram(GLuint(variant.programs[index]));
         bindForCompute(pass, frame, glFrame, slot);
-        dispatch(pass.dispatch, slot);
+        dispatch(pass.compute.dispatch, slot);
         break;
     }
     case PassKind::Fill:

@@ -62,16 +62,16 @@ GLenum View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) con
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
         return GL_NONE;
     const GladGLContext& gl = context.gl;
-    require(plan.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
+    require(plan.view.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
             "the frame composites over the output, but the view has no AGAA_VIEW_COMPOSITE.");
     const GLuint output = glFrame.outputTexture;
     checkTexture(context, output, GL_TEXTURE_2D, "AgaaGlFrame::outputTexture", "TEXTURE_2D");
     const GLint width = levelParameter(gl, output, GL_TEXTURE_WIDTH);
     const GLint height = levelParameter(gl, output, GL_TEXTURE_HEIGHT);
-    if (uint32_t(width) != plan.width || uint32_t(height) != plan.height)
+    if (uint32_t(width) != plan.view.width || uint32_t(height) != plan.view.height)
         fail(AGAA_ERROR_OUT_OF_RANGE,
-             format("AgaaGlFrame::outputTexture is %dx%d; the view is %ux%u.", width, height, plan.width,
-                    plan.height));
+             format("AgaaGlFrame::outputTexture is %dx%d; the view is %ux%u.", width, height, plan.view.width,
+                    plan.view.height));
     const auto texels = GLenum(levelParameter(gl, output, GL_TEXTURE_INTERNAL_FORMAT));
     require(std::find(std::begin(outputFormats), std::end(outputFormats), texels) !=
                 std::end(outputFormats),

@@ -15,7 +15,7 @@ View::View(Context& owner, const ViewSettings& settings)
 View::View(Context& owner, Plan framePlan)
     : ViewState(owner, std::move(framePlan)), context(owner), steps(plan.steps()),
       barriers(plan.resources.size()) {
-    require(plan.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
+    require(plan.view.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
             "set layouts of AgaaGBufferFunction, AgaaFetchFunction and AgaaShadowFunction are of Vulkan.");
     uint64_t largest = 0;
     for (const Resource& resource : plan.resources)
@@ -27,7 +27,7 @@ View::View(Context& owner, Plan framePlan)
         createPasses();
         addVariant(plan);
         positions = readPositions();
-        if (plan.config.flags & AGAA_CONFIG_TIMESTAMPS)
+        if (plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS)
             clock.emplace(context, plan.passes.size(), context.framesInFlight);
         context.checkErrors("creating the view");
     } catch (...) {
@@ -89,7 +89,7 @@ void View::createFramebuffer(const Pass& pass, PassObjects& objects) {
     gl.CreateFramebuffers(1, &objects.framebuffer);
     context.label(GL_FRAMEBUFFER, objects.framebuffer, "agaa " + pass.name);
     std::vector<GLenum> buffers;
-    for (ResourceId target : pass.colorTargets) {
+    for (ResourceId target : pass.draw.colorTargets) {
         const uint32_t layers = plan.resources[target].layers;
         for (uint32_t layer = 0; layer < layers; ++layer) {
             buffers.push_back(GLenum(GL_COLOR_ATTACHMENT0 + buffers.size()));
@@ -100,13 +100,13 @@ void View::createFramebuffer(const Pass& pass, PassObjects& objects) {
                 gl.NamedFramebufferTexture(objects.framebuffer, buffers.back(), texture, 0);
         }
     }
-    if (pass.depthTarget != noResource)
-        gl.NamedFramebufferTexture(objects.framebuffer, depthAttachment(plan.resources[pass.depthTarget].format),
-                                   (*resources)[pass.depthTarget].texture, 0);
-    if (pass.depthTarget == noResource && buffers.empty()) {
-        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, GLint(pass.width));
-        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, GLint(pass.height));
-        const uint32_t samples = pass.drawState.samples;
+    if (pass.draw.depthTarget != noResource)
+        gl.NamedFramebufferTexture(objects.framebuffer, depthAttachment(plan.resources[pass.draw.depthTarget].format),
+                                   (*resources)[pass.draw.depthTarget].texture, 0);
+    if (pass.draw.depthTarget == noResource && buffers.empty()) {
+        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, GLint(pass.draw.width));
+        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, GLint(pass.draw.height));
+        const uint32_t samples = pass.draw.state.samples;
         gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_SAMPLES, samples > 1 ? GLint(samples) : 0);
         gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_FIXED_SAMPLE_LOCATIONS, GL_TRUE);
     }
@@ -123,12 +123,12 @@ void View::createFramebuffer(const Pass& pass, PassObjects& objects) {
 
 // OpenGL has no standard sample locations; it tells those of the framebuffer bound.
 SamplePositions View::readPositions() const {
-    if (!plan.samplePositions.empty())
-        return samplePositions(plan.samplePositions);
+    if (!plan.view.samplePositions.empty())
+        return samplePositions(plan.view.samplePositions);
     const GladGLContext& gl = context.gl;
-    std::vector<SamplePosition> texel(plan.hwSamples, SamplePosition{0.5f, 0.5f});
-    if (plan.hwSamples == 1)
-        return samplePositions(texel, plan.scaleX, plan.scaleY);
+    std::vector<SamplePosition> texel(plan.view.hwSamples, SamplePosition{0.5f, 0.5f});
+    if (plan.view.hwSamples == 1)
+        return samplePositions(texel, plan.view.scaleX, plan.view.scaleY);
     const auto draw = std::find_if(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
         return pass.kind == PassKind::HostDraw;
     });
@@ -137,20 +137,20 @@ SamplePositions View::readPositions() const {
         framebuffer = passes[size_t(draw - plan.passes.begin())].framebuffer;
     } else {
         gl.CreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &texture);
-        gl.TextureStorage2DMultisample(texture, GLsizei(plan.hwSamples), GL_RGBA8, 1, 1, GL_TRUE);
+        gl.TextureStorage2DMultisample(texture, GLsizei(plan.view.hwSamples), GL_RGBA8, 1, 1, GL_TRUE);
         gl.CreateFramebuffers(1, &framebuffer);
         gl.NamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
     }
     GLint bound = 0;
     gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    for (uint32_t i = 0; i < plan.hwSamples; ++i)
+    for (uint32_t i = 0; i < plan.view.hwSamples; ++i)
         gl.GetMultisamplefv(GL_SAMPLE_POSITION, i, &texel[i].x);
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));
     if (texture)
         gl.DeleteFramebuffers(1, &framebuffer);
     gl.DeleteTextures(1, &texture);
-    return samplePositions(texel, plan.scaleX, plan.scaleY);
+    return samplePositions(texel, plan.view.scaleX, plan.view.scaleY);
 }
 
 MemoryUse View::memoryUse() const {

@@ -22,7 +22,7 @@ void View::describePass(size_t index, AgaaDrawPass& out, void* native) const {
         return;
     AgaaVkDrawPass own = AGAA_VK_DRAW_PASS_INIT;
     std::ranges::copy(colorFormats(plan, pass), own.colorFormats);
-    own.depthStencilFormat = pass.depthTarget != noResource ? vkFormat(plan.resources[pass.depthTarget].format)
+    own.depthStencilFormat = pass.draw.depthTarget != noResource ? vkFormat(plan.resources[pass.draw.depthTarget].format)
                                                             : VK_FORMAT_UNDEFINED;
     own.renderPass = (uint64_t)host.renderPass;
     own.descriptorSetLayout = (uint64_t)passes[index].setLayout;
@@ -31,7 +31,7 @@ void View::describePass(size_t index, AgaaDrawPass& out, void* native) const {
 
 // Where contents live on after a segment: in the layout of the last pass up to its end.
 static VkImageLayout layoutAfter(const Plan& plan, ResourceId id, uint64_t segment) {
-    const bool kept = plan.config.flags & AGAA_CONFIG_READBACK ||
+    const bool kept = plan.view.config.flags & AGAA_CONFIG_READBACK ||
                       plan.passes[plan.resources[id].lastPass].segment > segment;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
     for (const Pass& pass : plan.passes)

@@ -47,7 +47,7 @@ static void writeImage(const Context& context, VkDescriptorSet set, const Bindin
 
 static void writeAttachments(const Context& context, VkDescriptorSet set, const Pass& pass, const ViewResources& resources) {
     std::vector<VkDescriptorImageInfo> images;
-    for (ResourceId target : pass.colorTargets)
+    for (ResourceId target : pass.draw.colorTargets)
         for (VkImageView view : resources[target].layerViews)
             images.push_back({VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL});
     VkWriteDescriptorSet write = writeOf(set, fetchedTargetsSlot, VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT);
@@ -63,7 +63,7 @@ void View::writeStaticDescriptors() {
             for (const Binding& binding : plan.passes[i].bindings)
                 if (!plan.resources[binding.resource].isImported())
                     writeStatic(set, binding, slot);
-            if (plan.passes[i].drawState.readsAttachments)
+            if (plan.passes[i].draw.state.readsAttachments)
                 writeAttachments(context, set, plan.passes[i], *resources);
         }
 }

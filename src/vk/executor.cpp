@@ -26,7 +26,7 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const
     require(vkFrame.outputLayoutOut != VK_IMAGE_LAYOUT_UNDEFINED &&
                 vkFrame.outputLayoutOut != VK_IMAGE_LAYOUT_PREINITIALIZED,
             AGAA_ERROR_OUT_OF_RANGE, "AgaaVkFrame::outputLayoutOut is not a layout to be left in.");
-    require(plan.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
+    require(plan.view.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
             "the frame composites over the output, but the view has no AGAA_VIEW_COMPOSITE.");
     require(vkFrame.outputLayoutIn != VK_IMAGE_LAYOUT_UNDEFINED || frame.background[3] != 0.0f,
             AGAA_ERROR_OUT_OF_RANGE,
@@ -114,7 +114,7 @@ void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, siz
     context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
                                      objects.pipelineLayout, 0, usesHostSet(plan.passes[pass]) ? 2 : 1, sets, 0,
                                      nullptr);
-    const Dispatch& dispatch = plan.passes[pass].dispatch;
+    const Dispatch& dispatch = plan.passes[pass].compute.dispatch;
     if (dispatch.kind == DispatchKind::Indirect) {
         context.vk.CmdDispatchIndirect(commands, bufferOf(dispatch.arguments, slot), dispatch.argumentsOffset);
         return;
@@ -148,12 +148,12 @@ void View::forgetClear(const AgaaFrame& frame) {
 
 void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {
     if (pass.kind == PassKind::Fill) {
-        context.vk.CmdFillBuffer(commands, bufferOf(pass.destination, slot), 0, pass.fillBytes ? pass.fillBytes : VK_WHOLE_SIZE,
-                                 pass.fillValue);
+        context.vk.CmdFillBuffer(commands, bufferOf(pass.fill.destination, slot), 0, pass.fill.bytes ? pass.fill.bytes : VK_WHOLE_SIZE,
+                                 pass.fill.value);
         return;
     }
-    const VkBufferCopy region{0, 0, plan.resources[pass.source].bytes};
-    context.vk.CmdCopyBuffer(commands, bufferOf(pass.source, slot), bufferOf(pass.destination, slot), 1, &region);
+    const VkBufferCopy region{0, 0, plan.resources[pass.copy.source].bytes};
+    context.vk.CmdCopyBuffer(commands, bufferOf(pass.copy.source, slot), bufferOf(pass.copy.destination, slot), 1, &region);
     const VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr,
                                  VK_ACCESS_TRANSFER_WRITE_BIT, VK_ACCESS_HOST_READ_BIT};
     context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT,

@@ -14,25 +14,25 @@ namespace {
 
 VkClearValue depthClear(const Pass& pass) {
     VkClearValue value{};
-    value.depthStencil = {pass.clear.depth, pass.clear.stencil};
+    value.depthStencil = {pass.draw.clear.depth, pass.draw.clear.stencil};
     return value;
 }
 
 VkClearValue colorClear(const Pass& pass, size_t target) {
     VkClearValue value{};
-    std::copy_n(pass.clear.color[target].begin(), 4, value.color.float32);
+    std::copy_n(pass.draw.clear.color[target].begin(), 4, value.color.float32);
     return value;
 }
 
 // Each layer of a colour target is an attachment: calls f(resource, index of the target, layer).
 template <typename F> void forColorAttachments(const Plan& plan, const Pass& pass, F f) {
-    for (size_t i = 0; i < pass.colorTargets.size(); ++i)
-        for (uint32_t layer = 0; layer < plan.resources[pass.colorTargets[i]].layers; ++layer)
-            f(pass.colorTargets[i], i, layer);
+    for (size_t i = 0; i < pass.draw.colorTargets.size(); ++i)
+        for (uint32_t layer = 0; layer < plan.resources[pass.draw.colorTargets[i]].layers; ++layer)
+            f(pass.draw.colorTargets[i], i, layer);
 }
 
 VkImageLayout colorLayout(const Pass& pass) {
-    return pass.drawState.readsAttachments ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    return pass.draw.state.readsAttachments ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 }
 
 VkAttachmentDescription attachment(const Resource& resource, bool clear, VkImageLayout layout) {
@@ -57,22 +57,22 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     std::vector<VkImageView> views;
     forColorAttachments(plan, pass, [&](ResourceId target, size_t, uint32_t layer) {
         colors.push_back({uint32_t(attachments.size()), colorLayout(pass)});
-        attachments.push_back(attachment(plan.resources[target], pass.clearsColor, colorLayout(pass)));
+        attachments.push_back(attachment(plan.resources[target], pass.draw.clearsColor, colorLayout(pass)));
         views.push_back(resources[target].layerViews[layer]);
     });
     const VkAttachmentReference depth{uint32_t(attachments.size()),
                                       VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
-    const bool hasDepth = pass.depthTarget != noResource;
+    const bool hasDepth = pass.draw.depthTarget != noResource;
     if (hasDepth) {
-        attachments.push_back(attachment(plan.resources[pass.depthTarget], pass.clearsDepth, depth.layout));
-        views.push_back(resources[pass.depthTarget].layerViews[0]);
+        attachments.push_back(attachment(plan.resources[pass.draw.depthTarget], pass.draw.clearsDepth, depth.layout));
+        views.push_back(resources[pass.draw.depthTarget].layerViews[0]);
     }
     VkSubpassDescription subpass{};
     subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
     subpass.colorAttachmentCount = uint32_t(colors.size());
     subpass.pColorAttachments = colors.data();
     subpass.pDepthStencilAttachment = hasDepth ? &depth : nullptr;
-    if (pass.drawState.readsAttachments) {
+    if (pass.draw.state.readsAttachments) {
         subpass.flags = VK_SUBPASS_DESCRIPTION_RASTERIZATION_ORDER_ATTACHMENT_COLOR_ACCESS_BIT_EXT;
         subpass.inputAttachmentCount = subpass.colorAttachmentCount;
         subpass.pInputAttachments = colors.data();
@@ -91,8 +91,8 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     framebuffer.renderPass = objects.renderPass;
     framebuffer.attachmentCount = uint32_t(views.size());
     framebuffer.pAttachments = views.data();
-    framebuffer.width = pass.width;
-    framebuffer.height = pass.height;
+    framebuffer.width = pass.draw.width;
+    framebuffer.height = pass.draw.height;
     framebuffer.layers = 1;
     check(context.vk.CreateFramebuffer(context.device, &framebuffer, nullptr, &objects.framebuffer),
           "vkCreateFramebuffer");
@@ -112,7 +112,7 @@ VkRenderingAttachmentInfo renderingAttachment(VkImageView view, VkImageLayout la
 
 // Dynamic rendering of the Vulkan versions that the SDK takes has no input attachments.
 bool needsRenderPass(const Context& context, const Pass& pass) {
-    return !context.dynamicRendering || pass.drawState.readsAttachments;
+    return !context.dynamicRendering || pass.draw.state.readsAttachments;
 }
 
 } // namespace
@@ -148,8 +148,8 @@ void destroyHostPass(const Context& context, HostPassObjects& objects) {
 void beginHostRendering(const Context& context, const Plan& plan, const Pass& pass,
                         const HostPassObjects& objects, const ViewResources& resources,
                         VkCommandBuffer commands, bool secondary) {
-    const VkRect2D area{{0, 0}, {pass.width, pass.height}};
-    const bool hasDepth = pass.depthTarget != noResource;
+    const VkRect2D area{{0, 0}, {pass.draw.width, pass.draw.height}};
+    const bool hasDepth = pass.draw.depthTarget != noResource;
     if (objects.renderPass) {
         std::vector<VkClearValue> clears;
         forColorAttachments(plan, pass, [&](ResourceId, size_t target, uint32_t) {
@@ -171,13 +171,13 @@ void beginHostRendering(const Context& context, const Plan& plan, const Pass& pa
     }
     std::vector<VkRenderingAttachmentInfo> colors;
     forColorAttachments(plan, pass, [&](ResourceId target, size_t index, uint32_t layer) {
-        colors.push_back(renderingAttachment(resources[target].layerViews[layer], colorLayout(pass), pass.clearsColor,
+        colors.push_back(renderingAttachment(resources[target].layerViews[layer], colorLayout(pass), pass.draw.clearsColor,
                                              colorClear(pass, index)));
     });
     VkRenderingAttachmentInfo depth{};
     if (hasDepth)
-        depth = renderingAttachment(resources[pass.depthTarget].layerViews[0],
-                                    VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, pass.clearsDepth, depthClear(pass));
+        depth = renderingAttachment(resources[pass.draw.depthTarget].layerViews[0],
+                                    VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, pass.draw.clearsDepth, depthClear(pass));
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
     info.flags = secondary ? VK_RENDERING_CONTENTS_SECONDARY_COMMAND_BUFFERS_BIT : 0;
@@ -186,7 +186,7 @@ void beginHostRendering(const Context& context, const Plan& plan, const Pass& pa
     info.colorAttachmentCount = uint32_t(colors.size());
     info.pColorAttachments = colors.data();
     info.pDepthAttachment = hasDepth ? &depth : nullptr;
-    info.pStencilAttachment = hasDepth && hasStencil(plan.resources[pass.depthTarget].format) ? &depth : nullptr;
+    info.pStencilAttachment = hasDepth && hasStencil(plan.resources[pass.draw.depthTarget].format) ? &depth : nullptr;
     context.vk.CmdBeginRendering(commands, &info);
 }
 
@@ -199,7 +199,7 @@ void endHostRendering(const Context& context, const HostPassObjects& objects, Vk
 
 void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
                     const HostPassObjects& objects, VkCommandBuffer commands) {
-    const Format depth = pass.depthTarget != noResource ? plan.resources[pass.depthTarget].format : Format::None;
+    const Format depth = pass.draw.depthTarget != noResource ? plan.resources[pass.draw.depthTarget].format : Format::None;
     const std::vector<VkFormat> colors = colorFormats(plan, pass);
     VkCommandBufferInheritanceRenderingInfo rendering{};
     rendering.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_RENDERING_INFO;
@@ -207,7 +207,7 @@ void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
     rendering.pColorAttachmentFormats = colors.data();
     rendering.depthAttachmentFormat = depth == Format::None ? VK_FORMAT_UNDEFINED : vkFormat(depth);
     rendering.stencilAttachmentFormat = hasStencil(depth) ? vkFormat(depth) : VK_FORMAT_UNDEFINED;
-    rendering.rasterizationSamples = VkSampleCountFlagBits(pass.drawState.samples);
+    rendering.rasterizationSamples = VkSampleCountFlagBits(pass.draw.state.samples);
     VkCommandBufferInheritanceInfo inheritance{};
     inheritance.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_INFO;
     inheritance.pNext = objects.renderPass ? nullptr : &rendering;

@@ -107,7 +107,7 @@ static VkBufferUsageFlags bufferUsage(Use use) {
 }
 
 template <typename Flags> static Flags usageOf(const Plan& plan, ResourceId id, Flags (*flagsOf)(Use), Flags readback) {
-    Flags usage = plan.config.flags & AGAA_CONFIG_READBACK ? readback : 0;
+    Flags usage = plan.view.config.flags & AGAA_CONFIG_READBACK ? readback : 0;
     for (const Pass& pass : plan.passes)
         for (const Access& access : accessesOf(pass))
             usage |= access.resource == id ? flagsOf(access.use) : 0;

@@ -17,9 +17,9 @@ View::View(Context& device, const ViewSettings& settings)
 
 View::View(Context& device, Plan framePlan)
     : ViewState(device, std::move(framePlan)), context(device), steps(plan.steps()),
-      positions(plan.samplePositions.empty()
-                    ? samplePositions(standardPositions(plan.hwSamples), plan.scaleX, plan.scaleY)
-                    : samplePositions(plan.samplePositions)) {
+      positions(plan.view.samplePositions.empty()
+                    ? samplePositions(standardPositions(plan.view.hwSamples), plan.view.scaleX, plan.view.scaleY)
+                    : samplePositions(plan.view.samplePositions)) {
     try {
         resources.emplace(context, plan);
         barriers = stepBarriers(plan, steps, *resources, context.conditionalRendering);
@@ -73,8 +73,8 @@ void View::createPassObjects() {
             bindings.push_back({binding.slot, type, 1, stages, nullptr});
             counts[type] += context.framesInFlight;
         }
-        if (pass.drawState.readsAttachments) {
-            const uint32_t count = pass.drawState.colorAttachmentCount;
+        if (pass.draw.state.readsAttachments) {
+            const uint32_t count = pass.draw.state.colorAttachmentCount;
             bindings.push_back({fetchedTargetsSlot, VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT, count, VK_SHADER_STAGE_FRAGMENT_BIT,
                                 nullptr});
             counts[VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT] += count * context.framesInFlight;
@@ -127,7 +127,7 @@ void View::createPipelineLayouts() {
             continue;
         PassObjects& objects = passes[i];
         const VkDescriptorSetLayout sets[] = {objects.setLayout,
-                                              (VkDescriptorSetLayout)plan.functionSetLayout};
+                                              (VkDescriptorSetLayout)plan.view.functionSetLayout};
         VkPipelineLayoutCreateInfo layout{};
         layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
         layout.setLayoutCount = usesHostSet(pass) ? 2 : 1;
@@ -146,13 +146,13 @@ Compiled View::compile(const Pass& pass, size_t index) {
     for (uint32_t i = 0; i < ConstantCount; ++i)
         entries[i] = {i, i * uint32_t(sizeof(uint32_t)), sizeof(uint32_t)};
     std::vector<uint32_t> compiled;
-    if (!pass.text.empty() || !pass.hostCode.empty())
-        compiled = compileCompute(passGlsl(pass), pass.hostCode.empty() ? pass.name.c_str()
-                                                                        : pass.hostCodeOrigin.c_str());
+    if (!pass.compute.text.empty() || !pass.compute.hostCode.empty())
+        compiled = compileCompute(passGlsl(pass), pass.compute.hostCode.empty() ? pass.name.c_str()
+                                                                        : pass.compute.hostCodeOrigin.c_str());
     const std::span<const uint32_t> words =
-        compiled.empty() ? embeddedSpirv(pass.shader) : compiled;
+        compiled.empty() ? embeddedSpirv(pass.compute.shader) : compiled;
     if (words.empty())
-        fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.shader + ".");
+        fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.compute.shader + ".");
     VkShaderModuleCreateInfo moduleInfo{};
     moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     moduleInfo.codeSize = words.size_bytes();
@@ -217,11 +217,11 @@ void View::createSlots() {
 }
 
 bool View::usesHostSet(const Pass& pass) const {
-    return !pass.hostCode.empty() && plan.functionSetLayout != 0;
+    return !pass.compute.hostCode.empty() && plan.view.functionSetLayout != 0;
 }
 
 bool View::timed() const {
-    return (plan.config.flags & AGAA_CONFIG_TIMESTAMPS) && context.timestampMask != 0;
+    return (plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS) && context.timestampMask != 0;
 }
 
 } // namespace agaa::vk

@@ -33,17 +33,17 @@ std::vector<std::string> computePasses(const Plan& plan) {
     std::vector<std::string> names;
     for (const Pass& pass : plan.passes)
         if (pass.kind == PassKind::Compute)
-            names.push_back(pass.file.substr(7, pass.file.size() - 12));
+            names.push_back(pass.compute.file.substr(7, pass.compute.file.size() - 12));
     return names;
 }
 
 TEST(Adaptive, WindowsAreOrderedGrids) {
     for (const auto& [samples, side] : {std::pair{4u, 2u}, {9u, 3u}, {16u, 4u}}) {
         const Plan plan = adaptivePlan(samples);
-        EXPECT_EQ(plan.visibilityTier, AGAA_TIER_ORDERED_GRID);
-        EXPECT_EQ(plan.hwSamples, 1u);
-        EXPECT_EQ(plan.scaleX, side);
-        EXPECT_EQ(plan.scaleY, side);
+        EXPECT_EQ(plan.view.visibilityTier, AGAA_TIER_ORDERED_GRID);
+        EXPECT_EQ(plan.view.hwSamples, 1u);
+        EXPECT_EQ(plan.view.scaleX, side);
+        EXPECT_EQ(plan.view.scaleY, side);
         const std::vector<SamplePosition> positions = positionsOf(plan);
         for (uint32_t i = 0; i < samples; ++i) {
             EXPECT_FLOAT_EQ(positions[i].x, (float(i % side) + 0.5f) / float(side));
@@ -51,12 +51,12 @@ TEST(Adaptive, WindowsAreOrderedGrids) {
         }
         const auto device = [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_DEVICE_PATTERN; };
         if (samples != 9) {
-            EXPECT_NE(adaptivePlan(samples, device).visibilityTier, AGAA_TIER_ORDERED_GRID);
+            EXPECT_NE(adaptivePlan(samples, device).view.visibilityTier, AGAA_TIER_ORDERED_GRID);
         }
     }
     AgaaDeviceCaps small = fourSampleDevice(); // 64 pixels times 4 do not fit
     small.maxImageSize = 255;
-    EXPECT_EQ(adaptivePlan(16, {}, small).visibilityTier, AGAA_TIER_SCALED_TARGET);
+    EXPECT_EQ(adaptivePlan(16, {}, small).view.visibilityTier, AGAA_TIER_SCALED_TARGET);
     for (uint32_t samples : {1u, 2u, 8u, 32u})
         EXPECT_NE(adaptivePlan(samples, {}, idealDevice()).visibilityTier, AGAA_TIER_ORDERED_GRID);
     // Other techniques have grids where they are asked for.
@@ -105,8 +105,8 @@ TEST(Adaptive, AGBufferOfTheHostIsNoGrid) {
         const auto plan = [&](uint32_t tier) {
             return planFor({.technique = "adaptive", .samples = samples, .visibilityTier = tier, .chained = &function}, fourSampleDevice());
         };
-        EXPECT_EQ(plan(AGAA_TIER_AUTO).visibilityTier, samples == 4 ? AGAA_TIER_NATIVE : AGAA_TIER_SCALED_TARGET);
-        EXPECT_EQ(plan(AGAA_TIER_ORDERED_GRID).visibilityTier, AGAA_TIER_ORDERED_GRID);
+        EXPECT_EQ(plan(AGAA_TIER_AUTO).view.visibilityTier, samples == 4 ? AGAA_TIER_NATIVE : AGAA_TIER_SCALED_TARGET);
+        EXPECT_EQ(plan(AGAA_TIER_ORDERED_GRID).view.visibilityTier, AGAA_TIER_ORDERED_GRID);
     }
 }
 
@@ -146,9 +146,9 @@ TEST(Adaptive, ListsSayHowManyGroupsThereAre) {
     const Plan plan = adaptivePlan(9, [](AgaaAdaptiveSampling& a) { a.flags |= AGAA_ADAPTIVE_SORTED; });
     std::vector<std::pair<std::string, uint64_t>> lists;
     for (const Pass& pass : plan.passes)
-        if (pass.dispatch.kind == DispatchKind::Indirect) {
-            EXPECT_EQ(pass.dispatch.arguments, plan.surface("sample-choices"));
-            lists.emplace_back(pass.name, pass.dispatch.argumentsOffset);
+        if (pass.compute.dispatch.kind == DispatchKind::Indirect) {
+            EXPECT_EQ(pass.compute.dispatch.arguments, plan.surface("sample-choices"));
+            lists.emplace_back(pass.name, pass.compute.dispatch.argumentsOffset);
         }
     using Lists = std::vector<std::pair<std::string, uint64_t>>;
     EXPECT_EQ(lists, (Lists{{"count samples", 4 * (AGAA_COMPLEX_PIXELS_AT + 1)}, {"place pixels", 4 * (AGAA_FURTHER_AT + 1)},
@@ -158,7 +158,7 @@ TEST(Adaptive, ListsSayHowManyGroupsThereAre) {
 TEST(Adaptive, MemoryIsAGBufferFirstSamplesAndChoices) {
     const Plan ssaa = planFor({.technique = "ssaa", .samples = 9}, fourSampleDevice());
     const auto perPixel = [](const Plan& plan, uint64_t constant) {
-        return double(plan.totalBytes() - constant) / (double(plan.width) * plan.height);
+        return double(plan.totalBytes() - constant) / (double(plan.view.width) * plan.view.height);
     };
     constexpr uint64_t sums = 4 * AGAA_SUM_WORDS;
     const double gbuffer = perPixel(ssaa, 0);

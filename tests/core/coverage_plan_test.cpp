@@ -42,7 +42,7 @@ TEST(CoveragePlan, EllipticLobesTakeEightBytes) {
     for (const uint32_t ndf : {AGAA_NDF_LEAN, AGAA_NDF_SGGX}) {
         spec.change = [ndf](TechniqueConfig& config) { config.ndf = ndf; };
         const Plan plan = planFor(spec, idealDevice());
-        EXPECT_EQ(plan.config.ndf, ndf);
+        EXPECT_EQ(plan.view.config.ndf, ndf);
         EXPECT_EQ(plan.bytesPerAggregate, 36u);
         EXPECT_EQ(bytesOf(plan, "surfaces"), 144 * pixels);
         EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * 44) * pixels + 64);
@@ -122,8 +122,8 @@ TEST(CoveragePlan, VertexPullingReplacesGeometryShaders) {
             const Pass &p = pulled.passes[i], &e = expanded.passes[i];
             if (p.kind != PassKind::HostDraw)
                 continue;
-            EXPECT_EQ(p.drawState.vertexPulling, 1u);
-            EXPECT_EQ(e.drawState.vertexPulling, 0u);
+            EXPECT_EQ(p.draw.state.vertexPulling, 1u);
+            EXPECT_EQ(e.draw.state.vertexPulling, 0u);
             EXPECT_EQ(hostGeometry(pulled, p, {}), "");
             EXPECT_EQ(hostVertex(expanded, e, {}), "");
             EXPECT_NE(hostVertex(pulled, p, {}).find("void agaa_pullVertex("), std::string::npos);
@@ -135,7 +135,7 @@ TEST(CoveragePlan, VertexPullingReplacesGeometryShaders) {
     // All else is as without the flag.
     ViewSpec other{.viewFlags = AGAA_VIEW_VERTEX_PULLING};
     for (const Pass& pass : planFor(other, caps).passes)
-        EXPECT_EQ(pass.drawState.vertexPulling, 0u);
+        EXPECT_EQ(pass.draw.state.vertexPulling, 0u);
     caps.flags &= ~AGAA_DEVICE_FRAGMENT_ATOMICS;
     ViewSpec noAtomics = carried();
     noAtomics.viewFlags = AGAA_VIEW_VERTEX_PULLING;
@@ -147,7 +147,7 @@ TEST(CoveragePlan, InterlockKeepsSurfacesAlone) {
     ViewSpec spec = carried();
     spec.generationTier = AGAA_TIER_FRAGMENT_INTERLOCK;
     const Plan plan = planFor(spec, idealDevice());
-    EXPECT_EQ(plan.generationTier, AGAA_TIER_FRAGMENT_INTERLOCK);
+    EXPECT_EQ(plan.view.generationTier, AGAA_TIER_FRAGMENT_INTERLOCK);
     EXPECT_EQ(plan.totalBytes(), 112u * spec.width * spec.height);
     EXPECT_EQ(plan.fragmentCapacity, 0u);
     EXPECT_EQ(plan.geometryPasses(), 1u);
@@ -167,14 +167,14 @@ TEST(CoveragePlan, RasterOrderKeepsSurfacesInAttachments) {
     spec.generationTier = AGAA_TIER_RASTER_ORDER;
     AgaaDeviceCaps caps = idealDevice();
     const Plan plan = planFor(spec, caps);
-    EXPECT_EQ(plan.generationTier, AGAA_TIER_RASTER_ORDER);
+    EXPECT_EQ(plan.view.generationTier, AGAA_TIER_RASTER_ORDER);
     EXPECT_EQ(plan.totalBytes(), 112u * spec.width * spec.height);
     EXPECT_EQ(plan.fragmentCapacity, 0u);
     const auto draw = std::ranges::find(plan.passes, PassKind::HostDraw, &Pass::kind);
     ASSERT_NE(draw, plan.passes.end());
-    EXPECT_EQ(draw->drawState.colorAttachmentCount, 7u);
-    ASSERT_EQ(draw->colorTargets.size(), 1u);
-    EXPECT_EQ(plan.resources[draw->colorTargets[0]].layers, 7u);
+    EXPECT_EQ(draw->draw.state.colorAttachmentCount, 7u);
+    ASSERT_EQ(draw->draw.colorTargets.size(), 1u);
+    EXPECT_EQ(plan.resources[draw->draw.colorTargets[0]].layers, 7u);
     HostDialect dialect;
     dialect.openGl = true;
     const std::string text = hostDeclarations(plan, *draw, dialect);
@@ -189,7 +189,7 @@ TEST(CoveragePlan, RasterOrderKeepsSurfacesInAttachments) {
     EXPECT_NE(vulkan.find("layout(input_attachment_index = 0, set = 2, binding = 10) uniform usubpassInput agaa_held[7];"),
               std::string::npos);
     EXPECT_NE(vulkan.find("layout(location = 6) out uvec4 agaa_target6;"), std::string::npos);
-    EXPECT_EQ(draw->drawState.readsAttachments, 1u);
+    EXPECT_EQ(draw->draw.state.readsAttachments, 1u);
     caps.flags &= ~AGAA_DEVICE_FRAMEBUFFER_FETCH;
     const std::string refused = refusal(spec, caps);
     for (const char* extension : {"GL_EXT_shader_framebuffer_fetch", "VK_EXT_rasterization_order_attachment_access"})

@@ -60,11 +60,11 @@ TEST(GroupedPlan, DrawsThatCannotBeFetchedAddAGBuffer) {
     EXPECT_TRUE(hasResource(mixed, "gbuffer-0"));
     EXPECT_TRUE(has(mixed.notes, "cannot be fetched"));
     const Pass& over = mixed.passes[1];
-    EXPECT_EQ(over.drawPass, AGAA_DRAW_PASS_GBUFFER);
-    EXPECT_EQ(over.drawState.depthCompare, uint32_t(AGAA_COMPARE_EQUAL));
-    EXPECT_EQ(over.drawState.depthWrite, 0u);
-    EXPECT_FALSE(over.clearsDepth);
-    EXPECT_EQ(over.depthTarget, mixed.passes[0].depthTarget);
+    EXPECT_EQ(over.draw.id, AGAA_DRAW_PASS_GBUFFER);
+    EXPECT_EQ(over.draw.state.depthCompare, uint32_t(AGAA_COMPARE_EQUAL));
+    EXPECT_EQ(over.draw.state.depthWrite, 0u);
+    EXPECT_FALSE(over.draw.clearsDepth);
+    EXPECT_EQ(over.draw.depthTarget, mixed.passes[0].draw.depthTarget);
 }
 
 TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
@@ -88,7 +88,7 @@ TEST(GroupedPlan, EllipticLobesWantEachNormal) {
         ViewSpec spec;
         spec.change = [=](TechniqueConfig& config) { config.ndf = ndf; };
         const Plan plan = planFor(spec, fourSampleDevice());
-        EXPECT_EQ(plan.generationTier, AGAA_TIER_GBUFFER);
+        EXPECT_EQ(plan.view.generationTier, AGAA_TIER_GBUFFER);
         EXPECT_TRUE(has(plan.notes, "elliptic lobes"));
         EXPECT_TRUE(has(plan.effects, "ndf-widening"));
         EXPECT_TRUE(has(plan.effects, "elliptic-lobes"));
@@ -175,7 +175,7 @@ TEST(GroupedPlan, ExtensionsOfTheHostsCodeFollowTheVersion) {
     const Pass pass = planFor(spec, fourSampleDevice()).passes.back();
     EXPECT_NE(passGlsl(pass).find("#version 450\n" + both), std::string::npos) << passGlsl(pass).substr(0, 500);
     EXPECT_NE(passGlslForOpenGl(pass, 430).find("#version 430\n" + both), std::string::npos);
-    EXPECT_EQ(pass.hostCodeOrigin, "AgaaFetchFunction::glsl and ::glslExtensions with "
+    EXPECT_EQ(pass.compute.hostCodeOrigin, "AgaaFetchFunction::glsl and ::glslExtensions with "
                                    "AgaaShadowFunction::glsl and ::glslExtensions");
 }
 
@@ -191,7 +191,7 @@ TEST(GroupedPlan, BindlessTexturesCompile) {
     spec.chained = &fetch;
     const auto words = [&] {
         const Pass pass = planFor(spec, fourSampleDevice()).passes.back();
-        return compileCompute(passGlsl(pass), pass.hostCodeOrigin.c_str()).size();
+        return compileCompute(passGlsl(pass), pass.compute.hostCodeOrigin.c_str()).size();
     };
     EXPECT_THROW(words(), Error) << "without the extension";
     fetch.glslExtensions = "#extension GL_EXT_nonuniform_qualifier : require";
@@ -206,7 +206,7 @@ TEST(GroupedPlan, TheListFitsSharedMemory) {
         AgaaDeviceCaps caps = fourSampleDevice();
         caps.maxSharedBytes = bytes;
         caps.flags |= flags;
-        const std::string& defines = planFor(spec, caps).passes.back().defines;
+        const std::string& defines = planFor(spec, caps).passes.back().compute.defines;
         const size_t at = defines.find("AGAA_LIST_LENGTH ");
         return std::stoul(defines.substr(at + 17));
     };
@@ -248,7 +248,7 @@ TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
         ViewSpec spec;
         spec.change = [&](TechniqueConfig& c) { c.applyPreset(name); };
         const Plan plan = planFor(spec, fourSampleDevice());
-        EXPECT_EQ(plan.generationTier == AGAA_TIER_GBUFFER, config.aggregation.litShadows != 0) << name;
+        EXPECT_EQ(plan.view.generationTier == AGAA_TIER_GBUFFER, config.aggregation.litShadows != 0) << name;
         const bool grouped = std::string(name) == "balanced" || std::string(name) == "accurate";
         EXPECT_EQ(config.aggregation.litShadows != 0, grouped);
         EXPECT_EQ(config.ndf, uint32_t(grouped ? AGAA_NDF_LEAN : AGAA_NDF_TOKSVIG));

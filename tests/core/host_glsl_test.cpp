@@ -102,7 +102,7 @@ TEST_P(HostDialects, CompilesForEveryPlan) {
         const bool masked = ++compiled & 1;
         const std::string text = hostShader(plan, pass, GetParam(), masked);
         ASSERT_EQ(compileErrors(text, GetParam()), "")
-            << plan.technique << " n=" << plan.samples << " c=" << plan.aggregates << " " << pass.name;
+            << plan.view.technique << " n=" << plan.view.samples << " c=" << plan.view.aggregates << " " << pass.name;
         if (GetParam().hostOutputs) {
             ASSERT_EQ(text.find(") out vec4"), std::string::npos);
         }
@@ -179,7 +179,7 @@ TEST(HostGlslForward, WithoutStorageBlocksLightsAreBounded) {
         HostDialect dialect;
         dialect.openGl = dialect.storageImages = true;
         for (const Pass& pass : plan.passes) {
-            if (pass.kind != PassKind::HostDraw || pass.drawPass != AGAA_DRAW_PASS_FORWARD)
+            if (pass.kind != PassKind::HostDraw || pass.draw.id != AGAA_DRAW_PASS_FORWARD)
                 continue;
             if (lights > 231) {
                 EXPECT_THROW(hostDeclarations(plan, pass, dialect), Error);

@@ -28,9 +28,9 @@ TEST(Planner, ScaledTargetsGiveTheAskedSamplesOnAFourSampleDevice) {
         ViewSpec spec;
         spec.samples = samples;
         const Plan plan = planFor(spec, fourSampleDevice());
-        EXPECT_EQ(plan.visibilityTier, AGAA_TIER_SCALED_TARGET);
-        EXPECT_EQ(plan.hwSamples, 4u);
-        EXPECT_EQ(std::pair(plan.scaleX, plan.scaleY), scale);
+        EXPECT_EQ(plan.view.visibilityTier, AGAA_TIER_SCALED_TARGET);
+        EXPECT_EQ(plan.view.hwSamples, 4u);
+        EXPECT_EQ(std::pair(plan.view.scaleX, plan.view.scaleY), scale);
     }
     ViewSpec four;
     four.samples = 4;
@@ -116,11 +116,11 @@ TEST(Planner, SamplesLieApartInsideThePixel) {
 TEST(Planner, GenerationFallsBackToOneInvocationPerSample) {
     AgaaDeviceCaps caps = fourSampleDevice();
     ViewSpec spec;
-    EXPECT_EQ(planFor(spec, caps).generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
+    EXPECT_EQ(planFor(spec, caps).view.generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
     caps.flags &= ~AGAA_DEVICE_POST_DEPTH_COVERAGE;
-    EXPECT_EQ(planFor(spec, caps).generationTier, AGAA_TIER_PER_SAMPLE);
+    EXPECT_EQ(planFor(spec, caps).view.generationTier, AGAA_TIER_PER_SAMPLE);
     caps.flags &= ~AGAA_DEVICE_SAMPLE_RATE_SHADING;
-    EXPECT_EQ(planFor(spec, caps).generationTier, AGAA_TIER_GBUFFER);
+    EXPECT_EQ(planFor(spec, caps).view.generationTier, AGAA_TIER_GBUFFER);
     spec.generationTier = AGAA_TIER_PER_SAMPLE;
     EXPECT_THROW(planFor(spec, caps), Error);
 }
@@ -179,7 +179,7 @@ TEST(Planner, EveryCapabilityCanBePlanned) {
                 spec.viewFlags = AGAA_VIEW_VERTEX_PULLING;
             }
             const Plan plan = planFor(spec, caps);
-            EXPECT_EQ(uint32_t(isVisibility ? plan.visibilityTier : plan.generationTier), row.tier);
+            EXPECT_EQ(uint32_t(isVisibility ? plan.view.visibilityTier : plan.view.generationTier), row.tier);
             if (isGeneration && std::string(row.technique) == "agaa")
                 generation.insert(row.tier);
         }
@@ -206,7 +206,7 @@ TEST(Planner, FourCoveredSurfacesAre112BytesAPixel) {
     // Eight fragments of 16 bytes, the first of each pixel, and the counts.
     EXPECT_EQ(bytesOf(plan, "fragments"), (4 + 8 * 16) * pixels + 64);
     EXPECT_EQ(plan.geometryPasses(), 1u);
-    EXPECT_EQ(plan.hwSamples, 1u);
+    EXPECT_EQ(plan.view.hwSamples, 1u);
 }
 
 // A pool that one storage buffer of the device does not hold is made smaller, but not below a fragment a pixel.
@@ -245,8 +245,8 @@ TEST(Planner, FragmentsAreATierOfCoverageSamples) {
     for (const uint32_t samples : {64u, 128u}) {
         spec.samples = samples;
         const Plan plan = planFor(spec, idealDevice());
-        EXPECT_EQ(plan.generationTier, AGAA_TIER_FRAGMENTS);
-        EXPECT_EQ(plan.hwSamples, 1u);
+        EXPECT_EQ(plan.view.generationTier, AGAA_TIER_FRAGMENTS);
+        EXPECT_EQ(plan.view.hwSamples, 1u);
         EXPECT_EQ(plan.geometryPasses(), 1u);
         // Eight fragments of id, next, mask, plane and aggregate; the first of each pixel, and the counts.
         const uint64_t pixels = uint64_t(spec.width) * spec.height;
@@ -266,7 +266,7 @@ TEST(Planner, MaterialsOfTheirOwnDepthGoThroughAGBuffer) {
     ViewSpec spec;
     spec.facts |= AGAA_FACT_CUSTOM_DEPTH;
     const Plan plan = planFor(spec, fourSampleDevice());
-    EXPECT_EQ(plan.generationTier, AGAA_TIER_GBUFFER);
+    EXPECT_EQ(plan.view.generationTier, AGAA_TIER_GBUFFER);
     EXPECT_EQ(plan.geometryPasses(), 1u);
     spec.generationTier = AGAA_TIER_POST_DEPTH_ATOMICS;
     EXPECT_THROW(planFor(spec, fourSampleDevice()), Error);
@@ -292,10 +292,10 @@ TEST(Planner, FactsThatATechniqueCannotShowAreRefused) {
 
 TEST(Planner, AggregatesThatNoBufferHoldsAreNotKept) {
     const AgaaDeviceCaps caps = fourSampleDevice();
-    EXPECT_NE(planFor({}, caps).generationTier, uint32_t(AGAA_TIER_GBUFFER));
+    EXPECT_NE(planFor({}, caps).view.generationTier, uint32_t(AGAA_TIER_GBUFFER));
     const ViewSpec large{.width = 1920, .height = 1080};
     const Plan plan = planFor(large, caps);
-    EXPECT_EQ(plan.generationTier, uint32_t(AGAA_TIER_GBUFFER));
+    EXPECT_EQ(plan.view.generationTier, uint32_t(AGAA_TIER_GBUFFER));
     EXPECT_EQ(plan.bytesPerAggregate, 0u);
     EXPECT_TRUE(std::any_of(plan.notes.begin(), plan.notes.end(), [](const std::string& note) {
         return note.find("aggregates would take 149299200 bytes") != std::string::npos;
@@ -345,7 +345,7 @@ TEST(Planner, ReversedZGetsAFloatFormat) {
 TEST(Planner, LightsAreCulledWhereThereAreManyAndADepth) {
     const auto passesOf = [](const ViewSpec& spec) {
         const Plan plan = planFor(spec, fourSampleDevice());
-        const auto isCulling = [](const Pass& pass) { return pass.file == "common/cull_lights.comp"; };
+        const auto isCulling = [](const Pass& pass) { return pass.compute.file == "common/cull_lights.comp"; };
         const auto cull = std::ranges::find_if(plan.passes, isCulling);
         const bool culls = cull != plan.passes.end();
         for (const Pass& pass : plan.passes)
@@ -441,7 +441,7 @@ TEST(Planner, FoldedAggregatesInMemoryAreNotFiltered) {
 
 void expectShadersOf(const ViewSpec& spec) {
     for (const Pass& pass : planFor(spec, fourSampleDevice()).passes)
-        EXPECT_TRUE(pass.kind != PassKind::Compute || !pass.hostCode.empty() || !embeddedSpirv(pass.shader).empty()) << pass.shader;
+        EXPECT_TRUE(pass.kind != PassKind::Compute || !pass.compute.hostCode.empty() || !embeddedSpirv(pass.compute.shader).empty()) << pass.compute.shader;
 }
 
 TEST(Planner, EveryShaderOfEveryPlanIsInTheLibrary) {

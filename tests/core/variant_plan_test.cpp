@@ -116,7 +116,7 @@ void expectTheSame(const AgaaDrawState& a, const AgaaDrawState& b) { EXPECT_EQ(s
 void expectTheSameView(const Plan& base, const Plan& variant) {
     EXPECT_EQ(base.resources, variant.resources);
     EXPECT_EQ(base.effects, variant.effects);
-    EXPECT_EQ(base.generationTier, variant.generationTier);
+    EXPECT_EQ(base.view.generationTier, variant.view.generationTier);
     EXPECT_EQ(base.feedback, variant.feedback);
     ASSERT_EQ(base.passes.size(), variant.passes.size());
     EXPECT_EQ(base.steps().size(), variant.steps().size());
@@ -128,22 +128,22 @@ void expectTheSameView(const Plan& base, const Plan& variant) {
         EXPECT_EQ(a.stage, b.stage);
         EXPECT_EQ(a.segment, b.segment);
         EXPECT_EQ(a.bindings, b.bindings);
-        EXPECT_EQ(a.extensions, b.extensions);
-        EXPECT_EQ(a.dispatch, b.dispatch);
-        EXPECT_EQ(a.file, b.file);
-        EXPECT_EQ(a.hostCode, b.hostCode);
-        EXPECT_EQ(a.colorTargets, b.colorTargets);
-        EXPECT_EQ(a.depthTarget, b.depthTarget);
-        EXPECT_EQ(a.fillValue, b.fillValue);
-        expectTheSame(a.drawState, b.drawState);
+        EXPECT_EQ(a.draw.extensions, b.draw.extensions);
+        EXPECT_EQ(a.compute.dispatch, b.compute.dispatch);
+        EXPECT_EQ(a.compute.file, b.compute.file);
+        EXPECT_EQ(a.compute.hostCode, b.compute.hostCode);
+        EXPECT_EQ(a.draw.colorTargets, b.draw.colorTargets);
+        EXPECT_EQ(a.draw.depthTarget, b.draw.depthTarget);
+        EXPECT_EQ(a.fill.value, b.fill.value);
+        expectTheSame(a.draw.state, b.draw.state);
         for (uint32_t c = 0; c < ConstantCount; ++c)
             if (a.kind != PassKind::Compute || !constantsOfFacts.contains(c)) {
                 EXPECT_EQ(a.constants[c], b.constants[c]) << c;
             }
         if (a.kind != PassKind::Compute) {
-            EXPECT_EQ(a.defines, b.defines);
-        } else if (b.hostCode.empty()) {
-            EXPECT_FALSE(embeddedSpirv(b.shader).empty()) << b.shader;
+            EXPECT_EQ(a.compute.defines, b.compute.defines);
+        } else if (b.compute.hostCode.empty()) {
+            EXPECT_FALSE(embeddedSpirv(b.compute.shader).empty()) << b.compute.shader;
         }
     }
     EXPECT_TRUE(isVariantOf(variant, base));
@@ -154,7 +154,7 @@ TEST(VariantPlan, OnlyProgramsDiffer) {
     for (const ViewSpec& spec : everyWay(functions)) {
         const Plan base = planFor(spec, fourSampleDevice());
         for (const AgaaSceneFacts& facts : everyFewer()) {
-            SCOPED_TRACE(std::string(spec.technique) + " " + agaaTierName(base.generationTier) + " " +
+            SCOPED_TRACE(std::string(spec.technique) + " " + agaaTierName(base.view.generationTier) + " " +
                          std::to_string(facts.flags) + " " + std::to_string(facts.shadowMapCount));
             expectTheSameView(base, variantFor(spec, facts));
         }
@@ -164,7 +164,7 @@ TEST(VariantPlan, OnlyProgramsDiffer) {
 uint32_t differingPasses(const Plan& a, const Plan& b) {
     uint32_t count = 0;
     for (size_t i = 0; i < a.passes.size(); ++i)
-        count += a.passes[i].shader != b.passes[i].shader || a.passes[i].constants != b.passes[i].constants;
+        count += a.passes[i].compute.shader != b.passes[i].compute.shader || a.passes[i].constants != b.passes[i].constants;
     return count;
 }
 
@@ -194,17 +194,17 @@ TEST(VariantPlan, EffectsAreLeftOut) {
         return *std::ranges::find(plan.passes, "aggregate and shade", &Pass::name);
     };
     const Pass all = shading(factsOf(AGAA_FACT_ALL_SHADED, 2));
-    EXPECT_NE(all.shader.find("s1"), std::string::npos);
-    EXPECT_NE(all.shader.find("l1"), std::string::npos);
+    EXPECT_NE(all.compute.shader.find("s1"), std::string::npos);
+    EXPECT_NE(all.compute.shader.find("l1"), std::string::npos);
     EXPECT_EQ(all.constants[AGAA_LIT_SHADOWS], 2u);
     EXPECT_EQ(all.constants[AGAA_SHADOW_MAPS], 2u);
     const Pass one = shading(factsOf(AGAA_FACT_ALL_SHADED, 1));
-    EXPECT_NE(one.shader.find("s1"), std::string::npos);
-    EXPECT_NE(one.shader.find("l0"), std::string::npos);
-    EXPECT_NE(one.defines.find("#define AGAA_LIT 0"), std::string::npos);
+    EXPECT_NE(one.compute.shader.find("s1"), std::string::npos);
+    EXPECT_NE(one.compute.shader.find("l0"), std::string::npos);
+    EXPECT_NE(one.compute.defines.find("#define AGAA_LIT 0"), std::string::npos);
     EXPECT_EQ(one.constants[AGAA_SHADOW_MAPS], 1u);
     const Pass none = shading(factsOf(0, 0));
-    EXPECT_NE(none.shader.find("s0"), std::string::npos);
+    EXPECT_NE(none.compute.shader.find("s0"), std::string::npos);
     for (const Constant constant : {AGAA_HAS_SPECULAR, AGAA_EMISSIVE_CHANNELS, AGAA_HAS_AMBIENT}) {
         EXPECT_NE(all.constants[constant], 0u);
         EXPECT_EQ(none.constants[constant], 0u);
@@ -222,7 +222,7 @@ TEST(VariantPlan, PassesWithFunctionsOfTheHostCompile) {
                 spec.technique = "ssaa";
             uint32_t compiled = 0;
             for (const Pass& pass : variantFor(spec, facts).passes)
-                if (!pass.hostCode.empty()) {
+                if (!pass.compute.hostCode.empty()) {
                     EXPECT_FALSE(compileCompute(passGlsl(pass), pass.name.c_str()).empty());
                     ++compiled;
                 }
@@ -248,7 +248,7 @@ public:
     void add(const ViewSpec& spec, const AgaaSceneFacts& facts) {
         variants.add(variantFor(spec, facts), [&](const Pass&, size_t) { return Compiled{++compiled, compiled % 2 == 0}; });
     }
-    explicit Counting(const ViewSpec& spec) : base(planFor(spec, fourSampleDevice())), variants(base) { add(spec, base.facts); }
+    explicit Counting(const ViewSpec& spec) : base(planFor(spec, fourSampleDevice())), variants(base) { add(spec, base.view.facts); }
 
     uint64_t compiled = 0;
     Plan base;
@@ -256,7 +256,7 @@ public:
 };
 
 uint64_t flagsOf(const Counting& counting, uint64_t flags, uint32_t shadows) {
-    return counting.variants.smallest(computeFactsOf(factsOf(flags, shadows), counting.base.facts)).facts.flags;
+    return counting.variants.smallest(computeFactsOf(factsOf(flags, shadows), counting.base.view.facts)).facts.flags;
 }
 
 TEST(Variants, FramesRunWithTheSmallestThatHasTheirEffects) {

@@ -35,7 +35,7 @@ Kept keepFrame(typename Host::Context& context, ViewSettings settings, const Sho
     return showBy<Host>(context, settings, shot, [&](typename Host::View& view) {
         const auto& plan = view.plan();
         KeptBuffers buffers{{}, view.readBuffer("surfaces"), plan.payloadWords, plan.bytesPerAggregate / 4};
-        buffers.surfaces = withoutRests(buffers.surfaces, size_t(plan.width) * plan.height, plan.aggregates * buffers.stride);
+        buffers.surfaces = withoutRests(buffers.surfaces, size_t(plan.view.width) * plan.view.height, plan.view.aggregates * buffers.stride);
         if (plan.fragmentCapacity)
             buffers.fragments = view.readBuffer("fragments");
         Kept kept = keptOf(settings, buffers, view.statistics().counters);

@@ -14,9 +14,9 @@ struct FragmentWords {
     std::vector<std::vector<uint32_t>> pixels;
     size_t count = 0; // of fragments
 
-    FragmentWords(const Plan& plan, const std::vector<uint32_t>& buffer) : pixels(size_t(plan.width) * plan.height) {
+    FragmentWords(const Plan& plan, const std::vector<uint32_t>& buffer) : pixels(size_t(plan.view.width) * plan.view.height) {
         constexpr size_t countWords = 16; // before the first fragments
-        const size_t length = 2 + plan.samples / 32 + plan.payloadWords;
+        const size_t length = 2 + plan.view.samples / 32 + plan.payloadWords;
         for (size_t p = 0; p < pixels.size(); ++p)
             for (uint32_t at = buffer[countWords + p]; at != 0; ++count) {
                 const auto record = buffer.begin() + ptrdiff_t(countWords + pixels.size() + (at - 1) * length);

@@ -85,7 +85,7 @@ TYPED_TEST_P(RasterOrderCases, FramesBeginWithoutSurfaces) {
 // 112 bytes a pixel, with nothing beside them.
 TYPED_TEST_P(RasterOrderCases, MemoryIsThatOfTheSurfaces) {
     const typename TypeParam::View view(this->context, this->settings(AGAA_TIER_RASTER_ORDER));
-    EXPECT_EQ(view.plan().totalBytes(), 112u * view.plan().width * view.plan().height);
+    EXPECT_EQ(view.plan().totalBytes(), 112u * view.plan().view.width * view.plan().view.height);
     EXPECT_EQ(view.executor().resources->payloadBytes(), view.plan().totalBytes());
 }
 

@@ -11,7 +11,7 @@ namespace agaa::test {
 using math_d::agaa_Surface;
 
 glm::dvec3 ShadingOracle::pixel(uint32_t x, uint32_t y) const {
-    return plan_.aggregates ? aggregatedPixel(x, y) : perSamplePixel(x, y);
+    return plan_.view.aggregates ? aggregatedPixel(x, y) : perSamplePixel(x, y);
 }
 
 glm::dvec3 ShadingOracle::position(uint32_t x, uint32_t y, uint32_t i) const {
@@ -19,8 +19,8 @@ glm::dvec3 ShadingOracle::position(uint32_t x, uint32_t y, uint32_t i) const {
     const float* p = constants_.projection;
     const double depth = double(std::bit_cast<float>(depth_[sampleIndex(plan_, x, y, i)].x));
     const uint orthographic = p[6] != 0.0f;
-    const rvec2 ndc((x + double(constants_.samples[i][0])) / plan_.width * 2 - 1,
-                    (y + double(constants_.samples[i][1])) / plan_.height * 2 - 1);
+    const rvec2 ndc((x + double(constants_.samples[i][0])) / plan_.view.width * 2 - 1,
+                    (y + double(constants_.samples[i][1])) / plan_.view.height * 2 - 1);
     const rvec3 v = agaa_viewPosition(ndc, agaa_viewZFromDepth(depth, double(p[4]), double(p[5]), orthographic),
                                       double(p[0]), double(p[1]), double(p[2]), double(p[3]), orthographic);
     glm::mat4 view;
@@ -36,8 +36,8 @@ static glm::dvec3 towardsEye(const glm::dvec3& position, const FrameConstants& c
 
 // The layout's description in words: integer sums of codes, each of so many bits.
 ShadingOracle::Shaded ShadingOracle::aggregate(const uint32_t* words, uint32_t count, const glm::dvec3& toEye) const {
-    const AggregatePacking packing = packAggregate(plan_.layout, plan_.samples);
-    const uint32_t growth = uint32_t(std::bit_width(plan_.samples) - 1);
+    const AggregatePacking packing = packAggregate(plan_.view.layout, plan_.view.samples);
+    const uint32_t growth = uint32_t(std::bit_width(plan_.view.samples) - 1);
     const auto sumOf = [&](const Field& f) {
         return double(uint64_t(words[f.word]) >> f.shift & ((uint64_t(1) << (f.bits + growth)) - 1));
     };
@@ -60,24 +60,24 @@ ShadingOracle::Shaded ShadingOracle::aggregate(const uint32_t* words, uint32_t c
     s.meanLength =
         math_d::agaa_varianceFloor(length, math_d::agaa_storedLengthBound(1, packing.fields[ChannelNormalX].bits));
     s.specular = mean3(ChannelSpecularR);
-    if (plan_.layout.specularIsYCbCr())
+    if (plan_.view.layout.specularIsYCbCr())
         s.specular = glm::max(math_d::agaa_yCbCrToRgb(s.specular), glm::dvec3(0));
-    if (plan_.layout.foldsRoughness()) {
+    if (plan_.view.layout.foldsRoughness()) {
         s.alpha2 = math_d::agaa_alpha2FromFoldedLength(length);
         s.meanLength = 1;
     } else {
         const double own = packing.fields[ChannelRoughness].bits ? mean(ChannelRoughness) : 1.0;
-        s.alpha2 = plan_.config.ndf ? math_d::agaa_toksvigAlpha2(own, s.meanLength) : own;
+        s.alpha2 = plan_.view.config.ndf ? math_d::agaa_toksvigAlpha2(own, s.meanLength) : own;
     }
-    const double range = double(plan_.layout.emissiveRange());
+    const double range = double(plan_.view.layout.emissiveRange());
     s.emissive = range * mean3(ChannelEmissiveR);
-    if (plan_.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
+    if (plan_.view.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
         s.emissive = range * mean(ChannelEmissiveR) * s.diffuse;
     return s;
 }
 
 ShadingOracle::Shaded ShadingOracle::sample(size_t index) const {
-    const GBufferPacking packing = packGBuffer(plan_.layout);
+    const GBufferPacking packing = packGBuffer(plan_.view.layout);
     const auto value = [&](uint32_t channel) {
         const Field& f = packing.fields[channel];
         return f.bits ? double(std::bit_cast<float>(gbuffer_[f.word][index][int(f.shift)])) : 0.0;
@@ -89,9 +89,9 @@ ShadingOracle::Shaded ShadingOracle::sample(size_t index) const {
     s.normal =
         math_d::agaa_decodeOct({value(ChannelNormalX), value(ChannelNormalY)}, packing.fields[ChannelNormalX].bits);
     s.alpha2 = packing.fields[ChannelRoughness].bits ? value(ChannelRoughness) : 1.0;
-    const double range = double(plan_.layout.emissiveRange());
+    const double range = double(plan_.view.layout.emissiveRange());
     s.emissive = range * value3(ChannelEmissiveR);
-    if (plan_.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
+    if (plan_.view.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
         s.emissive = range * value(ChannelEmissiveR) * s.diffuse;
     return s;
 }
@@ -99,9 +99,9 @@ ShadingOracle::Shaded ShadingOracle::sample(size_t index) const {
 glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
                                 const std::vector<double>& visibility) const {
     const glm::dvec3 toEye = towardsEye(position, constants_);
-    const AgaaConfig& config = plan_.config;
+    const AgaaConfig& config = plan_.view.config;
     const agaa_Surface surface{s.diffuse, s.specular, s.emissive, s.normal, s.meanLength, s.alpha2, 0, glm::dvec3(0)};
-    const uint32_t filterDiffuse = !(plan_.measurement.flags & AGAA_MEASURE_NO_DIFFUSE_FILTER);
+    const uint32_t filterDiffuse = !(plan_.view.measurement.flags & AGAA_MEASURE_NO_DIFFUSE_FILTER);
     glm::dvec3 sum = s.emissive;
     for (int i = 0; i < 3; ++i)
         sum[i] += double(frame_.ambient[i]) * (s.diffuse[i] + s.specular[i]);
@@ -123,7 +123,7 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
             intensity *= visibility[light.shadowMap];
         if (intensity <= 0)
             continue;
-        const glm::dvec3 brdf = plan_.layout.hasSpecularLight
+        const glm::dvec3 brdf = plan_.view.layout.hasSpecularLight
                                     ? math_d::agaa_shade(surface, toEye, toLight, config.brdf, filterDiffuse, 0u)
                                     : math_d::agaa_shadeDiffuse(surface, toLight, filterDiffuse);
         sum += brdf * glm::dvec3(light.color[0], light.color[1], light.color[2]) * intensity;
@@ -132,11 +132,11 @@ glm::dvec3 ShadingOracle::light(const Shaded& s, const glm::dvec3& position,
 }
 
 glm::dvec3 ShadingOracle::perSamplePixel(uint32_t x, uint32_t y) const {
-    const GBufferPacking packing = packGBuffer(plan_.layout);
+    const GBufferPacking packing = packGBuffer(plan_.view.layout);
     const Field& normal = packing.fields[ChannelNormalX];
     glm::dvec3 sum(0);
     uint32_t covered = 0;
-    for (uint32_t i = 0; i < plan_.samples; ++i) {
+    for (uint32_t i = 0; i < plan_.view.samples; ++i) {
         const size_t index = sampleIndex(plan_, x, y, i);
         if (gbuffer_[normal.word][index][int(normal.shift)] == 0)
             continue;
@@ -151,13 +151,13 @@ glm::dvec3 ShadingOracle::perSamplePixel(uint32_t x, uint32_t y) const {
     }
     events_ += covered;
     const glm::dvec3 background(frame_.background[0], frame_.background[1], frame_.background[2]);
-    return (sum + background * double(plan_.samples - covered)) / double(plan_.samples);
+    return (sum + background * double(plan_.view.samples - covered)) / double(plan_.view.samples);
 }
 
 std::pair<glm::dvec3, std::vector<glm::dvec3>>
 ShadingOracle::shadowTapsOf(const std::vector<glm::dvec3>& samples) const {
-    const AgaaConfig& config = plan_.config;
-    const bool alongDepth = plan_.measurement.flags & AGAA_MEASURE_SHADOW_ALONG_DEPTH;
+    const AgaaConfig& config = plan_.view.config;
+    const bool alongDepth = plan_.view.measurement.flags & AGAA_MEASURE_SHADOW_ALONG_DEPTH;
     const size_t count = samples.size();
     const size_t most = alongDepth ? count : config.shadowTaps ? config.shadowTaps : 8;
     const size_t taps = std::min(count, most);
@@ -167,7 +167,7 @@ ShadingOracle::shadowTapsOf(const std::vector<glm::dvec3>& samples) const {
     glm::dvec3 mean(0);
     for (const glm::dvec3& sample : samples)
         mean += sample / double(count);
-    if (plan_.measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER)
+    if (plan_.view.measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER)
         return {mean, {mean}};
     if (!alongDepth)
         return {mean, chosen};
@@ -191,20 +191,20 @@ ShadingOracle::shadowTapsOf(const std::vector<glm::dvec3>& samples) const {
 }
 
 glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
-    const AggregatePacking packing = packAggregate(plan_.layout, plan_.samples);
+    const AggregatePacking packing = packAggregate(plan_.view.layout, plan_.view.samples);
     glm::dvec3 sum(0);
     uint32_t covered = 0;
-    for (uint32_t a = 0; a < plan_.aggregates; ++a) {
-        const uint32_t* words = &words_[((size_t(y) * plan_.width + x) * plan_.aggregates + a) * packing.words];
+    for (uint32_t a = 0; a < plan_.view.aggregates; ++a) {
+        const uint32_t* words = &words_[((size_t(y) * plan_.view.width + x) * plan_.view.aggregates + a) * packing.words];
         const uint64_t field = words[packing.coverage.word] >> packing.coverage.shift;
-        const uint32_t mask = uint32_t(field & ((uint64_t(1) << plan_.samples) - 1));
+        const uint32_t mask = uint32_t(field & ((uint64_t(1) << plan_.view.samples) - 1));
         if (!mask)
             continue;
         ++events_;
         const uint32_t count = uint32_t(std::popcount(mask));
         covered += count;
         std::vector<glm::dvec3> places;
-        for (uint32_t i = 0; i < plan_.samples; ++i)
+        for (uint32_t i = 0; i < plan_.view.samples; ++i)
             if (mask >> i & 1)
                 places.push_back(position(x, y, i));
         const auto [mean, taps] = shadowTapsOf(places);
@@ -219,7 +219,7 @@ glm::dvec3 ShadingOracle::aggregatedPixel(uint32_t x, uint32_t y) const {
         sum += double(count) * light(aggregate(words, count, towardsEye(mean, constants_)), mean, visibility);
     }
     const glm::dvec3 background(frame_.background[0], frame_.background[1], frame_.background[2]);
-    return (sum + background * double(plan_.samples - covered)) / double(plan_.samples);
+    return (sum + background * double(plan_.view.samples - covered)) / double(plan_.view.samples);
 }
 
 } // namespace agaa::test

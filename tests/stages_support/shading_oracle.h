@@ -23,9 +23,9 @@ public:
     ShadingOracle(const View& view, const AgaaFrame& frame, Visibility visibility)
         : plan_(view.plan()), frame_(frame), constants_(frameConstants(view.plan(), frame, view.positions())),
           visibility_(std::move(visibility)), depth_(view.readSurface("depth")) {
-        if (plan_.aggregates)
+        if (plan_.view.aggregates)
             words_ = view.readBuffer("aggregates");
-        for (size_t i = 0; i < packGBuffer(plan_.layout).attachments.size() && !plan_.aggregates; ++i)
+        for (size_t i = 0; i < packGBuffer(plan_.view.layout).attachments.size() && !plan_.view.aggregates; ++i)
             gbuffer_.push_back(view.readSurface("gbuffer-" + std::to_string(i)));
     }
 

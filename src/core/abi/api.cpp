@@ -156,11 +156,11 @@ AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceC
         checkOutput(outTarget);
         const Plan plan = makePlan(settings, capsOrIdeal(caps), 2); // refuses targets beyond maxImageSize
         AgaaTarget target = AGAA_TARGET_INIT;
-        target.width = plan.width * plan.scaleX;
-        target.height = plan.height * plan.scaleY;
-        target.samples = plan.hwSamples;
-        target.scaleX = plan.scaleX;
-        target.scaleY = plan.scaleY;
+        target.width = plan.view.width * plan.view.scaleX;
+        target.height = plan.view.height * plan.view.scaleY;
+        target.samples = plan.view.hwSamples;
+        target.scaleX = plan.view.scaleX;
+        target.scaleY = plan.view.scaleY;
         target.geometryPasses = plan.geometryPasses();
         writeStruct(outTarget, target);
         return AGAA_OK;

@@ -9,12 +9,12 @@ AgaaDrawTarget emptyTarget(const Plan& plan, const Pass& pass) {
     AgaaDrawTarget target{};
     target.sType = AGAA_STRUCTURE_TYPE_DRAW_TARGET;
     target.structSize = sizeof target;
-    target.pass = pass.drawPass;
-    target.width = pass.width;
-    target.height = pass.height;
-    target.scaleX = plan.scaleX;
-    target.scaleY = plan.scaleY;
-    target.state = pass.drawState;
+    target.pass = pass.draw.id;
+    target.width = pass.draw.width;
+    target.height = pass.draw.height;
+    target.scaleX = plan.view.scaleX;
+    target.scaleY = plan.view.scaleY;
+    target.state = pass.draw.state;
     return target;
 }
 
@@ -32,14 +32,14 @@ AgaaResult writeDrawPasses(const ViewState& view, uint32_t* count, AgaaDrawPass*
             if (pass.kind != PassKind::HostDraw)
                 continue;
             AgaaDrawPass out = AGAA_DRAW_PASS_INIT;
-            out.pass = pass.drawPass;
+            out.pass = pass.draw.id;
             out.stage = pass.stage;
             out.name = pass.name.c_str();
-            out.width = pass.width;
-            out.height = pass.height;
-            out.scaleX = view.plan.scaleX;
-            out.scaleY = view.plan.scaleY;
-            out.state = pass.drawState;
+            out.width = pass.draw.width;
+            out.height = pass.draw.height;
+            out.scaleX = view.plan.view.scaleX;
+            out.scaleY = view.plan.view.scaleY;
+            out.state = pass.draw.state;
             AgaaDrawPass* element = elementOf(passes, next++);
             view.describePass(i, out, nativePart(element, view.drawPassRow()));
             writeStruct(element, out);

@@ -106,9 +106,9 @@ static void checkShadow(const AgaaShadow& shadow, bool isFunction) {
 
 AgaaSceneFacts factsOf(const AgaaFrame& frame, const Plan& plan) {
     if (!frame.facts)
-        return plan.facts;
+        return plan.view.facts;
     const AgaaSceneFacts facts = checkFacts(frame.facts);
-    checkWithin(facts, plan.facts, "AgaaFrame::facts");
+    checkWithin(facts, plan.view.facts, "AgaaFrame::facts");
     return facts;
 }
 
@@ -119,7 +119,7 @@ void checkFrame(const AgaaFrame& frame, const Plan& plan) {
     require(frame.completedFrame < frame.frameIndex, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::completedFrame is not before frameIndex.");
     require(frame.draw || plan.geometryPasses() == 0, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::draw is null.");
-    checkMatrices(frame, plan.reversedZ);
+    checkMatrices(frame, plan.view.reversedZ);
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
         return; // nothing else is read
     checkRange(uint64_t(frame.lightCount), 0, facts.maxLights,
@@ -133,9 +133,9 @@ void checkFrame(const AgaaFrame& frame, const Plan& plan) {
     checkElements(frame.lights, frame.lightSize, frame.lightCount, sizeof(AgaaLight), 64, "AgaaFrame::lightSize");
     checkElements(frame.shadows, frame.shadowSize, frame.shadowCount, sizeof(AgaaShadow), 392, "AgaaFrame::shadowSize");
     for (uint32_t i = 0; i < frame.lightCount; ++i)
-        checkLight(lightOf(frame, i), i, frame.shadowCount, !(plan.facts.flags & AGAA_FACT_NO_LOCAL_LIGHTS));
+        checkLight(lightOf(frame, i), i, frame.shadowCount, !(plan.view.facts.flags & AGAA_FACT_NO_LOCAL_LIGHTS));
     for (uint32_t i = 0; i < frame.shadowCount; ++i)
-        checkShadow(shadowOf(frame, i), plan.functionShadows >> i & 1);
+        checkShadow(shadowOf(frame, i), plan.view.functionShadows >> i & 1);
     for (float value : frame.ambient)
         checkRange(double(value), 0.0, 65504.0, "AgaaFrame::ambient");
     for (float value : frame.background)

@@ -21,12 +21,12 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     const float* p = frame.projection;
     // One step of the stored depth: of the whole range for fixed point, of the depth itself (told by
     // the sign) for float.
-    const float quantum = plan.depthBits ? std::ldexp(1.0f, -int(plan.depthBits)) : -std::ldexp(1.0f, -24);
+    const float quantum = plan.view.depthBits ? std::ldexp(1.0f, -int(plan.view.depthBits)) : -std::ldexp(1.0f, -24);
     const bool orthographic = p[15] == 1.0f;
     const float* offset = orthographic ? &p[12] : &p[8];
     // Depth is z/w as [0;1] takes it, or (z/w + 1) / 2.
-    const float half = plan.clipZFromMinusOne ? 0.5f : 1.0f;
-    const float shift = plan.clipZFromMinusOne ? 0.5f : 0.0f;
+    const float half = plan.view.clipZFromMinusOne ? 0.5f : 1.0f;
+    const float shift = plan.view.clipZFromMinusOne ? 0.5f : 0.0f;
     const float projection[8] = {p[0],
                                  p[5],
                                  offset[0],
@@ -36,34 +36,34 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
                                  orthographic ? 1.0f : 0.0f,
                                  quantum};
     std::memcpy(out.projection, projection, sizeof projection);
-    out.size[0] = plan.width;
-    out.size[1] = plan.height;
+    out.size[0] = plan.view.width;
+    out.size[1] = plan.view.height;
     if (frame.facts)
-        out.size[2] = uint32_t(leftOut(*frame.facts, plan.facts));
+        out.size[2] = uint32_t(leftOut(*frame.facts, plan.view.facts));
     out.size[3] = frame.background[3] == 0.0f;
-    out.cluster[0] = plan.aggregation.characteristicLength;
-    out.cluster[1] = plan.aggregation.characteristicLengthPerDistance;
-    out.cluster[2] = plan.aggregation.aggregateThreshold;
+    out.cluster[0] = plan.view.aggregation.characteristicLength;
+    out.cluster[1] = plan.view.aggregation.characteristicLengthPerDistance;
+    out.cluster[2] = plan.view.aggregation.aggregateThreshold;
     std::memcpy(out.ambient, frame.ambient, sizeof frame.ambient);
-    out.ambient[3] = plan.layout.emissiveRange();
+    out.ambient[3] = plan.view.layout.emissiveRange();
     std::memcpy(out.background, frame.background, sizeof frame.background);
-    out.surface[0] = plan.config.surfaceCosine;
-    out.surface[1] = plan.config.surfaceDistance;
-    out.surface[2] = plan.config.surfaceMaterial;
-    out.surface[3] = float(plan.samples);
+    out.surface[0] = plan.view.config.surfaceCosine;
+    out.surface[1] = plan.view.config.surfaceDistance;
+    out.surface[2] = plan.view.config.surfaceMaterial;
+    out.surface[3] = float(plan.view.samples);
     out.ditherFrame = frame.ditherFrame;
     for (size_t i = 0; newest && i < plan.feedback.size(); ++i)
         if (plan.feedback[i] != noCounter)
             out.feedback[i] = newest->counts[plan.feedback[i]][0];
     static_assert(sizeof out.samples == sizeof(SamplePositions));
     std::memcpy(out.samples, positions.data(), sizeof out.samples);
-    out.counts[0] = plan.aggregates;
+    out.counts[0] = plan.view.aggregates;
     out.counts[1] = uint32_t(plan.fragmentCapacity);
-    out.counts[2] = plan.coverage.maxBatches;
+    out.counts[2] = plan.view.coverage.maxBatches;
     return out;
 }
 
-uint32_t constantVectors(const Plan& plan) { return firstLocation + (plan.samples + 1) / 2; }
+uint32_t constantVectors(const Plan& plan) { return firstLocation + (plan.view.samples + 1) / 2; }
 
 std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& constants) {
     std::vector<float> out(size_t(4) * constantVectors(plan));

@@ -9,13 +9,14 @@
 namespace agaa {
 
 static bool haveEqualPrograms(const Pass& a, const Pass& b) {
-    return a.shader == b.shader && a.constants == b.constants && a.defines == b.defines && a.text == b.text &&
-           a.hostCode == b.hostCode && a.hostCodeExtensions == b.hostCodeExtensions;
+    return a.constants == b.constants && a.compute.shader == b.compute.shader && a.compute.defines == b.compute.defines &&
+           a.compute.text == b.compute.text && a.compute.hostCode == b.compute.hostCode &&
+           a.compute.hostCodeExtensions == b.compute.hostCodeExtensions;
 }
 
 bool isVariantOf(const Plan& plan, const Plan& base) {
     return plan.resources == base.resources && std::ranges::equal(plan.passes, base.passes, [](const Pass& a, const Pass& b) {
-        return a.name == b.name && a.kind == b.kind && a.bindings == b.bindings && a.dispatch == b.dispatch;
+        return a.name == b.name && a.kind == b.kind && a.bindings == b.bindings && a.compute.dispatch == b.compute.dispatch;
     });
 }
 
@@ -45,7 +46,7 @@ Compiled Variants::compileTimed(const Compile& compile, const Pass& pass, size_t
 void Variants::add(const Plan& plan, const Compile& compile) {
     // Only this thread changes the variants, so that it reads them without the other lock.
     const std::lock_guard adding(adding_);
-    const AgaaSceneFacts& facts = plan.variantFacts;
+    const AgaaSceneFacts& facts = plan.view.variantFacts;
     for (const auto& variant : variants_)
         if (isWithin(variant->facts, facts) && isWithin(facts, variant->facts))
             return;

@@ -28,7 +28,7 @@ void ViewState::prepare(const ViewSettings& settings, const AgaaSceneFacts& fact
 }
 
 const Variant& ViewState::variantOf(const AgaaFrame& frame) {
-    chosen_ = sequence.begins(frame) ? &variants.smallest(computeFactsOf(*frame.facts, plan.facts)) : running_;
+    chosen_ = sequence.begins(frame) ? &variants.smallest(computeFactsOf(*frame.facts, plan.view.facts)) : running_;
     return *chosen_;
 }
 

@@ -12,7 +12,7 @@ namespace agaa {
 std::string aggregateGlsl(const Plan& plan) {
     const Pass* shade = nullptr;
     for (const Pass& pass : plan.passes)
-        if (pass.shadesAggregates)
+        if (pass.compute.shadesAggregates)
             shade = &pass;
     // Surfaces of "sbaa" keep records beside their words.
     require(shade && shade->constants[AGAA_STRIDE] == shade->constants[AGAA_WORDS], AGAA_ERROR_UNSUPPORTED,
@@ -26,8 +26,8 @@ std::string aggregateGlsl(const Plan& plan) {
 #include "shaders/tables/constants.inc"
 #undef AGAA_CONSTANT
     out += format("#define AGAA_REPRESENTED 0\n#define AGAA_IMAGE_WIDTH %uu\n#define AGAA_EMISSIVE_RANGE %s\n",
-                  plan.width, glslNumber(plan.layout.emissiveRange()).c_str());
-    out += customGlsl(plan.layout);
+                  plan.view.width, glslNumber(plan.view.layout.emissiveRange()).c_str());
+    out += customGlsl(plan.view.layout);
     std::set<std::string> seen;
     appendGlsl(out, "host/stored_aggregate.glsl", seen);
     return out;

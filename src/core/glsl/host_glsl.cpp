@@ -34,12 +34,12 @@ std::string fields(const Constants& constants) {
     return out;
 }
 
-bool mergesInOrder(const Pass& pass) { return pass.fragmentContent == FragmentContent::Merged; }
-bool mergesInTargets(const Pass& pass) { return mergesInOrder(pass) && pass.drawState.readsAttachments; }
+bool mergesInOrder(const Pass& pass) { return pass.draw.fragmentContent == FragmentContent::Merged; }
+bool mergesInTargets(const Pass& pass) { return mergesInOrder(pass) && pass.draw.state.readsAttachments; }
 
 // Attachments that the shader reads and writes: the words of their texels, one attachment after the other.
 std::string fetchedTargets(const Pass& pass, const HostDialect& dialect) {
-    const uint32_t attachments = pass.drawState.colorAttachmentCount;
+    const uint32_t attachments = pass.draw.state.colorAttachmentCount;
     std::string out, fetch = "    uvec4 held;\n", store;
     if (!dialect.openGl)
         out += format("layout(input_attachment_index = 0, set = %u, binding = %u) uniform usubpassInput agaa_held[%u];\n",
@@ -59,7 +59,7 @@ std::string fetchedTargets(const Pass& pass, const HostDialect& dialect) {
 
 std::string outputs(const Pass& pass, const HostDialect& dialect) {
     std::string out;
-    for (size_t i = 0; i < pass.colorTargets.size() && !mergesInTargets(pass); ++i)
+    for (size_t i = 0; i < pass.draw.colorTargets.size() && !mergesInTargets(pass); ++i)
         out += dialect.hostOutputs ? format("vec4 agaa_out%zu;\n", i)
                                    : format("layout(location = %zu) out vec4 agaa_out%zu;\n", i, i);
     return out;
@@ -84,7 +84,7 @@ std::string storeAttachments(const Pass& pass) {
 #include "shaders/tables/channels.inc"
     };
     std::string out = "void agaa_store(agaa_Stored v) {\n";
-    for (size_t i = 0; i < pass.colorTargets.size(); ++i) {
+    for (size_t i = 0; i < pass.draw.colorTargets.size(); ++i) {
         std::string components[4] = {"0.0", "0.0", "0.0", "0.0"};
         for (uint32_t channel = 0; channel < ChannelCount; ++channel) {
             const uint32_t source = pass.constants[AGAA_SOURCE_DIFFUSE_R + channel];
@@ -100,7 +100,7 @@ std::string storeAttachments(const Pass& pass) {
 std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
     if (dialect.constants != AGAA_GL_CONSTANTS_BLOCK)
         fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\", which shades in the host's shaders, needs AGAA_GL_CONSTANTS_BLOCK.",
-                                            plan.config.technique));
+                                            plan.view.config.technique));
     std::string out;
     const Constants& c = pass.constants;
     define(out, "AGAA_BRDF", c[AGAA_BRDF]);
@@ -111,25 +111,25 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
     define(out, "AGAA_SHADOW_MAPS", c[AGAA_SHADOW_MAPS]);
     define(out, "AGAA_SHADING_COST", c[AGAA_SHADING_COST]);
     define(out, "AGAA_LIGHT_WORDS", 0);
-    defineSwitch(out, "AGAA_SHADOWS", plan.facts.shadowMapCount > 0);
+    defineSwitch(out, "AGAA_SHADOWS", plan.view.facts.shadowMapCount > 0);
     if (!dialect.storageImages)
         return out;
     // Without storage blocks lights come in a uniform block, which promises no more than this.
     constexpr uint64_t most = 16384;
-    if (lightBufferBytes(plan.facts.maxLights) > most)
+    if (lightBufferBytes(plan.view.facts.maxLights) > most)
         fail(AGAA_ERROR_UNSUPPORTED,
              format("forward shading without storage blocks takes %u lights; AgaaSceneFacts::maxLights is "
                     "%u.",
-                    uint32_t((most - lightBufferBytes(1)) / sizeof(GpuLight) + 1), plan.facts.maxLights));
+                    uint32_t((most - lightBufferBytes(1)) / sizeof(GpuLight) + 1), plan.view.facts.maxLights));
     out += "#define AGAA_LIGHT_BLOCK layout(std140, AGAA_BINDING_LIGHTS) uniform\n";
-    defineSwitch(out, "AGAA_LIGHT_COUNT", std::max(plan.facts.maxLights, 1u));
+    defineSwitch(out, "AGAA_LIGHT_COUNT", std::max(plan.view.facts.maxLights, 1u));
     return out;
 }
 
 bool needsMaterial(const Pass& pass) {
-    if (pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS)
-        return pass.fragmentContent != FragmentContent::Ids;
-    return pass.drawPass != AGAA_DRAW_PASS_VISIBILITY;
+    if (pass.draw.id == AGAA_DRAW_PASS_FRAGMENTS)
+        return pass.draw.fragmentContent != FragmentContent::Ids;
+    return pass.draw.id != AGAA_DRAW_PASS_VISIBILITY;
 }
 
 // Of passes that pack attributes (aggregate/packing.glsl).
@@ -147,7 +147,7 @@ std::string facts(const Pass& pass) {
     const Constants& c = pass.constants;
     const uint64_t ofLights = AGAA_FACT_NO_LOCAL_LIGHTS;
     const uint64_t read = c[AGAA_CHECK_FACTS]                      ? ~UINT64_C(0)
-                          : pass.drawPass == AGAA_DRAW_PASS_FORWARD ? commonValues
+                          : pass.draw.id == AGAA_DRAW_PASS_FORWARD ? commonValues
                                                                      : commonValues & ~ofLights;
     const auto valueIf = [&](uint64_t fact, Constant value) {
         return c[AGAA_CHECK_FACTS] || c[AGAA_FACTS] & fact ? c[value] : 0u;
@@ -170,25 +170,25 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     // Helper invocations store nothing in any version; knowing them only saves work.
     out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n"
                                       : "#define AGAA_HELPER false\n";
-    defineSwitch(out, "AGAA_PASS", pass.drawPass);
+    defineSwitch(out, "AGAA_PASS", pass.draw.id);
     defineSwitch(out, "AGAA_NEEDS_MATERIAL", needsMaterial(pass));
-    defineSwitch(out, "AGAA_SAMPLES", plan.samples);
-    defineSwitch(out, "AGAA_HW_SAMPLES", plan.hwSamples);
-    define(out, "AGAA_SCALE_X", plan.scaleX);
-    define(out, "AGAA_SCALE_Y", plan.scaleY);
+    defineSwitch(out, "AGAA_SAMPLES", plan.view.samples);
+    defineSwitch(out, "AGAA_HW_SAMPLES", plan.view.hwSamples);
+    define(out, "AGAA_SCALE_X", plan.view.scaleX);
+    define(out, "AGAA_SCALE_Y", plan.view.scaleY);
     defineSwitch(out, "AGAA_COUNTING", c[AGAA_COUNTERS]);
     define(out, "AGAA_EMISSIVE_CHANNELS", c[AGAA_EMISSIVE_CHANNELS]);
-    out += "#define AGAA_EMISSIVE_RANGE " + glslNumber(plan.layout.emissiveRange()) + "\n";
+    out += "#define AGAA_EMISSIVE_RANGE " + glslNumber(plan.view.layout.emissiveRange()) + "\n";
     defineSwitch(out, "AGAA_FAR_DEPTH", c[AGAA_FAR_DEPTH]);
     out += facts(pass);
     defineSwitch(out, "AGAA_SHOWS_FACTS", c[AGAA_DEBUG_VIEW] == AGAA_DEBUG_VIEW_FACTS);
-    if (pass.drawPass == AGAA_DRAW_PASS_AGGREGATE) {
-        out += format("#define AGAA_TARGET_TEXTURE %s\n", plan.hwSamples > 1 ? "sampler2DMS" : "sampler2D");
-        defineSwitch(out, "AGAA_AGGREGATES", std::max(plan.aggregates, 1u));
-        defineSwitch(out, "AGAA_PER_SAMPLE", pass.drawState.sampleShading);
-        defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE", !pass.extensions.empty());
+    if (pass.draw.id == AGAA_DRAW_PASS_AGGREGATE) {
+        out += format("#define AGAA_TARGET_TEXTURE %s\n", plan.view.hwSamples > 1 ? "sampler2DMS" : "sampler2D");
+        defineSwitch(out, "AGAA_AGGREGATES", std::max(plan.view.aggregates, 1u));
+        defineSwitch(out, "AGAA_PER_SAMPLE", pass.draw.state.sampleShading);
+        defineSwitch(out, "AGAA_POST_DEPTH_COVERAGE", !pass.draw.extensions.empty());
         defineSwitch(out, "AGAA_FIRST_SAMPLE_ROUTING",
-                     (plan.measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING) != 0);
+                     (plan.view.measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING) != 0);
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
         defineSwitch(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
         defineSwitch(out, "AGAA_REPRESENTED", c[AGAA_STRIDE] != c[AGAA_WORDS]);
@@ -198,13 +198,13 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
         define(out, "AGAA_FIELD_COVERAGE", c[AGAA_FIELD_COVERAGE]);
         out += packing(c);
     }
-    const bool hasCorners = pass.drawPass == AGAA_DRAW_PASS_FRAGMENTS;
+    const bool hasCorners = pass.draw.id == AGAA_DRAW_PASS_FRAGMENTS;
     defineSwitch(out, "AGAA_HAS_CORNERS", hasCorners);
     if (hasCorners) {
-        defineSwitch(out, "AGAA_CLIP_Z_FROM_MINUS_ONE", plan.clipZFromMinusOne);
+        defineSwitch(out, "AGAA_CLIP_Z_FROM_MINUS_ONE", plan.view.clipZFromMinusOne);
         define(out, "AGAA_PAYLOAD_WORDS", plan.payloadWords);
         defineSwitch(out, "AGAA_TABLE_SIZE", c[AGAA_TABLE_SIZE]);
-        defineSwitch(out, "AGAA_HAS_BATCHES", plan.coverage.maxBatches > 1);
+        defineSwitch(out, "AGAA_HAS_BATCHES", plan.view.coverage.maxBatches > 1);
     }
     if (hasCorners && needsMaterial(pass)) {
         defineSwitch(out, "AGAA_WORDS", c[AGAA_WORDS]);
@@ -215,25 +215,25 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     }
     if (mergesInOrder(pass)) {
         defineSwitch(out, "AGAA_IN_TARGETS", mergesInTargets(pass));
-        define(out, "AGAA_AGGREGATES", plan.aggregates);
+        define(out, "AGAA_AGGREGATES", plan.view.aggregates);
         define(out, "AGAA_STRIDE", c[AGAA_STRIDE]);
         define(out, "AGAA_MERGE_RULE", c[AGAA_MERGE_RULE]);
     }
-    defineSwitch(out, "AGAA_FIRST_PASS", pass.clearsDepth);
-    if (pass.drawPass == AGAA_DRAW_PASS_GBUFFER)
+    defineSwitch(out, "AGAA_FIRST_PASS", pass.draw.clearsDepth);
+    if (pass.draw.id == AGAA_DRAW_PASS_GBUFFER)
         define(out, "AGAA_SOURCE_NORMAL_X", c[AGAA_SOURCE_NORMAL_X]);
-    out += customGlsl(plan.layout);
-    const bool writesIds = pass.sampleContent == SampleContent::Id;
+    out += customGlsl(plan.view.layout);
+    const bool writesIds = pass.draw.sampleContent == SampleContent::Id;
     defineSwitch(out, "AGAA_WRITES_IDS", writesIds);
-    if (writesIds || (hasCorners && plan.maxDraws)) {
-        defineSwitch(out, "AGAA_SOME_UNFETCHED", plan.someUnfetched);
-        define(out, "AGAA_MAX_DRAWS", plan.maxDraws);
-        define(out, "AGAA_MAX_PRIMITIVES", plan.maxPrimitives);
-        define(out, "AGAA_PRIMITIVE_BITS", plan.primitiveBits);
+    if (writesIds || (hasCorners && plan.view.maxDraws)) {
+        defineSwitch(out, "AGAA_SOME_UNFETCHED", plan.view.someUnfetched);
+        define(out, "AGAA_MAX_DRAWS", plan.view.maxDraws);
+        define(out, "AGAA_MAX_PRIMITIVES", plan.view.maxPrimitives);
+        define(out, "AGAA_PRIMITIVE_BITS", plan.view.primitiveBits);
     }
-    if (pass.drawPass == AGAA_DRAW_PASS_VISIBILITY)
-        defineSwitch(out, "AGAA_WRITES_NORMALS", !pass.colorTargets.empty() && !writesIds);
-    if (pass.drawPass == AGAA_DRAW_PASS_FORWARD)
+    if (pass.draw.id == AGAA_DRAW_PASS_VISIBILITY)
+        defineSwitch(out, "AGAA_WRITES_NORMALS", !pass.draw.colorTargets.empty() && !writesIds);
+    if (pass.draw.id == AGAA_DRAW_PASS_FORWARD)
         out += lightingDefines(plan, pass, dialect);
     return out;
 }
@@ -256,9 +256,9 @@ std::string hostExtensions(const Pass& pass, const HostDialect& dialect) {
     }
     if (dialect.glslVersion < 430 && !dialect.storageImages)
         extension("ARB_shader_storage_buffer_object");
-    for (const std::string& name : pass.extensions)
+    for (const std::string& name : pass.draw.extensions)
         extension(name.c_str());
-    if (dialect.openGl && pass.drawState.readsAttachments)
+    if (dialect.openGl && pass.draw.state.readsAttachments)
         extension("EXT_shader_framebuffer_fetch");
     return out;
 }
@@ -273,9 +273,9 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
                              "common/scene_facts.glsl", "host/surface.glsl",
                              "host/counters.glsl", "host/placement.glsl"})
         appendGlsl(out, path, seen);
-    if (!pass.text.empty())
-        return out + pass.text;
-    switch (pass.drawPass) {
+    if (!pass.draw.text.empty())
+        return out + pass.draw.text;
+    switch (pass.draw.id) {
     case AGAA_DRAW_PASS_VISIBILITY:
         appendGlsl(out, "host/ids.glsl", seen);
         appendGlsl(out, "host/visibility.glsl", seen);
@@ -311,21 +311,21 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
 }
 
 static std::string expansion(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
-    if (pass.expansionText.empty())
+    if (pass.draw.expansionText.empty())
         return {};
     std::set<std::string> seen;
     std::string out = defines(plan, pass, dialect) + bindingDefines(dialect);
     appendGlsl(out, "common/frame.glsl", seen);
-    appendGlslText(out, pass.expansionText, seen);
+    appendGlslText(out, pass.draw.expansionText, seen);
     return out;
 }
 
 std::string hostGeometry(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
-    return pass.drawState.vertexPulling ? std::string() : expansion(plan, pass, dialect);
+    return pass.draw.state.vertexPulling ? std::string() : expansion(plan, pass, dialect);
 }
 
 std::string hostVertex(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
-    return pass.drawState.vertexPulling ? expansion(plan, pass, dialect) : std::string();
+    return pass.draw.state.vertexPulling ? expansion(plan, pass, dialect) : std::string();
 }
 
 uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
@@ -336,14 +336,14 @@ uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dial
             key = (key ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
     };
     const auto mixValue = [&](auto value) { mix(&value, sizeof value); };
-    mixValue(uint32_t(pass.drawPass));
-    mix(&pass.drawState, sizeof pass.drawState);
+    mixValue(uint32_t(pass.draw.id));
+    mix(&pass.draw.state, sizeof pass.draw.state);
     const std::string text =
         hostExtensions(pass, dialect) + hostDeclarations(plan, pass, dialect) + expansion(plan, pass, dialect);
     mix(text.data(), text.size());
-    for (ResourceId target : pass.colorTargets)
+    for (ResourceId target : pass.draw.colorTargets)
         mixValue(uint32_t(plan.resources[target].format));
-    mixValue(pass.depthTarget != noResource ? uint32_t(plan.resources[pass.depthTarget].format) : 0u);
+    mixValue(pass.draw.depthTarget != noResource ? uint32_t(plan.resources[pass.draw.depthTarget].format) : 0u);
     return key;
 }
 

@@ -26,12 +26,13 @@ std::vector<Access> accessesOf(const Pass& pass) {
     };
     for (const Binding& binding : pass.bindings)
         add(binding.resource, useOf(binding));
-    for (ResourceId target : pass.colorTargets)
-        add(target, pass.drawState.readsAttachments ? Use::FetchedColor : Use::Color);
-    add(pass.depthTarget, Use::Depth);
-    add(pass.source, Use::CopyFrom);
-    add(pass.destination, Use::CopyTo);
-    add(pass.dispatch.arguments, Use::Indirect);
+    for (ResourceId target : pass.draw.colorTargets)
+        add(target, pass.draw.state.readsAttachments ? Use::FetchedColor : Use::Color);
+    add(pass.draw.depthTarget, Use::Depth);
+    add(pass.copy.source, Use::CopyFrom);
+    add(pass.copy.destination, Use::CopyTo);
+    add(pass.fill.destination, Use::CopyTo);
+    add(pass.compute.dispatch.arguments, Use::Indirect);
     return list;
 }
 

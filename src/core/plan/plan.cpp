@@ -41,7 +41,7 @@ uint32_t Plan::geometryPasses() const {
 std::pair<uint32_t, uint32_t> Plan::groups(const Dispatch& dispatch) const {
     const auto divide = [](uint64_t count, uint64_t by) { return uint32_t((count + by - 1) / by); };
     if (dispatch.kind == DispatchKind::Pixels)
-        return {divide(width, dispatch.groupSide), divide(height, dispatch.groupSide)};
+        return {divide(view.width, dispatch.groupSide), divide(view.height, dispatch.groupSide)};
     const uint32_t groups = divide(dispatch.items, itemsPerGroup);
     return {std::min(groups, groupsPerRow), divide(groups, groupsPerRow)};
 }
@@ -76,7 +76,7 @@ void checkRepeats(const Plan& plan) {
             const Pass& pass = plan.passes[i];
             require(pass.kind == PassKind::Compute || pass.kind == PassKind::HostDraw, AGAA_ERROR_INTERNAL,
                     "a repetition that ends early fills or copies.");
-            require(!pass.clearsColor && !pass.clearsDepth, AGAA_ERROR_INTERNAL,
+            require(!pass.draw.clearsColor && !pass.draw.clearsDepth, AGAA_ERROR_INTERNAL,
                     "a repetition that ends early clears targets.");
         }
         const std::vector<Binding>& bindings = plan.passes[repeat.lastPass].bindings;

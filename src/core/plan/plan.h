@@ -136,48 +136,64 @@ struct ClearValues {
     uint32_t stencil = 0;
 };
 
+// The part of a pass in which the host draws geometry.
+struct DrawPart {
+    AgaaDrawPassId id = AGAA_DRAW_PASS_VISIBILITY;
+    AgaaDrawState state{};
+    SampleContent sampleContent = SampleContent::Normal;
+    FragmentContent fragmentContent = FragmentContent::Ids;
+    std::vector<ResourceId> colorTargets;
+    ResourceId depthTarget = noResource; // or none
+    uint32_t width = 0, height = 0;      // of the targets
+    bool clearsColor = false;
+    bool clearsDepth = false; // and the stencil
+    ClearValues clear;
+    std::vector<std::string> extensions; // GLSL extensions that the host's shaders need
+    std::string text;                    // GLSL that defines agaa_emit() in place of the library's
+    // GLSL for the host's geometry shader, or with state.vertexPulling for its vertex shader. It reads the frame constants
+    // only.
+    std::string expansionText;
+};
+
+// The part of a compute pass. A group has 64 invocations.
+struct ComputePart {
+    Dispatch dispatch;
+    bool shadesAggregates = false; // from a buffer that an earlier pass wrote
+    std::string shader;            // permutation in the library
+    std::string file;              // of the shader, below src/shaders
+    std::string defines;           // of the permutation
+    std::string text;              // GLSL in place of the library's shader; it is compiled with the view
+    // GLSL of the host. If it is not empty, the pass is compiled with it.
+    std::string hostCode;
+    std::string hostCodeOrigin;     // the public members that hold the text, for messages
+    std::string hostCodeExtensions; // lines that precede all other text
+};
+
+// The part of a pass that fills a buffer.
+struct FillPart {
+    ResourceId destination = noResource;
+    uint32_t value = 0; // of each word
+    uint64_t bytes = 0; // from the beginning, a multiple of 4; 0: all
+};
+
+// The part of a pass that copies a whole buffer.
+struct CopyPart {
+    ResourceId source = noResource;
+    ResourceId destination = noResource;
+};
+
+// `kind` says which of the four parts is used; the others keep their defaults.
 struct Pass {
     std::string name;
     AgaaStage stage = AGAA_STAGE_OTHER;
     PassKind kind = PassKind::Compute;
     uint64_t segment = AGAA_SEGMENT_SHADING;
     std::vector<Binding> bindings;
-    std::vector<std::string> extensions; // that the pass relies on
-    // GLSL in place of the library's: a compute shader that is compiled with the view, or of a HostDraw a text that
-    // defines agaa_emit().
-    std::string text;
-
-    // Compute: 64 invocations a group.
-    Dispatch dispatch;
-    bool shadesAggregates = false; // of a buffer that an earlier pass wrote
-    std::string shader; // permutation in the library
-    std::string hostCode; // GLSL of the host's: the pass is compiled with it, from these:
-    std::string hostCodeOrigin; // the members that the text came in
-    std::string hostCodeExtensions; // what goes before all else for it
-    std::string file;     // below src/shaders
-    std::string defines;  // of the permutation
-    Constants constants{};
-
-    // HostDraw
-    AgaaDrawPassId drawPass = AGAA_DRAW_PASS_VISIBILITY;
-    AgaaDrawState drawState{};
-    SampleContent sampleContent = SampleContent::Normal;
-    FragmentContent fragmentContent = FragmentContent::Ids;
-    std::vector<ResourceId> colorTargets;
-    ResourceId depthTarget = noResource; // or none
-    bool clearsColor = false;
-    bool clearsDepth = false; // and the stencil
-    ClearValues clear;
-    // GLSL for the host's geometry shader, or with drawState.vertexPulling for its vertex shader. It reads the frame constants
-    // alone.
-    std::string expansionText;
-    uint32_t width = 0, height = 0; // of the targets
-
-    // Fill, Copy
-    ResourceId source = noResource;
-    ResourceId destination = noResource;
-    uint32_t fillValue = 0; // of each word
-    uint64_t fillBytes = 0; // from the beginning, a multiple of 4; 0: all
+    Constants constants{}; // of compute shaders; the host's shaders get some of them as macros
+    DrawPart draw;
+    ComputePart compute;
+    FillPart fill;
+    CopyPart copy;
 };
 
 // Passes that run several times, one after the other. Indirect passes of a group that has nothing left to do dispatch no
@@ -202,16 +218,16 @@ struct Step {
     uint64_t predicateOffset = 0; // bytes
 };
 
-// config, layout and depthBits are those that run.
-struct Plan : ViewSettings {
-    Plan() = default;
-    explicit Plan(ViewSettings settings) : ViewSettings(std::move(settings)) {}
-
-    uint32_t hwSamples = 1;
-    uint32_t scaleX = 1;
-    uint32_t scaleY = 1;
+// A view as a device runs it.
+struct ResolvedView : ViewSettings {
+    uint32_t hwSamples = 1;           // samples per texel of the target
+    uint32_t scaleX = 1, scaleY = 1;  // texels of the target per pixel
     AgaaTier visibilityTier = AGAA_TIER_NATIVE;
-    AgaaTier generationTier = AGAA_TIER_AUTO;
+    AgaaTier generationTier = AGAA_TIER_AUTO; // AUTO: the technique has no generation stage
+};
+
+struct Plan {
+    ResolvedView view;
     std::vector<std::string> notes; // why a tier or a format was chosen
     std::vector<std::string> effects; // that run
     bool aliases = true; // resources of disjoint lifetimes may share memory
@@ -230,7 +246,7 @@ struct Plan : ViewSettings {
     uint64_t totalBytes() const;    // per-pixel payload
     uint64_t constantBytes() const;
     uint64_t peakBytes() const;     // per-pixel payload with disjoint lifetimes aliased
-    double bytesPerPixel() const { return double(totalBytes()) / (double(width) * height); }
+    double bytesPerPixel() const { return double(totalBytes()) / (double(view.width) * view.height); }
     uint32_t geometryPasses() const;
     std::vector<Step> steps() const; // in the order in which they run
     std::pair<uint32_t, uint32_t> groups(const Dispatch& dispatch) const; // across and down; not of indirect ones

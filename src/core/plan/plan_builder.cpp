@@ -14,11 +14,12 @@
 namespace agaa {
 
 PlanBuilder::PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight)
-    : plan(view), caps_(caps), framesInFlight_(framesInFlight) {
+    : caps_(caps), framesInFlight_(framesInFlight) {
+    static_cast<ViewSettings&>(plan.view) = view;
     shadowMaps_.fill(noResource);
     frames_.fill(noResource);
-    plan.aliases = !(caps.flags & AGAA_DEVICE_NO_ALIASING) && !(plan.config.flags & AGAA_CONFIG_READBACK);
-    const Technique& technique = *findTechnique(plan.technique);
+    plan.aliases = !(caps.flags & AGAA_DEVICE_NO_ALIASING) && !(plan.view.config.flags & AGAA_CONFIG_READBACK);
+    const Technique& technique = *findTechnique(plan.view.technique);
     stripUnusedFeatures(technique);
     checkFacts(technique);
     chooseVisibilityTier(technique);
@@ -32,7 +33,7 @@ PlanBuilder::PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, u
                    .kind = ResourceKind::UploadBuffer,
                    .content = UploadContent::Lights,
                    .format = Format::Buffer,
-                   .bytes = lightBufferBytes(plan.facts.maxLights),
+                   .bytes = lightBufferBytes(plan.view.facts.maxLights),
                    .copies = framesInFlight});
     if (counts()) {
         counters_ = add({.name = "counters",
@@ -58,9 +59,9 @@ ResourceId PlanBuilder::image(std::string name, Format format, bool atTargetRate
     Resource r;
     r.name = std::move(name);
     r.format = format;
-    r.width = atTargetRate ? scaledWidth() : plan.width;
-    r.height = atTargetRate ? scaledHeight() : plan.height;
-    r.samples = atTargetRate ? plan.hwSamples : 1;
+    r.width = atTargetRate ? scaledWidth() : plan.view.width;
+    r.height = atTargetRate ? scaledHeight() : plan.view.height;
+    r.samples = atTargetRate ? plan.view.hwSamples : 1;
     r.bytes = checkedMultiply(checkedMultiply(uint64_t(r.width) * r.height, r.samples),
                               bytesPerTexel(format));
     return add(std::move(r));
@@ -95,16 +96,16 @@ ResourceId PlanBuilder::pixelBuffer(std::string name, uint64_t bytesPerPixel) {
     r.name = std::move(name);
     r.kind = ResourceKind::Buffer;
     r.format = Format::Buffer;
-    r.width = plan.width;
-    r.height = plan.height;
-    r.bytes = checkedMultiply(uint64_t(plan.width) * plan.height, bytesPerPixel);
+    r.width = plan.view.width;
+    r.height = plan.view.height;
+    r.bytes = checkedMultiply(uint64_t(plan.view.width) * plan.view.height, bytesPerPixel);
     return add(std::move(r));
 }
 
 ResourceId PlanBuilder::depth(bool needsStencil) {
     const bool d24 = caps_.flags & AGAA_DEVICE_D24S8;
     const bool d32s8 = caps_.flags & AGAA_DEVICE_D32S8;
-    if (plan.reversedZ) {
+    if (plan.view.reversedZ) {
         plan.depthFormat = needsStencil && d32s8 ? Format::D32S8 : Format::D32;
         note(format("depth: %s, 4 bytes%s, because reversed z wants a float format.",
                     formatName(plan.depthFormat),
@@ -117,25 +118,25 @@ ResourceId PlanBuilder::depth(bool needsStencil) {
         note(format("depth: %s, because the device has no D24_UNORM_S8_UINT.",
                     formatName(plan.depthFormat)));
     }
-    plan.depthBits = plan.depthFormat == Format::D24S8 ? 24 : 0;
+    plan.view.depthBits = plan.depthFormat == Format::D24S8 ? 24 : 0;
     return image("depth", plan.depthFormat, true);
 }
 
 Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass,
                             uint64_t segment) {
-    require(!plan.hostGBuffer, AGAA_ERROR_UNSUPPORTED,
+    require(!plan.view.hostGBuffer, AGAA_ERROR_UNSUPPORTED,
             "AgaaGBufferFunction is for techniques that shade a G-buffer; this one draws.");
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
     pass.kind = PassKind::HostDraw;
     pass.segment = segment;
-    pass.drawPass = drawPass;
-    pass.drawState.samples = plan.hwSamples;
-    pass.drawState.colorWriteMask = 0xF;
-    pass.clear.depth = plan.reversedZ ? 0.0f : 1.0f;
-    pass.width = scaledWidth();
-    pass.height = scaledHeight();
+    pass.draw.id = drawPass;
+    pass.draw.state.samples = plan.view.hwSamples;
+    pass.draw.state.colorWriteMask = 0xF;
+    pass.draw.clear.depth = plan.view.reversedZ ? 0.0f : 1.0f;
+    pass.draw.width = scaledWidth();
+    pass.draw.height = scaledHeight();
     pass.constants = constants_;
     plan.passes.push_back(std::move(pass));
     bind(plan.passes.back(), host_slot::Frame, BindingType::UniformBuffer, frameConstants(segment));
@@ -145,15 +146,15 @@ Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId dr
 bool PlanBuilder::isSwitchedOn(char letter) const {
     switch (letter) {
     case 'm':
-        return plan.hwSamples > 1;
+        return plan.view.hwSamples > 1;
     case 's':
-        return plan.variantFacts.shadowMapCount > 0;
+        return plan.view.variantFacts.shadowMapCount > 0;
     case 'c':
         return counts();
     case 'b':
-        return plan.composite;
+        return plan.view.composite;
     case 'a':
-        return plan.aggregates > 1;
+        return plan.view.aggregates > 1;
     case 'g':
         return generation_ && generation_->readsGBuffer;
     case 'l':
@@ -168,14 +169,14 @@ Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string&
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
-    pass.file = passFile(shader);
-    pass.shader = shader + "_";
+    pass.compute.file = passFile(shader);
+    pass.compute.shader = shader + "_";
     for (const char letter : passSwitches(shader)) {
         const size_t said = switches.find(letter);
         const bool on = said == std::string_view::npos ? isSwitchedOn(letter) : switches[said + 1] == '1';
-        pass.shader += letter;
-        pass.shader += on ? '1' : '0';
-        pass.defines += format("#define %s %d\n", switchMacro(letter), on);
+        pass.compute.shader += letter;
+        pass.compute.shader += on ? '1' : '0';
+        pass.compute.defines += format("#define %s %d\n", switchMacro(letter), on);
     }
     pass.segment = segment;
     pass.constants = constants_;
@@ -190,35 +191,35 @@ Pass& PlanBuilder::fill(std::string name, AgaaStage stage, ResourceId destinatio
     pass.stage = stage;
     pass.kind = PassKind::Fill;
     pass.segment = segment;
-    pass.destination = destination;
-    pass.fillValue = value;
+    pass.fill.destination = destination;
+    pass.fill.value = value;
     plan.passes.push_back(std::move(pass));
     return plan.passes.back();
 }
 
 ResourceId PlanBuilder::tileBuffer(std::string name, uint32_t side, uint64_t bytesPerTile) {
     const auto tiles = [&](uint32_t pixels) { return (uint64_t(pixels) + side - 1) / side; };
-    return itemBuffer(std::move(name), checkedMultiply(tiles(plan.width), tiles(plan.height)), bytesPerTile);
+    return itemBuffer(std::move(name), checkedMultiply(tiles(plan.view.width), tiles(plan.view.height)), bytesPerTile);
 }
 
 ResourceId PlanBuilder::itemBuffer(std::string name, uint64_t items, uint64_t bytesPerItem) {
     return add({.name = std::move(name),
                 .kind = ResourceKind::Buffer,
                 .format = Format::Buffer,
-                .width = plan.width,
-                .height = plan.height,
+                .width = plan.view.width,
+                .height = plan.view.height,
                 .bytes = checkedMultiply(items, bytesPerItem)});
 }
 
-uint32_t PlanBuilder::scaledWidth() const { return uint32_t(std::min<uint64_t>(uint64_t(plan.width) * plan.scaleX, ~0u)); }
-uint32_t PlanBuilder::scaledHeight() const { return uint32_t(std::min<uint64_t>(uint64_t(plan.height) * plan.scaleY, ~0u)); }
+uint32_t PlanBuilder::scaledWidth() const { return uint32_t(std::min<uint64_t>(uint64_t(plan.view.width) * plan.view.scaleX, ~0u)); }
+uint32_t PlanBuilder::scaledHeight() const { return uint32_t(std::min<uint64_t>(uint64_t(plan.view.height) * plan.view.scaleY, ~0u)); }
 
 ResourceId PlanBuilder::deferredPixels() { return tileBuffer("deferred-pixels", 8, 8); }
 
 // A group of the pass has so many tiles of 8 by 8 pixels across and down.
 static void takeTiles(Pass& pass, uint32_t side) {
-    pass.dispatch.groupSide = 8 * side;
-    pass.defines += format("#define AGAA_REGION_SIDE %uu\n", side);
+    pass.compute.dispatch.groupSide = 8 * side;
+    pass.compute.defines += format("#define AGAA_REGION_SIDE %uu\n", side);
 }
 
 void PlanBuilder::deferPixels(Pass& pass, ResourceId deferred) {
@@ -230,7 +231,7 @@ void PlanBuilder::deferPixels(Pass& pass, ResourceId deferred) {
 // a group has fewer pixels, which fill its lanes all the same.
 void PlanBuilder::consumeDeferred(Pass& pass, ResourceId deferred) {
     bind(pass, slot::Deferred, BindingType::StorageBuffer, deferred);
-    takeTiles(pass, plan.samples > 8 ? 1 : 2);
+    takeTiles(pass, plan.view.samples > 8 ? 1 : 2);
 }
 
 void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
@@ -240,9 +241,9 @@ void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId r
 
 void PlanBuilder::defaultSurface(float cosine, float distance, float material) {
     const auto set = [](float& value, float otherwise) { value = value > 0 ? value : otherwise; };
-    set(plan.config.surfaceCosine, cosine);
-    set(plan.config.surfaceDistance, distance);
-    set(plan.config.surfaceMaterial, material);
+    set(plan.view.config.surfaceCosine, cosine);
+    set(plan.view.config.surfaceDistance, distance);
+    set(plan.view.config.surfaceMaterial, material);
 }
 
 // Segments have a buffer each, because later ones bring other values (ambient, background) while an
@@ -271,17 +272,17 @@ void PlanBuilder::bindCommon(Pass& pass) {
 
 // Compilers count the lines of each text by themselves.
 void PlanBuilder::addHostCode(Pass& pass, const HostText& text, const char* origin) {
-    pass.hostCode += "#line 1\n" + text.glsl + "\n";
-    pass.hostCodeOrigin += (pass.hostCodeOrigin.empty() ? "" : " with ") + std::string(origin) + "::glsl";
+    pass.compute.hostCode += "#line 1\n" + text.glsl + "\n";
+    pass.compute.hostCodeOrigin += (pass.compute.hostCodeOrigin.empty() ? "" : " with ") + std::string(origin) + "::glsl";
     if (text.extensions.empty())
         return;
-    pass.hostCodeExtensions += "#line 1\n" + text.extensions + "\n#line 100000\n";
-    pass.hostCodeOrigin += " and ::glslExtensions";
+    pass.compute.hostCodeExtensions += "#line 1\n" + text.extensions + "\n#line 100000\n";
+    pass.compute.hostCodeOrigin += " and ::glslExtensions";
 }
 
 void PlanBuilder::bindHostGBuffer(Pass& pass) {
-    addHostCode(pass, plan.gbufferFunction, "AgaaGBufferFunction");
-    pass.defines += "#define AGAA_HOST_GBUFFER 1\n" + customGlsl(plan.layout);
+    addHostCode(pass, plan.view.gbufferFunction, "AgaaGBufferFunction");
+    pass.compute.defines += "#define AGAA_HOST_GBUFFER 1\n" + customGlsl(plan.view.layout);
 }
 
 // A graphics processor hides how long fetches take by groups that share its memory, so that lists are short there: a
@@ -291,7 +292,7 @@ uint32_t PlanBuilder::listLength() const {
     constexpr uint32_t others = 8704;
     // Its material comes to 92 bytes, the host's own attributes follow; 28 are beside it.
     uint64_t material = 92;
-    for (const CustomAttribute& custom : plan.layout.customs) {
+    for (const CustomAttribute& custom : plan.view.layout.customs) {
         const uint32_t channels = custom.attribute.channels;
         material = alignUp(material, channels == 1 ? 4 : channels == 2 ? 8 : 16) + 4 * channels;
     }
@@ -301,25 +302,25 @@ uint32_t PlanBuilder::listLength() const {
 }
 
 void PlanBuilder::bindHostFetch(Pass& pass) {
-    addHostCode(pass, plan.fetchFunction, "AgaaFetchFunction");
-    pass.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
+    addHostCode(pass, plan.view.fetchFunction, "AgaaFetchFunction");
+    pass.compute.defines += format("#define AGAA_HOST_FETCH 1\n#define AGAA_PRIMITIVE_BITS %uu\n"
                            "#define AGAA_CLIP_Z_FROM_MINUS_ONE %d\n#define AGAA_LIST_LENGTH %uu\n",
-                           plan.primitiveBits, plan.clipZFromMinusOne, listLength());
-    pass.defines += customGlsl(plan.layout);
-    if (plan.someUnfetched)
-        pass.defines += "#define AGAA_SOME_UNFETCHED 1\n";
+                           plan.view.primitiveBits, plan.view.clipZFromMinusOne, listLength());
+    pass.compute.defines += customGlsl(plan.view.layout);
+    if (plan.view.someUnfetched)
+        pass.compute.defines += "#define AGAA_SOME_UNFETCHED 1\n";
 }
 
 ResourceId PlanBuilder::output() {
     if (output_ == noResource)
-        output_ = add({.name = "output", .kind = ResourceKind::Output, .width = plan.width,
-                       .height = plan.height});
+        output_ = add({.name = "output", .kind = ResourceKind::Output, .width = plan.view.width,
+                       .height = plan.view.height});
     return output_;
 }
 
 void PlanBuilder::bindOutput(Pass& pass, ResourceId image) {
     bind(pass, slot::Output, BindingType::StorageImage, image == noResource ? output() : image, true);
-    if (plan.composite)
+    if (plan.view.composite)
         bind(pass, slot::Background, BindingType::Texture, output());
 }
 
@@ -335,8 +336,8 @@ void PlanBuilder::copyCounters() {
     pass.name = "read counters";
     pass.kind = PassKind::Copy;
     pass.segment = AGAA_SEGMENT_SHADING;
-    pass.source = counters_;
-    pass.destination = readback;
+    pass.copy.source = counters_;
+    pass.copy.destination = readback;
     plan.passes.push_back(std::move(pass));
 }
 
@@ -387,7 +388,7 @@ void PlanBuilder::checkLimits() const {
         fail(AGAA_ERROR_INTERNAL, format("the plan has %zu passes; AgaaFrameStatistics::passes holds %d.",
                                          plan.passes.size(), AGAA_MAX_PASSES));
     // The host's own targets and output, which are no resources with a size of ours.
-    const uint64_t width = uint64_t(plan.width) * plan.scaleX, height = uint64_t(plan.height) * plan.scaleY;
+    const uint64_t width = uint64_t(plan.view.width) * plan.view.scaleX, height = uint64_t(plan.view.height) * plan.view.scaleY;
     if (std::max(width, height) > caps_.maxImageSize)
         fail(AGAA_ERROR_TOO_LARGE,
              format("the target would be %llux%llu texels; the device allows %u. Ask for fewer samples or a smaller view.",

@@ -16,16 +16,16 @@ public:
 
     Plan finish(); // lifetimes, limits
 
-    const AgaaConfig& config() const { return plan.config; }
+    const AgaaConfig& config() const { return plan.view.config; }
     const AgaaDeviceCaps& caps() const { return caps_; }
-    bool counts() const { return plan.config.flags & AGAA_CONFIG_COUNTERS; }
-    bool hasFact(uint64_t fact) const { return plan.facts.flags & fact; }
+    bool counts() const { return plan.view.config.flags & AGAA_CONFIG_COUNTERS; }
+    bool hasFact(uint64_t fact) const { return plan.view.facts.flags & fact; }
     // Plans that draw twice keep the first of equal depths by a stencil test, where the depth format has a stencil.
-    bool wantsStencil() const { return !(plan.measurement.flags & AGAA_MEASURE_NO_STENCIL); }
+    bool wantsStencil() const { return !(plan.view.measurement.flags & AGAA_MEASURE_NO_STENCIL); }
     bool keepsFirst() const { return wantsStencil() && hasStencil(plan.depthFormat); }
     // Bytes a pixel, beside its aggregates in memory, that say which samples have an aggregate: two passes need them
     // where a sample may go to any aggregate.
-    uint64_t claimBytes() const { return plan.measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING ? 4 : 0; }
+    uint64_t claimBytes() const { return plan.view.measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING ? 4 : 0; }
 
     // One texel a pixel, or with atTargetRate the scaled, multisampled target.
     ResourceId image(std::string name, Format format, bool atTargetRate);
@@ -84,7 +84,7 @@ public:
 
 private:
     bool isSwitchedOn(char letter) const; // of core/plan/permutations.h
-    bool variantHas(uint64_t fact) const { return plan.variantFacts.flags & fact; }
+    bool variantHas(uint64_t fact) const { return plan.view.variantFacts.flags & fact; }
     uint32_t variantLitShadows() const; // of the shadows that the variant has
     void specialiseForVariant(); // that the variant has not
     uint32_t listLength() const; // of primitives that a group of lanes takes at a time

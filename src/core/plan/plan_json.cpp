@@ -142,12 +142,12 @@ void writePass(Writer& w, const Plan& plan, size_t index) {
     w.field("stage", stageName(pass.stage));
     w.field("kind", kindName(pass.kind));
     w.field("segment", pass.segment);
-    if (!pass.shader.empty())
-        w.field("shader", pass.shader);
-    if (pass.dispatch.kind == DispatchKind::Items)
-        w.field("items", pass.dispatch.items);
-    if (pass.dispatch.kind == DispatchKind::Indirect)
-        w.field("groupsFrom", plan.resources[pass.dispatch.arguments].name);
+    if (!pass.compute.shader.empty())
+        w.field("shader", pass.compute.shader);
+    if (pass.compute.dispatch.kind == DispatchKind::Items)
+        w.field("items", pass.compute.dispatch.items);
+    if (pass.compute.dispatch.kind == DispatchKind::Indirect)
+        w.field("groupsFrom", plan.resources[pass.compute.dispatch.arguments].name);
     for (const Repeat& repeat : plan.repeats)
         if (index >= repeat.firstPass && index <= repeat.lastPass)
             w.field("times", repeat.times);
@@ -160,11 +160,11 @@ void writePass(Writer& w, const Plan& plan, size_t index) {
                 w.value(plan.resources[access.resource].name);
         w.close(']');
     }
-    w.strings("extensions", pass.extensions);
+    w.strings("extensions", pass.draw.extensions);
     if (pass.kind == PassKind::HostDraw) {
-        w.field("stencilTest", pass.drawState.stencilTest != 0);
-        w.field("readsAttachments", pass.drawState.readsAttachments != 0);
-        w.field("sampleShading", pass.drawState.sampleShading != 0);
+        w.field("stencilTest", pass.draw.state.stencilTest != 0);
+        w.field("readsAttachments", pass.draw.state.readsAttachments != 0);
+        w.field("sampleShading", pass.draw.state.sampleShading != 0);
     }
     w.close('}');
 }
@@ -174,19 +174,19 @@ void writePass(Writer& w, const Plan& plan, size_t index) {
 std::string planToJson(const Plan& plan) {
     Writer w;
     w.open('{');
-    w.field("technique", plan.technique);
-    w.field("width", plan.width);
-    w.field("height", plan.height);
-    w.field("samples", plan.samples);
-    w.field("aggregates", plan.aggregates);
-    w.field("deviceSamples", plan.hwSamples);
-    w.field("scaleX", plan.scaleX);
-    w.field("scaleY", plan.scaleY);
+    w.field("technique", plan.view.technique);
+    w.field("width", plan.view.width);
+    w.field("height", plan.view.height);
+    w.field("samples", plan.view.samples);
+    w.field("aggregates", plan.view.aggregates);
+    w.field("deviceSamples", plan.view.hwSamples);
+    w.field("scaleX", plan.view.scaleX);
+    w.field("scaleY", plan.view.scaleY);
     w.key("tiers");
     w.open('{');
-    w.field("visibility", tierName(plan.visibilityTier));
-    if (plan.generationTier != AGAA_TIER_AUTO)
-        w.field("generation", tierName(plan.generationTier));
+    w.field("visibility", tierName(plan.view.visibilityTier));
+    if (plan.view.generationTier != AGAA_TIER_AUTO)
+        w.field("generation", tierName(plan.view.generationTier));
     w.close('}');
     w.field("runnable", plan.runnable);
     w.strings("notes", plan.notes);

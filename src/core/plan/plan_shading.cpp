@@ -15,10 +15,10 @@ namespace agaa {
 constexpr float litCost = 1.04f;
 
 void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
-    if (plan.facts.maxLights < AGAA_LEAST_CULLED_LIGHTS || hasFact(AGAA_FACT_NO_LOCAL_LIGHTS) ||
-        (plan.measurement.flags & AGAA_MEASURE_NO_LIGHT_CULLING))
+    if (plan.view.facts.maxLights < AGAA_LEAST_CULLED_LIGHTS || hasFact(AGAA_FACT_NO_LOCAL_LIGHTS) ||
+        (plan.view.measurement.flags & AGAA_MEASURE_NO_LIGHT_CULLING))
         return;
-    const uint32_t words = (plan.facts.maxLights + 31) / 32;
+    const uint32_t words = (plan.view.facts.maxLights + 31) / 32;
     lightMasks_ = tileBuffer("light-masks", 8, 4 * (words + 1)); // and a word for shadows
     constants_[AGAA_LIGHT_WORDS] = words;
     Pass& cull = compute("cull lights", AGAA_STAGE_SHADING, "cull_lights", AGAA_SEGMENT_SHADING);
@@ -30,7 +30,7 @@ void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
 
 void PlanBuilder::bindLighting(Pass& pass) {
     const bool host = pass.kind == PassKind::HostDraw;
-    require(!host || plan.measurement.debugView == AGAA_DEBUG_VIEW_NONE, AGAA_ERROR_UNSUPPORTED,
+    require(!host || plan.view.measurement.debugView == AGAA_DEBUG_VIEW_NONE, AGAA_ERROR_UNSUPPORTED,
             "AgaaMeasurement::debugView is for techniques that shade in the SDK's passes; this one shades in the host's.");
     bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer,
          lights_);
@@ -39,14 +39,14 @@ void PlanBuilder::bindLighting(Pass& pass) {
         bind(pass, slot::LightMasks, BindingType::StorageBuffer, lightMasks_ != noResource ? lightMasks_ : lights_);
     bindShadows(pass);
     if (plan.effects.empty())
-        listEffects(plan.layout.foldsRoughness() && pass.shadesAggregates);
+        listEffects(plan.view.layout.foldsRoughness() && pass.compute.shadesAggregates);
 }
 
 // The shader names all four maps; slots without one of their own repeat another and are not read.
 void PlanBuilder::bindShadows(Pass& pass) {
     ResourceId any = noResource;
-    for (uint32_t i = 0; i < plan.facts.shadowMapCount; ++i) {
-        if (plan.functionShadows >> i & 1)
+    for (uint32_t i = 0; i < plan.view.facts.shadowMapCount; ++i) {
+        if (plan.view.functionShadows >> i & 1)
             continue;
         if (shadowMaps_[i] == noResource)
             shadowMaps_[i] =
@@ -57,20 +57,20 @@ void PlanBuilder::bindShadows(Pass& pass) {
     const uint32_t first = host ? uint32_t(host_slot::Shadow0) : uint32_t(slot::Shadow0);
     for (uint32_t i = 0; any != noResource && i < AGAA_MAX_SHADOW_MAPS; ++i)
         bind(pass, first + i, BindingType::ShadowTexture, shadowMaps_[i] != noResource ? shadowMaps_[i] : any);
-    if (!plan.functionShadows)
+    if (!plan.view.functionShadows)
         return;
     require(!host, AGAA_ERROR_UNSUPPORTED,
             "AgaaShadowFunction is for techniques that shade in the SDK's passes; this one shades in the "
             "host's.");
-    addHostCode(pass, plan.shadowFunction, "AgaaShadowFunction");
-    pass.defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
-                           plan.functionShadows, any != noResource);
+    addHostCode(pass, plan.view.shadowFunction, "AgaaShadowFunction");
+    pass.compute.defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
+                           plan.view.functionShadows, any != noResource);
 }
 
 void PlanBuilder::listEffects(bool readsFolded) {
-    if (plan.layout.hasSpecularLight)
+    if (plan.view.layout.hasSpecularLight)
         effect("specular");
-    if (plan.layout.has(AGAA_SEMANTIC_EMISSIVE))
+    if (plan.view.layout.has(AGAA_SEMANTIC_EMISSIVE))
         effect("emissive");
     if (hasFact(AGAA_FACT_AMBIENT))
         effect("ambient");
@@ -78,30 +78,30 @@ void PlanBuilder::listEffects(bool readsFolded) {
         effect("alpha-mask");
     if (lightMasks_ != noResource)
         effect("light-culling");
-    if (plan.facts.shadowMapCount)
+    if (plan.view.facts.shadowMapCount)
         effect("shadows");
-    if (plan.functionShadows)
+    if (plan.view.functionShadows)
         effect("shadow-function");
-    if (plan.aggregates) {
-        if (plan.facts.shadowMapCount && constants_[AGAA_SHADOW_FILTER])
+    if (plan.view.aggregates) {
+        if (plan.view.facts.shadowMapCount && constants_[AGAA_SHADOW_FILTER])
             effect("shadow-filter");
-        if (plan.aggregation.litShadows) {
+        if (plan.view.aggregation.litShadows) {
             effect("lit-aggregates");
             note(format("lit aggregates: shadows looked up at each sample: %d, up to %u taps a pixel and light; the "
                         "second means are in registers, no bytes in memory; on lavapipe, from a G-buffer, whole frames "
                         "took %.2f of the time of frames without.",
-                        std::popcount(plan.aggregation.litShadows), plan.config.samples, double(litCost)));
+                        std::popcount(plan.view.aggregation.litShadows), plan.view.config.samples, double(litCost)));
         }
         if (constants_[AGAA_FILTER_DIFFUSE] && !readsFolded)
             effect("filtered-diffuse");
         if (readsFolded)
             note("roughness is folded into the normal's length: the length does not tell the spread of normals, so the "
                  "diffuse term is not filtered, and rounding of the sums widens narrow lobes.");
-        if (constants_[AGAA_NDF] && plan.layout.hasSpecularLight)
+        if (constants_[AGAA_NDF] && plan.view.layout.hasSpecularLight)
             effect("ndf-widening");
-        if (plan.config.ndf > AGAA_NDF_TOKSVIG)
+        if (plan.view.config.ndf > AGAA_NDF_TOKSVIG)
             effect("elliptic-lobes");
-        if (constants_[AGAA_GLOSS_WEIGHT] && plan.layout.hasSpecularLight)
+        if (constants_[AGAA_GLOSS_WEIGHT] && plan.view.layout.hasSpecularLight)
             effect("gloss-weight");
     }
 }

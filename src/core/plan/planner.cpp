@@ -21,7 +21,7 @@ AgaaDeviceCaps idealDevice() {
 
 Plan makePlan(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
     PlanBuilder builder(view, caps, framesInFlight);
-    findTechnique(builder.plan.technique)->build(builder);
+    findTechnique(builder.plan.view.technique)->build(builder);
     return builder.finish();
 }
 

@@ -6,10 +6,10 @@
 namespace agaa {
 
 std::vector<SamplePosition> positionsOf(const Plan& plan) {
-    const SamplePositions all = plan.samplePositions.empty()
-                                    ? samplePositions(standardPositions(plan.hwSamples), plan.scaleX, plan.scaleY)
-                                    : samplePositions(plan.samplePositions);
-    return {all.begin(), all.begin() + plan.samples};
+    const SamplePositions all = plan.view.samplePositions.empty()
+                                    ? samplePositions(standardPositions(plan.view.hwSamples), plan.view.scaleX, plan.view.scaleY)
+                                    : samplePositions(plan.view.samplePositions);
+    return {all.begin(), all.begin() + plan.view.samples};
 }
 
 // Squares of distances to the chosen samples, on a pixel whose edges meet, in ascending order; rounded, so that equal ones are

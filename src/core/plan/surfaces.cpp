@@ -14,8 +14,8 @@ AgaaSurface describeSurface(const Plan& plan, ResourceId id) {
         std::strncpy(surface.format, formatName(resource.format), sizeof surface.format - 1);
         surface.width = resource.width;
         surface.height = resource.height;
-        surface.scaleX = resource.hasFixedSize ? 0 : resource.width / plan.width;
-        surface.scaleY = resource.hasFixedSize ? 0 : resource.height / plan.height;
+        surface.scaleX = resource.hasFixedSize ? 0 : resource.width / plan.view.width;
+        surface.scaleY = resource.hasFixedSize ? 0 : resource.height / plan.view.height;
     }
     surface.samples = resource.samples;
     surface.layers = resource.layers;

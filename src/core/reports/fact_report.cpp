@@ -118,12 +118,12 @@ AgaaFactReport reportOf(const Plan& plan, const FrameSequence::Slot& frame, cons
     report.localLights = frame.content.localLights;
     report.shadowCount = frame.content.shadows;
     report.hasAmbient = frame.content.hasAmbient;
-    report.contradicted = contradictedFacts(report, plan.facts.flags);
-    report.sufficient = sufficientFacts(report, plan.facts.flags);
-    if (plan.hostGBuffer) // of whose masks and planes nothing is known
+    report.contradicted = contradictedFacts(report, plan.view.facts.flags);
+    report.sufficient = sufficientFacts(report, plan.view.facts.flags);
+    if (plan.view.hostGBuffer) // of whose masks and planes nothing is known
         report.sufficient = (report.sufficient & ~AGAA_FACT_PLANE_NORMALS) |
-                            (plan.facts.flags & (AGAA_FACT_ALPHA_MASKED | ofMasks | AGAA_FACT_PLANE_NORMALS));
-    std::strncpy(report.explanation, explain(report, plan.facts.flags).c_str(), sizeof report.explanation - 1);
+                            (plan.view.facts.flags & (AGAA_FACT_ALPHA_MASKED | ofMasks | AGAA_FACT_PLANE_NORMALS));
+    std::strncpy(report.explanation, explain(report, plan.view.facts.flags).c_str(), sizeof report.explanation - 1);
     return report;
 }
 
@@ -131,7 +131,7 @@ AgaaFactReport reportOf(const Plan& plan, const FrameSequence::Slot& frame, cons
 
 AgaaResult factReport(const ViewState& view, uint64_t completedFrame, AgaaFactReport& out) {
     const Plan& plan = view.plan;
-    require(plan.config.flags & AGAA_CONFIG_CHECK_FACTS, AGAA_ERROR_WRONG_ORDER,
+    require(plan.view.config.flags & AGAA_CONFIG_CHECK_FACTS, AGAA_ERROR_WRONG_ORDER,
             "the view was created without AGAA_CONFIG_CHECK_FACTS.");
     const FrameSequence::Slot* newest = view.sequence.newest(completedFrame);
     if (!newest)

@@ -54,7 +54,7 @@ static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses
 
 AgaaResult frameValidation(const ViewState& view, uint64_t completedFrame, AgaaFrameValidation& out) {
     const Plan& plan = view.plan;
-    require(plan.config.flags & AGAA_CONFIG_COUNTERS, AGAA_ERROR_WRONG_ORDER,
+    require(plan.view.config.flags & AGAA_CONFIG_COUNTERS, AGAA_ERROR_WRONG_ORDER,
             "the view was created without AGAA_CONFIG_COUNTERS.");
     const FrameSequence::Slot* newest = view.sequence.newest(completedFrame);
     if (!newest)

@@ -34,8 +34,8 @@ int64_t checkedSigned(uint64_t number) {
 
 // What pipelines of passes differ in.
 auto pipelineOf(const Pass& pass) {
-    return std::tie(pass.kind, pass.file, pass.shader, pass.defines, pass.text, pass.hostCode, pass.constants, pass.drawPass,
-                    pass.sampleContent, pass.fragmentContent, pass.expansionText);
+    return std::tie(pass.kind, pass.compute.file, pass.compute.shader, pass.compute.defines, pass.compute.text, pass.draw.text, pass.compute.hostCode, pass.constants, pass.draw.id,
+                    pass.draw.sampleContent, pass.draw.fragmentContent, pass.draw.expansionText);
 }
 
 uint64_t pipelineCount(const Plan& plan) {
@@ -50,9 +50,9 @@ uint64_t pipelineCount(const Plan& plan) {
 uint64_t sampleBits(const Plan& plan) {
     std::set<ResourceId> targets;
     for (const Pass& pass : plan.passes) {
-        targets.insert(pass.colorTargets.begin(), pass.colorTargets.end());
-        if (pass.depthTarget != noResource)
-            targets.insert(pass.depthTarget);
+        targets.insert(pass.draw.colorTargets.begin(), pass.draw.colorTargets.end());
+        if (pass.draw.depthTarget != noResource)
+            targets.insert(pass.draw.depthTarget);
     }
     uint64_t bits = 0;
     for (const ResourceId target : targets)
@@ -78,7 +78,7 @@ Traffic trafficOf(const Access& access, const Pass& pass) {
     case Use::CopyTo:
         return {.writes = true};
     case Use::Depth:
-        return {.reads = !pass.clearsDepth, .writes = pass.drawState.depthWrite != 0};
+        return {.reads = !pass.draw.clearsDepth, .writes = pass.draw.state.depthWrite != 0};
     case Use::Indirect: // a few words
     case Use::Condition:
         break;
@@ -100,8 +100,8 @@ uint64_t trafficBytes(const Plan& plan) {
             const Resource& resource = plan.resources[id];
             if (!resource.isPerPixel())
                 continue;
-            const bool isPart = pass.kind == PassKind::Fill && pass.fillBytes > 0;
-            const uint64_t bytes = isPart ? pass.fillBytes : resource.bytes;
+            const bool isPart = pass.kind == PassKind::Fill && pass.fill.bytes > 0;
+            const uint64_t bytes = isPart ? pass.fill.bytes : resource.bytes;
             total = checkedAdd(total, checkedMultiply(bytes, uint64_t(traffic.reads) + traffic.writes));
         }
     }
@@ -114,7 +114,7 @@ uint64_t tapsOfMap(const Technique& technique, const Plan& plan, const Constants
     constexpr uint64_t depthTaps = 4; // of agaa_tapAlongDepth()
     const uint32_t filter = constants[AGAA_SHADOW_FILTER];
     const bool hasDepths =
-        technique.maxAggregates > 0 && !technique.countsCoverage(plan.config.generationTier, plan.samples);
+        technique.maxAggregates > 0 && !technique.countsCoverage(plan.view.config.generationTier, plan.view.samples);
     if (filter == depthFilter && hasDepths)
         return samples > 1 ? depthTaps : 1;
     return filter >= sampleFilter ? std::min(samples, constants[AGAA_SHADOW_TAPS]) : 1;
@@ -132,8 +132,8 @@ uint64_t shadowTaps(const Technique& technique, const Plan& plan, uint32_t sampl
 }
 
 AgaaPrice priceOf(const Plan& plan) {
-    const Technique& technique = *findTechnique(plan.technique);
-    const ShadingWork work = technique.work(plan);
+    const Technique& technique = *findTechnique(plan.view.technique);
+    const ShadingWork work = technique.work(plan.view);
     AgaaPrice price = AGAA_PRICE_INIT;
     price.passes = checkedSigned(plan.passes.size());
     price.geometryPasses = plan.geometryPasses();
@@ -146,7 +146,7 @@ AgaaPrice priceOf(const Plan& plan) {
     price.trafficBytes = checkedSigned(trafficBytes(plan));
     price.maxEventsPerPixel = work.eventsPerPixel;
     price.maxShadowTapsPerEvent = checkedSigned(shadowTaps(technique, plan, work.samplesPerEvent));
-    price.maxLightsPerEvent = plan.facts.maxLights;
+    price.maxLightsPerEvent = plan.view.facts.maxLights;
     price.isPossible = 1;
     return price;
 }
@@ -167,7 +167,7 @@ public:
         const AgaaPrice other = priceOf(less);
         for (const Number number : numbers) // neither is negative
             price.*number -= other.*number;
-        price.changesTier = more.visibilityTier != less.visibilityTier || more.generationTier != less.generationTier;
+        price.changesTier = more.view.visibilityTier != less.view.visibilityTier || more.view.generationTier != less.view.generationTier;
         return price;
     } catch (const Error& error) {
         if (error.code == AGAA_ERROR_INTERNAL)

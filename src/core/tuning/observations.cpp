@@ -14,12 +14,12 @@ namespace {
 // Without what a frame showed.
 AgaaObservation describe(const ViewSettings& view, const Plan& plan) {
     AgaaObservation o = AGAA_OBSERVATION_INIT;
-    o.technique = plan.config.technique;
+    o.technique = plan.view.config.technique;
     o.preset = presetOf(view.config, view.aggregation, view.measurement); // plans drop what has no effect
-    o.samples = plan.samples;
-    o.aggregates = plan.aggregates;
-    o.generationTier = plan.generationTier;
-    o.pixels = uint64_t(plan.width) * plan.height;
+    o.samples = plan.view.samples;
+    o.aggregates = plan.view.aggregates;
+    o.generationTier = plan.view.generationTier;
+    o.pixels = uint64_t(plan.view.width) * plan.view.height;
     return o;
 }
 

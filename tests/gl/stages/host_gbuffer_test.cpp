@@ -16,7 +16,7 @@ constexpr uint32_t firstUnit = 20; // beyond what frames touch
 class TextureSamples {
 public:
     explicit TextureSamples(const StageView& drawn)
-        : plan_(drawn.plan()), attachments_(packGBuffer(plan_.layout).attachments.size()) {
+        : plan_(drawn.plan()), attachments_(packGBuffer(plan_.view.layout).attachments.size()) {
         for (size_t i = 0; i <= attachments_; ++i) {
             AgaaGlSurface surface = AGAA_GL_SURFACE_INIT;
             const std::string name = i < attachments_ ? "gbuffer-" + std::to_string(i) : "depth";
@@ -37,13 +37,13 @@ public:
     }
 
     std::string text() const {
-        const GBufferPacking packing = packGBuffer(plan_.layout);
+        const GBufferPacking packing = packGBuffer(plan_.view.layout);
         std::string text;
         std::set<std::string> seen;
         appendGlsl(text, "math/encoding.glsl", seen);
         for (size_t i = 0; i <= attachments_; ++i)
             text += format("layout(binding = %zu) uniform sampler2D%s host%zu;\n", firstUnit + i,
-                           plan_.hwSamples > 1 ? "MS" : "", i);
+                           plan_.view.hwSamples > 1 ? "MS" : "", i);
         const auto channel = [&](int which) {
             const Field& f = packing.fields[size_t(which)];
             return f.bits ? format("texelFetch(host%u, texel, sub)[%u]", f.word, f.shift) : std::string("0.0");
@@ -60,8 +60,8 @@ public:
         text += "    m.diffuse = " + channels(ChannelDiffuseR) + ";\n";
         text += "    m.specular = " + channels(ChannelSpecularR) + ";\n";
         text += "    m.alpha2 = " + channel(ChannelRoughness) + ";\n";
-        text += format("    m.emissive = %f * ", double(plan_.layout.emissiveRange())) +
-                (plan_.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1 ? channel(ChannelEmissiveR) + " * m.diffuse"
+        text += format("    m.emissive = %f * ", double(plan_.view.layout.emissiveRange())) +
+                (plan_.view.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1 ? channel(ChannelEmissiveR) + " * m.diffuse"
                                                                     : channels(ChannelEmissiveR)) +
                 ";\n    return true;\n}\n";
         return text;

@@ -96,16 +96,16 @@ void expectExactSums(StageContext& context, const Case& c, const std::vector<Tri
     view.setTriangles(scene);
     view.render(view.frame());
     const Plan& plan = view.plan();
-    const uint32_t n = plan.samples, count = plan.aggregates;
-    const AggregatePacking packing = packAggregate(plan.layout, n);
+    const uint32_t n = plan.view.samples, count = plan.view.aggregates;
+    const AggregatePacking packing = packAggregate(plan.view.layout, n);
     const std::vector<uint32_t> words = view.readBuffer("aggregates");
     const auto metadata = count > 1 ? view.readSurface("metadata") : std::vector<glm::uvec4>();
     const uint32_t growth = uint32_t(std::bit_width(n) - 1);
 
     size_t wrongFields = 0, wrongMasks = 0, covered = 0;
-    for (uint32_t y = 0; y < plan.height; ++y)
-        for (uint32_t x = 0; x < plan.width; ++x) {
-            const size_t pixel = size_t(y) * plan.width + x;
+    for (uint32_t y = 0; y < plan.view.height; ++y)
+        for (uint32_t x = 0; x < plan.view.width; ++x) {
+            const size_t pixel = size_t(y) * plan.view.width + x;
             for (uint32_t a = 0; a < count; ++a) {
                 uint32_t mask = 0;
                 std::array<uint64_t, ChannelCount> sums{};
@@ -114,7 +114,7 @@ void expectExactSums(StageContext& context, const Case& c, const std::vector<Tri
                     if (triangle == noTriangle || idOf(metadata, pixel, i, n, count) != a)
                         continue;
                     mask |= 1u << i;
-                    const auto values = channels(scene[triangle].material, plan.layout);
+                    const auto values = channels(scene[triangle].material, plan.view.layout);
                     for (size_t k = 0; k < ChannelCount; ++k)
                         if (packing.fields[k].bits)
                             sums[k] += isSigned(k) ? signedCode(values[k], packing.fields[k].bits)
@@ -133,8 +133,8 @@ void expectExactSums(StageContext& context, const Case& c, const std::vector<Tri
                             field(packing.fields[k], packing.fields[k].bits + growth) != sums[k];
             }
         }
-    EXPECT_GT(covered, size_t(plan.width) * plan.height * n / 4) << "the scene must cover the view";
-    EXPECT_LT(covered, size_t(plan.width) * plan.height * n) << "and leave holes";
+    EXPECT_GT(covered, size_t(plan.view.width) * plan.view.height * n / 4) << "the scene must cover the view";
+    EXPECT_LT(covered, size_t(plan.view.width) * plan.view.height * n) << "and leave holes";
     EXPECT_EQ(wrongMasks, 0u);
     EXPECT_EQ(wrongFields, 0u);
     const AgaaCounters counters = view.statistics().counters;

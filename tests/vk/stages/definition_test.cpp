@@ -43,8 +43,8 @@ glm::dvec3 viewPosition(const Plan& plan, const FrameConstants& constants, uint3
     const float* p = constants.projection;
     const bool orthographic = p[6] != 0.0f;
     const double z = math_d::agaa_viewZFromDepth(depth, double(p[4]), double(p[5]), orthographic);
-    const glm::dvec2 ndc((x + double(constants.samples[i][0])) / plan.width * 2 - 1,
-                         (y + double(constants.samples[i][1])) / plan.height * 2 - 1);
+    const glm::dvec2 ndc((x + double(constants.samples[i][0])) / plan.view.width * 2 - 1,
+                         (y + double(constants.samples[i][1])) / plan.view.height * 2 - 1);
     return math_d::agaa_viewPosition(ndc, z, double(p[0]), double(p[1]), double(p[2]), double(p[3]), orthographic);
 }
 
@@ -61,13 +61,13 @@ public:
         const bool orthographic = p[6] != 0.0f;
         Pixel pixel;
         double nearest2 = 1e300, nearestZ = 1e300;
-        const rvec2 centre((x + 0.5) / plan.width * 2 - 1, (y + 0.5) / plan.height * 2 - 1);
+        const rvec2 centre((x + 0.5) / plan.view.width * 2 - 1, (y + 0.5) / plan.view.height * 2 - 1);
         const rvec3 ray = agaa_viewPosition(centre, -1.0, double(p[0]), double(p[1]), double(p[2]), double(p[3]),
                                             orthographic);
         const rvec3 v = orthographic ? rvec3(0, 0, 1) : glm::normalize(-ray);
         rvec3 t, b;
         agaa_viewBasis(v, t, b);
-        for (uint32_t i = 0; i < plan.samples; ++i) {
+        for (uint32_t i = 0; i < plan.view.samples; ++i) {
             const size_t s = view_.sampleIndex(x, y, i);
             const glm::uvec2 code(channel(normals_[s].x), channel(normals_[s].y));
             if (code.x + code.y == 0)
@@ -88,12 +88,12 @@ public:
             const double step = p[7] < 0 ? double(-p[7]) * depth : double(p[7]);
             c.agaa_sampleStep[i] = agaa_depthQuantum(z, depth, double(p[4]), double(p[5]), orthographic, step);
         }
-        const AgaaConfig& config = plan.config;
-        pixel.k = agaa_characteristicLength(double(plan.aggregation.characteristicLength),
-                                            double(plan.aggregation.characteristicLengthPerDistance),
+        const AgaaConfig& config = plan.view.config;
+        pixel.k = agaa_characteristicLength(double(plan.view.aggregation.characteristicLength),
+                                            double(plan.view.aggregation.characteristicLengthPerDistance),
                                             orthographic ? 1 / std::abs(double(p[0])) : std::sqrt(nearest2));
         const double scale = orthographic ? 1.0 : nearestZ;
-        pixel.width = double(config.surfaceDistance) * scale * 2 / (std::abs(double(p[0])) * plan.width);
+        pixel.width = double(config.surfaceDistance) * scale * 2 / (std::abs(double(p[0])) * plan.view.width);
         return pixel;
     }
 
@@ -132,13 +132,13 @@ Agreement compareWithOracle(StageContext& context, const ViewSettings& settings,
     view.render(frame);
     const Oracle oracle(view, frame);
     const auto metadata = view.readSurface("metadata");
-    const uint32_t n = view.plan().samples, c = view.plan().aggregates;
+    const uint32_t n = view.plan().view.samples, c = view.plan().view.aggregates;
     Agreement found;
     size_t outOfRange = 0, stray = 0;
-    for (uint32_t y = 0; y < view.plan().height; ++y)
-        for (uint32_t x = 0; x < view.plan().width; ++x) {
+    for (uint32_t y = 0; y < view.plan().view.height; ++y)
+        for (uint32_t x = 0; x < view.plan().view.width; ++x) {
             const Pixel pixel = oracle.load(x, y);
-            const size_t index = size_t(y) * view.plan().width + x;
+            const size_t index = size_t(y) * view.plan().view.width + x;
             const Ids gpu = storedIds(metadata, index, n, c, pixel.covered);
             for (uint32_t i = 0; i < n; ++i) {
                 outOfRange += gpu.id[i] >= c;
@@ -146,14 +146,14 @@ Agreement compareWithOracle(StageContext& context, const ViewSettings& settings,
             }
             if (!pixel.covered)
                 continue;
-            const AgaaConfig& config = view.plan().config;
+            const AgaaConfig& config = view.plan().view.config;
             Ids cpu{pixel.covered, {}};
             const bool one = pixel.clustering->agaa_areAllOneSurface(n, pixel.covered, double(config.surfaceCosine),
                                                                      pixel.width);
             const uint32_t count = one ? 1
                                        : pixel.clustering->agaa_defineAggregates(
-                                             n, pixel.covered, c, pixel.k, double(view.plan().aggregation.aggregateThreshold),
-                                             view.plan().measurement.seeds);
+                                             n, pixel.covered, c, pixel.k, double(view.plan().view.aggregation.aggregateThreshold),
+                                             view.plan().view.measurement.seeds);
             for (uint32_t i = 0; i < n && !one; ++i)
                 cpu.id[i] = pixel.clustering->agaa_sampleAggregate[i];
             ++found.pixels;

@@ -67,23 +67,23 @@ void expectSums(StageContext& context, uint32_t n, uint32_t c, const char* layou
     view.setTriangles(randomTriangles({.triangles = 300, .duplicates = 0.1f, .masked = 0.2f}, 61));
     view.render(view.frame());
     const Plan& plan = view.plan();
-    const GBufferPacking source = packGBuffer(plan.layout);
-    const AggregatePacking packing = packAggregate(plan.layout, n);
+    const GBufferPacking source = packGBuffer(plan.view.layout);
+    const AggregatePacking packing = packAggregate(plan.view.layout, n);
     std::vector<std::vector<glm::uvec4>> attachments;
     for (size_t i = 0; i < source.attachments.size(); ++i)
         attachments.push_back(view.readSurface("gbuffer-" + std::to_string(i)));
     const auto words = view.readBuffer("aggregates");
-    const auto metadata = plan.aggregates > 1 ? view.readSurface("metadata")
-                                              : std::vector<glm::uvec4>(plan.width * plan.height);
+    const auto metadata = plan.view.aggregates > 1 ? view.readSurface("metadata")
+                                              : std::vector<glm::uvec4>(plan.view.width * plan.view.height);
     const Field& normal = source.fields[ChannelNormalX];
     const uint32_t growth = uint32_t(std::bit_width(n) - 1);
     size_t wrongMasks = 0, far = 0, inexact = 0, fields = 0, covered = 0;
-    for (uint32_t y = 0; y < plan.height; ++y)
-        for (uint32_t x = 0; x < plan.width; ++x) {
-            const size_t pixel = size_t(y) * plan.width + x;
+    for (uint32_t y = 0; y < plan.view.height; ++y)
+        for (uint32_t x = 0; x < plan.view.width; ++x) {
+            const size_t pixel = size_t(y) * plan.view.width + x;
             const glm::uvec4 texel = metadata[pixel];
             const uint64_t planes = n < 32 ? texel.x : texel.x | uint64_t(texel.y) << 32;
-            for (uint32_t a = 0; a < plan.aggregates; ++a) {
+            for (uint32_t a = 0; a < plan.view.aggregates; ++a) {
                 uint32_t mask = 0;
                 std::array<double, ChannelCount> sums{};
                 for (uint32_t i = 0; i < n; ++i) {
@@ -93,13 +93,13 @@ void expectSums(StageContext& context, uint32_t n, uint32_t c, const char* layou
                     if (id != a || attachments[normal.word][s][int(normal.shift)] == 0)
                         continue;
                     mask |= 1u << i;
-                    const auto values = storedValues(plan.layout, source, attachments, s);
+                    const auto values = storedValues(plan.view.layout, source, attachments, s);
                     for (size_t k = 0; k < ChannelCount; ++k)
                         if (packing.fields[k].bits)
                             sums[k] += codeOf(k, values[k], packing.fields[k].bits);
                 }
                 covered += size_t(std::popcount(mask));
-                const uint32_t* own = &words[(pixel * plan.aggregates + a) * packing.words];
+                const uint32_t* own = &words[(pixel * plan.view.aggregates + a) * packing.words];
                 const auto field = [&](const Field& f, uint32_t bits) {
                     const uint64_t word = own[f.word] >> f.shift;
                     return bits >= 32 ? word : word & ((uint64_t(1) << bits) - 1);

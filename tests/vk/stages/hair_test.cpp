@@ -29,7 +29,7 @@ std::vector<Triangle> hairs() {
 uint64_t samplesInHairs(const StageView& view, float more) {
     uint64_t count = 0;
     for (uint32_t i = 0; i < width; ++i)
-        for (uint32_t s = 0; s < view.plan().samples; ++s) {
+        for (uint32_t s = 0; s < view.plan().view.samples; ++s) {
             const float across = view.positions()[s].x - float(i) / float(width) * 0.875f;
             count += across >= -more && across <= 0.125f + more;
         }
@@ -56,7 +56,7 @@ Found acrossHairs(uint32_t n, ViewSettings::Shader shader) {
     StageView view(context, settings);
     view.setTriangles(hairs());
     view.render(view.frame());
-    const GBufferPacking packing = packGBuffer(view.plan().layout);
+    const GBufferPacking packing = packGBuffer(view.plan().view.layout);
     const Field& u = packing.fields[ChannelDiffuseR];
     const Field& normal = packing.fields[ChannelNormalX];
     const auto texels = view.readSurface("gbuffer-" + std::to_string(u.word));

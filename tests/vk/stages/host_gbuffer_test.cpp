@@ -16,7 +16,7 @@ struct HostSample { vec4 diffuseDepth, specularAlpha2, emissive, normal; };
 layout(std430, )" + std::string(FunctionBuffer::place) + R"() readonly buffer Samples { HostSample samples[]; } host;
 bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m) {
     HostSample h = host.samples[(pixel.y * )" +
-           std::to_string(plan.width) + "u + pixel.x) * " + std::to_string(plan.samples) + R"(u + i];
+           std::to_string(plan.view.width) + "u + pixel.x) * " + std::to_string(plan.view.samples) + R"(u + i];
     depth = h.diffuseDepth.w;
     m.diffuse = h.diffuseDepth.xyz;
     m.specular = h.specularAlpha2.xyz;
@@ -31,22 +31,22 @@ bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m
 // What a view drew, decoded.
 std::vector<glm::vec4> decodedSamples(const StageView& drawn) {
     const Plan& plan = drawn.plan();
-    const GBufferPacking packing = packGBuffer(plan.layout);
+    const GBufferPacking packing = packGBuffer(plan.view.layout);
     const auto depth = drawn.readSurface("depth");
     std::vector<std::vector<glm::uvec4>> attachments;
     for (size_t i = 0; i < packing.attachments.size(); ++i)
         attachments.push_back(drawn.readSurface("gbuffer-" + std::to_string(i)));
     std::vector<glm::vec4> out;
-    for (uint32_t y = 0; y < plan.height; ++y)
-        for (uint32_t x = 0; x < plan.width; ++x)
-            for (uint32_t i = 0; i < plan.samples; ++i) {
+    for (uint32_t y = 0; y < plan.view.height; ++y)
+        for (uint32_t x = 0; x < plan.view.width; ++x)
+            for (uint32_t i = 0; i < plan.view.samples; ++i) {
                 const size_t at = drawn.sampleIndex(x, y, i);
                 const auto value = [&](size_t channel, float absent) {
                     const Field& f = packing.fields[channel];
                     return f.bits ? std::bit_cast<float>(attachments[f.word][at][int(f.shift)]) : absent;
                 };
                 const bool isCovered = value(ChannelNormalX, 0) != 0;
-                const float range = plan.layout.emissiveRange();
+                const float range = plan.view.layout.emissiveRange();
                 const glm::dvec3 n = math_d::agaa_decodeOct(
                     {double(value(ChannelNormalX, 0)), double(value(ChannelNormalY, 0))},
                     packing.fields[ChannelNormalX].bits);
@@ -54,7 +54,7 @@ std::vector<glm::vec4> decodedSamples(const StageView& drawn) {
                                         value(ChannelDiffuseB, 0));
                 glm::vec3 emissive(value(ChannelEmissiveR, 0), value(ChannelEmissiveG, 0),
                                    value(ChannelEmissiveB, 0));
-                if (plan.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
+                if (plan.view.layout[AGAA_SEMANTIC_EMISSIVE].channels == 1)
                     emissive = emissive.x * diffuse;
                 out.emplace_back(diffuse, isCovered ? std::bit_cast<float>(depth[at].x) : -1.0f);
                 out.emplace_back(value(ChannelSpecularR, 0), value(ChannelSpecularG, 0),

@@ -41,8 +41,8 @@ TEST(Ids, AreThoseOfTheTrianglesSeen) {
     StageView other(context, settings);
     drawn(other, triangles);
     const Plan& plan = ids.view().plan();
-    EXPECT_EQ(plan.primitiveBits, 8u);
-    const Field red = packGBuffer(other.plan().layout).fields[ChannelDiffuseR]; // id + 1 below 256
+    EXPECT_EQ(plan.view.primitiveBits, 8u);
+    const Field red = packGBuffer(other.plan().view.layout).fields[ChannelDiffuseR]; // id + 1 below 256
     const auto words = ids.view().readSurface("ids");
     const auto colors = other.readSurface("gbuffer-" + std::to_string(red.word));
     const auto byteOf = [](uint32_t bits) { return uint32_t(std::lround(255 * std::bit_cast<float>(bits))); };
@@ -99,7 +99,7 @@ TEST(Ids, FineMaterialsAreThoseOfAGBuffer) {
         settings.shader = ViewSettings::Shader::UvInside;
         StageView raster(context, settings);
         const harness::Image truth = drawn(raster, triangles);
-        const uint32_t texels = raster.plan().scaleX * raster.plan().scaleY;
+        const uint32_t texels = raster.plan().view.scaleX * raster.plan().view.scaleY;
         const auto byId = [&](uint64_t flag, AgaaCounters& counters) {
             ViewSettings own = settingsFor(n, 1, AGAA_TIER_IDS);
             own.config.flags |= flag;

@@ -26,8 +26,8 @@ Truth visibleTriangles(StageContext& context, const ViewSettings& like,
     view.setTriangles(triangles);
     view.render(view.frame());
 
-    Truth truth{settings.width, settings.height, view.plan().samples, {}};
-    const GBufferPacking packing = packGBuffer(view.plan().layout);
+    Truth truth{settings.width, settings.height, view.plan().view.samples, {}};
+    const GBufferPacking packing = packGBuffer(view.plan().view.layout);
     const Fields& fields = packing.fields;
     std::vector<std::vector<glm::uvec4>> attachments;
     for (size_t i = 0; i < packing.attachments.size(); ++i)

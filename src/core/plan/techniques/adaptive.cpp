@@ -41,7 +41,7 @@ void readAdaptive(const AgaaConfig& config, ViewSettings& view) {
 
 // Sets constants of all passes that are added later.
 void setAdaptiveConstants(PlanBuilder& b) {
-    const AgaaAdaptiveSampling& a = b.plan.adaptive;
+    const AgaaAdaptiveSampling& a = b.plan.view.adaptive;
     Constants& c = b.passConstants();
     c[AGAA_ADAPTIVE_FLAGS] = uint32_t(a.flags);
     const auto set = [&](Constant constant, float value) { c[constant] = value > 0 ? std::bit_cast<uint32_t>(value) : 0; };
@@ -58,11 +58,11 @@ void setAdaptiveConstants(PlanBuilder& b) {
         c[AGAA_ORDER0 + j / 4] |= order[j] << 8 * (j % 4);
 }
 
-bool has(const PlanBuilder& b, uint64_t flag) { return b.plan.adaptive.flags & flag; }
+bool has(const PlanBuilder& b, uint64_t flag) { return b.plan.view.adaptive.flags & flag; }
 
 // Passes write to the sums, choices and lists of one buffer.
 ResourceId choiceBuffer(PlanBuilder& b) {
-    const bool remembers = b.plan.adaptive.countMemory > 0;
+    const bool remembers = b.plan.view.adaptive.countMemory > 0;
     const uint64_t words = 2 + (remembers ? 1 : 0) + (has(b, AGAA_ADAPTIVE_SORTED) ? 2 : 0);
     const ResourceId choices = b.pixelBuffer("sample-choices", 4 * words);
     Resource& buffer = b.plan.resources[choices];
@@ -75,9 +75,9 @@ ResourceId choiceBuffer(PlanBuilder& b) {
 uint32_t whereCountsAreFound(const PlanBuilder& b) {
     if (!has(b, AGAA_ADAPTIVE_GEOMETRY) || has(b, AGAA_ADAPTIVE_PRINTED_METRIC))
         return AGAA_FOUND_WITH_FIRST;
-    const bool limitsShading = b.plan.adaptive.targetEvents > 0 && has(b, AGAA_ADAPTIVE_SHADING);
+    const bool limitsShading = b.plan.view.adaptive.targetEvents > 0 && has(b, AGAA_ADAPTIVE_SHADING);
     const bool changesCounts = has(b, AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM) ||
-                               b.plan.adaptive.countMemory > 0;
+                               b.plan.view.adaptive.countMemory > 0;
     return limitsShading || changesCounts ? AGAA_FOUND_BETWEEN : AGAA_FOUND_WITH_FURTHER;
 }
 
@@ -90,7 +90,7 @@ struct Adaptive {
         if (!ids)
             return gbuffer.bind(b, pass);
         ids->bind(b, pass);
-        setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.plan.layout).fields); // how precise features are
+        setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.plan.view.layout).fields); // how precise features are
     }
 
     void bindDepth(PlanBuilder& b, Pass& pass) const {
@@ -140,17 +140,17 @@ Dispatch listed(const Adaptive& a, uint32_t list) {
 void addLimit(PlanBuilder& b, const Adaptive& a) {
     Pass& demand = addChoice(b, "count demanded samples", "sample_demand", a);
     b.bindCommon(demand);
-    addNumbers(b, "find limit", "sample_limit", a).dispatch = once;
+    addNumbers(b, "find limit", "sample_limit", a).compute.dispatch = once;
 }
 
 // Numbers of samples by geometry, and from which demand on the shading has more.
 void addCounts(PlanBuilder& b, const Adaptive& a) {
     Pass& counts = addChoice(b, "count samples", "count_samples", a);
     b.bindCommon(counts);
-    counts.dispatch = listed(a, AGAA_COMPLEX_PIXELS_AT);
-    if (b.plan.adaptive.targetEvents > 0) {
+    counts.compute.dispatch = listed(a, AGAA_COMPLEX_PIXELS_AT);
+    if (b.plan.view.adaptive.targetEvents > 0) {
         addNumbers(b, "count shading's demand", "shading_demand", a, true);
-        addNumbers(b, "find shading's limit", "shading_limit", a).dispatch = once;
+        addNumbers(b, "find shading's limit", "shading_limit", a).compute.dispatch = once;
     }
 }
 
@@ -162,8 +162,8 @@ void addList(PlanBuilder& b, const Adaptive& a) {
     b.bind(list, slot::FirstSamples, BindingType::Texture, a.firstSamples);
     b.bindOutput(list);
     if (has(b, AGAA_ADAPTIVE_SORTED)) {
-        addNumbers(b, "place counts", "place_counts", a).dispatch = once;
-        addNumbers(b, "place pixels", "place_pixels", a).dispatch = listed(a, AGAA_FURTHER_AT);
+        addNumbers(b, "place counts", "place_counts", a).compute.dispatch = once;
+        addNumbers(b, "place pixels", "place_pixels", a).compute.dispatch = listed(a, AGAA_FURTHER_AT);
     }
 }
 
@@ -171,7 +171,7 @@ void addList(PlanBuilder& b, const Adaptive& a) {
 void checkTarget(const PlanBuilder& b, bool hasTarget) {
     constexpr uint64_t excluded = AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_BUCKETS |
                                   AGAA_ADAPTIVE_TILE_MAXIMUM;
-    require(!hasTarget || (has(b, AGAA_ADAPTIVE_GEOMETRY) && !has(b, excluded) && b.plan.adaptive.countMemory == 0),
+    require(!hasTarget || (has(b, AGAA_ADAPTIVE_GEOMETRY) && !has(b, excluded) && b.plan.view.adaptive.countMemory == 0),
             AGAA_ERROR_UNSUPPORTED,
             "AgaaAdaptiveSampling::targetEvents needs AGAA_ADAPTIVE_GEOMETRY, and neither countMemory nor the flags "
             "PRINTED_METRIC, IN_ORDER, BUCKETS and TILE_MAXIMUM, by which more samples are shaded.");
@@ -179,20 +179,20 @@ void checkTarget(const PlanBuilder& b, bool hasTarget) {
 
 void build(PlanBuilder& b) {
     b.defaultSurface(0.95f, 1.5f, 0.08f);
-    const bool hasTarget = b.plan.adaptive.targetEvents > 0;
+    const bool hasTarget = b.plan.view.adaptive.targetEvents > 0;
     checkTarget(b, hasTarget);
-    const uint64_t pixels = checkedMultiply(b.plan.width, b.plan.height);
+    const uint64_t pixels = checkedMultiply(b.plan.view.width, b.plan.view.height);
     if (has(b, AGAA_ADAPTIVE_SORTED) && pixels > 1u << AGAA_RANK_BITS)
         fail(AGAA_ERROR_TOO_LARGE, format("AGAA_ADAPTIVE_SORTED sorts at most %u pixels.", 1u << AGAA_RANK_BITS));
     setAdaptiveConstants(b);
     Adaptive a;
-    if (b.plan.generationTier == AGAA_TIER_IDS)
+    if (b.plan.view.generationTier == AGAA_TIER_IDS)
         a.ids = drawIds(b);
     else
         a.gbuffer = makeGBuffer(b);
     a.firstSamples = b.image("first-samples", Format::RGBA16F, false);
     a.choices = choiceBuffer(b);
-    b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fillBytes = 4 * AGAA_SUM_WORDS;
+    b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fill.bytes = 4 * AGAA_SUM_WORDS;
     const uint32_t found = b.passConstants()[AGAA_COUNTS_FOUND] = whereCountsAreFound(b);
     if (hasTarget)
         addLimit(b, a);
@@ -205,7 +205,7 @@ void build(PlanBuilder& b) {
     Pass& further = addShading(b, "shade further samples", "shade_further", a);
     b.bind(further, slot::FirstSamples, BindingType::Texture, a.firstSamples);
     b.bindOutput(further);
-    further.dispatch = listed(a, AGAA_FURTHER_AT);
+    further.compute.dispatch = listed(a, AGAA_FURTHER_AT);
     b.copyCounters();
 }
 
@@ -216,8 +216,8 @@ static bool prefersOrderedGrid(const ViewSettings& view) {
     return !view.hostGBuffer && !(view.adaptive.flags & AGAA_ADAPTIVE_DEVICE_PATTERN);
 }
 
-static ShadingWork work(const ViewSettings& plan) {
-    return {plan.samples, plan.adaptive.flags & AGAA_ADAPTIVE_EQUAL_WEIGHTS ? 1 : plan.samples};
+static ShadingWork work(const ViewSettings& view) {
+    return {view.samples, view.adaptive.flags & AGAA_ADAPTIVE_EQUAL_WEIGHTS ? 1 : view.samples};
 }
 
 static const TechniqueSettings adaptiveSettings = {AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, readAdaptive};

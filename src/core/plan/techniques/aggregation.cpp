@@ -32,20 +32,20 @@ static void readAggregation(const AgaaConfig& config, ViewSettings& view) {
 
 const TechniqueSettings aggregationSettings = {AGAA_STRUCTURE_TYPE_AGGREGATION, readAggregation};
 
-ShadingWork workOfAggregates(const ViewSettings& plan) { return {plan.aggregates, plan.samples}; }
+ShadingWork workOfAggregates(const ViewSettings& view) { return {view.aggregates, view.samples}; }
 
 Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format format, SampleContent content) {
     const Prepass s{b.depth(stencil), b.image(name, format, true)};
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
                                AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
-    prepass.sampleContent = content;
-    prepass.drawState.depthCompare = b.plan.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
-    prepass.drawState.depthWrite = 1;
-    prepass.drawState.colorAttachmentCount = 1;
-    prepass.colorTargets = {s.normals};
-    prepass.depthTarget = s.depth;
-    prepass.clearsColor = prepass.clearsDepth = true;
+    prepass.draw.sampleContent = content;
+    prepass.draw.state.depthCompare = b.plan.view.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    prepass.draw.state.depthWrite = 1;
+    prepass.draw.state.colorAttachmentCount = 1;
+    prepass.draw.colorTargets = {s.normals};
+    prepass.draw.depthTarget = s.depth;
+    prepass.draw.clearsColor = prepass.draw.clearsDepth = true;
     return s;
 }
 
@@ -76,7 +76,7 @@ constexpr uint32_t anyComponent = 4; // of AGAA_COVERAGE_COMPONENT
 // claimBytes: of each pixel, after all aggregates.
 ResourceId aggregateBuffer(PlanBuilder& b, const Aggregation& a, uint64_t claimBytes = 0) {
     b.plan.bytesPerAggregate = 4 * a.stride;
-    return b.pixelBuffer("aggregates", checkedMultiply(b.plan.aggregates, 4 * a.stride) + claimBytes);
+    return b.pixelBuffer("aggregates", checkedMultiply(b.plan.view.aggregates, 4 * a.stride) + claimBytes);
 }
 
 // metadata: or noResource.
@@ -86,27 +86,27 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     if (b.wantsStencil() && !stencil)
         b.note("no format of depth and stencil: of equal depths the first to come is kept, which is "
                "not repeatable.");
-    const bool perSample = b.plan.generationTier == AGAA_TIER_PER_SAMPLE && b.plan.hwSamples > 1;
-    Pass& draw = b.hostDraw("generate aggregates", AGAA_STAGE_GENERATION,
+    const bool perSample = b.plan.view.generationTier == AGAA_TIER_PER_SAMPLE && b.plan.view.hwSamples > 1;
+    Pass& pass = b.hostDraw("generate aggregates", AGAA_STAGE_GENERATION,
                             AGAA_DRAW_PASS_AGGREGATE, AGAA_SEGMENT_GENERATION);
-    b.bindCommon(draw);
-    draw.drawState.depthCompare = AGAA_COMPARE_EQUAL;
-    draw.drawState.stencilTest = stencil;
+    b.bindCommon(pass);
+    pass.draw.state.depthCompare = AGAA_COMPARE_EQUAL;
+    pass.draw.state.stencilTest = stencil;
     // A masked fragment may pass depth and stencil where its mask has no sample; were it to take the
     // stencil, the coplanar fragment that owns the sample would be refused.
-    draw.drawState.stencilTestMasked = 0;
-    draw.drawState.sampleShading = perSample;
-    draw.depthTarget = prepass.depth;
+    pass.draw.state.stencilTestMasked = 0;
+    pass.draw.state.sampleShading = perSample;
+    pass.draw.depthTarget = prepass.depth;
     if (metadata != noResource)
-        b.bind(draw, host_slot::Metadata, BindingType::Texture, metadata);
+        b.bind(pass, host_slot::Metadata, BindingType::Texture, metadata);
     // Samples at the far plane, which the prepass does not show, are equal in depth all the same: the normals tell them.
     // Floats reach 0, the far plane of a reversed depth, at the plane itself.
-    if (!a.represented && !b.plan.reversedZ)
-        b.bind(draw, host_slot::Normals, BindingType::Texture, prepass.normals);
-    b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
-    if (!perSample && b.plan.hwSamples > 1)
-        draw.extensions.push_back("ARB_post_depth_coverage");
-    setRecord(draw, a);
+    if (!a.represented && !b.plan.view.reversedZ)
+        b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.normals);
+    b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
+    if (!perSample && b.plan.view.hwSamples > 1)
+        pass.draw.extensions.push_back("ARB_post_depth_coverage");
+    setRecord(pass, a);
 }
 
 // bindDepth: the samples' depth, and what tells those that show geometry.
@@ -115,7 +115,7 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
     b.cullLights(bindDepth);
     Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", AGAA_SEGMENT_SHADING,
                             a.represented ? "r1" : "");
-    shade.shadesAggregates = true;
+    shade.compute.shadesAggregates = true;
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade);

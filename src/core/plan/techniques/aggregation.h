@@ -10,7 +10,7 @@ namespace agaa {
 
 extern const TechniqueSettings aggregationSettings; // AgaaAggregation
 
-ShadingWork workOfAggregates(const ViewSettings& plan);
+ShadingWork workOfAggregates(const ViewSettings& view);
 
 struct Prepass {
     ResourceId depth = noResource;

@@ -18,26 +18,26 @@ void addBatchPass(PlanBuilder& b, const char* name, const char* shader, Resource
     Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, AGAA_SEGMENT_PREPASS);
     b.bindCommon(pass);
     b.bind(pass, slot::Fragments, BindingType::StorageBuffer, fragments, true);
-    pass.dispatch = {.kind = DispatchKind::Items, .items = 1};
+    pass.compute.dispatch = {.kind = DispatchKind::Items, .items = 1};
 }
 
-bool isExact(const ViewSettings& plan) { return plan.coverage.flags & AGAA_COVERAGE_EXACT; }
+bool isExact(const ViewSettings& view) { return view.coverage.flags & AGAA_COVERAGE_EXACT; }
 
 // A sample shows one fragment.
-ShadingWork work(const ViewSettings& plan) { return {isExact(plan) ? plan.samples : plan.aggregates, plan.samples}; }
+ShadingWork work(const ViewSettings& view) { return {isExact(view) ? view.samples : view.aggregates, view.samples}; }
 
-bool carriesMaterials(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_MATERIAL_LISTS; }
-bool mergesInTargets(const PlanBuilder& b) { return b.plan.generationTier == AGAA_TIER_RASTER_ORDER; }
+bool carriesMaterials(const PlanBuilder& b) { return b.plan.view.generationTier == AGAA_TIER_MATERIAL_LISTS; }
+bool mergesInTargets(const PlanBuilder& b) { return b.plan.view.generationTier == AGAA_TIER_RASTER_ORDER; }
 bool mergesInOrder(const PlanBuilder& b) {
-    return b.plan.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK || mergesInTargets(b);
+    return b.plan.view.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK || mergesInTargets(b);
 }
 
 Aggregation keptSurfaces(const PlanBuilder& b) {
     Aggregation surfaces;
-    surfaces.layout = surfaceLayout(b.plan.layout);
+    surfaces.layout = surfaceLayout(b.plan.view.layout);
     surfaces.packing = packMaterial(surfaces.layout);
-    const uint32_t geometryWords = b.plan.samples / 32 + 3; // of src/shaders/coverage/covered_surface.glsl
-    surfaces.spreadWords = b.plan.config.ndf > AGAA_NDF_TOKSVIG ? 2 : 0; // of src/shaders/coverage/surface_spread.glsl
+    const uint32_t geometryWords = b.plan.view.samples / 32 + 3; // of src/shaders/coverage/covered_surface.glsl
+    surfaces.spreadWords = b.plan.view.config.ndf > AGAA_NDF_TOKSVIG ? 2 : 0; // of src/shaders/coverage/surface_spread.glsl
     surfaces.stride = geometryWords + surfaces.spreadWords + surfaces.packing.words;
     return surfaces;
 }
@@ -46,8 +46,8 @@ Aggregation keptSurfaces(const PlanBuilder& b) {
 FragmentLists drawScene(PlanBuilder& b, const Aggregation& surfaces, uint32_t otherWords) {
     if (!carriesMaterials(b))
         return drawFragments(b, otherWords);
-    const FragmentLists lists = drawFragments(b, surfaces.stride - b.plan.samples / 32);
-    b.plan.passes[lists.firstPass].fragmentContent = FragmentContent::Materials;
+    const FragmentLists lists = drawFragments(b, surfaces.stride - b.plan.view.samples / 32);
+    b.plan.passes[lists.firstPass].draw.fragmentContent = FragmentContent::Materials;
     setRecord(b.plan.passes[lists.firstPass], surfaces);
     return lists;
 }
@@ -67,7 +67,7 @@ void buildExact(PlanBuilder& b) {
             "AgaaDecoupledCoverage::maxBatches is for lists that are merged; AGAA_COVERAGE_EXACT needs all fragments at once.");
     if (mergesInOrder(b))
         fail(AGAA_ERROR_UNSUPPORTED, format("AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier %s does not keep.",
-                                            agaaTierName(b.plan.generationTier)));
+                                            agaaTierName(b.plan.view.generationTier)));
     const Aggregation surfaces = keptSurfaces(b);
     const FragmentLists lists = drawScene(b, surfaces, 3); // a depth plane
     Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING, carriesMaterials(b) ? "shade_carried" : "shade_fragments",
@@ -79,40 +79,40 @@ void buildExact(PlanBuilder& b) {
 }
 
 ResourceId surfaceBuffer(PlanBuilder& b) {
-    return b.pixelBuffer("surfaces", checkedMultiply(b.plan.aggregates, b.plan.bytesPerAggregate));
+    return b.pixelBuffer("surfaces", checkedMultiply(b.plan.view.aggregates, b.plan.bytesPerAggregate));
 }
 
 Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces) {
-    Pass& draw = drawTriangles(b);
-    draw.fragmentContent = FragmentContent::Merged;
-    draw.constants[AGAA_MERGE_RULE] = b.plan.coverage.merge;
-    setRecord(draw, surfaces);
-    return draw;
+    Pass& pass = drawTriangles(b);
+    pass.draw.fragmentContent = FragmentContent::Merged;
+    pass.constants[AGAA_MERGE_RULE] = b.plan.view.coverage.merge;
+    setRecord(pass, surfaces);
+    return pass;
 }
 
 ResourceId mergeInBuffer(PlanBuilder& b, const Aggregation& surfaces) {
     const ResourceId kept = surfaceBuffer(b);
     b.fill("clear surfaces", AGAA_STAGE_GENERATION, kept, AGAA_SEGMENT_PREPASS);
-    Pass& draw = drawMerging(b, surfaces);
-    draw.extensions.push_back("ARB_fragment_shader_interlock");
-    b.bind(draw, host_slot::Aggregates, BindingType::StorageBuffer, kept, true);
+    Pass& pass = drawMerging(b, surfaces);
+    pass.draw.extensions.push_back("ARB_fragment_shader_interlock");
+    b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, kept, true);
     return kept;
 }
 
 ResourceId mergeInTargets(PlanBuilder& b, const Aggregation& surfaces) {
     constexpr uint32_t words = 4; // of a texel
-    const uint32_t bytes = 4 * b.plan.aggregates * surfaces.stride;
+    const uint32_t bytes = 4 * b.plan.view.aggregates * surfaces.stride;
     if (bytes > 4 * words * maxFetchedTargets)
         fail(AGAA_ERROR_UNSUPPORTED,
              format("the tier raster-order keeps up to 128 bytes a pixel in attachments; %u surfaces of this layout take %u.",
-                    b.plan.aggregates, bytes));
-    const uint32_t attachments = (b.plan.aggregates * surfaces.stride + words - 1) / words;
+                    b.plan.view.aggregates, bytes));
+    const uint32_t attachments = (b.plan.view.aggregates * surfaces.stride + words - 1) / words;
     const ResourceId kept = b.layeredImage("surfaces", Format::RGBA32U, attachments);
-    Pass& draw = drawMerging(b, surfaces);
-    draw.colorTargets = {kept};
-    draw.drawState.colorAttachmentCount = attachments;
-    draw.drawState.readsAttachments = 1;
-    draw.clearsColor = true;
+    Pass& pass = drawMerging(b, surfaces);
+    pass.draw.colorTargets = {kept};
+    pass.draw.state.colorAttachmentCount = attachments;
+    pass.draw.state.readsAttachments = 1;
+    pass.draw.clearsColor = true;
     return kept;
 }
 
@@ -125,18 +125,18 @@ ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
     Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, carriesMaterials(b) ? "merge_carried" : "merge_fragments",
                             hasBatches(b) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
     readLists(b, lists, surfaces, merge);
-    merge.constants[AGAA_MERGE_RULE] = b.plan.coverage.merge;
+    merge.constants[AGAA_MERGE_RULE] = b.plan.view.coverage.merge;
     b.bind(merge, slot::Aggregates, BindingType::StorageBuffer, kept, true);
     if (hasBatches(b)) {
         addBatchPass(b, "next batch", "next_batch", lists.buffer);
-        b.plan.repeats.push_back({lists.firstPass, uint32_t(b.plan.passes.size() - 1), b.plan.coverage.maxBatches,
+        b.plan.repeats.push_back({lists.firstPass, uint32_t(b.plan.passes.size() - 1), b.plan.view.coverage.maxBatches,
                                   lists.buffer, predicateOffset});
     }
     return kept;
 }
 
 void build(PlanBuilder& b) {
-    if (isExact(b.plan))
+    if (isExact(b.plan.view))
         return buildExact(b);
     b.defaultSurface(0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
     const Aggregation surfaces = keptSurfaces(b);

@@ -8,44 +8,44 @@ namespace {
 
 // Into attachments of its own, which it clears; over the depth that `g` has.
 Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const char* name) {
-    g.packing = packGBuffer(b.plan.layout);
+    g.packing = packGBuffer(b.plan.view.layout);
     for (size_t i = 0; i < g.packing.attachments.size(); ++i)
         g.attachments.push_back(
             b.image("gbuffer-" + std::to_string(i), g.packing.attachments[i], true));
-    Pass& draw = b.hostDraw(name, AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_PREPASS);
-    b.bindCommon(draw);
-    draw.drawState.colorAttachmentCount = uint32_t(g.attachments.size());
-    draw.colorTargets = g.attachments;
-    draw.depthTarget = g.depth;
-    draw.clearsColor = true;
-    setFields(draw.constants, AGAA_SOURCE_DIFFUSE_R, g.packing.fields);
-    return draw;
+    Pass& pass = b.hostDraw(name, AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_GBUFFER, AGAA_SEGMENT_PREPASS);
+    b.bindCommon(pass);
+    pass.draw.state.colorAttachmentCount = uint32_t(g.attachments.size());
+    pass.draw.colorTargets = g.attachments;
+    pass.draw.depthTarget = g.depth;
+    pass.draw.clearsColor = true;
+    setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, g.packing.fields);
+    return pass;
 }
 
 } // namespace
 
 GBuffer makeGBuffer(PlanBuilder& b) {
     GBuffer g;
-    if (b.plan.hostGBuffer) {
-        g.packing = packGBuffer(b.plan.layout);
+    if (b.plan.view.hostGBuffer) {
+        g.packing = packGBuffer(b.plan.view.layout);
         return g;
     }
     g.depth = b.depth(false);
-    Pass& draw = drawGBuffer(b, g, "gbuffer");
-    draw.drawState.depthCompare = b.plan.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
-    draw.drawState.depthWrite = 1;
-    draw.clearsDepth = true;
+    Pass& pass = drawGBuffer(b, g, "gbuffer");
+    pass.draw.state.depthCompare = b.plan.view.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    pass.draw.state.depthWrite = 1;
+    pass.draw.clearsDepth = true;
     return g;
 }
 
 GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth) {
     GBuffer g;
     g.depth = depth;
-    Pass& draw = drawGBuffer(b, g, "gbuffer of unfetched draws");
-    draw.drawState.depthCompare = AGAA_COMPARE_EQUAL;
+    Pass& pass = drawGBuffer(b, g, "gbuffer of unfetched draws");
+    pass.draw.state.depthCompare = AGAA_COMPARE_EQUAL;
     // The first pass shows the first of equal depths. Masks apply before this stencil test, because the shader's depth
     // and stencil tests are late: masked materials take part.
-    draw.drawState.stencilTest = draw.drawState.stencilTestMasked = b.keepsFirst();
+    pass.draw.state.stencilTest = pass.draw.state.stencilTestMasked = b.keepsFirst();
     return g;
 }
 

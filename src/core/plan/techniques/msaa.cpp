@@ -11,23 +11,23 @@ static void build(PlanBuilder& b) {
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
                                AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
-    prepass.drawState.depthCompare = b.plan.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
-    prepass.drawState.depthWrite = 1;
-    prepass.depthTarget = depth;
-    prepass.clearsDepth = true;
+    prepass.draw.state.depthCompare = b.plan.view.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    prepass.draw.state.depthWrite = 1;
+    prepass.draw.depthTarget = depth;
+    prepass.draw.clearsDepth = true;
     Pass& forward = b.hostDraw("forward", AGAA_STAGE_SHADING, AGAA_DRAW_PASS_FORWARD, AGAA_SEGMENT_SHADING);
     b.bindCommon(forward);
     b.bindLighting(forward);
-    forward.drawState.depthCompare = AGAA_COMPARE_EQUAL;
-    forward.drawState.stencilTest = b.keepsFirst();
+    forward.draw.state.depthCompare = AGAA_COMPARE_EQUAL;
+    forward.draw.state.stencilTest = b.keepsFirst();
     // The stencil test comes before the mask of a masked material. It would refuse the coplanar fragment that owns the
     // sample, so blending keeps the first there. Each coplanar masked fragment is still shaded.
-    forward.drawState.stencilTestMasked = 0;
-    forward.drawState.keepFirst = b.hasFact(AGAA_FACT_ALPHA_MASKED) || !b.keepsFirst();
-    forward.drawState.colorAttachmentCount = 1;
-    forward.colorTargets = {color};
-    forward.clearsColor = true;
-    forward.depthTarget = depth;
+    forward.draw.state.stencilTestMasked = 0;
+    forward.draw.state.keepFirst = b.hasFact(AGAA_FACT_ALPHA_MASKED) || !b.keepsFirst();
+    forward.draw.state.colorAttachmentCount = 1;
+    forward.draw.colorTargets = {color};
+    forward.draw.clearsColor = true;
+    forward.draw.depthTarget = depth;
     Pass& resolve = b.compute("resolve", AGAA_STAGE_OTHER, "resolve", AGAA_SEGMENT_SHADING);
     b.bindCommon(resolve);
     b.bind(resolve, slot::Surface0, BindingType::Texture, color);

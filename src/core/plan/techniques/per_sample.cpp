@@ -26,7 +26,7 @@ void buildPerSample(PlanBuilder& b) {
 
 // Lottes 2009: edges of the shaded image are found and softened.
 void buildFxaa(PlanBuilder& b) {
-    if (b.plan.measurement.debugView != AGAA_DEBUG_VIEW_NONE)
+    if (b.plan.view.measurement.debugView != AGAA_DEBUG_VIEW_NONE)
         return buildPerSample(b); // numbers, that are not to be filtered
     const GBuffer gbuffer = makeGBuffer(b);
     const ResourceId shaded = b.image("shaded", Format::RGBA16F, false);
@@ -45,8 +45,8 @@ void buildSimpleComplex(PlanBuilder& b) {
     b.copyCounters();
 }
 
-ShadingWork eachSample(const ViewSettings& plan) { return {plan.samples, 1}; }
-ShadingWork someSamples(const ViewSettings& plan) { return {plan.samples, plan.samples}; }
+ShadingWork eachSample(const ViewSettings& view) { return {view.samples, 1}; }
+ShadingWork someSamples(const ViewSettings& view) { return {view.samples, view.samples}; }
 
 } // namespace
 

@@ -17,26 +17,26 @@ void buildNative(PlanBuilder& b) {
     b.image("primitive-ids", Format::R8, true);
     b.image("depth-slopes", Format::RG8, true);
     uint64_t bytes = bytesPerTexel(Format::R16U);
-    const GBufferPacking packing = packGBuffer(b.plan.layout);
+    const GBufferPacking packing = packGBuffer(b.plan.view.layout);
     for (size_t i = 0; i < packing.attachments.size(); ++i) {
-        b.modelSurface("surface-gbuffer-" + std::to_string(i), packing.attachments[i], b.plan.aggregates);
+        b.modelSurface("surface-gbuffer-" + std::to_string(i), packing.attachments[i], b.plan.view.aggregates);
         bytes += bytesPerTexel(packing.attachments[i]);
     }
-    b.modelSurface("surface-data", Format::R16U, b.plan.aggregates);
+    b.modelSurface("surface-data", Format::R16U, b.plan.view.aggregates);
     b.plan.bytesPerAggregate = uint32_t(bytes);
 }
 
 void build(PlanBuilder& b) {
     b.defaultSurface(0.9f, 1.0f, 1.0f);
-    if (b.plan.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
+    if (b.plan.view.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
         return buildNative(b);
     Aggregation surfaces;
-    const bool fromGBuffer = b.plan.generationTier == AGAA_TIER_GBUFFER;
-    surfaces.layout = surfaceLayout(b.plan.layout);
+    const bool fromGBuffer = b.plan.view.generationTier == AGAA_TIER_GBUFFER;
+    surfaces.layout = surfaceLayout(b.plan.view.layout);
     if (!fromGBuffer)
-        surfaces.layout = twoPassLayout(surfaces.layout, b.plan.facts.flags);
+        surfaces.layout = twoPassLayout(surfaces.layout, b.plan.view.facts.flags);
     surfaces.packing = packAggregate(surfaces.layout, 1);
-    const uint32_t payloadWords = b.plan.samples > 16 ? 2 : 1; // of src/shaders/math/records.glsl
+    const uint32_t payloadWords = b.plan.view.samples > 16 ? 2 : 1; // of src/shaders/math/records.glsl
     surfaces.stride = surfaces.packing.words + payloadWords;
     surfaces.represented = true;
     surfaces.definitionClears = true;
