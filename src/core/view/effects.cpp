@@ -8,8 +8,10 @@ namespace {
 
 // A flag of a part of the description. means: the effect if the flag has this value.
 template <auto part, uint64_t flag, bool means = true> constexpr Effect flagEffect(const char* name, const char* need) {
-    return {name, need, [](const ViewSettings& view) { return (((view.*part).flags & flag) != 0) == means; },
-            [](ViewSettings& view, bool on) {
+    return {.name = name,
+            .need = need,
+            .isOn = [](const ViewSettings& view) { return (((view.*part).flags & flag) != 0) == means; },
+            .set = [](ViewSettings& view, bool on) {
                 uint64_t& flags = (view.*part).flags;
                 flags = on == means ? flags | flag : flags & ~flag;
             }};
@@ -35,8 +37,10 @@ template <uint64_t flag> constexpr Effect usual(const char* name, const char* ne
 
 // A shadow map beside those before it.
 template <uint32_t index> constexpr Effect shadowMap(const char* name, const char* need) {
-    return {name, need, [](const ViewSettings& view) { return view.facts.shadowMapCount > index; },
-            [](ViewSettings& view, bool on) {
+    return {.name = name,
+            .need = need,
+            .isOn = [](const ViewSettings& view) { return view.facts.shadowMapCount > index; },
+            .set = [](ViewSettings& view, bool on) {
                 view.facts.shadowMapCount = on ? index + 1 : index;
                 view.functionShadows &= (1u << view.facts.shadowMapCount) - 1;
             }};
@@ -60,8 +64,10 @@ constexpr Effect table[] = {
     unlessFact<AGAA_FACT_NO_TRANSLUCENCY>("translucency", "Alpha-masked materials are translucent, for example glass."),
     unlessFact<AGAA_FACT_NO_CUTOUTS>("cut-outs", "Alpha-masked materials have cut-outs beside translucent ones."),
     fact<AGAA_FACT_CUSTOM_DEPTH>("custom-depth", "Materials write depth or discard fragments by code of their own."),
-    {"lights", "The scene has lights.", [](const ViewSettings& view) { return view.facts.maxLights > 0; },
-     [](ViewSettings& view, bool on) { setStrength(view.facts.maxLights, on, 64u); }},
+    {.name = "lights",
+     .need = "The scene has lights.",
+     .isOn = [](const ViewSettings& view) { return view.facts.maxLights > 0; },
+     .set = [](ViewSettings& view, bool on) { setStrength(view.facts.maxLights, on, 64u); }},
     unlessFact<AGAA_FACT_NO_LOCAL_LIGHTS>("local-lights", "Point or spot lights light the scene."),
     usual<AGAA_MEASURE_NO_LIGHT_CULLING>("light-culling", "The scene has many lights that each reach few surfaces."),
     shadowMap<0>("shadow-map-0", "One light casts shadows."),
@@ -69,29 +75,36 @@ constexpr Effect table[] = {
     shadowMap<2>("shadow-map-2", "A third light casts shadows."),
     shadowMap<3>("shadow-map-3", "A fourth light casts shadows."),
     usual<AGAA_MEASURE_NO_SHADOW_FILTER>("shadow-filter", "Shadows end between samples that are shaded together."),
-    {"lit-aggregates", "Edges of shadows cross aggregates whose samples differ in normal or colour.",
-     [](const ViewSettings& view) { return view.aggregation.litShadows != 0; },
-     [](ViewSettings& view, bool on) { setStrength(view.aggregation.litShadows, on, 1u); }},
+    {.name = "lit-aggregates",
+     .need = "Edges of shadows cross aggregates whose samples differ in normal or colour.",
+     .isOn = [](const ViewSettings& view) { return view.aggregation.litShadows != 0; },
+     .set = [](ViewSettings& view, bool on) { setStrength(view.aggregation.litShadows, on, 1u); }},
     usual<AGAA_MEASURE_NO_DIFFUSE_FILTER>("filtered-diffuse", "Normals differ within an aggregate of a diffuse surface."),
-    {"ndf-widening", "Normals differ within an aggregate of a glossy surface.",
-     [](const ViewSettings& view) { return view.config.ndf != AGAA_NDF_NONE; },
-     [](ViewSettings& view, bool on) { setStrength(view.config.ndf, on, uint32_t(AGAA_NDF_TOKSVIG)); }},
-    {"elliptic-lobes", "Thin geometry has sharp highlights.",
-     [](const ViewSettings& view) { return view.config.ndf > AGAA_NDF_TOKSVIG; },
-     [](ViewSettings& view, bool on) {
+    {.name = "ndf-widening",
+     .need = "Normals differ within an aggregate of a glossy surface.",
+     .isOn = [](const ViewSettings& view) { return view.config.ndf != AGAA_NDF_NONE; },
+     .set = [](ViewSettings& view, bool on) { setStrength(view.config.ndf, on, uint32_t(AGAA_NDF_TOKSVIG)); }},
+    {.name = "elliptic-lobes",
+     .need = "Thin geometry has sharp highlights.",
+     .isOn = [](const ViewSettings& view) { return view.config.ndf > AGAA_NDF_TOKSVIG; },
+     .set = [](ViewSettings& view, bool on) {
          uint32_t& ndf = view.config.ndf;
          ndf = on ? std::max<uint32_t>(ndf, AGAA_NDF_LEAN) : std::min<uint32_t>(ndf, AGAA_NDF_TOKSVIG);
      }},
-    {"gloss-weight", "Glossy surfaces of different directions share a pixel.",
-     [](const ViewSettings& view) { return view.aggregation.glossWeight > 0; },
-     [](ViewSettings& view, bool on) { setStrength(view.aggregation.glossWeight, on, 0.5f); }},
+    {.name = "gloss-weight",
+     .need = "Glossy surfaces of different directions share a pixel.",
+     .isOn = [](const ViewSettings& view) { return view.aggregation.glossWeight > 0; },
+     .set = [](ViewSettings& view, bool on) { setStrength(view.aggregation.glossWeight, on, 0.5f); }},
     option<AGAA_CONFIG_BUFFERED>("buffered", "Shaders of the host read aggregates."),
     option<AGAA_CONFIG_FINE_MATERIALS>("fine-materials", "Textures change within the part of a primitive that a pixel shows."),
-    {"unfetched-draws", "The materials of some draws cannot be fetched by id.",
-     [](const ViewSettings& view) { return view.someUnfetched; },
-     [](ViewSettings& view, bool on) { view.someUnfetched = on && view.maxDraws > 0; }},
-    {"composite", "Frames are drawn over an image that exists.", [](const ViewSettings& view) { return view.composite; },
-     [](ViewSettings& view, bool on) { view.composite = on; }},
+    {.name = "unfetched-draws",
+     .need = "The materials of some draws cannot be fetched by id.",
+     .isOn = [](const ViewSettings& view) { return view.someUnfetched; },
+     .set = [](ViewSettings& view, bool on) { view.someUnfetched = on && view.maxDraws > 0; }},
+    {.name = "composite",
+     .need = "Frames are drawn over an image that exists.",
+     .isOn = [](const ViewSettings& view) { return view.composite; },
+     .set = [](ViewSettings& view, bool on) { view.composite = on; }},
     option<AGAA_CONFIG_COUNTERS>("counters", "The host measures shading events and errors."),
     option<AGAA_CONFIG_CHECK_FACTS>("fact-checks", "The host tests whether the facts of the scene hold."),
 };

@@ -8,15 +8,16 @@ namespace agaa {
 
 namespace {
 
+// The defaults are those of AGAA_…_INIT.
 struct Preset {
-    const char* name;
-    uint32_t aggregates;
-    float threshold;
-    uint32_t seeds;
-    uint32_t litShadows;
-    float glossWeight;
-    uint32_t ndf;
-    uint64_t flags, measurementFlags; // of those that presets decide
+    const char* name = "";
+    uint32_t aggregates = 2;
+    float threshold = 0.02f;
+    uint32_t seeds = AGAA_SEEDS_MAXIMIN;
+    uint32_t litShadows = 0;
+    float glossWeight = 0;
+    uint32_t ndf = AGAA_NDF_TOKSVIG;
+    uint64_t flags = 0, measurementFlags = 0; // of those that presets decide
 };
 
 constexpr uint64_t decided = AGAA_CONFIG_SPLIT_SURFACES | AGAA_CONFIG_FINE_MATERIALS;
@@ -24,14 +25,15 @@ constexpr uint64_t decidedMeasurement = AGAA_MEASURE_SHADOW_ALONG_DEPTH | AGAA_M
                                         AGAA_MEASURE_NO_SHADOW_FILTER | AGAA_MEASURE_NO_DIFFUSE_FILTER;
 
 constexpr Preset presets[] = {
-    {"paper", 2, 0.02f, AGAA_SEEDS_SUM_OF_SQUARES, 0, 0.0f, AGAA_NDF_TOKSVIG, AGAA_CONFIG_SPLIT_SURFACES,
-     AGAA_MEASURE_SHADOW_ALONG_DEPTH},
-    {"fast", 1, 0.02f, AGAA_SEEDS_MAXIMIN, 0, 0.0f, AGAA_NDF_TOKSVIG, 0, 0},
-    {"balanced", 4, 0.4f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, 0, 0},
-    {"accurate", 4, 0.1f, AGAA_SEEDS_MAXIMIN, 1, 0.5f, AGAA_NDF_LEAN, AGAA_CONFIG_FINE_MATERIALS, 0},
+    {.name = "paper", .seeds = AGAA_SEEDS_SUM_OF_SQUARES, .flags = AGAA_CONFIG_SPLIT_SURFACES,
+     .measurementFlags = AGAA_MEASURE_SHADOW_ALONG_DEPTH},
+    {.name = "fast", .aggregates = 1},
+    {.name = "balanced", .aggregates = 4, .threshold = 0.4f, .litShadows = 1, .glossWeight = 0.5f, .ndf = AGAA_NDF_LEAN},
+    {.name = "accurate", .aggregates = 4, .threshold = 0.1f, .litShadows = 1, .glossWeight = 0.5f, .ndf = AGAA_NDF_LEAN,
+     .flags = AGAA_CONFIG_FINE_MATERIALS},
 };
 
-constexpr Preset defaults = {"", 2, 0.02f, AGAA_SEEDS_MAXIMIN, 0, 0.0f, AGAA_NDF_TOKSVIG, 0, 0};
+constexpr Preset defaults;
 
 void apply(const Preset& preset, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
     const bool isDefault = preset.seeds == AGAA_SEEDS_MAXIMIN && preset.measurementFlags == 0;

@@ -44,14 +44,14 @@ struct TierAnswer {
 // A way to generate aggregates. src/core/plan/techniques/generation_tiers.cpp has them.
 struct GenerationTier {
     AgaaTier tier;
-    float relativeCost;          // of whole frames, against post-depth atomics
-    bool isAutomatic;            // AUTO may take it
-    bool isModel;                // priced, never run
-    bool knowsMaterials;         // where samples are grouped
-    bool countsPrimitives;
-    bool readsGBuffer;           // samples are grouped from a G-buffer
-    // n counts coverage samples, 32, 64 or 128, that the tier finds by itself: targets have one sample.
-    bool hasCoverageSamples;
+    float relativeCost = 1;        // of whole frames, against post-depth atomics
+    bool isAutomatic = false;      // AUTO may select it
+    bool isModel = false;          // it is priced and never run
+    bool knowsMaterials = false;   // when samples are grouped
+    bool countsPrimitives = false;
+    bool readsGBuffer = false;     // samples are grouped from a G-buffer
+    // n counts coverage samples, 32, 64 or 128, that the tier finds by itself. Targets have one sample.
+    bool hasCoverageSamples = false;
     TierAnswer (*answer)(const GenerationQuery& query);
 };
 
@@ -73,12 +73,12 @@ inline constexpr uint64_t knownCoverageFacts = (grantingFacts | commonValues) & 
 
 struct Technique {
     const char* name;
-    uint32_t maxSamples;    // of n, of tiers without coverage samples; 0: there are none
-    uint32_t maxAggregates; // c or S, of techniques with a generation stage; 0: none
-    // By where they lie and what they show: lit shadows, gloss, elliptic lobes.
-    bool groupsSamples;
-    std::span<const GenerationTier* const> tiers; // of materials, in the order in which AUTO prefers them
-    std::span<const TechniqueSettings* const> settings;
+    uint32_t maxSamples;        // n of tiers without coverage samples; 0: there are none
+    uint32_t maxAggregates = 0; // c or S, of techniques with a generation stage; 0: none
+    // Samples are grouped by position and by material: the technique has lit shadows, gloss weights and elliptic lobes.
+    bool groupsSamples = false;
+    std::span<const GenerationTier* const> tiers = {}; // of materials, in the order in which AUTO prefers them
+    std::span<const TechniqueSettings* const> settings = {};
     void (*build)(PlanBuilder& builder);
     // Of the settings of a plan.
     ShadingWork (*work)(const ViewSettings& plan);

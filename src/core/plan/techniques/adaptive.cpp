@@ -220,9 +220,11 @@ static ShadingWork work(const ViewSettings& view) {
     return {view.samples, view.adaptive.flags & AGAA_ADAPTIVE_EQUAL_WEIGHTS ? 1 : view.samples};
 }
 
-static const TechniqueSettings adaptiveSettings = {AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, readAdaptive};
+static const TechniqueSettings adaptiveSettings = {.sType = AGAA_STRUCTURE_TYPE_ADAPTIVE_SAMPLING, .read = readAdaptive};
 static constexpr const GenerationTier* tiers[] = {&sampleIdsTier, &sampleGBufferTier};
 static constexpr const TechniqueSettings* settings[] = {&adaptiveSettings};
-const Technique adaptiveTechnique = {"adaptive", 32, 0, false, tiers, settings, build, work, prefersOrderedGrid};
+const Technique adaptiveTechnique = {.name = "adaptive", .maxSamples = 32, .tiers = tiers, .settings = settings,
+                                     .build = build, .work = work,
+                                     .prefersOrderedGrid = prefersOrderedGrid};
 
 } // namespace agaa

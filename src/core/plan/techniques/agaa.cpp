@@ -96,6 +96,7 @@ void build(PlanBuilder& b) {
 static constexpr const GenerationTier* tiers[] = {&idsTier, &postDepthTier, &perSampleTier, &gbufferTier,
                                                   &mixedSamplesTier, &fragmentsTier};
 static constexpr const TechniqueSettings* settings[] = {&aggregationSettings, &coverageSettings};
-const Technique agaaTechnique = {"agaa", 32, 4, true, tiers, settings, build, workOfAggregates};
+const Technique agaaTechnique = {.name = "agaa", .maxSamples = 32, .maxAggregates = 4, .groupsSamples = true, .tiers = tiers,
+                                 .settings = settings, .build = build, .work = workOfAggregates};
 
 } // namespace agaa

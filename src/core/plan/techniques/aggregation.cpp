@@ -30,7 +30,7 @@ static void readAggregation(const AgaaConfig& config, ViewSettings& view) {
     checkRange(double(a.glossWeight), 0.0, 16.0, "AgaaAggregation::glossWeight");
 }
 
-const TechniqueSettings aggregationSettings = {AGAA_STRUCTURE_TYPE_AGGREGATION, readAggregation};
+const TechniqueSettings aggregationSettings = {.sType = AGAA_STRUCTURE_TYPE_AGGREGATION, .read = readAggregation};
 
 ShadingWork workOfAggregates(const ViewSettings& view) { return {view.aggregates, view.samples}; }
 

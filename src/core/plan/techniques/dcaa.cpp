@@ -163,8 +163,8 @@ constexpr const TechniqueSettings* settings[] = {&coverageSettings};
 
 } // namespace
 
-const Technique dcaaTechnique = {
-    .name = "dcaa", .maxSamples = 0, .maxAggregates = 8, .groupsSamples = false, .tiers = tiers, .settings = settings,
-    .build = build, .work = work, .storesWidenedLobes = true, .keepsSpread = true, .facts = knownCoverageFacts};
+const Technique dcaaTechnique = {.name = "dcaa", .maxSamples = 0, .maxAggregates = 8, .tiers = tiers, .settings = settings,
+                                 .build = build, .work = work, .storesWidenedLobes = true,
+                                 .keepsSpread = true, .facts = knownCoverageFacts};
 
 } // namespace agaa

@@ -132,6 +132,6 @@ void FragmentLists::bindAlone(PlanBuilder& b, Pass& pass) const {
     b.bind(pass, slot::Fragments, BindingType::StorageBuffer, buffer, true);
 }
 
-const TechniqueSettings coverageSettings = {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, readCoverage};
+const TechniqueSettings coverageSettings = {.sType = AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, .read = readCoverage};
 
 } // namespace agaa

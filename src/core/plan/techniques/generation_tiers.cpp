@@ -185,49 +185,33 @@ TierAnswer answerRasterOrder(const GenerationQuery& q) {
 
 } // namespace
 
-const GenerationTier idsTier = {
-    .tier = AGAA_TIER_IDS, .relativeCost = idsCost, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = true, .readsGBuffer = false, .hasCoverageSamples = false,
-    .answer = answerIds};
-const GenerationTier postDepthTier = {
-    .tier = AGAA_TIER_POST_DEPTH_ATOMICS, .relativeCost = 1, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = false, .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = false,
-    .answer = answerPostDepth};
-const GenerationTier perSampleTier = {
-    .tier = AGAA_TIER_PER_SAMPLE, .relativeCost = perSampleCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = false, .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = false,
-    .answer = answerPerSample};
-const GenerationTier gbufferTier = {
-    .tier = AGAA_TIER_GBUFFER, .relativeCost = gbufferCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = true, .countsPrimitives = false, .readsGBuffer = true, .hasCoverageSamples = false, .answer = answerGBuffer};
-const GenerationTier sampleIdsTier = {
-    .tier = AGAA_TIER_IDS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = false, .answer = answerSampleIds};
-const GenerationTier sampleGBufferTier = {
-    .tier = AGAA_TIER_GBUFFER, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false, .readsGBuffer = true, .hasCoverageSamples = false, .answer = answerSampleGBuffer};
-const GenerationTier mixedSamplesTier = {
-    .tier = AGAA_TIER_NV_MIXED_SAMPLES, .relativeCost = 1, .isAutomatic = false, .isModel = true,
-    .knowsMaterials = false, .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = false,
-    .answer = answerMixedSamples};
-const GenerationTier fragmentListsTier = {
-    .tier = AGAA_TIER_FRAGMENT_LISTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = true,
-    .answer = answerFragmentLists};
-const GenerationTier fragmentsTier = {
-    .tier = AGAA_TIER_FRAGMENTS, .relativeCost = 1, .isAutomatic = true, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = true, .readsGBuffer = false, .hasCoverageSamples = true,
-    .answer = answerFragments};
-const GenerationTier materialListsTier = {
-    .tier = AGAA_TIER_MATERIAL_LISTS, .relativeCost = materialListsCost, .isAutomatic = true, .isModel = false,
-    .knowsMaterials = true, .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = true,
-    .answer = answerMaterialLists};
+const GenerationTier idsTier = {.tier = AGAA_TIER_IDS, .relativeCost = idsCost, .isAutomatic = true,
+                                .knowsMaterials = true, .countsPrimitives = true, .answer = answerIds};
+const GenerationTier postDepthTier = {.tier = AGAA_TIER_POST_DEPTH_ATOMICS, .isAutomatic = true,
+                                      .answer = answerPostDepth};
+const GenerationTier perSampleTier = {.tier = AGAA_TIER_PER_SAMPLE, .relativeCost = perSampleCost, .isAutomatic = true,
+                                      .answer = answerPerSample};
+const GenerationTier gbufferTier = {.tier = AGAA_TIER_GBUFFER, .relativeCost = gbufferCost, .isAutomatic = true,
+                                    .knowsMaterials = true, .readsGBuffer = true, .answer = answerGBuffer};
+const GenerationTier sampleIdsTier = {.tier = AGAA_TIER_IDS, .isAutomatic = true, .knowsMaterials = true,
+                                      .answer = answerSampleIds};
+const GenerationTier sampleGBufferTier = {.tier = AGAA_TIER_GBUFFER, .isAutomatic = true, .knowsMaterials = true,
+                                          .readsGBuffer = true, .answer = answerSampleGBuffer};
+const GenerationTier mixedSamplesTier = {.tier = AGAA_TIER_NV_MIXED_SAMPLES, .isModel = true,
+                                         .answer = answerMixedSamples};
+const GenerationTier fragmentListsTier = {.tier = AGAA_TIER_FRAGMENT_LISTS, .isAutomatic = true,
+                                          .knowsMaterials = true, .hasCoverageSamples = true,
+                                          .answer = answerFragmentLists};
+const GenerationTier fragmentsTier = {.tier = AGAA_TIER_FRAGMENTS, .isAutomatic = true, .knowsMaterials = true,
+                                      .countsPrimitives = true, .hasCoverageSamples = true, .answer = answerFragments};
+const GenerationTier materialListsTier = {.tier = AGAA_TIER_MATERIAL_LISTS, .relativeCost = materialListsCost,
+                                          .isAutomatic = true, .knowsMaterials = true, .hasCoverageSamples = true,
+                                          .answer = answerMaterialLists};
 // Neither is automatic: both take longer than lists.
-const GenerationTier interlockTier = {
-    .tier = AGAA_TIER_FRAGMENT_INTERLOCK, .relativeCost = interlockCost, .isAutomatic = false, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = true, .answer = answerInterlock};
-const GenerationTier rasterOrderTier = {
-    .tier = AGAA_TIER_RASTER_ORDER, .relativeCost = rasterOrderCost, .isAutomatic = false, .isModel = false, .knowsMaterials = true,
-    .countsPrimitives = false, .readsGBuffer = false, .hasCoverageSamples = true, .answer = answerRasterOrder};
+const GenerationTier interlockTier = {.tier = AGAA_TIER_FRAGMENT_INTERLOCK, .relativeCost = interlockCost,
+                                      .knowsMaterials = true, .hasCoverageSamples = true, .answer = answerInterlock};
+const GenerationTier rasterOrderTier = {.tier = AGAA_TIER_RASTER_ORDER, .relativeCost = rasterOrderCost,
+                                        .knowsMaterials = true, .hasCoverageSamples = true,
+                                        .answer = answerRasterOrder};
 
 } // namespace agaa

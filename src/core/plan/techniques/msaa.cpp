@@ -39,8 +39,6 @@ static void build(PlanBuilder& b) {
 // Fragments of one surface are shaded once for each primitive that shows.
 static ShadingWork work(const ViewSettings&) { return {}; }
 
-const Technique msaaTechnique = {
-    .name = "msaa", .maxSamples = 32, .maxAggregates = 0, .groupsSamples = false, .tiers = {}, .settings = {}, .build = build,
-    .work = work, .facts = knownCoverageFacts};
+const Technique msaaTechnique = {.name = "msaa", .maxSamples = 32, .build = build, .work = work, .facts = knownCoverageFacts};
 
 } // namespace agaa

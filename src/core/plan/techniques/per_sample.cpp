@@ -50,9 +50,10 @@ ShadingWork someSamples(const ViewSettings& view) { return {view.samples, view.s
 
 } // namespace
 
-const Technique singleTechnique = {"single", 1, 0, false, {}, {}, buildPerSample, eachSample};
-const Technique ssaaTechnique = {"ssaa", 32, 0, false, {}, {}, buildPerSample, eachSample};
-const Technique fxaaTechnique = {"fxaa", 1, 0, false, {}, {}, buildFxaa, eachSample};
-const Technique simpleComplexTechnique = {"simple_complex", 32, 0, false, {}, {}, buildSimpleComplex, someSamples};
+const Technique singleTechnique = {.name = "single", .maxSamples = 1, .build = buildPerSample, .work = eachSample};
+const Technique ssaaTechnique = {.name = "ssaa", .maxSamples = 32, .build = buildPerSample, .work = eachSample};
+const Technique fxaaTechnique = {.name = "fxaa", .maxSamples = 1, .build = buildFxaa, .work = eachSample};
+const Technique simpleComplexTechnique = {.name = "simple_complex", .maxSamples = 32, .build = buildSimpleComplex,
+                                          .work = someSamples};
 
 } // namespace agaa

@@ -56,6 +56,7 @@ void build(PlanBuilder& b) {
 
 static constexpr const GenerationTier* tiers[] = {&postDepthTier, &perSampleTier, &gbufferTier, &mixedSamplesTier};
 static constexpr const TechniqueSettings* settings[] = {&aggregationSettings};
-const Technique sbaaTechnique = {"sbaa", 32, 6, false, tiers, settings, build, workOfAggregates};
+const Technique sbaaTechnique = {.name = "sbaa", .maxSamples = 32, .maxAggregates = 6, .tiers = tiers, .settings = settings,
+                                 .build = build, .work = workOfAggregates};
 
 } // namespace agaa
