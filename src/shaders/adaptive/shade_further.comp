@@ -10,11 +10,30 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/counters.glsl"
 #include "common/lighting.glsl"
 #include "common/output.glsl"
-#include "adaptive/owner_words.glsl"
+#include "adaptive/sample_choice.glsl"
 #include "adaptive/choose_more.glsl"
 #include "gbuffer/sample_visibility.glsl"
 #include "adaptive/listed_pixels.glsl"
 #include "common/events.glsl"
+
+// The owners of a pixel's samples are packed into words of shared memory.
+const uint agaa_ownerBits = AGAA_SAMPLES > 16u ? 5u : 4u;
+const uint agaa_ownersPerWord = 32u / agaa_ownerBits;
+const uint agaa_ownerWords = (AGAA_SAMPLES + agaa_ownersPerWord - 1u) / agaa_ownersPerWord;
+
+uint agaa_ownerIn(uint word, uint place) {
+    return word >> (agaa_ownerBits * place) & ((1u << agaa_ownerBits) - 1u);
+}
+
+// The owners of the samples of a word.
+uint agaa_ownerWord(uint word, uint covered) {
+    uint owners = 0u;
+    for (uint place = 0u; place < agaa_ownersPerWord; ++place) {
+        uint i = min(word * agaa_ownersPerWord + place, AGAA_SAMPLES - 1u);
+        owners |= (covered >> i & 1u) != 0u ? agaa_owners[i] << (agaa_ownerBits * place) : 0u;
+    }
+    return owners;
+}
 
 // Of each pixel: the samples that show geometry and their owners, and those with whose shadows the first one was shaded.
 shared uint agaa_laneCovered[64];
