@@ -4,7 +4,7 @@
 #include "math/encoding.glsl"
 #include "common/camera.glsl"
 
-layout(AGAA_BINDING_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
+layout(AGAA_BINDING_NORMALS) uniform AGAA_TARGET_TEXTURE agaa_normals;
 
 // 0 where there is no geometry.
 uvec2 agaa_prepassCode(uvec2 pixel, uint i) { return uvec2(AGAA_FETCH(agaa_normals, pixel, i).xy * 255.0 + 0.5); }

@@ -7,7 +7,7 @@ layout(local_size_x = 64) in;
 #include "common/frame.glsl"
 #include "math/coverage_table.glsl"
 
-layout(rgba32ui, AGAA_BINDING_METADATA_OUT) writeonly uniform uimage2D agaa_table;
+layout(rgba32ui, AGAA_BINDING_COVERAGE_TABLE_OUT) writeonly uniform uimage2D agaa_table;
 
 void main() {
     const uint entry = gl_GlobalInvocationID.x; // the largest table has half as many groups as fit a row

@@ -1,7 +1,7 @@
 // Merges the fragments of each pixel, in the order of their ids, into surfaces in memory. The including text defines
 // bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread),
 // which is false for what is not shown.
-layout(std430, AGAA_BINDING_AGGREGATES) buffer agaa_SurfaceBlock {
+layout(std430, AGAA_BINDING_SURFACES) buffer agaa_SurfaceBlock {
     uint words[];
 } agaa_surfaces;
 uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }

@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/frame.glsl"
 #include "math/display.glsl"
 
-layout(AGAA_BINDING_SURFACE0) uniform sampler2D agaa_shaded; // a: luma
+layout(AGAA_BINDING_COLOR) uniform sampler2D agaa_shaded; // a: luma
 layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D agaa_output;
 
 const float agaa_contrast = 0.125;       // of the brightest neighbour

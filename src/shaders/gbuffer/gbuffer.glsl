@@ -69,10 +69,10 @@ vec3 agaa_storedEmissive() {
 
 void agaa_storeFetchedCustom(inout agaa_Stored v) { AGAA_STORE_CUSTOM(agaa_fetched, v) }
 #else
-layout(AGAA_BINDING_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_gbuffer0;
-layout(AGAA_BINDING_SURFACE1) uniform AGAA_TARGET_TEXTURE agaa_gbuffer1;
-layout(AGAA_BINDING_SURFACE2) uniform AGAA_TARGET_TEXTURE agaa_gbuffer2;
-layout(AGAA_BINDING_SURFACE3) uniform AGAA_TARGET_TEXTURE agaa_gbuffer3;
+layout(AGAA_BINDING_GBUFFER0) uniform AGAA_TARGET_TEXTURE agaa_gbuffer0;
+layout(AGAA_BINDING_GBUFFER1) uniform AGAA_TARGET_TEXTURE agaa_gbuffer1;
+layout(AGAA_BINDING_GBUFFER2) uniform AGAA_TARGET_TEXTURE agaa_gbuffer2;
+layout(AGAA_BINDING_GBUFFER3) uniform AGAA_TARGET_TEXTURE agaa_gbuffer3;
 
 agaa_Stored agaa_fetched; // of the sample fetched last; absent channels are 0
 

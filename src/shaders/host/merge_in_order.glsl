@@ -11,11 +11,11 @@ layout(pixel_interlock_ordered) in;
 uint agaa_readSurfaces(uint word) { return agaa_targetWords[word]; }
 void agaa_setSurfaces(uint word, uint value) { agaa_targetWords[word] = value; }
 #elif AGAA_STORAGE_IMAGES
-layout(r32ui, AGAA_BINDING_AGGREGATES) coherent uniform uimageBuffer agaa_surfaces;
+layout(r32ui, AGAA_BINDING_SURFACES) coherent uniform uimageBuffer agaa_surfaces;
 uint agaa_readSurfaces(uint word) { return imageLoad(agaa_surfaces, int(word)).x; }
 void agaa_setSurfaces(uint word, uint value) { imageStore(agaa_surfaces, int(word), uvec4(value)); }
 #else
-layout(std430, AGAA_BINDING_AGGREGATES) coherent buffer agaa_SurfaceBlock {
+layout(std430, AGAA_BINDING_SURFACES) coherent buffer agaa_SurfaceBlock {
     uint words[];
 } agaa_surfaces;
 uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }

@@ -4,7 +4,7 @@
 #include "common/target.glsl"
 
 // Four bytes: each is exact in an 8-bit channel, on every device at every sample count.
-layout(AGAA_BINDING_METADATA) uniform AGAA_TARGET_TEXTURE agaa_ids;
+layout(AGAA_BINDING_IDS) uniform AGAA_TARGET_TEXTURE agaa_ids;
 
 // 0: no geometry.
 uint agaa_idOf(uvec2 pixel, uint i) {
