@@ -231,9 +231,9 @@ TYPED_TEST_P(PlanCases, CountersComeBackInConstants) {
         b.plan.feedback[1] = AGAA_COUNT_EVENTS;
         Pass& count = planPass(b, "count", "layout(std430, AGAA_BINDING_COUNTERS) buffer Counts { uint counts[]; };\n",
                                "    if (item == 0u)\n        counts[" + std::to_string(2 * AGAA_COUNT_EVENTS) +
-                                   "] = agaa_frame.dither.z + 2u;\n");
+                                   "] = agaa_frame.feedback1 + 2u;\n");
         dispatchItems(count, 1);
-        showPixels(b, "", "vec3(agaa_frame.dither.yzw)");
+        showPixels(b, "", "vec3(agaa_frame.feedback0, agaa_frame.feedback1, agaa_frame.feedback2)");
         b.copyCounters();
     };
     const auto images = this->render(build, 3);

@@ -13,7 +13,7 @@ vec4 agaa_firstSample(ivec2 pixel) { return texelFetch(agaa_firstSamples, pixel,
 
 // Tone-mapped, in [0, 1]: one bright pixel raises the counts of its neighbours by no more than an edge does.
 float agaa_firstLuma(ivec2 pixel) {
-    ivec2 at = clamp(pixel, ivec2(0), ivec2(agaa_frame.size.xy) - 1);
+    ivec2 at = clamp(pixel, ivec2(0), ivec2(agaa_frame.size) - 1);
     return agaa_displayLuma(agaa_firstSample(at).rgb);
 }
 

@@ -47,7 +47,7 @@ void agaa_completePixel(uvec2 pixel, uint covered) {
 void main() {
     agaa_countBegin();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
+    bool isInside = all(lessThan(pixel, agaa_frame.size));
     uint covered = 0u, count = 0u;
     float byShading = 0.0;
     if (isInside) {

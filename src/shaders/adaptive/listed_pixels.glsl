@@ -11,7 +11,7 @@ uint agaa_placeOf(uint lane) { return (gl_WorkGroupID.y * agaa_groupsPerRow + gl
 uvec2 agaa_pixelAt(uint lane, uint word, uint length) {
     uint index = agaa_choices.words[word];
     return agaa_placeOf(lane) < agaa_choices.words[length] ? uvec2(index % agaa_frame.size.x, index / agaa_frame.size.x)
-                                                            : agaa_frame.size.xy;
+                                                            : agaa_frame.size;
 }
 
 // A place in memory, also where the list is shorter.

@@ -108,7 +108,7 @@ void main() {
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
     uint count = 0u;
-    if (all(lessThan(pixel, agaa_frame.size.xy))) {
+    if (all(lessThan(pixel, agaa_frame.size))) {
         agaa_Comparison c = agaa_compareSamples(pixel);
         count = c.covered != 0u ? agaa_countByGeometry(pixel, c) : 0u;
         work = agaa_workOf(pixel, c, count);

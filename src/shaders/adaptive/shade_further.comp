@@ -128,7 +128,7 @@ vec3 agaa_shadeInLoop(agaa_PixelWork work) {
 void main() {
     agaa_countBegin();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    bool inside = all(lessThan(pixel, agaa_frame.size.xy));
+    bool inside = all(lessThan(pixel, agaa_frame.size));
     agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 1.0);
     if (inside)
         further = agaa_furtherOf(pixel);

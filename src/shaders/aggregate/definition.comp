@@ -24,7 +24,7 @@ void agaa_weighNormals(uvec2 pixel, uint covered) {
 
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(pixel, agaa_frame.size.xy)))
+    if (any(greaterThanEqual(pixel, agaa_frame.size)))
         return;
     agaa_PixelSamples samples = agaa_loadSamples(pixel);
     uvec2 planes = uvec2(0u);

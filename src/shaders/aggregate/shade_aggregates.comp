@@ -37,7 +37,7 @@ layout(std430, AGAA_BINDING_AGGREGATES) readonly buffer agaa_AggregateBlock {
 
 #define AGAA_AGGREGATE_WORD(i) agaa_aggregates.words[i]
 #define AGAA_IMAGE_WIDTH agaa_frame.size.x
-#define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
+#define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_aggregate.glsl"
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {

@@ -101,7 +101,7 @@ void main() {
     const uint count = agaa_lightBuffer.shadows[0].lightCount;
     const bool areFew = count < AGAA_LEAST_CULLED_LIGHTS;
     uvec2 pixel = agaa_pixelOf(lane);
-    if (!areFew && all(lessThan(pixel, agaa_frame.size.xy)))
+    if (!areFew && all(lessThan(pixel, agaa_frame.size)))
         agaa_addPixel(pixel);
     barrier();
     const agaa_Box box = agaa_boxOfTile();

@@ -38,7 +38,7 @@ uint agaa_sanitiseValues(inout AgaaMaterial m) {
     uint bad = 0u;
     m.diffuse = agaa_sanitise3(m.diffuse, 0.0, 1.0, bad);
     m.specular = agaa_sanitise3(m.specular, 0.0, 1.0, bad);
-    m.emissive = agaa_sanitiseEmission(m.emissive, agaa_frame.ambient.w, bad);
+    m.emissive = agaa_sanitiseEmission(m.emissive, agaa_frame.emissiveRange, bad);
     m.normal = agaa_sanitiseNormal(m.normal, bad);
     m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
     AGAA_SANITISE_CUSTOM(m, bad)

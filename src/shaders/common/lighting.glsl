@@ -176,7 +176,7 @@ vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
     vec3 sum = agaa_leavesOut(agaa_factEmissive) ? vec3(0.0) : s.emissive;
     if (AGAA_HAS_AMBIENT != 0u) {
         vec3 all = s.diffuse + (agaa_leavesOut(agaa_factSpecular) ? vec3(0.0) : s.specular);
-        sum += agaa_leavesOut(agaa_factAmbient) ? vec3(0.0) : agaa_frame.ambient.rgb * all;
+        sum += agaa_leavesOut(agaa_factAmbient) ? vec3(0.0) : agaa_frame.ambient * all;
     }
 #ifdef AGAA_BINDING_LIGHT_MASKS
     if (AGAA_LIGHT_WORDS != 0u)
@@ -191,7 +191,7 @@ vec3 agaa_lightSurface(agaa_Surface s, vec3 position) {
     vec3 toEye = agaa_toEye(position);
     vec3 sum = agaa_allLights(s, position, toEye);
     for (uint i = 1u; i < AGAA_SHADING_COST; ++i)
-        sum += agaa_allLights(s, position + float(i) * agaa_frame.cluster.w, toEye);
+        sum += agaa_allLights(s, position + float(i) * agaa_frame.zero, toEye);
     return AGAA_SHADING_COST > 1u ? sum / float(AGAA_SHADING_COST) : sum;
 }
 #endif

@@ -70,7 +70,7 @@ bool agaa_agreeShadingNormals(uvec2 pixel, uint covered) {
     float least = 1.0;
     for (uint rest = covered; rest != 0u; rest &= rest - 1u)
         least = min(least, dot(normal, agaa_itemGloss[findLSB(rest)].xyz));
-    return least >= agaa_frame.surface.x;
+    return least >= agaa_frame.surfaceCosine;
 }
 
 uint agaa_countShown(uint head, uint least) {
@@ -136,7 +136,7 @@ uint agaa_groupFragments(uvec2 pixel, uint head) {
     uint clustered = agaa_addLargest(samples, pixel, head, shown);
     samples = agaa_withDistance(samples);
     uint count = agaa_groupSamples(pixel, samples, clustered);
-    agaa_Lengths lengths = agaa_lengthsFor(agaa_pixelCharacteristicLength(samples), agaa_frame.cluster.z);
+    agaa_Lengths lengths = agaa_lengthsFor(agaa_pixelCharacteristicLength(samples), agaa_frame.aggregateThreshold);
     for (uint fragment = head; fragment != 0u;) {
         uint record = agaa_record(fragment);
         uint item = agaa_aggregateOf(record);

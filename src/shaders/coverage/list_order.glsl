@@ -21,7 +21,7 @@ bool agaa_isBefore(uint record, uint other, uint id) {
 // come last first, and each is then placed at once.
 uint agaa_sortList(uvec2 pixel) {
     uint head = 0u;
-    uint rest = agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size.xy)];
+    uint rest = agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size)];
     while (rest != 0u) {
         uint record = agaa_record(rest);
         uint id = agaa_fragments.words[record];

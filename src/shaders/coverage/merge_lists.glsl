@@ -36,7 +36,7 @@ bool agaa_isTileInBatch() {
     uint batch = agaa_fragments.words[AGAA_LIST_BATCH];
     if (agaa_fragments.words[AGAA_LIST_BATCHES] == 1u)
         return batch == 0u;
-    return batch != 0u && agaa_fragments.words[agaa_tileOf(gl_WorkGroupID.xy * 8u, agaa_frame.size.xy)] == batch;
+    return batch != 0u && agaa_fragments.words[agaa_tileOf(gl_WorkGroupID.xy * 8u, agaa_frame.size)] == batch;
 }
 
 // Whether anything is left for this draw.
@@ -50,11 +50,11 @@ void main() {
     if (gl_WorkGroupID.xy == uvec2(0u) && gl_LocalInvocationIndex == 0u && agaa_isDrawNeeded())
         agaa_count(AGAA_COUNT_BATCHES, 1u);
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
+    bool isInside = all(lessThan(pixel, agaa_frame.size));
     bool turn = agaa_isTileInBatch();
     if (isInside && turn)
         agaa_mergePixel(pixel);
     else if (isInside && agaa_fragments.words[AGAA_LIST_BATCH] == 0u)
-        agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size.xy)] = 0u; // a further draw makes the list anew
+        agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size)] = 0u; // a further draw makes the list anew
     agaa_countEnd();
 }

@@ -59,7 +59,7 @@ void agaa_countInsertion(agaa_Insertion done, bool isNew) {
 }
 
 agaa_MergeRules agaa_mergeRules() {
-    return agaa_MergeRules(agaa_aggregateLimit(), agaa_frame.surface.x, 0.0, AGAA_MERGE_RULE);
+    return agaa_MergeRules(agaa_aggregateLimit(), agaa_frame.surfaceCosine, 0.0, AGAA_MERGE_RULE);
 }
 
 // s: as stored. own: its material; spread: of its normals. Materials and spreads are in memory, all else in agaa_kept.

@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/tile_pixels.glsl"
 #include "coverage/covered_place.glsl"
 #include "coverage/carried_fragments.glsl"
-#define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
+#define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_means.glsl"
 
 void agaa_keepPlanes(uvec2 pixel, uint head) {} // fragments carry them

@@ -44,7 +44,7 @@ void agaa_shadePixel(uvec2 pixel) {
 void main() {
     agaa_countBegin();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
+    if (all(lessThan(pixel, agaa_frame.size)))
         agaa_shadePixel(pixel);
     agaa_countEnd();
 }

@@ -29,7 +29,7 @@ uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
 
 #define AGAA_AGGREGATE_WORD(i) agaa_readSurfaces(i)
 #define AGAA_IMAGE_WIDTH agaa_frame.size.x
-#define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
+#define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_aggregate.glsl"
 #include "coverage/covered_place.glsl"
 

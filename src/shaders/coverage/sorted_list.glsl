@@ -8,7 +8,7 @@
 #include "coverage/list_order.glsl"
 
 agaa_DepthPlane agaa_planeOf(AgaaPrimitive p, uvec2 pixel) {
-    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
+    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
     vec3 z = vec3(p.a.z, p.b.z, p.c.z);
 #if AGAA_CLIP_Z_FROM_MINUS_ONE
     z = 0.5 * (z + vec3(p.a.w, p.b.w, p.c.w));

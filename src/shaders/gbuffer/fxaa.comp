@@ -18,7 +18,7 @@ const float agaa_subpixelShare = 0.75;   // of what removes single bright pixels
 // How far the edge is followed, in pixels, each way; the longer ones skip.
 const int agaa_walk[10] = int[](1, 2, 3, 4, 5, 7, 9, 12, 16, 24);
 
-vec4 agaa_texel(ivec2 at) { return texelFetch(agaa_shaded, clamp(at, ivec2(0), ivec2(agaa_frame.size.xy) - 1), 0); }
+vec4 agaa_texel(ivec2 at) { return texelFetch(agaa_shaded, clamp(at, ivec2(0), ivec2(agaa_frame.size) - 1), 0); }
 
 vec3 agaa_color(ivec2 at) { return max(agaa_texel(at).rgb, vec3(0.0)); }
 
@@ -113,7 +113,7 @@ vec3 agaa_filtered(ivec2 pixel) {
 
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
+    if (all(lessThan(pixel, agaa_frame.size)))
         imageStore(agaa_output, ivec2(pixel),
                    vec4(min(agaa_filtered(ivec2(pixel)), vec3(65504.0)), 1.0));
 }

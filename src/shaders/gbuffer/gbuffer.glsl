@@ -61,7 +61,7 @@ vec3 agaa_fetchedSpecular() { return agaa_fetched.specular; }
 float agaa_fetchedAlpha2() { return agaa_fetched.alpha2; }
 
 vec3 agaa_storedEmissive() {
-    vec3 e = agaa_fetched.emissive / agaa_frame.ambient.w;
+    vec3 e = agaa_fetched.emissive / agaa_frame.emissiveRange;
     if (AGAA_EMISSIVE_CHANNELS == 1u)
         return vec3(agaa_emissiveFactor(agaa_fetched.diffuse, e));
     return AGAA_EMISSIVE_CHANNELS == 3u ? e : vec3(0.0);
@@ -148,7 +148,7 @@ agaa_Surface agaa_sampleSurface() {
         s.specular = agaa_fetchedSpecular();
         s.alpha2 = agaa_fetchedAlpha2();
     }
-    s.emissive = agaa_frame.ambient.w * agaa_storedEmissive();
+    s.emissive = agaa_frame.emissiveRange * agaa_storedEmissive();
     if (AGAA_EMISSIVE_CHANNELS == 1u)
         s.emissive *= s.diffuse;
     return s;

@@ -53,7 +53,7 @@ void agaa_resolvePixel(uvec2 pixel) {
 void main() {
     agaa_countBegin();
     uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
+    if (all(lessThan(pixel, agaa_frame.size)))
         agaa_resolvePixel(pixel);
     agaa_countEnd();
 }

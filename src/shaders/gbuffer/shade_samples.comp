@@ -23,7 +23,7 @@ float agaa_materialDifference(agaa_Surface a, agaa_Surface b) {
     if (AGAA_HAS_SPECULAR != 0u)
         d = max(d, max(agaa_largest(abs(a.specular - b.specular)), abs(a.alpha2 - b.alpha2)));
     if (AGAA_EMISSIVE_CHANNELS != 0u)
-        d = max(d, agaa_largest(abs(a.emissive - b.emissive)) / agaa_frame.ambient.w);
+        d = max(d, agaa_largest(abs(a.emissive - b.emissive)) / agaa_frame.emissiveRange);
     return d;
 }
 
@@ -34,7 +34,7 @@ bool agaa_isComplex(uvec2 pixel, uint mask) {
     agaa_Surface first = agaa_sampleSurface();
     first.normal = mat3(agaa_frame.view) * first.normal;
     vec3 at = agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i));
-    float farthest = agaa_frame.surface.y * agaa_pixelWidth(at.z); // from the plane of the first sample
+    float farthest = agaa_frame.surfaceDistance * agaa_pixelWidth(at.z); // from the plane of the first sample
     bool complex = false;
     for (uint rest = mask & (mask - 1u); rest != 0u && !complex; rest &= rest - 1u) {
         i = uint(findLSB(rest));
@@ -42,9 +42,9 @@ bool agaa_isComplex(uvec2 pixel, uint mask) {
         agaa_Surface s = agaa_sampleSurface();
         s.normal = mat3(agaa_frame.view) * s.normal;
         vec3 p = agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i));
-        complex = dot(first.normal, s.normal) < agaa_frame.surface.x ||
+        complex = dot(first.normal, s.normal) < agaa_frame.surfaceCosine ||
                   abs(dot(first.normal, p - at)) > farthest ||
-                  agaa_materialDifference(first, s) > agaa_frame.surface.z;
+                  agaa_materialDifference(first, s) > agaa_frame.surfaceMaterial;
     }
     return complex;
 }

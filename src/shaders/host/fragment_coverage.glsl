@@ -78,7 +78,7 @@ uvec4 agaa_alphaCoverage(AgaaSurfaceInput s) {
     if (s.alphaCutoff > 0.0)
         return agaa_cutoutCoverage(s, alpha, gradient);
     uvec2 pixel = agaa_hostPixel();
-    uint hash = agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.dither.x);
+    uint hash = agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.ditherFrame);
     uvec4 mask = uvec4(0u);
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
         mask[word] = agaa_translucentMask(alpha, 32u, word, AGAA_SAMPLES / 32u, hash);

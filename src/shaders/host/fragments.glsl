@@ -25,7 +25,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     if (agaa_coverageCount(mask) == 0u || AGAA_HELPER)
         return;
     uvec2 pixel = agaa_hostPixel();
-    uvec2 size = agaa_frame.size.xy;
+    uvec2 size = agaa_frame.size;
     bool isFirstDraw = true;
 #if AGAA_NEEDS_MATERIAL
     if (!agaa_carry(s, mask))
@@ -50,7 +50,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     if (isFirstDraw)
         agaa_countMask(s);
 #endif
-    if (place >= agaa_fragmentRoom()) {
+    if (place >= agaa_fragmentCapacity()) {
         // After the first of several draws there is room in another.
         if (AGAA_HAS_BATCHES == 0 || !isFirstDraw)
             agaa_countFragment(AGAA_COUNT_LOST_FRAGMENTS, 1u);

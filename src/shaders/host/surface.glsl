@@ -157,7 +157,7 @@ uint agaa_alphaMask(AgaaSurfaceInput s) {
         return agaa_cutoutMask(s, alpha, gradient);
     uvec2 pixel = agaa_hostPixel();
     return agaa_translucentMask(alpha, AGAA_HW_SAMPLES, agaa_hostGroup(), AGAA_SCALE_X * AGAA_SCALE_Y,
-                                agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.dither.x));
+                                agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.ditherFrame));
 }
 
 // Leaves a fragment these samples. OpenGL ignores the sample mask of targets with one sample.

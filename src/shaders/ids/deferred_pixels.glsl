@@ -11,7 +11,7 @@ layout(std430, AGAA_BINDING_DEFERRED) AGAA_DEFERRED_ACCESS buffer agaa_DeferredB
     uint words[];
 } agaa_deferred;
 
-uvec2 agaa_tileCounts() { return (agaa_frame.size.xy + 7u) / 8u; }
+uvec2 agaa_tileCounts() { return (agaa_frame.size + 7u) / 8u; }
 
 uint agaa_deferredWord(uvec2 tile, uint lane) { return 2u * (tile.y * agaa_tileCounts().x + tile.x) + (lane >> 5u); }
 

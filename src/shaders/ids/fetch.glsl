@@ -18,9 +18,9 @@ vec3 agaa_vertexViewPosition(vec4 clip) {
     clip.z = 0.5 * (clip.z + clip.w);
 #endif
     if (agaa_isOrthographic() != 0u)
-        return vec3((clip.xy - agaa_frame.projection0.zw) / agaa_frame.projection0.xy,
-                    (clip.z - agaa_frame.projection1.y) / agaa_frame.projection1.x);
-    return vec3((clip.xy + agaa_frame.projection0.zw * clip.w) / agaa_frame.projection0.xy, -clip.w);
+        return vec3((clip.xy - agaa_frame.projectionOffset) / agaa_frame.projectionScale,
+                    (clip.z - agaa_frame.projection32) / agaa_frame.projection22);
+    return vec3((clip.xy + agaa_frame.projectionOffset * clip.w) / agaa_frame.projectionScale, -clip.w);
 }
 
 float agaa_largest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
@@ -53,7 +53,7 @@ vec3 agaa_facingNormal(AgaaPrimitive p, float doubt) {
 
 // The primitive at a place in the pixel.
 void agaa_moveTo(inout AgaaPrimitive p, uvec2 pixel, vec2 place) {
-    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
+    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
     vec2 ndc = (vec2(pixel) + place) / pixelsPerNdc - 1.0;
     agaa_Barycentrics b = agaa_barycentrics(p.a.xyw, p.b.xyw, p.c.xyw, ndc, pixelsPerNdc);
     p.at = b.at;

@@ -162,7 +162,7 @@ bool agaa_agreeShadingNormals(uvec2 pixel, uint covered) {
         uint i = uint(findLSB(rest));
         least = min(least, dot(normal, agaa_listedNormal(agaa_samplePrimitive[i], i)));
     }
-    return least >= agaa_frame.surface.x;
+    return least >= agaa_frame.surfaceCosine;
 }
 
 void agaa_weighNormals(uvec2 pixel, uint covered) {
