@@ -12,8 +12,6 @@
 
 namespace agaa {
 
-static_assert(AGAA_FACT_SPECULAR == 1 && AGAA_FACT_EMISSIVE == 2 && AGAA_FACT_AMBIENT == 8, "bits of common/fact_bits.glsl");
-
 constexpr uint32_t firstLocation = offsetof(FrameConstants, sampleLocations) / 16; // vector
 
 FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,

@@ -8,6 +8,10 @@
 
 namespace agaa {
 
+#define AGAA_API_VALUE(name, value) static_assert(uint64_t(name) == value);
+#include "shaders/tables/api_values.inc"
+#undef AGAA_API_VALUE
+
 // The types of GLSL.
 using glsl_float = float;
 using glsl_uint = uint32_t;

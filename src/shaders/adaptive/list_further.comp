@@ -24,7 +24,7 @@ uint agaa_remember(uvec2 pixel, uint count) {
 
 // By the ways of section 4.2 to make numbers of neighbours alike. Called by all lanes of a tile.
 uint agaa_evenCount(uint count, uint covered) {
-    if (agaa_isAdaptive(agaa_tileMaximum)) {
+    if (agaa_isAdaptive(AGAA_ADAPTIVE_TILE_MAXIMUM)) {
         if (gl_LocalInvocationIndex == 0u)
             agaa_mostOfTile = 0u;
         barrier();
@@ -32,7 +32,7 @@ uint agaa_evenCount(uint count, uint covered) {
         barrier();
         count = count != 0u ? agaa_mostOfTile : 0u;
     }
-    return min(agaa_isAdaptive(agaa_bucketed) ? agaa_bucketOfCount(count) : count, covered);
+    return min(agaa_isAdaptive(AGAA_ADAPTIVE_BUCKETS) ? agaa_bucketOfCount(count) : count, covered);
 }
 
 void agaa_completePixel(uvec2 pixel, uint covered) {
@@ -70,7 +70,7 @@ void main() {
     if (isListed)
         agaa_choices.words[agaa_choiceAt(pixel)] =
             AGAA_COUNTS_FOUND == AGAA_FOUND_WITH_FURTHER ? floatBitsToUint(byShading) : count;
-    if (isListed && agaa_isAdaptive(agaa_sorted))
+    if (isListed && agaa_isAdaptive(AGAA_ADAPTIVE_SORTED))
         agaa_choices.words[agaa_rankAt(place)] =
             count << AGAA_RANK_BITS | atomicAdd(agaa_choices.words[AGAA_TALLY_AT + count], 1u);
     if (isInside && !isListed)

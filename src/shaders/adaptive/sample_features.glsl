@@ -69,9 +69,9 @@ uint agaa_firstInOrder(uint covered) {
 
 // The samples whose shadows the first sample is shaded with. alike: those that do not differ enough to be shaded.
 uint agaa_samplesOfFirst(uint first, uint alike, uint covered) {
-    if (agaa_isAdaptive(agaa_byGeometry))
+    if (agaa_isAdaptive(AGAA_ADAPTIVE_GEOMETRY))
         return alike;
-    return agaa_isAdaptive(agaa_byShading) ? covered : 1u << first;
+    return agaa_isAdaptive(AGAA_ADAPTIVE_SHADING) ? covered : 1u << first;
 }
 
 uvec4 agaa_sampleFeatures[AGAA_SAMPLES]; // agaa_packFeatures() of the pixel's samples

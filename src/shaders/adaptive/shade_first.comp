@@ -78,9 +78,9 @@ float agaa_printedCount(uvec2 pixel, uint covered) {
 // As far as it is known.
 uint agaa_countByGeometry(uvec2 pixel, agaa_Comparison c) {
     uint most = uint(bitCount(c.covered));
-    if (!agaa_isAdaptive(agaa_byGeometry))
-        return agaa_isAdaptive(agaa_byShading) ? 1u : most;
-    if (agaa_isAdaptive(agaa_printedMetric))
+    if (!agaa_isAdaptive(AGAA_ADAPTIVE_GEOMETRY))
+        return agaa_isAdaptive(AGAA_ADAPTIVE_SHADING) ? 1u : most;
+    if (agaa_isAdaptive(AGAA_ADAPTIVE_PRINTED_METRIC))
         return agaa_wholeCount(agaa_printedCount(pixel, c.covered), 1u, most);
     return agaa_callsForSample(c.most) ? 2u : 1u;
 }
@@ -98,7 +98,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel, agaa_Comparison c, uint count) {
 
 vec3 agaa_shadeEvent(uint lane, uint i) {
     uvec2 pixel = agaa_pixelOf(lane);
-    agaa_findVisibility(pixel, agaa_isAdaptive(agaa_equalWeights) ? 1u << i : agaa_represented[lane]);
+    agaa_findVisibility(pixel, agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS) ? 1u << i : agaa_represented[lane]);
     agaa_fetchEvent(pixel, i, agaa_represented[lane]);
     return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i));
 }

@@ -42,7 +42,7 @@ shared uint agaa_laneFirst[64];
 
 uvec2 agaa_pixelOf(uint lane) {
     uint place = agaa_boundedPlaceOf(lane);
-    return agaa_pixelAt(lane, agaa_isAdaptive(agaa_sorted) ? agaa_sortedAt(place) : agaa_listAt(place), AGAA_FURTHER_AT);
+    return agaa_pixelAt(lane, agaa_isAdaptive(AGAA_ADAPTIVE_SORTED) ? agaa_sortedAt(place) : agaa_listAt(place), AGAA_FURTHER_AT);
 }
 
 // The samples that a shaded one of a lane's pixel stands for.
@@ -56,7 +56,7 @@ uint agaa_samplesOfLane(uint lane, uint chosen) {
     return samples & agaa_laneCovered[lane];
 }
 
-float agaa_eventWeight(uint samples) { return agaa_isAdaptive(agaa_equalWeights) ? 1.0 : float(bitCount(samples)); }
+float agaa_eventWeight(uint samples) { return agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS) ? 1.0 : float(bitCount(samples)); }
 
 struct agaa_Further {
     agaa_PixelWork work;
@@ -101,7 +101,7 @@ agaa_Further agaa_furtherOf(uvec2 pixel) {
 
 // The first sample was shaded with the shadows of all samples like it. Those of them that are shaded, too, share these shadows.
 uint agaa_shadowedSamples(uint lane, uint i, uint samples) {
-    if (agaa_isAdaptive(agaa_equalWeights))
+    if (agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS))
         return 1u << i;
     return (agaa_laneFirst[lane] >> i & 1u) != 0u ? agaa_laneFirst[lane] : samples;
 }
@@ -132,7 +132,7 @@ void main() {
     agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 1.0);
     if (inside)
         further = agaa_furtherOf(pixel);
-    vec3 color = agaa_isAdaptive(agaa_shadeInLoops) ? agaa_shadeInLoop(further.work) : agaa_shadeWork(further.work);
+    vec3 color = agaa_isAdaptive(AGAA_ADAPTIVE_LOOP) ? agaa_shadeInLoop(further.work) : agaa_shadeWork(further.work);
     if (inside) {
         if (!agaa_showsEvents())
             color += agaa_firstSample(ivec2(pixel)).rgb * further.firstWeight;

@@ -47,7 +47,7 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] = 0.0;
 #endif
-    const bool tapsAll = AGAA_SHADOW_FILTER == 1u && AGAA_SAMPLES <= AGAA_SHADOW_TAPS;
+    const bool tapsAll = AGAA_SHADOW_FILTER == AGAA_SHADOW_AT_SAMPLES && AGAA_SAMPLES <= AGAA_SHADOW_TAPS;
     for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
         vec3 position = agaa_viewPositionOf(pixel, uint(findLSB(rest)));
         if (rest == mask) { // sums are relative to the first sample (hard case 14)
@@ -56,7 +56,7 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
             depthMoments = agaa_momentsInit(position.z);
         }
         mean += position - first;
-        if (AGAA_SHADOW_FILTER == 2u) {
+        if (AGAA_SHADOW_FILTER == AGAA_SHADOW_ALONG_DEPTH) {
             agaa_momentsAdd(depthMoments, position.z);
             lowest = min(lowest, position.z);
             highest = max(highest, position.z);
@@ -67,8 +67,8 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
     mean = first + mean / float(count);
 #if AGAA_SHADOWS
     uint taps = count;
-    if (AGAA_SHADOW_FILTER != 1u) {
-        float sigma = AGAA_SHADOW_FILTER == 2u ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
+    if (AGAA_SHADOW_FILTER != AGAA_SHADOW_AT_SAMPLES) {
+        float sigma = AGAA_SHADOW_FILTER == AGAA_SHADOW_ALONG_DEPTH ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
         taps = agaa_tapAlongDepth(mean, sigma, lowest, highest);
     } else if (!tapsAll) {
         taps = agaa_tapSomeSamples(pixel, mask);

@@ -5,7 +5,7 @@
 #ifndef AGAA_BINDING_FRAME
 #error "frame.glsl needs AGAA_BINDING_FRAME."
 #endif
-#include "common/fact_bits.glsl"
+#include "common/api_values.glsl"
 // Values of AGAA_FRAME_CONSTANTS, those of AgaaGlConstants.
 #define AGAA_CONSTANTS_BLOCK 0
 #define AGAA_CONSTANTS_UNIFORMS 1

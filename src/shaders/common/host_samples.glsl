@@ -26,9 +26,9 @@ void agaa_applyFacts(inout AgaaMaterial m, vec3 planeNormal, bool isExact) {
         agaa_demands = agaa_demandsOf(m.diffuse, m.specular, m.emissive, m.alpha2) |
                        (isExact ? agaa_demandOfNormal(m.normal, planeNormal) : 0u);
     m.normal = agaa_factNormal(m.normal, planeNormal);
-    if (agaa_hasFact(agaa_factPlaneNormals))
+    if (agaa_hasFact(AGAA_FACT_PLANE_NORMALS))
         m.normalDx = m.normalDy = vec3(0.0);
-    m.diffuse = AGAA_DEBUG_VIEW == 8u ? vec3(agaa_unmetDemands(agaa_demands) != 0u ? 1.0 : 0.0) : agaa_factDiffuse(m.diffuse);
+    m.diffuse = AGAA_DEBUG_VIEW == AGAA_DEBUG_VIEW_FACTS ? vec3(agaa_unmetDemands(agaa_demands) != 0u ? 1.0 : 0.0) : agaa_factDiffuse(m.diffuse);
     m.specular = agaa_factSpecular3(m.specular);
     m.alpha2 = agaa_factAlpha2(m.alpha2);
 }

@@ -19,7 +19,7 @@ agaa_Stored agaa_mixMaterials(agaa_Stored a, agaa_Stored b, float share, float n
 #define AGAA_ATTRIBUTE(semantic, name)
 #define AGAA_CHANNEL(index, name, field, source, attribute, member) a.member += (b.member - a.member) * share;
 #include "tables/channels.inc"
-    if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF != 0u && AGAA_SPREAD_WORDS == 0u)
+    if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF != agaa_ndfNone && AGAA_SPREAD_WORDS == 0u)
         a.alpha2 = agaa_toksvigAlpha2(a.alpha2, normalLength);
     return a;
 }

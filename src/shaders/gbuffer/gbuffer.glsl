@@ -44,7 +44,7 @@ void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) {
     for (uint rest = own; rest != 0u; rest &= rest - 1u)
         middle += agaa_sampleLocation(uint(findLSB(rest)));
     middle /= float(bitCount(own));
-    const int represented = agaa_isAdaptive(agaa_sampleFootprints) ? 1 : bitCount(own);
+    const int represented = agaa_isAdaptive(AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS) ? 1 : bitCount(own);
     const float width = sqrt(float(represented) / float(AGAA_SAMPLES));
     AgaaPrimitive p = agaa_primitive(agaa_idOf(pixel, i));
     agaa_moveTo(p, pixel, middle);

@@ -67,7 +67,7 @@ AgaaMaterial agaa_fetchMaterialThere(AgaaPrimitive p) {
     agaaHostMaterial(p, m);
     agaa_count(AGAA_COUNT_MATERIALS, 1u);
     agaa_count(AGAA_COUNT_SANITISED, agaa_sanitiseValues(m));
-    if (agaa_hasFact(agaa_factPlaneNormals) || AGAA_CHECK_FACTS != 0u) {
+    if (agaa_hasFact(AGAA_FACT_PLANE_NORMALS) || AGAA_CHECK_FACTS != 0u) {
         float doubt = agaa_doubtOfPlane(p);
         agaa_applyFacts(m, agaa_facingNormal(p, doubt), doubt < 0.005);
     } else {
