@@ -16,7 +16,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 void main() {
     agaa_countBegin();
     const uint lane = gl_LocalInvocationIndex;
-    uvec2 pixel = agaa_pixelAt(lane, agaa_listAt(agaa_boundedPlaceOf(lane)), AGAA_COMPLEX_PIXELS_AT);
+    uvec2 pixel = agaa_pixelAt(lane, agaa_listAt(agaa_boundedListIndexOf(lane)), AGAA_COMPLEX_PIXELS_AT);
     if (all(lessThan(pixel, agaa_frame.size))) {
         uint covered = agaa_beginChoice(pixel);
         float left;

@@ -12,7 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/pixel_work.glsl"
 #include "common/tile_pixels.glsl"
 
-shared uint agaa_mostOfTile;
+shared uint agaa_tileMaximum;
 
 // The mean of counts over frames, or this frame's where that is more.
 uint agaa_remember(uvec2 pixel, uint count) {
@@ -26,11 +26,11 @@ uint agaa_remember(uvec2 pixel, uint count) {
 uint agaa_evenCount(uint count, uint covered) {
     if (agaa_isAdaptive(AGAA_ADAPTIVE_TILE_MAXIMUM)) {
         if (gl_LocalInvocationIndex == 0u)
-            agaa_mostOfTile = 0u;
+            agaa_tileMaximum = 0u;
         barrier();
-        atomicMax(agaa_mostOfTile, count);
+        atomicMax(agaa_tileMaximum, count);
         barrier();
-        count = count != 0u ? agaa_mostOfTile : 0u;
+        count = count != 0u ? agaa_tileMaximum : 0u;
     }
     return min(agaa_isAdaptive(AGAA_ADAPTIVE_BUCKETS) ? agaa_bucketOfCount(count) : count, covered);
 }

@@ -41,7 +41,7 @@ shared uint agaa_laneOwners[64u * agaa_ownerWords];
 shared uint agaa_laneFirst[64];
 
 uvec2 agaa_pixelOf(uint lane) {
-    uint place = agaa_boundedPlaceOf(lane);
+    uint place = agaa_boundedListIndexOf(lane);
     return agaa_pixelAt(lane, agaa_isAdaptive(AGAA_ADAPTIVE_SORTED) ? agaa_sortedAt(place) : agaa_listAt(place), AGAA_FURTHER_AT);
 }
 

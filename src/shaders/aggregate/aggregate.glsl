@@ -35,7 +35,7 @@ uint agaa_tapAlongDepth(vec3 mean, float sigma, float lowest, float highest) {
 
 // Mean position of all samples, and the aggregate's share of each shadow map's light: at some of its samples, at all
 // of them, along the view ray or at the mean position.
-vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
+vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
     agaa_lightPixel(pixel);
     uint count = uint(bitCount(mask));
     vec3 mean = vec3(0.0);
@@ -104,7 +104,7 @@ void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
 }
 #endif
 
-// Shading of an aggregate after agaa_placeAggregate(), times the number of its samples.
+// Shading of an aggregate after agaa_locateAggregate(), times the number of its samples.
 vec3 agaa_shadeMeans(uvec2 pixel, vec3 position, uint a, uint mask, agaa_Means means, bool folded) {
     vec3 toEye = agaa_toEye(position);
     agaa_Surface s = agaa_surfaceOfMeans(means, folded, toEye);

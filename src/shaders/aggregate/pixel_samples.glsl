@@ -30,7 +30,7 @@ agaa_PixelSamples agaa_withDistance(agaa_PixelSamples samples) {
 }
 
 // One more sample, i, that shows geometry. quantum: a step of its depth; place: in the pixel; code: equal for equal normals.
-void agaa_addPlaced(inout agaa_PixelSamples samples, uint i, vec3 position, float depth, float quantum, vec2 place, vec3 normal,
+void agaa_addSampleAt(inout agaa_PixelSamples samples, uint i, vec3 position, float depth, float quantum, vec2 place, vec3 normal,
                     uint code) {
     samples.covered |= 1u << (i & 31u);
     float depthStep = agaa_depthQuantum(position.z, depth, agaa_frame.projection22, agaa_frame.projection32,

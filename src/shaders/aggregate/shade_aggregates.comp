@@ -92,7 +92,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     uint mask = agaa_coverage();
     uint normals = mask;
     agaa_aggregateSamples = uint(bitCount(mask));
-    vec3 position = agaa_placeAggregate(pixel, mask);
+    vec3 position = agaa_locateAggregate(pixel, mask);
 #if AGAA_REPRESENTED
     uint shaded = agaa_recordShaded(agaa_record(), AGAA_SAMPLES);
     normals = 1u << shaded;

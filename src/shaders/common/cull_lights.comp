@@ -29,7 +29,7 @@ uint agaa_orderedBits(float x) {
     uint bits = floatBitsToUint(x);
     return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
 }
-float agaa_ofOrderedBits(uint bits) {
+float agaa_fromOrderedBits(uint bits) {
     return uintBitsToFloat((bits & 0x80000000u) != 0u ? bits & 0x7FFFFFFFu : ~bits);
 }
 
@@ -47,8 +47,8 @@ void agaa_addToTile(agaa_Box box) {
 agaa_Box agaa_boxOfTile() {
     agaa_Box box;
     for (uint axis = 0u; axis < 3u; ++axis) {
-        box.low[axis] = agaa_ofOrderedBits(agaa_tileBox[axis]);
-        box.high[axis] = agaa_ofOrderedBits(agaa_tileBox[3u + axis]);
+        box.low[axis] = agaa_fromOrderedBits(agaa_tileBox[axis]);
+        box.high[axis] = agaa_fromOrderedBits(agaa_tileBox[3u + axis]);
     }
     return box;
 }

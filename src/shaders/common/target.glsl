@@ -29,7 +29,7 @@ float agaa_storedQuantum(float depth) {
 }
 
 // place: in the pixel, [0,1].
-vec3 agaa_placeViewPosition(uvec2 pixel, vec2 place, float depth) {
+vec3 agaa_viewPositionAt(uvec2 pixel, vec2 place, float depth) {
     vec2 ndc = (vec2(pixel) + place) / vec2(agaa_frame.size) * 2.0 - 1.0;
     return agaa_viewPosition(ndc, agaa_sampleViewZ(depth), agaa_frame.projectionScale.x,
                              agaa_frame.projectionScale.y, agaa_frame.projectionOffset.x,
@@ -37,6 +37,6 @@ vec3 agaa_placeViewPosition(uvec2 pixel, vec2 place, float depth) {
 }
 
 vec3 agaa_sampleViewPosition(uvec2 pixel, uint i, float depth) {
-    return agaa_placeViewPosition(pixel, agaa_sampleLocation(i), depth);
+    return agaa_viewPositionAt(pixel, agaa_sampleLocation(i), depth);
 }
 #endif

@@ -17,10 +17,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_MAX_SAMPLES 33 // 32 that are clustered, and one at hand
 #include "aggregate/grouping.glsl"
 #include "coverage/shown_fragments.glsl"
-#include "coverage/covered_place.glsl"
+#include "coverage/surface_position.glsl"
 #include "ids/fetched_means.glsl"
 
-const uint agaa_mostClustered = 32u;
+const uint agaa_maxClustered = 32u;
 vec4 agaa_itemGloss[AGAA_MAX_SAMPLES];   // shading normal, alpha2; where AGAA_GLOSS_WEIGHT is set
 uint agaa_itemFragment[AGAA_MAX_SAMPLES];
 
@@ -30,8 +30,8 @@ uint agaa_aggregateOf(uint record) { return agaa_fragments.words[record + AGAA_A
 
 // As agaa_fetchMaterial() does of samples: the normal is that at the pixel's corner.
 AgaaMaterial agaa_fetchCovered(AgaaPrimitive p, uvec2 pixel, vec2 middle) {
-    agaa_moveTo(p, pixel, middle + 0.5);
-    AgaaMaterial m = agaa_fetchMaterialThere(p);
+    agaa_evaluateAt(p, pixel, middle + 0.5);
+    AgaaMaterial m = agaa_evaluateMaterial(p);
     m.normal -= (middle.x + 0.5) * m.normalDx + (middle.y + 0.5) * m.normalDy;
     return m;
 }
@@ -45,7 +45,7 @@ void agaa_addFragment(inout agaa_PixelSamples samples, uvec2 pixel, uint i, uint
     AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
     vec3 normal = agaa_planeNormal(p);
     agaa_itemFragment[i] = fragment;
-    agaa_addPlaced(samples, i, agaa_placeViewPosition(pixel, middle + 0.5, depth), depth, 2.4e-7 * depth, middle + 0.5, normal,
+    agaa_addSampleAt(samples, i, agaa_viewPositionAt(pixel, middle + 0.5, depth), depth, 2.4e-7 * depth, middle + 0.5, normal,
                    agaa_codeOfNormal(normal));
     if (AGAA_GLOSS_WEIGHT == 0u)
         return;
@@ -63,7 +63,7 @@ void agaa_weighNormals(uvec2 pixel, uint covered) {
         agaa_weighItem(uint(findLSB(rest)));
 }
 
-bool agaa_agreeShadingNormals(uvec2 pixel, uint covered) {
+bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered) {
     if (AGAA_GLOSS_WEIGHT == 0u)
         return true; // planes decide
     vec3 normal = agaa_itemGloss[findLSB(covered)].xyz;
@@ -83,26 +83,26 @@ uint agaa_countShown(uint head, uint least) {
     return count;
 }
 
-// Adds the fragments that show at most samples, of equals the first, up to agaa_mostClustered. Returns their number.
+// Adds the fragments that show at most samples, of equals the first, up to agaa_maxClustered. Returns their number.
 uint agaa_addLargest(inout agaa_PixelSamples samples, uvec2 pixel, uint head, uint shown) {
     uint enough = 1u; // fragments of so many samples find room, all of them: 32 have 4 each of 128 at most
-    while (enough < 4u && shown > agaa_mostClustered) {
+    while (enough < 4u && shown > agaa_maxClustered) {
         ++enough;
         shown = agaa_countShown(head, enough);
     }
-    uint room = agaa_mostClustered - shown; // for smaller ones
+    uint room = agaa_maxClustered - shown; // for smaller ones
     uint count = 0u;
     for (uint fragment = head; fragment != 0u;) {
         uint record = agaa_record(fragment);
         uint bits = agaa_coverageCount(agaa_maskOf(record));
         bool isSmaller = bits + 1u == enough && bits != 0u && room != 0u;
-        if ((bits >= enough || isSmaller) && count < agaa_mostClustered) {
+        if ((bits >= enough || isSmaller) && count < agaa_maxClustered) {
             room -= isSmaller ? 1u : 0u;
             agaa_addFragment(samples, pixel, count, fragment);
             agaa_setAggregate(record, count);
             ++count;
         } else {
-            agaa_setAggregate(record, agaa_mostClustered);
+            agaa_setAggregate(record, agaa_maxClustered);
         }
         fragment = agaa_nextOf(record);
     }
@@ -112,13 +112,13 @@ uint agaa_addLargest(inout agaa_PixelSamples samples, uvec2 pixel, uint head, ui
 // The one of `count` aggregates whose seed is nearest to the fragment, which was not clustered.
 uint agaa_nearestSeed(uvec2 pixel, uint fragment, uint count, agaa_Lengths lengths) {
     agaa_PixelSamples ignored = agaa_noSamples();
-    agaa_addFragment(ignored, pixel, agaa_mostClustered, fragment);
+    agaa_addFragment(ignored, pixel, agaa_maxClustered, fragment);
     if (AGAA_GLOSS_WEIGHT != 0u)
-        agaa_weighItem(agaa_mostClustered);
+        agaa_weighItem(agaa_maxClustered);
     uint best = 0u;
-    float least = agaa_pairDistance(agaa_mostClustered, agaa_seedSample[0], lengths);
+    float least = agaa_pairDistance(agaa_maxClustered, agaa_seedSample[0], lengths);
     for (uint a = 1u; a < count; ++a) {
-        float d = agaa_pairDistance(agaa_mostClustered, agaa_seedSample[a], lengths);
+        float d = agaa_pairDistance(agaa_maxClustered, agaa_seedSample[a], lengths);
         best = d < least ? a : best;
         least = min(d, least);
     }
@@ -141,7 +141,7 @@ uint agaa_groupFragments(uvec2 pixel, uint head) {
         uint record = agaa_record(fragment);
         uint item = agaa_aggregateOf(record);
         uint a = 0u;
-        if (count > 1u && item < agaa_mostClustered)
+        if (count > 1u && item < agaa_maxClustered)
             a = agaa_sampleAggregate[item];
         else if (count > 1u && agaa_coverageCount(agaa_maskOf(record)) != 0u)
             a = agaa_nearestSeed(pixel, fragment, count, lengths);
@@ -190,8 +190,8 @@ float agaa_weightOf(uint i, bool isLit) {
     return 1.0;
 }
 
-agaa_Places agaa_placesOf(uvec4 mask, float scale, bool isLit) {
-    agaa_Places p = agaa_Places(0.0, vec2(0.0), vec3(0.0));
+agaa_PositionSums agaa_positionSumsOf(uvec4 mask, float scale, bool isLit) {
+    agaa_PositionSums p = agaa_PositionSums(0.0, vec2(0.0), vec3(0.0));
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
         for (uint left = mask[word]; left != 0u; left &= left - 1u) {
             uint i = word * 32u + uint(findLSB(left));
@@ -215,7 +215,7 @@ agaa_Means agaa_meansOf(uvec2 pixel, uint head, uint a, float scale, bool isLit)
             AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
             AgaaMaterial m = agaa_fetchCovered(p, pixel, agaa_coverageMiddle(mask, AGAA_SAMPLES));
             bool isWeighed = isLit || agaa_isCurvedMaterial(m);
-            agaa_Places places = agaa_placesOf(isWeighed ? mask : uvec4(0u), scale, isLit);
+            agaa_PositionSums places = agaa_positionSumsOf(isWeighed ? mask : uvec4(0u), scale, isLit);
             agaa_addFetched(means, m, isWeighed ? places.weight : scale * float(count), places);
         }
         fragment = agaa_nextOf(record);
@@ -224,7 +224,7 @@ agaa_Means agaa_meansOf(uvec2 pixel, uint head, uint a, float scale, bool isLit)
 }
 
 // Mean position of the aggregate's samples, in shading space.
-vec3 agaa_placeFragments(uvec2 pixel, uint head, uint a, float weight) {
+vec3 agaa_meanFragmentPosition(uvec2 pixel, uint head, uint a, float weight) {
     vec3 first = vec3(0.0);
     vec3 away = vec3(0.0); // from the first: sums keep their digits (hard case 14)
     bool isFirst = true;
@@ -287,7 +287,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     uint head = agaa_heads[lane];
     uvec4 mask = agaa_masks[lane * AGAA_AGGREGATES + a];
     float weight = float(agaa_coverageCount(mask));
-    vec3 position = agaa_placeFragments(pixel, head, a, weight);
+    vec3 position = agaa_meanFragmentPosition(pixel, head, a, weight);
     agaa_tapSurface(pixel, head, mask, position);
     agaa_Means means = agaa_meansOf(pixel, head, a, 1.0 / weight, false);
     vec3 toEye = agaa_toEye(position);

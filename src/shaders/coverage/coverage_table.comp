@@ -15,6 +15,6 @@ void main() {
         return;
     uvec4 mask = uvec4(0u);
     for (uint i = 0u; i < AGAA_SAMPLES; ++i)
-        mask[i >> 5u] |= agaa_isInTableEntry(entry, AGAA_TABLE_SIZE, agaa_ownPosition(i)) ? 1u << (i & 31u) : 0u;
-    imageStore(agaa_table, ivec2(agaa_tablePlace(entry, AGAA_TABLE_SIZE)), mask);
+        mask[i >> 5u] |= agaa_isInTableEntry(entry, AGAA_TABLE_SIZE, agaa_hostPosition(i)) ? 1u << (i & 31u) : 0u;
+    imageStore(agaa_table, ivec2(agaa_tableTexel(entry, AGAA_TABLE_SIZE)), mask);
 }

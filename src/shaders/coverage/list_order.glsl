@@ -6,7 +6,7 @@
 // id: of the second. Fragments that carry materials may share a number: then their words decide, so that frames repeat.
 bool agaa_isBefore(uint record, uint other, uint id) {
     uint own = agaa_fragments.words[record];
-#ifdef AGAA_CARRIES_MATERIALS
+#ifdef AGAA_MATERIAL_LISTS
     if (own == id) {
         uint word = 2u;
         while (word + 1u < AGAA_FRAGMENT_WORDS && agaa_fragments.words[record + word] == agaa_fragments.words[other + word])

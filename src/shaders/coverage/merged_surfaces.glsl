@@ -31,7 +31,7 @@ agaa_NormalSpread agaa_loadSpread(uint base) {
 }
 
 // Memory has the normal that the spread is of.
-void agaa_giveSpread(uint base, agaa_NormalSpread spread, float share, vec3 normal) {
+void agaa_mergeSpread(uint base, agaa_NormalSpread spread, float share, vec3 normal) {
     if (share < 1.0)
         spread = agaa_mixSpreads(agaa_loadSpread(base), spread, share, normal);
     uvec2 words = agaa_packSpread(spread);
@@ -41,7 +41,7 @@ void agaa_giveSpread(uint base, agaa_NormalSpread spread, float share, vec3 norm
 }
 
 // Lets a surface have this share of another material.
-void agaa_giveMaterial(uint base, agaa_Stored v, float share, float normalLength) {
+void agaa_mergeMaterial(uint base, agaa_Stored v, float share, float normalLength) {
     if (share < 1.0)
         v = agaa_mixMaterials(agaa_loadMaterial(base), v, share, normalLength);
     agaa_packSurface(v);
@@ -82,18 +82,18 @@ agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stor
                 spread = agaa_mixSpreads(spread, moved, done.moved, agaa_asStored(agaa_kept[done.to]).normal);
         } else {
             uint into = agaa_surfaceBase(pixel, done.into);
-            agaa_giveMaterial(into, moving, done.moved, done.movedLength);
+            agaa_mergeMaterial(into, moving, done.moved, done.movedLength);
             agaa_keep(done.into, agaa_asStored(agaa_kept[done.into]));
             if (AGAA_SPREAD_WORDS != 0u)
-                agaa_giveSpread(into, moved, done.moved, agaa_kept[done.into].normal);
+                agaa_mergeSpread(into, moved, done.moved, agaa_kept[done.into].normal);
         }
     }
     if (done.to != AGAA_NO_SURFACE) {
         uint to = agaa_surfaceBase(pixel, done.to);
-        agaa_giveMaterial(to, own, done.share, done.shareLength);
+        agaa_mergeMaterial(to, own, done.share, done.shareLength);
         agaa_keep(done.to, agaa_asStored(agaa_kept[done.to]));
         if (AGAA_SPREAD_WORDS != 0u)
-            agaa_giveSpread(to, spread, done.share, agaa_kept[done.to].normal);
+            agaa_mergeSpread(to, spread, done.share, agaa_kept[done.to].normal);
     }
     return done;
 }

@@ -31,7 +31,7 @@ uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
 #define AGAA_IMAGE_WIDTH agaa_frame.size.x
 #define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_aggregate.glsl"
-#include "coverage/covered_place.glsl"
+#include "coverage/surface_position.glsl"
 
 shared uvec4 agaa_shown[64u * AGAA_AGGREGATES]; // of each surface, the samples that show it
 

@@ -16,7 +16,7 @@ const float agaa_contrast = 0.125;       // of the brightest neighbour
 const float agaa_darkContrast = 0.0312;  // below which nothing is seen
 const float agaa_subpixelShare = 0.75;   // of what removes single bright pixels
 // How far the edge is followed, in pixels, each way; the longer ones skip.
-const int agaa_walk[10] = int[](1, 2, 3, 4, 5, 7, 9, 12, 16, 24);
+const int agaa_edgeSteps[10] = int[](1, 2, 3, 4, 5, 7, 9, 12, 16, 24);
 
 vec4 agaa_texel(ivec2 at) { return texelFetch(agaa_shaded, clamp(at, ivec2(0), ivec2(agaa_frame.size) - 1), 0); }
 
@@ -60,7 +60,7 @@ float agaa_followEdge(ivec2 pixel, agaa_Edge edge, int way, out float departure)
     departure = 0.0;
     int reached = 0;
     for (int i = 0; i < 10; ++i) {
-        reached = agaa_walk[i];
+        reached = agaa_edgeSteps[i];
         ivec2 at = pixel + edge.along * (way * reached);
         departure = 0.5 * (agaa_luma(at) + agaa_luma(at + edge.across)) - edge.luma;
         if (abs(departure) >= edge.step)

@@ -47,10 +47,10 @@ void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) {
     const int represented = agaa_isAdaptive(AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS) ? 1 : bitCount(own);
     const float width = sqrt(float(represented) / float(AGAA_SAMPLES));
     AgaaPrimitive p = agaa_primitive(agaa_idOf(pixel, i));
-    agaa_moveTo(p, pixel, middle);
+    agaa_evaluateAt(p, pixel, middle);
     p.dx *= width;
     p.dy *= width;
-    agaa_fetched = agaa_fetchMaterialThere(p);
+    agaa_fetched = agaa_evaluateMaterial(p);
 }
 #endif
 

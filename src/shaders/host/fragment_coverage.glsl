@@ -22,7 +22,7 @@ layout(AGAA_BINDING_COVERAGE_TABLE) uniform usampler2D agaa_coverageTable;
 
 uvec4 agaa_edgeByTable(vec3 a, vec3 b) {
     agaa_CoverageLookup found = agaa_findCoverage(a, b, AGAA_TABLE_SIZE);
-    uvec2 place = agaa_tablePlace(found.entry, AGAA_TABLE_SIZE);
+    uvec2 place = agaa_tableTexel(found.entry, AGAA_TABLE_SIZE);
     uvec4 mask = place.y < AGAA_TABLE_SIZE ? texelFetch(agaa_coverageTable, ivec2(place), 0) : uvec4(0u);
     return agaa_foundCoverage(found, mask, AGAA_SAMPLES);
 }

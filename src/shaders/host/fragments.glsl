@@ -28,7 +28,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     uvec2 size = agaa_frame.size;
     bool isFirstDraw = true;
 #if AGAA_NEEDS_MATERIAL
-    if (!agaa_carry(s, mask))
+    if (!agaa_packFragment(s, mask))
         return;
 #endif
 #if AGAA_HAS_BATCHES
@@ -63,7 +63,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
         agaa_setFragments(base + 2u + word, mask[word]);
 #if AGAA_NEEDS_MATERIAL
-    for (uint word = 0u; word < AGAA_CARRIED_WORDS; ++word)
-        agaa_setFragments(base + 2u + AGAA_SAMPLES / 32u + word, agaa_carried[word]);
+    for (uint word = 0u; word < AGAA_MATERIAL_PAYLOAD_WORDS; ++word)
+        agaa_setFragments(base + 2u + AGAA_SAMPLES / 32u + word, agaa_payload[word]);
 #endif
 }

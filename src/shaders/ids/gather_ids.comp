@@ -47,6 +47,6 @@ void main() {
     if (inside && covered == 0u)
         for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
             agaa_storeAggregate(pixel, a, 0u);
-    agaa_takeAll(pixel, covered);
+    agaa_processPixels(pixel, covered);
     agaa_countEnd();
 }

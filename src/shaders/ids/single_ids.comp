@@ -71,7 +71,7 @@ void agaa_shadeSingle(uvec2 pixel, uint id, uint samples) {
     agaa_shownPrimitives = 1u;
     agaa_PixelWork work = agaa_countedWork(pixel, 1u, samples, 0u);
     agaa_Means means = agaa_meansOf(samples, 1.0 / float(bitCount(samples)), false);
-    vec3 color = agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, samples), 0u, samples, means, false);
+    vec3 color = agaa_shadeMeans(pixel, agaa_locateAggregate(pixel, samples), 0u, samples, means, false);
     agaa_writePixel(pixel, work, color);
 }
 

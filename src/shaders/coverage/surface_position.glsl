@@ -1,6 +1,6 @@
 // Where a surface with coverage samples is shaded, how much light gets past shadows there, and how its lobe widens.
-#ifndef AGAA_COVERED_PLACE_GLSL
-#define AGAA_COVERED_PLACE_GLSL
+#ifndef AGAA_SURFACE_POSITION_GLSL
+#define AGAA_SURFACE_POSITION_GLSL
 #include "tables/lighting.inc"
 #include "math/surface_resolve.glsl"
 #include "coverage/covered_surface.glsl"
@@ -9,7 +9,7 @@
 // offset: from the pixel's centre, in pixels.
 vec3 agaa_surfacePosition(uvec2 pixel, vec3 plane, vec2 offset) {
     float depth = agaa_deviceDepth(plane.x + dot(plane.yz, offset));
-    return agaa_toShadingSpace(agaa_placeViewPosition(pixel, offset + 0.5, depth));
+    return agaa_toShadingSpace(agaa_viewPositionAt(pixel, offset + 0.5, depth));
 }
 
 // The depth plane of what shows at a sample: the surface's, or what the including text finds by an AGAA_SHOWN of its own.
