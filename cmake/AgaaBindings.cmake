@@ -1,4 +1,5 @@
-# Writes the GLSL of src/shaders/tables/bindings.inc: a macro AGAA_BINDING_… for each binding of the SDK's compute passes.
+# Writes the GLSL of src/shaders/tables/bindings.inc: a macro AGAA_BINDING_… for each binding of the SDK's compute passes,
+# and for each alias.
 
 # agaa_write_bindings(TABLE OUTPUT)
 function(agaa_write_bindings table output)
@@ -14,6 +15,15 @@ function(agaa_write_bindings table output)
     string(APPEND vulkan "#define AGAA_BINDING_${CMAKE_MATCH_1} set = 0, binding = ${CMAKE_MATCH_2}\n")
     string(APPEND opengl "#define AGAA_BINDING_${CMAKE_MATCH_1} binding = ${CMAKE_MATCH_3}\n")
   endforeach()
+  file(STRINGS ${table} rows REGEX "^AGAA_ALIAS")
+  set(aliases "")
+  foreach(row IN LISTS rows)
+    string(REGEX MATCH "\\(([A-Z0-9_]+), [A-Za-z0-9]+, ([A-Z0-9_]+), [A-Za-z0-9]+\\)" matched "${row}")
+    if(NOT matched)
+      message(FATAL_ERROR "${table} has a row that is no alias: ${row}")
+    endif()
+    string(APPEND aliases "#define AGAA_BINDING_${CMAKE_MATCH_1} AGAA_BINDING_${CMAKE_MATCH_2}\n")
+  endforeach()
   file(CONFIGURE OUTPUT ${output} @ONLY CONTENT
-       "#ifndef AGAA_BINDINGS_GLSL\n#define AGAA_BINDINGS_GLSL\n#ifdef AGAA_GL\n${opengl}#else\n${vulkan}#endif\n#endif\n")
+       "#ifndef AGAA_BINDINGS_GLSL\n#define AGAA_BINDINGS_GLSL\n#ifdef AGAA_GL\n${opengl}#else\n${vulkan}#endif\n${aliases}#endif\n")
 endfunction()

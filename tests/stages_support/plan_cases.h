@@ -231,9 +231,9 @@ TYPED_TEST_P(PlanCases, CountersComeBackInConstants) {
         b.plan.feedback[1] = AGAA_COUNT_EVENTS;
         Pass& count = planPass(b, "count", "layout(std430, AGAA_BINDING_COUNTERS) buffer Counts { uint counts[]; };\n",
                                "    if (item == 0u)\n        counts[" + std::to_string(2 * AGAA_COUNT_EVENTS) +
-                                   "] = agaa_frame.dither.z + 2u;\n");
+                                   "] = agaa_frame.feedback1 + 2u;\n");
         dispatchItems(count, 1);
-        showPixels(b, "", "vec3(agaa_frame.dither.yzw)");
+        showPixels(b, "", "vec3(agaa_frame.feedback0, agaa_frame.feedback1, agaa_frame.feedback2)");
         b.copyCounters();
     };
     const auto images = this->render(build, 3);
@@ -258,14 +258,14 @@ TYPED_TEST_P(PlanCases, DrawsWithoutDepthAreClearedToColours) {
         draw.clear.color[0] = {0.25f, 0.5f, 0.75f, 1.0f};
         setFields(draw.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.plan.view.layout).fields);
         b.plan.repeats.push_back({first, first, 2});
-        const std::string textures = "layout(AGAA_BINDING_SURFACE0) uniform sampler2D nearest;\n"
-                                     "layout(AGAA_BINDING_SURFACE1) uniform sampler2D linear;\n";
+        const std::string textures = "layout(AGAA_BINDING_GBUFFER0) uniform sampler2D nearest;\n"
+                                     "layout(AGAA_BINDING_GBUFFER1) uniform sampler2D linear;\n";
         // On the border between two texels the linear sampler mixes them.
         const std::string at = "vec2(float(item % 48u), float(item / 48u) + 0.5) / vec2(48.0, 32.0)";
         Pass& show = showPixels(b, textures, "vec3(textureLod(nearest, " + at + " + vec2(0.1 / 48.0, 0.0), 0.0).rg, "
                                              "textureLod(linear, " + at + ", 0.0).r)");
-        b.bind(show, slot::Surface0, BindingType::Texture, color);
-        b.bind(show, slot::Surface1, BindingType::Texture, color);
+        b.bind(show, slot::GBuffer0, BindingType::Texture, color);
+        b.bind(show, slot::GBuffer1, BindingType::Texture, color);
         show.bindings.back().filter = Filter::Linear;
     };
     Material material;

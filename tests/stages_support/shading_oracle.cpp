@@ -16,20 +16,20 @@ glm::dvec3 ShadingOracle::pixel(uint32_t x, uint32_t y) const {
 
 glm::dvec3 ShadingOracle::position(uint32_t x, uint32_t y, uint32_t i) const {
     using namespace math_d;
-    const float* p = constants_.projection;
+    const FrameConstants& c = constants_;
     const double depth = double(std::bit_cast<float>(depth_[sampleIndex(plan_, x, y, i)].x));
-    const uint orthographic = p[6] != 0.0f;
-    const rvec2 ndc((x + double(constants_.samples[i][0])) / plan_.view.width * 2 - 1,
-                    (y + double(constants_.samples[i][1])) / plan_.view.height * 2 - 1);
-    const rvec3 v = agaa_viewPosition(ndc, agaa_viewZFromDepth(depth, double(p[4]), double(p[5]), orthographic),
-                                      double(p[0]), double(p[1]), double(p[2]), double(p[3]), orthographic);
+    const rvec2 ndc((x + double(constants_.sampleLocations[i][0])) / plan_.view.width * 2 - 1,
+                    (y + double(constants_.sampleLocations[i][1])) / plan_.view.height * 2 - 1);
+    const rvec3 v = agaa_viewPosition(ndc, agaa_viewZFromDepth(depth, double(c.projection22), double(c.projection32), c.isOrthographic),
+                                      double(c.projectionScale[0]), double(c.projectionScale[1]),
+                                      double(c.projectionOffset[0]), double(c.projectionOffset[1]), c.isOrthographic);
     glm::mat4 view;
     std::memcpy(&view, frame_.view, sizeof view);
     return glm::transpose(glm::dmat3(glm::mat3(view))) * v;
 }
 
 static glm::dvec3 towardsEye(const glm::dvec3& position, const FrameConstants& constants) {
-    if (constants.projection[6] == 0.0f)
+    if (!constants.isOrthographic)
         return -glm::normalize(position);
     return {double(constants.view[2]), double(constants.view[6]), double(constants.view[10])};
 }

@@ -7,72 +7,81 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <tuple>
 
 namespace agaa {
 
-static_assert(AGAA_FACT_SPECULAR == 1 && AGAA_FACT_EMISSIVE == 2 && AGAA_FACT_AMBIENT == 8, "bits of common/frame.glsl");
-
-constexpr uint32_t firstLocation = offsetof(FrameConstants, samples) / 16; // vector
+constexpr uint32_t firstLocation = offsetof(FrameConstants, sampleLocations) / 16; // vector
 
 FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
                               const SamplePositions& positions, const CounterBuffer* newest) {
     FrameConstants out{};
     std::memcpy(out.view, frame.view, sizeof out.view);
     const float* p = frame.projection;
-    // One step of the stored depth: of the whole range for fixed point, of the depth itself (told by
-    // the sign) for float.
-    const float quantum = plan.view.depthBits ? std::ldexp(1.0f, -int(plan.view.depthBits)) : -std::ldexp(1.0f, -24);
     const bool orthographic = p[15] == 1.0f;
     const float* offset = orthographic ? &p[12] : &p[8];
-    // Depth is z/w as [0;1] takes it, or (z/w + 1) / 2.
+    // Depth is z / w or, where clip z begins at -1, (z / w + 1) / 2.
     const float half = plan.view.clipZFromMinusOne ? 0.5f : 1.0f;
     const float shift = plan.view.clipZFromMinusOne ? 0.5f : 0.0f;
-    const float projection[8] = {p[0],
-                                 p[5],
-                                 offset[0],
-                                 offset[1],
-                                 half * p[10] + shift * p[11],
-                                 half * p[14] + shift * p[15],
-                                 orthographic ? 1.0f : 0.0f,
-                                 quantum};
-    std::memcpy(out.projection, projection, sizeof projection);
+    out.projectionScale[0] = p[0];
+    out.projectionScale[1] = p[5];
+    std::copy_n(offset, 2, out.projectionOffset);
+    out.projection22 = half * p[10] + shift * p[11];
+    out.projection32 = half * p[14] + shift * p[15];
+    out.isOrthographic = orthographic;
+    // Fixed point has equal steps. Steps of float are relative to the depth.
+    out.depthQuantum = plan.view.depthBits ? std::ldexp(1.0f, -int(plan.view.depthBits)) : -std::ldexp(1.0f, -24);
     out.size[0] = plan.view.width;
     out.size[1] = plan.view.height;
     if (frame.facts)
-        out.size[2] = uint32_t(leftOut(*frame.facts, plan.view.facts));
-    out.size[3] = frame.background[3] == 0.0f;
-    out.cluster[0] = plan.view.aggregation.characteristicLength;
-    out.cluster[1] = plan.view.aggregation.characteristicLengthPerDistance;
-    out.cluster[2] = plan.view.aggregation.aggregateThreshold;
+        out.absentEffects = uint32_t(leftOut(*frame.facts, plan.view.facts));
+    out.compositesOutput = frame.background[3] == 0.0f;
+    out.characteristicLength = plan.view.aggregation.characteristicLength;
+    out.characteristicLengthPerDistance = plan.view.aggregation.characteristicLengthPerDistance;
+    out.aggregateThreshold = plan.view.aggregation.aggregateThreshold;
     std::memcpy(out.ambient, frame.ambient, sizeof frame.ambient);
-    out.ambient[3] = plan.view.layout.emissiveRange();
+    out.emissiveRange = plan.view.layout.emissiveRange();
     std::memcpy(out.background, frame.background, sizeof frame.background);
-    out.surface[0] = plan.view.config.surfaceCosine;
-    out.surface[1] = plan.view.config.surfaceDistance;
-    out.surface[2] = plan.view.config.surfaceMaterial;
-    out.surface[3] = float(plan.view.samples);
+    out.surfaceCosine = plan.view.config.surfaceCosine;
+    out.surfaceDistance = plan.view.config.surfaceDistance;
+    out.surfaceMaterial = plan.view.config.surfaceMaterial;
+    out.sampleCount = plan.view.samples;
     out.ditherFrame = frame.ditherFrame;
+    constexpr uint32_t FrameConstants::* feedback[] = {&FrameConstants::feedback0, &FrameConstants::feedback1,
+                                                       &FrameConstants::feedback2};
+    static_assert(std::size(feedback) == std::tuple_size_v<decltype(plan.feedback)>);
     for (size_t i = 0; newest && i < plan.feedback.size(); ++i)
         if (plan.feedback[i] != noCounter)
-            out.feedback[i] = newest->counts[plan.feedback[i]][0];
-    static_assert(sizeof out.samples == sizeof(SamplePositions));
-    std::memcpy(out.samples, positions.data(), sizeof out.samples);
-    out.counts[0] = plan.view.aggregates;
-    out.counts[1] = uint32_t(plan.fragmentCapacity);
-    out.counts[2] = plan.view.coverage.maxBatches;
+            out.*feedback[i] = newest->counts[plan.feedback[i]][0];
+    static_assert(sizeof out.sampleLocations == sizeof(SamplePositions));
+    std::memcpy(out.sampleLocations, positions.data(), sizeof out.sampleLocations);
+    out.aggregates = plan.view.aggregates;
+    out.fragmentCapacity = uint32_t(plan.fragmentCapacity);
+    out.maxBatches = plan.view.coverage.maxBatches;
     return out;
 }
 
 uint32_t constantVectors(const Plan& plan) { return firstLocation + (plan.view.samples + 1) / 2; }
 
+// Writes a member as floats.
+static void writeFloats(float* out, float value) { *out = value; }
+static void writeFloats(float* out, uint32_t value) { *out = float(value); }
+template <typename Value, size_t count> static void writeFloats(float* out, const Value (&values)[count]) {
+    std::copy_n(values, count, out);
+}
+
 std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& constants) {
     std::vector<float> out(size_t(4) * constantVectors(plan));
-    std::memcpy(out.data(), &constants, out.size() * sizeof(float));
-    std::copy_n(constants.size, 4, &out[4 * 6]);
-    out[4 * 11] = float(constants.ditherFrame & 0xFFFF);
-    out[4 * 11 + 1] = float(constants.ditherFrame >> 16);
-    out[4 * 11 + 2] = float(plan.fragmentCapacity & 0xFFFF);
-    out[4 * 11 + 3] = float(plan.fragmentCapacity >> 16);
+#define AGAA_FRAME_MEMBER(word, type, name) writeFloats(&out[word], constants.name);
+#include "shaders/tables/frame.inc"
+    const size_t locations = size_t(4) * firstLocation;
+    std::memcpy(&out[locations], constants.sampleLocations, (out.size() - locations) * sizeof(float));
+    constexpr size_t halves = offsetof(FrameConstants, ditherFrame) / sizeof(float);
+    out[halves] = float(constants.ditherFrame & 0xFFFF);
+    out[halves + 1] = float(constants.ditherFrame >> 16);
+    out[halves + 2] = float(plan.fragmentCapacity & 0xFFFF);
+    out[halves + 3] = float(plan.fragmentCapacity >> 16);
     return out;
 }
 

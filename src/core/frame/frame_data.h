@@ -9,15 +9,15 @@
 
 namespace agaa {
 
-// positions: of the plan's samples, as samplePositions() gives them. newest: counters of the newest finished frame, or
-// null where there is none or the plan does not ask for them.
+// positions   The plan's samples, as samplePositions() returns them.
+// newest      Counters of the newest finished frame; null if there is none or the plan does not ask for them.
 FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
                               const SamplePositions& positions, const CounterBuffer* newest = nullptr);
-// The same for `uniform vec4 agaa_constants[constantVectors]` (frame.glsl): whole numbers as floats, the number of a
-// dither frame and the room of lists of fragments in two halves each.
+// Returns the values of `uniform vec4 agaa_constants[constantVectors]` (common/frame.glsl). Integers are floats. The dither
+// frame and the capacity of fragment lists are two halves of 16 bits each.
 uint32_t constantVectors(const Plan& plan);
 std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& constants);
-// Fills an upload buffer of the plan; destination holds as many bytes as the resource.
+// Fills an upload buffer of the plan. The destination has as many bytes as the resource.
 void writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
                  const SamplePositions& positions, const CounterBuffer* newest, void* destination);
 

@@ -284,7 +284,7 @@ std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDiale
         appendGlsl(out, "host/ids.glsl", seen);
         if (needsMaterial(pass)) {
             out += fields(pass.constants);
-            appendGlsl(out, "host/carried_material.glsl", seen);
+            appendGlsl(out, "host/fragment_payload.glsl", seen);
         }
         if (mergesInTargets(pass))
             out += fetchedTargets(pass, dialect);

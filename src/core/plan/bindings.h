@@ -9,14 +9,15 @@
 
 namespace agaa {
 
-// Of the SDK's compute passes.
+// Bindings of the SDK's compute passes.
 namespace slot {
 enum : uint32_t {
 #define AGAA_BINDING(macro, name, slot, kind, openGl) name = slot,
+#define AGAA_ALIAS(macro, name, ofMacro, of) name = of,
 #include "shaders/tables/bindings.inc"
 };
 }
-// Of the set that hosts bind.
+// Bindings of the set that hosts bind.
 namespace host_slot {
 enum : uint32_t {
 #define AGAA_HOST_BINDING(macro, name, slot, kind, openGl) name = slot,

@@ -1,4 +1,4 @@
-// Buffers shared with shaders, byte for byte (src/shaders/common/frame.glsl, std140 and std430).
+// Buffers shared with shaders, byte for byte, in the layouts std140 and std430.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -8,21 +8,31 @@
 
 namespace agaa {
 
+#define AGAA_API_VALUE(name, value) static_assert(uint64_t(name) == value);
+#include "shaders/tables/api_values.inc"
+#undef AGAA_API_VALUE
+
+// The types of GLSL.
+using glsl_float = float;
+using glsl_uint = uint32_t;
+using glsl_vec2 = float[2];
+using glsl_uvec2 = uint32_t[2];
+using glsl_vec3 = float[3];
+using glsl_vec4 = float[4];
+using glsl_mat4 = float[16];
+
+// src/shaders/tables/frame.inc. An element of an array in std140 has 16 bytes, so each vec4 of the table holds two vectors.
 struct FrameConstants {
-    float view[16];        // shading to view space, a rotation
-    float projection[8];   // p00, p11, offset x, y (p20, p21; orthographic p30, p31);
-                           // p22, p32, orthographic, depth quantum
-    uint32_t size[4];      // width, height, effects that the frame leaves out (AGAA_FACT_…), background comes from the output
-    float cluster[4];      // k, k per distance, t, 0
-    float ambient[4];      // rgb, emissive range
-    float background[4];
-    float surface[4];      // one surface: least cosine, distance in pixels, difference of materials; n
-    uint32_t ditherFrame;  // AgaaFrame::ditherFrame
-    uint32_t feedback[3];  // counters of the newest finished frame, by Plan::feedback
-    float samples[128][2]; // xy in the pixel, [0;1]
-    uint32_t counts[4];    // c; fragments that lists have room for; draws of the scene at most; 0
+#define AGAA_FRAME_MEMBER(word, type, name) glsl_##type name;
+#define AGAA_FRAME_BUFFER_MEMBER(word, type, name) glsl_##type name;
+#define AGAA_FRAME_ARRAY(word, type, name, count) glsl_vec2 name[2 * (count)];
+#include "shaders/tables/frame.inc"
 };
-static_assert(sizeof(FrameConstants) == 64 + 32 + 16 * 7 + 1024);
+#define AGAA_FRAME_MEMBER(word, type, name) static_assert(offsetof(FrameConstants, name) == 4 * (word));
+#define AGAA_FRAME_BUFFER_MEMBER(word, type, name) static_assert(offsetof(FrameConstants, name) == 4 * (word));
+#define AGAA_FRAME_ARRAY(word, type, name, count) static_assert(offsetof(FrameConstants, name) == 4 * (word));
+#include "shaders/tables/frame.inc"
+static_assert(sizeof(FrameConstants) % 16 == 0);
 
 struct GpuShadow {
     float matrices[AGAA_MAX_SHADOW_LAYERS][16];

@@ -2,20 +2,20 @@
 
 #include "core/base/error.h"
 
-#include <iterator>
+#include <vector>
 
 namespace agaa {
 
 namespace {
 
-struct Switch {
+struct SwitchRow {
     char letter;
     const char* macro;
 };
-constexpr Switch switches[] = {
-#define AGAA_SWITCH(letter, macro) {#letter[0], #macro},
-#define AGAA_PASS(folder, shader, letters, never)
-#define AGAA_HOST_PASS(folder, shader, letters)
+constexpr SwitchRow switchRows[] = { // by Switch
+#define AGAA_SWITCH(letter, name, macro) {#letter[0], #macro},
+#define AGAA_PASS(...)
+#define AGAA_HOST_PASS(...)
 #include "shaders/tables/permutations.inc"
 #undef AGAA_SWITCH
 #undef AGAA_PASS
@@ -25,36 +25,38 @@ constexpr Switch switches[] = {
 struct PassRow {
     std::string_view shader;
     const char* file; // below src/shaders
-    std::string_view letters;
+    std::vector<Switch> switches;
 };
-constexpr PassRow passes[] = {
-#define AGAA_SWITCH(letter, macro)
-#define AGAA_PASS(folder, shader, letters, never) {#shader, #folder "/" #shader ".comp", letters},
-#define AGAA_HOST_PASS(folder, shader, letters) {#shader, #folder "/" #shader ".comp", letters},
+
+const std::vector<PassRow>& passRows() {
+    using enum Switch;
+    static const std::vector<PassRow> rows = {
+#define AGAA_SWITCH(letter, name, macro)
+#define AGAA_PASS(folder, shader, never, ...) {#shader, #folder "/" #shader ".comp", {__VA_ARGS__}},
+#define AGAA_HOST_PASS(folder, shader, ...) {#shader, #folder "/" #shader ".comp", {__VA_ARGS__}},
 #include "shaders/tables/permutations.inc"
 #undef AGAA_SWITCH
 #undef AGAA_PASS
 #undef AGAA_HOST_PASS
-};
+    };
+    return rows;
+}
 
-} // namespace
-
-static const PassRow& passRow(std::string_view shader) {
-    for (const PassRow& row : passes)
+const PassRow& passRow(std::string_view shader) {
+    for (const PassRow& row : passRows())
         if (row.shader == shader)
             return row;
     fail(AGAA_ERROR_INTERNAL, "permutations.inc has no pass \"" + std::string(shader) + "\".");
 }
 
+} // namespace
+
 const char* passFile(std::string_view shader) { return passRow(shader).file; }
 
-std::string_view passSwitches(std::string_view shader) { return passRow(shader).letters; }
+std::span<const Switch> passSwitches(std::string_view shader) { return passRow(shader).switches; }
 
-const char* switchMacro(char letter) {
-    for (const Switch& row : switches)
-        if (row.letter == letter)
-            return row.macro;
-    fail(AGAA_ERROR_INTERNAL, std::string("permutations.inc has no switch ") + letter + ".");
-}
+char switchLetter(Switch which) { return switchRows[uint32_t(which)].letter; }
+
+const char* switchMacro(Switch which) { return switchRows[uint32_t(which)].macro; }
 
 } // namespace agaa

@@ -235,7 +235,7 @@ struct Plan {
     std::vector<Resource> resources;
     std::vector<Pass> passes;
     std::vector<Repeat> repeats; // in the order of passes; they do not overlap, and each lies in one segment
-    // Counters of the newest finished frame whose low words the frame constants hold (agaa_frame.dither.yzw): indices of
+    // Counters of the newest finished frame whose low words the frame constants hold (members feedback0 to feedback2): indices of
     // Counter, or noCounter. 0 before the first has finished, and without AGAA_CONFIG_COUNTERS.
     std::array<uint32_t, 3> feedback{noCounter, noCounter, noCounter};
     uint32_t bytesPerAggregate = 0;

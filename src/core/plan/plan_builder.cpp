@@ -4,7 +4,6 @@
 #include "core/base/error.h"
 #include "core/plan/access.h"
 #include "core/plan/gpu_layout.h"
-#include "core/plan/permutations.h"
 #include "core/view/custom_glsl.h"
 
 #include <algorithm>
@@ -143,40 +142,43 @@ Pass& PlanBuilder::hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId dr
     return plan.passes.back();
 }
 
-bool PlanBuilder::isSwitchedOn(char letter) const {
-    switch (letter) {
-    case 'm':
+bool PlanBuilder::isSwitchedOn(Switch which) const {
+    switch (which) {
+    case Switch::Multisampled:
         return plan.view.hwSamples > 1;
-    case 's':
+    case Switch::Shadows:
         return plan.view.variantFacts.shadowMapCount > 0;
-    case 'c':
+    case Switch::Counting:
         return counts();
-    case 'b':
+    case Switch::Composite:
         return plan.view.composite;
-    case 'a':
+    case Switch::MultipleAggregates:
         return plan.view.aggregates > 1;
-    case 'g':
+    case Switch::FromGBuffer:
         return generation_ && generation_->readsGBuffer;
-    case 'l':
+    case Switch::Lit:
         return variantLitShadows() != 0;
-    default: // the pass says it
-        return false;
+    case Switch::Classified:
+    case Switch::Represented:
+    case Switch::InTargets:
+        break; // the caller of compute() sets them
     }
+    return false;
 }
 
 Pass& PlanBuilder::compute(std::string name, AgaaStage stage, const std::string& shader, uint64_t segment,
-                           std::string_view switches) {
+                           std::initializer_list<SwitchSetting> switches) {
     Pass pass;
     pass.name = std::move(name);
     pass.stage = stage;
     pass.compute.file = passFile(shader);
     pass.compute.shader = shader + "_";
-    for (const char letter : passSwitches(shader)) {
-        const size_t said = switches.find(letter);
-        const bool on = said == std::string_view::npos ? isSwitchedOn(letter) : switches[said + 1] == '1';
-        pass.compute.shader += letter;
-        pass.compute.shader += on ? '1' : '0';
-        pass.compute.defines += format("#define %s %d\n", switchMacro(letter), on);
+    for (const Switch which : passSwitches(shader)) {
+        const auto set = std::ranges::find(switches, which, &SwitchSetting::which);
+        const bool isOn = set == switches.end() ? isSwitchedOn(which) : set->isOn;
+        pass.compute.shader += switchLetter(which);
+        pass.compute.shader += isOn ? '1' : '0';
+        pass.compute.defines += format("#define %s %d\n", switchMacro(which), isOn);
     }
     pass.segment = segment;
     pass.constants = constants_;

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/plan/bindings.h"
+#include "core/plan/permutations.h"
 #include "core/plan/plan.h"
 #include "core/view/technique.h"
 #include "core/view/tiers.h"
 
 #include <functional>
+#include <initializer_list>
 
 namespace agaa {
 
@@ -44,9 +46,9 @@ public:
     ResourceId depth(bool needsStencil);
 
     Pass& hostDraw(std::string name, AgaaStage stage, AgaaDrawPassId drawPass, uint64_t segment);
-    // A permutation of the shader by the plan; switches, such as "r1", say what the plan as a whole does not.
+    // A permutation of the shader. The plan sets the switches that the caller does not set.
     Pass& compute(std::string name, AgaaStage stage, const std::string& shader, uint64_t segment,
-                  std::string_view switches = {});
+                  std::initializer_list<SwitchSetting> switches = {});
     // Constants of passes that are added later.
     Constants& passConstants() { return constants_; }
     // A bit for every pixel that one pass leaves to another (src/shaders/ids/deferred_pixels.glsl).
@@ -83,7 +85,7 @@ public:
     Plan plan;
 
 private:
-    bool isSwitchedOn(char letter) const; // of core/plan/permutations.h
+    bool isSwitchedOn(Switch which) const;
     bool variantHas(uint64_t fact) const { return plan.view.variantFacts.flags & fact; }
     uint32_t variantLitShadows() const; // of the shadows that the variant has
     void specialiseForVariant(); // that the variant has not

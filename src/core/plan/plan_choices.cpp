@@ -5,6 +5,8 @@
 #include "core/base/embedded.h"
 #include "core/base/error.h"
 
+#include "shaders/tables/lighting.inc"
+
 #include <algorithm>
 #include <bit>
 
@@ -150,9 +152,9 @@ void PlanBuilder::setConstants() {
     // Eight taps at n = 8 are every sample of the pixel, so that visibility is exact; at higher n
     // eight of an aggregate's samples still span it.
     c[AGAA_SHADOW_TAPS] = config.shadowTaps ? config.shadowTaps : 8;
-    c[AGAA_SHADOW_FILTER] = measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER     ? 0
-                            : measurement.flags & AGAA_MEASURE_SHADOW_ALONG_DEPTH ? 2
-                                                                                  : 1;
+    c[AGAA_SHADOW_FILTER] = measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER     ? AGAA_SHADOW_AT_MEAN
+                            : measurement.flags & AGAA_MEASURE_SHADOW_ALONG_DEPTH ? AGAA_SHADOW_ALONG_DEPTH
+                                                                                  : AGAA_SHADOW_AT_SAMPLES;
     c[AGAA_COUNTERS] = counts();
     c[AGAA_SEEDS] = measurement.seeds;
     c[AGAA_EMISSIVE_CHANNELS] = plan.view.layout[AGAA_SEMANTIC_EMISSIVE].channels;

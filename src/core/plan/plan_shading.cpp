@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 
-#include "shaders/tables/light_words.inc"
+#include "shaders/tables/lighting.inc"
 
 #include <algorithm>
 #include <bit>

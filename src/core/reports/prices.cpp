@@ -6,6 +6,8 @@
 #include "core/view/effects.h"
 #include "core/view/technique.h"
 
+#include "shaders/tables/lighting.inc"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -110,14 +112,13 @@ uint64_t trafficBytes(const Plan& plan) {
 
 // Of one shadow map that an event does not look up at each sample.
 uint64_t tapsOfMap(const Technique& technique, const Plan& plan, const Constants& constants, uint32_t samples) {
-    constexpr uint32_t sampleFilter = 1, depthFilter = 2; // of AGAA_SHADOW_FILTER
     constexpr uint64_t depthTaps = 4; // of agaa_tapAlongDepth()
     const uint32_t filter = constants[AGAA_SHADOW_FILTER];
     const bool hasDepths =
         technique.maxAggregates > 0 && !technique.countsCoverage(plan.view.config.generationTier, plan.view.samples);
-    if (filter == depthFilter && hasDepths)
+    if (filter == AGAA_SHADOW_ALONG_DEPTH && hasDepths)
         return samples > 1 ? depthTaps : 1;
-    return filter >= sampleFilter ? std::min(samples, constants[AGAA_SHADOW_TAPS]) : 1;
+    return filter != AGAA_SHADOW_AT_MEAN ? std::min(samples, constants[AGAA_SHADOW_TAPS]) : 1;
 }
 
 uint64_t shadowTaps(const Technique& technique, const Plan& plan, uint32_t samples) {

@@ -19,7 +19,7 @@ uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint wanted, float 
         }
         if (wanted != 0u && count >= wanted)
             break;
-        next = agaa_isAdaptive(agaa_inOrder) ? agaa_firstInOrder(covered & ~chosen) : next;
+        next = agaa_isAdaptive(AGAA_ADAPTIVE_IN_ORDER) ? agaa_firstInOrder(covered & ~chosen) : next;
         chosen |= 1u << next;
         agaa_chooseSample(pixel, covered, next);
     } while (++turn < agaa_sampleCount());

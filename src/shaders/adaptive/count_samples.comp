@@ -16,8 +16,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 void main() {
     agaa_countBegin();
     const uint lane = gl_LocalInvocationIndex;
-    uvec2 pixel = agaa_pixelAt(lane, agaa_listAt(agaa_boundedPlaceOf(lane)), AGAA_COMPLEX_PIXELS_AT);
-    if (all(lessThan(pixel, agaa_frame.size.xy))) {
+    uvec2 pixel = agaa_pixelAt(lane, agaa_listAt(agaa_boundedListIndexOf(lane)), AGAA_COMPLEX_PIXELS_AT);
+    if (all(lessThan(pixel, agaa_frame.size))) {
         uint covered = agaa_beginChoice(pixel);
         float left;
         uint chosen = agaa_chooseMore(pixel, covered, 1u << agaa_firstInOrder(covered), 0u, 0.0, left);

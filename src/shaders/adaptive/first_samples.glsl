@@ -13,13 +13,13 @@ vec4 agaa_firstSample(ivec2 pixel) { return texelFetch(agaa_firstSamples, pixel,
 
 // Tone-mapped, in [0, 1]: one bright pixel raises the counts of its neighbours by no more than an edge does.
 float agaa_firstLuma(ivec2 pixel) {
-    ivec2 at = clamp(pixel, ivec2(0), ivec2(agaa_frame.size.xy) - 1);
+    ivec2 at = clamp(pixel, ivec2(0), ivec2(agaa_frame.size) - 1);
     return agaa_displayLuma(agaa_firstSample(at).rgb);
 }
 
 // k_s; a real number of samples.
 float agaa_countByShading(uvec2 pixel) {
-    if (!agaa_isAdaptive(agaa_byShading))
+    if (!agaa_isAdaptive(AGAA_ADAPTIVE_SHADING))
         return 0.0;
     float lowest = agaa_firstLuma(ivec2(pixel));
     float highest = lowest;
@@ -37,12 +37,12 @@ float agaa_countByShading(uvec2 pixel) {
 // [0, 1]. As printed, the larger count. Else as far as there is something for the lights to show differently: shadows are looked
 // up at all samples anyway.
 float agaa_furtherByShading(float byShading, uint count, float left) {
-    return agaa_isAdaptive(agaa_printedMetric) ? max(byShading - float(count), 0.0) : byShading * left;
+    return agaa_isAdaptive(AGAA_ADAPTIVE_PRINTED_METRIC) ? max(byShading - float(count), 0.0) : byShading * left;
 }
 
 // With as many further samples.
 uint agaa_withFurther(uint count, float further) {
-    float rounding = agaa_isAdaptive(agaa_printedMetric) ? 0.0 : 0.5;
+    float rounding = agaa_isAdaptive(AGAA_ADAPTIVE_PRINTED_METRIC) ? 0.0 : 0.5;
     return agaa_wholeCount(float(count) - rounding + further, count, AGAA_SAMPLES);
 }
 

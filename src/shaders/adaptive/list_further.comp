@@ -12,7 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/pixel_work.glsl"
 #include "common/tile_pixels.glsl"
 
-shared uint agaa_mostOfTile;
+shared uint agaa_tileMaximum;
 
 // The mean of counts over frames, or this frame's where that is more.
 uint agaa_remember(uvec2 pixel, uint count) {
@@ -24,15 +24,15 @@ uint agaa_remember(uvec2 pixel, uint count) {
 
 // By the ways of section 4.2 to make numbers of neighbours alike. Called by all lanes of a tile.
 uint agaa_evenCount(uint count, uint covered) {
-    if (agaa_isAdaptive(agaa_tileMaximum)) {
+    if (agaa_isAdaptive(AGAA_ADAPTIVE_TILE_MAXIMUM)) {
         if (gl_LocalInvocationIndex == 0u)
-            agaa_mostOfTile = 0u;
+            agaa_tileMaximum = 0u;
         barrier();
-        atomicMax(agaa_mostOfTile, count);
+        atomicMax(agaa_tileMaximum, count);
         barrier();
-        count = count != 0u ? agaa_mostOfTile : 0u;
+        count = count != 0u ? agaa_tileMaximum : 0u;
     }
-    return min(agaa_isAdaptive(agaa_bucketed) ? agaa_bucketOfCount(count) : count, covered);
+    return min(agaa_isAdaptive(AGAA_ADAPTIVE_BUCKETS) ? agaa_bucketOfCount(count) : count, covered);
 }
 
 void agaa_completePixel(uvec2 pixel, uint covered) {
@@ -47,7 +47,7 @@ void agaa_completePixel(uvec2 pixel, uint covered) {
 void main() {
     agaa_countBegin();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
+    bool isInside = all(lessThan(pixel, agaa_frame.size));
     uint covered = 0u, count = 0u;
     float byShading = 0.0;
     if (isInside) {
@@ -70,7 +70,7 @@ void main() {
     if (isListed)
         agaa_choices.words[agaa_choiceAt(pixel)] =
             AGAA_COUNTS_FOUND == AGAA_FOUND_WITH_FURTHER ? floatBitsToUint(byShading) : count;
-    if (isListed && agaa_isAdaptive(agaa_sorted))
+    if (isListed && agaa_isAdaptive(AGAA_ADAPTIVE_SORTED))
         agaa_choices.words[agaa_rankAt(place)] =
             count << AGAA_RANK_BITS | atomicAdd(agaa_choices.words[AGAA_TALLY_AT + count], 1u);
     if (isInside && !isListed)

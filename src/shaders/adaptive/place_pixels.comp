@@ -8,7 +8,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "adaptive/listed_pixels.glsl"
 
 void main() {
-    uint place = agaa_placeOf(gl_LocalInvocationIndex);
+    uint place = agaa_listIndexOf(gl_LocalInvocationIndex);
     if (place >= agaa_choices.words[AGAA_FURTHER_AT])
         return;
     uint word = agaa_choices.words[agaa_rankAt(place)];

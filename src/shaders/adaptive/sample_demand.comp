@@ -44,7 +44,7 @@ void main() {
         agaa_groupCovered = 0u;
     barrier();
     uvec2 pixel = agaa_pixelOf(lane);
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
+    if (all(lessThan(pixel, agaa_frame.size)))
         agaa_countDemand(pixel);
     barrier();
     for (uint i = lane; i < agaa_bins(); i += 64u)

@@ -23,8 +23,8 @@ uint agaa_sampleInOrder(uint j) {
 // materials: of what agaa_differenceOf() compares, the members diffuse and specular.
 agaa_Features agaa_featuresAt(uvec2 pixel, uint i, float depth, vec3 normal, mat2x4 materials) {
     vec3 position = agaa_sampleViewPosition(pixel, i, depth);
-    float width = agaa_frame.surface.y * agaa_pixelWidth(position.z) +
-                  2.0 * agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x, agaa_frame.projection1.y,
+    float width = agaa_frame.surfaceDistance * agaa_pixelWidth(position.z) +
+                  2.0 * agaa_depthQuantum(position.z, depth, agaa_frame.projection22, agaa_frame.projection32,
                                           agaa_isOrthographic(), agaa_storedQuantum(depth));
     return agaa_Features(agaa_toShadingSpace(position), normal, width, materials[0], materials[1]);
 }
@@ -54,9 +54,9 @@ agaa_Features agaa_unpackFeatures(uvec2 pixel, uint i, uvec4 words) {
 float agaa_differenceOf(agaa_Features a, agaa_Features b) {
     float gloss = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) / max(min(a.diffuse.w, b.diffuse.w), 0.01), 1.0, 20.0);
     vec4 material = max(abs(a.diffuse - b.diffuse), abs(a.specular - b.specular));
-    return max(max(agaa_normalStep(a.normal, b.normal, agaa_frame.surface.x) * gloss,
+    return max(max(agaa_normalStep(a.normal, b.normal, agaa_frame.surfaceCosine) * gloss,
                    agaa_planeStep(b.position - a.position, a.normal, b.normal, max(a.width, b.width))),
-               max(max(material.x, material.y), max(material.z, material.w)) / max(agaa_frame.surface.z, 1e-3));
+               max(max(material.x, material.y), max(material.z, material.w)) / max(agaa_frame.surfaceMaterial, 1e-3));
 }
 
 // The first of these samples in the pattern's order.
@@ -69,9 +69,9 @@ uint agaa_firstInOrder(uint covered) {
 
 // The samples whose shadows the first sample is shaded with. alike: those that do not differ enough to be shaded.
 uint agaa_samplesOfFirst(uint first, uint alike, uint covered) {
-    if (agaa_isAdaptive(agaa_byGeometry))
+    if (agaa_isAdaptive(AGAA_ADAPTIVE_GEOMETRY))
         return alike;
-    return agaa_isAdaptive(agaa_byShading) ? covered : 1u << first;
+    return agaa_isAdaptive(AGAA_ADAPTIVE_SHADING) ? covered : 1u << first;
 }
 
 uvec4 agaa_sampleFeatures[AGAA_SAMPLES]; // agaa_packFeatures() of the pixel's samples

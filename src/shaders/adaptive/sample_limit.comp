@@ -14,7 +14,7 @@ const float agaa_geometryShare = 0.75;
 void main() {
     if (gl_LocalInvocationIndex != 0u)
         return;
-    float share = agaa_isAdaptive(agaa_byShading) ? agaa_geometryShare : 1.0;
+    float share = agaa_isAdaptive(AGAA_ADAPTIVE_SHADING) ? agaa_geometryShare : 1.0;
     float room = max(uintBitsToFloat(AGAA_TARGET_EVENTS) - 1.0, 0.0) * share * float(agaa_choices.words[AGAA_COVERED_PIXELS_AT]);
     agaa_choices.words[AGAA_DIFFERENCE_LIMIT_AT] = agaa_limitBin(AGAA_DIFFERENCES_AT, room);
 }

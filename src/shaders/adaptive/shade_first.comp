@@ -10,7 +10,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/counters.glsl"
 #include "common/lighting.glsl"
 #include "common/output.glsl"
-#include "adaptive/printed_metric.glsl"
+#include "math/statistics.glsl"
+#include "adaptive/sample_features.glsl"
 #include "adaptive/pixel_list.glsl"
 #include "gbuffer/sample_visibility.glsl"
 #include "common/tile_pixels.glsl"
@@ -50,12 +51,36 @@ agaa_Comparison agaa_compareSamples(uvec2 pixel) {
     return c;
 }
 
+// The number of samples as printed by Hollaender et al. 2013, section 3.1: by the variance of depth and the cone around
+// the mean normal.
+// covered: samples that show geometry, one or more.
+float agaa_printedCount(uvec2 pixel, uint covered) {
+    vec3 sum = vec3(0.0);
+    agaa_Moments depth = agaa_momentsInit(agaa_depthOf(pixel, uint(findLSB(covered))));
+    agaa_Features f;
+    for (uint rest = covered; rest != 0u; rest &= rest - 1u) {
+        uint i = uint(findLSB(rest));
+        agaa_readFeatures(pixel, i, f);
+        agaa_momentsAdd(depth, agaa_depthOf(pixel, i));
+        sum += f.normal;
+    }
+    float size = dot(sum, sum);
+    vec3 mean = size > 0.0 ? sum * inversesqrt(size) : vec3(0.0);
+    float smallest = 1.0;
+    for (uint rest = covered; rest != 0u; rest &= rest - 1u) {
+        agaa_readFeatures(pixel, uint(findLSB(rest)), f);
+        smallest = min(smallest, abs(dot(mean, f.normal)));
+    }
+    return max(agaa_momentsVariance(depth) * uintBitsToFloat(AGAA_DEPTH_SCALE),
+               agaa_normalMetric(smallest) * uintBitsToFloat(AGAA_NORMAL_SCALE));
+}
+
 // As far as it is known.
 uint agaa_countByGeometry(uvec2 pixel, agaa_Comparison c) {
     uint most = uint(bitCount(c.covered));
-    if (!agaa_isAdaptive(agaa_byGeometry))
-        return agaa_isAdaptive(agaa_byShading) ? 1u : most;
-    if (agaa_isAdaptive(agaa_printedMetric))
+    if (!agaa_isAdaptive(AGAA_ADAPTIVE_GEOMETRY))
+        return agaa_isAdaptive(AGAA_ADAPTIVE_SHADING) ? 1u : most;
+    if (agaa_isAdaptive(AGAA_ADAPTIVE_PRINTED_METRIC))
         return agaa_wholeCount(agaa_printedCount(pixel, c.covered), 1u, most);
     return agaa_callsForSample(c.most) ? 2u : 1u;
 }
@@ -73,7 +98,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel, agaa_Comparison c, uint count) {
 
 vec3 agaa_shadeEvent(uint lane, uint i) {
     uvec2 pixel = agaa_pixelOf(lane);
-    agaa_findVisibility(pixel, agaa_isAdaptive(agaa_equalWeights) ? 1u << i : agaa_represented[lane]);
+    agaa_findVisibility(pixel, agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS) ? 1u << i : agaa_represented[lane]);
     agaa_fetchEvent(pixel, i, agaa_represented[lane]);
     return agaa_lightSurface(agaa_sampleSurface(), agaa_samplePosition(pixel, i));
 }
@@ -83,7 +108,7 @@ void main() {
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
     uint count = 0u;
-    if (all(lessThan(pixel, agaa_frame.size.xy))) {
+    if (all(lessThan(pixel, agaa_frame.size))) {
         agaa_Comparison c = agaa_compareSamples(pixel);
         count = c.covered != 0u ? agaa_countByGeometry(pixel, c) : 0u;
         work = agaa_workOf(pixel, c, count);

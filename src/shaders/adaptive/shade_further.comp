@@ -10,11 +10,30 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/counters.glsl"
 #include "common/lighting.glsl"
 #include "common/output.glsl"
-#include "adaptive/owner_words.glsl"
+#include "adaptive/sample_choice.glsl"
 #include "adaptive/choose_more.glsl"
 #include "gbuffer/sample_visibility.glsl"
 #include "adaptive/listed_pixels.glsl"
 #include "common/events.glsl"
+
+// The owners of a pixel's samples are packed into words of shared memory.
+const uint agaa_ownerBits = AGAA_SAMPLES > 16u ? 5u : 4u;
+const uint agaa_ownersPerWord = 32u / agaa_ownerBits;
+const uint agaa_ownerWords = (AGAA_SAMPLES + agaa_ownersPerWord - 1u) / agaa_ownersPerWord;
+
+uint agaa_ownerIn(uint word, uint place) {
+    return word >> (agaa_ownerBits * place) & ((1u << agaa_ownerBits) - 1u);
+}
+
+// The owners of the samples of a word.
+uint agaa_ownerWord(uint word, uint covered) {
+    uint owners = 0u;
+    for (uint place = 0u; place < agaa_ownersPerWord; ++place) {
+        uint i = min(word * agaa_ownersPerWord + place, AGAA_SAMPLES - 1u);
+        owners |= (covered >> i & 1u) != 0u ? agaa_owners[i] << (agaa_ownerBits * place) : 0u;
+    }
+    return owners;
+}
 
 // Of each pixel: the samples that show geometry and their owners, and those with whose shadows the first one was shaded.
 shared uint agaa_laneCovered[64];
@@ -22,8 +41,8 @@ shared uint agaa_laneOwners[64u * agaa_ownerWords];
 shared uint agaa_laneFirst[64];
 
 uvec2 agaa_pixelOf(uint lane) {
-    uint place = agaa_boundedPlaceOf(lane);
-    return agaa_pixelAt(lane, agaa_isAdaptive(agaa_sorted) ? agaa_sortedAt(place) : agaa_listAt(place), AGAA_FURTHER_AT);
+    uint place = agaa_boundedListIndexOf(lane);
+    return agaa_pixelAt(lane, agaa_isAdaptive(AGAA_ADAPTIVE_SORTED) ? agaa_sortedAt(place) : agaa_listAt(place), AGAA_FURTHER_AT);
 }
 
 // The samples that a shaded one of a lane's pixel stands for.
@@ -37,7 +56,7 @@ uint agaa_samplesOfLane(uint lane, uint chosen) {
     return samples & agaa_laneCovered[lane];
 }
 
-float agaa_eventWeight(uint samples) { return agaa_isAdaptive(agaa_equalWeights) ? 1.0 : float(bitCount(samples)); }
+float agaa_eventWeight(uint samples) { return agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS) ? 1.0 : float(bitCount(samples)); }
 
 struct agaa_Further {
     agaa_PixelWork work;
@@ -82,7 +101,7 @@ agaa_Further agaa_furtherOf(uvec2 pixel) {
 
 // The first sample was shaded with the shadows of all samples like it. Those of them that are shaded, too, share these shadows.
 uint agaa_shadowedSamples(uint lane, uint i, uint samples) {
-    if (agaa_isAdaptive(agaa_equalWeights))
+    if (agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS))
         return 1u << i;
     return (agaa_laneFirst[lane] >> i & 1u) != 0u ? agaa_laneFirst[lane] : samples;
 }
@@ -109,11 +128,11 @@ vec3 agaa_shadeInLoop(agaa_PixelWork work) {
 void main() {
     agaa_countBegin();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    bool inside = all(lessThan(pixel, agaa_frame.size.xy));
+    bool inside = all(lessThan(pixel, agaa_frame.size));
     agaa_Further further = agaa_Further(agaa_pixelWork(0u, 0u, 0u), 0.0, 1.0);
     if (inside)
         further = agaa_furtherOf(pixel);
-    vec3 color = agaa_isAdaptive(agaa_shadeInLoops) ? agaa_shadeInLoop(further.work) : agaa_shadeWork(further.work);
+    vec3 color = agaa_isAdaptive(AGAA_ADAPTIVE_LOOP) ? agaa_shadeInLoop(further.work) : agaa_shadeWork(further.work);
     if (inside) {
         if (!agaa_showsEvents())
             color += agaa_firstSample(ivec2(pixel)).rgb * further.firstWeight;

@@ -20,7 +20,7 @@ void main() {
     barrier();
     uvec2 pixel = agaa_pixelOf(lane);
     uint word = 0u;
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
+    if (all(lessThan(pixel, agaa_frame.size)))
         word = agaa_choices.words[agaa_choiceAt(pixel)];
     if (agaa_coveredIn(word) != 0u) {
         uint count = agaa_countIn(word);

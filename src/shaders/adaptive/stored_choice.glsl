@@ -4,7 +4,7 @@
 #include "math/adaptive.glsl"
 #include "tables/choice_words.inc"
 
-layout(std430, AGAA_BINDING_AGGREGATES) buffer agaa_ChoiceBlock {
+layout(std430, AGAA_BINDING_CHOICES) buffer agaa_ChoiceBlock {
     uint words[];
 } agaa_choices;
 

@@ -35,7 +35,7 @@ uint agaa_tapAlongDepth(vec3 mean, float sigma, float lowest, float highest) {
 
 // Mean position of all samples, and the aggregate's share of each shadow map's light: at some of its samples, at all
 // of them, along the view ray or at the mean position.
-vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
+vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
     agaa_lightPixel(pixel);
     uint count = uint(bitCount(mask));
     vec3 mean = vec3(0.0);
@@ -47,7 +47,7 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] = 0.0;
 #endif
-    const bool tapsAll = AGAA_SHADOW_FILTER == 1u && AGAA_SAMPLES <= AGAA_SHADOW_TAPS;
+    const bool tapsAll = AGAA_SHADOW_FILTER == AGAA_SHADOW_AT_SAMPLES && AGAA_SAMPLES <= AGAA_SHADOW_TAPS;
     for (uint rest = mask; rest != 0u; rest &= rest - 1u) {
         vec3 position = agaa_viewPositionOf(pixel, uint(findLSB(rest)));
         if (rest == mask) { // sums are relative to the first sample (hard case 14)
@@ -56,7 +56,7 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
             depthMoments = agaa_momentsInit(position.z);
         }
         mean += position - first;
-        if (AGAA_SHADOW_FILTER == 2u) {
+        if (AGAA_SHADOW_FILTER == AGAA_SHADOW_ALONG_DEPTH) {
             agaa_momentsAdd(depthMoments, position.z);
             lowest = min(lowest, position.z);
             highest = max(highest, position.z);
@@ -67,8 +67,8 @@ vec3 agaa_placeAggregate(uvec2 pixel, uint mask) {
     mean = first + mean / float(count);
 #if AGAA_SHADOWS
     uint taps = count;
-    if (AGAA_SHADOW_FILTER != 1u) {
-        float sigma = AGAA_SHADOW_FILTER == 2u ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
+    if (AGAA_SHADOW_FILTER != AGAA_SHADOW_AT_SAMPLES) {
+        float sigma = AGAA_SHADOW_FILTER == AGAA_SHADOW_ALONG_DEPTH ? sqrt(agaa_momentsVariance(depthMoments)) : 0.0;
         taps = agaa_tapAlongDepth(mean, sigma, lowest, highest);
     } else if (!tapsAll) {
         taps = agaa_tapSomeSamples(pixel, mask);
@@ -104,7 +104,7 @@ void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
 }
 #endif
 
-// Shading of an aggregate after agaa_placeAggregate(), times the number of its samples.
+// Shading of an aggregate after agaa_locateAggregate(), times the number of its samples.
 vec3 agaa_shadeMeans(uvec2 pixel, vec3 position, uint a, uint mask, agaa_Means means, bool folded) {
     vec3 toEye = agaa_toEye(position);
     agaa_Surface s = agaa_surfaceOfMeans(means, folded, toEye);

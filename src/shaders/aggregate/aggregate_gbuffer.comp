@@ -19,7 +19,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 shared uint agaa_masks[64u * AGAA_AGGREGATES]; // samples of each aggregate
 
-bool agaa_agreeShadingNormals(uvec2 pixel, uint covered) { return true; }
+bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered) { return true; }
 
 void agaa_weighNormals(uvec2 pixel, uint covered) { agaa_weighFetchedNormals(pixel, covered); }
 
@@ -68,7 +68,7 @@ agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) {
 vec3 agaa_shadeEvent(uint lane, uint a) {
     uvec2 pixel = agaa_pixelOf(lane);
     uint mask = agaa_masks[lane * AGAA_AGGREGATES + a];
-    return agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, mask), a, mask, agaa_meansOf(pixel, mask), false);
+    return agaa_shadeMeans(pixel, agaa_locateAggregate(pixel, mask), a, mask, agaa_meansOf(pixel, mask), false);
 }
 
 void main() {

@@ -2,6 +2,7 @@
 // one over all samples, lanes skipping different ones, does it for each.
 #ifndef AGAA_CHOICE_GLSL
 #define AGAA_CHOICE_GLSL
+#include "tables/lighting.inc"
 
 struct agaa_Choice {
     uint left;  // samples from the last one taken on
@@ -17,7 +18,7 @@ agaa_Choice agaa_chooseFrom(uint mask, uint wanted) {
 
 // The one chosen as number j: sample floor((j + 1/2) count / wanted) of the mask. j ascends.
 uint agaa_nextSample(inout agaa_Choice choice, uint j) {
-    if (AGAA_SHADOW_FILTER != 0u && AGAA_SAMPLES <= AGAA_SHADOW_TAPS) { // as many are wanted as there are
+    if (AGAA_SHADOW_FILTER != AGAA_SHADOW_AT_MEAN && AGAA_SAMPLES <= AGAA_SHADOW_TAPS) { // as many are wanted as there are
         uint next = uint(findLSB(choice.left));
         choice.left &= choice.left - 1u;
         return next;

@@ -14,7 +14,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(AGAA_BINDING_METADATA_OUT) writeonly uniform uimage2D agaa_metadata;
 
-bool agaa_agreeShadingNormals(uvec2 pixel, uint covered) { return true; }
+bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered) { return true; }
 
 void agaa_weighNormals(uvec2 pixel, uint covered) {
 #if AGAA_FROM_GBUFFER
@@ -24,7 +24,7 @@ void agaa_weighNormals(uvec2 pixel, uint covered) {
 
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(pixel, agaa_frame.size.xy)))
+    if (any(greaterThanEqual(pixel, agaa_frame.size)))
         return;
     agaa_PixelSamples samples = agaa_loadSamples(pixel);
     uvec2 planes = uvec2(0u);

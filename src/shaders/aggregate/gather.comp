@@ -31,7 +31,7 @@ uint agaa_summedSamples(uvec2 planes, uint a, uint base) {
 
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(pixel, agaa_frame.size.xy)))
+    if (any(greaterThanEqual(pixel, agaa_frame.size)))
         return;
     uvec2 planes = uvec2(0u);
 #if AGAA_MULTIPLE_AGGREGATES && !AGAA_REPRESENTED

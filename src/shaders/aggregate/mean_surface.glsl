@@ -58,7 +58,7 @@ agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
         agaa_spreadAlpha2(m.moments, s.normal, meanLength, m.alpha2, AGAA_NDF == agaa_ndfSggx ? 1u : 0u, m.lengthBound,
                           s.axis, s.alpha2Along, s.alpha2);
     } else {
-        s.alpha2 = AGAA_NDF != 0u ? agaa_toksvigAlpha2(m.alpha2, s.meanLength) : m.alpha2;
+        s.alpha2 = AGAA_NDF != agaa_ndfNone ? agaa_toksvigAlpha2(m.alpha2, s.meanLength) : m.alpha2;
     }
     return s;
 }

@@ -7,7 +7,7 @@
 
 // Whether samples of one plane may be in several aggregates (AGAA_CONFIG_SPLIT_SURFACES): the planner then asks for a
 // cosine that no two normals have.
-bool agaa_splitsSurfaces() { return AGAA_AGGREGATES > 1u && agaa_frame.surface.x > 1.0; }
+bool agaa_splitsSurfaces() { return AGAA_AGGREGATES > 1u && agaa_frame.surfaceCosine > 1.0; }
 
 struct agaa_PixelSamples {
     uint covered;
@@ -30,10 +30,10 @@ agaa_PixelSamples agaa_withDistance(agaa_PixelSamples samples) {
 }
 
 // One more sample, i, that shows geometry. quantum: a step of its depth; place: in the pixel; code: equal for equal normals.
-void agaa_addPlaced(inout agaa_PixelSamples samples, uint i, vec3 position, float depth, float quantum, vec2 place, vec3 normal,
+void agaa_addSampleAt(inout agaa_PixelSamples samples, uint i, vec3 position, float depth, float quantum, vec2 place, vec3 normal,
                     uint code) {
     samples.covered |= 1u << (i & 31u);
-    float depthStep = agaa_depthQuantum(position.z, depth, agaa_frame.projection1.x, agaa_frame.projection1.y,
+    float depthStep = agaa_depthQuantum(position.z, depth, agaa_frame.projection22, agaa_frame.projection32,
                                         agaa_isOrthographic(), quantum);
     uvec2 key = uvec2(place * 128.0);
     agaa_setSample(i, position, normal, depthStep, floatBitsToUint(depth), code << 16 | key.x << 8 | key.y);
@@ -48,12 +48,12 @@ uint agaa_codeOfNormal(vec3 normal) {
 }
 
 float agaa_pixelCharacteristicLength(agaa_PixelSamples samples) {
-    float distance = agaa_scaleDistance(samples.nearest, agaa_frame.projection0.x, agaa_isOrthographic());
-    return agaa_characteristicLength(agaa_frame.cluster.x, agaa_frame.cluster.y, distance);
+    float distance = agaa_scaleDistance(samples.nearest, agaa_frame.projectionScale.x, agaa_isOrthographic());
+    return agaa_characteristicLength(agaa_frame.characteristicLength, agaa_frame.characteristicLengthPerDistance, distance);
 }
 
 // How far from its plane a surface may be, beside the steps of depth.
 float agaa_surfaceWidth(agaa_PixelSamples samples) {
-    return agaa_frame.surface.y * agaa_pixelWidth(samples.nearestZ);
+    return agaa_frame.surfaceDistance * agaa_pixelWidth(samples.nearestZ);
 }
 #endif

@@ -4,16 +4,16 @@
 #include "math/encoding.glsl"
 #include "common/camera.glsl"
 
-layout(AGAA_BINDING_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_normals;
+layout(AGAA_BINDING_NORMALS) uniform AGAA_TARGET_TEXTURE agaa_normals;
 
 // 0 where there is no geometry.
 uvec2 agaa_prepassCode(uvec2 pixel, uint i) { return uvec2(AGAA_FETCH(agaa_normals, pixel, i).xy * 255.0 + 0.5); }
 
 // To view space.
 mat3 agaa_prepassFrame(uvec2 pixel) {
-    vec2 centre = (vec2(pixel) + 0.5) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
-    vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projection0.x, agaa_frame.projection0.y,
-                                 agaa_frame.projection0.z, agaa_frame.projection0.w,
+    vec2 centre = (vec2(pixel) + 0.5) / vec2(agaa_frame.size) * 2.0 - 1.0;
+    vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projectionScale.x, agaa_frame.projectionScale.y,
+                                 agaa_frame.projectionOffset.x, agaa_frame.projectionOffset.y,
                                  agaa_isOrthographic());
     vec3 v = agaa_isOrthographic() != 0u ? vec3(0.0, 0.0, 1.0) : normalize(-ray);
     vec3 t, b;

@@ -44,7 +44,7 @@ bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 // One more sample that shows geometry. normal: in the frame of the positions; code: equal for equal normals.
 void agaa_addSample(inout agaa_PixelSamples samples, uvec2 pixel, uint i, vec3 normal, uint code) {
     float depth = agaa_depthOf(pixel, i);
-    agaa_addPlaced(samples, i, agaa_sampleViewPosition(pixel, i, depth), depth, agaa_storedQuantum(depth), agaa_sampleLocation(i),
+    agaa_addSampleAt(samples, i, agaa_sampleViewPosition(pixel, i, depth), depth, agaa_storedQuantum(depth), agaa_sampleLocation(i),
                    normal, code);
 }
 

@@ -19,15 +19,15 @@ layout(std430, AGAA_BINDING_AGGREGATES) writeonly buffer agaa_AggregateBlock {
 
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(pixel, agaa_frame.size.xy)))
+    if (any(greaterThanEqual(pixel, agaa_frame.size)))
         return;
     agaa_PixelSamples samples = agaa_loadSamples(pixel);
     uint count = 0u;
     if (samples.covered != 0u) {
         count = agaa_selectSurfaces(agaa_sampleCount(), samples.covered, AGAA_AGGREGATES,
-                                    agaa_frame.surface.x, agaa_surfaceWidth(samples),
+                                    agaa_frame.surfaceCosine, agaa_surfaceWidth(samples),
                                     agaa_lengthsFor(agaa_pixelCharacteristicLength(samples),
-                                                    agaa_frame.cluster.z));
+                                                    agaa_frame.aggregateThreshold));
     }
     uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_STRIDE);
     for (uint s = 0u; s < AGAA_AGGREGATES; ++s, base += AGAA_STRIDE) {

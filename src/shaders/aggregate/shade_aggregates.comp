@@ -24,10 +24,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef AGAA_HOST_GBUFFER
 bool agaa_isVisible(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
 #else
+const uint agaa_anyComponent = 4u; // AGAA_COVERAGE_COMPONENT of ids, of which any byte may be 0
+
 bool agaa_isVisible(uvec2 pixel, uint i) {
     vec4 texel = AGAA_FETCH(agaa_normals, pixel, i);
-    // Of an id, which is not 0, any byte may be.
-    return AGAA_COVERAGE_COMPONENT < 4u ? texel[AGAA_COVERAGE_COMPONENT & 3u] > 0.0 : texel != vec4(0.0);
+    return AGAA_COVERAGE_COMPONENT != agaa_anyComponent ? texel[AGAA_COVERAGE_COMPONENT & 3u] > 0.0 : texel != vec4(0.0);
 }
 #endif
 #endif
@@ -37,7 +38,7 @@ layout(std430, AGAA_BINDING_AGGREGATES) readonly buffer agaa_AggregateBlock {
 
 #define AGAA_AGGREGATE_WORD(i) agaa_aggregates.words[i]
 #define AGAA_IMAGE_WIDTH agaa_frame.size.x
-#define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
+#define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_aggregate.glsl"
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
@@ -91,7 +92,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     uint mask = agaa_coverage();
     uint normals = mask;
     agaa_aggregateSamples = uint(bitCount(mask));
-    vec3 position = agaa_placeAggregate(pixel, mask);
+    vec3 position = agaa_locateAggregate(pixel, mask);
 #if AGAA_REPRESENTED
     uint shaded = agaa_recordShaded(agaa_record(), AGAA_SAMPLES);
     normals = 1u << shaded;

@@ -8,7 +8,7 @@ layout(AGAA_BINDING_BACKGROUND) uniform sampler2D agaa_background;
 
 vec4 agaa_backgroundPixel(ivec2 pixel) {
 #if AGAA_COMPOSITE
-    if (agaa_opaque(agaa_frame.size.w) != 0u)
+    if (agaa_opaque(agaa_frame.compositesOutput) != 0u)
         return texelFetch(agaa_background, pixel, 0);
 #endif
     return agaa_frame.background;

@@ -1,7 +1,7 @@
 // Between the spaces of a frame.
 #ifndef AGAA_CAMERA_GLSL
 #define AGAA_CAMERA_GLSL
-uint agaa_isOrthographic() { return agaa_opaque(agaa_frame.projection1.z != 0.0 ? 1u : 0u); }
+uint agaa_isOrthographic() { return agaa_opaque(agaa_frame.isOrthographic); }
 
 vec3 agaa_toShadingSpace(vec3 viewPosition) { return transpose(mat3(agaa_frame.view)) * viewPosition; }
 
@@ -15,6 +15,6 @@ vec3 agaa_toEye(vec3 position) {
 // Of a pixel's footprint at this depth, across the view.
 float agaa_pixelWidth(float viewZ) {
     float scale = agaa_isOrthographic() != 0u ? 1.0 : abs(viewZ);
-    return scale * 2.0 / (abs(agaa_frame.projection0.x) * float(agaa_frame.size.x));
+    return scale * 2.0 / (abs(agaa_frame.projectionScale.x) * float(agaa_frame.size.x));
 }
 #endif

@@ -1,6 +1,8 @@
 // Counts of a workgroup, added to the frame's 64-bit counts once per group.
 #ifndef AGAA_COUNTERS_GLSL
 #define AGAA_COUNTERS_GLSL
+#include "common/api_values.glsl"
+
 #define AGAA_COUNTER(index, name, member) const uint name = index;
 #define AGAA_COUNTER_MAX(index, name, member) const uint name = index;
 #define AGAA_COUNTER_FACT(index, name, member, fact) const uint name = index;
@@ -15,7 +17,7 @@ layout(std430, AGAA_BINDING_COUNTERS) coherent buffer agaa_CounterBlock {
     uint words[2u * AGAA_COUNTS];
     uint invalidPixelCount; // with uncovered or overlapping samples
     uint padding;
-    uint invalidPixels[8][14]; // x, y, masks of four words: visible, uncovered, overlapping of the first
+    uint invalidPixels[AGAA_MAX_INVALID_PIXELS][14]; // of the first: x, y, masks of four words: visible, uncovered, overlapping
 } agaa_counterBuffer;
 
 shared uint agaa_groupCounts[AGAA_COUNTS];
@@ -34,12 +36,12 @@ void agaa_countEvents(uint count) {
     agaa_laneCounts[AGAA_COUNT_EVENTS] += count;
     agaa_laneCounts[AGAA_COUNT_MAX_EVENTS] = max(agaa_laneCounts[AGAA_COUNT_MAX_EVENTS], count);
     if (count != 0u)
-        ++agaa_laneCounts[AGAA_COUNT_PIXELS_OF_1 + min(uint(findMSB(count - 1u) + 1), 5u)];
+        ++agaa_laneCounts[AGAA_COUNT_PIXELS_OF_1 + min(uint(findMSB(count - 1u) + 1), AGAA_COUNT_PIXELS_OF_MORE - AGAA_COUNT_PIXELS_OF_1)];
 }
 // The geometry passes disagree about these samples of the pixel.
 void agaa_reportPixel(uvec2 pixel, uvec4 visible, uvec4 uncovered, uvec4 overlapping) {
     uint place = atomicAdd(agaa_counterBuffer.invalidPixelCount, 1u);
-    if (place >= 8u)
+    if (place >= AGAA_MAX_INVALID_PIXELS)
         return;
     agaa_counterBuffer.invalidPixels[place][0] = pixel.x;
     agaa_counterBuffer.invalidPixels[place][1] = pixel.y;

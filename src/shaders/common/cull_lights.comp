@@ -10,7 +10,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "math/light_culling.glsl"
 #include "common/sample_depth.glsl"
 #include "common/lights.glsl"
-#include "tables/light_words.inc"
+#include "tables/lighting.inc"
 #include "common/tile_pixels.glsl"
 
 layout(std430, AGAA_BINDING_LIGHT_MASKS) writeonly buffer agaa_LightMaskBlock {
@@ -29,7 +29,7 @@ uint agaa_orderedBits(float x) {
     uint bits = floatBitsToUint(x);
     return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
 }
-float agaa_ofOrderedBits(uint bits) {
+float agaa_fromOrderedBits(uint bits) {
     return uintBitsToFloat((bits & 0x80000000u) != 0u ? bits & 0x7FFFFFFFu : ~bits);
 }
 
@@ -47,8 +47,8 @@ void agaa_addToTile(agaa_Box box) {
 agaa_Box agaa_boxOfTile() {
     agaa_Box box;
     for (uint axis = 0u; axis < 3u; ++axis) {
-        box.low[axis] = agaa_ofOrderedBits(agaa_tileBox[axis]);
-        box.high[axis] = agaa_ofOrderedBits(agaa_tileBox[3u + axis]);
+        box.low[axis] = agaa_fromOrderedBits(agaa_tileBox[axis]);
+        box.high[axis] = agaa_fromOrderedBits(agaa_tileBox[3u + axis]);
     }
     return box;
 }
@@ -79,16 +79,15 @@ void agaa_addPixel(uvec2 pixel) {
 
 // toView: the inverse of agaa_toShadingSpace(). Hosts' views are rotations up to rounding only.
 bool agaa_reaches(agaa_GpuLight light, agaa_Box box, mat3 toView) {
-    uint type = floatBitsToUint(light.directionType.w);
-    if (type == 0u)
+    if (light.type == AGAA_LIGHT_DIRECTIONAL)
         return true;
-    vec3 at = toView * light.positionRange.xyz;
-    if (!agaa_rangeReaches(at, light.positionRange.w, box.low, box.high))
+    vec3 at = toView * light.position;
+    if (!agaa_rangeReaches(at, light.range, box.low, box.high))
         return false;
     vec3 middle = 0.5 * (box.low + box.high);
-    vec3 direction = toView * light.directionType.xyz;
+    vec3 direction = toView * light.direction;
     float size = max(length(direction), 0.5); // about 1
-    return type != 2u || agaa_coneReaches(at, direction / size, light.cone.y / size, middle, length(box.high - middle));
+    return light.type != AGAA_LIGHT_SPOT || agaa_coneReaches(at, direction / size, light.cosOuter / size, middle, length(box.high - middle));
 }
 
 void main() {
@@ -101,7 +100,7 @@ void main() {
     const uint count = agaa_lightBuffer.shadows[0].lightCount;
     const bool areFew = count < AGAA_LEAST_CULLED_LIGHTS;
     uvec2 pixel = agaa_pixelOf(lane);
-    if (!areFew && all(lessThan(pixel, agaa_frame.size.xy)))
+    if (!areFew && all(lessThan(pixel, agaa_frame.size)))
         agaa_addPixel(pixel);
     barrier();
     const agaa_Box box = agaa_boxOfTile();
@@ -110,8 +109,8 @@ void main() {
     for (uint i = lane; i < count; i += 64u)
         if (areFew || (!isEmpty && agaa_reaches(agaa_lightBuffer.lights[i], box, toView))) {
             atomicOr(agaa_tileLights[i >> 5u], 1u << (i & 31u));
-            uint map = floatBitsToUint(agaa_lightBuffer.lights[i].colorShadow.w);
-            if (map < 4u)
+            uint map = agaa_lightBuffer.lights[i].shadowMap;
+            if (map < AGAA_MAX_SHADOW_MAPS)
                 atomicOr(agaa_tileLights[AGAA_LIGHT_WORDS], 1u << map);
         }
     barrier();

@@ -19,7 +19,7 @@ uint agaa_sanitiseNormalChange(inout vec3 dx, inout vec3 dy) {
 
 // Normals spread over the samples that a primitive covers: the mean normal is shorter by half of their variance.
 float agaa_widenedByCurvature(float alpha2, vec3 dx, vec3 dy, uvec4 mask) {
-    if (AGAA_HAS_SPECULAR == 0u || AGAA_NDF == 0u)
+    if (AGAA_HAS_SPECULAR == 0u || AGAA_NDF == agaa_ndfNone)
         return alpha2;
     float share = float(agaa_coverageCount(mask)) / float(AGAA_SAMPLES);
     float variance = share * (dot(dx, dx) + dot(dy, dy)) / 12.0; // of a square pixel

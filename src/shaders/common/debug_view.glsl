@@ -1,16 +1,11 @@
 // What the output shows in place of radiance (AgaaDebugView).
 #ifndef AGAA_DEBUG_VIEW_GLSL
 #define AGAA_DEBUG_VIEW_GLSL
+#include "common/api_values.glsl"
+
 #ifndef AGAA_SHADOWS
 #define AGAA_SHADOWS 0
 #endif
-#define AGAA_SHOW_EVENTS 1u
-#define AGAA_SHOW_AGGREGATES 2u
-#define AGAA_SHOW_CLUSTERS 3u
-#define AGAA_SHOW_PRIMITIVES 4u
-#define AGAA_SHOW_LIT 5u
-#define AGAA_SHOW_WIDENED 6u
-#define AGAA_SHOW_FACTS 8u
 
 // Of the pixel at hand; set by passes that know.
 uint agaa_shownPrimitives = 0u;
@@ -24,24 +19,24 @@ vec3 agaa_clusterColor(uint aggregate) {
 }
 
 vec3 agaa_tierColor(uint tier) {
-    if (tier == 0u)
+    if (tier == AGAA_TIER_AUTO)
         return vec3(0.5);
-    if (tier == 19u)
+    if (tier == AGAA_TIER_GBUFFER)
         return vec3(0.0, 0.17, 0.9);
-    if (tier >= 21u)
+    if (tier >= AGAA_TIER_FRAGMENT_LISTS)
         return vec3(0.8, 0.7, 0.0);
-    return tier == 20u ? vec3(0.0, 0.6, 0.2) : vec3(0.9, 0.4, 0.0);
+    return tier == AGAA_TIER_IDS ? vec3(0.0, 0.6, 0.2) : vec3(0.9, 0.4, 0.0);
 }
 
-bool agaa_showsEvents() { return AGAA_DEBUG_VIEW != 0u; }
+bool agaa_showsEvents() { return AGAA_DEBUG_VIEW != AGAA_DEBUG_VIEW_NONE; }
 
 // The event's part in the mean of agaa_shownOfPixel(). diffuse: of its material.
 vec3 agaa_shownOfEvent(uint aggregate, float widening, vec3 diffuse) {
-    if (AGAA_DEBUG_VIEW == AGAA_SHOW_FACTS)
+    if (AGAA_DEBUG_VIEW == AGAA_DEBUG_VIEW_FACTS)
         return diffuse; // 1 where facts do not hold (common/scene_facts.glsl)
-    if (AGAA_DEBUG_VIEW == AGAA_SHOW_CLUSTERS)
+    if (AGAA_DEBUG_VIEW == AGAA_DEBUG_VIEW_CLUSTERS)
         return agaa_clusterColor(aggregate);
-    if (AGAA_DEBUG_VIEW == AGAA_SHOW_WIDENED)
+    if (AGAA_DEBUG_VIEW == AGAA_DEBUG_VIEW_WIDENED)
         return vec3(widening);
 #if AGAA_SHADOWS
     return vec3(agaa_visibility[0]);
@@ -52,18 +47,18 @@ vec3 agaa_shownOfEvent(uint aggregate, float widening, vec3 diffuse) {
 
 vec3 agaa_shownOfPixel(uint events, vec3 mean) {
     switch (AGAA_DEBUG_VIEW) {
-    case AGAA_SHOW_EVENTS:
-    case AGAA_SHOW_AGGREGATES:
+    case AGAA_DEBUG_VIEW_EVENTS:
+    case AGAA_DEBUG_VIEW_AGGREGATES:
         return vec3(events);
-    case AGAA_SHOW_PRIMITIVES:
+    case AGAA_DEBUG_VIEW_PRIMITIVES:
         return vec3(agaa_shownPrimitives);
-    case AGAA_SHOW_CLUSTERS:
-    case AGAA_SHOW_LIT:
-    case AGAA_SHOW_WIDENED:
-    case AGAA_SHOW_FACTS:
+    case AGAA_DEBUG_VIEW_CLUSTERS:
+    case AGAA_DEBUG_VIEW_LIT:
+    case AGAA_DEBUG_VIEW_WIDENED:
+    case AGAA_DEBUG_VIEW_FACTS:
         return mean;
     default:
-        return agaa_tierColor(agaa_shownUnfetched ? 19u : AGAA_GENERATION_TIER) * (events == 0u ? 0.0 : events == 1u ? 0.5 : 1.0);
+        return agaa_tierColor(agaa_shownUnfetched ? AGAA_TIER_GBUFFER : AGAA_GENERATION_TIER) * (events == 0u ? 0.0 : events == 1u ? 0.5 : 1.0);
     }
 }
 #endif

@@ -26,9 +26,9 @@ void agaa_applyFacts(inout AgaaMaterial m, vec3 planeNormal, bool isExact) {
         agaa_demands = agaa_demandsOf(m.diffuse, m.specular, m.emissive, m.alpha2) |
                        (isExact ? agaa_demandOfNormal(m.normal, planeNormal) : 0u);
     m.normal = agaa_factNormal(m.normal, planeNormal);
-    if (agaa_hasFact(agaa_factPlaneNormals))
+    if (agaa_hasFact(AGAA_FACT_PLANE_NORMALS))
         m.normalDx = m.normalDy = vec3(0.0);
-    m.diffuse = AGAA_DEBUG_VIEW == 8u ? vec3(agaa_unmetDemands(agaa_demands) != 0u ? 1.0 : 0.0) : agaa_factDiffuse(m.diffuse);
+    m.diffuse = AGAA_DEBUG_VIEW == AGAA_DEBUG_VIEW_FACTS ? vec3(agaa_unmetDemands(agaa_demands) != 0u ? 1.0 : 0.0) : agaa_factDiffuse(m.diffuse);
     m.specular = agaa_factSpecular3(m.specular);
     m.alpha2 = agaa_factAlpha2(m.alpha2);
 }
@@ -38,7 +38,7 @@ uint agaa_sanitiseValues(inout AgaaMaterial m) {
     uint bad = 0u;
     m.diffuse = agaa_sanitise3(m.diffuse, 0.0, 1.0, bad);
     m.specular = agaa_sanitise3(m.specular, 0.0, 1.0, bad);
-    m.emissive = agaa_sanitiseEmission(m.emissive, agaa_frame.ambient.w, bad);
+    m.emissive = agaa_sanitiseEmission(m.emissive, agaa_frame.emissiveRange, bad);
     m.normal = agaa_sanitiseNormal(m.normal, bad);
     m.alpha2 = agaa_sanitise(m.alpha2, agaa_minAlpha2(), 1.0, bad);
     AGAA_SANITISE_CUSTOM(m, bad)

@@ -8,6 +8,7 @@
 
 #include "common/lights.glsl"
 #include "common/scene_facts.glsl"
+#include "tables/lighting.inc"
 
 #ifndef AGAA_LIT
 #define AGAA_LIT 0
@@ -73,9 +74,9 @@ float agaa_shadowTap(uint map, vec3 p) {
     return agaa_mapTap(map, p);
 }
 
-float agaa_visibility[4]; // per shadow map, for the surface at hand
+float agaa_visibility[AGAA_MAX_SHADOW_MAPS]; // per shadow map, for the surface at hand
 #if AGAA_LIT
-agaa_Surface agaa_litSurface[4]; // what the lights of these shadows reach of it
+agaa_Surface agaa_litSurface[AGAA_MAX_SHADOW_MAPS]; // what the lights of these shadows reach of it
 #endif
 
 // Whether visibility comes with the lit surface, not by taps.
@@ -87,7 +88,7 @@ bool agaa_isLitShadow(uint map) {
 #endif
 }
 
-uint agaa_reachingShadows = 0xFu; // bits of those whose lights reach the surface at hand
+uint agaa_reachingShadows = (1u << AGAA_MAX_SHADOW_MAPS) - 1u; // bits of those whose lights reach the surface at hand
 
 void agaa_addTaps(vec3 position) {
 #if AGAA_SHADOWS
@@ -99,40 +100,37 @@ void agaa_addTaps(vec3 position) {
 
 vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
     agaa_GpuLight light = agaa_lightBuffer.lights[index];
-    uint type = floatBitsToUint(light.directionType.w);
-    vec3 toLight = -light.directionType.xyz;
+    vec3 toLight = -light.direction;
     float intensity = 1.0;
-    if (type != 0u && !agaa_hasFact(agaa_factNoLocalLights)) {
-        vec3 d = light.positionRange.xyz - position;
+    if (light.type != AGAA_LIGHT_DIRECTIONAL && !agaa_hasFact(AGAA_FACT_NO_LOCAL_LIGHTS)) {
+        vec3 d = light.position - position;
         float d2 = dot(d, d);
-        intensity = agaa_pointAttenuation(d2, light.positionRange.w,
-                                         light.cone.z * light.cone.z);
+        intensity = agaa_pointAttenuation(d2, light.range, light.radius * light.radius);
         if (intensity <= 0.0)
             return vec3(0.0);
-        toLight = agaa_lightDirection(d, light.cone.z * light.cone.z);
-        if (type == 2u)
-            intensity *= agaa_spotCone(dot(-toLight, light.directionType.xyz), light.cone.x,
-                                       light.cone.y);
+        toLight = agaa_lightDirection(d, light.radius * light.radius);
+        if (light.type == AGAA_LIGHT_SPOT)
+            intensity *= agaa_spotCone(dot(-toLight, light.direction), light.cosInner, light.cosOuter);
     }
-    uint map = floatBitsToUint(light.colorShadow.w);
-    if (map < 4u)
+    uint map = light.shadowMap;
+    if (map < AGAA_MAX_SHADOW_MAPS)
         intensity *= agaa_visibility[map];
     if (intensity <= 0.0)
         return vec3(0.0);
 #if AGAA_LIT
     // By constants, so that surfaces stay in registers.
-    for (uint k = 0u; k < 4u; ++k)
+    for (uint k = 0u; k < AGAA_MAX_SHADOW_MAPS; ++k)
         if (agaa_isLitShadow(k) && map == k)
             s = agaa_litSurface[k];
 #endif
     uint elliptic = AGAA_NDF >= agaa_ndfLean ? 1u : 0u;
-    uint filterDiffuse = agaa_hasFact(agaa_factNoDiffuse) ? 0u : AGAA_FILTER_DIFFUSE;
+    uint filterDiffuse = agaa_hasFact(AGAA_FACT_NO_DIFFUSE) ? 0u : AGAA_FILTER_DIFFUSE;
     vec3 reflected = agaa_shadeDiffuse(s, toLight, filterDiffuse);
     if (AGAA_HAS_SPECULAR != 0u) {
         vec3 both = agaa_shade(s, toEye, toLight, AGAA_BRDF, filterDiffuse, elliptic);
-        reflected = agaa_leavesOut(agaa_factSpecular) ? reflected : both;
+        reflected = agaa_leavesOut(AGAA_FACT_SPECULAR) ? reflected : both;
     }
-    return reflected * light.colorShadow.rgb * intensity;
+    return reflected * light.color * intensity;
 }
 
 // Lights in the order of the frame, so that the sum is the same whether those that reach nothing are left out.
@@ -156,7 +154,7 @@ uint agaa_lightMask = 0u; // where the bits of the event's tile are
 
 void agaa_lightPixel(uvec2 pixel) {
     agaa_lightMask = agaa_lightMaskAt(pixel / 8u);
-    if (AGAA_LIGHT_WORDS != 0u && AGAA_DEBUG_VIEW != 5u) // which shows visibility, lit or not
+    if (AGAA_LIGHT_WORDS != 0u && AGAA_DEBUG_VIEW != AGAA_DEBUG_VIEW_LIT) // which shows visibility, lit or not
         agaa_reachingShadows = agaa_lightMasks.words[agaa_lightMask + AGAA_LIGHT_WORDS];
 }
 
@@ -173,10 +171,10 @@ vec3 agaa_sumOfReachingLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 su
 #endif
 
 vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
-    vec3 sum = agaa_leavesOut(agaa_factEmissive) ? vec3(0.0) : s.emissive;
+    vec3 sum = agaa_leavesOut(AGAA_FACT_EMISSIVE) ? vec3(0.0) : s.emissive;
     if (AGAA_HAS_AMBIENT != 0u) {
-        vec3 all = s.diffuse + (agaa_leavesOut(agaa_factSpecular) ? vec3(0.0) : s.specular);
-        sum += agaa_leavesOut(agaa_factAmbient) ? vec3(0.0) : agaa_frame.ambient.rgb * all;
+        vec3 all = s.diffuse + (agaa_leavesOut(AGAA_FACT_SPECULAR) ? vec3(0.0) : s.specular);
+        sum += agaa_leavesOut(AGAA_FACT_AMBIENT) ? vec3(0.0) : agaa_frame.ambient * all;
     }
 #ifdef AGAA_BINDING_LIGHT_MASKS
     if (AGAA_LIGHT_WORDS != 0u)
@@ -191,7 +189,7 @@ vec3 agaa_lightSurface(agaa_Surface s, vec3 position) {
     vec3 toEye = agaa_toEye(position);
     vec3 sum = agaa_allLights(s, position, toEye);
     for (uint i = 1u; i < AGAA_SHADING_COST; ++i)
-        sum += agaa_allLights(s, position + float(i) * agaa_frame.cluster.w, toEye);
+        sum += agaa_allLights(s, position + float(i) * agaa_frame.zero, toEye);
     return AGAA_SHADING_COST > 1u ? sum / float(AGAA_SHADING_COST) : sum;
 }
 #endif

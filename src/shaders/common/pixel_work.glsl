@@ -34,7 +34,7 @@ uint agaa_eventsOf(agaa_PixelWork work) {
 }
 
 void agaa_writePixel(uvec2 pixel, agaa_PixelWork work, vec3 color) {
-    if (AGAA_DEBUG_VIEW != 0u) {
+    if (AGAA_DEBUG_VIEW != AGAA_DEBUG_VIEW_NONE) {
         vec3 mean = color / float(max(work.covered, 1u));
         agaa_writeOutput(pixel, agaa_shownOfPixel(agaa_eventsOf(work), mean), AGAA_SAMPLES);
     } else {

@@ -1,7 +1,7 @@
 // What the facts of a scene say of its materials (AgaaSceneFacts), for texts of hosts and for passes.
 #ifndef AGAA_SCENE_FACTS_GLSL
 #define AGAA_SCENE_FACTS_GLSL
-#include "common/fact_bits.glsl"
+#include "common/api_values.glsl"
 
 bool agaa_hasFact(uint fact) { return (AGAA_FACTS & fact) != 0u; }
 
@@ -11,48 +11,48 @@ uint agaa_demandsOf(vec3 diffuse, vec3 specular, vec3 emissive, float alpha2) {
     vec3 apart = abs(specular - specular.yzx);
     vec3 other = abs(specular - uintBitsToFloat(AGAA_ONE_SPECULAR));
     uint demands = 0u;
-    demands |= max(specular.x, max(specular.y, specular.z)) > least ? agaa_factSpecular : 0u;
-    demands |= max(emissive.x, max(emissive.y, emissive.z)) > least ? agaa_factEmissive : 0u;
-    demands |= abs(sqrt(alpha2) - sqrt(uintBitsToFloat(AGAA_ONE_ALPHA2))) > least ? agaa_factOneRoughness : 0u;
-    demands |= max(apart.x, max(apart.y, apart.z)) > least ? agaa_factGreySpecular : 0u;
-    demands |= max(other.x, max(other.y, other.z)) > least ? agaa_factOneSpecular : 0u;
-    demands |= max(diffuse.x, max(diffuse.y, diffuse.z)) > least ? agaa_factNoDiffuse : 0u;
+    demands |= max(specular.x, max(specular.y, specular.z)) > least ? AGAA_FACT_SPECULAR : 0u;
+    demands |= max(emissive.x, max(emissive.y, emissive.z)) > least ? AGAA_FACT_EMISSIVE : 0u;
+    demands |= abs(sqrt(alpha2) - sqrt(uintBitsToFloat(AGAA_ONE_ALPHA2))) > least ? AGAA_FACT_ONE_ROUGHNESS : 0u;
+    demands |= max(apart.x, max(apart.y, apart.z)) > least ? AGAA_FACT_GREY_SPECULAR : 0u;
+    demands |= max(other.x, max(other.y, other.z)) > least ? AGAA_FACT_ONE_SPECULAR : 0u;
+    demands |= max(diffuse.x, max(diffuse.y, diffuse.z)) > least ? AGAA_FACT_NO_DIFFUSE : 0u;
     return demands;
 }
 
 uint agaa_demandOfNormal(vec3 normal, vec3 planeNormal) {
     const float least = 0.9998; // more than codes of 8 bits round by
-    return dot(normal, planeNormal) < least ? agaa_factPlaneNormals : 0u;
+    return dot(normal, planeNormal) < least ? AGAA_FACT_PLANE_NORMALS : 0u;
 }
 
 // The demands that the facts of the view do not meet.
 uint agaa_unmetDemands(uint demands) {
-    const uint wanted = agaa_factSpecular | agaa_factEmissive | agaa_factAlphaMasked;
+    const uint wanted = AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED;
     uint unmet = demands & (AGAA_FACTS ^ wanted);
     // Reflectance that nothing shades has neither colour nor roughness.
-    return agaa_hasFact(agaa_factSpecular)
+    return agaa_hasFact(AGAA_FACT_SPECULAR)
                ? unmet
-               : unmet & ~(agaa_factOneRoughness | agaa_factGreySpecular | agaa_factOneSpecular);
+               : unmet & ~(AGAA_FACT_ONE_ROUGHNESS | AGAA_FACT_GREY_SPECULAR | AGAA_FACT_ONE_SPECULAR);
 }
 
 // Values that the facts fix, in place of those that materials have.
-vec3 agaa_factDiffuse(vec3 diffuse) { return agaa_hasFact(agaa_factNoDiffuse) ? vec3(0.0) : diffuse; }
+vec3 agaa_factDiffuse(vec3 diffuse) { return agaa_hasFact(AGAA_FACT_NO_DIFFUSE) ? vec3(0.0) : diffuse; }
 
 vec3 agaa_factSpecular3(vec3 specular) {
-    if (agaa_hasFact(agaa_factOneSpecular))
+    if (agaa_hasFact(AGAA_FACT_ONE_SPECULAR))
         return vec3(uintBitsToFloat(AGAA_ONE_SPECULAR));
-    return agaa_hasFact(agaa_factGreySpecular) ? vec3((specular.x + specular.y + specular.z) / 3.0) : specular;
+    return agaa_hasFact(AGAA_FACT_GREY_SPECULAR) ? vec3((specular.x + specular.y + specular.z) / 3.0) : specular;
 }
 
 // Of what a layout stores of it: a channel, three or none.
 vec3 agaa_storedSpecular(vec3 specular) {
-    return agaa_hasFact(agaa_factGreySpecular) && !agaa_hasFact(agaa_factOneSpecular) ? specular.xxx
+    return agaa_hasFact(AGAA_FACT_GREY_SPECULAR) && !agaa_hasFact(AGAA_FACT_ONE_SPECULAR) ? specular.xxx
                                                                                       : agaa_factSpecular3(specular);
 }
 
-vec3 agaa_factNormal(vec3 normal, vec3 planeNormal) { return agaa_hasFact(agaa_factPlaneNormals) ? planeNormal : normal; }
+vec3 agaa_factNormal(vec3 normal, vec3 planeNormal) { return agaa_hasFact(AGAA_FACT_PLANE_NORMALS) ? planeNormal : normal; }
 
 float agaa_factAlpha2(float alpha2) {
-    return agaa_hasFact(agaa_factOneRoughness) ? uintBitsToFloat(AGAA_ONE_ALPHA2) : alpha2;
+    return agaa_hasFact(AGAA_FACT_ONE_ROUGHNESS) ? uintBitsToFloat(AGAA_ONE_ALPHA2) : alpha2;
 }
 #endif

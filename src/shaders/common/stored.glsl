@@ -6,9 +6,10 @@
 
 // A field is word | shift << 8 | bits << 16 | flags << 24. bits: of one fragment's value, 0 where the layout has no such
 // channel. flags: 1 signed, 2 the largest value instead of the sum.
+const uint agaa_fieldIsSigned = 1u, agaa_fieldIsUnfiltered = 2u;
 uint agaa_fieldBits(uint field) { return field >> 16u & 0xFFu; }
-bool agaa_isSignedField(uint field) { return (field >> 24u & 1u) != 0u; }
-bool agaa_isUnfilteredField(uint field) { return (field >> 24u & 2u) != 0u; }
+bool agaa_isSignedField(uint field) { return (field >> 24u & agaa_fieldIsSigned) != 0u; }
+bool agaa_isUnfilteredField(uint field) { return (field >> 24u & agaa_fieldIsUnfiltered) != 0u; }
 
 // What to write to a channel of a G-buffer.
 float agaa_sourceOf(float value, uint source) {

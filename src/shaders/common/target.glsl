@@ -18,25 +18,25 @@
 #endif
 
 float agaa_sampleViewZ(float depth) {
-    return agaa_viewZFromDepth(depth, agaa_frame.projection1.x, agaa_frame.projection1.y,
+    return agaa_viewZFromDepth(depth, agaa_frame.projection22, agaa_frame.projection32,
                                agaa_isOrthographic());
 }
 
 // A step of the depth buffer at this depth; of float formats it is relative.
 float agaa_storedQuantum(float depth) {
-    float quantum = agaa_frame.projection1.w;
+    float quantum = agaa_frame.depthQuantum;
     return quantum < 0.0 ? -quantum * depth : quantum;
 }
 
 // place: in the pixel, [0,1].
-vec3 agaa_placeViewPosition(uvec2 pixel, vec2 place, float depth) {
-    vec2 ndc = (vec2(pixel) + place) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
-    return agaa_viewPosition(ndc, agaa_sampleViewZ(depth), agaa_frame.projection0.x,
-                             agaa_frame.projection0.y, agaa_frame.projection0.z,
-                             agaa_frame.projection0.w, agaa_isOrthographic());
+vec3 agaa_viewPositionAt(uvec2 pixel, vec2 place, float depth) {
+    vec2 ndc = (vec2(pixel) + place) / vec2(agaa_frame.size) * 2.0 - 1.0;
+    return agaa_viewPosition(ndc, agaa_sampleViewZ(depth), agaa_frame.projectionScale.x,
+                             agaa_frame.projectionScale.y, agaa_frame.projectionOffset.x,
+                             agaa_frame.projectionOffset.y, agaa_isOrthographic());
 }
 
 vec3 agaa_sampleViewPosition(uvec2 pixel, uint i, float depth) {
-    return agaa_placeViewPosition(pixel, agaa_sampleLocation(i), depth);
+    return agaa_viewPositionAt(pixel, agaa_sampleLocation(i), depth);
 }
 #endif

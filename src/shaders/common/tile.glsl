@@ -9,7 +9,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel);
 
 void agaa_shadeTile() {
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    bool inside = all(lessThan(pixel, agaa_frame.size.xy));
+    bool inside = all(lessThan(pixel, agaa_frame.size));
     agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
     if (inside)
         work = agaa_workOf(pixel);

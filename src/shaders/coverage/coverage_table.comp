@@ -7,7 +7,7 @@ layout(local_size_x = 64) in;
 #include "common/frame.glsl"
 #include "math/coverage_table.glsl"
 
-layout(rgba32ui, AGAA_BINDING_METADATA_OUT) writeonly uniform uimage2D agaa_table;
+layout(rgba32ui, AGAA_BINDING_COVERAGE_TABLE_OUT) writeonly uniform uimage2D agaa_table;
 
 void main() {
     const uint entry = gl_GlobalInvocationID.x; // the largest table has half as many groups as fit a row
@@ -15,6 +15,6 @@ void main() {
         return;
     uvec4 mask = uvec4(0u);
     for (uint i = 0u; i < AGAA_SAMPLES; ++i)
-        mask[i >> 5u] |= agaa_isInTableEntry(entry, AGAA_TABLE_SIZE, agaa_ownPosition(i)) ? 1u << (i & 31u) : 0u;
-    imageStore(agaa_table, ivec2(agaa_tablePlace(entry, AGAA_TABLE_SIZE)), mask);
+        mask[i >> 5u] |= agaa_isInTableEntry(entry, AGAA_TABLE_SIZE, agaa_hostPosition(i)) ? 1u << (i & 31u) : 0u;
+    imageStore(agaa_table, ivec2(agaa_tableTexel(entry, AGAA_TABLE_SIZE)), mask);
 }

@@ -18,9 +18,9 @@ void main() {
     const uint lane = gl_LocalInvocationIndex;
     if (agaa_fragments.words[AGAA_LIST_BATCH] != 0u)
         return;
-    uvec2 tiles = agaa_tilesOf(agaa_frame.size.xy);
+    uvec2 tiles = agaa_tilesOf(agaa_frame.size);
     uint count = tiles.x * tiles.y;
-    uint first = agaa_tileOf(uvec2(0u), agaa_frame.size.xy);
+    uint first = agaa_tileOf(uvec2(0u), agaa_frame.size);
     uint share = (count + 63u) / 64u; // tiles of a lane
     uint begin = min(lane * share, count), end = min(begin + share, count);
     uint sum = 0u, fullest = 0u;
@@ -38,10 +38,10 @@ void main() {
         all += agaa_sums[k];
         fullest = max(fullest, agaa_fullest[k]);
     }
-    bool isEnough = all <= agaa_frame.counts.y;
+    bool isEnough = all <= agaa_frame.fragmentCapacity;
     // Tiles that begin in the same stretch of fragments, of this length, find room together.
-    uint stretch = max(agaa_frame.counts.y, fullest + 1u) - fullest;
-    uint most = agaa_frame.counts.z - 1u;
+    uint stretch = max(agaa_frame.fragmentCapacity, fullest + 1u) - fullest;
+    uint most = agaa_frame.maxBatches - 1u;
     for (uint t = begin; t < end; ++t) {
         uint fragments = agaa_fragments.words[first + t];
         agaa_fragments.words[first + t] = isEnough ? 0u : min(1u + before / stretch, most);

@@ -9,8 +9,8 @@
 layout(std430, AGAA_BINDING_FRAGMENTS) AGAA_LISTS_QUALIFIER buffer agaa_FragmentBlock {
     uint words[];
 } agaa_fragments;
-bool agaa_hasBatches() { return agaa_opaque(agaa_frame.counts.z) > 1u; }
-uint agaa_record(uint fragment) { return agaa_recordOf(fragment, agaa_frame.size.xy, agaa_hasBatches()); }
+bool agaa_hasBatches() { return agaa_opaque(agaa_frame.maxBatches) > 1u; }
+uint agaa_record(uint fragment) { return agaa_recordOf(fragment, agaa_frame.size, agaa_hasBatches()); }
 
 uvec4 agaa_maskOf(uint record) {
     uvec4 mask = uvec4(0u);

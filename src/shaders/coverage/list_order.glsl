@@ -6,7 +6,7 @@
 // id: of the second. Fragments that carry materials may share a number: then their words decide, so that frames repeat.
 bool agaa_isBefore(uint record, uint other, uint id) {
     uint own = agaa_fragments.words[record];
-#ifdef AGAA_CARRIES_MATERIALS
+#ifdef AGAA_MATERIAL_LISTS
     if (own == id) {
         uint word = 2u;
         while (word + 1u < AGAA_FRAGMENT_WORDS && agaa_fragments.words[record + word] == agaa_fragments.words[other + word])
@@ -21,7 +21,7 @@ bool agaa_isBefore(uint record, uint other, uint id) {
 // come last first, and each is then placed at once.
 uint agaa_sortList(uvec2 pixel) {
     uint head = 0u;
-    uint rest = agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size.xy)];
+    uint rest = agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size)];
     while (rest != 0u) {
         uint record = agaa_record(rest);
         uint id = agaa_fragments.words[record];

@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/counters.glsl"
 #include "math/light.glsl"
 #include "common/tile_pixels.glsl"
-#include "coverage/carried_fragments.glsl"
+#include "coverage/material_lists.glsl"
 #include "coverage/covered_surface.glsl"
 
 bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread) {

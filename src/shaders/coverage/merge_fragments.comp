@@ -19,10 +19,10 @@ bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out 
     s.mask = agaa_maskOf(record);
     AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
     agaa_DepthPlane plane = agaa_planeOf(p, pixel);
-    if (agaa_isFar(plane))
+    if (agaa_isAtFarDepth(plane))
         return false;
-    agaa_moveTo(p, pixel, agaa_coverageMiddle(s.mask, AGAA_SAMPLES) + 0.5);
-    AgaaMaterial m = agaa_fetchMaterialThere(p);
+    agaa_evaluateAt(p, pixel, agaa_coverageMiddle(s.mask, AGAA_SAMPLES) + 0.5);
+    AgaaMaterial m = agaa_evaluateMaterial(p);
     if (AGAA_SPREAD_WORDS == 0u)
         agaa_widenByCurvature(m, s.mask);
     s.plane = agaa_growingDepth(plane);

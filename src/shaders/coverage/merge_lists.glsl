@@ -1,7 +1,7 @@
 // Merges the fragments of each pixel, in the order of their ids, into surfaces in memory. The including text defines
 // bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread),
 // which is false for what is not shown.
-layout(std430, AGAA_BINDING_AGGREGATES) buffer agaa_SurfaceBlock {
+layout(std430, AGAA_BINDING_SURFACES) buffer agaa_SurfaceBlock {
     uint words[];
 } agaa_surfaces;
 uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
@@ -36,7 +36,7 @@ bool agaa_isTileInBatch() {
     uint batch = agaa_fragments.words[AGAA_LIST_BATCH];
     if (agaa_fragments.words[AGAA_LIST_BATCHES] == 1u)
         return batch == 0u;
-    return batch != 0u && agaa_fragments.words[agaa_tileOf(gl_WorkGroupID.xy * 8u, agaa_frame.size.xy)] == batch;
+    return batch != 0u && agaa_fragments.words[agaa_tileOf(gl_WorkGroupID.xy * 8u, agaa_frame.size)] == batch;
 }
 
 // Whether anything is left for this draw.
@@ -50,11 +50,11 @@ void main() {
     if (gl_WorkGroupID.xy == uvec2(0u) && gl_LocalInvocationIndex == 0u && agaa_isDrawNeeded())
         agaa_count(AGAA_COUNT_BATCHES, 1u);
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
+    bool isInside = all(lessThan(pixel, agaa_frame.size));
     bool turn = agaa_isTileInBatch();
     if (isInside && turn)
         agaa_mergePixel(pixel);
     else if (isInside && agaa_fragments.words[AGAA_LIST_BATCH] == 0u)
-        agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size.xy)] = 0u; // a further draw makes the list anew
+        agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size)] = 0u; // a further draw makes the list anew
     agaa_countEnd();
 }

@@ -19,7 +19,7 @@ agaa_Stored agaa_mixMaterials(agaa_Stored a, agaa_Stored b, float share, float n
 #define AGAA_ATTRIBUTE(semantic, name)
 #define AGAA_CHANNEL(index, name, field, source, attribute, member) a.member += (b.member - a.member) * share;
 #include "tables/channels.inc"
-    if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF != 0u && AGAA_SPREAD_WORDS == 0u)
+    if (AGAA_HAS_SPECULAR != 0u && AGAA_NDF != agaa_ndfNone && AGAA_SPREAD_WORDS == 0u)
         a.alpha2 = agaa_toksvigAlpha2(a.alpha2, normalLength);
     return a;
 }
@@ -31,7 +31,7 @@ agaa_NormalSpread agaa_loadSpread(uint base) {
 }
 
 // Memory has the normal that the spread is of.
-void agaa_giveSpread(uint base, agaa_NormalSpread spread, float share, vec3 normal) {
+void agaa_mergeSpread(uint base, agaa_NormalSpread spread, float share, vec3 normal) {
     if (share < 1.0)
         spread = agaa_mixSpreads(agaa_loadSpread(base), spread, share, normal);
     uvec2 words = agaa_packSpread(spread);
@@ -41,7 +41,7 @@ void agaa_giveSpread(uint base, agaa_NormalSpread spread, float share, vec3 norm
 }
 
 // Lets a surface have this share of another material.
-void agaa_giveMaterial(uint base, agaa_Stored v, float share, float normalLength) {
+void agaa_mergeMaterial(uint base, agaa_Stored v, float share, float normalLength) {
     if (share < 1.0)
         v = agaa_mixMaterials(agaa_loadMaterial(base), v, share, normalLength);
     agaa_packSurface(v);
@@ -59,7 +59,7 @@ void agaa_countInsertion(agaa_Insertion done, bool isNew) {
 }
 
 agaa_MergeRules agaa_mergeRules() {
-    return agaa_MergeRules(agaa_aggregateLimit(), agaa_frame.surface.x, 0.0, AGAA_MERGE_RULE);
+    return agaa_MergeRules(agaa_aggregateLimit(), agaa_frame.surfaceCosine, 0.0, AGAA_MERGE_RULE);
 }
 
 // s: as stored. own: its material; spread: of its normals. Materials and spreads are in memory, all else in agaa_kept.
@@ -82,18 +82,18 @@ agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stor
                 spread = agaa_mixSpreads(spread, moved, done.moved, agaa_asStored(agaa_kept[done.to]).normal);
         } else {
             uint into = agaa_surfaceBase(pixel, done.into);
-            agaa_giveMaterial(into, moving, done.moved, done.movedLength);
+            agaa_mergeMaterial(into, moving, done.moved, done.movedLength);
             agaa_keep(done.into, agaa_asStored(agaa_kept[done.into]));
             if (AGAA_SPREAD_WORDS != 0u)
-                agaa_giveSpread(into, moved, done.moved, agaa_kept[done.into].normal);
+                agaa_mergeSpread(into, moved, done.moved, agaa_kept[done.into].normal);
         }
     }
     if (done.to != AGAA_NO_SURFACE) {
         uint to = agaa_surfaceBase(pixel, done.to);
-        agaa_giveMaterial(to, own, done.share, done.shareLength);
+        agaa_mergeMaterial(to, own, done.share, done.shareLength);
         agaa_keep(done.to, agaa_asStored(agaa_kept[done.to]));
         if (AGAA_SPREAD_WORDS != 0u)
-            agaa_giveSpread(to, spread, done.share, agaa_kept[done.to].normal);
+            agaa_mergeSpread(to, spread, done.share, agaa_kept[done.to].normal);
     }
     return done;
 }

@@ -11,9 +11,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/output.glsl"
 #include "common/debug_view.glsl"
 #include "common/tile_pixels.glsl"
-#include "coverage/covered_place.glsl"
-#include "coverage/carried_fragments.glsl"
-#define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
+#include "coverage/surface_position.glsl"
+#include "coverage/material_lists.glsl"
+#define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_means.glsl"
 
 void agaa_keepPlanes(uvec2 pixel, uint head) {} // fragments carry them

@@ -35,7 +35,7 @@ void agaa_shadePixel(uvec2 pixel) {
     agaa_count(AGAA_COUNT_ONCE, covered);
     agaa_count(AGAA_COUNT_AGGREGATES, events);
     agaa_count(AGAA_COUNT_PIXELS, events != 0u ? 1u : 0u);
-    if (AGAA_DEBUG_VIEW != 0u)
+    if (AGAA_DEBUG_VIEW != AGAA_DEBUG_VIEW_NONE)
         agaa_writeOutput(pixel, agaa_shownOfPixel(events, color / float(max(covered, 1u))), AGAA_SAMPLES);
     else
         agaa_writeOutput(pixel, color / float(AGAA_SAMPLES), covered);
@@ -44,7 +44,7 @@ void agaa_shadePixel(uvec2 pixel) {
 void main() {
     agaa_countBegin();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
+    if (all(lessThan(pixel, agaa_frame.size)))
         agaa_shadePixel(pixel);
     agaa_countEnd();
 }

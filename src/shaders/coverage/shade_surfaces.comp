@@ -15,12 +15,12 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/tile.glsl"
 
 #if AGAA_IN_TARGETS
-layout(AGAA_BINDING_SURFACE0) uniform usampler2DArray agaa_surfaces; // four words a layer
+layout(AGAA_BINDING_SURFACE_TARGETS) uniform usampler2DArray agaa_surfaces; // four words a layer
 uvec2 agaa_surfacesOf = uvec2(0u);
 void agaa_seekSurfaces(uvec2 pixel) { agaa_surfacesOf = pixel; }
 uint agaa_readSurfaces(uint word) { return texelFetch(agaa_surfaces, ivec3(agaa_surfacesOf, word >> 2u), 0)[word & 3u]; }
 #else
-layout(std430, AGAA_BINDING_AGGREGATES) readonly buffer agaa_SurfaceBlock {
+layout(std430, AGAA_BINDING_SURFACES) readonly buffer agaa_SurfaceBlock {
     uint words[];
 } agaa_surfaces;
 void agaa_seekSurfaces(uvec2 pixel) {}
@@ -29,9 +29,9 @@ uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
 
 #define AGAA_AGGREGATE_WORD(i) agaa_readSurfaces(i)
 #define AGAA_IMAGE_WIDTH agaa_frame.size.x
-#define AGAA_EMISSIVE_RANGE agaa_frame.ambient.w
+#define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_aggregate.glsl"
-#include "coverage/covered_place.glsl"
+#include "coverage/surface_position.glsl"
 
 shared uvec4 agaa_shown[64u * AGAA_AGGREGATES]; // of each surface, the samples that show it
 

@@ -20,7 +20,7 @@ void agaa_keepPlanes(uvec2 pixel, uint head) {
         vec3 kept = agaa_growingDepth(plane);
         for (uint k = 0u; k < 3u; ++k)
             agaa_fragments.words[record + AGAA_PLANE_WORD + k] = floatBitsToUint(kept[k]);
-        if (agaa_isFar(plane))
+        if (agaa_isAtFarDepth(plane))
             agaa_setMask(record, uvec4(0u));
         fragment = agaa_nextOf(record);
     }

@@ -9,16 +9,16 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/frame.glsl"
 #include "math/display.glsl"
 
-layout(AGAA_BINDING_SURFACE0) uniform sampler2D agaa_shaded; // a: luma
+layout(AGAA_BINDING_COLOR) uniform sampler2D agaa_shaded; // a: luma
 layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D agaa_output;
 
 const float agaa_contrast = 0.125;       // of the brightest neighbour
 const float agaa_darkContrast = 0.0312;  // below which nothing is seen
 const float agaa_subpixelShare = 0.75;   // of what removes single bright pixels
 // How far the edge is followed, in pixels, each way; the longer ones skip.
-const int agaa_walk[10] = int[](1, 2, 3, 4, 5, 7, 9, 12, 16, 24);
+const int agaa_edgeSteps[10] = int[](1, 2, 3, 4, 5, 7, 9, 12, 16, 24);
 
-vec4 agaa_texel(ivec2 at) { return texelFetch(agaa_shaded, clamp(at, ivec2(0), ivec2(agaa_frame.size.xy) - 1), 0); }
+vec4 agaa_texel(ivec2 at) { return texelFetch(agaa_shaded, clamp(at, ivec2(0), ivec2(agaa_frame.size) - 1), 0); }
 
 vec3 agaa_color(ivec2 at) { return max(agaa_texel(at).rgb, vec3(0.0)); }
 
@@ -60,7 +60,7 @@ float agaa_followEdge(ivec2 pixel, agaa_Edge edge, int way, out float departure)
     departure = 0.0;
     int reached = 0;
     for (int i = 0; i < 10; ++i) {
-        reached = agaa_walk[i];
+        reached = agaa_edgeSteps[i];
         ivec2 at = pixel + edge.along * (way * reached);
         departure = 0.5 * (agaa_luma(at) + agaa_luma(at + edge.across)) - edge.luma;
         if (abs(departure) >= edge.step)
@@ -113,7 +113,7 @@ vec3 agaa_filtered(ivec2 pixel) {
 
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
+    if (all(lessThan(pixel, agaa_frame.size)))
         imageStore(agaa_output, ivec2(pixel),
                    vec4(min(agaa_filtered(ivec2(pixel)), vec3(65504.0)), 1.0));
 }

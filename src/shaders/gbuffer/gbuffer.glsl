@@ -20,7 +20,38 @@ bool agaa_fetchSample(uvec2 pixel, uint i) {
 bool agaa_isCovered(uvec2 pixel, uint i) { return agaa_hostShows(pixel, i); }
 void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) { agaa_fetchSample(pixel, i); }
 #else
-#include "ids/fetched_samples.glsl"
+#include "ids/fetch.glsl"
+#include "ids/sample_ids.glsl"
+
+bool agaa_isCovered(uvec2 pixel, uint i) { return agaa_idOf(pixel, i) != 0u; }
+
+// Those of these samples that show the primitive of sample i.
+uint agaa_samplesOfPrimitive(uvec2 pixel, uint i, uint samples) {
+    const uint id = agaa_idOf(pixel, i);
+    uint own = 0u;
+    for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
+        uint other = uint(findLSB(rest));
+        own |= agaa_idOf(pixel, other) == id ? 1u << other : 0u;
+    }
+    return own;
+}
+
+// The material of a shading event at sample i, in the middle of these samples of its primitive. Textures are filtered over
+// their share of the pixel (Hollaender et al. 2013, section 4.1).
+void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) {
+    const uint own = agaa_samplesOfPrimitive(pixel, i, samples | 1u << i);
+    vec2 middle = vec2(0.0);
+    for (uint rest = own; rest != 0u; rest &= rest - 1u)
+        middle += agaa_sampleLocation(uint(findLSB(rest)));
+    middle /= float(bitCount(own));
+    const int represented = agaa_isAdaptive(AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS) ? 1 : bitCount(own);
+    const float width = sqrt(float(represented) / float(AGAA_SAMPLES));
+    AgaaPrimitive p = agaa_primitive(agaa_idOf(pixel, i));
+    agaa_evaluateAt(p, pixel, middle);
+    p.dx *= width;
+    p.dy *= width;
+    agaa_fetched = agaa_evaluateMaterial(p);
+}
 #endif
 
 vec2 agaa_normalCode() { return agaa_encodeOct(agaa_fetched.normal, agaa_fieldBits(AGAA_SOURCE_NORMAL_X)); }
@@ -30,7 +61,7 @@ vec3 agaa_fetchedSpecular() { return agaa_fetched.specular; }
 float agaa_fetchedAlpha2() { return agaa_fetched.alpha2; }
 
 vec3 agaa_storedEmissive() {
-    vec3 e = agaa_fetched.emissive / agaa_frame.ambient.w;
+    vec3 e = agaa_fetched.emissive / agaa_frame.emissiveRange;
     if (AGAA_EMISSIVE_CHANNELS == 1u)
         return vec3(agaa_emissiveFactor(agaa_fetched.diffuse, e));
     return AGAA_EMISSIVE_CHANNELS == 3u ? e : vec3(0.0);
@@ -38,10 +69,10 @@ vec3 agaa_storedEmissive() {
 
 void agaa_storeFetchedCustom(inout agaa_Stored v) { AGAA_STORE_CUSTOM(agaa_fetched, v) }
 #else
-layout(AGAA_BINDING_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_gbuffer0;
-layout(AGAA_BINDING_SURFACE1) uniform AGAA_TARGET_TEXTURE agaa_gbuffer1;
-layout(AGAA_BINDING_SURFACE2) uniform AGAA_TARGET_TEXTURE agaa_gbuffer2;
-layout(AGAA_BINDING_SURFACE3) uniform AGAA_TARGET_TEXTURE agaa_gbuffer3;
+layout(AGAA_BINDING_GBUFFER0) uniform AGAA_TARGET_TEXTURE agaa_gbuffer0;
+layout(AGAA_BINDING_GBUFFER1) uniform AGAA_TARGET_TEXTURE agaa_gbuffer1;
+layout(AGAA_BINDING_GBUFFER2) uniform AGAA_TARGET_TEXTURE agaa_gbuffer2;
+layout(AGAA_BINDING_GBUFFER3) uniform AGAA_TARGET_TEXTURE agaa_gbuffer3;
 
 agaa_Stored agaa_fetched; // of the sample fetched last; absent channels are 0
 
@@ -117,7 +148,7 @@ agaa_Surface agaa_sampleSurface() {
         s.specular = agaa_fetchedSpecular();
         s.alpha2 = agaa_fetchedAlpha2();
     }
-    s.emissive = agaa_frame.ambient.w * agaa_storedEmissive();
+    s.emissive = agaa_frame.emissiveRange * agaa_storedEmissive();
     if (AGAA_EMISSIVE_CHANNELS == 1u)
         s.emissive *= s.diffuse;
     return s;

@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "gbuffer/forward_color.glsl"
 
 // Alpha: 0 where nothing is, else 1.
-layout(AGAA_BINDING_SURFACE0) uniform AGAA_TARGET_TEXTURE agaa_color;
+layout(AGAA_BINDING_COLOR) uniform AGAA_TARGET_TEXTURE agaa_color;
 
 bool agaa_isAtFarPlane(uvec2 pixel, uint i) { return agaa_depthOf(pixel, i) == float(AGAA_FAR_DEPTH); }
 
@@ -53,7 +53,7 @@ void agaa_resolvePixel(uvec2 pixel) {
 void main() {
     agaa_countBegin();
     uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (all(lessThan(pixel, agaa_frame.size.xy)))
+    if (all(lessThan(pixel, agaa_frame.size)))
         agaa_resolvePixel(pixel);
     agaa_countEnd();
 }

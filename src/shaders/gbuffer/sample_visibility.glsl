@@ -17,7 +17,7 @@ void agaa_findVisibility(uvec2 pixel, uint mask) {
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] = 0.0;
     uint count = uint(bitCount(mask));
-    uint taps = AGAA_SHADOW_FILTER != 0u ? min(count, AGAA_SHADOW_TAPS) : 1u;
+    uint taps = AGAA_SHADOW_FILTER != AGAA_SHADOW_AT_MEAN ? min(count, AGAA_SHADOW_TAPS) : 1u;
     agaa_Choice choice = agaa_chooseFrom(mask, taps);
     uint j = 0u;
     do

@@ -73,7 +73,7 @@ uvec2 agaa_readPlanes(uvec2 pixel) {
 
 #if AGAA_REPRESENTED
 // 1 where the fragment owns the sample that stands for the surface.
-uint agaa_ownPart(uint mask, uint base) {
+uint agaa_representedPart(uint mask, uint base) {
     uvec2 record = uvec2(agaa_readWord(base + AGAA_WORDS), 0u);
     if (AGAA_SAMPLES > 16)
         record.y = agaa_readWord(base + AGAA_WORDS + 1u);
@@ -110,7 +110,7 @@ void agaa_emit(AgaaSurfaceInput s) {
 #endif
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a, base += AGAA_STRIDE) {
 #if AGAA_REPRESENTED
-        uint own = agaa_ownPart(mask, base);
+        uint own = agaa_representedPart(mask, base);
 #elif AGAA_FIRST_SAMPLE_ROUTING
         uint own = a == only ? mask : 0u;
 #else

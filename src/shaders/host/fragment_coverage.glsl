@@ -22,7 +22,7 @@ layout(AGAA_BINDING_COVERAGE_TABLE) uniform usampler2D agaa_coverageTable;
 
 uvec4 agaa_edgeByTable(vec3 a, vec3 b) {
     agaa_CoverageLookup found = agaa_findCoverage(a, b, AGAA_TABLE_SIZE);
-    uvec2 place = agaa_tablePlace(found.entry, AGAA_TABLE_SIZE);
+    uvec2 place = agaa_tableTexel(found.entry, AGAA_TABLE_SIZE);
     uvec4 mask = place.y < AGAA_TABLE_SIZE ? texelFetch(agaa_coverageTable, ivec2(place), 0) : uvec4(0u);
     return agaa_foundCoverage(found, mask, AGAA_SAMPLES);
 }
@@ -78,7 +78,7 @@ uvec4 agaa_alphaCoverage(AgaaSurfaceInput s) {
     if (s.alphaCutoff > 0.0)
         return agaa_cutoutCoverage(s, alpha, gradient);
     uvec2 pixel = agaa_hostPixel();
-    uint hash = agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.dither.x);
+    uint hash = agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.ditherFrame);
     uvec4 mask = uvec4(0u);
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
         mask[word] = agaa_translucentMask(alpha, 32u, word, AGAA_SAMPLES / 32u, hash);

@@ -25,10 +25,10 @@ void agaa_emit(AgaaSurfaceInput s) {
     if (agaa_coverageCount(mask) == 0u || AGAA_HELPER)
         return;
     uvec2 pixel = agaa_hostPixel();
-    uvec2 size = agaa_frame.size.xy;
+    uvec2 size = agaa_frame.size;
     bool isFirstDraw = true;
 #if AGAA_NEEDS_MATERIAL
-    if (!agaa_carry(s, mask))
+    if (!agaa_packFragment(s, mask))
         return;
 #endif
 #if AGAA_HAS_BATCHES
@@ -50,7 +50,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     if (isFirstDraw)
         agaa_countMask(s);
 #endif
-    if (place >= agaa_fragmentRoom()) {
+    if (place >= agaa_fragmentCapacity()) {
         // After the first of several draws there is room in another.
         if (AGAA_HAS_BATCHES == 0 || !isFirstDraw)
             agaa_countFragment(AGAA_COUNT_LOST_FRAGMENTS, 1u);
@@ -63,7 +63,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
         agaa_setFragments(base + 2u + word, mask[word]);
 #if AGAA_NEEDS_MATERIAL
-    for (uint word = 0u; word < AGAA_CARRIED_WORDS; ++word)
-        agaa_setFragments(base + 2u + AGAA_SAMPLES / 32u + word, agaa_carried[word]);
+    for (uint word = 0u; word < AGAA_MATERIAL_PAYLOAD_WORDS; ++word)
+        agaa_setFragments(base + 2u + AGAA_SAMPLES / 32u + word, agaa_payload[word]);
 #endif
 }

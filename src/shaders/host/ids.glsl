@@ -1,6 +1,8 @@
 // Ids of primitives, by which materials are fetched: draw << AGAA_PRIMITIVE_BITS | primitive, from 1 on.
 #ifndef AGAA_HOST_IDS_GLSL
 #define AGAA_HOST_IDS_GLSL
+#include "ids/id_values.glsl"
+
 #ifdef AGAA_MAX_DRAWS
 uint agaa_idOfInput(AgaaSurfaceInput s) {
     // What the host did not announce is shown as what it did, since ids must name what can be fetched: a primitive as
@@ -10,7 +12,7 @@ uint agaa_idOfInput(AgaaSurfaceInput s) {
         agaa_countFragment(AGAA_COUNT_UNANNOUNCED, 1u);
     uint primitive = s.draw < AGAA_MAX_DRAWS ? min(s.primitive, AGAA_MAX_PRIMITIVES - 1u) : 0u;
     uint id = (min(s.draw, AGAA_MAX_DRAWS - 1u) << AGAA_PRIMITIVE_BITS | primitive) + 1u;
-    return isFetched ? id : 0xFFFFFFFFu;
+    return isFetched ? id : AGAA_UNFETCHED_ID;
 }
 #endif
 

@@ -11,11 +11,11 @@ layout(pixel_interlock_ordered) in;
 uint agaa_readSurfaces(uint word) { return agaa_targetWords[word]; }
 void agaa_setSurfaces(uint word, uint value) { agaa_targetWords[word] = value; }
 #elif AGAA_STORAGE_IMAGES
-layout(r32ui, AGAA_BINDING_AGGREGATES) coherent uniform uimageBuffer agaa_surfaces;
+layout(r32ui, AGAA_BINDING_SURFACES) coherent uniform uimageBuffer agaa_surfaces;
 uint agaa_readSurfaces(uint word) { return imageLoad(agaa_surfaces, int(word)).x; }
 void agaa_setSurfaces(uint word, uint value) { imageStore(agaa_surfaces, int(word), uvec4(value)); }
 #else
-layout(std430, AGAA_BINDING_AGGREGATES) coherent buffer agaa_SurfaceBlock {
+layout(std430, AGAA_BINDING_SURFACES) coherent buffer agaa_SurfaceBlock {
     uint words[];
 } agaa_surfaces;
 uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
@@ -37,7 +37,7 @@ void agaa_prepareMerge(AgaaSurfaceInput s) {
     uvec4 mask = agaa_coverageOf(s);
     if (agaa_coverageCount(mask) == 0u || AGAA_HELPER)
         return;
-    agaa_merges = agaa_carry(s, mask);
+    agaa_merges = agaa_packFragment(s, mask);
     agaa_count(AGAA_COUNT_FRAGMENTS, agaa_merges ? 1u : 0u);
     if (agaa_merges)
         agaa_countSurface(agaa_wasSanitised);
@@ -67,13 +67,13 @@ void agaa_mergeInOrder() {
         return;
     uvec2 pixel = agaa_hostPixel();
     agaa_CoveredSurface s =
-        agaa_asStored(agaa_surfaceOfWords(agaa_covered, agaa_carried[0], agaa_carried[1], agaa_carried[2]));
+        agaa_asStored(agaa_surfaceOfWords(agaa_covered, agaa_payload[0], agaa_payload[1], agaa_payload[2]));
     for (uint w = 0u; w < AGAA_WORDS; ++w)
-        agaa_packed[w] = agaa_carried[3u + AGAA_SPREAD_WORDS + w];
+        agaa_packed[w] = agaa_payload[3u + AGAA_SPREAD_WORDS + w];
     agaa_Stored own = agaa_unpackSurface();
     agaa_NormalSpread spread = agaa_noSpread(s.normal);
 #if AGAA_SPREAD_WORDS
-    spread = agaa_unpackSpread(s.normal, uvec2(agaa_carried[3], agaa_carried[4]));
+    spread = agaa_unpackSpread(s.normal, uvec2(agaa_payload[3], agaa_payload[4]));
 #endif
     agaa_loadSurfaces(pixel);
     agaa_Insertion done = agaa_insertFragment(pixel, s, own, spread);

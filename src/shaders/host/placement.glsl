@@ -1,17 +1,17 @@
 // Whether fragments lie where the frame's camera puts their positions: a projection that is not the
 // rasteriser's own would shade them somewhere else, which no other count shows.
 bool agaa_isMisplaced(vec3 position) {
-    uint orthographic = agaa_frame.projection1.z != 0.0 ? 1u : 0u;
+    uint orthographic = agaa_frame.isOrthographic;
     vec3 p = mat3(agaa_frame.view) * position;
-    vec2 ndc = orthographic != 0u ? p.xy * agaa_frame.projection0.xy + agaa_frame.projection0.zw
-                                  : -p.xy * agaa_frame.projection0.xy / p.z - agaa_frame.projection0.zw;
-    vec2 target = vec2(agaa_frame.size.xy * uvec2(AGAA_SCALE_X, AGAA_SCALE_Y));
+    vec2 ndc = orthographic != 0u ? p.xy * agaa_frame.projectionScale + agaa_frame.projectionOffset
+                                  : -p.xy * agaa_frame.projectionScale / p.z - agaa_frame.projectionOffset;
+    vec2 target = vec2(agaa_frame.size * uvec2(AGAA_SCALE_X, AGAA_SCALE_Y));
     vec2 away = abs((ndc * 0.5 + 0.5) * target - gl_FragCoord.xy);
-    float z = agaa_viewZFromDepth(gl_FragCoord.z, agaa_frame.projection1.x, agaa_frame.projection1.y,
+    float z = agaa_viewZFromDepth(gl_FragCoord.z, agaa_frame.projection22, agaa_frame.projection32,
                                   orthographic);
     // Positions inside a primitive are up to a pixel from the fragment's centre, and depth has its steps.
     float slope = fwidth(p.z);
-    float quantum = agaa_depthQuantum(z, gl_FragCoord.z, agaa_frame.projection1.x, agaa_frame.projection1.y,
+    float quantum = agaa_depthQuantum(z, gl_FragCoord.z, agaa_frame.projection22, agaa_frame.projection32,
                                       orthographic, 5.96e-8);
     return max(away.x, away.y) > 2.0 || abs(z - p.z) > 0.05 * abs(p.z) + 2.0 * slope + 4.0 * quantum;
 }

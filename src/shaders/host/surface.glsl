@@ -153,11 +153,11 @@ uint agaa_alphaMask(AgaaSurfaceInput s) {
     // The cutoff is mostly a uniform. Mesa's lavapipe (22.3) copies a shader, and never frees the copy, at every draw whose
     // uniforms decide a branch. A term that depends on the fragment, and is 0, prevents that.
     s.alphaCutoff = agaa_sanitiseAlpha(s.alphaCutoff + min(gl_FragCoord.x, 0.0));
-    if (agaa_hasFact(agaa_factNoTranslucency) || (!agaa_hasFact(agaa_factNoCutouts) && s.alphaCutoff > 0.0))
+    if (agaa_hasFact(AGAA_FACT_NO_TRANSLUCENCY) || (!agaa_hasFact(AGAA_FACT_NO_CUTOUTS) && s.alphaCutoff > 0.0))
         return agaa_cutoutMask(s, alpha, gradient);
     uvec2 pixel = agaa_hostPixel();
     return agaa_translucentMask(alpha, AGAA_HW_SAMPLES, agaa_hostGroup(), AGAA_SCALE_X * AGAA_SCALE_Y,
-                                agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.dither.x));
+                                agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.ditherFrame));
 }
 
 // Leaves a fragment these samples. OpenGL ignores the sample mask of targets with one sample.
@@ -171,7 +171,7 @@ uint agaa_demands = 0u; // of the surface at hand, by agaa_applyFacts()
 
 uint agaa_demandsOfMask(AgaaSurfaceInput s) {
 #if AGAA_ALPHA_MASKED
-    return agaa_factAlphaMasked | (s.alphaCutoff > 0.0 ? agaa_factNoCutouts : agaa_factNoTranslucency);
+    return AGAA_FACT_ALPHA_MASKED | (s.alphaCutoff > 0.0 ? AGAA_FACT_NO_CUTOUTS : AGAA_FACT_NO_TRANSLUCENCY);
 #else
     return 0u;
 #endif
@@ -193,7 +193,7 @@ void agaa_applyFacts(inout AgaaSurfaceInput s) {
 #endif
     s.normal = agaa_factNormal(s.normal, agaa_facingNormal(s));
 #if AGAA_HAS_CORNERS
-    if (agaa_hasFact(agaa_factPlaneNormals))
+    if (agaa_hasFact(AGAA_FACT_PLANE_NORMALS))
         s.normalDx = s.normalDy = vec3(0.0);
 #endif
 #if AGAA_SHOWS_FACTS

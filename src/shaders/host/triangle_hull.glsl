@@ -29,7 +29,7 @@ AGAA_CORNER agaa_cornerOf(vec4 clip, vec2 pixelsPerNdc) {
 // a, b, c: clip coordinates of the vertices, as the host's vertex shader gives them. Returns the number of vertices of the
 // strip, 0 where there is nothing in front of the near plane. The strip faces as the triangle does.
 uint agaa_beginPrimitive(vec4 a, vec4 b, vec4 c) {
-    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
+    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
 #if AGAA_FAR_DEPTH == 0
     vec2 nearPlane = vec2(-1.0, 1.0);
 #elif AGAA_CLIP_Z_FROM_MINUS_ONE

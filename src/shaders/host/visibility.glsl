@@ -3,11 +3,11 @@
 void agaa_emit(AgaaSurfaceInput s) {
     agaa_checkPlacement(s.position);
 #if AGAA_WRITES_NORMALS
-    vec2 centre = (vec2(agaa_hostPixel()) + 0.5) / vec2(agaa_frame.size.xy) * 2.0 - 1.0;
-    vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projection0.x, agaa_frame.projection0.y,
-                                 agaa_frame.projection0.z, agaa_frame.projection0.w,
-                                 agaa_frame.projection1.z != 0.0 ? 1u : 0u);
-    vec3 v = agaa_frame.projection1.z != 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(-ray);
+    vec2 centre = (vec2(agaa_hostPixel()) + 0.5) / vec2(agaa_frame.size) * 2.0 - 1.0;
+    vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projectionScale.x, agaa_frame.projectionScale.y,
+                                 agaa_frame.projectionOffset.x, agaa_frame.projectionOffset.y,
+                                 agaa_frame.isOrthographic);
+    vec3 v = agaa_frame.isOrthographic != 0u ? vec3(0.0, 0.0, 1.0) : normalize(-ray);
     vec3 t, b;
     agaa_viewBasis(v, t, b);
     vec3 n = mat3(agaa_frame.view) * s.geometricNormal;

@@ -44,7 +44,7 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
 #endif
     uint mask = agaa_masks[lane * AGAA_AGGREGATES + a];
     agaa_Means means = agaa_meansOf(lane, mask, 1.0 / float(bitCount(mask)), false);
-    return agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, mask), a, mask, means, false);
+    return agaa_shadeMeans(pixel, agaa_locateAggregate(pixel, mask), a, mask, means, false);
 }
 
 void agaa_shadeDeferredPixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered) {
@@ -59,13 +59,13 @@ void agaa_shadeDeferredPixel(bool isHeld, uvec2 pixel, uint covered, uint uncove
 void main() {
     agaa_countBegin();
     uint count = agaa_findDeferred();
-    agaa_turn = 0u;
+    agaa_firstDeferred = 0u;
     do {
-        bool isHeld = agaa_turn + gl_LocalInvocationIndex < count;
+        bool isHeld = agaa_firstDeferred + gl_LocalInvocationIndex < count;
         uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-        agaa_takeAll(pixel, isHeld ? agaa_loadIds(pixel) : 0u);
+        agaa_processPixels(pixel, isHeld ? agaa_loadIds(pixel) : 0u);
         barrier();
-        agaa_turn += 64u;
-    } while (agaa_turn < count);
+        agaa_firstDeferred += 64u;
+    } while (agaa_firstDeferred < count);
     agaa_countEnd();
 }

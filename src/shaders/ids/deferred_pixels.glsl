@@ -11,7 +11,7 @@ layout(std430, AGAA_BINDING_DEFERRED) AGAA_DEFERRED_ACCESS buffer agaa_DeferredB
     uint words[];
 } agaa_deferred;
 
-uvec2 agaa_tileCounts() { return (agaa_frame.size.xy + 7u) / 8u; }
+uvec2 agaa_tileCounts() { return (agaa_frame.size + 7u) / 8u; }
 
 uint agaa_deferredWord(uvec2 tile, uint lane) { return 2u * (tile.y * agaa_tileCounts().x + tile.x) + (lane >> 5u); }
 
@@ -37,10 +37,10 @@ void agaa_deferLate(uvec2 pixel) {
     atomicOr(agaa_deferred.words[agaa_deferredWord(pixel / 8u, lane)], 1u << (lane & 31u));
 }
 #else
-const uint agaa_mostDeferred = 64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE;
+const uint agaa_maxDeferred = 64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE;
 shared uint agaa_deferredCount;
-shared uint agaa_deferredPlace[agaa_mostDeferred]; // lane in its tile | tile << 6
-uint agaa_turn = 0u; // place of the first pixel in hand; a lane has one each
+shared uint agaa_deferredPixels[agaa_maxDeferred]; // lane in its tile | tile << 6
+uint agaa_firstDeferred = 0u; // place of the first pixel in hand; a lane has one each
 
 // Called by all lanes; returns how many there are in the region.
 uint agaa_findDeferred() {
@@ -53,7 +53,7 @@ uint agaa_findDeferred() {
         if (any(greaterThanEqual(tile, agaa_tileCounts())))
             continue;
         if ((agaa_deferred.words[agaa_deferredWord(tile, lane)] >> (lane & 31u) & 1u) != 0u)
-            agaa_deferredPlace[atomicAdd(agaa_deferredCount, 1u)] = lane | t << 6u;
+            agaa_deferredPixels[atomicAdd(agaa_deferredCount, 1u)] = lane | t << 6u;
     }
     barrier();
     return agaa_deferredCount;
@@ -61,7 +61,7 @@ uint agaa_findDeferred() {
 
 // That a lane has in hand.
 uvec2 agaa_pixelOf(uint lane) {
-    uint place = agaa_deferredPlace[min(agaa_turn + lane, agaa_mostDeferred - 1u)];
+    uint place = agaa_deferredPixels[min(agaa_firstDeferred + lane, agaa_maxDeferred - 1u)];
     uint tile = place >> 6u;
     uvec2 corner = gl_WorkGroupID.xy * AGAA_REGION_SIDE + uvec2(tile % AGAA_REGION_SIDE, tile / AGAA_REGION_SIDE);
     return corner * 8u + uvec2(place & 7u, place >> 3u & 7u);

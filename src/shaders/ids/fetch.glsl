@@ -18,9 +18,9 @@ vec3 agaa_vertexViewPosition(vec4 clip) {
     clip.z = 0.5 * (clip.z + clip.w);
 #endif
     if (agaa_isOrthographic() != 0u)
-        return vec3((clip.xy - agaa_frame.projection0.zw) / agaa_frame.projection0.xy,
-                    (clip.z - agaa_frame.projection1.y) / agaa_frame.projection1.x);
-    return vec3((clip.xy + agaa_frame.projection0.zw * clip.w) / agaa_frame.projection0.xy, -clip.w);
+        return vec3((clip.xy - agaa_frame.projectionOffset) / agaa_frame.projectionScale,
+                    (clip.z - agaa_frame.projection32) / agaa_frame.projection22);
+    return vec3((clip.xy + agaa_frame.projectionOffset * clip.w) / agaa_frame.projectionScale, -clip.w);
 }
 
 float agaa_largest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
@@ -38,7 +38,7 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
 }
 
 // By how much rounding of the corners, some steps of their size, may turn the normal: the sine of the angle. 1 without an area.
-float agaa_doubtOfPlane(AgaaPrimitive p) {
+float agaa_planeNormalError(AgaaPrimitive p) {
     vec3 a = agaa_vertexViewPosition(p.a), b = agaa_vertexViewPosition(p.b), c = agaa_vertexViewPosition(p.c);
     float longest = max(length(b - a), max(length(c - b), length(a - c)));
     float height = length(cross(b - a, c - a)) / max(longest, 1e-30);
@@ -52,8 +52,8 @@ vec3 agaa_facingNormal(AgaaPrimitive p, float doubt) {
 }
 
 // The primitive at a place in the pixel.
-void agaa_moveTo(inout AgaaPrimitive p, uvec2 pixel, vec2 place) {
-    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size.xy);
+void agaa_evaluateAt(inout AgaaPrimitive p, uvec2 pixel, vec2 place) {
+    vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
     vec2 ndc = (vec2(pixel) + place) / pixelsPerNdc - 1.0;
     agaa_Barycentrics b = agaa_barycentrics(p.a.xyw, p.b.xyw, p.c.xyw, ndc, pixelsPerNdc);
     p.at = b.at;
@@ -62,13 +62,13 @@ void agaa_moveTo(inout AgaaPrimitive p, uvec2 pixel, vec2 place) {
     p.facing = b.facing;
 }
 
-AgaaMaterial agaa_fetchMaterialThere(AgaaPrimitive p) {
+AgaaMaterial agaa_evaluateMaterial(AgaaPrimitive p) {
     AgaaMaterial m = agaa_defaultMaterial();
     agaaHostMaterial(p, m);
     agaa_count(AGAA_COUNT_MATERIALS, 1u);
     agaa_count(AGAA_COUNT_SANITISED, agaa_sanitiseValues(m));
-    if (agaa_hasFact(agaa_factPlaneNormals) || AGAA_CHECK_FACTS != 0u) {
-        float doubt = agaa_doubtOfPlane(p);
+    if (agaa_hasFact(AGAA_FACT_PLANE_NORMALS) || AGAA_CHECK_FACTS != 0u) {
+        float doubt = agaa_planeNormalError(p);
         agaa_applyFacts(m, agaa_facingNormal(p, doubt), doubt < 0.005);
     } else {
         agaa_applyFacts(m, m.normal, false);
@@ -105,13 +105,13 @@ AgaaMaterial agaa_fetchFineMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) 
     uint group = first / AGAA_MATERIAL_SAMPLES;
     uint covered = samples;
     if (uint(bitCount(samples)) < AGAA_MATERIAL_SAMPLES) {
-        agaa_moveTo(p, pixel, agaa_sampleLocation(first));
+        agaa_evaluateAt(p, pixel, agaa_sampleLocation(first));
         covered = agaa_coveredOfTexel(p, group, first);
     }
     vec2 centre = (vec2(group % AGAA_SCALE_X, group / AGAA_SCALE_X) + 0.5) / vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
     bool isWhole = uint(bitCount(covered)) == AGAA_MATERIAL_SAMPLES;
-    agaa_moveTo(p, pixel, isWhole ? centre : agaa_sampleLocation(findLSB(covered)));
-    AgaaMaterial m = agaa_fetchMaterialThere(p);
+    agaa_evaluateAt(p, pixel, isWhole ? centre : agaa_sampleLocation(findLSB(covered)));
+    AgaaMaterial m = agaa_evaluateMaterial(p);
     m.normalDx = m.normalDy = vec3(0.0);
     return m;
 }
@@ -127,8 +127,8 @@ AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
             middle += agaa_sampleLocation(i);
     } while (++i < agaa_sampleCount());
     middle /= float(bitCount(samples));
-    agaa_moveTo(p, pixel, middle);
-    AgaaMaterial m = agaa_fetchMaterialThere(p);
+    agaa_evaluateAt(p, pixel, middle);
+    AgaaMaterial m = agaa_evaluateMaterial(p);
     m.normal -= middle.x * m.normalDx + middle.y * m.normalDy;
     return m;
 }

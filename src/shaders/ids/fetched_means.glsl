@@ -5,14 +5,14 @@
 #include "aggregate/mean_surface.glsl"
 
 // Sums of places in the pixel and of their products, over samples of a primitive by their weights.
-struct agaa_Places {
+struct agaa_PositionSums {
     float weight;
     vec2 sum;
     vec3 products; // xx, yy, xy
 };
 
 // Normals of a primitive that grow evenly across the pixel: as one in their middle, with the spread around it.
-void agaa_addCurved(inout agaa_Means m, AgaaMaterial material, agaa_Places places) {
+void agaa_addCurved(inout agaa_Means m, AgaaMaterial material, agaa_PositionSums places) {
     vec2 middle = places.sum / places.weight;
     vec3 n = material.normal + middle.x * material.normalDx + middle.y * material.normalDy;
     float scale = inversesqrt(max(dot(n, n), 1e-6));
@@ -34,7 +34,7 @@ void agaa_addCurved(inout agaa_Means m, AgaaMaterial material, agaa_Places place
 }
 
 // places: of materials that are curved; weight: of their samples, in all.
-void agaa_addFetched(inout agaa_Means m, AgaaMaterial material, float weight, agaa_Places places) {
+void agaa_addFetched(inout agaa_Means m, AgaaMaterial material, float weight, agaa_PositionSums places) {
     agaa_Surface s = agaa_surfaceOfMaterial(material);
     agaa_addMaterial(m, weight, s);
     if (!agaa_isCurvedMaterial(material))

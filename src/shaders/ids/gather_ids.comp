@@ -42,11 +42,11 @@ void agaa_shadeDeferredPixel(bool isHeld, uvec2 pixel, uint covered, uint uncove
 void main() {
     agaa_countBegin();
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-    bool inside = all(lessThan(pixel, agaa_frame.size.xy));
+    bool inside = all(lessThan(pixel, agaa_frame.size));
     uint covered = inside ? agaa_loadIds(pixel) : 0u;
     if (inside && covered == 0u)
         for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
             agaa_storeAggregate(pixel, a, 0u);
-    agaa_takeAll(pixel, covered);
+    agaa_processPixels(pixel, covered);
     agaa_countEnd();
 }

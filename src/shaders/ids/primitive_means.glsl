@@ -14,8 +14,8 @@ float agaa_weightOf(uint i, bool isLit) {
     return 1.0;
 }
 
-agaa_Places agaa_placesOf(uint samples, float scale, bool isLit) {
-    agaa_Places p = agaa_Places(0.0, vec2(0.0), vec3(0.0));
+agaa_PositionSums agaa_positionSumsOf(uint samples, float scale, bool isLit) {
+    agaa_PositionSums p = agaa_PositionSums(0.0, vec2(0.0), vec3(0.0));
     for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
         uint i = uint(findLSB(rest));
         float weight = scale * agaa_weightOf(i, isLit);
@@ -30,7 +30,7 @@ agaa_Places agaa_placesOf(uint samples, float scale, bool isLit) {
 // Adds these samples of a primitive.
 void agaa_addPrimitive(inout agaa_Means m, AgaaMaterial material, uint samples, float scale, bool isLit) {
     bool isCurved = agaa_isCurvedMaterial(material);
-    agaa_Places places = agaa_placesOf(isCurved || isLit ? samples : 0u, scale, isLit);
+    agaa_PositionSums places = agaa_positionSumsOf(isCurved || isLit ? samples : 0u, scale, isLit);
     float weight = isCurved || isLit ? places.weight : scale * float(bitCount(samples));
     agaa_addFetched(m, material, weight, places);
 }

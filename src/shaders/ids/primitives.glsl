@@ -11,18 +11,18 @@
 #define AGAA_LIST_LENGTH 256u
 #endif
 const uint agaa_listLength = AGAA_LIST_LENGTH;
-shared uint agaa_listed; // places asked for, of which some may not have been had
+shared uint agaa_listedCount; // places asked for, of which some may not have been had
 shared uint agaa_listId[agaa_listLength];
 shared uint agaa_listSamples[agaa_listLength]; // 0: nobody's
 shared uint agaa_listLane[agaa_listLength];
 shared vec3 agaa_listPlane[agaa_listLength]; // normal in view space
 shared AgaaMaterial agaa_listMaterial[agaa_listLength]; // its normal at the pixel's corner, not unit
 shared uint agaa_pixelList[64];                    // first place | number of them << 16
-shared uint agaa_manyCount;                        // pixels of several primitives
-shared uint agaa_many[64];
+shared uint agaa_complexCount;                        // pixels of several primitives
+shared uint agaa_complexLanes[64];
 shared uint agaa_aggregateCount[64];
 shared uint agaa_masks[64u * AGAA_AGGREGATES];     // samples of each aggregate
-shared uint agaa_waiting;                          // pixels that did not find room
+shared uint agaa_waitingCount;                          // pixels that did not find room
 #ifdef AGAA_SOME_UNFETCHED
 shared uint agaa_uncoveredSamples[64]; // of each pixel, that the G-buffer of unfetched draws has not
 #endif
@@ -152,7 +152,7 @@ agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
     return agaa_withDistance(samples);
 }
 
-bool agaa_agreeShadingNormals(uvec2 pixel, uint covered) {
+bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered) {
     if (AGAA_GLOSS_WEIGHT == 0u)
         return true; // planes decide
     uint first = uint(findLSB(covered));
@@ -162,7 +162,7 @@ bool agaa_agreeShadingNormals(uvec2 pixel, uint covered) {
         uint i = uint(findLSB(rest));
         least = min(least, dot(normal, agaa_listedNormal(agaa_samplePrimitive[i], i)));
     }
-    return least >= agaa_frame.surface.x;
+    return least >= agaa_frame.surfaceCosine;
 }
 
 void agaa_weighNormals(uvec2 pixel, uint covered) {
@@ -197,18 +197,18 @@ void agaa_groupListed(uint lane) {
 void agaa_shadeDeferredPixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered);
 
 // Each pixel with geometry is taken once. Called by all lanes, `covered` being 0 of those that have no pixel.
-void agaa_takeAll(uvec2 pixel, uint covered) {
+void agaa_processPixels(uvec2 pixel, uint covered) {
     const uint lane = gl_LocalInvocationIndex;
     uint primitives = agaa_findPrimitives(pixel, covered, agaa_shownPrimitives);
     agaa_count(AGAA_COUNT_PRIMITIVES, agaa_shownPrimitives);
     bool waits = covered != 0u;
     for (;;) {
         if (lane == 0u)
-            agaa_listed = agaa_waiting = agaa_manyCount = 0u;
+            agaa_listedCount = agaa_waitingCount = agaa_complexCount = 0u;
         for (uint at = lane; at < agaa_listLength; at += 64u)
             agaa_listSamples[at] = 0u;
         barrier();
-        uint first = waits ? atomicAdd(agaa_listed, primitives) : 0u;
+        uint first = waits ? atomicAdd(agaa_listedCount, primitives) : 0u;
         bool turn = waits && first + primitives <= agaa_listLength;
 #ifdef AGAA_SOME_UNFETCHED
         agaa_uncoveredSamples[lane] = 0u;
@@ -222,13 +222,13 @@ void agaa_takeAll(uvec2 pixel, uint covered) {
         bool groups = turn && AGAA_AGGREGATES > 1u &&
                       (primitives > 1u || agaa_splitsSurfaces() || AGAA_GLOSS_WEIGHT != 0u);
         if (groups)
-            agaa_many[atomicAdd(agaa_manyCount, 1u)] = lane;
+            agaa_complexLanes[atomicAdd(agaa_complexCount, 1u)] = lane;
         waits = waits && !turn;
         if (waits)
-            atomicAdd(agaa_waiting, 1u);
+            atomicAdd(agaa_waitingCount, 1u);
         barrier();
-        uint listed = min(agaa_listed, agaa_listLength);
-        uint waiting = agaa_waiting;
+        uint listed = min(agaa_listedCount, agaa_listLength);
+        uint waiting = agaa_waitingCount;
         uint at = lane;
         do {
             if (at < listed && agaa_listSamples[min(at, agaa_listLength - 1u)] != 0u)
@@ -245,8 +245,8 @@ void agaa_takeAll(uvec2 pixel, uint covered) {
 #else
         const uint uncovered = 0u;
 #endif
-        if (lane < agaa_manyCount) {
-            agaa_groupListed(agaa_many[lane]);
+        if (lane < agaa_complexCount) {
+            agaa_groupListed(agaa_complexLanes[lane]);
         }
         barrier();
         agaa_shadeDeferredPixel(turn, pixel, covered & ~uncovered, uncovered);

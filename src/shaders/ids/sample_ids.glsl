@@ -2,9 +2,10 @@
 #ifndef AGAA_SAMPLE_IDS_GLSL
 #define AGAA_SAMPLE_IDS_GLSL
 #include "common/target.glsl"
+#include "ids/id_values.glsl"
 
 // Four bytes: each is exact in an 8-bit channel, on every device at every sample count.
-layout(AGAA_BINDING_METADATA) uniform AGAA_TARGET_TEXTURE agaa_ids;
+layout(AGAA_BINDING_IDS) uniform AGAA_TARGET_TEXTURE agaa_ids;
 
 // 0: no geometry.
 uint agaa_idOf(uvec2 pixel, uint i) {
@@ -15,7 +16,7 @@ uint agaa_idOf(uvec2 pixel, uint i) {
 // False of draws that a G-buffer holds instead (AGAA_FETCH_NOT_ALL_DRAWS).
 bool agaa_isFetched(uint id) {
 #ifdef AGAA_SOME_UNFETCHED
-    return id != 0xFFFFFFFFu;
+    return id != AGAA_UNFETCHED_ID;
 #else
     return true;
 #endif

@@ -44,7 +44,7 @@ bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
         for (; compared != 0u; compared &= compared - 1u)
             least = min(least, dot(normal, agaa_materialNormal(m, uint(findLSB(compared)))));
     }
-    return least >= agaa_frame.surface.x || AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u;
+    return least >= agaa_frame.surfaceCosine || AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u;
 }
 
 agaa_Means agaa_meansOf(uint samples, float scale, bool isLit) {
@@ -71,7 +71,7 @@ void agaa_shadeSingle(uvec2 pixel, uint id, uint samples) {
     agaa_shownPrimitives = 1u;
     agaa_PixelWork work = agaa_countedWork(pixel, 1u, samples, 0u);
     agaa_Means means = agaa_meansOf(samples, 1.0 / float(bitCount(samples)), false);
-    vec3 color = agaa_shadeMeans(pixel, agaa_placeAggregate(pixel, samples), 0u, samples, means, false);
+    vec3 color = agaa_shadeMeans(pixel, agaa_locateAggregate(pixel, samples), 0u, samples, means, false);
     agaa_writePixel(pixel, work, color);
 }
 
@@ -82,7 +82,7 @@ void agaa_sortTile(uvec2 tile) {
     uint id = 0u;
     uint samples = 0u;
     bool isOne = true;
-    bool isInside = all(lessThan(pixel, agaa_frame.size.xy));
+    bool isInside = all(lessThan(pixel, agaa_frame.size));
     uint i = 0u;
     do {
         uint own = isInside ? agaa_idOf(pixel, i) : 0u;

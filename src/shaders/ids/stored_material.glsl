@@ -5,7 +5,7 @@
 #include "common/stored.glsl"
 
 agaa_Stored agaa_storedMaterial(AgaaMaterial m) {
-    vec3 emissive = m.emissive / agaa_frame.ambient.w;
+    vec3 emissive = m.emissive / agaa_frame.emissiveRange;
     if (AGAA_EMISSIVE_CHANNELS == 1u)
         emissive = vec3(agaa_emissiveFactor(m.diffuse, emissive));
     agaa_Stored v = agaa_storedSurface(m.diffuse, m.specular, m.normal, m.alpha2, emissive);

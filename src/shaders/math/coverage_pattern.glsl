@@ -21,17 +21,17 @@
 #include "real.glsl"
 
 #ifdef AGAA_FRAME_GLSL
-bool agaa_hasOwnPattern() {
+bool agaa_hasHostPattern() {
     return AGAA_TABLE_SIZE != 0u;
 }
-rvec2 agaa_ownPosition(uint i) {
+rvec2 agaa_hostPosition(uint i) {
     return agaa_sampleLocation(i) - rvec2(real(0.5));
 }
 #else
-bool agaa_hasOwnPattern() {
+bool agaa_hasHostPattern() {
     return false;
 }
-rvec2 agaa_ownPosition(uint i) {
+rvec2 agaa_hostPosition(uint i) {
     return rvec2(real(i));
 }
 #endif
@@ -59,8 +59,8 @@ real agaa_coverageRowY(uint row, uint samples) {
 
 // From the pixel's centre, in pixels: (-1/2, 1/2).
 rvec2 agaa_coveragePosition(uint i, uint samples) {
-    if (agaa_hasOwnPattern())
-        return agaa_ownPosition(i);
+    if (agaa_hasHostPattern())
+        return agaa_hostPosition(i);
     const uint columns = agaa_coverageColumns(samples);
     const uint row = i / columns;
     const real spacing = columns == 2u ? real(0.5) : real(0.25);
@@ -68,13 +68,13 @@ rvec2 agaa_coveragePosition(uint i, uint samples) {
                  agaa_coverageRowY(row, samples));
 }
 
-rvec2 agaa_ownMiddle(uvec4 mask) {
+rvec2 agaa_hostMiddle(uvec4 mask) {
     rvec2 sum = rvec2(real(0.0));
     real count = real(0.0);
     for (uint word = 0u; word < 4u; ++word) {
         uint left = mask[word];
         while (left != 0u) {
-            sum += agaa_ownPosition(word * 32u + uint(findLSB(left)));
+            sum += agaa_hostPosition(word * 32u + uint(findLSB(left)));
             count += real(1.0);
             left = left & (left - 1u);
         }
@@ -84,8 +84,8 @@ rvec2 agaa_ownMiddle(uvec4 mask) {
 
 // The mean position of a mask's samples, of which there is one at least, from the pixel's centre in pixels.
 rvec2 agaa_coverageMiddle(uvec4 mask, uint samples) {
-    if (agaa_hasOwnPattern())
-        return agaa_ownMiddle(mask);
+    if (agaa_hasHostPattern())
+        return agaa_hostMiddle(mask);
     const uint columns = agaa_coverageColumns(samples);
     const uint rows = agaa_coverageRows(samples);
     const uint rowsOfWord = 32u / columns;

@@ -26,7 +26,7 @@ bool agaa_isInTableEntry(uint entry, uint size, rvec2 position) {
 }
 
 // Distance and direction of an entry.
-uvec2 agaa_tablePlace(uint entry, uint size) {
+uvec2 agaa_tableTexel(uint entry, uint size) {
     return uvec2(entry % size, entry / size);
 }
 

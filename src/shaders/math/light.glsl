@@ -7,6 +7,8 @@
 #include "ndf.glsl"
 #include "real.glsl"
 
+#define agaa_brdfBlinnPhong 0u // AGAA_BRDF_BLINN_PHONG; GGX otherwise
+
 // Inverse square law, 0 from `range` on (range 0: no end); d2 is the squared distance, rMin2 the
 // squared radius of the lamp, within which the law would diverge.
 real agaa_pointAttenuation(real d2, real range, real rMin2) {
@@ -48,7 +50,7 @@ real agaa_roundLobe(agaa_Surface s, rvec3 n, rvec3 v, rvec3 l, rvec3 h, uint brd
     const rvec3 c = cross(n, h);
     const real NxH2 = min(dot(c, c), real(1.0));
     const real NoH = agaa_saturate(dot(n, h));
-    if (brdf == 0u) {
+    if (brdf == agaa_brdfBlinnPhong) {
         return real(0.25) * agaa_blinnPhong(agaa_exponentFromAlpha2(s.alpha2), NxH2, NoH);
     }
     // Interpolated normals may face away from the eye; the floor keeps Smith's term bounded.
@@ -60,7 +62,7 @@ real agaa_ellipticLobe(agaa_Surface s, rvec3 n, rvec3 v, rvec3 l, rvec3 h, uint 
     const rvec3 x = clamp(s.axis, real(-1.0), real(1.0));
     const rvec3 y = cross(n, x);
     const rvec3 hAt = rvec3(dot(x, h), dot(y, h), agaa_saturate(dot(n, h)));
-    if (brdf == 0u) {
+    if (brdf == agaa_brdfBlinnPhong) {
         return real(0.25) * agaa_blinnPhongEllipse(s.alpha2Along, s.alpha2, hAt);
     }
     const rvec3 vAt = rvec3(dot(x, v), dot(y, v), clamp(dot(n, v), real(1e-4), real(1.0)));

@@ -12,7 +12,8 @@
 #include "real.glsl"
 #include "sanitise.glsl"
 
-// Values of AgaaNdf; from the first on, lobes are elliptic.
+// Values of AgaaNdf. Lobes are elliptic from agaa_ndfLean on.
+#define agaa_ndfNone 0u
 #define agaa_ndfLean 2u
 #define agaa_ndfSggx 3u
 

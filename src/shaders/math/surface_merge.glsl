@@ -166,7 +166,7 @@ uint agaa_findOverlapping(uint i, uint count, real slack) {
 
 // Of `count`, which are 2 or more, the one that takes surface i best: of those whose depths overlap the one of the closest
 // normal, otherwise the nearest in depth.
-uint agaa_findTaker(uint i, uint count) {
+uint agaa_findMergeTarget(uint i, uint count) {
     uint best = AGAA_NO_SURFACE;
     bool bestOverlaps = false;
     real highest = real(0.0);
@@ -190,7 +190,7 @@ uint agaa_findCheapest(uint count) {
     uint cheapest = 0u;
     real lowest = real(0.0);
     for (uint i = 0u; i < count; ++i) {
-        const uint taker = agaa_findTaker(i, count);
+        const uint taker = agaa_findMergeTarget(i, count);
         const real apart = agaa_depthOverlap(agaa_kept[i], agaa_kept[taker]) >= real(0.0) ? real(0.0) : real(0.5);
         const real unlike = real(1.1) - dot(agaa_kept[i].normal, agaa_kept[taker].normal) + apart;
         const real cost = real(agaa_coverageCount(agaa_visibleOf(i, count))) * unlike;
@@ -213,7 +213,7 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
     const uvec4 moving = byCost ? visible : agaa_kept[least].mask;
     uint taker = AGAA_NO_SURFACE;
     if (rules.rule != AGAA_RULE_NONE && agaa_coverageCount(moving) != 0u)
-        taker = byCost ? agaa_findTaker(least, count) : agaa_findOverlapping(least, count, rules.slack);
+        taker = byCost ? agaa_findMergeTarget(least, count) : agaa_findOverlapping(least, count, rules.slack);
     if (taker == AGAA_NO_SURFACE) {
         done.lost = agaa_coverageCount(visible);
     } else {

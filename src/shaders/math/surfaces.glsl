@@ -13,7 +13,7 @@ uint agaa_surfaceSamples[8]; // result: mask, own samples and those that joined;
 uint agaa_surfaceShaded[8];  // result: the sample whose attributes stand for it
 
 // Before the rest: compilers warn of reads that they meet before writes.
-void agaa_forgetSurfaces(uint limit) {
+void agaa_clearSurfaces(uint limit) {
     for (uint s = 0u; s < limit; ++s) {
         agaa_surfaceSamples[s] = 0u;
         agaa_surfaceShaded[s] = 0u;
@@ -119,7 +119,7 @@ uint agaa_selectSurfaces(uint n, uint covered, uint limit, real cosine, real wid
                          agaa_Lengths lengths) {
     uint kept = 0u;
     uint left = covered;
-    agaa_forgetSurfaces(limit);
+    agaa_clearSurfaces(limit);
     for (uint found = 0u; found < n && left != 0u; ++found) {
         const uint seed = uint(findMSB(left & (~left + 1u)));
         const agaa_Plane plane = agaa_planeOf(seed);

@@ -40,12 +40,12 @@ struct Pixel {
 
 glm::dvec3 viewPosition(const Plan& plan, const FrameConstants& constants, uint32_t x, uint32_t y, uint32_t i,
                         double depth) {
-    const float* p = constants.projection;
-    const bool orthographic = p[6] != 0.0f;
-    const double z = math_d::agaa_viewZFromDepth(depth, double(p[4]), double(p[5]), orthographic);
-    const glm::dvec2 ndc((x + double(constants.samples[i][0])) / plan.view.width * 2 - 1,
-                         (y + double(constants.samples[i][1])) / plan.view.height * 2 - 1);
-    return math_d::agaa_viewPosition(ndc, z, double(p[0]), double(p[1]), double(p[2]), double(p[3]), orthographic);
+    const FrameConstants& c = constants;
+    const double z = math_d::agaa_viewZFromDepth(depth, double(c.projection22), double(c.projection32), c.isOrthographic);
+    const glm::dvec2 ndc((x + double(constants.sampleLocations[i][0])) / plan.view.width * 2 - 1,
+                         (y + double(constants.sampleLocations[i][1])) / plan.view.height * 2 - 1);
+    return math_d::agaa_viewPosition(ndc, z, double(c.projectionScale[0]), double(c.projectionScale[1]),
+                                     double(c.projectionOffset[0]), double(c.projectionOffset[1]), c.isOrthographic);
 }
 
 class Oracle {
@@ -57,13 +57,14 @@ public:
     Pixel load(uint32_t x, uint32_t y) const {
         using namespace math_d;
         const Plan& plan = view_.plan();
-        const float* p = constants_.projection;
-        const bool orthographic = p[6] != 0.0f;
+        const FrameConstants& f = constants_;
+        const bool orthographic = f.isOrthographic;
+        const double p00 = double(f.projectionScale[0]);
         Pixel pixel;
         double nearest2 = 1e300, nearestZ = 1e300;
         const rvec2 centre((x + 0.5) / plan.view.width * 2 - 1, (y + 0.5) / plan.view.height * 2 - 1);
-        const rvec3 ray = agaa_viewPosition(centre, -1.0, double(p[0]), double(p[1]), double(p[2]), double(p[3]),
-                                            orthographic);
+        const rvec3 ray = agaa_viewPosition(centre, -1.0, p00, double(f.projectionScale[1]),
+                                            double(f.projectionOffset[0]), double(f.projectionOffset[1]), orthographic);
         const rvec3 v = orthographic ? rvec3(0, 0, 1) : glm::normalize(-ray);
         rvec3 t, b;
         agaa_viewBasis(v, t, b);
@@ -81,19 +82,20 @@ public:
             c.agaa_sampleNormal[i] = glm::dmat3(t, b, v) * agaa_decodeHemiOct8(code);
             c.agaa_sampleKeyA[i] = depth_[s].x;
             c.agaa_sampleKeyB[i] = code.x << 24 | code.y << 16 |
-                                   uint32_t(constants_.samples[i][0] * 128) << 8 |
-                                   uint32_t(constants_.samples[i][1] * 128);
+                                   uint32_t(constants_.sampleLocations[i][0] * 128) << 8 |
+                                   uint32_t(constants_.sampleLocations[i][1] * 128);
             nearest2 = std::min(nearest2, glm::dot(position, position));
             nearestZ = std::min(nearestZ, std::abs(z));
-            const double step = p[7] < 0 ? double(-p[7]) * depth : double(p[7]);
-            c.agaa_sampleStep[i] = agaa_depthQuantum(z, depth, double(p[4]), double(p[5]), orthographic, step);
+            const double step = f.depthQuantum < 0 ? double(-f.depthQuantum) * depth : double(f.depthQuantum);
+            c.agaa_sampleStep[i] = agaa_depthQuantum(z, depth, double(f.projection22), double(f.projection32), orthographic,
+                                                     step);
         }
         const AgaaConfig& config = plan.view.config;
         pixel.k = agaa_characteristicLength(double(plan.view.aggregation.characteristicLength),
                                             double(plan.view.aggregation.characteristicLengthPerDistance),
-                                            orthographic ? 1 / std::abs(double(p[0])) : std::sqrt(nearest2));
+                                            orthographic ? 1 / std::abs(p00) : std::sqrt(nearest2));
         const double scale = orthographic ? 1.0 : nearestZ;
-        pixel.width = double(config.surfaceDistance) * scale * 2 / (std::abs(double(p[0])) * plan.view.width);
+        pixel.width = double(config.surfaceDistance) * scale * 2 / (std::abs(p00) * plan.view.width);
         return pixel;
     }
 
@@ -343,7 +345,7 @@ Split splitPixels(StageContext& context, uint32_t tier, const glm::vec3& normal,
                 least = std::min(least, along);
                 most = std::max(most, along);
             }
-            const double width = nearest * 2 / (double(constants.projection[0]) * settings.width);
+            const double width = nearest * 2 / (double(constants.projectionScale[0]) * settings.width);
             if (gap > 0 && std::abs(gap / width - 1) < 0.1)
                 continue;
             const bool layered = gap > width && most - least > double(gap) / 2;

@@ -101,7 +101,7 @@ struct Adaptive {
 };
 
 void bindChoices(PlanBuilder& b, Pass& pass, const Adaptive& a) {
-    b.bind(pass, slot::Aggregates, BindingType::StorageBuffer, a.choices, true);
+    b.bind(pass, slot::Choices, BindingType::StorageBuffer, a.choices, true);
 }
 
 // A pass that reads samples, and chooses some.

@@ -114,7 +114,7 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
                      const std::function<void(Pass&)>& bindDepth) {
     b.cullLights(bindDepth);
     Pass& shade = b.compute("shade aggregates", AGAA_STAGE_SHADING, "shade_aggregates", AGAA_SEGMENT_SHADING,
-                            a.represented ? "r1" : "");
+                            {{Switch::Represented, a.represented}});
     shade.compute.shadesAggregates = true;
     b.bindCommon(shade);
     b.bindLighting(shade);
@@ -133,7 +133,7 @@ void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
     const ResourceId metadata = a.define(
         [&](Pass& pass) {
             b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
-            b.bind(pass, slot::Surface0, BindingType::Texture, prepass.normals);
+            b.bind(pass, slot::Normals, BindingType::Texture, prepass.normals);
         },
         aggregates);
     if (!a.definitionClears)
@@ -142,7 +142,7 @@ void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
     shadeAggregates(b, a, aggregates, [&](Pass& pass) {
         const bool hasNormals = a.layout.has(AGAA_SEMANTIC_NORMAL);
         b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);
-        b.bind(pass, slot::Surface0, BindingType::Texture, b.counts() || !hasNormals ? prepass.normals : prepass.depth);
+        b.bind(pass, slot::Normals, BindingType::Texture, b.counts() || !hasNormals ? prepass.normals : prepass.depth);
         pass.constants[AGAA_COVERAGE_COMPONENT] = 0;
         pass.constants[AGAA_PREPASS_NORMALS] = !hasNormals;
     });
@@ -153,7 +153,8 @@ void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {
     const ResourceId aggregates = aggregateBuffer(b, a);
     const ResourceId metadata = a.define([&](Pass& pass) { gbuffer.bind(b, pass); }, aggregates);
     Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather", AGAA_SEGMENT_GENERATION,
-                             a.represented ? "a0r1" : "");
+                             {{Switch::MultipleAggregates, !a.represented && b.plan.aggregates > 1},
+                              {Switch::Represented, a.represented}});
     b.bindCommon(gather);
     gbuffer.bind(b, gather);
     if (metadata != noResource)
@@ -204,7 +205,7 @@ void buildFromIds(PlanBuilder& b, const Aggregation& a) {
     setRecord(gather, a);
     shadeAggregates(b, a, aggregates, [&](Pass& pass) {
         b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth);
-        b.bind(pass, slot::Surface0, BindingType::Texture, b.counts() ? ids.prepass.normals : ids.prepass.depth);
+        b.bind(pass, slot::Normals, BindingType::Texture, b.counts() ? ids.prepass.normals : ids.prepass.depth);
         pass.constants[AGAA_COVERAGE_COMPONENT] = anyComponent;
     });
 }

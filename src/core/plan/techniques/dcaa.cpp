@@ -93,9 +93,9 @@ Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces) {
 ResourceId mergeInBuffer(PlanBuilder& b, const Aggregation& surfaces) {
     const ResourceId kept = surfaceBuffer(b);
     b.fill("clear surfaces", AGAA_STAGE_GENERATION, kept, AGAA_SEGMENT_PREPASS);
-    Pass& pass = drawMerging(b, surfaces);
-    pass.draw.extensions.push_back("ARB_fragment_shader_interlock");
-    b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, kept, true);
+    Pass& draw = drawMerging(b, surfaces);
+    draw.draw.extensions.push_back("ARB_fragment_shader_interlock");
+    b.bind(draw, host_slot::Surfaces, BindingType::StorageBuffer, kept, true);
     return kept;
 }
 
@@ -126,7 +126,7 @@ ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
                             hasBatches(b) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
     readLists(b, lists, surfaces, merge);
     merge.constants[AGAA_MERGE_RULE] = b.plan.view.coverage.merge;
-    b.bind(merge, slot::Aggregates, BindingType::StorageBuffer, kept, true);
+    b.bind(merge, slot::Surfaces, BindingType::StorageBuffer, kept, true);
     if (hasBatches(b)) {
         addBatchPass(b, "next batch", "next_batch", lists.buffer);
         b.plan.repeats.push_back({lists.firstPass, uint32_t(b.plan.passes.size() - 1), b.plan.view.coverage.maxBatches,
@@ -145,14 +145,14 @@ void build(PlanBuilder& b) {
                             : mergesInOrder(b) ? mergeInBuffer(b, surfaces)
                                                : mergeLists(b, surfaces);
     Pass& shade = b.compute("shade surfaces", AGAA_STAGE_SHADING, "shade_surfaces", AGAA_SEGMENT_SHADING,
-                            mergesInTargets(b) ? "t1" : "t0");
+                            {{Switch::InTargets, mergesInTargets(b)}});
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
     if (mergesInTargets(b))
-        b.bind(shade, slot::Surface0, BindingType::Texture, kept);
+        b.bind(shade, slot::SurfaceTargets, BindingType::Texture, kept);
     else
-        b.bind(shade, slot::Aggregates, BindingType::StorageBuffer, kept);
+        b.bind(shade, slot::Surfaces, BindingType::StorageBuffer, kept);
     setRecord(shade, surfaces);
     b.copyCounters();
 }

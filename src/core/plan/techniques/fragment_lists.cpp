@@ -90,7 +90,7 @@ ResourceId makeCoverageTable(PlanBuilder& b) {
     Pass& fill = b.compute("fill coverage table", AGAA_STAGE_GENERATION, "coverage_table", AGAA_SEGMENT_PREPASS);
     fill.compute.dispatch = {.kind = DispatchKind::Items, .items = uint64_t(size) * size};
     b.bind(fill, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_PREPASS));
-    b.bind(fill, slot::MetadataOut, BindingType::StorageImage, table, true);
+    b.bind(fill, slot::CoverageTableOut, BindingType::StorageImage, table, true);
     b.note(format("coverage: by a table of %u x %u half-planes, because the host says where the samples lie.", size, size));
     return table;
 }

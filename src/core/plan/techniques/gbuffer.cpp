@@ -56,7 +56,7 @@ void GBuffer::bind(PlanBuilder& b, Pass& pass) const {
     b.bind(pass, slot::Depth, BindingType::Texture, depth);
     // Shaders name four attachments; slots beyond the layout's repeat the last and are not used.
     for (uint32_t i = 0; i < 4; ++i)
-        b.bind(pass, slot::Surface0 + i, BindingType::Texture,
+        b.bind(pass, slot::GBuffer0 + i, BindingType::Texture,
                attachments[std::min<size_t>(i, attachments.size() - 1)]);
 }
 
@@ -65,7 +65,7 @@ void GBuffer::bindDepth(PlanBuilder& b, Pass& pass) const {
         return b.bindHostGBuffer(pass);
     b.bind(pass, slot::Depth, BindingType::Texture, depth);
     const Field& normal = packing.fields[ChannelNormalX];
-    b.bind(pass, slot::Surface0, BindingType::Texture, b.counts() ? attachments[normal.word] : depth);
+    b.bind(pass, slot::Normals, BindingType::Texture, b.counts() ? attachments[normal.word] : depth);
     pass.constants[AGAA_COVERAGE_COMPONENT] = normal.shift;
 }
 

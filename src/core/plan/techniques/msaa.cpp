@@ -30,7 +30,7 @@ static void build(PlanBuilder& b) {
     forward.draw.depthTarget = depth;
     Pass& resolve = b.compute("resolve", AGAA_STAGE_OTHER, "resolve", AGAA_SEGMENT_SHADING);
     b.bindCommon(resolve);
-    b.bind(resolve, slot::Surface0, BindingType::Texture, color);
+    b.bind(resolve, slot::Color, BindingType::Texture, color);
     b.bind(resolve, slot::Depth, BindingType::Texture, depth);
     b.bindOutput(resolve);
     b.copyCounters();

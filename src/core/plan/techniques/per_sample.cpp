@@ -11,7 +11,7 @@ namespace {
 Pass& shadeSamples(PlanBuilder& b, const GBuffer& gbuffer, bool isClassified, ResourceId image = noResource) {
     b.cullLights([&](Pass& pass) { gbuffer.bindDepth(b, pass); });
     Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples", AGAA_SEGMENT_SHADING,
-                            isClassified ? "x1" : "");
+                            {{Switch::Classified, isClassified}});
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade, image);
@@ -33,7 +33,7 @@ void buildFxaa(PlanBuilder& b) {
     shadeSamples(b, gbuffer, false, shaded).constants[AGAA_LUMA_IN_ALPHA] = 1;
     Pass& filter = b.compute("fxaa", AGAA_STAGE_OTHER, "fxaa", AGAA_SEGMENT_SHADING);
     b.bindCommon(filter);
-    b.bind(filter, slot::Surface0, BindingType::Texture, shaded);
+    b.bind(filter, slot::Color, BindingType::Texture, shaded);
     b.bind(filter, slot::Output, BindingType::StorageImage, b.output(), true);
     b.copyCounters();
 }

@@ -1,9 +1,9 @@
 // Lists of fragments that carry their materials.
-#ifndef AGAA_CARRIED_FRAGMENTS_GLSL
-#define AGAA_CARRIED_FRAGMENTS_GLSL
-#define AGAA_CARRIES_MATERIALS
-#include "coverage/carried.glsl"
-#define AGAA_PAYLOAD_WORDS AGAA_CARRIED_WORDS
+#ifndef AGAA_MATERIAL_LISTS_GLSL
+#define AGAA_MATERIAL_LISTS_GLSL
+#define AGAA_MATERIAL_LISTS
+#include "coverage/material_payload.glsl"
+#define AGAA_PAYLOAD_WORDS AGAA_MATERIAL_PAYLOAD_WORDS
 #include "math/coverage_pattern.glsl"
 #include "coverage/list_order.glsl"
 #include "coverage/surface_spread.glsl"

@@ -1,6 +1,7 @@
 // Where a surface with coverage samples is shaded, how much light gets past shadows there, and how its lobe widens.
-#ifndef AGAA_COVERED_PLACE_GLSL
-#define AGAA_COVERED_PLACE_GLSL
+#ifndef AGAA_SURFACE_POSITION_GLSL
+#define AGAA_SURFACE_POSITION_GLSL
+#include "tables/lighting.inc"
 #include "math/surface_resolve.glsl"
 #include "coverage/covered_surface.glsl"
 #include "coverage/surface_spread.glsl"
@@ -8,7 +9,7 @@
 // offset: from the pixel's centre, in pixels.
 vec3 agaa_surfacePosition(uvec2 pixel, vec3 plane, vec2 offset) {
     float depth = agaa_deviceDepth(plane.x + dot(plane.yz, offset));
-    return agaa_toShadingSpace(agaa_placeViewPosition(pixel, offset + 0.5, depth));
+    return agaa_toShadingSpace(agaa_viewPositionAt(pixel, offset + 0.5, depth));
 }
 
 // The depth plane of what shows at a sample: the surface's, or what the including text finds by an AGAA_SHOWN of its own.
@@ -23,7 +24,7 @@ vec3 agaa_shownPlane(vec3 plane, uint sampleOf) { return plane; }
 void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
 #if AGAA_SHADOWS
     uint count = agaa_coverageCount(mask);
-    uint taps = AGAA_SHADOW_FILTER != 0u ? min(count, AGAA_SHADOW_TAPS) : 1u;
+    uint taps = AGAA_SHADOW_FILTER != AGAA_SHADOW_AT_MEAN ? min(count, AGAA_SHADOW_TAPS) : 1u;
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map)
         agaa_visibility[map] = 0.0;
     if (taps == 1u)

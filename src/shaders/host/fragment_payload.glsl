@@ -1,17 +1,17 @@
 // What a fragment carries beside its coverage.
 #include "host/fragment_coverage.glsl"
-#include "coverage/carried.glsl"
+#include "coverage/material_payload.glsl"
 #include "common/curvature.glsl"
 #include "coverage/growing_depth.glsl"
 #include "aggregate/packing.glsl"
 #include "coverage/surface_spread.glsl"
 
-uint agaa_carried[AGAA_CARRIED_WORDS]; // by agaa_carry()
+uint agaa_payload[AGAA_MATERIAL_PAYLOAD_WORDS]; // by agaa_packFragment()
 uint agaa_wasSanitised = 0u;
 
 // False where the triangle is at the far plane, which is background.
 // agaa_wasSanitised: a member was not finite or beyond its range.
-bool agaa_carry(AgaaSurfaceInput s, uvec4 mask) {
+bool agaa_packFragment(AgaaSurfaceInput s, uvec4 mask) {
     agaa_DepthPlane plane = agaa_depthPlane(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz,
                                             vec3(agaa_corners[0].w, agaa_corners[1].w, agaa_corners[2].w), gl_FragCoord.xy);
     vec3 kept = agaa_growingDepth(plane);
@@ -20,16 +20,16 @@ bool agaa_carry(AgaaSurfaceInput s, uvec4 mask) {
     if (AGAA_SPREAD_WORDS == 0u)
         s.alpha2 = agaa_widenedByCurvature(s.alpha2, s.normalDx, s.normalDy, mask);
     agaa_packSurface(agaa_storedInput(s));
-    agaa_carried[0] = floatBitsToUint(kept.x);
-    agaa_carried[1] = agaa_packSlopes(kept.yz);
-    agaa_carried[2] = agaa_packNormal(s.normal);
+    agaa_payload[0] = floatBitsToUint(kept.x);
+    agaa_payload[1] = agaa_packSlopes(kept.yz);
+    agaa_payload[2] = agaa_packNormal(s.normal);
 #if AGAA_SPREAD_WORDS
-    vec3 normal = agaa_unpackNormal(agaa_carried[2]);
+    vec3 normal = agaa_unpackNormal(agaa_payload[2]);
     uvec2 spread = agaa_packSpread(agaa_spreadOfFragment(normal, s.normalDx, s.normalDy, mask));
-    agaa_carried[3] = spread.x;
-    agaa_carried[4] = spread.y;
+    agaa_payload[3] = spread.x;
+    agaa_payload[4] = spread.y;
 #endif
     for (uint w = 0u; w < AGAA_WORDS; ++w)
-        agaa_carried[3u + AGAA_SPREAD_WORDS + w] = agaa_packed[w];
-    return !agaa_isFar(plane);
+        agaa_payload[3u + AGAA_SPREAD_WORDS + w] = agaa_packed[w];
+    return !agaa_isAtFarDepth(plane);
 }
