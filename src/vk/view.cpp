@@ -16,12 +16,13 @@ View::View(Context& device, const ViewSettings& settings)
     : View(device, makePlan(settings, device.caps, device.framesInFlight)) {}
 
 View::View(Context& device, Plan framePlan)
-    : ViewState(device, std::move(framePlan)), context(device), steps(plan.steps()),
-      positions(plan.samplePositions.empty()
+    : ViewState(device, std::move(framePlan)), context(device) {
+    positions = plan.samplePositions.empty()
                     ? samplePositions(standardPositions(plan.hwSamples), plan.scaleX, plan.scaleY)
-                    : samplePositions(plan.samplePositions)) {
+                    : samplePositions(plan.samplePositions);
     try {
         resources.emplace(context, plan);
+        hostPasses = makeHostPasses(plan, context.dialect);
         barriers = stepBarriers(plan, steps, *resources, context.conditionalRendering);
         createPassObjects();
         writeStaticDescriptors();
@@ -49,7 +50,7 @@ void View::destroy() {
     for (const uint64_t pipeline : variants.programs())
         vk.DestroyPipeline(device, (VkPipeline)pipeline, nullptr);
     for (PassObjects& objects : passes) {
-        destroyHostPass(context, objects.host);
+        destroyHostRenderTarget(context, objects.target);
         vk.DestroyPipelineLayout(device, objects.pipelineLayout, nullptr);
         vk.DestroyDescriptorSetLayout(device, objects.setLayout, nullptr);
     }
@@ -90,7 +91,7 @@ void View::createPassObjects() {
         context.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, (uint64_t)passes[i].setLayout,
                      "agaa " + pass.name);
         if (pass.kind == PassKind::HostDraw)
-            createHostPass(context, plan, pass, *resources, passes[i].host);
+            createHostRenderTarget(context, plan, pass, hostPasses[i], *resources, passes[i].target);
     }
     std::vector<VkDescriptorPoolSize> sizes;
     for (const auto& [type, count] : counts)

@@ -17,8 +17,8 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
 // dither frame and the room of lists of fragments in two halves each.
 uint32_t constantVectors(const Plan& plan);
 std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& constants);
-// Fills an upload buffer of the plan; destination holds as many bytes as the resource.
-void writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
-                 const SamplePositions& positions, const CounterBuffer* newest, void* destination);
+// Writes the contents of an upload buffer and returns their size in bytes. destination must be as large as the resource.
+uint64_t writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
+                     const SamplePositions& positions, const CounterBuffer* newest, void* destination);
 
 } // namespace agaa
