@@ -1,9 +1,6 @@
 // Running a frame: validate, then passes with the host's state away, but for the host's own draws.
-#include "core/base/callbacks.h"
 #include "core/base/error.h"
 #include "core/frame/frame_data.h"
-#include "core/abi/draw_passes.h"
-#include "core/frame/frame_checks.h"
 #include "gl/bindings.h"
 #include "gl/formats.h"
 #include "gl/host_state.h"
@@ -15,48 +12,36 @@
 
 namespace agaa::gl {
 
-void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
-    const std::optional<CounterBuffer> newest = feedback(frame);
-    for (ResourceId id = 0; id < plan.resources.size(); ++id) {
-        const Resource& resource = plan.resources[id];
-        if (resource.content == UploadContent::None || !(resource.segments & frame.segments))
-            continue;
-        writeUpload(plan, resource.content, frame, positions, newest ? &*newest : nullptr, upload_.data());
-        context.gl.NamedBufferSubData(resources->buffer(id, slot), 0, GLsizeiptr(resource.bytes),
-                                      upload_.data());
-    }
-}
-
-// Those of whole numbers become 0.
-void View::clearColor(const Pass& pass, GLuint framebuffer) const {
+void View::clearColor(size_t pass) const {
     constexpr GLuint zero[4] = {};
     GLint attachment = 0;
-    for (size_t i = 0; i < pass.draw.colorTargets.size(); ++i) {
-        const Resource& target = plan.resources[pass.draw.colorTargets[i]];
-        for (uint32_t layer = 0; layer < target.layers; ++layer, ++attachment)
-            if (isInteger(target.format))
-                context.gl.ClearNamedFramebufferuiv(framebuffer, GL_COLOR, attachment, zero);
-            else
-                context.gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, attachment, pass.draw.clear.color[i].data());
+    for (const ColorAttachment& color : hostPasses[pass].colors) {
+        if (isInteger(color.format)) // always cleared to 0
+            context.gl.ClearNamedFramebufferuiv(framebuffers[pass], GL_COLOR, attachment, zero);
+        else
+            context.gl.ClearNamedFramebufferfv(framebuffers[pass], GL_COLOR, attachment, color.clear.data());
+        ++attachment;
     }
 }
 
 // Clears obey masks, the scissor test and the discarding of primitives.
-void View::clearTargets(const Pass& pass, GLuint framebuffer) {
+void View::clearTargets(size_t index) {
+    const Pass& pass = plan.passes[index];
+    const Format depth = hostPasses[index].depthFormat;
     const GladGLContext& gl = context.gl;
     gl.Disablei(GL_SCISSOR_TEST, 0);
     gl.Disable(GL_RASTERIZER_DISCARD);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.DepthMask(GL_TRUE);
     gl.StencilMask(~0u);
-    if (pass.draw.clearsColor)
-        clearColor(pass, framebuffer);
-    if (!pass.draw.clearsDepth || pass.draw.depthTarget == noResource)
+    if (pass.draw.draw.clearsColor)
+        clearColor(index);
+    if (!pass.draw.draw.clearsDepth || depth == Format::None)
         return;
-    if (hasStencil(plan.resources[pass.draw.depthTarget].format))
-        gl.ClearNamedFramebufferfi(framebuffer, GL_DEPTH_STENCIL, 0, pass.draw.clear.depth, GLint(pass.draw.clear.stencil));
+    if (hasStencil(depth))
+        gl.ClearNamedFramebufferfi(framebuffers[index], GL_DEPTH_STENCIL, 0, pass.draw.draw.clear.depth, GLint(pass.draw.draw.clear.stencil));
     else
-        gl.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &pass.draw.clear.depth);
+        gl.ClearNamedFramebufferfv(framebuffers[index], GL_DEPTH, 0, &pass.draw.draw.clear.depth);
 }
 
 // A map's own texture. Only the frame's maps were checked: where it has this one not, another takes its place,
@@ -128,13 +113,10 @@ void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFra
 void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                        HostState& state) {
     const Pass& pass = plan.passes[step.pass];
-    const PassObjects& objects = passes[step.pass];
-    if (pass.draw.clearsColor || pass.draw.clearsDepth)
-        clearTargets(pass, objects.framebuffer);
-    AgaaDrawTarget target = emptyTarget(plan, pass);
-    target.pipelineKey = objects.key;
-    target.framebuffer = objects.framebuffer;
-    target.batch = step.batch;
+    if (pass.draw.draw.clearsColor || pass.draw.draw.clearsDepth)
+        clearTargets(step.pass);
+    AgaaDrawTarget target = drawTarget(plan, step, hostPasses[step.pass]);
+    target.framebuffer = framebuffers[step.pass];
     std::vector<float> constants;
     if (context.dialect.constants == AGAA_GL_CONSTANTS_UNIFORMS) {
         constants = uniformConstants(plan, frameConstants(plan, frame, positions));
@@ -145,13 +127,11 @@ void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const
     if (context.hostBindings)
         context.hostBindings->capture();
     bindForHost(pass, frame, glFrame, slot);
-    const AgaaResult result = contained([&] { return frame.draw(frame.drawUser, &target); });
+    const AgaaResult result = callDraw(frame, target);
     if (context.hostBindings)
         context.hostBindings->restore();
     if (result != AGAA_OK)
-        fail(AGAA_ERROR_CALLBACK,
-             format("the draw callback returned %d in pass \"%s\"; the output was not written.",
-                    int(result), pass.name.c_str()));
+        failDraw(AGAA_ERROR_CALLBACK, result, pass, "the output was not written");
     state.save();
 }
 
@@ -253,7 +233,7 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.noTarget);
         gl.UseProgram(GLuint(variant.programs[index]));
         bindForCompute(pass, frame, glFrame, slot);
-        dispatch(pass.compute.dispatch, slot);
+        dispatch(pass.compute.compute.compute.dispatch, slot);
         break;
     }
     case PassKind::Fill:
@@ -283,31 +263,33 @@ private:
 
 } // namespace
 
-// Whether the repetition has nothing left to do.
-bool View::endsBefore(const Step& step, uint32_t slot) const {
-    for (const Repeat& repeat : plan.repeats) {
-        if (repeat.firstPass != step.pass || repeat.predicateBuffer == noResource)
-            continue;
-        context.gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        GLuint predicateBuffer = 1;
-        context.gl.GetNamedBufferSubData(resources->buffer(repeat.predicateBuffer, slot), GLintptr(repeat.predicateOffset), sizeof predicateBuffer,
-                                         &predicateBuffer);
-        return predicateBuffer == 0;
-    }
-    return false;
+// Returns whether the step and the rest of its repetition have nothing to do. Waits for the device.
+bool View::isFinished(const Step& step, uint32_t slot) const {
+    if (!step.hasPredicate())
+        return false;
+    context.gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    uint32_t predicate = 1;
+    readBuffer(step.predicateBuffer, slot, step.predicateOffset, std::as_writable_bytes(std::span(&predicate, 1)));
+    return predicate == 0;
 }
 
 void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, uint32_t slot,
                      HostState& state) {
     GLint groups = 0;
     context.gl.GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &groups);
-    bool ended = false; // the repetition at hand
+    uint32_t batch = 0;
+    bool isRepetitionFinished = false;
     for (const Step& step : steps) {
         const Pass& pass = plan.passes[step.pass];
         if (!(pass.segment & frame.segments))
             continue;
-        ended = step.batch > 0 && (ended || endsBefore(step, slot));
-        if (ended) {
+        // The last pass of a batch alone changes the predicate, so that one read per batch suffices.
+        if (step.batch == 0)
+            isRepetitionFinished = false;
+        else if (step.batch != batch && !isRepetitionFinished)
+            isRepetitionFinished = isFinished(step, slot);
+        batch = step.batch;
+        if (isRepetitionFinished) {
             if (clock && step.isLast)
                 clock->end(slot, step.pass);
             continue;
@@ -322,17 +304,15 @@ void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const V
 }
 
 AgaaResult View::record(AgaaFrame frame, const AgaaGlFrame& glFrame) {
-    const AgaaSceneFacts facts = factsOf(frame, plan);
-    frame.facts = &facts;
-    checkFrame(frame, plan);
-    sequence.check(frame);
+    AgaaSceneFacts facts;
+    checkFrame(frame, facts);
     checkContextState();
     outputFormat_ = checkTarget(frame, glFrame);
     const uint32_t slot = sequence.slotOf(frame);
     const Variant& variant = variantOf(frame);
     HostState state(context); // where it fails, nothing has run
     try {
-        writeFrameData(frame, slot);
+        uploadFrame(frame, slot);
         runPasses(frame, glFrame, variant, slot, state);
         state.finish();
     } catch (...) {

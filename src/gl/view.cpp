@@ -13,18 +13,13 @@ View::View(Context& owner, const ViewSettings& settings)
     : View(owner, makePlan(settings, owner.caps, owner.framesInFlight)) {}
 
 View::View(Context& owner, Plan framePlan)
-    : ViewState(owner, std::move(framePlan)), context(owner), steps(plan.steps()),
-      barriers(plan.resources.size()) {
+    : ViewState(owner, std::move(framePlan)), context(owner), barriers(plan.resources.size()) {
     require(plan.view.functionSetLayout == 0, AGAA_ERROR_INVALID_ARGUMENT,
             "set layouts of AgaaGBufferFunction, AgaaFetchFunction and AgaaShadowFunction are of Vulkan.");
-    uint64_t largest = 0;
-    for (const Resource& resource : plan.resources)
-        if (resource.kind == ResourceKind::UploadBuffer)
-            largest = std::max(largest, resource.bytes);
     try {
-        upload_.resize(largest);
         resources.emplace(context, plan);
-        createPasses();
+        createFramebuffers();
+        hostPasses = makeHostPasses(plan, context.dialect);
         addVariant(plan);
         positions = readPositions();
         if (plan.view.config.flags & AGAA_CONFIG_TIMESTAMPS)
@@ -43,12 +38,10 @@ ViewState* View::recreate(const ViewSettings& settings) const {
 }
 
 void View::destroy() {
-    for (PassObjects& objects : passes) {
-        context.gl.DeleteFramebuffers(1, &objects.framebuffer);
-    }
+    context.gl.DeleteFramebuffers(GLsizei(framebuffers.size()), framebuffers.data());
     for (const uint64_t program : variants.programs())
         context.gl.DeleteProgram(GLuint(program));
-    passes.clear();
+    framebuffers.clear();
 }
 
 Compiled View::compile(const Pass& pass, size_t) {
@@ -68,53 +61,43 @@ void View::prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) {
     ViewState::prepare(settings, facts);
 }
 
-void View::createPasses() {
-    passes.resize(plan.passes.size());
-    for (size_t i = 0; i < passes.size(); ++i) {
-        const Pass& pass = plan.passes[i];
-        PassObjects& objects = passes[i];
-        if (pass.kind == PassKind::HostDraw) {
-            createFramebuffer(pass, objects);
-            objects.key = hostPassKey(plan, pass, context.dialect);
-            objects.extensions = hostExtensions(pass, context.dialect);
-            objects.declarations = hostDeclarations(plan, pass, context.dialect);
-            objects.geometry = hostGeometry(plan, pass, context.dialect);
-            objects.vertex = hostVertex(plan, pass, context.dialect);
-        }
-    }
+void View::createFramebuffers() {
+    framebuffers.resize(plan.passes.size());
+    for (size_t i = 0; i < plan.passes.size(); ++i)
+        if (plan.passes[i].kind == PassKind::HostDraw)
+            createFramebuffer(i);
 }
 
-void View::createFramebuffer(const Pass& pass, PassObjects& objects) {
+void View::createFramebuffer(size_t index) {
+    const Pass& pass = plan.passes[index];
     const GladGLContext& gl = context.gl;
-    gl.CreateFramebuffers(1, &objects.framebuffer);
-    context.label(GL_FRAMEBUFFER, objects.framebuffer, "agaa " + pass.name);
+    gl.CreateFramebuffers(1, &framebuffers[index]);
+    const GLuint framebuffer = framebuffers[index];
+    context.label(GL_FRAMEBUFFER, framebuffer, "agaa " + pass.name);
     std::vector<GLenum> buffers;
-    for (ResourceId target : pass.draw.colorTargets) {
-        const uint32_t layers = plan.resources[target].layers;
-        for (uint32_t layer = 0; layer < layers; ++layer) {
-            buffers.push_back(GLenum(GL_COLOR_ATTACHMENT0 + buffers.size()));
-            const GLuint texture = (*resources)[target].texture;
-            if (layers > 1)
-                gl.NamedFramebufferTextureLayer(objects.framebuffer, buffers.back(), texture, 0, GLint(layer));
-            else
-                gl.NamedFramebufferTexture(objects.framebuffer, buffers.back(), texture, 0);
-        }
+    for (const ColorAttachment& color : colorAttachments(plan, pass)) {
+        buffers.push_back(GLenum(GL_COLOR_ATTACHMENT0 + buffers.size()));
+        const GLuint texture = (*resources)[color.resource].texture;
+        if (plan.resources[color.resource].layers > 1)
+            gl.NamedFramebufferTextureLayer(framebuffer, buffers.back(), texture, 0, GLint(color.layer));
+        else
+            gl.NamedFramebufferTexture(framebuffer, buffers.back(), texture, 0);
     }
-    if (pass.draw.depthTarget != noResource)
-        gl.NamedFramebufferTexture(objects.framebuffer, depthAttachment(plan.resources[pass.draw.depthTarget].format),
-                                   (*resources)[pass.draw.depthTarget].texture, 0);
-    if (pass.draw.depthTarget == noResource && buffers.empty()) {
-        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, GLint(pass.draw.width));
-        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, GLint(pass.draw.height));
+    if (pass.draw.draw.depthTarget != noResource)
+        gl.NamedFramebufferTexture(framebuffer, depthAttachment(plan.resources[pass.draw.draw.depthTarget].format),
+                                   (*resources)[pass.draw.draw.depthTarget].texture, 0);
+    if (pass.draw.draw.depthTarget == noResource && buffers.empty()) {
+        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, GLint(pass.draw.width));
+        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, GLint(pass.draw.height));
         const uint32_t samples = pass.draw.state.samples;
-        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_SAMPLES, samples > 1 ? GLint(samples) : 0);
-        gl.NamedFramebufferParameteri(objects.framebuffer, GL_FRAMEBUFFER_DEFAULT_FIXED_SAMPLE_LOCATIONS, GL_TRUE);
+        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_SAMPLES, samples > 1 ? GLint(samples) : 0);
+        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_FIXED_SAMPLE_LOCATIONS, GL_TRUE);
     }
     if (buffers.empty())
         buffers.push_back(GL_NONE);
-    gl.NamedFramebufferDrawBuffers(objects.framebuffer, GLsizei(buffers.size()), buffers.data());
-    gl.NamedFramebufferReadBuffer(objects.framebuffer, buffers[0]);
-    const GLenum status = gl.CheckNamedFramebufferStatus(objects.framebuffer, GL_DRAW_FRAMEBUFFER);
+    gl.NamedFramebufferDrawBuffers(framebuffer, GLsizei(buffers.size()), buffers.data());
+    gl.NamedFramebufferReadBuffer(framebuffer, buffers[0]);
+    const GLenum status = gl.CheckNamedFramebufferStatus(framebuffer, GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
         fail(AGAA_ERROR_UNSUPPORTED,
              format("the driver cannot draw to the targets of the pass \"%s\": status 0x%04X.",
@@ -134,7 +117,7 @@ SamplePositions View::readPositions() const {
     });
     GLuint framebuffer = 0, texture = 0; // of the host's kind, where the plan draws nothing
     if (draw != plan.passes.end()) {
-        framebuffer = passes[size_t(draw - plan.passes.begin())].framebuffer;
+        framebuffer = framebuffers[size_t(draw - plan.passes.begin())];
     } else {
         gl.CreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &texture);
         gl.TextureStorage2DMultisample(texture, GLsizei(plan.view.hwSamples), GL_RGBA8, 1, 1, GL_TRUE);
@@ -158,12 +141,13 @@ MemoryUse View::memoryUse() const {
     return {resources->payloadBytes(), 0, resources->payloadBytes()};
 }
 
-CounterBuffer View::readCounters(uint32_t slot) const {
-    CounterBuffer counters{};
-    for (ResourceId id = 0; id < plan.resources.size(); ++id)
-        if (plan.resources[id].kind == ResourceKind::ReadbackBuffer)
-            context.gl.GetNamedBufferSubData(resources->buffer(id, slot), 0, sizeof counters, &counters);
-    return counters;
+void View::writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) {
+    context.gl.NamedBufferSubData(resources->buffer(buffer, slot), 0, GLsizeiptr(data.size()), data.data());
+}
+
+void View::readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const {
+    context.gl.GetNamedBufferSubData(resources->buffer(buffer, slot), GLintptr(offset), GLsizeiptr(data.size()),
+                                     data.data());
 }
 
 std::vector<double> View::readPassTimes(uint32_t slot) const {

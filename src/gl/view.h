@@ -1,28 +1,15 @@
 // One camera's frame on OpenGL: a plan with everything it needs to be run again and again.
 #pragma once
 
-#include "core/plan/sample_patterns.h"
 #include "gl/context.h"
 #include "gl/pass_clock.h"
 #include "gl/resources.h"
 #include "gl/store_barriers.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace agaa::gl {
-
-// Objects of a pass that live as long as the view.
-struct PassObjects {
-    // Host draws
-    GLuint framebuffer = 0;
-    uint64_t key = 0;
-    std::string extensions;   // GLSL
-    std::string declarations; // GLSL
-    std::string geometry;     // GLSL, or empty
-    std::string vertex;       // GLSL, or empty
-};
 
 class View : public ViewState {
 public:
@@ -37,34 +24,32 @@ public:
     MemoryUse memoryUse() const override;
     const StructRow& drawPassRow() const override;
     const StructRow& surfaceRow() const override;
-    void describePass(size_t index, AgaaDrawPass& out, void* native) const override;
+    void describePass(size_t index, void* native) const override;
     void describeSurface(ResourceId id, void* native) const override;
-    CounterBuffer readCounters(uint32_t slot) const override;
     std::vector<double> readPassTimes(uint32_t slot) const override;
     AgaaTimeSource timeSource() const override { return context.timeSource; }
 
     Context& context;
     std::optional<ViewResources> resources;
-    const std::vector<Step> steps;
-    std::vector<PassObjects> passes;
+    std::vector<GLuint> framebuffers; // by pass; 0 unless the host draws the pass
     std::optional<PassClock> clock;
     StoreBarriers barriers;
-    SamplePositions positions;
 
 private:
     class HostState;
 
     Compiled compile(const Pass& pass, size_t index) override;
-    void createPasses();
-    void createFramebuffer(const Pass& pass, PassObjects& objects);
+    void createFramebuffers();
+    void createFramebuffer(size_t index);
     SamplePositions readPositions() const;
     void destroy();
 
     void checkContextState() const;
     // Returns the output's format where the frame shades.
     GLenum checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
-    void writeFrameData(const AgaaFrame& frame, uint32_t slot);
-    bool endsBefore(const Step& step, uint32_t slot) const;
+    void writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) override;
+    void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const override;
+    bool isFinished(const Step& step, uint32_t slot) const;
     void runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, uint32_t slot,
                    HostState& state);
     void runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Variant& variant, const Step& step, uint32_t slot,
@@ -72,8 +57,8 @@ private:
     void runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                      HostState& state);
     void dispatch(const Dispatch& dispatch, uint32_t slot);
-    void clearColor(const Pass& pass, GLuint framebuffer) const;
-    void clearTargets(const Pass& pass, GLuint framebuffer);
+    void clearColor(size_t pass) const;
+    void clearTargets(size_t pass);
     void bindConstants(GLuint place, ResourceId resource, uint32_t slot);
     void bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);
     void bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
@@ -81,7 +66,6 @@ private:
     GLuint shadowTexture(const Resource& map, const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
     void runTransfer(const Pass& pass, uint32_t slot);
 
-    std::vector<std::byte> upload_; // of the largest upload buffer
     GLenum outputFormat_ = GL_NONE;
 };
 

@@ -174,7 +174,7 @@ std::vector<StepBarriers> stepBarriers(const Plan& plan, const std::vector<Step>
     for (const Step& step : steps) {
         tracker.usePass(plan.passes[step.pass]);
         // After the pass's own use, so that what is recorded next waits for the read of the condition, too.
-        if (readsConditions && step.predicateBuffer != noResource)
+        if (readsConditions && step.hasPredicate())
             tracker.use(step.predicateBuffer, vkAccess(plan, {step.predicateBuffer, Use::Condition, false}));
         tracker.useOutput(step);
         list.push_back(tracker.take());

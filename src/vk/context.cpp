@@ -88,7 +88,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, co
       instance(static_cast<VkInstance>(desc.instance)),
       physicalDevice(static_cast<VkPhysicalDevice>(desc.physicalDevice)),
       device(static_cast<VkDevice>(desc.device)), queueFamily(desc.queueFamily),
-      secondary(desc.recording == AGAA_VK_RECORDING_SECONDARY), descriptorSet(desc.descriptorSet),
+      secondary(desc.recording == AGAA_VK_RECORDING_SECONDARY), dialect{.descriptorSet = desc.descriptorSet},
       pipelineCache((VkPipelineCache)desc.pipelineCache), hostMemory(memoryOfHost) {
     caps = queryCaps(instanceFunctions, physicalDevice);
     VkPhysicalDeviceMaintenance3Properties maintenance{
@@ -100,7 +100,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, co
     const uint32_t apiVersion = std::min(desc.apiVersion, device2.properties.apiVersion);
     require(apiVersion >= VK_API_VERSION_1_2, AGAA_ERROR_UNSUPPORTED,
             "the device is below Vulkan 1.2.");
-    require(descriptorSet < limits.maxBoundDescriptorSets, AGAA_ERROR_OUT_OF_RANGE,
+    require(dialect.descriptorSet < limits.maxBoundDescriptorSets, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaVkDeviceDesc::descriptorSet is not below the device's maxBoundDescriptorSets.");
     dropWhatIsNotEnabled(caps, desc, apiVersion);
     maxAllocation = maintenance.maxMemoryAllocationSize;

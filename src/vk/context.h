@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/abi/handles.h"
+#include "core/glsl/host_glsl.h"
 #include "vk/device_table.h"
 
 namespace agaa::vk {
@@ -24,7 +25,7 @@ public:
     bool dynamicRendering = false;
     bool conditionalRendering = false;
     bool secondary = true; // draw callbacks get a command buffer of ours
-    uint32_t descriptorSet;
+    HostDialect dialect;
     VkPipelineCache pipelineCache; // the host's, or ownCache_
     std::optional<AgaaVkAllocator> hostMemory; // else vkAllocateMemory
     VkPhysicalDeviceMemoryProperties memory{};

@@ -3,28 +3,18 @@
 #include "vk/formats.h"
 #include "vk/view.h"
 
-#include <algorithm>
-
 namespace agaa::vk {
 
 const StructRow& View::drawPassRow() const { return StructOf<AgaaVkDrawPass>::row; }
 const StructRow& View::surfaceRow() const { return StructOf<AgaaVkSurface>::row; }
 
-void View::describePass(size_t index, AgaaDrawPass& out, void* native) const {
-    const Pass& pass = plan.passes[index];
-    const HostPassObjects& host = passes[index].host;
-    out.pipelineKey = host.key;
-    out.glslExtensions = host.extensions.c_str();
-    out.glslDeclarations = host.declarations.c_str();
-    out.glslGeometry = host.geometry.empty() ? nullptr : host.geometry.c_str();
-    out.glslVertex = host.vertex.empty() ? nullptr : host.vertex.c_str();
-    if (!native)
-        return;
+void View::describePass(size_t index, void* native) const {
+    const HostPass& hostPass = hostPasses[index];
     AgaaVkDrawPass own = AGAA_VK_DRAW_PASS_INIT;
-    std::ranges::copy(colorFormats(plan, pass), own.colorFormats);
-    own.depthStencilFormat = pass.draw.depthTarget != noResource ? vkFormat(plan.resources[pass.draw.depthTarget].format)
-                                                            : VK_FORMAT_UNDEFINED;
-    own.renderPass = (uint64_t)host.renderPass;
+    for (size_t i = 0; i < hostPass.colors.size(); ++i)
+        own.colorFormats[i] = vkFormat(hostPass.colors[i].format);
+    own.depthStencilFormat = vkFormat(hostPass.depthFormat);
+    own.renderPass = (uint64_t)passes[index].target.renderPass;
     own.descriptorSetLayout = (uint64_t)passes[index].setLayout;
     writeStruct(static_cast<AgaaVkDrawPass*>(native), own);
 }

@@ -30,26 +30,26 @@ static VkWriteDescriptorSet writeOf(VkDescriptorSet set, uint32_t slot, VkDescri
     return write;
 }
 
-static void writeBuffer(const Context& context, VkDescriptorSet set, const Binding& binding, VkBuffer buffer) {
+static void bindBuffer(const Context& context, VkDescriptorSet set, const Binding& binding, VkBuffer buffer) {
     const VkDescriptorBufferInfo info{buffer, 0, VK_WHOLE_SIZE};
     VkWriteDescriptorSet write = writeOf(set, binding.slot, descriptorType(binding.type));
     write.pBufferInfo = &info;
     context.vk.UpdateDescriptorSets(context.device, 1, &write, 0, nullptr);
 }
 
-static void writeImage(const Context& context, VkDescriptorSet set, const Binding& binding, VkSampler sampler,
-                       VkImageView view, VkImageLayout layout) {
+static void bindImage(const Context& context, VkDescriptorSet set, const Binding& binding, VkSampler sampler,
+                      VkImageView view, VkImageLayout layout) {
     const VkDescriptorImageInfo info{sampler, view, layout};
     VkWriteDescriptorSet write = writeOf(set, binding.slot, descriptorType(binding.type));
     write.pImageInfo = &info;
     context.vk.UpdateDescriptorSets(context.device, 1, &write, 0, nullptr);
 }
 
-static void writeAttachments(const Context& context, VkDescriptorSet set, const Pass& pass, const ViewResources& resources) {
+static void writeAttachments(const Context& context, VkDescriptorSet set, const HostPass& hostPass,
+                             const ViewResources& resources) {
     std::vector<VkDescriptorImageInfo> images;
-    for (ResourceId target : pass.draw.colorTargets)
-        for (VkImageView view : resources[target].layerViews)
-            images.push_back({VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL});
+    for (const ColorAttachment& color : hostPass.colors)
+        images.push_back({VK_NULL_HANDLE, resources[color.resource].layerViews[color.layer], VK_IMAGE_LAYOUT_GENERAL});
     VkWriteDescriptorSet write = writeOf(set, fetchedTargetsSlot, VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT);
     write.descriptorCount = uint32_t(images.size());
     write.pImageInfo = images.data();
@@ -64,7 +64,7 @@ void View::writeStaticDescriptors() {
                 if (!plan.resources[binding.resource].isImported())
                     writeStatic(set, binding, slot);
             if (plan.passes[i].draw.state.readsAttachments)
-                writeAttachments(context, set, plan.passes[i], *resources);
+                writeAttachments(context, set, hostPasses[i], *resources);
         }
 }
 
@@ -73,16 +73,16 @@ void View::writeStatic(VkDescriptorSet set, const Binding& binding, uint32_t slo
     switch (binding.type) {
     case BindingType::UniformBuffer:
     case BindingType::StorageBuffer:
-        writeBuffer(context, set, binding, bufferOf(binding.resource, slot));
+        bindBuffer(context, set, binding, resources->buffer(binding.resource, slot));
         break;
     case BindingType::StorageImage:
-        writeImage(context, set, binding, VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL);
+        bindImage(context, set, binding, VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL);
         break;
     case BindingType::Texture:
-        writeImage(context, set, binding, binding.filter == Filter::Linear ? context.linearSampler : context.texelSampler,
-                   view,
-                   isDepth(plan.resources[binding.resource].format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
-                                                                    : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        bindImage(context, set, binding, binding.filter == Filter::Linear ? context.linearSampler : context.texelSampler,
+                  view,
+                  isDepth(plan.resources[binding.resource].format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
+                                                                   : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         break;
     case BindingType::ShadowTexture: // the host's
         break;
@@ -102,14 +102,14 @@ void View::writeHostsDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFr
             const Resource& resource = plan.resources[binding.resource];
             if (resource.kind == ResourceKind::Output) {
                 const bool isFetched = binding.type == BindingType::Texture;
-                writeImage(context, passes[i].sets[slot], binding, isFetched ? context.texelSampler : VK_NULL_HANDLE,
-                           (VkImageView)vkFrame.outputView, VK_IMAGE_LAYOUT_GENERAL);
+                bindImage(context, passes[i].sets[slot], binding, isFetched ? context.texelSampler : VK_NULL_HANDLE,
+                          (VkImageView)vkFrame.outputView, VK_IMAGE_LAYOUT_GENERAL);
             } else if (resource.kind == ResourceKind::ShadowMap) {
                 // What lies beyond the frame's shadows may be stale.
                 const uint64_t view =
                     resource.hostSlot < frame.shadowCount ? vkFrame.shadowViews[resource.hostSlot] : anyShadow;
-                writeImage(context, passes[i].sets[slot], binding, context.shadowSampler, (VkImageView)view,
-                           VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+                bindImage(context, passes[i].sets[slot], binding, context.shadowSampler, (VkImageView)view,
+                          VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
             }
         }
     }

@@ -1,15 +1,9 @@
 // Recording a frame: validate, call the host, then passes with the barriers between them.
 #include "vk/view.h"
 
-#include "core/base/callbacks.h"
-#include "core/base/checked.h"
 #include "core/base/error.h"
-#include "core/frame/frame_data.h"
-#include "core/frame/frame_checks.h"
 
-#include <algorithm>
 #include <new>
-#include <optional>
 
 namespace agaa::vk {
 
@@ -43,17 +37,7 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const
     }
 }
 
-void View::writeFrameData(const AgaaFrame& frame, uint32_t slot) {
-    const std::optional<CounterBuffer> newest = feedback(frame);
-    for (ResourceId id = 0; id < plan.resources.size(); ++id) {
-        const Resource& resource = plan.resources[id];
-        if (resource.content != UploadContent::None && resource.segments & frame.segments)
-            writeUpload(plan, resource.content, frame, positions, newest ? &*newest : nullptr,
-                        (*resources)[id].mapped[slot]);
-    }
-}
-
-bool View::isConditional(const Step& step) const { return context.conditionalRendering && step.predicateBuffer != noResource; }
+bool View::isConditional(const Step& step) const { return context.conditionalRendering && step.hasPredicate(); }
 
 // Draws and dispatches up to endCondition() do nothing where the step has nothing to do. Barriers, timestamps and what
 // begins and ends rendering stand outside or are not affected.
@@ -62,7 +46,7 @@ void View::beginCondition(const Step& step, uint32_t slot, VkCommandBuffer comma
         return;
     VkConditionalRenderingBeginInfoEXT info{};
     info.sType = VK_STRUCTURE_TYPE_CONDITIONAL_RENDERING_BEGIN_INFO_EXT;
-    info.buffer = bufferOf(step.predicateBuffer, slot);
+    info.buffer = resources->buffer(step.predicateBuffer, slot);
     info.offset = step.predicateOffset;
     context.vk.CmdBeginConditionalRenderingEXT(commands, &info);
 }
@@ -75,17 +59,17 @@ void View::endCondition(const Step& step, VkCommandBuffer commands) const {
 // The condition begins and ends in the command buffer that the host gets, within the render pass: the device need not have
 // inheritedConditionalRendering.
 AgaaResult View::callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands) {
-    AgaaDrawTarget target = drawTarget(plan, plan.passes[step.pass], passes[step.pass].host, commands,
-                                       passes[step.pass].sets[slot]);
-    target.batch = step.batch;
+    AgaaDrawTarget target = drawTarget(plan, step, hostPasses[step.pass]);
+    target.commandBuffer = commands;
+    target.descriptorSet = (uint64_t)passes[step.pass].sets[slot];
     beginCondition(step, slot, commands);
-    const AgaaResult result = contained([&] { return frame.draw(frame.drawUser, &target); });
+    const AgaaResult result = callDraw(frame, target);
     endCondition(step, commands);
     return result;
 }
 
 // Draw callbacks record into command buffers of ours first: one that fails leaves the host's untouched.
-AgaaResult View::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
+void View::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
     size_t next = 0;
     for (const Step& step : steps) {
         const Pass& pass = plan.passes[step.pass];
@@ -94,15 +78,12 @@ AgaaResult View::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
         const VkCommandBuffer commands = slots[slot].secondaries[next++];
         if (!(pass.segment & frame.segments))
             continue;
-        beginSecondary(context, plan, pass, passes[step.pass].host, commands);
+        beginSecondary(context, pass, hostPasses[step.pass], passes[step.pass].target, commands);
         const AgaaResult result = callHost(frame, step, slot, commands);
         check(context.vk.EndCommandBuffer(commands), "vkEndCommandBuffer");
         if (result != AGAA_OK)
-            fail(AGAA_ERROR_CALLBACK,
-                 format("the draw callback returned %d in pass \"%s\"; nothing was recorded.",
-                        int(result), pass.name.c_str()));
+            failDraw(AGAA_ERROR_CALLBACK, result, pass, "nothing was recorded");
     }
-    return AGAA_OK;
 }
 
 void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, uint32_t slot,
@@ -114,17 +95,13 @@ void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, siz
     context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
                                      objects.pipelineLayout, 0, usesHostSet(plan.passes[pass]) ? 2 : 1, sets, 0,
                                      nullptr);
-    const Dispatch& dispatch = plan.passes[pass].compute.dispatch;
+    const Dispatch& dispatch = plan.passes[pass].compute.compute.compute.dispatch;
     if (dispatch.kind == DispatchKind::Indirect) {
-        context.vk.CmdDispatchIndirect(commands, bufferOf(dispatch.arguments, slot), dispatch.argumentsOffset);
+        context.vk.CmdDispatchIndirect(commands, resources->buffer(dispatch.arguments, slot), dispatch.argumentsOffset);
         return;
     }
     const auto [x, y] = plan.groups(dispatch);
     context.vk.CmdDispatch(commands, x, y, 1);
-}
-
-VkBuffer View::bufferOf(ResourceId id, uint32_t slot) const {
-    return (*resources)[id].buffers[plan.resources[id].copies > 1 ? slot : 0];
 }
 
 // What outlives a frame begins with 0. It follows whatever used this memory before; the first use in each frame waits for all
@@ -136,7 +113,7 @@ void View::clearPersistent(VkCommandBuffer commands) {
         if (plan.resources[id].isPersistent) {
             context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0,
                                           1, &before, 0, nullptr, 0, nullptr);
-            context.vk.CmdFillBuffer(commands, bufferOf(id, 0), 0, VK_WHOLE_SIZE, 0);
+            context.vk.CmdFillBuffer(commands, resources->buffer(id, 0), 0, VK_WHOLE_SIZE, 0);
         }
 }
 
@@ -148,12 +125,12 @@ void View::forgetClear(const AgaaFrame& frame) {
 
 void View::recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands) {
     if (pass.kind == PassKind::Fill) {
-        context.vk.CmdFillBuffer(commands, bufferOf(pass.fill.destination, slot), 0, pass.fill.bytes ? pass.fill.bytes : VK_WHOLE_SIZE,
+        context.vk.CmdFillBuffer(commands, resources->buffer(pass.fill.destination, slot), 0, pass.fill.bytes ? pass.fill.bytes : VK_WHOLE_SIZE,
                                  pass.fill.value);
         return;
     }
     const VkBufferCopy region{0, 0, plan.resources[pass.copy.source].bytes};
-    context.vk.CmdCopyBuffer(commands, bufferOf(pass.copy.source, slot), bufferOf(pass.copy.destination, slot), 1, &region);
+    context.vk.CmdCopyBuffer(commands, resources->buffer(pass.copy.source, slot), resources->buffer(pass.copy.destination, slot), 1, &region);
     const VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr,
                                  VK_ACCESS_TRANSFER_WRITE_BIT, VK_ACCESS_HOST_READ_BIT};
     context.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
@@ -182,13 +159,12 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     AgaaResult result = AGAA_OK;
     switch (pass.kind) {
     case PassKind::HostDraw:
-        beginHostRendering(context, plan, pass, passes[index].host, *resources, commands,
-                           context.secondary);
+        beginHostRendering(context, pass, hostPasses[index], passes[index].target, *resources, commands);
         if (context.secondary)
             vk.CmdExecuteCommands(commands, 1, &slots[slot].secondaries[secondary]);
         else
             result = callHost(frame, step, slot, commands);
-        endHostRendering(context, passes[index].host, commands);
+        endHostRendering(context, passes[index].target, commands);
         break;
     case PassKind::Compute:
         beginCondition(step, slot, commands);
@@ -207,9 +183,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     if (vk.CmdEndDebugUtilsLabelEXT)
         vk.CmdEndDebugUtilsLabelEXT(commands);
     if (result != AGAA_OK)
-        fail(AGAA_ERROR_PARTIAL,
-             format("the draw callback returned %d in pass \"%s\"; discard the command buffer.",
-                    int(result), pass.name.c_str()));
+        failDraw(AGAA_ERROR_PARTIAL, result, pass, "discard the command buffer");
 }
 
 void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, uint32_t slot,
@@ -231,36 +205,39 @@ void View::recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, cons
     }
 }
 
+// Throws the exception at hand as AGAA_ERROR_PARTIAL.
+[[noreturn]] static void rethrowAsPartial() {
+    try {
+        throw;
+    } catch (const Error& error) {
+        failPartial(error.message.c_str());
+    } catch (const std::bad_alloc&) {
+        failPartial("host memory is exhausted; discard the command buffer.");
+    } catch (...) {
+        failPartial("an unexpected internal failure; discard the command buffer.");
+    }
+}
+
 AgaaResult View::record(AgaaFrame frame, const AgaaVkFrame& vkFrame) {
-    const AgaaSceneFacts facts = factsOf(frame, plan);
-    frame.facts = &facts;
-    checkFrame(frame, plan);
-    sequence.check(frame);
+    AgaaSceneFacts facts;
+    checkFrame(frame, facts);
     const bool begins = sequence.begins(frame);
     const uint32_t slot = sequence.slotOf(frame);
     checkTarget(frame, vkFrame);
     const Variant& variant = variantOf(frame);
-    writeFrameData(frame, slot);
+    uploadFrame(frame, slot);
     writeHostsDescriptors(frame, vkFrame, slot);
     if (context.secondary)
         recordSecondaries(frame, slot);
-    // Up to here nothing of the host's was touched.
+    // Failures before this line leave the host's command buffer as it was.
     try {
         recordPasses(frame, vkFrame, variant, slot, begins);
-    } catch (const Error& error) {
-        // The host discards the command buffer: what it would have begun never runs, and a frame whose
-        // earlier segments run cannot go on.
-        sequence.failed(frame);
-        forgetClear(frame);
-        failPartial(error.message.c_str());
-    } catch (const std::bad_alloc&) {
-        sequence.failed(frame);
-        forgetClear(frame);
-        failPartial("host memory is exhausted; discard the command buffer.");
     } catch (...) {
+        // The host discards the command buffer: a frame that it begins never runs, and a frame with earlier segments
+        // cannot continue.
         sequence.failed(frame);
         forgetClear(frame);
-        failPartial("an unexpected internal failure; discard the command buffer.");
+        rethrowAsPartial();
     }
     recorded(frame);
     return AGAA_OK;

@@ -1,7 +1,5 @@
 #include "vk/host_passes.h"
 
-#include "core/abi/draw_passes.h"
-#include "core/glsl/host_glsl.h"
 #include "vk/formats.h"
 
 #include <algorithm>
@@ -18,17 +16,10 @@ VkClearValue depthClear(const Pass& pass) {
     return value;
 }
 
-VkClearValue colorClear(const Pass& pass, size_t target) {
+VkClearValue colorClear(const ColorAttachment& color) {
     VkClearValue value{};
-    std::copy_n(pass.draw.clear.color[target].begin(), 4, value.color.float32);
+    std::ranges::copy(color.clear, value.color.float32);
     return value;
-}
-
-// Each layer of a colour target is an attachment: calls f(resource, index of the target, layer).
-template <typename F> void forColorAttachments(const Plan& plan, const Pass& pass, F f) {
-    for (size_t i = 0; i < pass.draw.colorTargets.size(); ++i)
-        for (uint32_t layer = 0; layer < plan.resources[pass.draw.colorTargets[i]].layers; ++layer)
-            f(pass.draw.colorTargets[i], i, layer);
 }
 
 VkImageLayout colorLayout(const Pass& pass) {
@@ -50,16 +41,16 @@ VkAttachmentDescription attachment(const Resource& resource, bool clear, VkImage
 }
 
 // The SDK's barriers stand outside, so that the pass itself needs no dependencies.
-void createRenderPass(const Context& context, const Plan& plan, const Pass& pass,
-                      const ViewResources& resources, HostPassObjects& objects) {
+void createRenderPass(const Context& context, const Plan& plan, const Pass& pass, const HostPass& hostPass,
+                      const ViewResources& resources, HostRenderTarget& out) {
     std::vector<VkAttachmentDescription> attachments;
     std::vector<VkAttachmentReference> colors;
     std::vector<VkImageView> views;
-    forColorAttachments(plan, pass, [&](ResourceId target, size_t, uint32_t layer) {
+    for (const ColorAttachment& color : hostPass.colors) {
         colors.push_back({uint32_t(attachments.size()), colorLayout(pass)});
-        attachments.push_back(attachment(plan.resources[target], pass.draw.clearsColor, colorLayout(pass)));
-        views.push_back(resources[target].layerViews[layer]);
-    });
+        attachments.push_back(attachment(plan.resources[color.resource], pass.draw.draw.clearsColor, colorLayout(pass)));
+        views.push_back(resources[color.resource].layerViews[color.layer]);
+    }
     const VkAttachmentReference depth{uint32_t(attachments.size()),
                                       VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
     const bool hasDepth = pass.draw.depthTarget != noResource;
@@ -83,20 +74,20 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     info.pAttachments = attachments.data();
     info.subpassCount = 1;
     info.pSubpasses = &subpass;
-    check(context.vk.CreateRenderPass(context.device, &info, nullptr, &objects.renderPass),
+    check(context.vk.CreateRenderPass(context.device, &info, nullptr, &out.renderPass),
           "vkCreateRenderPass");
-    context.name(VK_OBJECT_TYPE_RENDER_PASS, (uint64_t)objects.renderPass, "agaa " + pass.name);
+    context.name(VK_OBJECT_TYPE_RENDER_PASS, (uint64_t)out.renderPass, "agaa " + pass.name);
     VkFramebufferCreateInfo framebuffer{};
     framebuffer.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
-    framebuffer.renderPass = objects.renderPass;
+    framebuffer.renderPass = out.renderPass;
     framebuffer.attachmentCount = uint32_t(views.size());
     framebuffer.pAttachments = views.data();
     framebuffer.width = pass.draw.width;
     framebuffer.height = pass.draw.height;
     framebuffer.layers = 1;
-    check(context.vk.CreateFramebuffer(context.device, &framebuffer, nullptr, &objects.framebuffer),
+    check(context.vk.CreateFramebuffer(context.device, &framebuffer, nullptr, &out.framebuffer),
           "vkCreateFramebuffer");
-    context.name(VK_OBJECT_TYPE_FRAMEBUFFER, (uint64_t)objects.framebuffer, "agaa " + pass.name);
+    context.name(VK_OBJECT_TYPE_FRAMEBUFFER, (uint64_t)out.framebuffer, "agaa " + pass.name);
 }
 
 VkRenderingAttachmentInfo renderingAttachment(VkImageView view, VkImageLayout layout, bool clears, VkClearValue value) {
@@ -117,117 +108,92 @@ bool needsRenderPass(const Context& context, const Pass& pass) {
 
 } // namespace
 
-std::vector<VkFormat> colorFormats(const Plan& plan, const Pass& pass) {
-    std::vector<VkFormat> formats;
-    forColorAttachments(plan, pass, [&](ResourceId target, size_t, uint32_t) {
-        formats.push_back(vkFormat(plan.resources[target].format));
-    });
-    return formats;
-}
-
-void createHostPass(const Context& context, const Plan& plan, const Pass& pass,
-                    const ViewResources& resources, HostPassObjects& objects) {
-    HostDialect dialect;
-    objects.key = hostPassKey(plan, pass, dialect); // of any set: that is the pipeline layout's
-    dialect.descriptorSet = context.descriptorSet;
-    objects.extensions = hostExtensions(pass, dialect);
-    objects.declarations = hostDeclarations(plan, pass, dialect);
-    objects.geometry = hostGeometry(plan, pass, dialect);
-    objects.vertex = hostVertex(plan, pass, dialect);
+void createHostRenderTarget(const Context& context, const Plan& plan, const Pass& pass, const HostPass& hostPass,
+                            const ViewResources& resources, HostRenderTarget& out) {
     if (needsRenderPass(context, pass))
-        createRenderPass(context, plan, pass, resources, objects);
+        createRenderPass(context, plan, pass, hostPass, resources, out);
 }
 
-void destroyHostPass(const Context& context, HostPassObjects& objects) {
-    if (!objects.renderPass)
+void destroyHostRenderTarget(const Context& context, HostRenderTarget& target) {
+    if (!target.renderPass)
         return;
-    context.vk.DestroyFramebuffer(context.device, objects.framebuffer, nullptr);
-    context.vk.DestroyRenderPass(context.device, objects.renderPass, nullptr);
+    context.vk.DestroyFramebuffer(context.device, target.framebuffer, nullptr);
+    context.vk.DestroyRenderPass(context.device, target.renderPass, nullptr);
 }
 
-void beginHostRendering(const Context& context, const Plan& plan, const Pass& pass,
-                        const HostPassObjects& objects, const ViewResources& resources,
-                        VkCommandBuffer commands, bool secondary) {
+void beginHostRendering(const Context& context, const Pass& pass, const HostPass& hostPass,
+                        const HostRenderTarget& target, const ViewResources& resources, VkCommandBuffer commands) {
     const VkRect2D area{{0, 0}, {pass.draw.width, pass.draw.height}};
-    const bool hasDepth = pass.draw.depthTarget != noResource;
-    if (objects.renderPass) {
+    const bool hasDepth = hostPass.depthFormat != Format::None;
+    if (target.renderPass) {
         std::vector<VkClearValue> clears;
-        forColorAttachments(plan, pass, [&](ResourceId, size_t target, uint32_t) {
-            clears.push_back(colorClear(pass, target));
-        });
+        for (const ColorAttachment& color : hostPass.colors)
+            clears.push_back(colorClear(color));
         if (hasDepth)
             clears.push_back(depthClear(pass));
         VkRenderPassBeginInfo info{};
         info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
-        info.renderPass = objects.renderPass;
-        info.framebuffer = objects.framebuffer;
+        info.renderPass = target.renderPass;
+        info.framebuffer = target.framebuffer;
         info.renderArea = area;
         info.clearValueCount = uint32_t(clears.size());
         info.pClearValues = clears.data();
         context.vk.CmdBeginRenderPass(commands, &info,
-                                      secondary ? VK_SUBPASS_CONTENTS_SECONDARY_COMMAND_BUFFERS
+                                      context.secondary ? VK_SUBPASS_CONTENTS_SECONDARY_COMMAND_BUFFERS
                                                 : VK_SUBPASS_CONTENTS_INLINE);
         return;
     }
     std::vector<VkRenderingAttachmentInfo> colors;
-    forColorAttachments(plan, pass, [&](ResourceId target, size_t index, uint32_t layer) {
-        colors.push_back(renderingAttachment(resources[target].layerViews[layer], colorLayout(pass), pass.draw.clearsColor,
-                                             colorClear(pass, index)));
-    });
+    for (const ColorAttachment& color : hostPass.colors)
+        colors.push_back(renderingAttachment(resources[color.resource].layerViews[color.layer], colorLayout(pass),
+                                             pass.draw.draw.clearsColor, colorClear(color)));
     VkRenderingAttachmentInfo depth{};
     if (hasDepth)
         depth = renderingAttachment(resources[pass.draw.depthTarget].layerViews[0],
                                     VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, pass.draw.clearsDepth, depthClear(pass));
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-    info.flags = secondary ? VK_RENDERING_CONTENTS_SECONDARY_COMMAND_BUFFERS_BIT : 0;
+    info.flags = context.secondary ? VK_RENDERING_CONTENTS_SECONDARY_COMMAND_BUFFERS_BIT : 0;
     info.renderArea = area;
     info.layerCount = 1;
     info.colorAttachmentCount = uint32_t(colors.size());
     info.pColorAttachments = colors.data();
     info.pDepthAttachment = hasDepth ? &depth : nullptr;
-    info.pStencilAttachment = hasDepth && hasStencil(plan.resources[pass.draw.depthTarget].format) ? &depth : nullptr;
+    info.pStencilAttachment = hasStencil(hostPass.depthFormat) ? &depth : nullptr;
     context.vk.CmdBeginRendering(commands, &info);
 }
 
-void endHostRendering(const Context& context, const HostPassObjects& objects, VkCommandBuffer commands) {
-    if (objects.renderPass)
+void endHostRendering(const Context& context, const HostRenderTarget& target, VkCommandBuffer commands) {
+    if (target.renderPass)
         context.vk.CmdEndRenderPass(commands);
     else
         context.vk.CmdEndRendering(commands);
 }
 
-void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
-                    const HostPassObjects& objects, VkCommandBuffer commands) {
-    const Format depth = pass.draw.depthTarget != noResource ? plan.resources[pass.draw.depthTarget].format : Format::None;
-    const std::vector<VkFormat> colors = colorFormats(plan, pass);
+void beginSecondary(const Context& context, const Pass& pass, const HostPass& hostPass, const HostRenderTarget& target,
+                    VkCommandBuffer commands) {
+    const VkFormat depth = vkFormat(hostPass.depthFormat);
+    std::vector<VkFormat> colors;
+    for (const ColorAttachment& color : hostPass.colors)
+        colors.push_back(vkFormat(color.format));
     VkCommandBufferInheritanceRenderingInfo rendering{};
     rendering.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_RENDERING_INFO;
     rendering.colorAttachmentCount = uint32_t(colors.size());
     rendering.pColorAttachmentFormats = colors.data();
-    rendering.depthAttachmentFormat = depth == Format::None ? VK_FORMAT_UNDEFINED : vkFormat(depth);
-    rendering.stencilAttachmentFormat = hasStencil(depth) ? vkFormat(depth) : VK_FORMAT_UNDEFINED;
+    rendering.depthAttachmentFormat = depth;
+    rendering.stencilAttachmentFormat = hasStencil(hostPass.depthFormat) ? depth : VK_FORMAT_UNDEFINED;
     rendering.rasterizationSamples = VkSampleCountFlagBits(pass.draw.state.samples);
     VkCommandBufferInheritanceInfo inheritance{};
     inheritance.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_INFO;
-    inheritance.pNext = objects.renderPass ? nullptr : &rendering;
-    inheritance.renderPass = objects.renderPass;
-    inheritance.framebuffer = objects.framebuffer;
+    inheritance.pNext = target.renderPass ? nullptr : &rendering;
+    inheritance.renderPass = target.renderPass;
+    inheritance.framebuffer = target.framebuffer;
     VkCommandBufferBeginInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT |
                  VK_COMMAND_BUFFER_USAGE_RENDER_PASS_CONTINUE_BIT;
     info.pInheritanceInfo = &inheritance;
     check(context.vk.BeginCommandBuffer(commands, &info), "vkBeginCommandBuffer");
-}
-
-AgaaDrawTarget drawTarget(const Plan& plan, const Pass& pass, const HostPassObjects& objects,
-                          VkCommandBuffer commands, VkDescriptorSet set) {
-    AgaaDrawTarget target = emptyTarget(plan, pass);
-    target.pipelineKey = objects.key;
-    target.commandBuffer = commands;
-    target.descriptorSet = (uint64_t)set;
-    return target;
 }
 
 } // namespace agaa::vk

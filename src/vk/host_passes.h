@@ -1,41 +1,28 @@
-// Host draws: what hosts must know to build pipelines, and how rendering begins and ends around them.
+// Rendering of host passes: render passes, framebuffers and dynamic rendering.
 #pragma once
 
-#include "core/plan/plan.h"
+#include "core/frame/host_pass.h"
 #include "vk/context.h"
 #include "vk/resources.h"
 
-#include <string>
-#include <vector>
-
 namespace agaa::vk {
 
-struct HostPassObjects {
-    uint64_t key = 0;
-    std::string extensions;   // GLSL
-    std::string declarations; // GLSL
-    std::string geometry;     // GLSL, or empty
-    std::string vertex;       // GLSL, or empty
-    VkRenderPass renderPass = VK_NULL_HANDLE; // null with dynamic rendering, unless the shader reads attachments
+// Both handles are null with dynamic rendering, unless the shader reads attachments.
+struct HostRenderTarget {
+    VkRenderPass renderPass = VK_NULL_HANDLE;
     VkFramebuffer framebuffer = VK_NULL_HANDLE;
 };
 
-std::vector<VkFormat> colorFormats(const Plan& plan, const Pass& pass); // of the attachments
+// Sets each handle of `out` as soon as it exists: after a failure destroyHostRenderTarget() destroys what was created.
+void createHostRenderTarget(const Context& context, const Plan& plan, const Pass& pass, const HostPass& hostPass,
+                            const ViewResources& resources, HostRenderTarget& out);
+void destroyHostRenderTarget(const Context& context, HostRenderTarget& target);
 
-// Fills objects as it goes, so that what was made before a failure is destroyed with them.
-void createHostPass(const Context& context, const Plan& plan, const Pass& pass,
-                    const ViewResources& resources, HostPassObjects& objects);
-void destroyHostPass(const Context& context, HostPassObjects& objects);
-
-void beginHostRendering(const Context& context, const Plan& plan, const Pass& pass,
-                        const HostPassObjects& objects, const ViewResources& resources,
-                        VkCommandBuffer commands, bool secondary);
-void endHostRendering(const Context& context, const HostPassObjects& objects, VkCommandBuffer commands);
+void beginHostRendering(const Context& context, const Pass& pass, const HostPass& hostPass,
+                        const HostRenderTarget& target, const ViewResources& resources, VkCommandBuffer commands);
+void endHostRendering(const Context& context, const HostRenderTarget& target, VkCommandBuffer commands);
 // Begins a secondary command buffer for use inside the pass's rendering.
-void beginSecondary(const Context& context, const Plan& plan, const Pass& pass,
-                    const HostPassObjects& objects, VkCommandBuffer commands);
-
-AgaaDrawTarget drawTarget(const Plan& plan, const Pass& pass, const HostPassObjects& objects,
-                          VkCommandBuffer commands, VkDescriptorSet set);
+void beginSecondary(const Context& context, const Pass& pass, const HostPass& hostPass, const HostRenderTarget& target,
+                    VkCommandBuffer commands);
 
 } // namespace agaa::vk

@@ -382,4 +382,14 @@ void ViewResources::createViews(const Plan& plan) {
     }
 }
 
+VkBuffer ViewResources::buffer(ResourceId id, uint32_t slot) const {
+    const auto& buffers = resources_[id].buffers;
+    return buffers[buffers.size() > 1 ? slot : 0];
+}
+
+std::byte* ViewResources::mapped(ResourceId id, uint32_t slot) const {
+    const auto& copies = resources_[id].mapped;
+    return static_cast<std::byte*>(copies[copies.size() > 1 ? slot : 0]);
+}
+
 } // namespace agaa::vk

@@ -4,6 +4,7 @@
 #include "core/plan/plan.h"
 #include "vk/context.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,8 @@ public:
     ViewResources& operator=(const ViewResources&) = delete;
 
     const GpuResource& operator[](ResourceId id) const { return resources_[id]; }
+    VkBuffer buffer(ResourceId id, uint32_t slot) const;
+    std::byte* mapped(ResourceId id, uint32_t slot) const; // upload and read-back buffers only
 
     uint64_t payloadBytes() const { return payloadBytes_; } // of per-pixel surfaces, as created
     uint64_t driverBytes() const { return driverBytes_; }   // what the driver asked for

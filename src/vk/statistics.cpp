@@ -9,13 +9,12 @@ MemoryUse View::memoryUse() const {
     return {resources->payloadBytes(), resources->driverBytes(), resources->peakBytes()};
 }
 
-CounterBuffer View::readCounters(uint32_t slot) const {
-    CounterBuffer counters{};
-    for (ResourceId id = 0; id < plan.resources.size(); ++id)
-        if (plan.resources[id].kind == ResourceKind::ReadbackBuffer)
-            std::memcpy(&counters, (*resources)[id].mapped[plan.resources[id].copies > 1 ? slot : 0],
-                        sizeof counters);
-    return counters;
+void View::writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) {
+    std::memcpy(resources->mapped(buffer, slot), data.data(), data.size());
+}
+
+void View::readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const {
+    std::memcpy(data.data(), resources->mapped(buffer, slot) + offset, data.size());
 }
 
 std::vector<double> View::readPassTimes(uint32_t slot) const {

@@ -16,12 +16,13 @@ View::View(Context& device, const ViewSettings& settings)
     : View(device, makePlan(settings, device.caps, device.framesInFlight)) {}
 
 View::View(Context& device, Plan framePlan)
-    : ViewState(device, std::move(framePlan)), context(device), steps(plan.steps()),
-      positions(plan.view.samplePositions.empty()
+    : ViewState(device, std::move(framePlan)), context(device) {
+    positions = plan.view.samplePositions.empty()
                     ? samplePositions(standardPositions(plan.view.hwSamples), plan.view.scaleX, plan.view.scaleY)
-                    : samplePositions(plan.view.samplePositions)) {
+                    : samplePositions(plan.view.samplePositions);
     try {
         resources.emplace(context, plan);
+        hostPasses = makeHostPasses(plan, context.dialect);
         barriers = stepBarriers(plan, steps, *resources, context.conditionalRendering);
         createPassObjects();
         writeStaticDescriptors();
@@ -49,7 +50,7 @@ void View::destroy() {
     for (const uint64_t pipeline : variants.programs())
         vk.DestroyPipeline(device, (VkPipeline)pipeline, nullptr);
     for (PassObjects& objects : passes) {
-        destroyHostPass(context, objects.host);
+        destroyHostRenderTarget(context, objects.target);
         vk.DestroyPipelineLayout(device, objects.pipelineLayout, nullptr);
         vk.DestroyDescriptorSetLayout(device, objects.setLayout, nullptr);
     }
@@ -90,7 +91,7 @@ void View::createPassObjects() {
         context.name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, (uint64_t)passes[i].setLayout,
                      "agaa " + pass.name);
         if (pass.kind == PassKind::HostDraw)
-            createHostPass(context, plan, pass, *resources, passes[i].host);
+            createHostRenderTarget(context, plan, pass, hostPasses[i], *resources, passes[i].target);
     }
     std::vector<VkDescriptorPoolSize> sizes;
     for (const auto& [type, count] : counts)
@@ -146,13 +147,13 @@ Compiled View::compile(const Pass& pass, size_t index) {
     for (uint32_t i = 0; i < ConstantCount; ++i)
         entries[i] = {i, i * uint32_t(sizeof(uint32_t)), sizeof(uint32_t)};
     std::vector<uint32_t> compiled;
-    if (!pass.compute.text.empty() || !pass.compute.hostCode.empty())
-        compiled = compileCompute(passGlsl(pass), pass.compute.hostCode.empty() ? pass.name.c_str()
-                                                                        : pass.compute.hostCodeOrigin.c_str());
+    if (!pass.compute.text.empty() || !pass.compute.compute.compute.hostCode.empty())
+        compiled = compileCompute(passGlsl(pass), pass.compute.compute.compute.hostCode.empty() ? pass.name.c_str()
+                                                                        : pass.compute.compute.compute.hostCodeOrigin.c_str());
     const std::span<const uint32_t> words =
-        compiled.empty() ? embeddedSpirv(pass.compute.shader) : compiled;
+        compiled.empty() ? embeddedSpirv(pass.compute.compute.compute.shader) : compiled;
     if (words.empty())
-        fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.compute.shader + ".");
+        fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.compute.compute.compute.shader + ".");
     VkShaderModuleCreateInfo moduleInfo{};
     moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     moduleInfo.codeSize = words.size_bytes();
@@ -217,7 +218,7 @@ void View::createSlots() {
 }
 
 bool View::usesHostSet(const Pass& pass) const {
-    return !pass.compute.hostCode.empty() && plan.view.functionSetLayout != 0;
+    return !pass.compute.compute.compute.hostCode.empty() && plan.view.functionSetLayout != 0;
 }
 
 bool View::timed() const {

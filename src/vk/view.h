@@ -2,14 +2,12 @@
 #pragma once
 
 #include "core/plan/plan.h"
-#include "core/plan/sample_patterns.h"
 #include "vk/barriers.h"
 #include "vk/context.h"
 #include "vk/host_passes.h"
 #include "vk/resources.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace agaa::vk {
@@ -21,7 +19,7 @@ struct PassObjects {
     VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
     std::vector<VkDescriptorSet> sets; // one per frame in flight
     VkPipelineLayout pipelineLayout = VK_NULL_HANDLE;
-    HostPassObjects host;                 // host draws
+    HostRenderTarget target;           // host draws
 };
 
 // What belongs to one frame in flight.
@@ -42,21 +40,18 @@ public:
     MemoryUse memoryUse() const override;
     const StructRow& drawPassRow() const override;
     const StructRow& surfaceRow() const override;
-    void describePass(size_t index, AgaaDrawPass& out, void* native) const override;
+    void describePass(size_t index, void* native) const override;
     void describeSurface(ResourceId id, void* native) const override;
-    CounterBuffer readCounters(uint32_t slot) const override;
     std::vector<double> readPassTimes(uint32_t slot) const override;
     AgaaTimeSource timeSource() const override { return AGAA_TIME_DEVICE; }
 
     Context& context;
     std::optional<ViewResources> resources;
-    const std::vector<Step> steps;
     std::vector<PassObjects> passes;
     std::vector<FrameSlot> slots;
     std::vector<StepBarriers> barriers; // of the steps
     VkDescriptorPool descriptorPool = VK_NULL_HANDLE;
     VkQueryPool queries = VK_NULL_HANDLE; // two timestamps per pass and slot
-    SamplePositions positions;
 
 private:
     void createPassObjects();
@@ -65,7 +60,8 @@ private:
     void createSlots();
     void destroy();
     void checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const;
-    void writeFrameData(const AgaaFrame& frame, uint32_t slot);
+    void writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) override;
+    void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const override;
     void recordPasses(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, uint32_t slot,
                       bool begins);
     void writeStaticDescriptors();
@@ -75,7 +71,7 @@ private:
     void beginCondition(const Step& step, uint32_t slot, VkCommandBuffer commands) const;
     void endCondition(const Step& step, VkCommandBuffer commands) const;
     AgaaResult callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands);
-    AgaaResult recordSecondaries(const AgaaFrame& frame, uint32_t slot);
+    void recordSecondaries(const AgaaFrame& frame, uint32_t slot);
     // secondary: of the host draws among the steps.
     void recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, size_t number,
                     size_t secondary, uint32_t slot, VkCommandBuffer commands);
@@ -84,7 +80,6 @@ private:
     void recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands);
     void clearPersistent(VkCommandBuffer commands);
     void forgetClear(const AgaaFrame& frame);
-    VkBuffer bufferOf(ResourceId id, uint32_t slot) const;
     bool usesHostSet(const Pass& pass) const; // set 1 is the host's
     bool timed() const;
 

@@ -5,19 +5,6 @@
 
 namespace agaa {
 
-AgaaDrawTarget emptyTarget(const Plan& plan, const Pass& pass) {
-    AgaaDrawTarget target{};
-    target.sType = AGAA_STRUCTURE_TYPE_DRAW_TARGET;
-    target.structSize = sizeof target;
-    target.pass = pass.draw.id;
-    target.width = pass.draw.width;
-    target.height = pass.draw.height;
-    target.scaleX = plan.view.scaleX;
-    target.scaleY = plan.view.scaleY;
-    target.state = pass.draw.state;
-    return target;
-}
-
 AgaaResult writeDrawPasses(const ViewState& view, uint32_t* count, AgaaDrawPass* passes) {
     require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
     const uint32_t available = view.plan.geometryPasses();
@@ -40,8 +27,10 @@ AgaaResult writeDrawPasses(const ViewState& view, uint32_t* count, AgaaDrawPass*
             out.scaleX = view.plan.view.scaleX;
             out.scaleY = view.plan.view.scaleY;
             out.state = pass.draw.state;
+            describeHostPass(view.hostPasses[i], out);
             AgaaDrawPass* element = elementOf(passes, next++);
-            view.describePass(i, out, nativePart(element, view.drawPassRow()));
+            if (void* native = nativePart(element, view.drawPassRow()))
+                view.describePass(i, native);
             writeStruct(element, out);
         }
     }

@@ -85,7 +85,7 @@ std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& cons
     return out;
 }
 
-static void writeLights(const AgaaFrame& frame, void* destination) {
+static uint64_t writeLights(const AgaaFrame& frame, void* destination) {
     auto* shadows = static_cast<GpuShadow*>(destination);
     for (uint32_t i = 0; i < AGAA_MAX_SHADOW_MAPS; ++i) {
         GpuShadow shadow{};
@@ -113,22 +113,23 @@ static void writeLights(const AgaaFrame& frame, void* destination) {
         light.radius = source.radius;
         std::memcpy(&lights[i], &light, sizeof light);
     }
+    return AGAA_MAX_SHADOW_MAPS * sizeof(GpuShadow) + frame.lightCount * sizeof(GpuLight);
 }
 
-void writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
-                 const SamplePositions& positions, const CounterBuffer* newest, void* destination) {
+uint64_t writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
+                     const SamplePositions& positions, const CounterBuffer* newest, void* destination) {
     switch (content) {
     case UploadContent::None:
         break;
     case UploadContent::FrameConstants: {
         const FrameConstants constants = frameConstants(plan, frame, positions, newest);
         std::memcpy(destination, &constants, sizeof constants);
-        break;
+        return sizeof constants;
     }
     case UploadContent::Lights:
-        writeLights(frame, destination);
-        break;
+        return writeLights(frame, destination);
     }
+    return 0;
 }
 
 } // namespace agaa

@@ -17,8 +17,8 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
 // frame and the capacity of fragment lists are two halves of 16 bits each.
 uint32_t constantVectors(const Plan& plan);
 std::vector<float> uniformConstants(const Plan& plan, const FrameConstants& constants);
-// Fills an upload buffer of the plan. The destination has as many bytes as the resource.
-void writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
-                 const SamplePositions& positions, const CounterBuffer* newest, void* destination);
+// Writes the contents of an upload buffer and returns their size in bytes. destination must be as large as the resource.
+uint64_t writeUpload(const Plan& plan, UploadContent content, const AgaaFrame& frame,
+                     const SamplePositions& positions, const CounterBuffer* newest, void* destination);
 
 } // namespace agaa

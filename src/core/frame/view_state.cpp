@@ -1,6 +1,8 @@
 #include "core/frame/view_state.h"
 
 #include "core/base/error.h"
+#include "core/frame/frame_checks.h"
+#include "core/frame/frame_data.h"
 #include "core/plan/planner.h"
 #include "core/view/facts.h"
 
@@ -9,9 +11,15 @@
 namespace agaa {
 
 ViewState::ViewState(AgaaContext_T& context, Plan framePlan)
-    : owner(context), plan(std::move(framePlan)), sequence(context.framesInFlight), ran_(context.framesInFlight) {
+    : owner(context), plan(std::move(framePlan)), steps(plan.steps()), sequence(context.framesInFlight),
+      ran_(context.framesInFlight) {
     require(plan.runnable, AGAA_ERROR_UNSUPPORTED,
             "this plan is a model that can be priced but not run.");
+    uint64_t largest = 0;
+    for (const Resource& resource : plan.resources)
+        if (resource.content != UploadContent::None)
+            largest = std::max(largest, resource.bytes);
+    upload_.resize(largest);
     ++owner.viewCount;
 }
 
@@ -36,6 +44,33 @@ void ViewState::recorded(const AgaaFrame& frame) {
     sequence.recorded(frame);
     running_ = chosen_;
     ran_[sequence.slotOf(frame)] = running_;
+}
+
+CounterBuffer ViewState::readCounters(uint32_t slot) const {
+    CounterBuffer counters{};
+    for (ResourceId id = 0; id < plan.resources.size(); ++id)
+        if (plan.resources[id].kind == ResourceKind::ReadbackBuffer)
+            readBuffer(id, slot, 0, std::as_writable_bytes(std::span(&counters, 1)));
+    return counters;
+}
+
+void ViewState::checkFrame(AgaaFrame& frame, AgaaSceneFacts& facts) const {
+    facts = factsOf(frame, plan);
+    frame.facts = &facts;
+    agaa::checkFrame(frame, plan);
+    sequence.check(frame);
+}
+
+void ViewState::uploadFrame(const AgaaFrame& frame, uint32_t slot) {
+    const std::optional<CounterBuffer> newest = feedback(frame);
+    for (ResourceId id = 0; id < plan.resources.size(); ++id) {
+        const Resource& resource = plan.resources[id];
+        if (resource.content == UploadContent::None || !(resource.segments & frame.segments))
+            continue;
+        const uint64_t bytes =
+            writeUpload(plan, resource.content, frame, positions, newest ? &*newest : nullptr, upload_.data());
+        writeBuffer(id, slot, std::span(upload_).first(bytes));
+    }
 }
 
 std::optional<CounterBuffer> ViewState::feedback(const AgaaFrame& frame) const {

@@ -3,11 +3,15 @@
 
 #include "core/frame/context.h"
 #include "core/frame/frame_sequence.h"
+#include "core/frame/host_pass.h"
 #include "core/frame/variants.h"
 #include "core/plan/gpu_layout.h"
 #include "core/plan/plan.h"
+#include "core/plan/sample_patterns.h"
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace agaa {
@@ -32,14 +36,14 @@ public:
     // What hosts chain to AgaaDrawPass and AgaaSurface for what is the graphics API's own.
     virtual const StructRow& drawPassRow() const = 0;
     virtual const StructRow& surfaceRow() const = 0;
-    // native: a struct of that row, or null.
-    virtual void describePass(size_t pass, AgaaDrawPass& out, void* native) const = 0;
+    // native: a struct of that row. describePass() is called for host passes only.
+    virtual void describePass(size_t pass, void* native) const = 0;
     virtual void describeSurface(ResourceId id, void* native) const = 0;
 
-    // Of the device's frame in this slot, which has finished.
     virtual MemoryUse memoryUse() const = 0;
-    virtual CounterBuffer readCounters(uint32_t slot) const = 0;
-    // Milliseconds of each pass; empty where they are not measured.
+    // Returns the counters of the frame in this slot, which must have finished; 0 if the plan has no counters.
+    CounterBuffer readCounters(uint32_t slot) const;
+    // Returns the milliseconds of each pass of the frame in this slot; empty if they are not measured.
     virtual std::vector<double> readPassTimes(uint32_t slot) const = 0;
     virtual AgaaTimeSource timeSource() const = 0;
 
@@ -59,16 +63,31 @@ public:
 
     AgaaContext_T& owner;
     const Plan plan; // of all effects; its variants differ in programs alone
+    const std::vector<Step> steps;
     FrameSequence sequence;
     Variants variants{plan};
+    SamplePositions positions{};      // set by the backend's constructor
+    std::vector<HostPass> hostPasses; // by pass; set by the backend's constructor
 
 protected:
     // A compute pass, which has the bindings of plan.passes[index].
     virtual Compiled compile(const Pass& pass, size_t index) = 0;
+    // Copies data to the beginning of an upload buffer.
+    virtual void writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) = 0;
+    // Copies the bytes from offset on out of a buffer that the CPU can read.
+    virtual void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const = 0;
+
+    // Checks the frame against the view and against the frames before it. Sets frame.facts to `facts`, which receives
+    // the frame's own facts or those of the view.
+    void checkFrame(AgaaFrame& frame, AgaaSceneFacts& facts) const;
+    // Writes the upload buffers that the frame's segments read.
+    void uploadFrame(const AgaaFrame& frame, uint32_t slot);
+
     void addVariant(const Plan& variantPlan);
     void recorded(const AgaaFrame& frame); // with its variant
 
 private:
+    std::vector<std::byte> upload_;      // as large as the largest upload buffer
     const Variant* chosen_ = nullptr;    // of the frame that is recorded now
     const Variant* running_ = nullptr;   // of the frame whose segments are recorded
     std::vector<const Variant*> ran_;    // by slot

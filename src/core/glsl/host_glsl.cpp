@@ -347,4 +347,27 @@ uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dial
     return key;
 }
 
+static HostPass makeHostPass(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
+    HostDialect anySet = dialect;
+    anySet.descriptorSet = 0; // the set number belongs to the host's pipeline layout, not to the key
+    HostPass out;
+    out.pipelineKey = hostPassKey(plan, pass, anySet);
+    out.extensions = hostExtensions(pass, dialect);
+    out.declarations = hostDeclarations(plan, pass, dialect);
+    out.geometry = hostGeometry(plan, pass, dialect);
+    out.vertex = hostVertex(plan, pass, dialect);
+    out.colors = colorAttachments(plan, pass);
+    if (pass.draw.depthTarget != noResource)
+        out.depthFormat = plan.resources[pass.draw.depthTarget].format;
+    return out;
+}
+
+std::vector<HostPass> makeHostPasses(const Plan& plan, const HostDialect& dialect) {
+    std::vector<HostPass> list(plan.passes.size());
+    for (size_t i = 0; i < list.size(); ++i)
+        if (plan.passes[i].kind == PassKind::HostDraw)
+            list[i] = makeHostPass(plan, plan.passes[i], dialect);
+    return list;
+}
+
 } // namespace agaa

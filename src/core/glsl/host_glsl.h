@@ -1,11 +1,13 @@
 // The GLSL that a host's shaders include for one draw pass, assembled from a plan.
 #pragma once
 
+#include "core/frame/host_pass.h"
 #include "core/plan/bindings.h"
 #include "core/plan/plan.h"
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace agaa {
 
@@ -28,5 +30,8 @@ std::string hostVertex(const Plan& plan, const Pass& pass, const HostDialect& di
 
 // Differs between passes for which a host needs other shaders or pipelines, and only then.
 uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect);
+
+// Returns one element for each pass of the plan, by index. Elements of passes that the host does not draw are empty.
+std::vector<HostPass> makeHostPasses(const Plan& plan, const HostDialect& dialect);
 
 } // namespace agaa

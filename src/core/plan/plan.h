@@ -216,6 +216,7 @@ struct Step {
     // The step has nothing to do where this word of a buffer is 0.
     ResourceId predicateBuffer = noResource;
     uint64_t predicateOffset = 0; // bytes
+    bool hasPredicate() const { return predicateBuffer != noResource; }
 };
 
 // A view as a device runs it.

@@ -1,11 +1,12 @@
-// Writes docs/state.md from the state table, or with --check tells whether the file is up to date.
+// Writes docs/state.md from the state table. With --check it compares the file with the table and writes nothing.
+// Exit status: 0 on success, 1 if the file cannot be written or is out of date, 2 for wrong arguments.
 #include "gl/state_table.h"
 
-#include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <string>
+#include <string_view>
 
 namespace {
 
@@ -122,12 +123,24 @@ std::string document() {
 } // namespace
 
 int main(int count, char** arguments) {
-    const bool check = count == 3 && std::strcmp(arguments[1], "--check") == 0;
-    if (!check && count != 2) {
-        std::cerr << "state_document [--check] docs/state.md\n";
+    bool check = false;
+    const char* path = nullptr;
+    for (int i = 1; i < count; ++i) {
+        const std::string_view argument = arguments[i];
+        if (argument == "--check") {
+            check = true;
+        } else if (argument.starts_with('-') || path) {
+            std::cerr << "state_document does not know the argument \"" << argument
+                      << "\"; its arguments are [--check] FILE.\n";
+            return 2;
+        } else {
+            path = arguments[i];
+        }
+    }
+    if (!path) {
+        std::cerr << "state_document lacks a file; its arguments are [--check] FILE.\n";
         return 2;
     }
-    const char* path = arguments[count - 1];
     if (!check) {
         std::ofstream file(path, std::ios::binary);
         file << document();

@@ -1,0 +1,52 @@
+#include "core/frame/host_pass.h"
+
+#include "core/base/callbacks.h"
+#include "core/base/error.h"
+
+namespace agaa {
+
+std::vector<ColorAttachment> colorAttachments(const Plan& plan, const Pass& pass) {
+    std::vector<ColorAttachment> attachments;
+    for (size_t i = 0; i < pass.draw.colorTargets.size(); ++i) {
+        const ResourceId target = pass.draw.colorTargets[i];
+        for (uint32_t layer = 0; layer < plan.resources[target].layers; ++layer)
+            attachments.push_back({target, layer, plan.resources[target].format, pass.draw.clear.color[i]});
+    }
+    return attachments;
+}
+
+static const char* textOrNull(const std::string& text) { return text.empty() ? nullptr : text.c_str(); }
+
+void describeHostPass(const HostPass& hostPass, AgaaDrawPass& out) {
+    out.pipelineKey = hostPass.pipelineKey;
+    out.glslExtensions = hostPass.extensions.c_str();
+    out.glslDeclarations = hostPass.declarations.c_str();
+    out.glslGeometry = textOrNull(hostPass.geometry);
+    out.glslVertex = textOrNull(hostPass.vertex);
+}
+
+AgaaDrawTarget drawTarget(const Plan& plan, const Step& step, const HostPass& hostPass) {
+    const Pass& pass = plan.passes[step.pass];
+    AgaaDrawTarget target{};
+    target.sType = AGAA_STRUCTURE_TYPE_DRAW_TARGET;
+    target.structSize = sizeof target;
+    target.pass = pass.draw.id;
+    target.width = pass.draw.width;
+    target.height = pass.draw.height;
+    target.scaleX = plan.view.scaleX;
+    target.scaleY = plan.view.scaleY;
+    target.state = pass.draw.state;
+    target.pipelineKey = hostPass.pipelineKey;
+    target.batch = step.batch;
+    return target;
+}
+
+AgaaResult callDraw(const AgaaFrame& frame, const AgaaDrawTarget& target) {
+    return contained([&] { return frame.draw(frame.drawUser, &target); });
+}
+
+void failDraw(AgaaResult code, AgaaResult returned, const Pass& pass, const char* consequence) {
+    fail(code, format("the draw callback returned %d in pass \"%s\"; %s.", int(returned), pass.name.c_str(), consequence));
+}
+
+} // namespace agaa

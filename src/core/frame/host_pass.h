@@ -1,0 +1,46 @@
+// Host passes: draw passes that the host records. A view keeps one HostPass for each of them.
+#pragma once
+
+#include "core/plan/plan.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace agaa {
+
+// One colour attachment. Each layer of a colour target is an attachment of its own.
+struct ColorAttachment {
+    ResourceId resource = noResource;
+    uint32_t layer = 0;
+    Format format = Format::None;
+    std::array<float, 4> clear{}; // read only if Pass::clearsColor
+};
+
+// Data of a host pass that does not depend on the graphics API. makeHostPasses() (core/glsl/host_glsl.h) creates it.
+struct HostPass {
+    uint64_t pipelineKey = 0;
+    std::string extensions;   // GLSL
+    std::string declarations; // GLSL
+    std::string geometry;     // GLSL; empty unless the pass expands primitives in a geometry shader
+    std::string vertex;       // GLSL; empty unless the pass pulls vertices
+    std::vector<ColorAttachment> colors; // in the order of attachments
+    Format depthFormat = Format::None;   // None if there is no depth attachment
+};
+
+std::vector<ColorAttachment> colorAttachments(const Plan& plan, const Pass& pass);
+
+// Sets the pipeline key and the GLSL members. The pointers are valid as long as hostPass.
+void describeHostPass(const HostPass& hostPass, AgaaDrawPass& out);
+
+// Returns the draw callback's argument. Members that depend on the graphics API are 0: the backend sets them.
+AgaaDrawTarget drawTarget(const Plan& plan, const Step& step, const HostPass& hostPass);
+
+// Calls the frame's draw callback. A callback that throws counts as failed.
+AgaaResult callDraw(const AgaaFrame& frame, const AgaaDrawTarget& target);
+
+// Reports that the draw callback of a pass returned `returned`. consequence: the end of the sentence.
+[[noreturn]] void failDraw(AgaaResult code, AgaaResult returned, const Pass& pass, const char* consequence);
+
+} // namespace agaa
