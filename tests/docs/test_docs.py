@@ -11,6 +11,7 @@ import unittest
 
 ROOT = pathlib.Path(os.environ["AGAA_SOURCE"])
 QUOTES = ROOT / "tools" / "quotes.py"
+HARD_CASES = ROOT / "tools" / "hard_cases.py"
 PICTURE = ROOT / "tools" / "comparison_picture.py"
 README = ROOT / "README.md"
 INDEX = ROOT / "docs" / "README.md"
@@ -128,6 +129,40 @@ class Guides(unittest.TestCase):
         printed = subprocess.run([sys.executable, PICTURE, "--table", results], stdout=subprocess.PIPE, text=True)
         self.assertEqual(printed.returncode, 0)
         self.assertIn(printed.stdout, README.read_text())
+
+
+    def test_glossary_is_alphabetical(self):
+        text = (ROOT / "docs" / "glossary.md").read_text()
+        words = re.findall(r"^\| ([^|]*) \|", text, flags=re.MULTILINE)[1:]
+        self.assertGreater(len(words), 50)
+        self.assertEqual(words, sorted(words, key=lambda word: word.lower().replace("-", " ")))
+
+
+class HardCases(unittest.TestCase):
+    def check(self, *arguments):
+        return subprocess.run([sys.executable, HARD_CASES, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True)
+
+    def test_table_names_the_tests_that_cite_each_case(self):
+        result = self.check()
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_stale_tables_and_unknown_cases_fail(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "docs").mkdir()
+            (root / "tests").mkdir()
+            document, test = root / "docs" / "numerics.md", root / "tests" / "a_test.cpp"
+            table = "".join(f"| {case} | failure | form | code | none |\n" for case in range(1, 5))
+            document.write_text(table)
+            self.assertEqual(self.check("--root", root).returncode, 0)
+            test.write_text("TEST(HardCase02_A, B) {\n} // docs/numerics.md, cases 3 and 4\n")
+            self.assertRegex(self.check("--root", root).stderr, "not current.*: 2, 3, 4")
+            self.assertEqual(self.check("--root", root, "--update").returncode, 0)
+            self.assertEqual(document.read_text(), table.replace("none", "`tests/a_test.cpp`").replace(
+                "code | `tests/a_test.cpp`", "code | none", 1))
+            test.write_text("// hard cases 1 to 5\n")
+            self.assertRegex(self.check("--root", root).stderr, r"lacks cases.*: 5 \(tests/a_test.cpp\)")
 
 
 class Tool(unittest.TestCase):
