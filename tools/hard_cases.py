@@ -4,8 +4,8 @@
     tools/hard_cases.py            fails if the column is not current, or if a file cites a case that the list lacks
     tools/hard_cases.py --update   writes the column
 
-A test cites case 12 by "HardCase12" in its name, and any file by "hard case 12", "hard cases 12, 13 and 15 to 17" "docs/numerics.md, case 12"
-or "case 12 of docs/numerics.md".
+A test cites case 12 by "HardCase12" in its name. Any file cites cases by "hard case 12", "hard cases 12, 13 and 15 to
+17", "docs/numerics.md, case 12" or "case 12 of docs/numerics.md".
 """
 import argparse
 import pathlib

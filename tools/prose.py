@@ -5,8 +5,8 @@
     tools/prose.py FOLDER …    prints the findings below these folders
 
 Rules:
-  fragment   A comment begins with a word that begins no sentence, or with a phrase that no main clause follows. Comments
-             behind code are labels, and may be phrases.
+  fragment   A comment begins with a word that begins no sentence, or with a phrase that no main clause follows.
+             Comments behind code are labels, and may be phrases.
   retired    A name has been replaced by a term of the field.
   columns    A line is longer than 120 columns.
   reference  A comment names a file that the repository does not have, or that is not a part of it.
@@ -18,7 +18,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-FOLDERS = "src", "include", "conformance", "samples"
+FOLDERS = "src", "include", "conformance", "samples", "benchmark"
 C_SUFFIXES = ".c", ".h", ".cpp", ".inc", ".glsl", ".comp", ".vert", ".frag", ".geom"
 HASH_NAMES = ".py", ".cmake", ".txt"
 COLUMNS = 120
@@ -91,8 +91,8 @@ def read_hash(text):
 
 NEVER = "of", "that", "what", "those", "whether", "and", "but", "or", "nor", "than", "whose", "which"
 INTRODUCES = "with", "without", "for", "by", "as", "where", "like", "in"
-NO_CLAUSE = ("and", "but", "or", "nor", "with", "without", "where", "which", "that", "whose", "who", "except", "for", "of", "in",
-             "by", "as", "to", "from", "not", "so", "than", "each", "both", "one", "beside")
+NO_CLAUSE = ("and", "but", "or", "nor", "with", "without", "where", "which", "that", "whose", "who", "except", "for",
+             "of", "in", "by", "as", "to", "from", "not", "so", "than", "each", "both", "one", "beside")
 
 
 def first_sentence(text):
@@ -115,8 +115,8 @@ def is_fragment(text):
     if first in NEVER:
         return True
     if first == "the" and rest[:1] == ["same"]:
-        return bool(re.match(r"the same(?:[.,:;]|$| (?:with|where|as|for|of|in|by|without|on|at|from|but|and|if)\b)", sentence,
-                             re.IGNORECASE))
+        return bool(re.match(r"the same(?:[.,:;]|$| (?:with|where|as|for|of|in|by|without|on|at|from|but|and|if)\b)",
+                             sentence, re.IGNORECASE))
     if first == "less":
         return rest[:1] == ["than"] or rest[:1] == ["where"]
     if first in INTRODUCES:
@@ -133,21 +133,22 @@ RETIRED = {
     "agaa_unknown": "", r"agaa_count_\w*": "", r"below\.glsl": "", "isToldOfFacts": "", "failedHalfway": "", "WAYS": "",
     r"way(?=\()": "benchmark", "several": "src", "places": "src/core src/vk src/gl", "holds": "src", "gains": "src",
 }
-PATHS = re.compile(r"(?<![\w./-])(?:src|include|tests|docs|samples|tools|benchmark|scripts|conformance|cmake|abi|bindings|"
-                   r"packaging)/[\w./-]*\w")
+PATHS = re.compile(r"(?<![\w./-])(?:src|include|tests|docs|samples|tools|benchmark|scripts|conformance|cmake|abi|"
+                   r"bindings|packaging)/[\w./-]*\w")
 BASENAMES = re.compile(r"(?<![\w./<-])(?:[\w-]+/)*[\w-]{2,}\.(?:glsl|comp|inc|cpp|h|md|py|json)\b(?!\()")
 PLACEHOLDER = re.compile(r"NAME|FOLDER")
-OUTSIDE = re.compile(r"(?<![\w.])(?:\.\./|/(?:work|tmp|home|root)/|shared/)|hard-cases\.md|\bSDK design\b|\bissues? #?\d+",
-                     re.IGNORECASE)
-SYSTEM = {"vulkan.h", "vulkan_core.h", "gl.h", "glad.h", "egl.h", "glcorearb.h", "glext.h", "stb_image.h", "stb_image_write.h",
-          "stdint.h", "stddef.h"}
+OUTSIDE = re.compile(r"(?<![\w.])(?:\.\./|/(?:work|tmp|home|root)/|shared/)|hard-cases\.md|\bSDK design\b|"
+                     r"\bissues? #?\d+", re.IGNORECASE)
+SYSTEM = {"vulkan.h", "vulkan_core.h", "gl.h", "glad.h", "egl.h", "glcorearb.h", "glext.h", "stb_image.h",
+          "stb_image_write.h", "stdint.h", "stddef.h"}
 
 
 class Tree:
     def __init__(self, root):
         self.root = root
-        self.names = {path.name for folder in root.iterdir() if folder.is_dir() and not folder.name.startswith((".", "build"))
-                      for path in folder.rglob("*")} | {path.name for path in root.iterdir()} | SYSTEM
+        folders = [path for path in root.iterdir() if path.is_dir() and not path.name.startswith((".", "build"))]
+        self.names = {path.name for folder in folders for path in folder.rglob("*")}
+        self.names |= {path.name for path in root.iterdir()} | SYSTEM
 
     def is_missing(self, path):
         return not PLACEHOLDER.search(path) and not (self.root / path).exists()

@@ -78,9 +78,9 @@ class Files(unittest.TestCase):
 
     def test_references(self):
         self.assertEqual(self.check("// See src/core/a.cpp, core/a.cpp, a.cpp, src/shaders/NAME.comp and <stdio.h>.\n"), [])
-        found = self.check("// See src/core/b.cpp, gone.glsl and docs/gone.md.\n// And ../a.cpp, the SDK design.\n")
+        found = self.check("// See src/core/b.cpp, gone.glsl and docs/none/gone.md.\n// And ../a.cpp, the SDK design.\n")
         self.assertEqual({text for _, rule, text in found if rule == "reference"},
-                         {"src/core/b.cpp", "gone.glsl", "docs/gone.md", "../", "SDK design"})
+                         {"src/core/b.cpp", "gone.glsl", "docs/none/gone.md", "../", "SDK design"})
 
 
 if __name__ == "__main__":
