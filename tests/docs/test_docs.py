@@ -11,6 +11,7 @@ import unittest
 
 ROOT = pathlib.Path(os.environ["AGAA_SOURCE"])
 QUOTES = ROOT / "tools" / "quotes.py"
+FORMAT = ROOT / "scripts" / "format"
 HARD_CASES = ROOT / "tools" / "hard_cases.py"
 PICTURE = ROOT / "tools" / "comparison_picture.py"
 README = ROOT / "README.md"
@@ -163,6 +164,26 @@ class HardCases(unittest.TestCase):
                 "code | `tests/a_test.cpp`", "code | none", 1))
             test.write_text("// hard cases 1 to 5\n")
             self.assertRegex(self.check("--root", root).stderr, r"lacks cases.*: 5 \(tests/a_test.cpp\)")
+
+
+class Format(unittest.TestCase):
+    def test_check_names_files_that_differ(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / ".clang-format").write_text((ROOT / ".clang-format").read_text())
+            good, bad = (pathlib.Path(folder) / name for name in ("good.cpp", "bad file.cpp"))
+            good.write_text("int a;\n")
+            bad.write_text("int  a;\n")
+            result = subprocess.run([FORMAT, "--check", good, bad], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self.assertEqual((result.returncode, result.stdout), (1, ""))
+            self.assertEqual(result.stderr.splitlines()[1:], [str(bad)])
+            self.assertEqual(subprocess.run([FORMAT, good, bad]).returncode, 0)
+            self.assertEqual(bad.read_text(), "int a;\n")
+            self.assertEqual(subprocess.run([FORMAT, "--check", good, bad]).returncode, 0)
+
+    def test_unknown_options_fail(self):
+        result = subprocess.run([FORMAT, "--help"], stderr=subprocess.PIPE, text=True)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--help", result.stderr)
 
 
 class Tool(unittest.TestCase):
