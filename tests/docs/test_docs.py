@@ -15,6 +15,7 @@ FORMAT = ROOT / "scripts" / "format"
 HARD_CASES = ROOT / "tools" / "hard_cases.py"
 PICTURE = ROOT / "tools" / "comparison_picture.py"
 README = ROOT / "README.md"
+ROOT_DOCUMENTS = [README, *(ROOT / name for name in ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"))]
 INDEX = ROOT / "docs" / "README.md"
 GUIDES = [*sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs" / "integration").glob("*.md"))]
 GENERATED = [ROOT / "docs" / name for name in ("choosing.md", "effects.md", "memory.md", "state.md")]
@@ -85,14 +86,14 @@ class Guides(unittest.TestCase):
                      ROOT / "src/core/glsl/host_glsl.cpp", ROOT / "CMakeLists.txt", ROOT / "benchmark/runs.py",
                      ROOT / "conformance/include/agaa_conformance.h", ROOT / "conformance/CMakeLists.txt"]
         declared = set(re.findall(r"\w+", "".join(path.read_text() for path in declaring)))
-        for document in (README, *WRITTEN):
+        for document in (*ROOT_DOCUMENTS, *WRITTEN):
             if document == MIGRATION:
                 continue
             names = set(re.findall(r"\b(?:agaa|Agaa|AGAA_)\w+\b(?!\.h)(?![\w…])", document.read_text()))
             self.assertEqual(sorted(names - declared), [], document)
 
     def test_links_resolve(self):
-        for document in (README, *GUIDES):
+        for document in (*ROOT_DOCUMENTS, *GUIDES):
             for target in links(document):
                 self.assertTrue((document.parent / target).exists(), f"{document}: {target}")
 
@@ -112,7 +113,7 @@ class Guides(unittest.TestCase):
     def test_files_exist(self):
         """Paths of the source tree that the guides name."""
         folders = "benchmark|samples|docs|src|tools|tests|scripts"
-        for document in (README, *GUIDES):
+        for document in (*ROOT_DOCUMENTS, *GUIDES):
             for path in re.findall(rf"`((?:{folders})/[\w./-]+)[ `]", document.read_text()):
                 if "NAME" not in path:
                     self.assertTrue((ROOT / path).exists(), f"{document}: {path}")
