@@ -11,8 +11,11 @@ import unittest
 
 ROOT = pathlib.Path(os.environ["AGAA_SOURCE"])
 QUOTES = ROOT / "tools" / "quotes.py"
+FORMAT = ROOT / "scripts" / "format"
+HARD_CASES = ROOT / "tools" / "hard_cases.py"
 PICTURE = ROOT / "tools" / "comparison_picture.py"
 README = ROOT / "README.md"
+ROOT_DOCUMENTS = [README, *(ROOT / name for name in ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"))]
 INDEX = ROOT / "docs" / "README.md"
 GUIDES = [*sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs" / "integration").glob("*.md"))]
 GENERATED = [ROOT / "docs" / name for name in ("choosing.md", "effects.md", "memory.md", "state.md")]
@@ -83,14 +86,14 @@ class Guides(unittest.TestCase):
                      ROOT / "src/core/glsl/host_glsl.cpp", ROOT / "CMakeLists.txt", ROOT / "benchmark/runs.py",
                      ROOT / "conformance/include/agaa_conformance.h", ROOT / "conformance/CMakeLists.txt"]
         declared = set(re.findall(r"\w+", "".join(path.read_text() for path in declaring)))
-        for document in (README, *WRITTEN):
+        for document in (*ROOT_DOCUMENTS, *WRITTEN):
             if document == MIGRATION:
                 continue
             names = set(re.findall(r"\b(?:agaa|Agaa|AGAA_)\w+\b(?!\.h)(?![\w…])", document.read_text()))
             self.assertEqual(sorted(names - declared), [], document)
 
     def test_links_resolve(self):
-        for document in (README, *GUIDES):
+        for document in (*ROOT_DOCUMENTS, *GUIDES):
             for target in links(document):
                 self.assertTrue((document.parent / target).exists(), f"{document}: {target}")
 
@@ -110,7 +113,7 @@ class Guides(unittest.TestCase):
     def test_files_exist(self):
         """Paths of the source tree that the guides name."""
         folders = "benchmark|samples|docs|src|tools|tests|scripts"
-        for document in (README, *GUIDES):
+        for document in (*ROOT_DOCUMENTS, *GUIDES):
             for path in re.findall(rf"`((?:{folders})/[\w./-]+)[ `]", document.read_text()):
                 if "NAME" not in path:
                     self.assertTrue((ROOT / path).exists(), f"{document}: {path}")
@@ -128,6 +131,60 @@ class Guides(unittest.TestCase):
         printed = subprocess.run([sys.executable, PICTURE, "--table", results], stdout=subprocess.PIPE, text=True)
         self.assertEqual(printed.returncode, 0)
         self.assertIn(printed.stdout, README.read_text())
+
+
+    def test_glossary_is_alphabetical(self):
+        text = (ROOT / "docs" / "glossary.md").read_text()
+        words = re.findall(r"^\| ([^|]*) \|", text, flags=re.MULTILINE)[1:]
+        self.assertGreater(len(words), 50)
+        self.assertEqual(words, sorted(words, key=lambda word: word.lower().replace("-", " ")))
+
+
+class HardCases(unittest.TestCase):
+    def check(self, *arguments):
+        return subprocess.run([sys.executable, HARD_CASES, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True)
+
+    def test_table_names_the_tests_that_cite_each_case(self):
+        result = self.check()
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_stale_tables_and_unknown_cases_fail(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "docs").mkdir()
+            (root / "tests").mkdir()
+            document, test = root / "docs" / "numerics.md", root / "tests" / "a_test.cpp"
+            table = "".join(f"| {case} | failure | form | code | none |\n" for case in range(1, 5))
+            document.write_text(table)
+            self.assertEqual(self.check("--root", root).returncode, 0)
+            test.write_text("TEST(HardCase02_A, B) {\n} // docs/numerics.md, cases 3 and 4\n")
+            self.assertRegex(self.check("--root", root).stderr, "not current.*: 2, 3, 4")
+            self.assertEqual(self.check("--root", root, "--update").returncode, 0)
+            self.assertEqual(document.read_text(), table.replace("none", "`tests/a_test.cpp`").replace(
+                "code | `tests/a_test.cpp`", "code | none", 1))
+            test.write_text("// hard cases 1 to 5\n")
+            self.assertRegex(self.check("--root", root).stderr, r"lacks cases.*: 5 \(tests/a_test.cpp\)")
+
+
+class Format(unittest.TestCase):
+    def test_check_names_files_that_differ(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / ".clang-format").write_text((ROOT / ".clang-format").read_text())
+            good, bad = (pathlib.Path(folder) / name for name in ("good.cpp", "bad file.cpp"))
+            good.write_text("int a;\n")
+            bad.write_text("int  a;\n")
+            result = subprocess.run([FORMAT, "--check", good, bad], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self.assertEqual((result.returncode, result.stdout), (1, ""))
+            self.assertEqual(result.stderr.splitlines()[1:], [str(bad)])
+            self.assertEqual(subprocess.run([FORMAT, good, bad]).returncode, 0)
+            self.assertEqual(bad.read_text(), "int a;\n")
+            self.assertEqual(subprocess.run([FORMAT, "--check", good, bad]).returncode, 0)
+
+    def test_unknown_options_fail(self):
+        result = subprocess.run([FORMAT, "--help"], stderr=subprocess.PIPE, text=True)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--help", result.stderr)
 
 
 class Tool(unittest.TestCase):

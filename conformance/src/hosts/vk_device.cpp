@@ -16,6 +16,7 @@ VkBool32* featureOf(VkPhysicalDeviceFeatures& features, const std::string& name)
 #define FEATURE(member)    \
     if (name == #member)   \
         return &features.member;
+    // clang-format off: it takes a list of macros for one expression.
     FEATURE(robustBufferAccess) FEATURE(fullDrawIndexUint32) FEATURE(imageCubeArray) FEATURE(independentBlend)
     FEATURE(geometryShader) FEATURE(tessellationShader) FEATURE(sampleRateShading) FEATURE(dualSrcBlend) FEATURE(logicOp)
     FEATURE(multiDrawIndirect) FEATURE(drawIndirectFirstInstance) FEATURE(depthClamp) FEATURE(depthBiasClamp)
@@ -29,6 +30,7 @@ VkBool32* featureOf(VkPhysicalDeviceFeatures& features, const std::string& name)
     FEATURE(shaderStorageBufferArrayDynamicIndexing) FEATURE(shaderStorageImageArrayDynamicIndexing)
     FEATURE(shaderClipDistance) FEATURE(shaderCullDistance) FEATURE(shaderFloat64) FEATURE(shaderInt64)
     FEATURE(shaderInt16) FEATURE(shaderResourceResidency) FEATURE(shaderResourceMinLod)
+    // clang-format on
 #undef FEATURE
     return nullptr;
 }
