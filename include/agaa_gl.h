@@ -1,9 +1,9 @@
 /* AGAA SDK on OpenGL. Includes no OpenGL header: object names, formats and enumerations are uint32_t with OpenGL's
- * values. SPDX-License-Identifier: MIT
+ * values.
+ * SPDX-License-Identifier: MIT
  *
  * OpenGL   Every function except agaaGlGetRequirements and agaaGlGetProgramCache needs a current context: for a given
  *          AgaaContext or AgaaView, the one in which it was created.
- * /
  */
 #ifndef AGAA_GL_H
 #define AGAA_GL_H

@@ -25,7 +25,6 @@
  *   Spaces     Shading space has the axes of the host and its origin at the eye ("camera-relative world"). View space
  *              is right-handed: x right, y up, looking along -z. Matrices are column-major. Colours are linear. Lengths
  *              are in the unit of the host.
- * /
  */
 #ifndef AGAA_SDK_H
 #define AGAA_SDK_H

@@ -1,5 +1,6 @@
 /* AGAA SDK on Vulkan. Includes no Vulkan header: dispatchable handles are void*, other handles are uint64_t (cast a
- * VkImage with (uint64_t)), enumerations are uint32_t with Vulkan's values. SPDX-License-Identifier: MIT /
+ * VkImage with (uint64_t)), enumerations are uint32_t with Vulkan's values.
+ * SPDX-License-Identifier: MIT
  */
 #ifndef AGAA_VK_H
 #define AGAA_VK_H

@@ -1,5 +1,5 @@
-/* Queries that need no context: devices, memory, plans, shader text. Part of agaa_sdk.h. SPDX-License-Identifier:
- * MIT */
+/* Queries that need no context: devices, memory, plans, shader text. Part of agaa_sdk.h.
+ * SPDX-License-Identifier: MIT */
 #ifndef AGAA_QUERY_H
 #define AGAA_QUERY_H
 
