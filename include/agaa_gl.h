@@ -112,14 +112,14 @@ typedef enum AgaaGlBinding {
     AGAA_GL_BINDING_METADATA = 1,   /* texture unit. In AGAA_DRAW_PASS_FRAGMENTS, it holds the table for the host's
                                        own coverage samples (AgaaDecoupledCoverage::samplePositions) */
     AGAA_GL_BINDING_AGGREGATES = 2, /* shader storage buffer; image unit with AGAA_GL_STORAGE_IMAGES */
-    AGAA_GL_BINDING_COUNTERS = 3,   /* as AGAA_GL_BINDING_AGGREGATES */
+    AGAA_GL_BINDING_COUNTERS = 3,   /* same kinds as AGAA_GL_BINDING_AGGREGATES */
     AGAA_GL_BINDING_LIGHTS = 4,     /* shader storage buffer; uniform buffer with AGAA_GL_STORAGE_IMAGES */
     AGAA_GL_BINDING_SHADOW0 = 5,    /* texture units of the shadow maps. In AGAA_DRAW_PASS_AGGREGATE of views without
                                        AGAA_VIEW_REVERSED_Z, SHADOW0 holds the normals of the prepass */
     AGAA_GL_BINDING_SHADOW1 = 6,
     AGAA_GL_BINDING_SHADOW2 = 7,
     AGAA_GL_BINDING_SHADOW3 = 8,
-    AGAA_GL_BINDING_FRAGMENTS = 9, /* as AGAA_GL_BINDING_AGGREGATES */
+    AGAA_GL_BINDING_FRAGMENTS = 9, /* same kinds as AGAA_GL_BINDING_AGGREGATES */
     AGAA_GL_BINDING_COUNT = 10,
     AGAA_GL_BINDING_MAX_ENUM = 0x7FFFFFFF
 } AgaaGlBinding;

@@ -117,7 +117,7 @@ typedef struct AgaaVkAllocationInfo {
     uint32_t requiredFlags;  /* VkMemoryPropertyFlags; with HOST_VISIBLE the SDK needs AgaaVkMemory::mapped */
     uint32_t preferredFlags; /* VkMemoryPropertyFlags */
     uint32_t isImage;        /* 1: the memory holds images with optimal tiling, 0: it holds buffers or both */
-    const char* name;        /* for debugging; valid during the callback only */
+    const char* name;        /* name for debugging; valid during the callback only */
     uint64_t reserved[4];    /* 0 */
 } AgaaVkAllocationInfo;
 

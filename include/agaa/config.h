@@ -330,8 +330,8 @@ typedef enum AgaaDebugView {
 #define AGAA_MEASURE_SHADOW_ALONG_DEPTH UINT64_C(0x04) /* AGAA 3.5.3: shadow taps along the view ray by the variance of
                                                           depth, within the depths of the samples. The tier FRAGMENTS
                                                           takes taps at samples instead */
-#define AGAA_MEASURE_NO_STENCIL UINT64_C(0x08) /* no stencil test. At equal depth, the result depends on the order of
-                                                  fragments and is not repeatable */
+#define AGAA_MEASURE_NO_STENCIL UINT64_C(0x08) /* disable the stencil test. At equal depth, the result depends on the
+                                                  order of fragments and is not repeatable */
 #define AGAA_MEASURE_FIRST_SAMPLE_ROUTING UINT64_C(0x10) /* AGAA algorithm 2, step 2 (c): a fragment goes to the
                                                             aggregate of its first sample. 4 bytes per pixel more */
 #define AGAA_MEASURE_NO_LIGHT_CULLING UINT64_C(0x20) /* every shading event evaluates all lights of the frame.
@@ -435,8 +435,8 @@ typedef struct AgaaSceneFacts {
     uint32_t maxLights;      /* [0, 4096]. "msaa" with AGAA_GL_STORAGE_IMAGES accepts 16 KiB of lights; more lights
                                 fail with AGAA_ERROR_UNSUPPORTED, and the log names the largest number */
     uint32_t shadowMapCount; /* [0, AGAA_MAX_SHADOW_MAPS] */
-    float alpha2;            /* with AGAA_FACT_ONE_ROUGHNESS: GGX alpha squared, [4.1e-6, 1] */
-    float specular;          /* with AGAA_FACT_ONE_SPECULAR: reflectance at normal incidence, [0, 1] */
+    float alpha2;            /* GGX alpha squared for AGAA_FACT_ONE_ROUGHNESS, [4.1e-6, 1] */
+    float specular;          /* reflectance at normal incidence for AGAA_FACT_ONE_SPECULAR, [0, 1] */
 } AgaaSceneFacts;
 #define AGAA_SCENE_FACTS_INIT                                                                       \
     {AGAA_STRUCTURE_TYPE_SCENE_FACTS, (uint32_t)sizeof(AgaaSceneFacts), NULL, AGAA_FACT_ALL_SHADED, 64, 1, 1.0f, 0.04f}

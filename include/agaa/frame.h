@@ -166,7 +166,7 @@ typedef enum AgaaLightType {
 typedef struct AgaaLight {
     uint32_t type;      /* AgaaLightType */
     uint32_t shadowMap; /* index into AgaaFrame::shadows, or AGAA_NO_SHADOW */
-    float position[3];  /* in shading space, [-1e18, 1e18] */
+    float position[3];  /* position in shading space, [-1e18, 1e18] */
     float direction[3]; /* unit vector in shading space along which the light travels; finite for a point light */
     float color[3];     /* irradiance (directional) or intensity (point, spot), [0, 1e30] */
     float range;        /* (0, 1e18], or 0: infinite */
@@ -186,8 +186,9 @@ AGAA_API void AGAA_CALL agaaInitLight(AgaaLight* outLight, size_t structSize);
 typedef struct AgaaShadow {
     uint32_t layerCount; /* [1, AGAA_MAX_SHADOW_LAYERS], or 0 if an AgaaShadowFunction answers; then the rest is
                             ignored */
-    float depthBias;     /* in units of the map's depth, [0, 1] */
-    float matrices[AGAA_MAX_SHADOW_LAYERS][16]; /* from shading space to the layer's clip space, z in [0, w] */
+    float depthBias;     /* bias in units of the map's depth, [0, 1] */
+    float matrices[AGAA_MAX_SHADOW_LAYERS][16]; /* transforms from shading space to the layer's clip space, z in
+                                                   [0, w] */
 } AgaaShadow;
 #define AGAA_SHADOW_INIT                                                                            \
     {1, 0.0f, {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {0}, {0}, {0}, {0}, {0}}}
@@ -215,15 +216,15 @@ typedef struct AgaaFrame {
     uint64_t frameIndex;     /* increases by at least 1 per frame, from 1 */
     uint64_t completedFrame; /* the newest frame that the device is known to have finished, < frameIndex; 0: none */
     uint64_t segments;       /* AGAA_SEGMENT_…, in order, each once per frame */
-    float view[16];          /* from shading to view space: a rotation without reflection or translation; elements 3,
-                                7 and 11 are 0, element 15 is 1. Left-handed hosts:
+    float view[16];          /* transform from shading to view space: a rotation without reflection or translation;
+                                elements 3, 7 and 11 are 0, element 15 is 1. Left-handed hosts:
                                 docs/integration/coordinate-systems.md */
-    /* From view space to clip space as the rasteriser uses it, with sub-pixel jitter and the y flip of a negative
-     * viewport height. Perspective (element 11 is -1, element 15 is 0) or orthographic (0 and 1), without shear,
-     * roll or an oblique near plane. Samples whose depth rounds to that of the far plane (1, or 0 with
-     * AGAA_VIEW_REVERSED_Z) show the background. With AGAA_VIEW_REVERSED_Z and a float depth, draw nothing at depth
-     * 0 exactly, such as a sky: techniques with two geometry passes would count it as drawn twice. "msaa" may also
-     * show the background at the fixed-point depth next to that of the far plane. */
+    /* Transform from view space to clip space as the rasteriser uses it, with sub-pixel jitter and the y flip of a
+     * negative viewport height. It is perspective (element 11 is -1, element 15 is 0) or orthographic (0 and 1),
+     * without shear, roll or an oblique near plane. Samples whose depth rounds to that of the far plane (1, or 0
+     * with AGAA_VIEW_REVERSED_Z) show the background. With AGAA_VIEW_REVERSED_Z and a float depth, draw nothing at
+     * depth 0 exactly, such as a sky: techniques with two geometry passes would count it as drawn twice. "msaa" may
+     * also show the background at the fixed-point depth next to that of the far plane. */
     float projection[16];
     uint32_t lightCount;  /* [0, AgaaSceneFacts::maxLights] */
     uint32_t shadowCount; /* [0, AgaaSceneFacts::shadowMapCount] */

@@ -85,9 +85,9 @@ typedef struct AgaaFetchFunction {
     /* Largest number of primitives of a draw, >= 1. maxPrimitives, rounded up to a power of two, times maxDraws is
      * at most 2^32 - 1, or 2^32 - 2 with AGAA_FETCH_NOT_ALL_DRAWS (AGAA_ERROR_TOO_LARGE). */
     uint32_t maxPrimitives;
-    uint64_t descriptorSetLayout; /* as AgaaGBufferFunction::descriptorSetLayout */
+    uint64_t descriptorSetLayout; /* see AgaaGBufferFunction::descriptorSetLayout */
     uint64_t flags;               /* AGAA_FETCH_… */
-    const char* glslExtensions;   /* as AgaaGBufferFunction::glslExtensions */
+    const char* glslExtensions;   /* see AgaaGBufferFunction::glslExtensions */
 } AgaaFetchFunction;
 #define AGAA_FETCH_FUNCTION_INIT                                                                    \
     {AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0, 0, NULL}
@@ -106,8 +106,8 @@ typedef struct AgaaShadowFunction {
     uint32_t shadows;  /* bit i in [0, AgaaSceneFacts::shadowMapCount): the function answers for
                           AgaaFrame::shadows[i], whose layerCount is 0; one bit at least */
     uint32_t reserved; /* 0 */
-    uint64_t descriptorSetLayout; /* as AgaaGBufferFunction::descriptorSetLayout */
-    const char* glslExtensions;   /* as AgaaGBufferFunction::glslExtensions */
+    uint64_t descriptorSetLayout; /* see AgaaGBufferFunction::descriptorSetLayout */
+    const char* glslExtensions;   /* see AgaaGBufferFunction::glslExtensions */
 } AgaaShadowFunction;
 #define AGAA_SHADOW_FUNCTION_INIT                                                                   \
     {AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, (uint32_t)sizeof(AgaaShadowFunction), NULL, NULL, 0, 0, 0, NULL}

@@ -113,7 +113,7 @@ AGAA_API void AGAA_CALL agaaInitObservation(AgaaObservation* outObservation, siz
 /* Reads an observation from the statistics of a frame.
  *
  * view             The description of the view that rendered the frame.
- * caps             Those of the context. Null: an ideal device.
+ * caps             Capabilities of the context. Null: an ideal device.
  * log              May be null.
  * statistics       Statistics of the frame (agaaGetFrameStatistics). Counts are known if the view has
  *                  AGAA_CONFIG_COUNTERS, times if all passes are timed.
@@ -178,22 +178,19 @@ AGAA_API void AGAA_CALL agaaInitChoice(AgaaChoice* outChoice, size_t structSize)
  * The byte limit has priority over the other limits. If no settings satisfy all limits, the call chooses the
  * settings whose largest ratio of a predicted number to its limit is least.
  *
- * The current choice changes only in these cases, so that noise in the times does not make it alternate:
- * - The view, the device, the goal's flags or AgaaGoal::measured no longer allow it.
- * - It misses the byte limit, and other settings satisfy it; or it misses an error limit, and other settings satisfy
- *   all limits.
- * - It misses the time limit by more than 10 %, or cannot satisfy all limits. Settings that satisfy all limits, the
- *   time limit with 10 % to spare, replace it. If there are none, settings whose largest ratio is 15 % less replace
- *   it.
- * - Settings that satisfy all limits, the time limit with 10 % to spare, need 15 % less time or, with
- *   AGAA_PREFER_ERROR, have a smaller error.
- * If times were observed, the last two cases apply only after 16 observations with times of the current choice.
- * Predictions use means of about 16 observations. Settings that ran before are predicted from their own times. The
- * call forgets observed times when the measured times of the goal change.
+ * The current choice stays until one of these cases, so that noise in the times does not make it alternate:
+ * - It is no longer allowed, or misses the byte limit or an error limit that other settings satisfy.
+ * - It misses the time limit by more than 10 % or cannot satisfy all limits, and other settings satisfy all limits
+ *   or, if there are none, have a largest ratio that is 15 % less.
+ * - Other settings need 15 % less time or, with AGAA_PREFER_ERROR, have a smaller error.
+ * In the last two cases, settings that satisfy all limits must satisfy the time limit with 10 % to spare; if times
+ * were observed, these cases also wait for 16 observations with times of the current choice. Predictions use means
+ * of about 16 observations; settings that ran before are predicted from their own times. The call forgets observed
+ * times when the measured times of the goal change.
  *
  * view          Provides the size, layout, facts, functions and flags. The settings that agaaApplyChoice sets are
  *               ignored.
- * caps          Those of the context. Null: an ideal device.
+ * caps          Capabilities of the context. Null: an ideal device.
  * log           May be null.
  * observation   Observation of a frame with any settings. Null: no observation since the last call. Frames with
  *               settings that are not in the table are not used. Times of settings that the goal's measured times

@@ -31,7 +31,7 @@ typedef struct AgaaPrice {
     uint32_t changesTier;    /* 1: the two plans have different tiers of visibility or generation */
     uint32_t fromCount, toCount; /* SAMPLES: n. AGGREGATES: c or S. 0 for other kinds */
     const char* name;        /* "view", an effect, "samples" or "aggregates"; static storage */
-    const char* description; /* when a scene needs the effect, or what the step improves; one sentence, static
+    const char* description; /* scenes that need the effect, or the improvement by the step; one sentence, static
                                 storage */
     int64_t passes;          /* all passes of a frame; repeated passes count once */
     int64_t geometryPasses;  /* passes that call the host's draw function */
@@ -75,8 +75,8 @@ AGAA_API void AGAA_CALL agaaInitPrice(AgaaPrice* outPrice, size_t structSize);
  *
  * caps     Null: an ideal device with every feature.
  * log      May be null. Plans that cannot be made for a price are not reported.
- * count    With prices null, receives the number of entries. Otherwise the length of the array on entry, and the
- *          number of entries on return. Unchanged on failure.
+ * count    Receives the number of entries. Unchanged on failure. On entry it holds the length of the array, unless
+ *          prices is null.
  * prices   Null, or an array whose elements are all initialised; unchanged on failure.
  *
  * Errors   Those of agaaQueryMemory that concern the description, and
