@@ -1,20 +1,20 @@
-"""The AGAA SDK from Python: ctypes classes and functions made of agaa.json, the description of the C ABI.
+"""The AGAA SDK from Python: ctypes classes and functions, generated from the description agaa.json of the C ABI.
 
     sdk = agaa.Library("libagaa.so.0.2")
-    config = sdk.new("AgaaConfig")       # initialised, with defaults
+    config = sdk.new("AgaaConfig")       # initialised with the defaults
     config.samples = 32
-    sdk.call("agaaQueryMemory", ...)     # raises agaa.Error where the result is below 0
+    sdk.call("agaaQueryMemory", ...)     # raises agaa.Error if the result is below 0
 
-Structs, callbacks and constants are attributes of the library, under their names in C: sdk.AgaaConfig,
-sdk.AGAA_CONFIG_COUNTERS. docs/integration/ and the headers say what they mean.
+Structs, callbacks and constants are attributes of the library with their names in C: sdk.AgaaConfig,
+sdk.AGAA_CONFIG_COUNTERS. docs/integration/ and the headers describe them.
 """
 import ctypes
 import json
 import pathlib
 
 SCALARS = {"char": ctypes.c_char, "int": ctypes.c_int, "float": ctypes.c_float, "double": ctypes.c_double,
-           "uint32_t": ctypes.c_uint32, "int32_t": ctypes.c_int32, "uint64_t": ctypes.c_uint64, "int64_t": ctypes.c_int64, "size_t": ctypes.c_size_t,
-           "AgaaResult": ctypes.c_int32, "void": None}
+           "uint32_t": ctypes.c_uint32, "int32_t": ctypes.c_int32, "uint64_t": ctypes.c_uint64,
+           "int64_t": ctypes.c_int64, "size_t": ctypes.c_size_t, "AgaaResult": ctypes.c_int32, "void": None}
 
 
 class Error(Exception):
@@ -24,7 +24,7 @@ class Error(Exception):
 
 
 def description_file():
-    """Beside this file where it is installed, in abi/ of the sources."""
+    """Returns agaa.json: next to this file in an installation, else in abi/ of the sources."""
     here = pathlib.Path(__file__).resolve().parent
     beside = here / "agaa.json"
     return beside if beside.exists() else here.parents[1] / "abi" / "agaa.json"
@@ -39,7 +39,7 @@ class Library:
         self._make(json.loads(text))
 
     def _type(self, name):
-        """A type as C spells it, without const."""
+        """Returns the ctypes type of a C type. It ignores const."""
         name = name.replace("const ", "").replace(" const", "").strip()
         if name in ("char*", "void*"):
             return ctypes.c_char_p if name == "char*" else ctypes.c_void_p
@@ -65,7 +65,7 @@ class Library:
                 setattr(self, name, value)
         for name, value in description["constants"].items():
             setattr(self, name, value)
-        # Structs point to each other and to callbacks: all are declared first.
+        # Structs point to each other and to callbacks, so all types are declared before their members.
         for name in description["structs"]:
             self._types[name] = type(name, (ctypes.Structure,), {})
         for name, callback in description["callbacks"].items():
@@ -84,7 +84,7 @@ class Library:
         parameters = [self._type(parameter["type"]) for parameter in callback["parameters"]]
         returned = self._type(callback["returns"])
         if returned is None and callback["returns"] != "void":
-            returned = ctypes.c_void_p  # a callback, which is declared later
+            returned = ctypes.c_void_p  # the type is a callback that is declared later
         return ctypes.CFUNCTYPE(returned, *parameters)
 
     def _function(self, function):
@@ -95,14 +95,14 @@ class Library:
         return found
 
     def new(self, struct):
-        """A struct with its defaults."""
+        """Returns a struct with its defaults."""
         value = self._types[struct]()
         sizes = [ctypes.sizeof(value)] if len(self._functions["agaaInit" + struct[4:]].argtypes) > 1 else []
         self._functions["agaaInit" + struct[4:]](ctypes.byref(value), *sizes)
         return value
 
     def array(self, struct, count):
-        """Structs with their defaults."""
+        """Returns an array of structs with their defaults."""
         return (self._types[struct] * count)(*[self.new(struct) for _ in range(count)])
 
     def call(self, function, *arguments):

@@ -2,7 +2,7 @@
 
 namespace agaa::conformance {
 
-OwnContext::OwnContext(Test& test, const std::function<void(ContextDescription&)>& change) : test_(test) {
+ScopedContext::ScopedContext(Test& test, const std::function<void(ContextDescription&)>& change) : test_(test) {
     ContextDescription description = test.device().description();
     description.desc.log = log.get();
     if (change)
@@ -11,7 +11,7 @@ OwnContext::OwnContext(Test& test, const std::function<void(ContextDescription&)
     log.lines.clear();
 }
 
-OwnContext::~OwnContext() {
+ScopedContext::~ScopedContext() {
     if (context_)
         test_.result(test_.sdk.agaaDestroyContext(context_), AGAA_OK, "agaaDestroyContext(a context without views)");
 }
@@ -92,7 +92,7 @@ BareView::~BareView() {
     test_.sdk.agaaDestroyView(view_);
 }
 
-OwnView::OwnView(Test& test, AgaaContext context, const ViewDescription& description) : BareView(test, context, description) {
+ScopedView::ScopedView(Test& test, AgaaContext context, const ViewDescription& description) : BareView(test, context, description) {
     test.device().setOutput(description.desc.width, description.desc.height);
     test.device().prepare(test.sdk, get());
 }

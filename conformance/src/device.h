@@ -6,33 +6,33 @@
 
 namespace agaa::conformance {
 
-// AgaaContextDesc with its native part, to be changed by a test before link().
+// AgaaContextDesc with the struct of the graphics API. A test may change both before createContext().
 struct ContextDescription {
     AgaaContextDesc desc;
     AgaaVkDeviceDesc vk;
     AgaaGlDeviceDesc gl;
 };
 
-// What a wrong host does, so that the tests of the checks in integration/ can show that each mistake is found. All off: a right
-// host.
+// Mistakes of a host, with which tests show that the checks of integration/ find each mistake. All are off by default.
 struct Mistakes {
-    // The scene that a pass draws, from the scene that was passed to record().
+    // Returns the scene that a pass draws, from the scene of record().
     std::function<Scene(const AgaaDrawTarget&, const Scene&)> changeScene;
-    // The matrix that the vertices are drawn with, from AgaaFrame::projection.
+    // Changes AgaaFrame::projection to the matrix with which the vertices are drawn.
     std::function<void(float* projection)> changeProjection;
-    // The state that pipelines have, from that of the pass (AgaaDrawPassId).
+    // Changes the state of the pass (AgaaDrawPassId) to the state of the pipelines.
     std::function<void(uint32_t pass, AgaaDrawState&)> changeState;
     bool blends = false;          // alpha blending (SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ADD) is on in all passes
-    bool keysByPass = false;      // pipelines are kept by AgaaDrawPassId and not by pipelineKey, also across views
-    bool keepsFirstSet = false;   // Vulkan: binds the descriptor set of the first frame of the first view for ever
-    bool forgetsBarrier = false;  // Vulkan: copies the vertices in the same command buffer, and no barrier follows
+    bool keysByPass = false;      // the keys of pipelines are AgaaDrawPassId instead of pipelineKey; all views share
+                                  // them
+    bool keepsFirstSet = false;   // Vulkan: always binds the descriptor set of the first frame of the first view
+    bool forgetsBarrier = false;  // Vulkan: copies the vertices in the same command buffer without a barrier
 };
 
 class Device {
 public:
     virtual ~Device() = default;
     Mistakes mistakes;
-    // What a test changes in the structs that record() passes. Null: nothing.
+    // Change the structs that record() passes. Null changes nothing.
     std::function<void(AgaaVkFrame&)> changeVkFrame;
     std::function<void(AgaaGlFrame&)> changeGlFrame;
 
@@ -40,71 +40,73 @@ public:
     virtual std::string deviceName() const = 0;
     virtual std::string driverName() const = 0;
 
-    // What a right host passes; the native part is not chained yet. framesInFlight is 2.
+    // Returns the description of a correct host with framesInFlight 2. The struct of the graphics API is not chained
+    // yet.
     virtual ContextDescription description() = 0;
-    // Chains the native part behind what description.desc.pNext already holds, and calls agaaVk… or agaaGlCreateContext.
+    // Appends the struct of the graphics API to the chain of description.desc, and calls agaaVkCreateContext or
+    // agaaGlCreateContext.
     virtual AgaaResult createContext(const Functions& sdk, uint32_t headerVersion, ContextDescription& description,
                                      AgaaContext* outContext) = 0;
     virtual AgaaResult createView(const Functions& sdk, AgaaContext context, const AgaaViewDesc* desc,
                                   AgaaView* outView) = 0;
-    // Of a view that createView() did not create. Before prepare().
+    // Registers a view that createView() did not create. Must be called before prepare().
     virtual void adopt(AgaaContext context, AgaaView view) = 0;
     virtual AgaaResult getContextCaps(const Functions& sdk, AgaaContext context, AgaaDeviceCaps* outCaps) = 0;
-    // Of the device, before a context exists.
+    // Gets the capabilities of the device. No context needs to exist.
     virtual AgaaResult getDeviceCaps(const Functions& sdk, const AgaaLog* log, AgaaDeviceCaps* outCaps) = 0;
 
-    // Creates pipelines or programs for all draw passes of a view that are not there yet, by key. Throws
-    // std::runtime_error with the compiler's message.
+    // Creates the missing pipelines or programs for all draw passes of a view, by key. Throws std::runtime_error with
+    // the compiler's message.
     virtual void prepare(const Functions& sdk, AgaaView view) = 0;
-    // Destroys them. The device is idle.
+    // Destroys them. The device must be idle.
     virtual void forget(AgaaView view) = 0;
 
-    // An output of this size is there from now on. Its pixels are 0.
+    // Creates an output of this size with pixels of 0.
     virtual void setOutput(uint32_t width, uint32_t height) = 0;
-    // Records one frame with the output and the scene, which sets frame.draw and frame.drawUser unless draw is already set;
-    // submits and waits if the call succeeds or returns AGAA_NOT_READY. If the call fails, what was recorded is submitted too
-    // where the API allows it (not after AGAA_ERROR_PARTIAL), so that a test sees whether anything was recorded.
+    // Records one frame with the output and the scene. Sets frame.draw and frame.drawUser unless draw is already set.
+    // Submits and waits if the call succeeds or returns AGAA_NOT_READY. If the call fails, the recorded commands are
+    // submitted too, so that a test sees them, except after AGAA_ERROR_PARTIAL.
     virtual AgaaResult record(const Functions& sdk, AgaaView view, AgaaFrame& frame, const Scene& scene) = 0;
-    // Draws the scene of record(), for tests that set frame.draw: their callbacks call it.
+    // Draws the scene of record(). The callbacks of tests that set frame.draw call it.
     virtual AgaaResult draw(const AgaaDrawTarget& target) = 0;
-    // AgaaFrame::draw, with the device as drawUser.
+    // The callback for AgaaFrame::draw, with the device as drawUser.
     static AgaaResult AGAA_CALL drawCallback(void* device, const AgaaDrawTarget* target) {
         return static_cast<Device*>(device)->draw(*target);
     }
-    // Fetches the triangles of the scene of record(), for views of this device.
+    // Returns the function that fetches the triangles of the scene of record(), for views of this device.
     virtual AgaaFetchFunction sceneFetch() const = 0;
-    // Binds again what sceneFetch() reads during record(), after a test that changed OpenGL's bindings.
+    // Restores the bindings of sceneFetch() during record(), after a test has changed OpenGL's bindings.
     virtual void bindScene() const {}
-    // All shadow maps of all frames have this depth from now on, at first 1.
+    // Sets the depth of all shadow maps of later frames; initially 1.
     virtual void setShadowDepth(float depth) = 0;
-    // Linear RGBA, row 0 first.
+    // Returns linear RGBA, row 0 first.
     virtual std::vector<float> readOutput() = 0;
     virtual void fillOutput(float value) = 0;
 
-    // Messages of the validation layers, or of OpenGL's debug output, since the last call.
+    // Returns the messages of the validation layers, or of OpenGL's debug output, since the last call.
     virtual std::vector<std::string> takeMessages() = 0;
-    // False: the validation layer is not installed, and there are no messages.
+    // Returns false if the validation layer is not installed, so that there are no messages.
     virtual bool testsMessages() const = 0;
 
-    // AGAA_VIEW_… that this device's clip space needs.
+    // Returns the AGAA_VIEW_… that the clip space of the device needs.
     virtual uint64_t viewFlags() const = 0;
 };
 
-// Of the first device of the API, or the one whose name contains `name`. Throws Skipped with the reason if there is none.
-// The Vulkan device has the features that agaaVkGetRequirements requires, and geometryShader where there is one; with options,
-// also the other optional ones.
+// Create a host on the first device of the API, or on the device whose name contains `name`. Throw Skipped with the
+// reason if there is none. The Vulkan device enables the features that agaaVkGetRequirements requires, and
+// geometryShader if available; withOptions also enables the other optional ones.
 std::unique_ptr<Device> makeVulkanDevice(const Functions& sdk, const std::string& name, bool withOptions = false);
 std::unique_ptr<Device> makeOpenGlDevice(const std::string& name);
 
 // ---- what most tests need ------------------------------------------------------------------------
 
 // A context that is destroyed at the end of the test; its log is recorded.
-class OwnContext {
+class ScopedContext {
 public:
-    OwnContext(Test& test, const std::function<void(ContextDescription&)>& change = {});
-    ~OwnContext();
-    OwnContext(const OwnContext&) = delete;
-    OwnContext& operator=(const OwnContext&) = delete;
+    ScopedContext(Test& test, const std::function<void(ContextDescription&)>& change = {});
+    ~ScopedContext();
+    ScopedContext(const ScopedContext&) = delete;
+    ScopedContext& operator=(const ScopedContext&) = delete;
     AgaaContext get() const { return context_; }
     LogRecorder log;
 
@@ -113,36 +115,38 @@ private:
     AgaaContext context_ = nullptr;
 };
 
-// A fetch function of no scene.
+// Returns a fetch function without a scene.
 AgaaFetchFunction emptyFetch();
 
-// n of a technique where "ssaa" has `samples`: 1 for "single" and "fxaa"; 16 times as many coverage samples for "dcaa".
+// Returns n of a technique that corresponds to `samples` of "ssaa": 1 for "single" and "fxaa", 16 times as many
+// coverage samples for "dcaa".
 uint32_t samplesOf(const std::string& technique, uint32_t samples);
-bool needsOneSample(const std::string& technique);       // "single" and "fxaa"
-bool countsCoverage(const AgaaConfig& config); // whether n counts coverage samples: targets have one
-bool hasCoverageSamples(const std::string& technique);   // "dcaa", which needs an AgaaFetchFunction
+bool needsOneSample(const std::string& technique);       // true for "single" and "fxaa"
+bool countsCoverage(const AgaaConfig& config); // n counts coverage samples, and targets have one sample
+bool hasCoverageSamples(const std::string& technique);   // true for "dcaa", which needs an AgaaFetchFunction
 
-// Config, facts and description of a view of 32 x 24 pixels, "agaa" with n = 4, counters, no shadows, ambient light; tests
-// change it before they create the view.
+// Config, facts and description of a view of 32 x 24 pixels: "agaa" with n = 4, counters, no shadows, ambient light.
+// Tests change it before they create the view.
 struct ViewDescription {
-    ViewDescription(const Device* device); // null: of no device
+    ViewDescription(const Device* device); // null: no device
     ViewDescription(const ViewDescription&) = delete;
     ViewDescription& operator=(const ViewDescription&) = delete;
-    // Selects a technique with n = samplesOf(name, samples), and chains sceneFetch if the technique needs it. Call it once.
+    // Selects a technique with n = samplesOf(name, samples), and chains sceneFetch if the technique needs it. Call it
+    // once.
     void setTechnique(const std::string& name, uint32_t samples);
-    std::string technique; // that setTechnique() names
+    std::string technique; // set by setTechnique()
     AgaaLayout layout; // "precise"
     AgaaConfig config;
     AgaaAggregation aggregation;    // chained to config
     AgaaDecoupledCoverage coverage; // chained to aggregation
     AgaaAdaptiveSampling adaptive;  // chained to coverage
     AgaaMeasurement measurement;    // chained to adaptive
-    AgaaFetchFunction sceneFetch;   // chained to desc by setTechnique() where the technique needs it
+    AgaaFetchFunction sceneFetch;   // setTechnique() chains it to desc if the technique needs it
     AgaaSceneFacts facts;
     AgaaViewDesc desc;
 };
 
-// A view that is destroyed at the end of the test. Nothing is drawn of it: it has no pipelines.
+// A view that is destroyed at the end of the test. It has no pipelines, so it cannot draw.
 class BareView {
 public:
     BareView(Test& test, AgaaContext context, const ViewDescription& description);
@@ -156,16 +160,16 @@ private:
     AgaaView view_ = nullptr;
 };
 
-// With its pipelines, and an output of its size.
-class OwnView : public BareView {
+// A view with pipelines, and an output of its size.
+class ScopedView : public BareView {
 public:
-    OwnView(Test& test, AgaaContext context, const ViewDescription& description);
+    ScopedView(Test& test, AgaaContext context, const ViewDescription& description);
 };
 
-// The frame of index i (completed: i - 1) with the camera of setPixelCamera for the description, ambient light 1 and a black
-// background; lights none.
+// Returns the frame i, after the completed frame i - 1. It has the camera of setPixelCamera for the description,
+// ambient light 1, a black background and no lights.
 AgaaFrame pixelFrame(const Device& device, const ViewDescription& description, uint64_t i);
-// Three rectangles on whole pixels, from back to front, the last one alpha-masked with alpha 1.
+// Returns three rectangles on whole pixels, from back to front. The last one is alpha-masked with alpha 1.
 Scene smallScene(uint32_t width, uint32_t height);
 
 } // namespace agaa::conformance

@@ -10,7 +10,8 @@
 
 namespace agaa::conformance {
 
-// Members have the names of the functions, so that calls read as in C. Null if the library lacks a function.
+// Members have the names of the functions, so that calls look as in C. A member is null if the library lacks the
+// function.
 struct Functions {
 #define AGAA_FUNCTION(name) decltype(&::name) name = nullptr;
 #include "functions.inc"
@@ -18,7 +19,7 @@ struct Functions {
 
 Functions findFunctions(AgaaConformanceGetFunction getFunction, void* user, std::vector<std::string>& missing);
 
-// A library that was loaded by its path.
+// A library that is loaded by its path.
 class Library {
 public:
     explicit Library(const std::string& path); // throws std::runtime_error with the loader's sentence

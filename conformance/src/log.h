@@ -1,4 +1,4 @@
-// The messages that the SDK reports.
+// Recorder of the SDK's messages.
 #pragma once
 
 #include "suite.h"
@@ -26,12 +26,12 @@ private:
     AgaaLog log_;
 };
 
-// A call that must fail: its result, and exactly one sentence in the log, which begins with the function's name, ends with
-// a full stop and has the code of the result. words: a part of the sentence, for example the member's name; may be empty.
-// Clears the log.
+// Checks the result of a call that must fail, and clears the log. The log must hold exactly one sentence, which begins
+// with the function's name, ends with a full stop and has the code of the result. `words` is a part of the sentence,
+// for example the member's name; it may be empty.
 void expectRefused(Test& test, AgaaResult got, AgaaResult expected, LogRecorder& log, const std::string& function,
                    const std::string& what, const std::string& words = "");
-// For functions that have no log: the result alone.
+// Checks only the result, for functions without a log.
 inline void expectRefused(Test& test, AgaaResult got, AgaaResult expected, const std::string& what) {
     test.result(got, expected, what);
 }

@@ -12,7 +12,7 @@ namespace agaa::conformance {
 namespace {
 
 struct Arguments {
-    std::string library = // by its soname
+    std::string library = // found by its soname
         "libagaa.so." + std::to_string(AGAA_VERSION_MAJOR) + "." + std::to_string(AGAA_VERSION_MINOR);
     std::string filter, device, json, junit;
     std::vector<std::string> backends = {"core", "vk", "gl"};
@@ -52,7 +52,7 @@ std::ofstream open(const std::string& path) {
     return file;
 }
 
-// Every test of a backend is skipped if there is no device for it.
+// Skips every test of a backend without a device.
 std::vector<Outcome> skipAll(const Suite& suite, Backend backend, const std::string& filter, const std::string& reason) {
     return runSuite(
         [&] {
@@ -65,7 +65,7 @@ std::vector<Outcome> skipAll(const Suite& suite, Backend backend, const std::str
 }
 
 int runTests(const Suite& suite, const Arguments& arguments) {
-    // Fail now where a report could not be written later.
+    // Opens the report first, so that an invalid path fails before the tests.
     std::ofstream json, junit;
     if (!arguments.json.empty())
         json = open(arguments.json);

@@ -62,7 +62,7 @@ std::string escaped(const std::string& text) {
             out += "&quot;";
         else if (c == '\n')
             out += "&#10;";
-        else if (code < 0x20 || code > 0x7E) // not allowed in XML, or perhaps not UTF-8
+        else if (code < 0x20 || code > 0x7E) // not allowed in XML, or possibly not UTF-8
             out += '?';
         else
             out += c;

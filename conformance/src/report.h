@@ -8,8 +8,8 @@
 namespace agaa::conformance {
 
 struct Report {
-    std::string library; // path
-    uint32_t version = 0; // of the library, as agaaGetVersion
+    std::string library; // path of the library
+    uint32_t version = 0; // version of the library, as from agaaGetVersion
     struct DeviceRow {
         Backend backend;
         std::string name, driver;
@@ -23,6 +23,6 @@ struct Report {
 const char* statusName(AgaaConformanceStatus status); // "passed", "failed", "skipped"
 std::string versionText(uint32_t version);            // "0.2.0"
 void writeJson(std::ostream& out, const Report& report);
-void writeJunit(std::ostream& out, const Report& report); // a test suite for each backend
+void writeJunit(std::ostream& out, const Report& report); // writes one test suite per backend
 
 } // namespace agaa::conformance

@@ -103,7 +103,7 @@ Outcome runCase(const std::string& name, const std::function<void(Test&)>& run, 
     }
     outcome.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     failures.insert(failures.begin(), test.failures().begin(), test.failures().end());
-    if (!failures.empty()) { // also of a test that ended with skip()
+    if (!failures.empty()) { // also for a test that ended with skip()
         outcome.status = AGAA_CONFORMANCE_FAILED;
         outcome.reason.clear();
         const size_t shown = std::min<size_t>(failures.size(), 12);

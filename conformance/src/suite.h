@@ -1,4 +1,4 @@
-// Tests, and what a test says: each is named after the promise or the duty that it is about.
+// Tests and their results. Each test has the name of a promise or of a duty.
 #pragma once
 
 #include "library.h"
@@ -11,7 +11,7 @@
 
 namespace agaa::conformance {
 
-class Device; // device.h
+class Device; // declared in device.h
 
 enum class Backend { Core, Vulkan, OpenGl, Host };
 const char* backendName(Backend backend); // "core", "vk", "gl", "host"
@@ -20,19 +20,19 @@ const char* backendName(Backend backend); // "core", "vk", "gl", "host"
 struct Skipped {
     std::string reason;
 };
-struct Aborted {}; // the failure is recorded
+struct Aborted {}; // thrown after the failure was recorded
 
-// One run of one test. Checks record what failed and go on; require() ends the test.
+// One run of a test. Checks record failures and continue; require() ends the test.
 class Test {
 public:
     Test(const Functions& functions, Device* device) : sdk(functions), device_(device) {}
 
     const Functions& sdk;
-    Device& device() const; // of tests on Vulkan and OpenGL
+    Device& device() const; // only for tests on Vulkan and OpenGL
 
     bool check(bool isTrue, const std::string& sentence);
     void require(bool isTrue, const std::string& sentence);
-    // what: the call, as a reader of the failure would write it.
+    // Checks a result. `what` names the call in the failure.
     bool result(AgaaResult got, AgaaResult expected, const std::string& what);
     void requireOk(AgaaResult got, const std::string& what);
     [[noreturn]] void skip(const std::string& reason) const;
@@ -64,12 +64,12 @@ private:
     std::vector<Case> cases_;
 };
 
-// The tests of the promises: those that need no device (cases/core), and all (cases/core, cases/device). The checks of an engine
-// are in integration/.
+// Return the tests of the promises: those without a device (cases/core), and all tests (cases/core, cases/device). The
+// checks of an engine are in integration/.
 Suite makeCoreSuite();
 Suite makeSuite();
 
-// As GoogleTest's --gtest_filter.
+// Matches like --gtest_filter of GoogleTest.
 bool matches(const std::string& name, const std::string& filter);
 
 struct Outcome {
@@ -80,7 +80,7 @@ struct Outcome {
     double milliseconds;
 };
 
-// Runs one test; an exception that leaves it is a failure.
+// Runs one test. An exception that leaves it is a failure.
 Outcome runCase(const std::string& name, const std::function<void(Test&)>& run, const Functions& functions, Device* device,
                 Backend backend);
 // Runs the matching tests of a backend in order.

@@ -66,7 +66,7 @@ AGAA_API const char* AGAA_CALL agaaResultString(AgaaResult result);
  * Errors    None. */
 AGAA_API const char* AGAA_CALL agaaResultName(AgaaResult result);
 
-/* Version of the library, encoded as AGAA_HEADER_VERSION.
+/* Returns the version of the library, encoded as AGAA_HEADER_VERSION.
  *
  * Errors    None. */
 AGAA_API uint32_t AGAA_CALL agaaGetVersion(void);
@@ -123,14 +123,15 @@ typedef enum AgaaStructType {
 /* The first members of every versioned struct. Initialise a struct with its macro AGAA_…_INIT, or with its function
  * agaaInit…, which set these members and the defaults of all others. agaaInit… does nothing if the pointer is null.
  *
- * structSize   sizeof the struct in the header that the host was compiled with; a multiple of 8. Structs grow at their end
- *              only.
+ * structSize   sizeof the struct in the header that the host was compiled with; a multiple of 8. Structs grow at
+ *              their end only.
  *              - A smaller size of an earlier version is accepted; the missing members have their defaults.
- *              - A larger size is accepted if the bytes that the library does not know are 0; otherwise the call fails
- *                with AGAA_ERROR_VERSION, and the log names the offset of the first such byte.
+ *              - A larger size is accepted if the bytes that the library does not know are 0; otherwise the call
+ *                fails with AGAA_ERROR_VERSION, and the log names the offset of the first such byte.
  *              - The library writes output structs up to this size.
  * pNext        Null, or the first struct of a chain. The struct's comment lists the structs that may be chained. Any
- *              other struct fails with AGAA_ERROR_UNKNOWN_STRUCT, unless its type has AGAA_STRUCTURE_TYPE_OPTIONAL_BIT.
+ *              other struct fails with AGAA_ERROR_UNKNOWN_STRUCT, unless its type has
+ *              AGAA_STRUCTURE_TYPE_OPTIONAL_BIT.
  *
  * Elements of an array of versioned structs must all have the structSize of the first. */
 typedef struct AgaaStructHeader {
@@ -168,8 +169,8 @@ typedef struct AgaaLog {
 #define AGAA_LOG_INIT {AGAA_STRUCTURE_TYPE_LOG, (uint32_t)sizeof(AgaaLog), NULL, NULL, NULL}
 AGAA_API void AGAA_CALL agaaInitLog(AgaaLog* outLog, size_t structSize);
 
-/* Host memory for the objects behind handles. alignment is a power of two. A null return makes the call fail with
- * AGAA_ERROR_OUT_OF_MEMORY. Both callbacks must not throw and must not call the SDK. */
+/* Allocates and frees host memory for the objects behind handles. `alignment` is a power of two. If the host returns
+ * null, the SDK's call fails with AGAA_ERROR_OUT_OF_MEMORY. Both callbacks must not throw and must not call the SDK. */
 typedef void*(AGAA_CALL* AgaaAllocateCallback)(void* user, size_t size, size_t alignment);
 typedef void(AGAA_CALL* AgaaFreeCallback)(void* user, void* memory);
 
@@ -178,15 +179,15 @@ typedef void(AGAA_CALL* AgaaFreeCallback)(void* user, void* memory);
 typedef struct AgaaContext_T* AgaaContext; /* the SDK inside one Vulkan device or OpenGL context */
 typedef struct AgaaView_T* AgaaView;       /* surfaces and pipelines for one camera at one size */
 
-/* A context. Chain an AgaaVkDeviceDesc (agaa_vk.h) for agaaVkCreateContext, or an AgaaGlDeviceDesc (agaa_gl.h) for
- * agaaGlCreateContext; chain an AgaaVkAllocator to allocate device memory in the host, or an AgaaGlProgramCache to keep
- * compiled programs. */
+/* Describes a context. Chain an AgaaVkDeviceDesc (agaa_vk.h) for agaaVkCreateContext, or an AgaaGlDeviceDesc
+ * (agaa_gl.h) for agaaGlCreateContext. Chain an AgaaVkAllocator to allocate device memory in the host, or an
+ * AgaaGlProgramCache to keep compiled programs. */
 typedef struct AgaaContextDesc {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
-    /* Frames that may be unfinished at once, and whose statistics are kept: [1, 8]. Frame i needs frame
-     * i - framesInFlight to be no later than AgaaFrame::completedFrame. */
+    /* Number of frames that may be unfinished at once, and whose statistics are kept, [1, 8]. Frame i requires that
+     * frame i - framesInFlight is at most AgaaFrame::completedFrame. */
     uint32_t framesInFlight;
     uint32_t reserved;             /* 0 */
     const AgaaLog* log;            /* may be null; copied */

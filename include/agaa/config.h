@@ -17,8 +17,8 @@ typedef enum AgaaSemantic {
     AGAA_SEMANTIC_NORMAL = 2,    /* 3 channels per aggregate, stored as 2 per sample. Required */
     AGAA_SEMANTIC_ROUGHNESS = 3, /* 1 channel: alpha squared */
     AGAA_SEMANTIC_EMISSIVE = 4,  /* 3 channels, or 1: a factor of the diffuse albedo */
-    AGAA_SEMANTIC_CUSTOM = 5,    /* 1 to 4 channels of the host. The SDK stores and filters them, and does not shade by
-                                    them; agaaAggregate() of agaaGetAggregateGlsl reads them */
+    AGAA_SEMANTIC_CUSTOM = 5,    /* 1 to 4 channels of the host. The SDK stores and filters them, but does not shade
+                                    with them; agaaAggregate() of agaaGetAggregateGlsl reads them */
     AGAA_SEMANTIC_COUNT = 6,
     AGAA_SEMANTIC_MAX_ENUM = 0x7FFFFFFF
 } AgaaSemantic;
@@ -33,11 +33,11 @@ typedef enum AgaaEncoding {
     AGAA_ENCODING_MAX_ENUM = 0x7FFFFFFF
 } AgaaEncoding;
 
-/* How an aggregate combines the values of its samples. */
+/* Selects how an aggregate combines the values of its samples. */
 typedef enum AgaaFilter {
     AGAA_FILTER_MEAN = 0,   /* the mean. Values are in [0, range] */
     AGAA_FILTER_NORMAL = 1, /* 3 channels, a unit vector per sample. The aggregate has the mean vector, whose length
-                               says how far the vectors agree */
+                               measures how well the vectors agree */
     AGAA_FILTER_NONE = 2,   /* the value of one sample: the one with the largest code of channel 0, then of channel 1,
                                and so on. Values are in [0, range]; all channels of an aggregate fit 32 bits */
     AGAA_FILTER_MAX_ENUM = 0x7FFFFFFF
@@ -46,21 +46,21 @@ typedef enum AgaaFilter {
 #define AGAA_MAX_CUSTOM_CHANNELS 8
 typedef struct AgaaLayoutAttribute {
     uint32_t semantic;      /* AgaaSemantic. Each occurs at most once, except CUSTOM */
-    uint32_t channels;      /* as given at AgaaSemantic. CUSTOM attributes together have at most
+    uint32_t channels;      /* the number that AgaaSemantic states. CUSTOM attributes together have at most
                                AGAA_MAX_CUSTOM_CHANNELS */
-    uint32_t sampleBits;    /* per channel in the multisampled G-buffer: 8, 16, or 10 for 3 channels other than NORMAL.
-                               All attributes together must fit four attachments */
-    uint32_t aggregateBits; /* per channel and sample before summing: [6, 16], or 0: as many as fit n samples into 16 bits
-                               or a whole word */
+    uint32_t sampleBits;    /* bits per channel in the multisampled G-buffer: 8, 16, or 10 for 3 channels other than
+                               NORMAL. All attributes together must fit four attachments */
+    uint32_t aggregateBits; /* bits per channel and sample before summing, [6, 16]. 0 selects the most with which the
+                               sum of n samples fits 16 bits or a whole word */
     uint32_t chromaBits;    /* YCBCR: [6, 16] */
     uint32_t encoding;      /* AgaaEncoding */
-    float range;            /* the value of full scale: [1e-6, 65504]; 1 for all but EMISSIVE and CUSTOM, and for
-                               AGAA_FILTER_NORMAL */
+    float range;            /* value of full scale, [1e-6, 65504]. It must be 1 for all semantics except EMISSIVE and
+                               CUSTOM, and for AGAA_FILTER_NORMAL */
     uint32_t filter;        /* AgaaFilter for CUSTOM, 0 for all others */
-    /* CUSTOM: the name of the member of AgaaSurfaceInput, AgaaMaterial and AgaaAggregate, which is a float or a vec of
-     * `channels`. 1 to 31 letters, digits and single underscores; it begins with a letter, and not with gl_, agaa or
-     * AGAA. It is neither a GLSL keyword nor a member that these structs already have. Read during the call only.
-     * Null for all others. */
+    /* CUSTOM: the name of the member of AgaaSurfaceInput, AgaaMaterial and AgaaAggregate, which is a float or a vec
+     * of `channels`. It has 1 to 31 letters, digits and single underscores. It begins with a letter, and not with
+     * gl_, agaa or AGAA. It is neither a GLSL keyword nor a member that these structs already have. Read during the
+     * call only. Null for all others. */
     const char* name;
     uint64_t reserved[2]; /* 0 */
 } AgaaLayoutAttribute;
@@ -68,8 +68,8 @@ typedef struct AgaaLayoutAttribute {
 AGAA_API void AGAA_CALL agaaInitLayoutAttribute(AgaaLayoutAttribute* outAttribute);
 
 #define AGAA_MAX_LAYOUT_ATTRIBUTES 13
-/* The layout of a sample and of an aggregate. A member of the layout or of an attribute that has no valid value fails with
- * AGAA_ERROR_LAYOUT; a reserved member that is not 0 fails with AGAA_ERROR_OUT_OF_RANGE. */
+/* The layout of a sample and of an aggregate. A member of the layout or of an attribute that has no valid value
+ * fails with AGAA_ERROR_LAYOUT; a reserved member that is not 0 fails with AGAA_ERROR_OUT_OF_RANGE. */
 typedef struct AgaaLayout {
     uint32_t sType;
     uint32_t structSize;
@@ -104,12 +104,12 @@ typedef enum AgaaBrdf {
     AGAA_BRDF_MAX_ENUM = 0x7FFFFFFF
 } AgaaBrdf;
 
-/* How the spread of normals in an aggregate widens the specular lobe (AGAA section 3.5.2). LEAN and SGGX widen it by the
- * spread in each direction, so that lobes become elliptic: use them for thin geometry with sharp highlights. They need
- * the normal of each sample: the tier must be FRAGMENTS, or IDS or GBUFFER without AGAA_CONFIG_BUFFERED. Up to 32 samples,
- * AUTO selects IDS with an AgaaFetchFunction and GBUFFER without; any other tier fails with AGAA_ERROR_UNSUPPORTED.
- * "dcaa" keeps the spread of a surface's normals in 8 bytes more. Other techniques, and views without specular light, use
- * TOKSVIG instead. */
+/* Selects how the spread of normals in an aggregate widens the specular lobe (AGAA section 3.5.2). LEAN and SGGX
+ * widen it by the spread in each direction, so that lobes become elliptic: use them for thin geometry with sharp
+ * highlights. They need the normal of each sample: the tier must be FRAGMENTS, or IDS or GBUFFER without
+ * AGAA_CONFIG_BUFFERED. Up to 32 samples, AUTO selects IDS with an AgaaFetchFunction and GBUFFER without; any other
+ * tier fails with AGAA_ERROR_UNSUPPORTED. "dcaa" keeps the spread of a surface's normals in 8 bytes more. Other
+ * techniques, and views without specular light, use TOKSVIG instead. */
 typedef enum AgaaNdf {
     AGAA_NDF_NONE = 0,    /* no widening, for ablation */
     AGAA_NDF_TOKSVIG = 1, /* isotropic, by the length of the mean normal (Toksvig 2005) */
@@ -118,7 +118,7 @@ typedef enum AgaaNdf {
     AGAA_NDF_MAX_ENUM = 0x7FFFFFFF
 } AgaaNdf;
 
-/* A way to run a stage. agaaQueryCapabilities lists the tiers that run on a device. */
+/* An implementation of a stage. agaaQueryCapabilities lists the tiers that run on a device. */
 typedef enum AgaaTier {
     AGAA_TIER_AUTO = 0,
     /* visibility */
@@ -128,72 +128,80 @@ typedef enum AgaaTier {
     AGAA_TIER_LAYERS = 4,        /* reserved: AGAA_ERROR_UNSUPPORTED */
     AGAA_TIER_ORDERED_GRID = 5,  /* 4, 9 or 16 samples: 2x2, 3x3 or 4x4 texels of one sample each */
     /* generation */
-    AGAA_TIER_NV_MIXED_SAMPLES = 16, /* the paper's way: additive blending with coverage override. agaaQueryMemory and
-                                        agaaPlanToJson accept it; agaa…CreateView fails with AGAA_ERROR_UNSUPPORTED */
+    AGAA_TIER_NV_MIXED_SAMPLES = 16, /* the paper's method: additive blending with coverage override. agaaQueryMemory
+                                        and agaaPlanToJson accept it; agaa…CreateView fails with
+                                        AGAA_ERROR_UNSUPPORTED */
     AGAA_TIER_POST_DEPTH_ATOMICS = 17, /* coverage after the depth test, integer atomics */
     AGAA_TIER_PER_SAMPLE = 18,         /* one invocation per sample, integer atomics */
     AGAA_TIER_GBUFFER = 19, /* one geometry pass into a multisampled G-buffer; a compute pass aggregates its samples */
     AGAA_TIER_IDS = 20,     /* one geometry pass into depth and ids; compute passes fetch the materials by id
                                (AgaaFetchFunction) */
-    AGAA_TIER_FRAGMENT_LISTS = 21, /* one geometry pass appends each fragment to a list of its pixel; a compute pass merges
-                                      the lists in the order of ids (AgaaFetchFunction) */
-    AGAA_TIER_FRAGMENTS = 22, /* "agaa" at 32, 64 or 128 coverage samples: the same lists; a compute pass clusters the
-                                 fragments that show, and shades the aggregates (AgaaFetchFunction). AUTO selects it at 64
-                                 and 128 */
-    AGAA_TIER_MATERIAL_LISTS = 23, /* "dcaa": FRAGMENT_LISTS with fragments that carry their materials. The host's fragment
-                                      shader evaluates them */
-    AGAA_TIER_FRAGMENT_INTERLOCK = 24, /* "dcaa": no lists. The host's fragment shader evaluates the materials and merges each
-                                          fragment, in the order of the draws. AUTO does not select it */
-    AGAA_TIER_RASTER_ORDER = 25, /* "dcaa": the same by fragment shaders that read what the attachments hold. Surfaces are the
-                                    texels of up to eight attachments: 128 bytes a pixel. AUTO does not select it */
+    AGAA_TIER_FRAGMENT_LISTS = 21, /* one geometry pass appends each fragment to a list of its pixel; a compute pass
+                                      merges the lists in the order of ids (AgaaFetchFunction) */
+    AGAA_TIER_FRAGMENTS = 22, /* "agaa" at 32, 64 or 128 coverage samples: the same lists; a compute pass clusters
+                                 the fragments that show, and shades the aggregates (AgaaFetchFunction). AUTO selects
+                                 it at 64 and 128 */
+    AGAA_TIER_MATERIAL_LISTS = 23, /* "dcaa": FRAGMENT_LISTS with fragments that carry their materials. The host's
+                                      fragment shader evaluates them */
+    AGAA_TIER_FRAGMENT_INTERLOCK = 24, /* "dcaa": no lists. The host's fragment shader evaluates the materials and
+                                          merges each fragment, in the order of the draws. AUTO does not select it */
+    AGAA_TIER_RASTER_ORDER = 25, /* "dcaa": like FRAGMENT_INTERLOCK, but fragment shaders read the attachments. Up to
+                                    eight attachments hold the surfaces: 128 bytes per pixel. AUTO does not select it */
     AGAA_TIER_MAX_ENUM = 0x7FFFFFFF
 } AgaaTier;
 
 /* Bits of AgaaConfig::flags. */
-#define AGAA_CONFIG_COUNTERS UINT64_C(0x01)   /* count events (AgaaCounters). Without AGAA_DEVICE_FRAGMENT_ATOMICS:
-                                                 AGAA_ERROR_UNSUPPORTED */
+#define AGAA_CONFIG_COUNTERS UINT64_C(0x01)   /* count events (AgaaCounters). A device without
+                                                 AGAA_DEVICE_FRAGMENT_ATOMICS fails with AGAA_ERROR_UNSUPPORTED */
 #define AGAA_CONFIG_TIMESTAMPS UINT64_C(0x02) /* measure the time of each pass */
 #define AGAA_CONFIG_READBACK UINT64_C(0x04)   /* the host may copy from surfaces; surfaces do not share memory */
-#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x08) /* "agaa": cluster samples of one surface like all others (AGAA 3.3), so
-                                                     that their distance may separate them */
+#define AGAA_CONFIG_SPLIT_SURFACES UINT64_C(0x08) /* "agaa": cluster samples of one surface like all others (AGAA
+                                                     3.3), so that their distance may separate them */
 #define AGAA_CONFIG_BUFFERED UINT64_C(0x10) /* "agaa": with the tiers IDS and GBUFFER too, aggregates go to the surface
                                                "aggregates", and a pass of its own shades them. Excludes litShadows, the
                                                elliptic NDFs and the tier FRAGMENTS */
 #define AGAA_CONFIG_FINE_MATERIALS UINT64_C(0x20) /* tier IDS of "agaa": evaluate a primitive's material for each
-                                                     texel of the target that shows it, at the place where a G-buffer has it: the centre,
-                                                     or the first covered sample. Derivatives of normals are not used.
-                                                     AgaaCounters::materials counts the evaluations */
+                                                     texel of the target that shows it, at the point where a G-buffer
+                                                     pass evaluates it: the centre, or the first covered sample.
+                                                     Derivatives of normals are not used. AgaaCounters::materials
+                                                     counts the evaluations */
 
-#define AGAA_CONFIG_CHECK_FACTS UINT64_C(0x40) /* inspect each material for what AgaaSceneFacts says (agaaGetFactReport).
+#define AGAA_CONFIG_CHECK_FACTS UINT64_C(0x40) /* compare each material with AgaaSceneFacts (agaaGetFactReport).
                                                   Implies AGAA_CONFIG_COUNTERS */
 
-/* What a host chooses for a view. AgaaAggregation, AgaaDecoupledCoverage, AgaaAdaptiveSampling and AgaaMeasurement may be
- * chained; without them, their members have their defaults. */
+/* Settings of a view. AgaaAggregation, AgaaDecoupledCoverage, AgaaAdaptiveSampling and AgaaMeasurement may be
+ * chained. A struct that is not chained has its defaults. */
 typedef struct AgaaConfig {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
-    const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa" or "adaptive" */
-    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; "single" and "fxaa" use 1. 9, on the
-                                 tier ORDERED_GRID, for "msaa", "ssaa", "simple_complex" and "adaptive".
-                                 "dcaa", and "agaa" with the tier FRAGMENTS: coverage samples per pixel, 32, 64 or 128 */
-    uint32_t aggregates;      /* c, aggregates of "agaa", [1, 4]; S, surfaces of "sbaa", [1, 6], and of "dcaa", [1, 8]; at
-                                 most n are made. [1, 8] for other techniques, which do not use it */
+    const char* technique;    /* "single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa" or
+                                 "adaptive" */
+    uint32_t samples;         /* n, visibility samples per pixel: 1, 2, 4, 8, 16 or 32; "single" and "fxaa" use 1.
+                                 "msaa", "ssaa", "simple_complex" and "adaptive" also accept 9, on the tier
+                                 ORDERED_GRID. "dcaa", and "agaa" with the tier FRAGMENTS, have 32, 64 or 128
+                                 coverage samples per pixel */
+    uint32_t aggregates;      /* c, aggregates of "agaa", [1, 4]; S, surfaces of "sbaa", [1, 6], and of "dcaa",
+                                 [1, 8]. A pixel has at most n of them. Other techniques accept [1, 8] and do not use
+                                 it */
     const AgaaLayout* layout; /* null: "precise" */
     uint32_t brdf;            /* AgaaBrdf */
     uint32_t ndf;             /* AgaaNdf */
-    /* Samples that agree in these count as one surface: "simple_complex" and "sbaa" shade it once, "agaa" makes one
-     * aggregate of it, "adaptive" shades one of its samples or more. 0 selects the default of the technique. */
+    /* Samples within these three thresholds count as one surface: "simple_complex" and "sbaa" shade it once, "agaa"
+     * makes one aggregate of it, "adaptive" shades one of its samples or more. 0 selects the default of the
+     * technique. */
     float surfaceCosine;   /* smallest cosine between normals, [0, 1] */
     float surfaceDistance; /* largest distance from the surface's plane, in pixel widths at its depth, [0, 1e6] */
     float surfaceMaterial; /* largest difference of a material channel, [0, 1]; only "simple_complex" and "adaptive"
                               read it */
-    uint32_t shadowTaps;   /* largest number of samples of an aggregate that are looked up in each shadow, [0, 32];
-                              0: 8. Affects shadows only: the position of an aggregate is the mean of all its samples */
-    uint32_t visibilityTier; /* AgaaTier. AUTO: the best that runs. A tier that cannot run: AGAA_ERROR_UNSUPPORTED */
-    uint32_t generationTier; /* AgaaTier. AUTO: the best that runs; GBUFFER if the aggregates fit no storage buffer of the
-                                device. A tier that cannot run: AGAA_ERROR_UNSUPPORTED. Only "agaa", "sbaa", "dcaa"
-                                and "adaptive" use it */
+    uint32_t shadowTaps;   /* largest number of samples of an aggregate that are looked up in each shadow map, [0,
+                              32]; 0 selects 8. It affects shadows only: the position of an aggregate is the mean of
+                              all its samples */
+    uint32_t visibilityTier; /* AgaaTier. AUTO selects the best tier that runs. A tier that cannot run fails with
+                                AGAA_ERROR_UNSUPPORTED */
+    uint32_t generationTier; /* AgaaTier. AUTO selects the best tier that runs; GBUFFER if the aggregates fit no
+                                storage buffer of the device. A tier that cannot run fails with
+                                AGAA_ERROR_UNSUPPORTED. Only "agaa", "sbaa", "dcaa" and "adaptive" use it */
     uint64_t flags;          /* AGAA_CONFIG_… */
 } AgaaConfig;
 #define AGAA_CONFIG_INIT                                                                            \
@@ -201,29 +209,30 @@ typedef struct AgaaConfig {
      AGAA_BRDF_GGX, AGAA_NDF_TOKSVIG, 0.0f, 0.0f, 0.0f, 0, AGAA_TIER_AUTO, AGAA_TIER_AUTO, 0}
 AGAA_API void AGAA_CALL agaaInitConfig(AgaaConfig* outConfig, size_t structSize);
 
-/* How "agaa" and "sbaa" group samples. Chain it to AgaaConfig. Other techniques check the struct and do not use it, so
- * that a host may chain it for all techniques. */
+/* Controls how "agaa" and "sbaa" group samples. Chain it to AgaaConfig. Other techniques check the struct and do not
+ * use it, so that a host may chain it for all techniques. */
 typedef struct AgaaAggregation {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
     float characteristicLength;            /* k of equation 1, in host units, [0, inf) */
-    float characteristicLengthPerDistance; /* k is at least this times the distance of the pixel's nearest sample,
-                                              [0, 1]. k must be > 0. In an orthographic view, half the width of the view
-                                              replaces the distance, as in a perspective view of 90 degrees */
+    float characteristicLengthPerDistance; /* k is at least this factor times the distance of the pixel's nearest
+                                              sample, [0, 1]. k must be > 0. In an orthographic view, half the width
+                                              of the view replaces the distance, as in a perspective view of 90
+                                              degrees */
     float aggregateThreshold; /* t: samples start a further aggregate only if they are farther than this from all
                                  others, [0, 1e6] */
-    /* "agaa", bit i in [0, AGAA_MAX_SHADOW_MAPS): lights of AgaaFrame::shadows[i] are shaded with means over the samples of
-     * an aggregate that they reach, times the share of these samples, so that lit and unlit samples may differ in normal and
-     * colour. One tap per sample replaces shadowTaps. Bits from AgaaSceneFacts::shadowMapCount on have no effect. Requires
-     * the tier FRAGMENTS, or IDS or GBUFFER without AGAA_CONFIG_BUFFERED. AUTO selects one of them; any other tier fails
-     * with AGAA_ERROR_UNSUPPORTED. */
+    /* "agaa": bit i in [0, AGAA_MAX_SHADOW_MAPS) selects AgaaFrame::shadows[i]. Its lights shade an aggregate with
+     * the means over the lit samples, times the share of lit samples, so that lit and unlit samples may differ in
+     * normal and colour. One tap per sample replaces shadowTaps. Bits from AgaaSceneFacts::shadowMapCount on have no
+     * effect. Requires the tier FRAGMENTS, or IDS or GBUFFER without AGAA_CONFIG_BUFFERED. AUTO selects one of them;
+     * any other tier fails with AGAA_ERROR_UNSUPPORTED. */
     uint32_t litShadows;
-    /* "agaa", [0, 16]: in equation 1, shading normals differ by glossWeight / alpha as much, clamped to [1, 20], where
-     * alpha is GGX alpha; the term stays at most 1. Equal normals with different roughness differ too. Glossy surfaces
-     * are split earlier. 0, and views without specular light, use normals alone. Requires the tier IDS, FRAGMENTS or
-     * GBUFFER, which know materials before they group samples. AUTO selects one of them; any other tier fails with
-     * AGAA_ERROR_UNSUPPORTED. */
+    /* "agaa": scale of the difference of shading normals in equation 1, [0, 16]. The difference is multiplied by
+     * glossWeight / alpha, clamped to [1, 20], where alpha is GGX alpha. The term stays at most 1. Equal normals
+     * with different roughness differ too. Glossy surfaces are split earlier. Normals alone count if glossWeight is
+     * 0 or the view has no specular light. Requires the tier IDS, FRAGMENTS or GBUFFER, which know materials before
+     * they group samples. AUTO selects one of them; any other tier fails with AGAA_ERROR_UNSUPPORTED. */
     float glossWeight;
     uint32_t reserved; /* 0 */
 } AgaaAggregation;
@@ -231,54 +240,57 @@ typedef struct AgaaAggregation {
     {AGAA_STRUCTURE_TYPE_AGGREGATION, (uint32_t)sizeof(AgaaAggregation), NULL, 0.0f, 0.03f, 0.02f, 0, 0.0f, 0}
 AGAA_API void AGAA_CALL agaaInitAggregation(AgaaAggregation* outAggregation, size_t structSize);
 
-/* How "dcaa" merges fragments into the surfaces of a pixel. */
+/* Selects how "dcaa" merges fragments into the surfaces of a pixel. */
 typedef enum AgaaMerge {
-    AGAA_MERGE_VISIBLE = 0, /* surfaces count by the samples that they show. A fragment merges into a surface of like normal
-                               whose depths overlap if they share no sample. In a full pixel, the pair merges that costs
-                               least, so that no sample is lost */
-    AGAA_MERGE_PAPER = 1,   /* as in the paper (DCAA algorithm 1): whether samples are shared does not matter. In a full pixel,
-                               the surface that shows least goes into one whose depths overlap, or is dropped */
+    AGAA_MERGE_VISIBLE = 0, /* surfaces count by the samples that they show. A fragment merges into a surface of
+                               similar normal whose depths overlap if they share no sample. In a full pixel, the pair
+                               with the least cost merges, so that no sample is lost */
+    AGAA_MERGE_PAPER = 1,   /* DCAA algorithm 1: merging does not depend on shared samples. In a full pixel, the
+                               surface that shows least merges into one whose depths overlap, or is dropped */
     AGAA_MERGE_NONE = 2,    /* PAPER without the merge in a full pixel, for comparison */
     AGAA_MERGE_MAX_ENUM = 0x7FFFFFFF
 } AgaaMerge;
 
 /* Bits of AgaaDecoupledCoverage::flags. */
-#define AGAA_COVERAGE_EXACT UINT64_C(0x01) /* keep all fragments and shade those that show at a sample: the reference of the
-                                              merging ways. AgaaConfig::aggregates is not used; maxBatches must be 1, and the
-                                              tier one with lists, otherwise the view fails with AGAA_ERROR_UNSUPPORTED. With the tier MATERIAL_LISTS,
-                                              depth planes and materials are rounded as the layout stores them */
+#define AGAA_COVERAGE_EXACT UINT64_C(0x01) /* keep all fragments and shade those that show at a sample: the reference
+                                              for AgaaMerge. AgaaConfig::aggregates is not used. Requires maxBatches
+                                              1 and a tier with lists; otherwise the view fails with
+                                              AGAA_ERROR_UNSUPPORTED. The tier MATERIAL_LISTS rounds depth planes and
+                                              materials as the layout stores them */
 
-/* How "dcaa" keeps and merges fragments. Chain it to AgaaConfig. The tiers FRAGMENT_INTERLOCK and RASTER_ORDER have no lists and use neither
- * fragmentsPerPixel nor maxBatches. "agaa" with the tier FRAGMENTS uses fragmentsPerPixel, samplePositions and tableSize; if
- * maxBatches is not 1, that view fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers check the struct and do not use it. The smallest cosine
- * between normals that merge is AgaaConfig::surfaceCosine; 0 selects that of pi/16, as in the paper. */
+/* Controls how "dcaa" keeps and merges fragments. Chain it to AgaaConfig. The tiers FRAGMENT_INTERLOCK and
+ * RASTER_ORDER have no lists and use neither fragmentsPerPixel nor maxBatches. "agaa" with the tier FRAGMENTS uses
+ * fragmentsPerPixel, samplePositions and tableSize; if maxBatches is not 1, that view fails with
+ * AGAA_ERROR_UNSUPPORTED. Other techniques and tiers check the struct and do not use it. AgaaConfig::surfaceCosine
+ * is the smallest cosine between normals that merge; 0 selects the cosine of pi/16, as in the paper. */
 typedef struct AgaaDecoupledCoverage {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
     uint32_t merge;          /* AgaaMerge */
-    float fragmentsPerPixel; /* that the lists have room for, mean over the view, [1, 256]. A frame needs
-                                AgaaCounters::fragments divided by the number of pixels. The lists have room for 65536
-                                fragments at least, and for no more than one storage buffer of the device holds */
-    uint32_t maxBatches;     /* how often the scene may be drawn in a frame, [1, 16]. If the lists have too little room, the
-                                tiles of the view are divided among the draws after the first. Fragments that find no room in
-                                the last draw are lost, and AgaaCounters::lostFragments counts them. Vulkan records all
-                                draws in each frame; the device skips those that are not needed if it has
-                                AGAA_DEVICE_CONDITIONAL_RENDERING, and otherwise runs all */
+    float fragmentsPerPixel; /* capacity of the lists in fragments per pixel, mean over the view, [1, 256]. A frame
+                                needs AgaaCounters::fragments divided by the number of pixels. The capacity is at
+                                least 65536 fragments, and at most what one storage buffer of the device holds */
+    uint32_t maxBatches;     /* largest number of times that a frame draws the scene, [1, 16]. If the lists overflow,
+                                the tiles of the view are divided among the draws after the first. Fragments that
+                                overflow in the last draw are lost, and AgaaCounters::lostFragments counts them.
+                                Vulkan records all draws in each frame; the device skips those that are not needed if
+                                it has AGAA_DEVICE_CONDITIONAL_RENDERING, and otherwise runs all */
     uint32_t reserved;       /* 0 */
     uint64_t flags;          /* AGAA_COVERAGE_… */
     /* Positions of the coverage samples: AgaaConfig::samples pairs x, y in [0, 1) of gl_FragCoord; copied. Null: the
-     * library's pattern, whose masks are exact. Masks of other patterns come from a table of half-planes (DCAA 3.1), which a
-     * pass fills in each frame. The table rounds the direction of each edge and its distance from the pixel's centre. The
-     * two sides of an edge share no sample and miss none. Near a vertex, triangles may miss a sample or cover it twice. */
+     * library's pattern, whose masks are exact. Masks of other patterns come from a table of half-planes (DCAA 3.1),
+     * which a pass fills in every frame. The table rounds the direction of each edge and its distance from the
+     * pixel's centre. The two sides of an edge share no sample and miss none. Near a vertex, triangles may miss a
+     * sample or cover it twice. */
     const float* samplePositions;
-    uint32_t tableSize;     /* number of directions, and of distances, of the table, [16, 1024]; 0 selects 128. An entry takes
-                               16 bytes. Without samplePositions, there is no table */
+    uint32_t tableSize;     /* number of directions, and of distances, of the table, [16, 1024]; 0 selects 128. An
+                               entry takes 16 bytes. The table exists with samplePositions only */
     uint32_t reservedTable; /* 0 */
 } AgaaDecoupledCoverage;
 #define AGAA_DECOUPLED_COVERAGE_INIT                                                                \
-    {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, (uint32_t)sizeof(AgaaDecoupledCoverage), NULL, AGAA_MERGE_VISIBLE, 8.0f, 1, 0, 0, \
-     NULL, 0, 0}
+    {AGAA_STRUCTURE_TYPE_DECOUPLED_COVERAGE, (uint32_t)sizeof(AgaaDecoupledCoverage), NULL, AGAA_MERGE_VISIBLE, 8.0f, \
+     1, 0, 0, NULL, 0, 0}
 AGAA_API void AGAA_CALL agaaInitDecoupledCoverage(AgaaDecoupledCoverage* outCoverage, size_t structSize);
 
 typedef enum AgaaSeeds {
@@ -287,9 +299,9 @@ typedef enum AgaaSeeds {
     AGAA_SEEDS_MAX_ENUM = 0x7FFFFFFF
 } AgaaSeeds;
 
-/* What the output shows for each pixel instead of its image: a number or a share in all channels, or a colour. Pixels
- * without geometry show 0. "msaa" has none, because the host shades. If a view does not apply to the technique, the call
- * fails with AGAA_ERROR_UNSUPPORTED. */
+/* Replaces the image by a number or a share in all channels, or by a colour, per pixel. Pixels without geometry show
+ * 0. "msaa" has no debug views, because the host shades. A debug view that does not apply to the technique fails
+ * with AGAA_ERROR_UNSUPPORTED. */
 typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_NONE = 0,
     AGAA_DEBUG_VIEW_EVENTS = 1,     /* number of shading events */
@@ -300,12 +312,13 @@ typedef enum AgaaDebugView {
     AGAA_DEBUG_VIEW_LIT = 5,        /* share of the light of AgaaFrame::shadows[0] that reaches the covered samples; 1
                                        without shadows */
     AGAA_DEBUG_VIEW_WIDENED = 6,    /* "agaa" and "sbaa", with layouts that store roughness: how far the NDF widens
-                                       lobes, as GGX alpha in the widest direction, mean over the covered samples. 0 for
-                                       "dcaa" with round lobes, which keeps the widened roughness alone, and with
-                                       AGAA_COVERAGE_EXACT */
-    AGAA_DEBUG_VIEW_TIER = 7, /* grey: no aggregation; orange: two geometry passes; blue: from a G-buffer, unfetched draws
-                                 included; green: by ids; yellow: by lists of fragments. Half as bright if the pixel has
-                                 one shading event. With AGAA_CONFIG_BUFFERED, unfetched draws are green */
+                                       lobes, as GGX alpha in the widest direction, mean over the covered samples.
+                                       "dcaa" shows 0 with round lobes, because it keeps the widened roughness alone,
+                                       and with AGAA_COVERAGE_EXACT */
+    AGAA_DEBUG_VIEW_TIER = 7, /* grey: no aggregation; orange: two geometry passes; blue: from a G-buffer, unfetched
+                                 draws included; green: by ids; yellow: by lists of fragments. The colour is half as
+                                 bright if the pixel has one shading event. With AGAA_CONFIG_BUFFERED, unfetched
+                                 draws are green */
     AGAA_DEBUG_VIEW_FACTS = 8, /* share of the covered samples whose material contradicts AgaaSceneFacts::flags. Implies
                                   AGAA_CONFIG_CHECK_FACTS */
     AGAA_DEBUG_VIEW_MAX_ENUM = 0x7FFFFFFF
@@ -317,16 +330,18 @@ typedef enum AgaaDebugView {
 #define AGAA_MEASURE_SHADOW_ALONG_DEPTH UINT64_C(0x04) /* AGAA 3.5.3: shadow taps along the view ray by the variance of
                                                           depth, within the depths of the samples. The tier FRAGMENTS
                                                           takes taps at samples instead */
-#define AGAA_MEASURE_NO_STENCIL UINT64_C(0x08) /* no stencil test. At equal depth, the result depends on the order of
-                                                  fragments and is not repeatable */
-#define AGAA_MEASURE_FIRST_SAMPLE_ROUTING UINT64_C(0x10) /* AGAA algorithm 2, step 2 (c): a fragment goes to the aggregate of
-                                                            its first sample. 4 bytes per pixel more */
-#define AGAA_MEASURE_NO_LIGHT_CULLING UINT64_C(0x20) /* every shading event evaluates all lights of the frame. Otherwise, in views
-                                                        with maxLights of 8 or more whose technique shades samples or
-                                                        aggregates of a depth buffer, lights that cannot reach anything in a
-                                                        tile of 8 by 8 pixels are not evaluated there */
+#define AGAA_MEASURE_NO_STENCIL UINT64_C(0x08) /* disable the stencil test. At equal depth, the result depends on the
+                                                  order of fragments and is not repeatable */
+#define AGAA_MEASURE_FIRST_SAMPLE_ROUTING UINT64_C(0x10) /* AGAA algorithm 2, step 2 (c): a fragment goes to the
+                                                            aggregate of its first sample. 4 bytes per pixel more */
+#define AGAA_MEASURE_NO_LIGHT_CULLING UINT64_C(0x20) /* every shading event evaluates all lights of the frame.
+                                                        Otherwise, in views with maxLights of 8 or more whose
+                                                        technique shades samples or aggregates of a depth buffer,
+                                                        lights that cannot reach anything in a tile of 8 by 8 pixels
+                                                        are not evaluated there */
 
-/* Settings for measurements and for comparison with the papers. Chain it to AgaaConfig; hosts do not need it to render. */
+/* Settings for measurements and for comparison with the papers. Chain it to AgaaConfig; hosts do not need it to
+ * render. */
 typedef struct AgaaMeasurement {
     uint32_t sType;
     uint32_t structSize;
@@ -344,15 +359,15 @@ AGAA_API void AGAA_CALL agaaInitMeasurement(AgaaMeasurement* outMeasurement, siz
 
 /* Applies named settings of "agaa", which were chosen by measurement (docs/choosing.md).
  *
- * name          "paper", "fast", "balanced" or "accurate"; agaaGetNames lists them. "paper" follows the paper, with two
- *               exceptions: each sample goes to its own aggregate (AGAA_MEASURE_FIRST_SAMPLE_ROUTING), and k keeps
- *               its value (10 cm in the paper).
- * config        Receives technique, aggregates, surface…, shadowTaps, ndf, and the flags SPLIT_SURFACES and FINE_MATERIALS.
- *               All other members keep their values.
- * aggregation   Receives aggregateThreshold, litShadows (the first shadow) and glossWeight. All other members keep their
- *               values. Chain it to config.
- * measurement   Receives seeds and the flags of filters and routing. All other members keep their values. Chain it to
- *               config. It may be null for all presets except "paper".
+ * name          "paper", "fast", "balanced" or "accurate"; agaaGetNames lists them. "paper" follows the paper, with
+ *               two exceptions: each sample goes to its own aggregate (AGAA_MEASURE_FIRST_SAMPLE_ROUTING), and k
+ *               keeps its value (10 cm in the paper).
+ * config        Receives technique, aggregates, surface…, shadowTaps, ndf, and the flags SPLIT_SURFACES and
+ *               FINE_MATERIALS. All other members keep their values.
+ * aggregation   Receives aggregateThreshold, litShadows (the first shadow) and glossWeight. All other members keep
+ *               their values. Chain it to config.
+ * measurement   Receives seeds and the flags of filters and routing. All other members keep their values. Chain it
+ *               to config. It may be null for all presets except "paper".
  *
  * "balanced" and "accurate" need materials before samples are grouped: without an AgaaFetchFunction, the tier AUTO
  * selects GBUFFER.
@@ -367,33 +382,35 @@ AGAA_API AgaaResult AGAA_CALL agaaApplyPreset(const char* name, AgaaConfig* conf
 
 /* ---- scene facts and views ------------------------------------------------------------------ */
 
-/* Effects that the scene calls for, bits of AgaaSceneFacts::flags. The plan drops all others. AgaaFrame::facts may name fewer
- * effects than the view.
+/* Bits of AgaaSceneFacts::flags: effects that the scene uses. The plan drops all other effects. AgaaFrame::facts may
+ * name fewer effects than the view.
  *
- * SPECULAR       without: no specular reflectance and no roughness are stored or shaded
- * EMISSIVE       without: no emission is stored or shaded
- * ALPHA_MASKED   without: no material is alpha-masked
- * AMBIENT        without: AgaaFrame::ambient is not used */
+ * SPECULAR       without it, no specular reflectance and no roughness are stored or shaded
+ * EMISSIVE       without it, no emission is stored or shaded
+ * ALPHA_MASKED   without it, no material is alpha-masked
+ * AMBIENT        without it, AgaaFrame::ambient is not used */
 #define AGAA_FACT_SPECULAR UINT64_C(0x01)
 #define AGAA_FACT_EMISSIVE UINT64_C(0x02)
-#define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04) /* changes draw passes only: no effect in AgaaFrame::facts */
+#define AGAA_FACT_ALPHA_MASKED UINT64_C(0x04) /* changes draw passes only; it has no effect in AgaaFrame::facts */
 #define AGAA_FACT_AMBIENT UINT64_C(0x08)
-/* Materials write depth or discard on their own, so that no second pass can draw them again at equal depth. "agaa" and
- * "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa", "dcaa" and the tier
- * FRAGMENTS fail with AGAA_ERROR_UNSUPPORTED. It selects the tier of the view: no effect in AgaaFrame::facts. */
+/* Materials write depth or discard on their own, so that no second pass can draw them again at equal depth. "agaa"
+ * and "sbaa" use the tier GBUFFER ("agaa" IDS with an AgaaFetchFunction); "msaa", "dcaa" and the tier FRAGMENTS fail
+ * with AGAA_ERROR_UNSUPPORTED. It selects the tier of the view and has no effect in AgaaFrame::facts. */
 #define AGAA_FACT_CUSTOM_DEPTH UINT64_C(0x10)
-/* What all materials and lights of the scene have in common. The plan drops what follows from it. If a material differs, its
- * value is replaced; AGAA_CONFIG_CHECK_FACTS counts such materials.
+/* Bits of AgaaSceneFacts::flags: properties that all materials and lights of the scene share. The plan drops the
+ * data and the work that they make redundant. If a material differs, its value is replaced; AGAA_CONFIG_CHECK_FACTS
+ * counts such materials.
  *
  * ONE_ROUGHNESS     the roughness is AgaaSceneFacts::alpha2. No roughness is stored, except by "dcaa"
- * GREY_SPECULAR     the specular reflectance has equal channels. One channel is stored, of a coloured one the mean
- * ONE_SPECULAR      the specular reflectance is AgaaSceneFacts::specular, as of dielectrics. None is stored
- * NO_DIFFUSE        the diffuse albedo is 0, as of metals. None is stored
- * NO_LOCAL_LIGHTS   all lights are directional. No light is culled
- * PLANE_NORMALS     AgaaSurfaceInput::normal is geometricNormal, or with an AgaaFetchFunction the normal of the triangle, on
- *                   the side of the eye: no normal maps, and no normals that are interpolated. No effect with an
- *                   AgaaGBufferFunction. With NO_LOCAL_LIGHTS and without AGAA_FACT_SPECULAR, aggregates of two geometry
- *                   passes keep no normals and take those of the first pass, which have 16 bits
+ * GREY_SPECULAR     the specular reflectance has equal channels. One channel is stored: the mean of the three
+ * ONE_SPECULAR      the specular reflectance is AgaaSceneFacts::specular, as for dielectrics. It is not stored
+ * NO_DIFFUSE        the diffuse albedo is 0, as for metals. It is not stored
+ * NO_LOCAL_LIGHTS   all lights are directional. The view culls no lights
+ * PLANE_NORMALS     AgaaSurfaceInput::normal is geometricNormal, or with an AgaaFetchFunction the normal of the
+ *                   triangle, on the side of the eye: the scene has no normal maps and no interpolated normals. The
+ *                   fact has no effect with an AgaaGBufferFunction. With NO_LOCAL_LIGHTS and without
+ *                   AGAA_FACT_SPECULAR, aggregates of two geometry passes keep no normals and take the normals of
+ *                   the first pass, which have 16 bits
  * NO_TRANSLUCENCY   alpha-masked materials are cut-outs (AgaaSurfaceInput::alphaCutoff > 0)
  * NO_CUTOUTS        alpha-masked materials are translucent, if NO_TRANSLUCENCY is not set */
 #define AGAA_FACT_ONE_ROUGHNESS UINT64_C(0x100)
@@ -415,28 +432,31 @@ typedef struct AgaaSceneFacts {
     uint32_t structSize;
     const void* pNext;       /* null */
     uint64_t flags;          /* AGAA_FACT_… */
-    uint32_t maxLights;      /* [0, 4096]. "msaa" with AGAA_GL_STORAGE_IMAGES takes 16 KiB of lights; more fail with
-                                AGAA_ERROR_UNSUPPORTED, and the log names the largest number */
+    uint32_t maxLights;      /* [0, 4096]. "msaa" with AGAA_GL_STORAGE_IMAGES accepts 16 KiB of lights; more lights
+                                fail with AGAA_ERROR_UNSUPPORTED, and the log names the largest number */
     uint32_t shadowMapCount; /* [0, AGAA_MAX_SHADOW_MAPS] */
-    float alpha2;            /* with AGAA_FACT_ONE_ROUGHNESS: GGX alpha squared, [4.1e-6, 1] */
-    float specular;          /* with AGAA_FACT_ONE_SPECULAR: reflectance at normal incidence, [0, 1] */
+    float alpha2;            /* GGX alpha squared for AGAA_FACT_ONE_ROUGHNESS, [4.1e-6, 1] */
+    float specular;          /* reflectance at normal incidence for AGAA_FACT_ONE_SPECULAR, [0, 1] */
 } AgaaSceneFacts;
 #define AGAA_SCENE_FACTS_INIT                                                                       \
     {AGAA_STRUCTURE_TYPE_SCENE_FACTS, (uint32_t)sizeof(AgaaSceneFacts), NULL, AGAA_FACT_ALL_SHADED, 64, 1, 1.0f, 0.04f}
 AGAA_API void AGAA_CALL agaaInitSceneFacts(AgaaSceneFacts* outFacts, size_t structSize);
 
 /* Bits of AgaaViewDesc::flags. */
-#define AGAA_VIEW_REVERSED_Z UINT64_C(0x01) /* the near plane has depth 1, the far plane 0; needs a float depth format */
+#define AGAA_VIEW_REVERSED_Z UINT64_C(0x01) /* the near plane has depth 1, the far plane 0; needs a float depth
+                                               format */
 #define AGAA_VIEW_COMPOSITE UINT64_C(0x02)  /* frames may composite over the contents of the output */
-/* OpenGL: the rasteriser maps z/w in [-1, 1] to depth, which is its default. Without the flag it maps z/w in [0, 1]. The
- * near and far planes of AgaaFrame::projection lie at the ends of that range. Vulkan: AGAA_ERROR_UNSUPPORTED. */
+/* OpenGL: the rasteriser maps z/w in [-1, 1] to depth, which is its default. Without the flag it maps z/w in [0, 1].
+ * The near and far planes of AgaaFrame::projection lie at the ends of that range. Vulkan: AGAA_ERROR_UNSUPPORTED. */
 #define AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE UINT64_C(0x04)
-/* The host's vertex shaders expand triangles in the pass FRAGMENTS (AgaaDrawState::vertexPulling), so that "dcaa" and the tier
- * FRAGMENTS of "agaa" need no geometry shaders. Without the flag geometry shaders expand them, and a device without
- * AGAA_DEVICE_GEOMETRY_SHADERS fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers do not use the flag. */
+/* The host's vertex shaders expand triangles in the pass FRAGMENTS (AgaaDrawState::vertexPulling), so that "dcaa"
+ * and the tier FRAGMENTS of "agaa" need no geometry shaders. Without the flag geometry shaders expand them, and a
+ * device without AGAA_DEVICE_GEOMETRY_SHADERS fails with AGAA_ERROR_UNSUPPORTED. Other techniques and tiers do not
+ * use the flag. */
 #define AGAA_VIEW_VERTEX_PULLING UINT64_C(0x08)
 
-/* A view. An AgaaGBufferFunction or AgaaFetchFunction, and an AgaaShadowFunction, may be chained (agaa/functions.h). */
+/* Describes a view. An AgaaGBufferFunction or AgaaFetchFunction, and an AgaaShadowFunction, may be chained
+ * (agaa/functions.h). */
 typedef struct AgaaViewDesc {
     uint32_t sType;
     uint32_t structSize;
@@ -452,15 +472,15 @@ typedef struct AgaaViewDesc {
 AGAA_API void AGAA_CALL agaaInitViewDesc(AgaaViewDesc* outDesc, size_t structSize);
 
 /* Changes the size of a view. The view keeps its handle; draw passes and surfaces must be read again
- * (agaaGetDrawPasses, agaaGetSurface). Pipelines whose key is still listed may be kept: keys stay the same unless the tier
- * AUTO selects another tier at the new size. Statistics of earlier frames are lost. During the call the surfaces of both sizes
- * exist.
+ * (agaaGetDrawPasses, agaaGetSurface). Pipelines whose key is still listed may be kept: keys stay the same unless
+ * the tier AUTO selects another tier at the new size. Statistics of earlier frames are lost. During the call the
+ * surfaces of both sizes exist.
  *
  * view            The device must have finished every frame that was recorded with the view.
  * width, height   pixels, >= 1.
  *
- * Errors          AGAA_ERROR_INVALID_ARGUMENT   the view is null, or a text of the host does not compile in the passes of
- *                                               another tier that AUTO selects at the new size
+ * Errors          AGAA_ERROR_INVALID_ARGUMENT   the view is null, or a text of the host does not compile in the
+ *                                               passes of another tier that AUTO selects at the new size
  *                 AGAA_ERROR_OUT_OF_RANGE       a size is 0
  *                 AGAA_ERROR_UNSUPPORTED        the device cannot do what the new size needs
  *                 AGAA_ERROR_TOO_LARGE          a surface exceeds a limit of the device
@@ -469,20 +489,20 @@ AGAA_API void AGAA_CALL agaaInitViewDesc(AgaaViewDesc* outDesc, size_t structSiz
  *                 AGAA_ERROR_DEVICE             a function of the graphics API failed
  *                 On failure the view keeps its size, its surfaces and their contents.
  * Threads         One call at a time per context.
- * OpenGL          The context must be current. All state is restored before the call returns. The log reports errors of
- *                 earlier calls that were pending. */
+ * OpenGL          The context must be current. All state is restored before the call returns. The log reports errors
+ *                 of earlier calls that were pending. */
 AGAA_API AgaaResult AGAA_CALL agaaResizeView(AgaaView view, uint32_t width, uint32_t height);
 
-/* Compiles the compute passes of a view for frames with fewer effects (AgaaFrame::facts). Each element adds a variant: the
- * pipelines or programs without the effects that the element leaves out. The variant of the view's own facts exists from the
- * start. A frame runs with the smallest variant that contains its facts; recording a frame never compiles. Pipelines that
- * are equal in two variants are compiled once. Variants stay until the view is destroyed; agaaResizeView compiles them again
- * for the new size.
+/* Compiles the compute passes of a view for frames with fewer effects (AgaaFrame::facts). Each element adds a
+ * variant: the pipelines or programs without the effects that the element leaves out. The variant of the view's own
+ * facts exists from the start. A frame runs with the smallest variant that contains its facts; recording a frame
+ * never compiles. Pipelines that are equal in two variants are compiled once. Variants stay until the view is
+ * destroyed; agaaResizeView compiles them again for the new size.
  *
  * view     Any view. Variants of "msaa", which shades in draw passes, compile nothing.
  * count    Elements of facts; 0 does nothing.
- * facts    Read during the call only; may be null if count is 0. Each element must be within the facts of the view, as
- *          AgaaFrame::facts.
+ * facts    Read during the call only; may be null if count is 0. Each element must be within the facts of the view,
+ *          as AgaaFrame::facts.
  *
  * Errors   AGAA_ERROR_INVALID_ARGUMENT   the view is null, or facts is null although count is not 0
  *          AGAA_ERROR_STRUCT             an element is not initialised
@@ -490,14 +510,14 @@ AGAA_API AgaaResult AGAA_CALL agaaResizeView(AgaaView view, uint32_t width, uint
  *          AGAA_ERROR_OUT_OF_RANGE       an element is not within the facts of the view, or has an unknown flag
  *          AGAA_ERROR_OUT_OF_MEMORY      host or device memory could not be allocated
  *          AGAA_ERROR_DEVICE             a function of the graphics API failed
- *          If an element is not valid, nothing is compiled. After other errors, elements before the one that failed are
- *          prepared.
- * Threads  Vulkan: any thread, also while other threads record frames of the view, read its statistics, or use its context.
- *          Frames that begin after a variant is complete may run with it. Calls for one view wait for each other.
- *          agaaResizeView and agaaDestroyView must not run for the view at the same time. The log is called on the thread of
- *          the call.
- * OpenGL   The context must be current: one call at a time per context. All state is restored before the call returns. The
- *          log reports errors of earlier calls that were pending. */
+ *          If an element is not valid, nothing is compiled. After other errors, elements before the one that failed
+ *          are prepared.
+ * Threads  Vulkan: any thread, also while other threads record frames of the view, read its statistics, or use its
+ *          context. Frames that begin after a variant is complete may run with it. Calls for one view wait for each
+ *          other. agaaResizeView and agaaDestroyView must not run for the view at the same time. The log is called
+ *          on the thread of the call.
+ * OpenGL   The context must be current: one call at a time per context. All state is restored before the call
+ *          returns. The log reports errors of earlier calls that were pending. */
 AGAA_API AgaaResult AGAA_CALL agaaPrepareVariants(AgaaView view, uint32_t count, const AgaaSceneFacts* facts);
 
 #ifdef __cplusplus

@@ -1,11 +1,11 @@
-/* GLSL functions of the host that the SDK's passes are compiled with. Part of agaa_sdk.h.
+/* GLSL functions of the host, with which the SDK's passes are compiled. Part of agaa_sdk.h.
  *
- * All texts are GLSL 450, or GLSL 430 in OpenGL contexts below 4.5. The functions run in compute shaders, without implicit
- * derivatives. Their resources must be readable by compute shaders when the commands of the frame run. On Vulkan they are
- * in descriptor set 1 (AgaaVkFrame::functionSet); on OpenGL they are where agaaGlRecordFrame describes. Names that begin
- * with agaa, Agaa or AGAA_ belong to the library, except for the functions that the host defines. If a text does not
- * compile, creating the view fails with AGAA_ERROR_INVALID_ARGUMENT and the compiler's first message.
- * docs/shader-interface.md describes the structs.
+ * All texts are GLSL 450, or GLSL 430 in OpenGL contexts below 4.5. The functions run in compute shaders, without
+ * implicit derivatives. Their resources must be readable by compute shaders when the commands of the frame run. On
+ * Vulkan they are in descriptor set 1 (AgaaVkFrame::functionSet); on OpenGL they are where agaaGlRecordFrame
+ * describes. Names that begin with agaa, Agaa or AGAA_ belong to the library, except for the functions that the host
+ * defines. If a text does not compile, creating the view fails with AGAA_ERROR_INVALID_ARGUMENT and the compiler's
+ * first message. docs/shader-interface.md describes the structs.
  * SPDX-License-Identifier: MIT */
 #ifndef AGAA_FUNCTIONS_H
 #define AGAA_FUNCTIONS_H
@@ -19,26 +19,26 @@ extern "C" {
 /* A multisampled G-buffer that the host draws before it records the frame. Chain it to AgaaViewDesc. The library draws
  * nothing: it does not call AgaaFrame::draw, and "agaa", "sbaa" and "adaptive" use the tier GBUFFER. The text defines
  *     bool agaaHostSample(uvec2 pixel, uint i, inout float depth, inout AgaaMaterial m)
- * which returns whether sample i, [0, n), shows geometry, and provides its depth as the host's depth buffer holds it and
- * its material. Colours are in [0, 1], emission is in [0, range] of the layout. Non-finite values are replaced by the
- * lowest value of their range. Not for "msaa" and "dcaa" (AGAA_ERROR_UNSUPPORTED), and not with an AgaaFetchFunction
- * (AGAA_ERROR_INVALID_ARGUMENT). */
+ * which returns whether sample i, [0, n), shows geometry, and provides its depth as the host's depth buffer holds it
+ * and its material. Colours are in [0, 1], emission is in [0, range] of the layout. Non-finite values are replaced
+ * by the lowest value of their range. "msaa" and "dcaa" do not support the struct (AGAA_ERROR_UNSUPPORTED). An
+ * AgaaFetchFunction excludes it (AGAA_ERROR_INVALID_ARGUMENT). */
 typedef struct AgaaGBufferFunction {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
     const char* glsl;
-    /* Positions of the n samples in the pixel, as pairs x, y in [0, 1) of gl_FragCoord. Null: the samples are those of a
-     * target of the visibility tier, which agaaTexel(pixel, i) and agaaTexelSample(i) address. */
+    /* Positions of the n samples in the pixel, as pairs x, y in [0, 1) of gl_FragCoord. Null: the samples are those
+     * of a target of the visibility tier, which agaaTexel(pixel, i) and agaaTexelSample(i) address. */
     const float* samplePositions;
-    /* Vulkan: VkDescriptorSetLayout of set 1, for the compute stage, or 0 without resources. Functions of a view that have
-     * a layout must have the same one (AGAA_ERROR_INVALID_ARGUMENT). It must exist until the view is destroyed:
-     * agaaResizeView uses it again. OpenGL: 0 (AGAA_ERROR_INVALID_ARGUMENT). */
+    /* Vulkan: VkDescriptorSetLayout of set 1, for the compute stage, or 0 without resources. Functions of a view
+     * that have a layout must have the same one (AGAA_ERROR_INVALID_ARGUMENT). It must exist until the view is
+     * destroyed: agaaResizeView uses it again. OpenGL: 0 (AGAA_ERROR_INVALID_ARGUMENT). */
     uint64_t descriptorSetLayout;
-    uint32_t depthBits; /* of a fixed-point depth buffer, 16 or 24; 0: a float depth buffer */
+    uint32_t depthBits; /* bits of a fixed-point depth buffer, 16 or 24; 0: a float depth buffer */
     uint32_t reserved;  /* 0 */
-    /* Null, or lines "#extension NAME : BEHAVIOUR" and nothing else (AGAA_ERROR_INVALID_ARGUMENT). They hold for the whole
-     * pass. The host enables their features. Bindless textures on Vulkan need GL_EXT_nonuniform_qualifier,
+    /* Null, or lines "#extension NAME : BEHAVIOUR" and nothing else (AGAA_ERROR_INVALID_ARGUMENT). They hold for the
+     * whole pass. The host enables their features. Bindless textures on Vulkan need GL_EXT_nonuniform_qualifier,
      * shaderSampledImageArrayNonUniformIndexing and runtimeDescriptorArray. */
     const char* glslExtensions;
 } AgaaGBufferFunction;
@@ -48,63 +48,66 @@ AGAA_API void AGAA_CALL agaaInitGBufferFunction(AgaaGBufferFunction* outFunction
 
 /* Bits of AgaaFetchFunction::flags.
  *
- * NOT_ALL_DRAWS: some draws cannot be fetched, because they are displaced or their shaders cannot run in compute. In the
- * visibility pass these draws set AgaaSurfaceInput::draw to AGAA_UNFETCHED. A second geometry pass (AGAA_DRAW_PASS_GBUFFER
- * with depthCompare EQUAL) draws only them into a multisampled G-buffer. The number AGAA_UNFETCHED takes one id. At equal
- * depth the first draw is shown; without a stencil format or with AGAA_MEASURE_NO_STENCIL, the last unfetched draw. Excludes
- * AGAA_FACT_CUSTOM_DEPTH and the tiers FRAGMENT_LISTS and FRAGMENTS (AGAA_ERROR_UNSUPPORTED); "dcaa" then uses the tier
- * MATERIAL_LISTS, which fetches nothing. In it, fragments of draws with AGAA_UNFETCHED merge last, ordered by content. */
+ * NOT_ALL_DRAWS: some draws cannot be fetched, because they are displaced or their shaders cannot run in compute. In
+ * the visibility pass these draws set AgaaSurfaceInput::draw to AGAA_UNFETCHED. A second geometry pass
+ * (AGAA_DRAW_PASS_GBUFFER with depthCompare EQUAL) draws only them into a multisampled G-buffer. The number
+ * AGAA_UNFETCHED takes one id. At equal depth the first draw is shown; without a stencil format or with
+ * AGAA_MEASURE_NO_STENCIL, the last unfetched draw. Excludes AGAA_FACT_CUSTOM_DEPTH and the tiers FRAGMENT_LISTS and
+ * FRAGMENTS (AGAA_ERROR_UNSUPPORTED); "dcaa" then uses the tier MATERIAL_LISTS, which fetches nothing. In it,
+ * fragments of draws with AGAA_UNFETCHED merge last, ordered by content. */
 #define AGAA_FETCH_NOT_ALL_DRAWS UINT64_C(0x01)
 
-/* Materials by id, for "agaa" with the tier IDS or FRAGMENTS, for "adaptive" with the tier IDS and for "dcaa" with the tier
- * FRAGMENT_LISTS, which AUTO then selects. With AGAA_FETCH_NOT_ALL_DRAWS, AUTO selects GBUFFER for "adaptive". Chain it to
- * AgaaViewDesc. With the tier IDS, the visibility pass stores, beside depth, the draw and the primitive of each sample
- * (AgaaSurfaceInput::draw, ::primitive). Compute passes find the primitives of a pixel, evaluate the material of each once,
- * at the mean position of its samples, group the samples and shade; "adaptive" evaluates it again for each shaded sample.
- * The tier FRAGMENT_LISTS evaluates the material of each fragment, the tier FRAGMENTS that of each fragment that shows.
- * The text defines
+/* Functions that fetch materials by id, for "agaa" with the tier IDS or FRAGMENTS, for "adaptive" with the tier IDS
+ * and for "dcaa" with the tier FRAGMENT_LISTS, which AUTO then selects. With AGAA_FETCH_NOT_ALL_DRAWS, AUTO selects
+ * GBUFFER for "adaptive". Chain it to AgaaViewDesc. With the tier IDS, the visibility pass stores, beside depth, the
+ * draw and the primitive of each sample (AgaaSurfaceInput::draw, ::primitive). Compute passes find the primitives of
+ * a pixel, evaluate the material of each once, at the mean position of its samples, group the samples and shade;
+ * "adaptive" evaluates it again for each shaded sample. The tier FRAGMENT_LISTS evaluates the material of each
+ * fragment, the tier FRAGMENTS that of each fragment that shows. The text defines
  *     void agaaHostTriangle(uint draw, uint primitive, inout vec4 a, inout vec4 b, inout vec4 c)
  *     void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m)
  * The first provides the clip coordinates of a triangle as the vertex shader computes them, with the y direction of
- * AgaaFrame::projection if a negative viewport height flips it. The second provides the material at a point of the triangle.
- * All samples of the primitive in the pixel share this material. They share its normal too, unless the function provides
- * derivatives of the normal. With AGAA_CONFIG_FINE_MATERIALS the samples of one texel share a material, and derivatives of
- * normals are not used. Colours are in [0, 1], emission is in [0, range] of the layout. Non-finite values are replaced by
- * the lowest value of their range. Only the visibility pass and the fragments pass test alpha. */
+ * AgaaFrame::projection if a negative viewport height flips it. The second provides the material at a point of the
+ * triangle. All samples of the primitive in the pixel share this material. They share its normal too, unless the
+ * function provides derivatives of the normal. With AGAA_CONFIG_FINE_MATERIALS the samples of one texel share a
+ * material, and derivatives of normals are not used. Colours are in [0, 1], emission is in [0, range] of the layout.
+ * Non-finite values are replaced by the lowest value of their range. Only the visibility pass and the fragments pass
+ * test alpha. */
 typedef struct AgaaFetchFunction {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
     const char* glsl;
-    /* Draws are numbered below maxDraws, >= 1. Out-of-range draws show primitive 0 of the last draw, out-of-range primitives
-     * the last primitive of their draw; AgaaCounters::unannounced counts both. */
+    /* Upper bound of draw numbers, >= 1: draws are numbered below maxDraws. Out-of-range draws show primitive 0 of
+     * the last draw, out-of-range primitives the last primitive of their draw; AgaaCounters::unannounced counts
+     * both. */
     uint32_t maxDraws;
-    /* Primitives of a draw, >= 1. maxPrimitives, rounded up to a power of two, times maxDraws is at most 2^32 - 1, or
-     * 2^32 - 2 with AGAA_FETCH_NOT_ALL_DRAWS (AGAA_ERROR_TOO_LARGE). */
+    /* Largest number of primitives of a draw, >= 1. maxPrimitives, rounded up to a power of two, times maxDraws is
+     * at most 2^32 - 1, or 2^32 - 2 with AGAA_FETCH_NOT_ALL_DRAWS (AGAA_ERROR_TOO_LARGE). */
     uint32_t maxPrimitives;
-    uint64_t descriptorSetLayout; /* as AgaaGBufferFunction::descriptorSetLayout */
+    uint64_t descriptorSetLayout; /* see AgaaGBufferFunction::descriptorSetLayout */
     uint64_t flags;               /* AGAA_FETCH_… */
-    const char* glslExtensions;   /* as AgaaGBufferFunction::glslExtensions */
+    const char* glslExtensions;   /* see AgaaGBufferFunction::glslExtensions */
 } AgaaFetchFunction;
 #define AGAA_FETCH_FUNCTION_INIT                                                                    \
     {AGAA_STRUCTURE_TYPE_FETCH_FUNCTION, (uint32_t)sizeof(AgaaFetchFunction), NULL, NULL, 0, 0, 0, 0, NULL}
 AGAA_API void AGAA_CALL agaaInitFetchFunction(AgaaFetchFunction* outFunction, size_t structSize);
 
-/* A function that replaces some shadow maps. Chain it to AgaaViewDesc. It is compiled into the passes that shade. The text
- * defines
+/* A function that replaces some shadow maps. Chain it to AgaaViewDesc. It is compiled into the passes that shade.
+ * The text defines
  *     float agaaHostShadow(uint shadow, vec3 position)
- * which returns the share of light, [0, 1], that reaches a point in shading space past AgaaFrame::shadows[shadow]. Not for
- * "msaa" (AGAA_ERROR_UNSUPPORTED). */
+ * which returns the share of light, [0, 1], that reaches a point in shading space past AgaaFrame::shadows[shadow].
+ * "msaa" does not support the struct (AGAA_ERROR_UNSUPPORTED). */
 typedef struct AgaaShadowFunction {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext;
     const char* glsl;
-    uint32_t shadows;  /* bit i in [0, AgaaSceneFacts::shadowMapCount): the function answers for AgaaFrame::shadows[i], whose
-                          layerCount is 0; one bit at least */
+    uint32_t shadows;  /* bit i in [0, AgaaSceneFacts::shadowMapCount): the function answers for
+                          AgaaFrame::shadows[i], whose layerCount is 0; one bit at least */
     uint32_t reserved; /* 0 */
-    uint64_t descriptorSetLayout; /* as AgaaGBufferFunction::descriptorSetLayout */
-    const char* glslExtensions;   /* as AgaaGBufferFunction::glslExtensions */
+    uint64_t descriptorSetLayout; /* see AgaaGBufferFunction::descriptorSetLayout */
+    const char* glslExtensions;   /* see AgaaGBufferFunction::glslExtensions */
 } AgaaShadowFunction;
 #define AGAA_SHADOW_FUNCTION_INIT                                                                   \
     {AGAA_STRUCTURE_TYPE_SHADOW_FUNCTION, (uint32_t)sizeof(AgaaShadowFunction), NULL, NULL, 0, 0, 0, NULL}

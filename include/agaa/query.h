@@ -1,4 +1,4 @@
-/* Questions that need no context: devices, memory, plans, shader text. Part of agaa_sdk.h.
+/* Queries that need no context: devices, memory, plans, shader text. Part of agaa_sdk.h.
  * SPDX-License-Identifier: MIT */
 #ifndef AGAA_QUERY_H
 #define AGAA_QUERY_H
@@ -22,26 +22,28 @@ extern "C" {
 #define AGAA_DEVICE_D32S8 UINT64_C(0x80)
 #define AGAA_DEVICE_NO_ALIASING UINT64_C(0x100) /* surfaces cannot share memory (OpenGL) */
 #define AGAA_DEVICE_SOFTWARE UINT64_C(0x200)    /* renders on the CPU, where workgroups do not share memory */
-#define AGAA_DEVICE_GEOMETRY_SHADERS UINT64_C(0x400) /* without: AGAA_VIEW_VERTEX_PULLING */
-#define AGAA_DEVICE_CONDITIONAL_RENDERING UINT64_C(0x800) /* VK_EXT_conditional_rendering: the device skips batches that are
-                                                             not needed (AgaaDecoupledCoverage::maxBatches) */
-#define AGAA_DEVICE_FRAGMENT_INTERLOCK UINT64_C(0x1000) /* ordered critical sections for each pixel in fragment shaders */
-#define AGAA_DEVICE_FRAMEBUFFER_FETCH UINT64_C(0x2000)  /* fragment shaders read what attachments hold, in the order of the
+#define AGAA_DEVICE_GEOMETRY_SHADERS UINT64_C(0x400) /* devices without them need AGAA_VIEW_VERTEX_PULLING */
+#define AGAA_DEVICE_CONDITIONAL_RENDERING UINT64_C(0x800) /* VK_EXT_conditional_rendering: the device skips batches
+                                                             that are not needed (AgaaDecoupledCoverage::maxBatches) */
+#define AGAA_DEVICE_FRAGMENT_INTERLOCK UINT64_C(0x1000) /* ordered critical sections for each pixel in fragment
+                                                           shaders */
+#define AGAA_DEVICE_FRAMEBUFFER_FETCH UINT64_C(0x2000)  /* fragment shaders read the attachments, in the order of the
                                                            draws (GL_EXT_shader_framebuffer_fetch,
                                                            VK_EXT_rasterization_order_attachment_access) */
 
-/* What a device can do. agaaVkGetDeviceCaps, agaaVkGetContextCaps, agaaGlGetDeviceCaps and agaaGlGetContextCaps fill it. */
+/* Capabilities of a device. agaaVkGetDeviceCaps, agaaVkGetContextCaps, agaaGlGetDeviceCaps and agaaGlGetContextCaps
+ * fill it. */
 typedef struct AgaaDeviceCaps {
     uint32_t sType;
     uint32_t structSize;
     const void* pNext; /* null */
     char deviceName[128];
     char driverName[128];
-    uint32_t sampleCounts; /* bit i: multisampled colour and depth textures with 2^i samples, in the formats that the device
-                              has. A view with a surface of another format fails with AGAA_ERROR_UNSUPPORTED */
+    uint32_t sampleCounts; /* bit i: multisampled colour and depth textures with 2^i samples, in the formats that the
+                              device has. A view with a surface of another format fails with AGAA_ERROR_UNSUPPORTED */
     uint32_t maxImageSize;    /* texels */
     uint64_t maxStorageRange; /* bytes of one storage buffer */
-    uint32_t maxSharedBytes;  /* of a compute workgroup */
+    uint32_t maxSharedBytes;  /* bytes of shared memory of a compute workgroup */
     uint32_t reserved;        /* 0 */
     uint64_t flags;           /* AGAA_DEVICE_… */
 } AgaaDeviceCaps;
@@ -49,7 +51,7 @@ typedef struct AgaaDeviceCaps {
     {AGAA_STRUCTURE_TYPE_DEVICE_CAPS, (uint32_t)sizeof(AgaaDeviceCaps), NULL, {0}, {0}, 0, 0, 0, 16384, 0, 0}
 AGAA_API void AGAA_CALL agaaInitDeviceCaps(AgaaDeviceCaps* outCaps, size_t structSize);
 
-/* How one technique runs one stage with n samples on a device. */
+/* Describes how a technique runs a stage with n samples on a device. */
 typedef struct AgaaCapability {
     uint32_t sType;
     uint32_t structSize;
@@ -59,9 +61,10 @@ typedef struct AgaaCapability {
     uint32_t stage;     /* AgaaStage */
     uint32_t tier;      /* AgaaTier; AUTO if the stage cannot run */
     uint32_t isNative;  /* 1: as the papers describe it */
-    float relativeCost; /* approximate, from measurements on lavapipe: the stage against native visibility or post-depth
-                           atomics; for GBUFFER and IDS whole frames of "agaa" with n = 8; for tiers of "dcaa" whole frames
-                           against FRAGMENT_LISTS, of FRAGMENT_INTERLOCK passes on an NVIDIA H200 */
+    float relativeCost; /* approximate cost, measured on lavapipe, of the stage relative to native visibility or
+                           post-depth atomics. GBUFFER and IDS compare whole frames of "agaa" with n = 8. Tiers of
+                           "dcaa" compare whole frames with FRAGMENT_LISTS; FRAGMENT_INTERLOCK compares passes on an
+                           NVIDIA H200 */
     uint32_t reserved;
     char reason[256];   /* one sentence */
 } AgaaCapability;
@@ -69,15 +72,15 @@ typedef struct AgaaCapability {
     {AGAA_STRUCTURE_TYPE_CAPABILITY, (uint32_t)sizeof(AgaaCapability), NULL, NULL, 0, 0, 0, 0, 0.0f, 0, {0}}
 AGAA_API void AGAA_CALL agaaInitCapability(AgaaCapability* outCapability, size_t structSize);
 
-/* Lists how each technique runs each stage. The first entry of a technique, n and stage is the tier that AUTO selects,
- * unless a view is too large for it or the host provides functions. Further entries run if AgaaConfig asks for their tier,
- * or if the host provides the functions that they need. If an entry needs a function or AGAA_VIEW_VERTEX_PULLING, its reason
- * names them. If a stage cannot run (the tier AUTO), no view of its technique and n can be created. The tier FRAGMENTS of
- * "agaa" is listed at n = 64 and 128, and runs at 32, too.
+/* Lists how each technique runs each stage. The first entry of a technique, n and stage is the tier that AUTO
+ * selects, unless a view is too large for it or the host provides functions. Further entries run if AgaaConfig asks
+ * for their tier, or if the host provides the functions that they need. If an entry needs a function or
+ * AGAA_VIEW_VERTEX_PULLING, its reason names them. If a stage cannot run (the tier AUTO), no view of its technique
+ * and n can be created. The tier FRAGMENTS of "agaa" is listed at n = 64 and 128, and runs at 32, too.
  *
  * caps           Null: an ideal device.
- * count          With capabilities null, receives the number of entries. Otherwise the length of the array on entry, and
- *                the number of entries on return.
+ * count          Receives the number of entries. On entry it holds the length of the array, unless capabilities is
+ *                null.
  * capabilities   Null, or an array whose elements are all initialised.
  *
  * Errors         AGAA_ERROR_INVALID_ARGUMENT   count is null
@@ -90,11 +93,11 @@ AGAA_API AgaaResult AGAA_CALL agaaQueryCapabilities(const AgaaDeviceCaps* caps, 
 
 /* ---- names ---------------------------------------------------------------------------------- */
 
-/* What has names. Names are lower case; in names that a host passes, '-' and '_' are equal. */
+/* Selects a list of names. Names are lower case. In names that a host passes, '-' and '_' are equivalent. */
 typedef enum AgaaNameKind {
     AGAA_NAMES_TECHNIQUES = 0, /* AgaaConfig::technique */
-    AGAA_NAMES_TIERS = 1,      /* of AgaaTier */
-    AGAA_NAMES_STAGES = 2,     /* of AgaaStage */
+    AGAA_NAMES_TIERS = 1,      /* values of AgaaTier */
+    AGAA_NAMES_STAGES = 2,     /* values of AgaaStage */
     AGAA_NAMES_LAYOUTS = 3,    /* agaaGetBuiltinLayout */
     AGAA_NAMES_PRESETS = 4,    /* agaaApplyPreset */
     AGAA_NAMES_MAX_ENUM = 0x7FFFFFFF
@@ -103,8 +106,7 @@ typedef enum AgaaNameKind {
 /* Lists the names of a kind.
  *
  * kind     AgaaNameKind.
- * count    With names null, receives the number of names. Otherwise the length of the array on entry, and the number of
- *          names on return.
+ * count    Receives the number of names. On entry it holds the length of the array, unless names is null.
  * names    Null, or an array. The names have static storage.
  *
  * Errors   AGAA_ERROR_INVALID_ARGUMENT   the kind is unknown, or count is null
@@ -112,7 +114,7 @@ typedef enum AgaaNameKind {
  * Threads  Any. */
 AGAA_API AgaaResult AGAA_CALL agaaGetNames(uint32_t kind, uint32_t* count, const char** names);
 
-/* Names a tier or a stage.
+/* Return the name of a tier or a stage.
  *
  * Returns  Static storage, never null; "unknown" for other values.
  * Errors   None.
@@ -130,7 +132,8 @@ AGAA_API AgaaResult AGAA_CALL agaaTierFromName(const char* name, uint32_t* outTi
 
 /* ---- memory and plans ----------------------------------------------------------------------- */
 
-/* A surface of a plan or a view. Chain an AgaaVkSurface or an AgaaGlSurface in agaaGetSurface to receive the handles. */
+/* Describes a surface of a plan or a view. Chain an AgaaVkSurface or an AgaaGlSurface in agaaGetSurface to receive
+ * the handles. */
 typedef struct AgaaSurface {
     uint32_t sType;
     uint32_t structSize;
@@ -163,20 +166,20 @@ typedef struct AgaaMemoryReport {
     {AGAA_STRUCTURE_TYPE_MEMORY_REPORT, (uint32_t)sizeof(AgaaMemoryReport), NULL, 0, 0, 0, 0.0, 0.0}
 AGAA_API void AGAA_CALL agaaInitMemoryReport(AgaaMemoryReport* outReport, size_t structSize);
 
-/* Predicts the memory of a view, from the plan that would allocate it, for two frames in flight.
+/* Predicts the memory of a view from its plan, for two frames in flight.
  *
  * caps           Null: an ideal device with every feature.
  * log            May be null.
  * outReport      May be null. Initialised; unchanged on failure.
- * surfaceCount   May be null if surfaces is null. With surfaces null, receives the number of surfaces. Otherwise the length
- *                of the array on entry, and the number of surfaces on return. Unchanged on failure.
+ * surfaceCount   May be null if surfaces is null. Receives the number of surfaces. Unchanged on failure. On entry it
+ *                holds the length of the array, unless surfaces is null.
  * surfaces       Null, or an array whose elements are all initialised; unchanged on failure.
  *
  * Errors         AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, functions of the host exclude each other, or their
  *                                              glslExtensions are not valid
  *                AGAA_ERROR_LAYOUT             the layout is not valid or cannot be packed
- *                AGAA_ERROR_UNSUPPORTED        no technique has this name, or the device or the library cannot do what was
- *                                              asked
+ *                AGAA_ERROR_UNSUPPORTED        no technique has this name, or the device or the library cannot do
+ *                                              what was asked
  *                AGAA_ERROR_TOO_LARGE          a surface exceeds a limit of caps or of 64-bit arithmetic
  *                AGAA_ERROR_BUFFER_TOO_SMALL   the array is too short
  * Threads        Any. */
@@ -190,7 +193,7 @@ typedef struct AgaaTarget {
     uint32_t structSize;
     const void* pNext;       /* null */
     uint32_t width, height;  /* texels */
-    uint32_t samples;        /* per texel. 1 for "dcaa", whose n samples are not those of the target */
+    uint32_t samples;        /* samples per texel. 1 for "dcaa", whose n samples are not samples of the target */
     uint32_t scaleX, scaleY; /* texels per pixel */
     uint32_t geometryPasses; /* 0: the host draws the G-buffer (AgaaGBufferFunction), with this size and these samples
                                 unless the function gives sample positions */
@@ -214,8 +217,8 @@ AGAA_API AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const Ag
  *
  * caps     Null: an ideal device with every feature.
  * log      May be null.
- * size     With text null, receives the size in bytes with the final zero. Otherwise the size of the buffer on entry,
- *          and of the text on return. Unchanged on failure.
+ * size     Receives the size of the text in bytes with the final zero. Unchanged on failure. On entry it holds the
+ *          size of the buffer, unless text is null.
  * text     Null, or a buffer; unchanged on failure.
  *
  * Errors   Those of agaaQueryMemory that concern the description, and
@@ -225,14 +228,14 @@ AGAA_API AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const Ag
 AGAA_API AgaaResult AGAA_CALL agaaPlanToJson(const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log,
                                              size_t* size, char* text);
 
-/* Describes a surface of a view, for hosts that use it between segments (depth for their own occlusion, for example) or
- * copy it (AGAA_CONFIG_READBACK). The view owns the surface.
+/* Describes a surface of a view, for hosts that use it between segments (depth for their own occlusion, for example)
+ * or copy it (AGAA_CONFIG_READBACK). The view owns the surface.
  *
- * name         That of a surface of agaaQueryMemory with isPerPixel 1. "depth" exists in every view that draws, except
- *              views of "dcaa"; "aggregates" exists in the views that agaaGetAggregateGlsl is for. Other names may change
- *              with the version.
- * outSurface   Initialised; unchanged on failure. Chain an AgaaVkSurface or an AgaaGlSurface to receive the handles, which
- *              stay valid until the view is resized or destroyed.
+ * name         Name of a surface that agaaQueryMemory lists with isPerPixel 1. "depth" exists in every view that
+ *              draws, except views of "dcaa". "aggregates" exists in the views that agaaGetAggregateGlsl accepts.
+ *              Other names may change with the version.
+ * outSurface   Initialised; unchanged on failure. Chain an AgaaVkSurface or an AgaaGlSurface to receive the handles,
+ *              which stay valid until the view is resized or destroyed.
  *
  * Errors       AGAA_ERROR_INVALID_ARGUMENT   a pointer is null, or the view has no surface of this name
  *              AGAA_ERROR_STRUCT             a struct is not initialised
@@ -242,27 +245,28 @@ AGAA_API AgaaResult AGAA_CALL agaaGetSurface(AgaaView view, const char* name, Ag
 
 /* ---- shader text ---------------------------------------------------------------------------- */
 
-/* Writes the GLSL (430) with which a compute shader of the host reads the aggregates in the surface "aggregates", after
- * AGAA_SEGMENT_GENERATION: struct AgaaAggregate and `AgaaAggregate agaaAggregate(uvec2 pixel, uint a)`, where a is below
- * AGAA_AGGREGATES (docs/shader-interface.md). Before the text, the host defines AGAA_AGGREGATE_WORD(i): word i of the
- * surface as a uint.
+/* Writes the GLSL (430) with which a compute shader of the host reads the aggregates in the surface "aggregates",
+ * after AGAA_SEGMENT_GENERATION: struct AgaaAggregate and `AgaaAggregate agaaAggregate(uvec2 pixel, uint a)`, where
+ * a is below AGAA_AGGREGATES (docs/shader-interface.md). Before the text, the host defines AGAA_AGGREGATE_WORD(i):
+ * word i of the surface as a uint.
  *
- * caps     Those of the context. Null: an ideal device.
+ * caps     Capabilities of the context. Null: an ideal device.
  * log      May be null.
  * size     As in agaaPlanToJson.
  * text     As in agaaPlanToJson.
  *
  * Errors   Those of agaaPlanToJson, and
- *          AGAA_ERROR_UNSUPPORTED   the view keeps no aggregates in memory. "agaa" keeps them with two geometry passes, and
- *                                   with the tiers IDS and GBUFFER if AGAA_CONFIG_BUFFERED is set; or
- *                                   they keep no normals (AGAA_FACT_PLANE_NORMALS and NO_LOCAL_LIGHTS without SPECULAR)
+ *          AGAA_ERROR_UNSUPPORTED   the view keeps no aggregates in memory, or they keep no normals
+ *                                   (AGAA_FACT_PLANE_NORMALS and NO_LOCAL_LIGHTS without SPECULAR). "agaa" keeps
+ *                                   aggregates with two geometry passes, and with the tiers IDS and GBUFFER if
+ *                                   AGAA_CONFIG_BUFFERED is set
  * Threads  Any. */
 AGAA_API AgaaResult AGAA_CALL agaaGetAggregateGlsl(const AgaaViewDesc* view, const AgaaDeviceCaps* caps,
                                                    const AgaaLog* log, size_t* size, char* text);
 
-/* Writes the GLSL (420 or later) with which a fragment shader outside the SDK's draw passes covers the same samples, for a
- * G-buffer that the host draws (AgaaGBufferFunction). The shader writes the mask to gl_SampleMask.
- * docs/shader-interface.md lists the functions, and the gradients for versions before 450.
+/* Writes the GLSL (420 or later) with which a fragment shader outside the SDK's draw passes covers the same samples
+ * as in these passes. It is for a G-buffer that the host draws (AgaaGBufferFunction). The shader writes the mask to
+ * gl_SampleMask. docs/shader-interface.md lists the functions, and the gradients for versions before 450.
  *
  * log      May be null.
  * size     As in agaaPlanToJson.

@@ -1,4 +1,4 @@
-/* A host that lets the conformance suite check its integration, in its own OpenGL context and with its own draw callback.
+/* A host whose integration the conformance suite checks, in the host's OpenGL context and with its draw callback.
  *   checked_gl
  * SPDX-License-Identifier: MIT
  */
@@ -12,7 +12,7 @@ enum { maxPrograms = 64 };
 
 typedef struct Host {
     uint32_t programCount;
-    uint64_t keys[maxPrograms]; /* programs are kept by the key of their pass, for all views */
+    uint64_t keys[maxPrograms]; /* all views share programs by the key of their pass */
     GLuint programs[maxPrograms];
     GLuint vertexArray, output;
     float projection[16];
@@ -61,9 +61,9 @@ static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
 static AgaaResult renderFrame(void* user, AgaaView view, AgaaFrame* frame, float* outPixels) {
     Host* host = user;
     AgaaGlFrame glFrame = AGAA_GL_FRAME_INIT;
-    const AgaaFrame own = describeFrame(frame->frameIndex, -1.0f);
-    memcpy(frame->projection, own.projection, sizeof own.projection);
-    memcpy(host->projection, own.projection, sizeof own.projection);
+    const AgaaFrame hostFrame = describeFrame(frame->frameIndex, -1.0f);
+    memcpy(frame->projection, hostFrame.projection, sizeof hostFrame.projection);
+    memcpy(host->projection, hostFrame.projection, sizeof hostFrame.projection);
     frame->draw = draw;
     frame->drawUser = host;
     glFrame.outputTexture = host->output;
@@ -83,7 +83,7 @@ int main(void) {
     AgaaConformanceRun run = {0};
     AgaaConformanceHost checked = {0};
     AgaaViewDesc view = describeView();
-    const EGLDisplay display = beginOpenGl(); /* messages of the debug output end the program: takeMessages is not needed */
+    const EGLDisplay display = beginOpenGl(); /* debug messages end the program, so takeMessages stays null */
     view.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE;
     glGenVertexArrays(1, &host.vertexArray);
     host.output = createOutput();

@@ -1,4 +1,4 @@
-/* What the minimal hosts with a G-buffer of their own share: its GLSL.
+/* The GLSL that the minimal hosts with a G-buffer of their own share.
  * SPDX-License-Identifier: MIT
  */
 #pragma once
@@ -7,7 +7,7 @@
 
 enum { samples = 4, diffuseImage = 0, normalImage, depthImage, imageCount };
 
-/* The G-buffer pass is the host's alone: no declarations of the SDK's, any layout, any state. */
+/* The G-buffer pass belongs to the host: it has any layout and any state, and uses no declarations of the SDK. */
 static const char gbufferCode[] =
     "layout(location = 1) flat in vec3 color;\n"
     "layout(location = 0) out vec4 diffuse;\n"
@@ -17,7 +17,7 @@ static const char gbufferCode[] =
     "    normal = vec4(0.0, 0.0, 1.0, 1.0); // the blades face the camera\n"
     "}\n";
 
-/* How the SDK's passes read a sample of it. */
+/* The SDK's passes read a sample of the G-buffer through this function. */
 #define SAMPLE_CODE(DIFFUSE_AT, NORMAL_AT, DEPTH_AT)                                       \
     "layout(" DIFFUSE_AT ") uniform sampler2DMS diffuse;\n"                                \
     "layout(" NORMAL_AT ") uniform sampler2DMS normal;\n"                                  \

@@ -5,7 +5,7 @@
 #include "gbuffer.h"
 #include "gl.h"
 
-enum { firstUnit = 20 }; /* of sampleCode; texture units from 17 are the host's */
+enum { firstUnit = 20 }; /* first texture unit of sampleCode; units from 17 belong to the host */
 
 typedef struct Host {
     AgaaContext context;
@@ -39,7 +39,7 @@ static void createView(Host* host) {
     config.samples = samples;
     function.glsl = sampleCode;
     desc.config = &config;
-    desc.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; /* glClipControl was not called */
+    desc.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; /* the host does not call glClipControl */
     desc.pNext = &function;
     CHECK(agaaGlCreateView(host->context, &desc, &host->view));
 }
@@ -59,7 +59,7 @@ static void renderFrames(Host* host) {
     AgaaGlFrame glFrame = AGAA_GL_FRAME_INIT;
     glFrame.outputTexture = host->output;
     for (uint64_t i = 1; i <= frameCount; ++i) {
-        const AgaaFrame frame = describeFrame(i, -1.0f); /* draw stays null: nothing is asked back */
+        const AgaaFrame frame = describeFrame(i, -1.0f); /* draw stays null: the SDK draws nothing */
         drawGBuffer(host, &frame);
         CHECK(agaaGlRecordFrame(host->view, &frame, &glFrame));
         glFinish();
@@ -67,7 +67,7 @@ static void renderFrames(Host* host) {
     }
 }
 
-/* The context is still current. */
+/* The context must still be current. */
 static void destroy(Host* host) {
     agaaDestroyView(host->view);
     CHECK(agaaDestroyContext(host->context));
@@ -90,6 +90,6 @@ int main(int argumentCount, char** arguments) {
     renderFrames(&host);
     writeOutput(host.output, arguments[1]);
     destroy(&host);
-    eglTerminate(display); /* takes the context along */
+    eglTerminate(display); /* this also destroys the context */
     return EXIT_SUCCESS;
 }

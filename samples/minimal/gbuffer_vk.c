@@ -46,7 +46,8 @@ static VkImageLayout readLayout(int i) {
     return i == depthImage ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
 }
 
-/* It leaves the images as the SDK's compute shaders read them, and makes those wait. */
+/* The pass leaves the images in the layouts in which the SDK's compute shaders read them. Its dependency makes these
+ * shaders wait. */
 static void createRenderPass(const Host* host) {
     VkAttachmentDescription attachments[imageCount];
     const VkAttachmentReference colors[2] = {{diffuseImage, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL},
@@ -82,7 +83,7 @@ static void createGBuffer(const Host* host) {
     CHECK(vkCreateFramebuffer(host->device, &info, NULL, &gbuffer.framebuffer));
 }
 
-/* Set 1 of the SDK's passes. */
+/* Creates the descriptor set 1 of the SDK's passes. */
 static void createSet(Host* host) {
     const VkSamplerCreateInfo sampler = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO}; /* texelFetch() ignores it */
     const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, imageCount};
@@ -123,8 +124,9 @@ static void createView(Host* host) {
     CHECK(agaaVkCreateView(host->context, &desc, &host->view));
 }
 
-/* createPass() makes pipelines of what the SDK says of its passes, so this host says the same of its own. */
-static void createOwnPass(Host* host) {
+/* createPass() builds pipelines from the SDK's description of a pass, so the host describes its own pass in the same
+ * struct. */
+static void createGBufferPass(Host* host) {
     AgaaDrawPass pass = AGAA_DRAW_PASS_INIT;
     AgaaVkDrawPass vkPass = AGAA_VK_DRAW_PASS_INIT;
     pass.pNext = &vkPass;
@@ -142,7 +144,7 @@ static void drawGBuffer(const Host* host, VkCommandBuffer commands) {
         .framebuffer = gbuffer.framebuffer, .renderArea = {{0, 0}, {width, height}}, .clearValueCount = imageCount,
         .pClearValues = clear};
     AgaaDrawTarget target = {0};
-    target.commandBuffer = commands, target.descriptorSet = (uint64_t)host->functionSet; /* bound, not read here */
+    target.commandBuffer = commands, target.descriptorSet = (uint64_t)host->functionSet; /* bound, but not read */
     target.width = width, target.height = height;
     vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
     CHECK(draw((void*)host, &target));
@@ -163,7 +165,7 @@ static void destroyGBuffer(const Host* host) {
 }
 
 int main(int argumentCount, char** arguments) {
-    Host host = {.drawOwn = drawGBuffer};
+    Host host = {.recordHostPass = drawGBuffer};
     require(argumentCount == 2, "Usage: gbuffer_vk IMAGE.ppm");
     createDevice(&host);
     const float* pixels = createOutput(&host);
@@ -171,7 +173,7 @@ int main(int argumentCount, char** arguments) {
     createContext(&host);
     createSet(&host);
     createView(&host);
-    createOwnPass(&host);
+    createGBufferPass(&host);
     renderFrames(&host);
     writeImage(arguments[1], pixels);
     destroyGBuffer(&host);

@@ -1,4 +1,5 @@
-/* What the minimal OpenGL hosts share: a context without a window, the SDK's context, programs and the output.
+/* The parts that the minimal OpenGL hosts share: a context without a window, the SDK's context, programs and the
+ * output.
  * SPDX-License-Identifier: MIT
  */
 #pragma once
@@ -12,7 +13,8 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-/* Of the first device that EGL names (Mesa names software last), else surfaceless. */
+/* Returns the display of the first device that EGL lists (Mesa lists its software rasteriser last), else the
+ * surfaceless one. */
 static EGLDisplay findDisplay(void) {
     const PFNEGLQUERYDEVICESEXTPROC queryDevices = (PFNEGLQUERYDEVICESEXTPROC)eglGetProcAddress("eglQueryDevicesEXT");
     EGLDeviceEXT device;
@@ -24,7 +26,7 @@ static EGLDisplay findDisplay(void) {
                : eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
 }
 
-/* A context that needs no window, of the version that has all the SDK asks for. */
+/* Creates a context without a window, of the version that needs no extensions for the SDK. */
 static EGLDisplay createDisplay(const AgaaGlRequirements* sdk) {
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, (EGLint)sdk->completeMajorVersion,
                                  EGL_CONTEXT_MINOR_VERSION, (EGLint)sdk->completeMinorVersion,
@@ -44,7 +46,7 @@ static void APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum sev
     require(type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR, message);
 }
 
-/* Makes it current, with debug messages that end the program. */
+/* Creates a context and makes it current. Debug messages of errors end the program. */
 static EGLDisplay beginOpenGl(void) {
     AgaaGlRequirements requirements = AGAA_GL_REQUIREMENTS_INIT;
     CHECK(agaaGlGetRequirements(&requirements));
@@ -70,7 +72,7 @@ static AgaaContext createContext(void) {
     device.glslVersion = 450;
     device.statePolicy = AGAA_GL_STATE_RESTORE;
     desc.pNext = &device, desc.log = &log;
-    desc.framesInFlight = 1; /* these hosts wait for each frame */
+    desc.framesInFlight = 1; /* the hosts wait for each frame */
     CHECK(agaaGlCreateContext(AGAA_HEADER_VERSION, &desc, &context));
     return context;
 }
@@ -87,10 +89,11 @@ static void attach(GLuint program, GLenum stage, const char* extensions, const c
     glGetShaderInfoLog(shader, sizeof message, NULL, message);
     require(isCompiled, message);
     glAttachShader(program, shader);
-    glDeleteShader(shader); /* goes with the program */
+    glDeleteShader(shader); /* the program keeps the shader */
 }
 
-/* vertices: of the vertex shader, which all passes share; materials: of the fragment shader. */
+/* vertices   code of the vertex shader, which all passes share
+ * materials  code of the fragment shader */
 static GLuint createProgram(const char* extensions, const char* declarations, const char* vertices,
                             const char* materials) {
     const GLuint program = glCreateProgram();

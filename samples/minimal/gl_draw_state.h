@@ -1,4 +1,4 @@
-/* State of a draw pass, for the OpenGL hosts that are called back to draw.
+/* State of a draw pass, for the OpenGL hosts with a draw callback.
  * SPDX-License-Identifier: MIT
  */
 #pragma once
@@ -12,7 +12,7 @@ static void enable(GLenum capability, uint32_t isEnabled) {
         glDisable(capability);
 }
 
-/* What a draw pass asks for. */
+/* Sets the state that a draw pass requires. */
 static void setState(const AgaaDrawState* state) {
     static const GLenum compareOps[] = {GL_LESS, GL_GREATER, GL_EQUAL, GL_ALWAYS};
     const GLboolean writes[4] = {state->colorWriteMask & 1, state->colorWriteMask >> 1 & 1,
@@ -32,5 +32,5 @@ static void setState(const AgaaDrawState* state) {
     glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
     enable(GL_DITHER, 0);
     enable(GL_SCISSOR_TEST, 0);
-    enable(GL_CULL_FACE, 0); /* the host's choice, but the same in every pass */
+    enable(GL_CULL_FACE, 0); /* the host chooses culling, which must be the same in every pass */
 }

@@ -1,4 +1,4 @@
-/* What the minimal hosts share: errors, the scene, the SDK's figures and the image file.
+/* The parts that the minimal hosts share: errors, the scene, the SDK's statistics and the image file.
  * SPDX-License-Identifier: MIT
  */
 #pragma once
@@ -12,10 +12,10 @@
 
 enum { width = 320, height = 180, frameCount = 3, maxPasses = 4, vertexCount = 15, drawCount = 2 };
 
-/* The first three blades are one draw, the others another. */
+/* The first three blades are draw 0, the other two are draw 1. */
 static const uint32_t drawBegin[drawCount + 1] = {0, 9, vertexCount};
 
-/* Every failure ends the program with a sentence. An engine would return it. */
+/* Ends the program with a sentence if the condition is not met. An engine would return the error. */
 static void require(int isMet, const char* sentence) {
     if (isMet)
         return;
@@ -23,7 +23,7 @@ static void require(int isMet, const char* sentence) {
     exit(EXIT_FAILURE);
 }
 
-/* Results below 0 are errors, the SDK's and Vulkan's. */
+/* Results below 0 are errors, in the SDK and in Vulkan. */
 #define CHECK(call) require((call) >= 0, #call " failed.")
 
 /* The SDK's sentences begin with the name of the function that failed. */
@@ -33,13 +33,15 @@ static void AGAA_CALL onLog(void* user, uint32_t severity, AgaaResult code, cons
         fprintf(stderr, "%s\n", message);
 }
 
-/* Five blades, which cross, in shading space: the world's axes, origin at the eye. An engine: on the CPU, in double. */
+/* Five crossing blades in shading space, which has the world's axes and its origin at the eye. An engine subtracts
+ * the eye on the CPU, in double precision. */
 #define SCENE_CODE                                                                                                \
     "vec2 corner(float i, int k) { return k < 2 ? vec2(i - 2.0 + 0.1 * float(k), 0.0) : vec2(1.6 - 0.8 * i, 2.4); }\n" \
     "vec3 bladeCorner(float i, int k) { return vec3(corner(i, k), 0.1 * i) - vec3(0.0, 1.2, 3.0); }\n"            \
     "vec3 bladeColor(float i) { return vec3(0.2 + 0.1 * i, 0.7 - 0.1 * i, 0.1); }\n"
 
-/* After VERTEX, the index, and the uniform clipFromShading. All passes share it: depths must be the very same. */
+/* The vertex shader, after the macro VERTEX (the vertex index) and the uniform clipFromShading. All passes share it,
+ * because their depths must be equal. */
 static const char vertexCode[] = SCENE_CODE
     "layout(location = 0) out vec3 position;\n"
     "layout(location = 1) flat out vec3 color;\n"
@@ -49,7 +51,7 @@ static const char vertexCode[] = SCENE_CODE
     "    gl_Position = clipFromShading * vec4(position, 1.0);\n"
     "}\n";
 
-/* Before it stand the version, the pass's extensions and the pass's declarations. */
+/* The fragment shader, after the version, the pass's extensions and the pass's declarations. */
 static const char materialCode[] =
     "layout(location = 0) in vec3 position;\n"
     "layout(location = 1) flat in vec3 color;\n"
@@ -63,12 +65,13 @@ static const char materialCode[] =
     "    agaa_emit(s);\n"
     "}\n";
 
-/* What to compute, and what the scene has: the plan leaves out all else. */
+/* Describes the view: the settings, and the facts of the scene. The plan drops all effects that the facts do not
+ * name. */
 static AgaaViewDesc describeView(void) {
     static AgaaConfig config = AGAA_CONFIG_INIT; /* "agaa", 8 samples, 2 aggregates */
     static AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
     AgaaViewDesc desc = AGAA_VIEW_DESC_INIT;
-    config.flags = AGAA_CONFIG_COUNTERS; /* for integration: AgaaFrameStatistics tells them; they cost time */
+    config.flags = AGAA_CONFIG_COUNTERS; /* counters help with an integration (AgaaFrameStatistics), but cost time */
     facts.flags = 0; /* AGAA_FACT_...: no specular light, no ambient light, no emission */
     facts.maxLights = 1;
     facts.shadowMapCount = 0;
@@ -77,15 +80,16 @@ static AgaaViewDesc describeView(void) {
     return desc;
 }
 
-/* y points down, so that row 0 of the output is the image's top; near and far plane are at clip z = nearZ and 1. */
+/* Describes a frame. y points down, so that row 0 of the output is the top of the image. The near plane is at clip z
+ * = nearZ, the far plane at 1. */
 static AgaaFrame describeFrame(uint64_t frameIndex, float nearZ) {
     static const AgaaLight sun = {.type = AGAA_LIGHT_DIRECTIONAL, .shadowMap = AGAA_NO_SHADOW,
                                   .direction = {0.0f, -0.6f, -0.8f}, .color = {3.0f, 2.9f, 2.7f}};
-    const float focal = 1.7320508f; /* a field of view of 60 degrees */
+    const float focal = 1.7320508f; /* vertical field of view of 60 degrees */
     const float nearest = 0.1f, farthest = 100.0f, depth = farthest - nearest;
-    AgaaFrame frame = AGAA_FRAME_INIT; /* the view matrix is the identity: along -z */
+    AgaaFrame frame = AGAA_FRAME_INIT; /* the view matrix is the identity: the camera looks along -z */
     frame.frameIndex = frameIndex;
-    frame.completedFrame = frameIndex - 1; /* the one before has been waited for */
+    frame.completedFrame = frameIndex - 1; /* the host waited for the previous frame */
     frame.projection[0] = focal * height / width;
     frame.projection[5] = -focal;
     frame.projection[10] = (nearZ * nearest - farthest) / depth;
@@ -106,7 +110,7 @@ static void reportFrame(AgaaView view, uint64_t frameIndex) {
     require(validation.isValid, validation.explanation);
 }
 
-/* Linear RGBA, row 0 on top, as binary PPM in sRGB. */
+/* Writes linear RGBA pixels, row 0 on top, as a binary PPM file in sRGB. */
 static void writeImage(const char* path, const float* pixels) {
     FILE* file = fopen(path, "wb");
     require(file != NULL, "The image cannot be opened for writing.");

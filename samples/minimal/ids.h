@@ -1,4 +1,4 @@
-/* What the minimal hosts that fetch materials by id share: their geometry, in a buffer, and their GLSL.
+/* The parts that the minimal hosts with materials by id share: the geometry in a buffer, and the GLSL.
  * SPDX-License-Identifier: MIT
  */
 #pragma once
@@ -7,16 +7,17 @@
 
 #include <string.h>
 
-/* As an engine has it: a table of draws, and the vertices of all. Vertex shaders and the functions read the same. */
+/* The geometry as an engine stores it: a table of draws, and the vertices of all draws. The vertex shader and the
+ * fetch functions read the same buffer. */
 typedef struct Geometry {
-    float camera[16]; /* clip from shading space */
+    float camera[16]; /* shading space to clip space */
     struct { uint32_t firstVertex, unused[3]; } draws[drawCount];
     struct { float position[4], color[4]; } vertices[vertexCount];
 } Geometry;
 
-/* The scene of SCENE_CODE. */
+/* Returns the scene of SCENE_CODE. */
 static Geometry describeGeometry(float nearZ) {
-    const AgaaFrame frame = describeFrame(1, nearZ); /* the camera stands still */
+    const AgaaFrame frame = describeFrame(1, nearZ); /* all frames have the same camera */
     Geometry geometry = {0};
     memcpy(geometry.camera, frame.projection, sizeof geometry.camera);
     for (int i = 0; i < drawCount; ++i)
@@ -37,7 +38,7 @@ static Geometry describeGeometry(float nearZ) {
     "struct Vertex { vec4 position, color; };\n"                                                                 \
     "layout(std430, " AT ") readonly buffer Geometry { mat4 camera; uvec4 draws[2]; Vertex vertices[]; };\n"
 
-/* After VERTEX and DRAW, the number of the draw; in place of vertexCode. */
+/* Replaces vertexCode. VERTEX and DRAW, the number of the draw, must be defined before. */
 #define ID_VERTEX_CODE(AT)                                                                                       \
     GEOMETRY_CODE(AT)                                                                                            \
     "layout(location = 0) out vec3 position;\n"                                                                  \
@@ -48,7 +49,7 @@ static Geometry describeGeometry(float nearZ) {
     "    gl_Position = camera * vec4(position, 1.0);\n"                                                          \
     "}\n"
 
-/* Of the visibility pass, in place of materialCode. */
+/* Replaces materialCode in the visibility pass. */
 static const char idCode[] =
     "layout(location = 0) in vec3 position;\n"
     "layout(location = 1) flat in uint number;\n"
@@ -60,7 +61,7 @@ static const char idCode[] =
     "    agaa_emit(s);\n"
     "}\n";
 
-/* Triangles and their materials; an engine's material has textures. */
+/* Provides triangles and their materials. The material of an engine would read textures. */
 #define FETCH_CODE(AT)                                                                                           \
     GEOMETRY_CODE(AT)                                                                                            \
     "uint firstVertex(uint draw, uint primitive) { return draws[draw].x + 3u * primitive; }\n"                   \

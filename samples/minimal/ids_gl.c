@@ -1,4 +1,5 @@
-/* The smallest OpenGL host that fetches materials by id: the SDK draws once, for depth and ids, and asks for the rest.
+/* The smallest OpenGL host with materials by id: the scene is drawn once, for depth and ids, and the SDK fetches the
+ * materials.
  *   ids_gl image.ppm
  * SPDX-License-Identifier: MIT
  */
@@ -8,12 +9,12 @@
 typedef struct Host {
     AgaaContext context;
     AgaaView view;
-    GLuint program; /* of the only pass */
+    GLuint program; /* program of the only pass */
     GLuint vertexArray, geometry, output;
     AgaaFrame frame;
 } Host;
 
-enum { geometryBinding = 6 }; /* beyond those that the SDK's passes use */
+enum { geometryBinding = 6 }; /* the SDK's passes use lower bindings */
 #define GEOMETRY_AT "binding = 6"
 
 static const char numberedVertexCode[] = "layout(location = 1) uniform uint DRAW;\n" ID_VERTEX_CODE(GEOMETRY_AT);
@@ -30,8 +31,8 @@ static void createView(Host* host) {
     AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
     function.glsl = fetchCode;
     function.maxDraws = drawCount;
-    function.maxPrimitives = vertexCount / 3; /* of a draw, at most */
-    desc.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; /* glClipControl was not called */
+    function.maxPrimitives = vertexCount / 3; /* upper bound for one draw */
+    desc.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; /* the host does not call glClipControl */
     desc.pNext = &function;
     CHECK(agaaGlCreateView(host->context, &desc, &host->view));
 }
@@ -71,7 +72,7 @@ static void renderFrames(Host* host) {
     }
 }
 
-/* The context is still current. */
+/* The context must still be current. */
 static void destroy(Host* host) {
     agaaDestroyView(host->view);
     CHECK(agaaDestroyContext(host->context));
@@ -94,6 +95,6 @@ int main(int argumentCount, char** arguments) {
     renderFrames(&host);
     writeOutput(host.output, arguments[1]);
     destroy(&host);
-    eglTerminate(display); /* takes the context along */
+    eglTerminate(display); /* this also destroys the context */
     return EXIT_SUCCESS;
 }

@@ -1,4 +1,5 @@
-/* The smallest Vulkan host that fetches materials by id: the SDK draws once, for depth and ids, and asks for the rest.
+/* The smallest Vulkan host with materials by id: the scene is drawn once, for depth and ids, and the SDK fetches the
+ * materials.
  *   ids_vk image.ppm
  * SPDX-License-Identifier: MIT
  */
@@ -10,7 +11,7 @@
 static const char numberedVertexCode[] = "#define DRAW uint(gl_InstanceIndex)\n" ID_VERTEX_CODE(GEOMETRY_AT);
 static const char fetchCode[] = FETCH_CODE(GEOMETRY_AT);
 
-/* What both read, and its set. */
+/* The geometry that the vertex shader and the SDK's passes read, and its descriptor set. */
 typedef struct Fetch {
     VkBuffer geometry;
     VkDeviceMemory memory;
@@ -56,7 +57,7 @@ static void createView(Host* host, const Fetch* fetch) {
     AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
     function.glsl = fetchCode;
     function.maxDraws = drawCount;
-    function.maxPrimitives = vertexCount / 3; /* of a draw, at most */
+    function.maxPrimitives = vertexCount / 3; /* upper bound for one draw */
     function.descriptorSetLayout = (uint64_t)fetch->layout;
     desc.pNext = &function;
     CHECK(agaaVkCreateView(host->context, &desc, &host->view));
@@ -73,7 +74,7 @@ int main(int argumentCount, char** arguments) {
     Host host = {0};
     Fetch fetch;
     require(argumentCount == 2, "Usage: ids_vk IMAGE.ppm");
-    enabledFeatures.features.geometryShader = VK_TRUE; /* for gl_PrimitiveID */
+    enabledFeatures.features.geometryShader = VK_TRUE; /* gl_PrimitiveID requires the feature */
     createDevice(&host);
     const float* pixels = createOutput(&host);
     createContext(&host);

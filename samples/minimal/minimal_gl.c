@@ -16,7 +16,7 @@ typedef struct Host {
 
 static void createView(Host* host) {
     AgaaViewDesc desc = describeView();
-    desc.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; /* glClipControl was not called */
+    desc.flags = AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE; /* the host does not call glClipControl */
     CHECK(agaaGlCreateView(host->context, &desc, &host->view));
 }
 
@@ -62,7 +62,7 @@ static void renderFrames(Host* host) {
     }
 }
 
-/* The context is still current. */
+/* The context must still be current. */
 static void destroy(Host* host) {
     agaaDestroyView(host->view);
     CHECK(agaaDestroyContext(host->context));
@@ -84,6 +84,6 @@ int main(int argumentCount, char** arguments) {
     renderFrames(&host);
     writeOutput(host.output, arguments[1]);
     destroy(&host);
-    eglTerminate(display); /* takes the context along */
+    eglTerminate(display); /* this also destroys the context */
     return EXIT_SUCCESS;
 }

@@ -1,4 +1,5 @@
-/* What the minimal Vulkan hosts share: a device without a window, the SDK's context, passes, frames and the output.
+/* The parts that the minimal Vulkan hosts share: a device without a window, the SDK's context, passes, frames and
+ * the output.
  * SPDX-License-Identifier: MIT
  */
 #pragma once
@@ -23,19 +24,20 @@ typedef struct Host {
     uint64_t keys[maxPasses];
     VkPipelineLayout layouts[maxPasses];
     VkPipeline pipelines[maxPasses];
-    VkDescriptorSet functionSet; /* of a host's own functions; minimal_vk has none */
-    VkDescriptorSetLayout vertexSet; /* the layout of functionSet, where vertex shaders read it too */
-    void (*drawOwn)(const struct Host*, VkCommandBuffer); /* what a host draws before the SDK's passes, or NULL */
+    VkDescriptorSet functionSet; /* set of the host's functions; null in minimal_vk */
+    VkDescriptorSetLayout vertexSet; /* layout of functionSet if vertex shaders read it, too */
+    void (*recordHostPass)(const struct Host*, VkCommandBuffer); /* records the host's pass, or NULL */
     AgaaFrame frame;
 } Host;
 
-/* What agaaVkGetRequirements requires; ids_vk adds a feature of its own. Dynamic rendering, an option, stays off. */
+/* The features that agaaVkGetRequirements requires. ids_vk adds one more. Dynamic rendering is optional and stays
+ * off. */
 static VkPhysicalDeviceFeatures2 enabledFeatures = {
     .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
     .features = {.fragmentStoresAndAtomics = VK_TRUE, .sampleRateShading = VK_TRUE,
                  .shaderStorageImageExtendedFormats = VK_TRUE, .shaderStorageImageWriteWithoutFormat = VK_TRUE}};
 
-/* The first device and its first queue family, which every common driver has for graphics and compute. */
+/* Creates the first device with its first queue family, which supports graphics and compute on every common driver. */
 static void createDevice(Host* host) {
     const VkApplicationInfo app = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .apiVersion = VK_API_VERSION_1_2};
     const VkInstanceCreateInfo instance = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO, .pApplicationInfo = &app};
@@ -51,7 +53,7 @@ static void createDevice(Host* host) {
 }
 
 enum { mappedMemory = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT };
-/* Returns where it is mapped, if it can be. */
+/* Returns the address of the mapped memory, or NULL if the memory is not host-visible. */
 static void* allocate(const Host* host, const VkMemoryRequirements* needed, VkFlags wanted, VkDeviceMemory* memory) {
     VkMemoryAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needed->size};
     VkPhysicalDeviceMemoryProperties types;
@@ -66,7 +68,7 @@ static void* allocate(const Host* host, const VkMemoryRequirements* needed, VkFl
     return mapped;
 }
 
-/* Linear and mapped, so that the CPU reads what the SDK has written. An engine's image is its own. */
+/* Creates a linear, mapped image, so that the CPU can read the output. An engine passes its own image. */
 static const float* createOutput(Host* host) {
     const VkImageCreateInfo image = {
         .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO, .imageType = VK_IMAGE_TYPE_2D, .extent = {width, height, 1},
@@ -101,7 +103,7 @@ static void createContext(Host* host) {
     device.getProcAddr = (AgaaVkGetInstanceProcAddr)vkGetInstanceProcAddr;
     device.enabledFeatures = &enabledFeatures, device.descriptorSet = 0;
     desc.pNext = &device, desc.log = &log;
-    desc.framesInFlight = 1; /* these hosts wait for each frame */
+    desc.framesInFlight = 1; /* the hosts wait for each frame */
     CHECK(agaaVkCreateContext(AGAA_HEADER_VERSION, &desc, &host->context));
 }
 
@@ -154,7 +156,7 @@ static void createPass(Host* host, uint32_t i, const AgaaDrawPass* sdk, VkShader
     const VkPipelineViewportStateCreateInfo viewport = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
     const VkPipelineRasterizationStateCreateInfo rasterization = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .lineWidth = 1.0f}; /* culls in no pass */
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .lineWidth = 1.0f}; /* no pass culls */
     const VkPipelineMultisampleStateCreateInfo multisample = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
         .rasterizationSamples = (VkSampleCountFlagBits)sdk->state.samples,
@@ -188,9 +190,10 @@ static void createPass(Host* host, uint32_t i, const AgaaDrawPass* sdk, VkShader
     vkDestroyShaderModule(host->device, fragment, NULL);
 }
 
-/* The SDK's, and one of the host's own or NULL. vertices: of the vertex shader, which all passes share; materials: of
- * the fragment shaders. */
-static void createPasses(Host* host, const AgaaDrawPass* own, const char* vertices, const char* materials) {
+/* Creates the pipelines of the SDK's passes, and of the host's own pass if it is not NULL.
+ * vertices   code of the vertex shader, which all passes share
+ * materials  code of the fragment shaders */
+static void createPasses(Host* host, const AgaaDrawPass* hostPass, const char* vertices, const char* materials) {
     AgaaDrawPass passes[maxPasses];
     AgaaVkDrawPass vkPasses[maxPasses];
     for (int i = 0; i < maxPasses; ++i) {
@@ -200,9 +203,9 @@ static void createPasses(Host* host, const AgaaDrawPass* own, const char* vertic
     }
     host->passCount = maxPasses;
     CHECK(agaaGetDrawPasses(host->view, &host->passCount, passes));
-    require(!own || host->passCount < maxPasses, "The SDK has more passes than this host expects.");
-    if (own)
-        passes[host->passCount++] = *own;
+    require(!hostPass || host->passCount < maxPasses, "The SDK has more passes than this host expects.");
+    if (hostPass)
+        passes[host->passCount++] = *hostPass;
     glslang_initialize_process();
     const VkShaderModule vertex = compile(host, GLSLANG_STAGE_VERTEX, "#define VERTEX gl_VertexIndex\n",
                                           "layout(push_constant) uniform Push { mat4 clipFromShading; };\n", vertices);
@@ -229,7 +232,7 @@ static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
                             host->vertexSet ? 2 : 1, sets, 0, NULL);
     vkCmdPushConstants(commands, host->layouts[pass], VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof host->frame.projection,
                        host->frame.projection);
-    for (uint32_t i = 0; i < drawCount; ++i) /* whose first instance is its number */
+    for (uint32_t i = 0; i < drawCount; ++i) /* the first instance is the number of the draw */
         vkCmdDraw(commands, drawBegin[i + 1] - drawBegin[i], 1, drawBegin[i], i);
     return AGAA_OK;
 }
@@ -256,8 +259,8 @@ static void renderFrames(Host* host) {
         host->frame.draw = draw, host->frame.drawUser = host;
         CHECK(vkResetCommandPool(host->device, info.commandPool, 0));
         CHECK(vkBeginCommandBuffer(commands, &begin));
-        if (host->drawOwn)
-            host->drawOwn(host, commands);
+        if (host->recordHostPass)
+            host->recordHostPass(host, commands);
         CHECK(agaaVkRecordFrame(host->view, &host->frame, &vkFrame));
         vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &out,
                              0, NULL, 0, NULL);

@@ -1,6 +1,6 @@
 // Hosts that do one thing wrong, checked as engines are: the check that is named after the mistake fails, and says why.
 #include "broken_hosts.h"
-#include "hosts/own_host.h"
+#include "hosts/suite_host.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ struct Results {
     std::map<std::string, std::string> failed, skipped;
 };
 
-Results check(const OwnHost& host) {
+Results check(const SuiteHost& host) {
     Results results;
     AgaaConformanceRun run{};
     run.structSize = sizeof run;
@@ -68,7 +68,7 @@ TEST_P(BrokenHosts, AreNamed) {
     conformance::Test test(functions, device.get());
     broken.make(device->mistakes);
     {
-        OwnHost host(test, *device);
+        SuiteHost host(test, *device);
         Results results = check(host);
         EXPECT_EQ(results.count, int32_t(broken.failing.size()));
         if (broken.failing.empty() && device->testsMessages())

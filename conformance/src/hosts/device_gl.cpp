@@ -1,4 +1,4 @@
-// The suite's host on OpenGL. It relies on OpenGL's initial state, glClipControl's too.
+// The suite's host on OpenGL. It relies on OpenGL's initial state, including glClipControl.
 #include "drawing.h"
 #include "gl_draw_state.h"
 #include "gl_programs.h"
@@ -12,7 +12,7 @@ namespace agaa::conformance {
 namespace {
 
 constexpr GLenum outputFormat = GL_RGBA32F;
-constexpr GLuint fetchBinding = 6; // beyond those that the SDK's passes use
+constexpr GLuint fetchBinding = 6; // the SDK's passes use lower bindings
 
 struct Attribute {
     GLint size;
@@ -31,7 +31,7 @@ public:
             glVertexArrayAttribBinding(vertexArray_, i, 0);
             glEnableVertexArrayAttrib(vertexArray_, i);
         }
-        // Of pullingShader: the attributes of the first corner, then the positions of the others.
+        // Attributes of pullingShader: those of the first corner, then the positions of the others.
         glCreateVertexArrays(1, &pullingArray_);
         for (GLuint i = 0; i < std::size(attributes) + 2; ++i) {
             const GLuint corner = i < std::size(attributes) ? 0 : i - GLuint(std::size(attributes)) + 1;
@@ -56,7 +56,7 @@ public:
         AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
         fetch.glsl = text.c_str();
         fetch.maxDraws = 1;
-        fetch.maxPrimitives = mostPrimitives;
+        fetch.maxPrimitives = maxScenePrimitives;
         return fetch;
     }
 
@@ -163,10 +163,10 @@ private:
     OpenGlApi api_;
     OpenGlPrograms programs_;
     GLuint vertexArray_ = 0, pullingArray_ = 0, output_ = 0, shadow_ = 0;
-    uint32_t width_ = 0, height_ = 0; // of the output
+    uint32_t width_ = 0, height_ = 0; // size of the output
     std::map<AgaaContext, ShaderDialect> dialectOfContext_;
     std::map<AgaaView, ShaderDialect> dialectOfView_;
-    // During record().
+    // Set during record().
     AgaaView view_ = nullptr;
     const Scene* scene_ = nullptr;
     GLuint vertices_ = 0;
@@ -231,7 +231,7 @@ void OpenGlDevice::drawScene(const Scene& scene, GLuint vertices, const OpenGlPr
         setCapability(GL_STENCIL_TEST, (range.isMasked ? state.stencilTestMasked : state.stencilTest) != 0);
         glUseProgram(program);
         glUniformMatrix4fv(0, 1, GL_FALSE, clipFromShading_);
-        if (target.constants) // the location is -1, which is ignored, if the program does not use it
+        if (target.constants) // the location is -1, which OpenGL ignores, if the program does not use it
             glUniform4fv(glGetUniformLocation(program, "agaa_constants"), GLsizei(target.constantCount), target.constants);
         if (!state.vertexPulling) {
             glDrawArrays(GL_TRIANGLES, GLint(range.first), GLsizei(range.count));

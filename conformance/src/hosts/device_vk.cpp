@@ -25,7 +25,7 @@ public:
         AgaaFetchFunction fetch = AGAA_FETCH_FUNCTION_INIT;
         fetch.glsl = text.c_str();
         fetch.maxDraws = 1;
-        fetch.maxPrimitives = mostPrimitives;
+        fetch.maxPrimitives = maxScenePrimitives;
         fetch.descriptorSetLayout = (uint64_t)functionSet_.layout;
         return fetch;
     }
@@ -53,7 +53,7 @@ public:
         description.vk.enabledExtensions = api_.enabledExtensions.data();
         description.vk.enabledExtensionCount = uint32_t(api_.enabledExtensions.size());
         description.vk.enabledFeatures = &api_.enabledFeatures;
-        description.vk.descriptorSet = 1; // so that a test of set 0 by mistake is found
+        description.vk.descriptorSet = 1; // 1 shows wrong uses of set 0
         return description;
     }
 
@@ -179,7 +179,7 @@ private:
     std::map<AgaaView, uint32_t> setOfView_;
     std::map<std::pair<uint64_t, uint32_t>, VkDescriptorSet> firstSets_;
     AgaaView firstView_ = nullptr;
-    // During record().
+    // Set during record().
     AgaaView view_ = nullptr;
     const Scene* scene_ = nullptr;
     VkBuffer vertices_ = VK_NULL_HANDLE;
@@ -199,7 +199,7 @@ AgaaResult VulkanDevice::record(const Functions& sdk, AgaaView view, AgaaFrame& 
     const VkCommandBuffer commands = commands_.begin();
     vertices_ = upload(scene);
     functionSet_.write(vertices_);
-    if (mistakes.forgetsBarrier && !scene.empty()) // vertices that are there already, from a command that nothing waits for
+    if (mistakes.forgetsBarrier && !scene.empty()) // copies without a barrier
         vkCmdUpdateBuffer(commands, vertices_, matrixBytes, std::min<size_t>(scene.size() * sizeof(Vertex), 65536) & ~size_t(3),
                           scene.data());
     AgaaVkFrame native = AGAA_VK_FRAME_INIT;

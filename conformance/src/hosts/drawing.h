@@ -1,4 +1,4 @@
-// What the hosts on both APIs do alike.
+// The common part of the hosts on both APIs.
 #pragma once
 
 #include "device.h"
@@ -7,13 +7,13 @@
 
 namespace agaa::conformance {
 
-// A buffer of the scene, for vertex shaders and fetchCode(): the matrix of clipFromShading(), then the vertices.
+// The buffer of a scene, for vertex shaders and fetchCode(): the matrix of clipFromShading(), then the vertices.
 constexpr size_t matrixBytes = 16 * sizeof(float);
 static_assert(sizeof(Vertex) == 18 * sizeof(float), "fetchShader() reads vertices as words");
 size_t sceneBytes(const Scene& scene);
 void writeScene(void* to, const float* matrix, const Scene& scene);
 
-constexpr uint32_t mostPrimitives = 1u << 16; // of a scene
+constexpr uint32_t maxScenePrimitives = 1u << 16; // upper bound for a scene
 
 // Consecutive vertices that one pipeline draws.
 struct DrawRange {
@@ -22,10 +22,10 @@ struct DrawRange {
 };
 std::vector<DrawRange> drawRanges(const Scene& scene);
 
-// AgaaFrame::projection as the host uses it, times AgaaFrame::view.
+// Returns AgaaFrame::projection with the host's mistakes, times AgaaFrame::view.
 void clipFromShading(const AgaaFrame& frame, const Mistakes& mistakes, float* matrix);
 
-// The passes of a view. Native: AgaaVkDrawPass or AgaaGlDrawPass.
+// Returns the passes of a view. Native is AgaaVkDrawPass or AgaaGlDrawPass.
 template <class Native>
 struct DrawPasses {
     std::vector<AgaaDrawPass> passes;

@@ -101,12 +101,11 @@ void APIENTRY OpenGlApi::onMessage(GLenum, GLenum type, GLuint, GLenum severity,
         const_cast<OpenGlApi*>(static_cast<const OpenGlApi*>(user))->messages_.push_back(text);
 }
 
-// Errors that are pending would be reported again, by the next function of the SDK that looks for
-// them.
+// Pending errors are removed, because the next function of the SDK that checks for errors would report them again.
 std::vector<std::string> OpenGlApi::takeMessages() {
     const bool isEmpty = messages_.empty();
     for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError())
-        if (isEmpty) // a driver whose debug output does not name them
+        if (isEmpty) // the debug output of this driver does not name the errors
             messages_.push_back("glGetError returns " + std::to_string(error) + ".");
     std::vector<std::string> messages;
     messages.swap(messages_);

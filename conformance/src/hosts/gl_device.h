@@ -9,7 +9,7 @@
 
 namespace agaa::conformance {
 
-// The context that is current in this thread, and current again at the end of the scope.
+// Restores the current context of this thread at the end of the scope.
 class CurrentOpenGl {
 public:
     CurrentOpenGl() = default;
@@ -25,13 +25,14 @@ private:
 
 class OpenGlApi {
 public:
-    // Core 4.5, current in this thread. Of the first display whose GL_RENDERER contains the name.
+    // Creates a core context 4.5 on the first display whose GL_RENDERER contains the name, and makes it current in this
+    // thread.
     explicit OpenGlApi(const std::string& name);
-    ~OpenGlApi(); // what was current before is current again
+    ~OpenGlApi(); // restores the previous current context
     OpenGlApi(const OpenGlApi&) = delete;
     OpenGlApi& operator=(const OpenGlApi&) = delete;
 
-    // Errors, undefined behaviour and messages of high severity.
+    // Returns errors, undefined behaviour and messages of high severity.
     std::vector<std::string> takeMessages();
 
     std::string deviceName, driverName;

@@ -12,7 +12,7 @@ inline void setCapability(GLenum capability, bool isEnabled) {
         glDisable(capability);
 }
 
-// All but the stencil test, which differs between materials. blends: Mistakes::blends.
+// Sets all state except the stencil test, which differs between materials. `blends` is Mistakes::blends.
 inline void setDrawState(const AgaaDrawState& state, bool blends) {
     constexpr GLenum compareOps[] = {GL_LESS, GL_GREATER, GL_EQUAL, GL_ALWAYS};
     const auto writes = [&](uint32_t bit) { return GLboolean((state.colorWriteMask & bit) != 0); };
@@ -35,7 +35,7 @@ inline void setDrawState(const AgaaDrawState& state, bool blends) {
     glDisable(GL_DITHER);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
-    constexpr GLenum conservativeRasterization = 0x9346; // of GL_NV_conservative_raster, without which no pass asks for it
+    constexpr GLenum conservativeRasterization = 0x9346; // from GL_NV_conservative_raster
     if (state.conservative)
         glEnable(conservativeRasterization);
 }

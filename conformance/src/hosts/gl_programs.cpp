@@ -9,7 +9,7 @@ namespace agaa::conformance {
 
 namespace {
 
-// Versions before 4.3 have locations by extension.
+// GLSL before 4.30 has explicit locations only by extension.
 std::string versionText(uint32_t glslVersion) {
     return "#version " + std::to_string(glslVersion) +
            " core\n"
@@ -17,7 +17,7 @@ std::string versionText(uint32_t glslVersion) {
            "#extension GL_ARB_explicit_uniform_location : enable\n";
 }
 
-// With AGAA_GL_OUTPUTS_HOST: outputs that take the values of agaa_out0 … after agaa_emit().
+// Outputs for AGAA_GL_OUTPUTS_HOST, which receive agaa_out0 … after agaa_emit().
 std::string outputsText(uint32_t count, bool isDeclaration) {
     std::string text;
     for (uint32_t i = 0; i < count; ++i) {
@@ -49,12 +49,12 @@ void attach(GLuint program, GLenum stage, const std::string& text) {
     glGetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
     glGetShaderInfoLog(shader, sizeof message, nullptr, message);
     glAttachShader(program, shader);
-    glDeleteShader(shader); // goes with the program
+    glDeleteShader(shader); // the program keeps the shader
     if (!isCompiled)
         throw std::runtime_error(std::string("a shader of the suite's host does not compile: ") + message);
 }
 
-// Empty for passes that need none.
+// Returns an empty text for passes that need none.
 std::string geometryText(const AgaaDrawPass& pass, const ShaderDialect& dialect) {
     return pass.glslGeometry ? versionText(dialect.glslVersion) + pass.glslExtensions + pass.glslGeometry + geometryShader : "";
 }
@@ -112,7 +112,7 @@ void OpenGlPrograms::prepare(const Functions& sdk, AgaaView view, const ShaderDi
         const Key key = keyOf(view, pass.pipelineKey, pass.pass);
         if (programs_.count(key))
             continue;
-        OpenGlProgram& program = programs_[key]; // there, so that it is destroyed if the second one fails
+        OpenGlProgram& program = programs_[key]; // stored first, so that it is destroyed if the second program fails
         const std::string geometry = geometryText(pass, dialect), vertices = vertexText(pass, dialect);
         program.opaque = createProgram(vertices, geometry, fragmentText(pass, dialect, false));
         program.masked = createProgram(vertices, geometry, fragmentText(pass, dialect, true));

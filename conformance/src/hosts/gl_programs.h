@@ -12,7 +12,7 @@ struct OpenGlProgram {
     GLuint opaque = 0, masked = 0;
 };
 
-// What of AgaaGlDeviceDesc the programs depend on.
+// The members of AgaaGlDeviceDesc on which programs depend.
 struct ShaderDialect {
     uint32_t glslVersion = 450;
     bool declaresOutputs = false; // AGAA_GL_OUTPUTS_HOST
@@ -27,11 +27,11 @@ public:
 
     void prepare(const Functions& sdk, AgaaView view, const ShaderDialect& dialect);
     void forget(AgaaView view);
-    // Null if it was not prepared.
+    // Returns null if the pass was not prepared.
     const OpenGlProgram* find(AgaaView view, uint64_t pipelineKey, uint32_t pass) const;
 
 private:
-    using Key = std::pair<AgaaView, uint64_t>; // with Mistakes::keysByPass: null and the pass
+    using Key = std::pair<AgaaView, uint64_t>; // null and the pass with Mistakes::keysByPass
     Key keyOf(AgaaView view, uint64_t pipelineKey, uint32_t pass) const;
     static void destroy(const OpenGlProgram& program);
 

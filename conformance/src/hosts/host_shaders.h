@@ -1,5 +1,5 @@
-// The GLSL of the suite's own hosts. Both draw passes of a frame have the same vertex shader, as docs/integration/two-passes.md
-// demands.
+// The GLSL of the suite's hosts. Both draw passes of a frame have the same vertex shader, as
+// docs/integration/two-passes.md requires.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace agaa::conformance {
 
-// What both vertex shaders read of a corner, and give to fragments.
+// Inputs of both vertex shaders, and outputs for fragments.
 inline const std::string vertexAttributes = R"(
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inNormal;
@@ -32,7 +32,7 @@ void setAttributes() {
 }
 )";
 
-// After "#version 450" and, on OpenGL, `#define ON_OPENGL`.
+// The vertex shader, after "#version 450" and, on OpenGL, `#define ON_OPENGL`.
 inline const std::string vertexShader = vertexAttributes + R"(
 #ifdef ON_OPENGL
 layout(location = 0) uniform mat4 clipFromShading;
@@ -45,13 +45,13 @@ invariant gl_Position;
 void main() {
     setAttributes();
     primitive = uint(VERTEX) / 3u;
-    precise vec4 clip = clipFromShading * vec4(inPosition, 1.0); // as pullingShader
+    precise vec4 clip = clipFromShading * vec4(inPosition, 1.0); // same computation as in pullingShader
     gl_Position = clip;
 }
 )";
 
-// In place of vertexShader, after the version, AgaaDrawPass::glslExtensions and ::glslVertex. An instance is a triangle, whose
-// corners are attributes: vertices of a triangle lie one after another.
+// Replaces vertexShader, after the version, AgaaDrawPass::glslExtensions and ::glslVertex. An instance is a triangle
+// whose corners are attributes, because the vertices of a triangle are consecutive.
 inline const std::string pullingShader = vertexAttributes + R"(
 #ifdef ON_OPENGL
 layout(location = 0) uniform mat4 clipFromShading;
@@ -76,8 +76,9 @@ void main() {
 )";
 constexpr uint32_t stripVertices = 8; // AGAA_MAX_STRIP
 
-// After the version, AgaaDrawPass::glslExtensions and ::glslGeometry. All vertices of a strip have the attributes of the
-// triangle's first corner. The other corners differ in the position alone, which the pass does not read.
+// The geometry shader, after the version, AgaaDrawPass::glslExtensions and ::glslGeometry. All vertices of a strip have
+// the attributes of the triangle's first corner. The other corners differ only in the position, which the pass does not
+// read.
 inline const char* const geometryShader = R"(
 layout(triangles) in;
 layout(triangle_strip, max_vertices = AGAA_MAX_STRIP) out;
@@ -111,7 +112,7 @@ void main() {
 }
 )";
 
-// AgaaFetchFunction::glsl, with the place of the buffer of writeScene(). Words are those of Vertex.
+// AgaaFetchFunction::glsl, with the binding of the buffer of writeScene(). The words of the buffer are those of Vertex.
 inline std::string fetchShader(const char* place) {
     return std::string("layout(std430, ") + place + R"() readonly buffer SceneBlock { mat4 clipFromShading; float words[]; } scene;
 vec3 sceneVector(uint vertex, uint word) {
@@ -135,7 +136,8 @@ void agaaHostMaterial(AgaaPrimitive p, inout AgaaMaterial m) {
 )";
 }
 
-// After the version, the extensions, `#define AGAA_ALPHA_MASKED 1` for isMasked, and the declarations.
+// The fragment shader, after the version, the extensions, `#define AGAA_ALPHA_MASKED 1` for isMasked, and the
+// declarations.
 inline const char* const fragmentShader = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) flat in vec3 normal;

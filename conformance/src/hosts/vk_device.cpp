@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* validationLayer = "VK_LAYER_KHRONOS_validation";
 
-// Members of VkPhysicalDeviceFeatures by name, as agaaVkGetRequirements names them.
+// Members of VkPhysicalDeviceFeatures by the names of agaaVkGetRequirements.
 VkBool32* featureOf(VkPhysicalDeviceFeatures& features, const std::string& name) {
 #define FEATURE(member)    \
     if (name == #member)   \
@@ -37,7 +37,7 @@ VkBool32* featureOf(VkPhysicalDeviceFeatures& features, const std::string& name)
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT types,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
-    // General messages are those of the loader and of drivers about themselves.
+    // General messages of the loader and of drivers are skipped.
     const auto checked = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
     if (types & checked)
         static_cast<Messages*>(user)->add(data->pMessage ? data->pMessage : "");
@@ -222,7 +222,7 @@ void VulkanApi::createDevice(const Functions& sdk, bool withOptions) {
     vkGetDeviceQueue(device, queueFamily, 0, &queue);
 }
 
-// The extensions and their features, dynamic rendering by whichever of both ways the device has.
+// Enables the extensions and their features. Dynamic rendering comes from Vulkan 1.3 or from the extension.
 void VulkanApi::enableOptions(const AgaaVkRequirements& requirements) {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physicalDevice, &properties);
@@ -245,7 +245,7 @@ void VulkanApi::enableOptions(const AgaaVkRequirements& requirements) {
         features13.dynamicRendering = VK_TRUE;
         enabledFeatures.pNext = &features13;
     }
-    const auto enableWhatIsThere = [this](const char* extension, auto& features) {
+    const auto enableAvailable = [this](const char* extension, auto& features) {
         if (!hasDeviceExtension(physicalDevice, extension))
             return;
         VkPhysicalDeviceFeatures2 has{};
@@ -256,12 +256,12 @@ void VulkanApi::enableOptions(const AgaaVkRequirements& requirements) {
         enabledFeatures.pNext = &features;
     };
     conditionalRendering.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT;
-    enableWhatIsThere(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME, conditionalRendering);
+    enableAvailable(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME, conditionalRendering);
     conditionalRendering.inheritedConditionalRendering = VK_FALSE;
     interlock.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADER_INTERLOCK_FEATURES_EXT;
-    enableWhatIsThere(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME, interlock);
+    enableAvailable(VK_EXT_FRAGMENT_SHADER_INTERLOCK_EXTENSION_NAME, interlock);
     attachmentOrder.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT;
-    enableWhatIsThere(VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME, attachmentOrder);
+    enableAvailable(VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME, attachmentOrder);
 }
 
 } // namespace agaa::conformance

@@ -11,7 +11,7 @@ namespace agaa::conformance {
 
 void checkVk(VkResult result, const char* call); // throws std::runtime_error
 
-// What the validation layer reports.
+// Collects the reports of the validation layer.
 class Messages {
 public:
     void add(const std::string& text);
@@ -24,8 +24,8 @@ private:
 
 class VulkanApi {
 public:
-    // A device with what agaaVkGetRequirements requires, and geometry shaders where the device has them; with options, also
-    // with all else that it lists as optional.
+    // A device with the requirements of agaaVkGetRequirements, and with geometry shaders if available. With options, it
+    // also has the other optional features and extensions.
     VulkanApi(const Functions& sdk, const std::string& name, bool withOptions);
     ~VulkanApi();
     VulkanApi(const VulkanApi&) = delete;

@@ -17,7 +17,7 @@ struct VulkanBuffer { // host-visible and coherent
     void* mapped = nullptr;
 };
 
-struct VulkanImage { // optimal tiling, one level, in GENERAL
+struct VulkanImage { // optimal tiling, one level, layout GENERAL
     VulkanImage(const VulkanApi& api, uint32_t width, uint32_t height, uint32_t layers, VkFormat format,
                 VkImageUsageFlags usage, VkImageViewType viewType);
     ~VulkanImage();
@@ -32,7 +32,7 @@ struct VulkanImage { // optimal tiling, one level, in GENERAL
     VkImageView view = VK_NULL_HANDLE;
 };
 
-// What the functions of the host read: a storage buffer at binding 0, in compute shaders.
+// The descriptor set for the functions of the host: a storage buffer at binding 0, in compute shaders.
 class VulkanFunctionSet {
 public:
     explicit VulkanFunctionSet(const VulkanApi& api);
@@ -40,7 +40,7 @@ public:
     VulkanFunctionSet(const VulkanFunctionSet&) = delete;
     VulkanFunctionSet& operator=(const VulkanFunctionSet&) = delete;
 
-    void write(VkBuffer buffer); // while no commands that use the set are pending
+    void write(VkBuffer buffer); // pending commands must not use the set
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE;
 
@@ -49,7 +49,7 @@ private:
     VkDescriptorPool pool_ = VK_NULL_HANDLE;
 };
 
-// One command buffer, which is waited for.
+// One command buffer that is submitted and waited for.
 class VulkanCommands {
 public:
     explicit VulkanCommands(const VulkanApi& api);
@@ -58,8 +58,8 @@ public:
     VulkanCommands& operator=(const VulkanCommands&) = delete;
 
     VkCommandBuffer begin();
-    void submit();  // waits
-    void discard(); // instead of submit()
+    void submit();  // submits and waits
+    void discard(); // called instead of submit()
 
 private:
     const VulkanApi& api_;
@@ -67,7 +67,7 @@ private:
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
 };
 
-// Between all commands before and after, which also moves the image from one layout to the other.
+// Records a barrier between all earlier and later commands, and changes the layout of the image.
 void imageBarrier(VkCommandBuffer commands, const VulkanImage& image, VkImageLayout from, VkImageLayout to);
 void allBarrier(VkCommandBuffer commands);
 

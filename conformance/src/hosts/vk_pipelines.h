@@ -20,14 +20,14 @@ public:
     VulkanPipelines(const VulkanPipelines&) = delete;
     VulkanPipelines& operator=(const VulkanPipelines&) = delete;
 
-    // descriptorSet: index of the SDK's set.
+    // `descriptorSet` is the index of the SDK's set.
     void prepare(const Functions& sdk, AgaaView view, uint32_t descriptorSet);
     void forget(AgaaView view);
-    // Null if it was not prepared.
+    // Returns null if the pass was not prepared.
     const VulkanPipeline* find(AgaaView view, uint64_t pipelineKey, uint32_t pass) const;
 
 private:
-    using Key = std::pair<AgaaView, uint64_t>; // with Mistakes::keysByPass: null and the pass
+    using Key = std::pair<AgaaView, uint64_t>; // null and the pass with Mistakes::keysByPass
     Key keyOf(AgaaView view, uint64_t pipelineKey, uint32_t pass) const;
     VulkanPipeline create(const AgaaDrawPass& pass, const AgaaVkDrawPass& native, uint32_t descriptorSet);
     VkPipeline createOne(const AgaaDrawPass& pass, const AgaaVkDrawPass& native, VkPipelineLayout layout, bool isMasked);

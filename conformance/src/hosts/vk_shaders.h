@@ -1,4 +1,4 @@
-// GLSL to shader modules.
+// Shader modules from GLSL.
 #pragma once
 
 #include "vk_device.h"
@@ -14,7 +14,7 @@ public:
     VulkanShaders(const VulkanShaders&) = delete;
     VulkanShaders& operator=(const VulkanShaders&) = delete;
 
-    // Modules are kept by their text. Throws std::runtime_error with the compiler's message.
+    // Caches modules by their text. Throws std::runtime_error with the compiler's message.
     VkShaderModule find(VkShaderStageFlagBits stage, const std::string& text);
 
 private:

@@ -10,7 +10,8 @@ namespace agaa::conformance {
 
 namespace {
 
-// Of a number of samples that the suite chooses, the engine cannot know them.
+// Returns whether the view has sample positions, which the engine cannot provide for a number of samples that the suite
+// chooses.
 bool hasSamplePositions(const AgaaViewDesc& view) {
     for (const auto* link = static_cast<const AgaaStructHeader*>(view.pNext); link;
          link = static_cast<const AgaaStructHeader*>(link->pNext))
@@ -32,7 +33,7 @@ namespace {
 // ---- pipelines and descriptor sets, without which nothing else can be judged ----------------------
 
 void checkFrames(Test& test, HostTest& hostTest) {
-    hostTest.blockedBy = "integration/frames"; // until a frame succeeds
+    hostTest.blockedBy = "integration/frames"; // blocks other checks until a frame succeeds
     EngineView view(test, hostTest, oneSample);
     view.renderAlbedo();
     const AgaaFrameValidation v = view.validate();
@@ -40,7 +41,7 @@ void checkFrames(Test& test, HostTest& hostTest) {
         hostTest.blockedBy.clear();
 }
 
-// Several checks compare images of different frames.
+// Checks compare images of different frames.
 void checkRepeats(Test& test, HostTest& hostTest) {
     EngineView view(test, hostTest, oneSample);
     const Image first = view.renderAlbedo(), second = view.renderAlbedo(), third = view.renderAlbedo();
@@ -51,9 +52,10 @@ void checkRepeats(Test& test, HostTest& hostTest) {
         hostTest.blockedBy = "integration/repeated_frames";
 }
 
-// Two layouts have different shaders in the same pass: their images agree unless the pipelines of one serve the other. The
-// material pass of "agaa" has no attachments, so that blending has no part in it. The smaller layout comes first: its shaders
-// do not write beyond the surfaces of the other. Both views exist at once: an engine may keep nothing longer than its view.
+// Two layouts have different shaders in the same pass. Their images agree unless the engine uses the pipelines of one
+// for the other. The material pass of "agaa" has no attachments, so blending does not affect it. The smaller layout
+// comes first, because its shaders do not write beyond the surfaces of the other. Both views exist at the same time,
+// because an engine may release objects with their view.
 void checkKeys(Test& test, HostTest& hostTest) {
     ViewChoice choice = twoPasses;
     choice.layout = "paper16";
@@ -61,17 +63,17 @@ void checkKeys(Test& test, HostTest& hostTest) {
     choice.layout = "precise";
     EngineView second(test, hostTest, choice);
     const double share = differingShare(first.renderAlbedo(), second.renderAlbedo());
-    if (!test.check(share <= largestShare,
+    if (!test.check(share <= maxDifferingShare,
                     percent(share) + " of the image differ between two layouts. Usual cause: pipelines are kept by pass or by "
                                      "name. Keep them by AgaaDrawPass::pipelineKey."))
         hostTest.blockedBy = "integration/pipeline_keys";
 }
 
-// Views of equal configuration have equal keys and pipelines; what differs are their descriptor sets and framebuffers.
+// Views of equal configuration have equal keys and pipelines. Their descriptor sets and framebuffers differ.
 void checkSets(Test& test, HostTest& hostTest) {
     EngineView first(test, hostTest, twoPasses);
     const Image expected = first.renderAlbedo();
-    first.renderAlbedo(); // the other frame in flight
+    first.renderAlbedo(); // uses the other frame in flight
     EngineView second(test, hostTest, twoPasses);
     const Image image = second.renderAlbedo();
     const double share = differingShare(expected, image, 0);
@@ -130,7 +132,7 @@ void checkFinite(Test& test, HostTest& hostTest) {
 } // namespace
 
 Suite makeHostChecks(const AgaaConformanceHost& host, const Functions& functions) {
-    // In this order: the mistakes that spoil all else come first.
+    // Mistakes that affect all other checks come first.
     const struct {
         const char* name;
         void (*check)(Test&, HostTest&);

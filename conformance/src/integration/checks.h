@@ -1,4 +1,4 @@
-// The duties of a host, each as a check of an engine that integrates the SDK.
+// The duties of a host. Each is a check of an engine that integrates the SDK.
 #pragma once
 
 #include "../suite.h"
@@ -6,7 +6,7 @@
 namespace agaa::conformance {
 
 bool isComplete(const AgaaConformanceHost* host);
-// The checks refer to the host; it must outlive them.
+// Adds the checks. The host must outlive them.
 Suite makeHostChecks(const AgaaConformanceHost& host, const Functions& functions);
 
 } // namespace agaa::conformance

@@ -9,8 +9,8 @@ namespace agaa::conformance {
 
 namespace {
 
-// Of the structs that the engine chains to its view, those that say where geometry and materials come from. The suite renders
-// without shadows, so that an AgaaShadowFunction has nothing to answer for.
+// Copies the chained structs of the engine's view that provide geometry and materials. The suite renders without
+// shadows, so it skips an AgaaShadowFunction.
 struct ChainedFunctions {
     AgaaGBufferFunction gbuffer;
     AgaaFetchFunction fetch;
@@ -51,7 +51,7 @@ EngineView::EngineView(Test& test, HostTest& hostTest, const ViewChoice& choice)
     config.samples = choice.samples;
     config.layout = &layout;
     config.flags = AGAA_CONFIG_COUNTERS;
-    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT; // diffuse light alone: images add up
+    AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT; // diffuse light only, so that images add up
     const uint64_t hostFlags = hostTest.host.view->facts ? hostTest.host.view->facts->flags : 0;
     facts.flags = AGAA_FACT_AMBIENT | (hostFlags & (AGAA_FACT_ALPHA_MASKED | AGAA_FACT_CUSTOM_DEPTH));
     facts.maxLights = 1;
@@ -89,7 +89,7 @@ AgaaFrame EngineView::nextFrame() {
 }
 
 Image EngineView::render(AgaaFrame& frame) {
-    // Values that no right image has show where the host wrote nothing.
+    // The initial values do not occur in correct images, so they show unwritten pixels.
     Image image{width_, height_, std::vector<float>(size_t(width_) * height_ * 4, -1.0f)};
     const AgaaResult result = hostTest_.host.renderFrame(hostTest_.host.user, view_, &frame, image.pixels.data());
     test_.requireOk(result, std::string("renderFrame with \"") + choice_.technique + "\"");
@@ -106,7 +106,7 @@ Image EngineView::renderAlbedo() {
 
 Image EngineView::renderHeadlight() {
     if (frameIndex_ == 0)
-        renderAlbedo(); // tells the view matrix
+        renderAlbedo(); // the host sets the view matrix
     AgaaLight light = AGAA_LIGHT_INIT;
     for (int i = 0; i < 3; ++i) {
         light.direction[i] = -viewMatrix_[size_t(4 * i + 2)]; // the camera's direction, row 2 of the rotation
@@ -142,7 +142,7 @@ double differingShare(const Image& a, const Image& b, float tolerance) {
         bool isShown = false, isDifferent = false;
         for (size_t c = i; c < i + 3; ++c) {
             isShown |= a.pixels[c] != 0 || b.pixels[c] != 0;
-            isDifferent |= !(std::abs(a.pixels[c] - b.pixels[c]) <= tolerance); // also if one is not a number
+            isDifferent |= !(std::abs(a.pixels[c] - b.pixels[c]) <= tolerance); // true for NaN, too
         }
         shown += isShown;
         different += isDifferent;

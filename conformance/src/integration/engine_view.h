@@ -1,4 +1,4 @@
-// A view in the context of the engine under test, and what frames of it show.
+// A view in the context of the engine under test, and its images.
 #pragma once
 
 #include "../suite.h"
@@ -8,13 +8,13 @@
 
 namespace agaa::conformance {
 
-struct Findings; // findings.h
+struct Findings; // declared in findings.h
 
 struct HostTest {
     const AgaaConformanceHost& host;
     const Functions& sdk;
     std::shared_ptr<const Findings> findings = {};
-    // Set when a mistake makes all further checks meaningless, for example pipelines of another view.
+    // Name of the check whose failure makes all further checks meaningless, for example pipelines of another view.
     std::string blockedBy = {};
 };
 
@@ -38,18 +38,19 @@ public:
     EngineView(const EngineView&) = delete;
     EngineView& operator=(const EngineView&) = delete;
 
-    // Ambient light 1, no other light: the image is the diffuse albedo.
+    // Renders with ambient light 1 only: the image is the diffuse albedo.
     Image renderAlbedo();
-    // A light of irradiance pi that shines along the camera's direction: albedo times the cosine of the normal.
+    // Renders with a light of irradiance pi along the camera's direction: the image is albedo times the cosine of the
+    // normal.
     Image renderHeadlight();
     AgaaFrameValidation validate();
-    uint32_t drawPasses() const; // of the view
+    uint32_t drawPasses() const; // number of draw passes of the view
     AgaaCounters counters();
-    // Of the newest frame.
+    // Returns the projection of the newest frame.
     const std::array<float, 16>& projection() const { return projection_; }
 
 private:
-    Image render(AgaaFrame& frame); // which must succeed
+    Image render(AgaaFrame& frame); // the frame must succeed
     AgaaFrame nextFrame();
     Test& test_;
     HostTest& hostTest_;
@@ -60,7 +61,8 @@ private:
     std::array<float, 16> viewMatrix_{}, projection_{};
 };
 
-// Share of the pixels that show something in one of the images, and differ by more than `tolerance` in a channel.
+// Returns the share of the pixels that differ by more than `tolerance` in a channel, among those that are not black in
+// both images.
 double differingShare(const Image& a, const Image& b, float tolerance = 1.0f / 16);
 std::string percent(double share);
 

@@ -6,7 +6,7 @@ namespace agaa::conformance {
 
 namespace {
 
-// While it exists, the engine leaves out alpha-masked objects.
+// The engine leaves out alpha-masked objects during the lifetime of this object.
 class HiddenMasks {
 public:
     explicit HiddenMasks(const AgaaConformanceHost& host) : host_(host) { host_.hideMasked(host_.user, 1); }
@@ -47,7 +47,7 @@ const Findings& findingsOf(Test& test, HostTest& hostTest) {
     try {
         const Image forward = EngineView(test, hostTest, {.technique = "msaa", .samples = 4}).renderAlbedo();
         found->forwardAgainstGBuffer = differingShare(forward, gBuffer);
-    } catch (const Skipped&) { // without "msaa" there is one pass less to judge
+    } catch (const Skipped&) { // the checks do not need "msaa"
     }
     hostTest.findings = found;
     return *hostTest.findings;

@@ -4,7 +4,8 @@
 
 namespace agaa::conformance {
 
-// Counts do not distinguish a mirrored image from another projection: the sentence says what can be compared with the image.
+// Counts do not distinguish a mirrored image from another projection, so the sentence states what the user can compare
+// with the image.
 void checkCamera(Test& test, HostTest& hostTest) {
     EngineView view(test, hostTest, oneSample);
     view.renderAlbedo();
@@ -15,7 +16,7 @@ void checkCamera(Test& test, HostTest& hostTest) {
         hostTest.blockedBy = "integration/camera";
 }
 
-// For checks of what two geometry passes of a frame agree about.
+// Returns the findings. Skips the test if the engine has no two geometry passes.
 static const Findings& findingsOfTwoPasses(Test& test, HostTest& hostTest) {
     const Findings& found = findingsOf(test, hostTest);
     if (found.passes < 2)
@@ -32,14 +33,14 @@ void checkDepthTest(Test& test, HostTest& hostTest) {
     if (!found.isCovered())
         test.skip("it cannot be judged while the passes draw other geometry or other masks.");
     const double share = found.twoPassesAgainstGBuffer;
-    if (!test.check(share <= largestShare || found.isWrittenOnce(),
+    if (!test.check(share <= maxDifferingShare || found.isWrittenOnce(),
                     percent(share) + " of the image differ between \"agaa\" and \"ssaa\", and without the stencil test " +
                         std::to_string(found.ties) +
                         " samples are written again. Usual cause: the depth test of the material pass is not "
                         "AgaaDrawState::depthCompare, which is EQUAL there: hidden surfaces show."))
         return;
-    if (share <= largestShare && found.forwardAgainstGBuffer)
-        test.check(*found.forwardAgainstGBuffer <= largestShare,
+    if (share <= maxDifferingShare && found.forwardAgainstGBuffer)
+        test.check(*found.forwardAgainstGBuffer <= maxDifferingShare,
                    percent(*found.forwardAgainstGBuffer) +
                        " of the image differ between \"msaa\" and \"ssaa\". Usual cause: the depth test of the forward pass is "
                        "not AgaaDrawState::depthCompare, which is EQUAL there, or its keepFirst is not followed.");
@@ -52,7 +53,7 @@ void checkSameGeometry(Test& test, HostTest& hostTest) {
     if (found.isCovered())
         return; // the passes agree
     const bool areMasks = found.twoPassesUnmasked && Findings::isCovered(*found.twoPassesUnmasked);
-    test.check(areMasks, found.twoPasses.explanation + figures(found.twoPasses)); // otherwise the masks' check
+    test.check(areMasks, found.twoPasses.explanation + figures(found.twoPasses)); // or alpha_masks reports it
 }
 
 void checkAlphaMasks(Test& test, HostTest& hostTest) {
@@ -69,8 +70,8 @@ void checkAlphaMasks(Test& test, HostTest& hostTest) {
                    "or alpha is not computed from the same values.");
 }
 
-// The attachments of G-buffers and of the prepass hold no colours: what mixes fragments spoils them. The material pass of
-// "agaa" has no attachments.
+// The attachments of G-buffers and of the prepass hold no colours, so blended fragments corrupt them. The material pass
+// of "agaa" has no attachments.
 void checkBlending(Test& test, HostTest& hostTest) {
     const Findings& found = findingsOf(test, hostTest);
     const std::string causes =
@@ -80,18 +81,19 @@ void checkBlending(Test& test, HostTest& hostTest) {
     if (found.isColorless())
         isRight = test.check(false, "The prepass of \"agaa\" writes depth and leaves its attachment as it was" +
                                         figures(found.twoPasses) + "." + causes);
-    else if (found.isCovered() && found.isWrittenOnce()) // otherwise "agaa" is wrong on its own
-        isRight = test.check(found.twoPassesAgainstGBuffer <= largestShare,
+    else if (found.isCovered() && found.isWrittenOnce()) // otherwise the error is in "agaa"
+        isRight = test.check(found.twoPassesAgainstGBuffer <= maxDifferingShare,
                              percent(found.twoPassesAgainstGBuffer) +
                                  " of the image of \"ssaa\" differ from \"agaa\", whose passes agree." + causes);
     if (!isRight)
-        hostTest.blockedBy = "integration/blending"; // the materials are spoiled
+        hostTest.blockedBy = "integration/blending"; // the materials are corrupt
 }
 
-// Without the stencil test the second draw of a primitive ties with the first. Hidden surfaces do so, too, but show.
+// Without the stencil test, a second draw of a primitive ties with the first one. Surfaces of the scene may also tie,
+// but they remain visible.
 void checkDrawnOnce(Test& test, HostTest& hostTest) {
     const Findings& found = findingsOfTwoPasses(test, hostTest);
-    if (!found.isCovered() || found.twoPassesAgainstGBuffer > largestShare)
+    if (!found.isCovered() || found.twoPassesAgainstGBuffer > maxDifferingShare)
         test.skip("it cannot be judged while another check fails: hidden surfaces tie, too.");
     test.check(found.isWrittenOnce(),
                std::to_string(found.ties) + " sample writes were refused because an equal depth came first" +

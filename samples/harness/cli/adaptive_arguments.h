@@ -20,7 +20,7 @@ struct AdaptiveArguments {
     bool sorted = false;
     bool tileMaximum = false;
     bool sampleFootprints = false;
-    AgaaAdaptiveSampling values = AGAA_ADAPTIVE_SAMPLING_INIT; // that options set directly
+    AgaaAdaptiveSampling values = AGAA_ADAPTIVE_SAMPLING_INIT; // members that options set directly
 
     void addTo(CLI::App& app);
     void apply(TechniqueConfig& config) const; // throws BadArgument

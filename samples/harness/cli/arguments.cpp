@@ -152,8 +152,8 @@ void requireBackend(const std::string& name) {
         throw BadArgument("--backend is \"" + name + "\"; it can be vk or gl.");
 }
 
-// A pattern of the host's own: any number of its first points lies evenly (Roberts 2018, "The Unreasonable Effectiveness of
-// Quasirandom Sequences": R2).
+// Returns the host's pattern. Any number of its first points is evenly distributed (Roberts 2018, "The Unreasonable
+// Effectiveness of Quasirandom Sequences": R2).
 static const std::vector<float>& quasirandomPositions() {
     static const std::vector<float> positions = [] {
         constexpr uint32_t most = 128;
@@ -208,7 +208,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
         config.coverage.samplePositions = quasirandomPositions().data();
     config.coverage.tableSize = arguments.tableSize;
     arguments.adaptive.apply(config);
-    config.aggregation.litShadows = arguments.lit ? 1 : 0; // scenes have one
+    config.aggregation.litShadows = arguments.lit ? 1 : 0; // bit 0: a scene has one shadow map
     const auto flag = [&](bool on, uint64_t bit) { config.flags |= on ? bit : 0; };
     flag(arguments.splitSurfaces, AGAA_CONFIG_SPLIT_SURFACES);
     flag(arguments.fineMaterials, AGAA_CONFIG_FINE_MATERIALS);
@@ -238,7 +238,7 @@ Configuration::Configuration(const PlanArguments& arguments) {
         return;
     if (config.applyPreset(arguments.preset.c_str()) != AGAA_OK)
         throw BadArgument("--preset is \"" + arguments.preset + "\"; it can be paper, fast, balanced or accurate.");
-    // The sample engine can fetch, and does where a preset is for that.
+    // The sample engine has fetch functions. It uses them if a preset needs them.
     if (arguments.preset != "paper" && config.generationTier == AGAA_TIER_AUTO && !config.coversByEdges())
         config.generationTier = AGAA_TIER_IDS;
 }

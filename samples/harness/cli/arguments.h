@@ -1,4 +1,4 @@
-// Values of the command line: parsed strictly, with one sentence for what is wrong.
+// Values of the command line. They are parsed strictly; each error is one sentence.
 #pragma once
 
 #include "cli/adaptive_arguments.h"
@@ -11,7 +11,7 @@
 
 namespace harness {
 
-// A wrong argument: exit status 2.
+// Reports a wrong argument. The exit status is 2.
 class BadArgument : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -28,12 +28,12 @@ uint32_t parseStatePolicy(const std::string& name);        // restore, callbacks
 uint32_t parseConstants(const std::string& name);          // block, uniforms, texels
 void requireBackend(const std::string& name);             // vk or gl
 
-// What decides a plan; shared by memory, plan, render and reference.
+// The settings that determine a plan; memory, plan, render and reference share them.
 struct PlanArguments {
     std::string technique = "agaa";
     uint32_t samples = 8;
     uint32_t aggregates = 2;
-    std::string layout = "precise"; // or a file
+    std::string layout = "precise"; // name of a layout or of a file
     std::string brdf = "ggx";
     std::string ndf = "toksvig";
     std::string seeds = "maximin";
@@ -52,12 +52,12 @@ struct PlanArguments {
     bool fineMaterials = false;
     bool lit = false;
     bool buffered = false;
-    uint32_t unfetchedEvery = 0; // of the tier ids: each so-manieth draw is one that cannot be fetched; 0: none
+    uint32_t unfetchedEvery = 0; // tier IDS: every unfetchedEvery-th draw cannot be fetched; 0: none
     std::string view = "none";
-    std::string preset; // or empty
+    std::string preset; // empty: none
     double glossWeight = 0;
     std::string merge = "visible";
-    std::string fragmentsPerPixel = "8"; // or auto
+    std::string fragmentsPerPixel = "8"; // a number, or auto
     uint32_t maxBatches = 1;
     bool exact = false;
     std::string coveragePattern = "library";
@@ -71,13 +71,13 @@ struct PlanArguments {
     std::string size = "640x360";
 };
 
-// An SDK configuration with the memory its pointers lead to.
+// An SDK configuration with the memory that its pointers refer to.
 struct Configuration {
     AgaaLayout layout = AGAA_LAYOUT_INIT;
-    std::string technique; // that config points to
+    std::string technique; // config.technique points to it
     TechniqueConfig config;
     bool vertexPulling = false;
-    bool fitsFragments = false; // --fragments-per-pixel auto: a frame decides
+    bool fitsFragments = false; // --fragments-per-pixel auto: a frame determines the capacity
     bool isModel = false; // --tier native: the papers' model, on an ideal device
     Size size;
 

@@ -28,7 +28,7 @@ AgaaGoal goalOf(const ChooseArguments& arguments) {
     return goal;
 }
 
-// Times and counts of frames of their own: counting makes frames slower.
+// Reads times and counts from different frames, because counting makes frames slower.
 AgaaObservation observe(Renderer& renderer, RenderSettings settings, AgaaViewDesc view, TechniqueConfig& config) {
     AgaaObservation observation = AGAA_OBSERVATION_INIT;
     Sdk sdk;
@@ -43,7 +43,7 @@ AgaaObservation observe(Renderer& renderer, RenderSettings settings, AgaaViewDes
     return observation;
 }
 
-// Of `render`, to render what was chosen.
+// Prints the options of `render` for the chosen settings.
 json optionsJson(const AgaaChoice& choice) {
     json options = json::array();
     const auto add = [&](const char* name, const std::string& value) {

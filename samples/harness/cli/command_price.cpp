@@ -1,4 +1,4 @@
-// price: what effects, samples and aggregates of a view would cost.
+// price: the cost of effects, samples and aggregates of a view.
 #include "cli/commands.h"
 #include "cli/planned_view.h"
 
@@ -16,7 +16,7 @@ using nlohmann::json;
 
 namespace {
 
-// Times of frames with an effect against frames without, by the labels of prices.
+// Times of frames with an effect compared with frames without it, by the labels of prices.
 struct MeasuredTimes {
     bool isGiven = false;
     std::string device;
@@ -101,7 +101,8 @@ void printJson(const std::vector<AgaaPrice>& prices, const MeasuredTimes& times,
     std::cout << object.dump(2) << '\n';
 }
 
-// A number of the view itself has no sign; differences of 0 are dots, so that the others stand out.
+// Numbers of the view itself have no sign. Differences of 0 are printed as dots, so that the other differences stand
+// out.
 std::string numberText(const AgaaPrice& price, double number, int digits) {
     if (price.kind != AGAA_PRICE_VIEW && number == 0)
         return ".";

@@ -9,7 +9,7 @@
 namespace harness {
 
 struct DeviceArguments {
-    std::string backend; // empty: no device is asked for
+    std::string backend; // empty: any device
     bool renderPass = false;
     bool noConditionalRendering = false;
     bool noGeometryShaders = false;
@@ -29,19 +29,19 @@ struct RenderArguments {
     PlanArguments plan;
     DeviceArguments device{"vk"};
     std::string scene = "bamboo";
-    std::string camera; // empty: the scene's own or a default
-    uint32_t lights = 0; // beside those of the scene
+    std::string camera; // empty: the camera of the scene, or a default
+    uint32_t lights = 0; // lights in addition to those of the scene
     std::string jitter = "0,0";
     uint32_t frames = 1;
     uint32_t warmup = 0;
     bool switchFacts = false;
-    std::vector<std::string> without; // effects that are left out
+    std::vector<std::string> without; // effects to leave out
     bool plainFacts = false;
     uint32_t drawOrderSeed = 0;
     uint32_t alphaPoints = 1;
     uint32_t ditherFrame = 0;
-    uint32_t spp = 512; // of reference
-    std::string footprint = "pixel"; // of reference: pixel or sample
+    uint32_t spp = 512; // reference: samples per pixel
+    std::string footprint = "pixel"; // reference: pixel or sample
     bool noCounters = false;
     bool noTimestamps = false;
     std::string png;
@@ -66,30 +66,30 @@ struct CompareArguments {
     double gain = 4;
 };
 
-// Of the scene, as the arguments have it.
+// Changes the facts of the scene as the arguments request.
 void changeFacts(const RenderArguments& arguments, AgaaSceneFacts& facts);
 
 void runCaps(const DeviceArguments& arguments, bool json);
 void runMemory(const PlanArguments& plan, const DeviceArguments& device, bool json);
-// sceneGiven: facts are those of the scene, else all.
+// sceneGiven   true: use the facts of the scene; false: assume all effects
 void runPlan(const RenderArguments& arguments, bool sceneGiven, bool json);
-// What effects and steps of n and c would cost. timesPath: a file of measured times, or empty.
+// Prints the cost of effects and of steps of n and c. timesPath is a file of measured times, or empty.
 void runPrice(const RenderArguments& arguments, const std::string& timesPath, bool sceneGiven, bool json);
-// Settings for a goal. sceneGiven: as of runPlan.
+// Prints settings for a goal. sceneGiven has the same meaning as in runPlan.
 void runChoose(const RenderArguments& arguments, const ChooseArguments& chosen, bool sceneGiven, bool json);
 void runScenes(bool json);
 void runRender(const RenderArguments& arguments, bool json);
 void runReference(const RenderArguments& arguments, bool json);
 void runCompare(const CompareArguments& arguments, bool json);
 
-// Takes an effect out of what the scene calls for, so that the plan drops it. BadArgument for other names.
+// Removes an effect from the facts, so that the plan drops it. Throws BadArgument for unknown names.
 void leaveOut(const std::string& effect, AgaaSceneFacts& facts);
-// The lights that remain without the effects of --without.
+// Returns the lights that remain after --without.
 std::vector<Light> remainingLights(const RenderArguments& arguments, std::vector<Light> lights);
 
 // Shared by commands that render.
 std::unique_ptr<Renderer> makeRenderer(const DeviceArguments& arguments);
-Scene loadSceneArgument(const std::string& nameOrPath); // BadArgument where there is none
+Scene loadSceneArgument(const std::string& nameOrPath); // throws BadArgument if there is none
 RenderSettings renderSettings(const RenderArguments& arguments, const Configuration& configuration,
                               const Scene& scene);
 

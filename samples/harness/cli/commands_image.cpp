@@ -1,4 +1,4 @@
-// reference, compare: images as files.
+// reference and compare: commands that write and read image files.
 #include "cli/commands.h"
 
 #include "image/metrics.h"

@@ -1,4 +1,4 @@
-// caps, memory, plan, scenes: what can be answered without rendering.
+// caps, memory, plan and scenes: queries without rendering.
 #include "cli/commands.h"
 #include "cli/planned_view.h"
 
@@ -22,7 +22,7 @@ json surfaceJson(const AgaaSurface& s) {
             {"bytes", s.bytes}};
 }
 
-// Of AgaaDeviceCaps::flags.
+// Names of the bits of AgaaDeviceCaps::flags.
 json featuresJson(uint64_t flags) {
     json names = json::array();
     for (const auto& [flag, name] : {std::pair{AGAA_DEVICE_POST_DEPTH_COVERAGE, "post-depth-coverage"},

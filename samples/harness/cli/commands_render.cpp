@@ -107,7 +107,7 @@ json countersJson(const AgaaCounters& c) {
             {"once", c.once},
             {"uncovered", c.uncovered},
             {"overlapping", c.overlapping},
-            {"missed", c.uncovered}, // the names of earlier versions
+            {"missed", c.uncovered}, // names of earlier versions
             {"multi", c.overlapping},
             {"ties", c.ties},
             {"sanitised", c.sanitised},
@@ -149,8 +149,8 @@ json messagesJson(Renderer& renderer) {
     return messages;
 }
 
-// Frame times come from frames that are neither timed by pass nor counted; pass times from frames that
-// are not counted.
+// Measures in three runs. Frame times come from frames without pass times and counters, pass times from frames without
+// counters.
 struct Measurement {
     RenderResult plain;
     std::optional<RenderResult> timed;
@@ -226,7 +226,7 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     const Configuration configuration(arguments.plan);
     requireBackend(arguments.device.backend);
     if (!arguments.camera.empty())
-        parseCamera(arguments.camera); // before the scene is loaded
+        parseCamera(arguments.camera); // fails before the scene is loaded
     const Scene scene = loadSceneArgument(arguments.scene);
     RenderSettings settings = renderSettings(arguments, configuration, scene);
     const auto renderer = makeRenderer(arguments.device);
@@ -238,7 +238,7 @@ void runRender(const RenderArguments& arguments, bool asJson) {
         Image shown = m.plain.image;
         const uint32_t view = settings.config.measurement.debugView;
         if (view == AGAA_DEBUG_VIEW_EVENTS || view == AGAA_DEBUG_VIEW_AGGREGATES || view == AGAA_DEBUG_VIEW_PRIMITIVES)
-            for (float& value : shown.rgb) // one is mid-grey, eight are near white
+            for (float& value : shown.rgb) // one event is mid-grey, eight are near white
                 value *= 0.25f;
         writePng(arguments.png, shown);
     }

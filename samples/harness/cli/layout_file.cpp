@@ -22,7 +22,7 @@ static uint32_t indexOf(const std::string& name, std::initializer_list<const cha
     throw BadArgument(file + ": \"" + name + "\" is not known in a layout.");
 }
 
-// As long as the process lives, because AgaaLayoutAttribute points to it.
+// Returns a string that lives as long as the process, because AgaaLayoutAttribute points to it.
 static const char* kept(std::string name) {
     static std::set<std::string> names;
     return names.insert(std::move(name)).first->c_str();

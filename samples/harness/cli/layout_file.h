@@ -9,7 +9,7 @@
 
 namespace harness {
 
-// Throws BadArgument where it is none of these.
+// Throws BadArgument if the name is none of these.
 AgaaLayout readLayout(const std::string& nameOrFile);
 
 } // namespace harness

@@ -115,7 +115,8 @@ void addGoalOptions(CLI::App& app, ChooseArguments& a) {
     app.add_flag("--observe", a.observe, "render frames of --technique, or of single, and choose by what they show");
 }
 
-// What the API said when devices went, of objects that were left, say: the exit status.
+// Prints the messages of the graphics API from the destruction of devices, for example about leaked objects. Returns
+// the exit status.
 int tellLeftovers() {
     const std::vector<ApiMessage> messages = takeLeftoverMessages();
     for (const ApiMessage& message : messages)

@@ -25,7 +25,7 @@ uint32_t tierOf(const json& row) {
     return tier;
 }
 
-// A cast to an unsigned number would change others.
+// The cast to an unsigned number needs a non-negative integer.
 template <class T> T countOf(const json& number) {
     if (!number.is_number_unsigned() || number.get<uint64_t>() > std::numeric_limits<T>::max())
         throw std::runtime_error(number.dump() + " is no count.");

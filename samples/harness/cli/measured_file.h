@@ -1,7 +1,7 @@
-// Measured settings of a file that benchmark/calibrate.py writes:
-// {"measured": [{"technique": "agaa", "preset": "fast", "samples": 8, "aggregates": 1, "tier": "gbuffer", "pixels": 57600,
+// Measured settings of a file that benchmark/calibrate.py writes: {"measured": [{"technique": "agaa", "preset": "fast",
+// "samples": 8, "aggregates": 1, "tier": "gbuffer", "pixels": 57600,
 //                "errorShare": 0.2, "error": 0.001, "geometryMs": 20, "shadingMs": 40}, …]}
-// preset and tier may be null; without pixels and times, nothing was timed.
+// preset and tier may be null. Entries without pixels and times were not timed.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -14,12 +14,12 @@ namespace harness {
 
 class MeasuredFile {
 public:
-    // Throws where the file is not one.
+    // Throws if the file has another format.
     explicit MeasuredFile(const std::string& path);
     MeasuredFile(const MeasuredFile&) = delete;
     MeasuredFile& operator=(const MeasuredFile&) = delete;
 
-    // They point into this object.
+    // The elements point into this object.
     const std::vector<AgaaMeasuredSettings>& settings() const { return settings_; }
 
 private:

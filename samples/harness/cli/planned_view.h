@@ -1,4 +1,4 @@
-// Views that are planned and not created: their device, facts and functions.
+// Views that are planned but not created: their device, facts and functions.
 #pragma once
 
 #include "cli/commands.h"
@@ -21,18 +21,18 @@ private:
     AgaaLog log_ = {AGAA_STRUCTURE_TYPE_LOG, sizeof(AgaaLog), nullptr, keepMessage, &message_};
 };
 
-// The device that a plan is made for: the one asked for, else Mesa's software rasterisers' limits,
-// which are the least that the SDK runs on. Empty: the ideal device of the papers' model.
+// Returns the device for a plan: the requested device, else the limits of Mesa's software rasterisers, which are the
+// lowest that the SDK runs on. Empty stands for the ideal device of the papers' model.
 std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration, const DeviceArguments& device);
 
-// Of a plan or of its memory. It points to what it is given.
+// Describes a view for a plan or for its memory. The description points to the arguments.
 AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& facts, const AgaaFetchFunction& fetch,
                     bool reversedZ, bool clipZFromMinusOne);
 
-// Plans depend on there being functions, not on what they say.
+// Plans depend on the presence of functions, not on their texts.
 AgaaFetchFunction anyFetch(bool ofAllDraws);
 
-// sceneGiven: facts are those of the scene, else all. Less the effects of --without.
+// Returns the facts of the scene if sceneGiven, else all effects, without the effects of --without.
 AgaaSceneFacts plannedFacts(const RenderArguments& arguments, bool sceneGiven);
 
 } // namespace harness

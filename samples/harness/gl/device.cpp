@@ -10,8 +10,8 @@ namespace harness::gl {
 
 namespace {
 
-// Of medium severity and above; the rest are remarks, as are those on performance: Mesa tells of every shader
-// variant that a state calls for.
+// Collects messages of medium and high severity. Lower ones are remarks. Messages on performance are skipped, too: Mesa
+// reports every shader variant that a state needs.
 void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei length,
                             const GLchar* text, const void* user) {
     if (type == GL_DEBUG_TYPE_PERFORMANCE)
@@ -109,7 +109,7 @@ void Device::checkTextureSize(uint32_t width, uint32_t height) const {
                                  std::to_string(height) + " pixels here.");
 }
 
-// The display is the process's: other devices may use it, so it is not terminated.
+// The display belongs to the process. Other devices may use it, so it is not terminated.
 void Device::destroy() {
     if (context_) {
         if (eglGetCurrentContext() == context_)

@@ -17,14 +17,14 @@ public:
 
     const GladGLContext& gl() const { return gl_; }
     void makeCurrent() const;
-    // Throws std::runtime_error "OpenGL could not <what>: <error>." where a call has failed: without
-    // validation nobody else tells.
+    // Throws std::runtime_error "OpenGL could not <what>: <error>." if a call failed. Without validation, nothing else
+    // reports it.
     void checkErrors(const char* what) const;
-    // The same for sizes that textures cannot have.
+    // Throws the same error for sizes that textures cannot have.
     void checkTextureSize(uint32_t width, uint32_t height) const;
     std::vector<ApiMessage> takeMessages() { return messages_.take(); }
 
-    // For AgaaGlDeviceDesc.
+    // The callback for AgaaGlDeviceDesc.
     static AgaaGlFunction AGAA_CALL getProcAddr(void* user, const char* name);
 
 private:

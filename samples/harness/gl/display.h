@@ -24,7 +24,7 @@ inline bool hasOpenGl(EGLDisplay display) {
     return context != EGL_NO_CONTEXT && eglDestroyContext(display, context);
 }
 
-// Of the first graphics card that EGL names and this process may use.
+// Returns the display of the first graphics card that EGL lists and this process may use.
 inline EGLDisplay displayOfCard() {
     const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!lists(client, "EGL_EXT_platform_device") ||
@@ -48,8 +48,8 @@ inline EGLDisplay displayOfCard() {
 
 } // namespace detail
 
-// Initialised; Mesa's software rasteriser where there is no card or LIBGL_ALWAYS_SOFTWARE is true, in Mesa's words.
-// EGL_NO_DISPLAY: none.
+// Returns an initialised display, or EGL_NO_DISPLAY. It is Mesa's software rasteriser if there is no card or
+// LIBGL_ALWAYS_SOFTWARE is true as Mesa reads it.
 inline EGLDisplay displayWithoutWindow() {
     const char* software = std::getenv("LIBGL_ALWAYS_SOFTWARE");
     const bool isSoftware = software && software[0] && std::strchr("1tTyY", software[0]);

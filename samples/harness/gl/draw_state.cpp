@@ -25,7 +25,7 @@ void setTarget(const GladGLContext& gl, uint32_t width, uint32_t height) {
         gl.Disable(capability);
     gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     gl.DepthRange(0, 1);
-    gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); // as Vulkan's
+    gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); // the convention of Vulkan
 }
 
 void setDrawState(const GladGLContext& gl, const AgaaDrawState& state) {
@@ -41,7 +41,7 @@ void setDrawState(const GladGLContext& gl, const AgaaDrawState& state) {
     gl.BlendEquation(GL_FUNC_ADD);
     (state.sampleShading ? gl.Enable : gl.Disable)(GL_SAMPLE_SHADING);
     gl.MinSampleShading(1);
-    constexpr GLenum conservativeRasterization = 0x9346; // of GL_NV_conservative_raster
+    constexpr GLenum conservativeRasterization = 0x9346; // GL_NV_conservative_raster
     if (state.conservative)
         gl.Enable(conservativeRasterization);
 }

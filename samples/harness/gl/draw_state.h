@@ -1,4 +1,4 @@
-// The state that the SDK's draw passes and the engine's own ask for.
+// The OpenGL state of the SDK's and the engine's draw passes.
 #pragma once
 
 #include "agaa_gl.h"
@@ -7,9 +7,9 @@
 
 namespace harness::gl {
 
-// Viewport of the whole target; everything off that could take fragments away or mix them.
+// Sets the viewport to the whole target and disables all state that could discard or blend fragments.
 void setTarget(const GladGLContext& gl, uint32_t width, uint32_t height);
-// Everything in AgaaDrawState but the stencil test, which masked materials may have otherwise.
+// Sets all of AgaaDrawState except the stencil test, which may differ for masked materials.
 void setDrawState(const GladGLContext& gl, const AgaaDrawState& state);
 void setStencilTest(const GladGLContext& gl, bool on);
 

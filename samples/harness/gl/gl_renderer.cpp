@@ -18,14 +18,14 @@ GlRenderer::GlRenderer(const RendererOptions& options)
                                  GL_DYNAMIC_DRAW);
 }
 
-// Objects are deleted in the context that they are of.
+// Objects are deleted in their own context.
 GlRenderer::~GlRenderer() { device_.makeCurrent(); }
 
 uint64_t GlRenderer::viewFlags() const {
     return options_.clipZFromMinusOne ? AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE : 0;
 }
 
-// z in [-w;w] for z in [0;w].
+// Maps z from [0, w] to [-w, w].
 glm::dmat4 GlRenderer::rasterised(const glm::dmat4& projection) const {
     if (!options_.clipZFromMinusOne)
         return projection;
@@ -136,7 +136,7 @@ void GlRenderer::draw(const AgaaDrawTarget& target, const FrameInput& input) {
         gl.UseProgram(program.program.get());
         setStencilTest(gl, draw.isMasked ? target.state.stencilTestMasked : target.state.stencilTest);
         (variant.isDoubleSided ? gl.Disable : gl.Enable)(GL_CULL_FACE);
-        // With y down, what is counter-clockwise on the screen is clockwise in OpenGL's eyes.
+        // y points down, so OpenGL sees triangles that are counter-clockwise on the screen as clockwise.
         gl.FrontFace(variant.isMirrored ? GL_CCW : GL_CW);
         if (mesh.material != material) {
             material = mesh.material;

@@ -1,4 +1,4 @@
-// The sample engine on OpenGL: the host that the SDK is built into.
+// The sample engine on OpenGL: a host of the SDK.
 #pragma once
 
 #include "gl/gpu_fetch.h"
@@ -23,7 +23,7 @@ public:
 
 private:
     SdkLog& log() override { return sdk_.log(); }
-    // Row 0 of a texture is where y = -1 lands: with y down, images are the same as Vulkan's.
+    // Row 0 of a texture is at y = -1. With y down, images are the same as on Vulkan.
     ClipY clipY() const override { return ClipY::Down; }
     uint64_t viewFlags() const override;
     void upload() override;
@@ -46,9 +46,9 @@ private:
     uint32_t outputWidth_ = 0;
     uint32_t outputHeight_ = 0;
     std::optional<gl::GpuScene> gpuScene_;
-    std::optional<gl::GpuFetch> fetch_; // where a view fetches by id
-    std::optional<gl::GpuStrips> strips_; // where a pass pulls vertices
-    const gl::GlSdkView* view_ = nullptr; // in use
+    std::optional<gl::GpuFetch> fetch_; // set if a view fetches materials by id
+    std::optional<gl::GpuStrips> strips_; // set if a pass pulls vertices
+    const gl::GlSdkView* view_ = nullptr; // view in use
 };
 
 } // namespace harness

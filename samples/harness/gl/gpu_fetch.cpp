@@ -8,7 +8,7 @@
 
 namespace harness::gl {
 
-// Of shaders/interface.glsl.
+// Bindings of shaders/interface.glsl.
 constexpr GLuint cameraPlace = 6, firstUnit = 20;
 
 static bool isTexels(GLuint i) { return i >= 2 && i <= 5; }

@@ -1,5 +1,5 @@
-// What the SDK's pass that fetches by id reads: the scene's buffers and texture arrays, bound where frames of the SDK
-// leave them alone.
+// The resources that the SDK's fetching passes read: the scene's buffers and texture arrays. They are bound to points
+// that the SDK does not use.
 #pragma once
 
 #include "gl/gpu_scene.h"
@@ -15,7 +15,7 @@ public:
 
     const AgaaFetchFunction& function() const { return function_; }
     void update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection);
-    // Before a frame.
+    // Must be called before each frame.
     void bind() const;
 
 private:

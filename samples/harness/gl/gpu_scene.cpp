@@ -22,8 +22,8 @@ GLint wrapMode(Wrap wrap) {
     return GL_REPEAT;
 }
 
-// llvmpipe walks the whole footprint of the pixel, which takes minutes where a primitive's gradients are steep;
-// its sister lavapipe accepts the setting and filters without.
+// llvmpipe walks the whole footprint of the pixel, which takes minutes if a primitive's gradients are steep. lavapipe
+// accepts the setting, but filters without it.
 bool hasUsableAnisotropy(const GladGLContext& gl) {
     const std::string renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
     return (gl.ARB_texture_filter_anisotropic || gl.EXT_texture_filter_anisotropic) &&
@@ -32,7 +32,7 @@ bool hasUsableAnisotropy(const GladGLContext& gl) {
 
 Buffer filledBuffer(const GladGLContext& gl, const void* data, size_t bytes, size_t least) {
     Buffer buffer = createBuffer(gl);
-    // A scene may be empty; buffers may not.
+    // A scene may be empty, but a buffer may not.
     gl.NamedBufferData(buffer.get(), GLsizeiptr(std::max(bytes, least)), nullptr, GL_STATIC_DRAW);
     if (bytes)
         gl.NamedBufferSubData(buffer.get(), 0, GLsizeiptr(bytes), data);

@@ -1,4 +1,4 @@
-// A scene on the device: a vertex array, its textures, and each material's constants.
+// A scene on the device: a vertex array, textures, and the constants of each material.
 #pragma once
 
 #include "gl/objects.h"
@@ -9,10 +9,10 @@
 
 namespace harness::gl {
 
-// Besides the material's bindings of 0 to 4.
+// Bindings in addition to the material's bindings 0 to 4.
 constexpr GLuint cameraBinding = 1; // uniform buffer
 
-// As all of the engine's textures are filtered.
+// Sets the filter of all textures of the engine.
 Sampler makeSampler(const GladGLContext& gl, Wrap u, Wrap v);
 
 class GpuScene {
@@ -20,8 +20,8 @@ public:
     GpuScene(const GladGLContext& gl, const Scene& scene);
 
     void bindGeometry() const;
-    // Textures 0 to 3 with their samplers, and the uniform buffer 4. Meshes without a valid material get the
-    // default one.
+    // Binds textures 0 to 3 with their samplers, and the uniform buffer 4. Meshes without a valid material use the
+    // default material.
     void bindMaterial(uint32_t material) const;
     void draw(const Mesh& mesh) const;
     GLuint indices() const { return indices_.get(); }
@@ -44,10 +44,10 @@ private:
     Buffer vertices_;
     Buffer indices_;
     Buffer constants_;
-    GLsizeiptr stride_ = 0; // of constants_
-    std::vector<Texture> textures_; // as Scene::textures, then a white one
+    GLsizeiptr stride_ = 0; // bytes per material in constants_
+    std::vector<Texture> textures_; // Scene::textures, then a white texture
     std::map<std::pair<Wrap, Wrap>, Sampler> samplers_;
-    std::vector<MaterialBindings> materials_; // as Scene::materials, then the default one
+    std::vector<MaterialBindings> materials_; // Scene::materials, then the default material
 };
 
 } // namespace harness::gl

@@ -1,4 +1,4 @@
-// What draws that pull vertices read and need: the scene's vertices and indices as texels, and an index buffer.
+// Resources of draws that pull vertices: the scene's vertices and indices as texels, and an index buffer.
 #pragma once
 
 #include "gl/gpu_scene.h"
@@ -14,7 +14,7 @@ public:
 
 private:
     const GladGLContext* gl_;
-    VertexArray vertexArray_; // without attributes
+    VertexArray vertexArray_; // a vertex array without attributes
     Buffer indices_;
     Texture texels_[2]; // vertices, indices
 };

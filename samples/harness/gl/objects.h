@@ -1,4 +1,4 @@
-// OpenGL objects that delete themselves. Their context must be current when they go.
+// OpenGL objects that delete themselves. Their context must be current at their destruction.
 #pragma once
 
 #include <glad/gl.h>

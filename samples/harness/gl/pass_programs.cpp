@@ -26,7 +26,7 @@ void PassProgram::setDraw(const GladGLContext& gl, const DrawConstants& constant
 PassPrograms::PassPrograms(const GladGLContext& gl, const RendererOptions& options)
     : gl_(&gl), glslVersion_(options.glslVersion), hostOutputs_(options.hostOutputs) {}
 
-// Culling and winding are no part of a program.
+// Culling and winding are not part of a program.
 static Variant programVariant(const Scene& scene, const Draw& draw) {
     Variant variant = variantOf(scene, draw);
     variant.isDoubleSided = false;

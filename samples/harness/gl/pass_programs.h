@@ -1,4 +1,4 @@
-// The sample engine's programs for the SDK's draw passes, kept by the SDK's pipeline key, also across views.
+// The sample engine's programs for the SDK's draw passes, by the SDK's pipeline key. All views share them.
 #pragma once
 
 #include "render/draw_pass.h"
@@ -20,7 +20,7 @@ struct PassProgram {
     GLint index = -1;
     GLint firstIndex = -1;
     GLint firstVertex = -1;
-    GLint constants = -1; // of the SDK
+    GLint constants = -1; // location of the SDK's constants
 
     void setDraw(const GladGLContext& gl, const DrawConstants& constants) const;
 };
@@ -29,9 +29,9 @@ class PassPrograms {
 public:
     PassPrograms(const GladGLContext& gl, const RendererOptions& options);
 
-    // Makes what the draws need and is not there yet. Before the frame: programs take time.
+    // Creates the missing programs for the draws. Must run before the frame, because programs take time to compile.
     void prepare(const DrawPass<AgaaGlDrawPass>& pass, const Scene& scene, const std::vector<Draw>& draws);
-    // Throws std::runtime_error where prepare() was not called for it.
+    // Throws std::runtime_error if prepare() was not called for the pass.
     const PassProgram& program(uint64_t pipelineKey, const Variant& variant) const;
 
 private:

@@ -37,7 +37,7 @@ Program::Program(const GladGLContext& gl, const std::string& vertex, const std::
         const auto attach = [&](GLenum stage, const std::string& text) {
             const GLuint shader = compile(gl, stage, text, name);
             gl.AttachShader(program_, shader);
-            gl.DeleteShader(shader); // when the program goes
+            gl.DeleteShader(shader); // deleted with the program
         };
         attach(GL_VERTEX_SHADER, vertex);
         if (!fragment.empty())

@@ -26,8 +26,8 @@ private:
     GLuint program_ = 0;
 };
 
-// "#version …" and what shaders/interface.glsl needs for OpenGL; vertex stages of old versions also need an
-// extension.
+// Returns "#version …" and the definitions that shaders/interface.glsl needs on OpenGL. Vertex stages of old versions
+// also need an extension.
 std::string versionLine(uint32_t glslVersion);
 std::string vertexText(uint32_t glslVersion, const char* body);
 

@@ -4,8 +4,8 @@ namespace harness::gl {
 
 namespace {
 
-// With AGAA_GL_STATE_CALLBACKS: the sample engine sets all that it relies on before each use, so there is
-// nothing to remember, and only the SDK's objects must not stay bound.
+// The callbacks of AGAA_GL_STATE_CALLBACKS. The sample engine sets all state before each use, so nothing is saved. Only
+// the SDK's objects must not stay bound.
 AgaaResult AGAA_CALL pushState(void*) { return AGAA_OK; }
 
 AgaaResult AGAA_CALL popState(void* user) {

@@ -10,9 +10,9 @@ namespace harness::gl {
 
 using GlSdkView = SdkView<DrawPass<AgaaGlDrawPass>>;
 
-// Where the engine lets the SDK bind: beside its own camera and materials.
-constexpr uint32_t sdkConstantsUnit = 9; // with AGAA_GL_CONSTANTS_TEXELS
-constexpr uint32_t sdkBindings[AGAA_GL_BINDING_COUNT] = {0, 4, 2, 3, 5, 5, 6, 7, 8, 6}; // by AgaaGlBinding
+// Binding points for the SDK, which the engine's camera and materials do not use.
+constexpr uint32_t sdkConstantsUnit = 9; // for AGAA_GL_CONSTANTS_TEXELS
+constexpr uint32_t sdkBindings[AGAA_GL_BINDING_COUNT] = {0, 4, 2, 3, 5, 5, 6, 7, 8, 6}; // indexed by AgaaGlBinding
 
 class SdkContext {
 public:
@@ -23,7 +23,7 @@ public:
 
     const AgaaDeviceCaps& caps() const { return caps_; }
     SdkLog& log() { return log_; }
-    const GlSdkView& view(const AgaaViewDesc& desc); // as SdkViews::get
+    const GlSdkView& view(const AgaaViewDesc& desc); // see SdkViews::get
 
 private:
     SdkLog log_;

@@ -11,10 +11,10 @@ class ShadowMaps {
 public:
     ShadowMaps(const GladGLContext& gl, uint32_t size);
 
-    // Renders where the lights, the camera or the offset differ from the last call.
+    // Renders if the lights, the camera or the offset differ from the last call.
     void update(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
                 const CameraMatrices& camera);
-    // The scene has changed.
+    // Must be called when the scene changes.
     void invalidate() { key_.clear(); }
 
     const std::vector<AgaaShadow>& shadows() const { return shadows_; }
@@ -33,7 +33,7 @@ private:
     Framebuffer framebuffer_;
     std::vector<Texture> maps_;
     std::vector<AgaaShadow> shadows_;
-    std::vector<double> key_; // what the maps were rendered for
+    std::vector<double> key_; // key of the rendered maps
 };
 
 } // namespace harness::gl

@@ -1,4 +1,4 @@
-// What every function that takes an image expects of it.
+// Checks of image arguments.
 #pragma once
 
 #include "image/image.h"
@@ -10,8 +10,8 @@ namespace harness {
 // "640x360"
 std::string sizeOf(const Image& image);
 
-// Throws std::runtime_error where the image has no pixels or not 3 values for each of them; `what`
-// is the subject of the message, one sentence.
+// Throws std::runtime_error if the image has no pixels, or not 3 values per pixel. The message is one sentence with the
+// subject `what`.
 void requireConsistent(const Image& image, const std::string& what);
 
 } // namespace harness

@@ -18,11 +18,11 @@ namespace harness {
 namespace {
 
 constexpr std::array<const char*, 3> channelNames = {"R", "G", "B"};
-// A damaged header must not make us ask for all the memory there is.
+// The limit keeps a damaged header from causing a huge allocation.
 constexpr int64_t maxSide = 1 << 16;
 constexpr int64_t maxPixels = int64_t(1) << 28;
 
-// The library's messages may hold several sentences and line breaks; ours is one sentence.
+// The library's messages may have several sentences and line breaks. The result is one sentence.
 std::string oneSentence(std::string text) {
     for (char& c : text) {
         if (c == '\n' || c == '\r')
@@ -91,7 +91,7 @@ void writeExr(const std::filesystem::path& path, const Image& image) {
         Imf::Header header(int(image.width), int(image.height));
         header.compression() = Imf::ZIP_COMPRESSION;
         Imf::FrameBuffer frame;
-        // The library wants writable memory and only reads it.
+        // The library takes writable memory, but only reads it.
         float* pixels = const_cast<float*>(image.rgb.data());
         for (size_t c = 0; c < channelNames.size(); ++c) {
             header.channels().insert(channelNames[c], Imf::Channel(Imf::FLOAT));

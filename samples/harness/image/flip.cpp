@@ -39,7 +39,7 @@ constexpr Mat3 inverse(const Mat3& m) {
     Mat3 out{};
     for (size_t row = 0; row < 3; ++row) {
         for (size_t column = 0; column < 3; ++column) {
-            // Cofactor of the transposed element; cyclic indices carry its sign.
+            // Cofactor of the transposed element. Cyclic indices give it its sign.
             const size_t r1 = (column + 1) % 3, r2 = (column + 2) % 3;
             const size_t c1 = (row + 1) % 3, c2 = (row + 2) % 3;
             out[row][column] = m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];
@@ -61,7 +61,7 @@ double srgbToLinear(double value) {
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
-// YCxCz: L*a*b* without its cube root, so that it is linear in light and can be filtered.
+// Converts to YCxCz: L*a*b* without its cube root, so that it is linear in light and can be filtered.
 Vec3 linearToYcxcz(const Vec3& rgb) {
     const Vec3 xyz = multiply(rgbToXyz, rgb);
     const double x = xyz[0] / whiteXyz[0], y = xyz[1] / whiteXyz[1], z = xyz[2] / whiteXyz[2];
@@ -80,7 +80,7 @@ double labCurve(double t) {
     return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
 }
 
-// L*a*b* with the Hunt effect: chroma is seen less where it is dark.
+// Converts to L*a*b* with the Hunt effect: chroma is less visible in dark colours.
 Vec3 linearToHuntLab(const Vec3& rgb) {
     const Vec3 xyz = multiply(rgbToXyz, rgb);
     const double x = labCurve(xyz[0] / whiteXyz[0]);
@@ -95,8 +95,7 @@ double hyab(const Vec3& a, const Vec3& b) {
     return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
 }
 
-// out = image filtered with `horizontal` along x and `vertical` along y; pixels beyond the border
-// repeat the border's.
+// Filters the image with `horizontal` along x and `vertical` along y. Pixels beyond the border repeat the border.
 class SeparableFilter {
 public:
     SeparableFilter(size_t width, size_t height) : width_(width), height_(height) {}
@@ -135,7 +134,7 @@ public:
     }
 
 private:
-    // One tap for a whole row at a time, which compilers turn into vector code.
+    // Each tap is applied to a whole row, which compilers vectorise.
     void addScaled(double* out, const double* in, double weight) const {
         for (size_t x = 0; x < width_; ++x)
             out[x] += weight * in[x];
@@ -152,7 +151,7 @@ struct Gaussian {
     double b;
 };
 
-constexpr double largestB = 0.04; // of all channels: they share one radius
+constexpr double largestB = 0.04; // largest b of all channels, which share one radius
 constexpr std::array<Gaussian, 1> achromatic = {{{1, 0.0047}}};
 constexpr std::array<Gaussian, 1> redGreen = {{{1, 0.0053}}};
 constexpr std::array<Gaussian, 2> blueYellow = {{{34.1, 0.04}, {13.5, 0.025}}};
@@ -185,9 +184,8 @@ Plane filterContrast(const SeparableFilter& filter, const Plane& image,
     return sum;
 }
 
-// The smoothing kernel and its first and second derivatives, each with positive weights summing
-// to 1 and negative ones to -1. The signs depend on one axis only, so normalising the factors
-// normalises the product.
+// The smoothing kernel and its first and second derivatives. In each, positive weights sum to 1 and negative weights to
+// -1. The signs depend on one axis only, so normalised factors give a normalised product.
 struct FeatureKernels {
     Kernel smooth, edge, point;
 
@@ -210,7 +208,7 @@ struct FeatureKernels {
     }
 };
 
-// What the metric keeps of one image.
+// The data that the metric derives from one image.
 struct Analysis {
     std::vector<Vec3> lab; // filtered, Hunt-adjusted
     Plane edges;           // magnitudes
@@ -240,7 +238,7 @@ Analysis analyse(const Image& image, double pixelsPerDegree) {
     Analysis out;
     out.lab.resize(count);
     for (size_t i = 0; i < count; ++i) {
-        // Channels filtered apart from each other can leave the display's gamut.
+        // Channels that are filtered separately can leave the gamut of the display.
         Vec3 rgb = ycxczToLinear({opponent[0][i], opponent[1][i], opponent[2][i]});
         for (double& value : rgb)
             value = std::clamp(value, 0.0, 1.0);
@@ -266,7 +264,7 @@ std::vector<float> flipErrorMap(const Image& reference, const Image& test, doubl
     const Analysis a = analyse(reference, pixelsPerDegree);
     const Analysis b = analyse(test, pixelsPerDegree);
 
-    // Of all pairs of displayable colours green and blue lie farthest apart.
+    // Green and blue have the largest distance of all displayable colours.
     const double largest =
         std::pow(hyab(linearToHuntLab({0, 1, 0}), linearToHuntLab({0, 0, 1})), colorExponent);
     const double knee = colorKnee * largest;

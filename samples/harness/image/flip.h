@@ -9,12 +9,12 @@
 
 namespace harness {
 
-// Error of each pixel in [0, 1], rows from top to bottom. Both images hold sRGB-encoded display
-// values; what lies outside [0, 1] is clamped. They must be finite and of equal size.
+// Returns the error of each pixel in [0, 1], rows from top to bottom. Both images hold sRGB-encoded display values;
+// values outside [0, 1] are clamped. The images must be finite and of equal size.
 std::vector<float> flipErrorMap(const Image& reference, const Image& test, double pixelsPerDegree);
 
-// The value below which the given fraction of the values lies, interpolated linearly between the
-// two nearest order statistics. `values` must not be empty.
+// Returns the quantile of the values at the given fraction, interpolated linearly between the two nearest order
+// statistics. `values` must not be empty.
 double percentile(std::vector<float> values, double fraction);
 
 } // namespace harness

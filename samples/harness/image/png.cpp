@@ -1,4 +1,4 @@
-// Tone-mapped PNG and JPEG files, for looking at.
+// Tone-mapped PNG and JPEG files.
 #include "image/check.h"
 #include "image/image.h"
 #include "image/tonemap.h"
@@ -17,7 +17,7 @@ namespace harness {
 namespace {
 
 using Pixel = std::array<uint8_t, 3>;
-// A value that is no number must be seen, and no sensible shading gives this colour.
+// Values that are not a number get a colour that shading does not produce, so that they are visible.
 constexpr Pixel magenta = {255, 0, 255};
 
 uint8_t toByte(double value) {
@@ -51,8 +51,8 @@ void appendBytes(void* context, void* data, int size) {
 
 constexpr int lossless = 0;
 
-// Encodes into memory first: the library's own file writing does not report a full disk. quality: of JPEG, [1;100], or
-// `lossless`, which is PNG.
+// Encodes into memory first, because the library's file functions do not report a full disk. The quality is in [1, 100]
+// for JPEG, or `lossless` for PNG.
 void writeBytes(const std::filesystem::path& path, const Image& size, const std::vector<Pixel>& pixels,
                 int quality = lossless) {
     std::vector<char> encoded;

@@ -8,7 +8,7 @@ namespace harness {
 
 namespace {
 
-// Any direction across v.
+// Returns any direction perpendicular to v.
 glm::dvec3 perpendicular(const glm::dvec3& v) {
     const glm::dvec3 a = glm::abs(v);
     const glm::dvec3 axis = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
@@ -53,8 +53,8 @@ CameraMatrices cameraMatrices(const Scene& scene, const RenderSettings& settings
     m.forward = gaze / m.targetDistance;
     m.view = rotationToView(m.forward, camera.up);
 
-    // Near enough for what surrounds a camera that looks at something distant. The standard depth
-    // range pays for it with precision at its far end, as it does in any engine.
+    // The near plane is close enough for objects around a camera that looks at a distant target. This costs precision
+    // at the far end of the standard depth range, as in any engine.
     const double reach = std::max(farthestCorner(scene, camera.eye), m.targetDistance);
     m.nearPlane = std::max(0.001 * m.targetDistance, 1e-6 * reach);
     m.farPlane = 1.01 * reach + m.nearPlane;

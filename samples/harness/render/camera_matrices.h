@@ -1,5 +1,4 @@
-// The camera as the SDK and the vertex shader want it. Shading space: world axes, origin at the
-// eye.
+// The camera for the SDK and the vertex shader. Shading space has the world's axes and its origin at the eye.
 #pragma once
 
 #include "render/renderer.h"
@@ -8,24 +7,24 @@
 
 namespace harness {
 
-// How a graphics API's clip space looks on the screen.
+// The clip space of a graphics API.
 enum class ClipY { Up, Down };
 
 struct CameraMatrices {
-    glm::dvec3 eye{0}; // world, with the settings' offset
+    glm::dvec3 eye{0}; // in world space, with the settings' offset
     glm::dvec3 forward{0, 0, -1};
     double targetDistance = 1;
     double nearPlane = 0;
-    double farPlane = 0;      // of the standard depth range; the reversed one has none
+    double farPlane = 0;      // far plane of the standard depth range; the reversed range has none
     glm::dmat4 view{1};       // shading space to view space: a rotation
-    glm::dmat4 projection{1}; // as the rasteriser uses it, jitter included
+    glm::dmat4 projection{1}; // view space to clip space, with jitter
     glm::dmat4 viewProjection{1};
 };
 
 CameraMatrices cameraMatrices(const Scene& scene, const RenderSettings& settings, ClipY clipY);
 
-// Object to shading space. In double up to here: the translation of an object far from the world's
-// origin cancels against the eye's.
+// Returns the transform from object to shading space. It is computed in double precision, because the translation of an
+// object far from the world's origin cancels against the eye's.
 glm::dmat4 toShadingSpace(const glm::dmat4& objectToWorld, const glm::dvec3& worldOffset,
                           const glm::dvec3& eye);
 

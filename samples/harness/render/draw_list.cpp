@@ -10,8 +10,7 @@ namespace harness {
 
 namespace {
 
-// Tests the corners against the six planes in homogeneous space, where corners behind the eye need
-// no special case.
+// Tests the corners against the six planes in homogeneous space, in which corners behind the eye need no special case.
 bool isOutside(const Mesh& mesh, const glm::dmat4& objectToClip, double margin) {
     std::array<int, 6> outside{};
     for (int corner = 0; corner < 8; ++corner) {
@@ -30,7 +29,7 @@ bool isOutside(const Mesh& mesh, const glm::dmat4& objectToClip, double margin) 
     return std::any_of(outside.begin(), outside.end(), [](int count) { return count == 8; });
 }
 
-// The standard library's shuffle may differ between implementations; images must not.
+// The shuffle is written out because std::shuffle differs between implementations, and images must not.
 void shuffle(std::vector<Draw>::iterator begin, std::vector<Draw>::iterator end, uint32_t seed) {
     std::mt19937 random(seed);
     for (auto remaining = end - begin; remaining > 1; --remaining)

@@ -1,4 +1,4 @@
-// Draw passes of a view, each with what is the graphics API's own.
+// Draw passes of a view, each with the struct of the graphics API.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -9,19 +9,20 @@
 
 namespace harness {
 
-// Native: AgaaVkDrawPass or AgaaGlDrawPass.
+// Native is AgaaVkDrawPass or AgaaGlDrawPass.
 template <class Native> struct DrawPass : AgaaDrawPass {
     Native native;
 };
 
-// Which outputs the vertex shader of a pass needs: FOR_CORNERS of material.vert. Geometry shaders read some of them.
+// Returns the outputs that the vertex shader of a pass needs: FOR_CORNERS of material.vert. Geometry shaders read a
+// part of them.
 inline int cornerOutputs(const AgaaDrawPass& pass) {
-    if (!pass.glslGeometry) // or the pass needs another vertex shader
+    if (!pass.glslGeometry) // no geometry shader, or another vertex shader
         return 0;
     return std::string_view(pass.glslDeclarations).find("#define AGAA_NEEDS_MATERIAL 1") == std::string_view::npos ? 1 : 2;
 }
 
-// check: throws where a result is an error.
+// `check` throws if a result is an error.
 template <class Native>
 std::vector<DrawPass<Native>> drawPassesOf(AgaaView view, const Native& initial,
                                            const std::function<void(AgaaResult)>& check) {

@@ -8,7 +8,7 @@ namespace harness {
 
 namespace {
 
-// Of the textures of a material: base colour, normal, metallic-roughness, emissive.
+// Kinds of textures of a material: base colour, normal, metallic-roughness, emissive.
 bool isColor(size_t i) { return i == 0 || i == 3; }
 
 uint32_t wrapCode(const Texture& texture, const TextureLayer& at) {

@@ -1,5 +1,5 @@
-// A scene as the SDK's pass that fetches by id reads it (shaders/fetch.glsl): draws and materials for buffers, textures
-// in the layers of arrays.
+// A scene for the SDK's fetching passes (shaders/fetch.glsl): draws and materials for buffers, textures in layers of
+// arrays.
 #pragma once
 
 #include "render/host_material.h"
@@ -19,8 +19,8 @@ struct FetchDraw {
 };
 static_assert(sizeof(FetchDraw) == 112);
 
-// wraps: of the textures, 2 bits of u and 2 of v: 0 repeat, 1 mirror, 2 clamp; then 4 bits each of TextureLayer's
-// repeatsU and repeatsV.
+// Each element of wraps describes a texture: 2 bits for u and 2 bits for v (0 repeat, 1 mirror, 2 clamp), then 4 bits
+// each for TextureLayer::repeatsU and repeatsV.
 struct FetchMaterial {
     MaterialConstants values;
     glm::ivec4 layers;
@@ -39,8 +39,8 @@ struct FetchVertex {
 static_assert(sizeof(FetchVertex) == 48);
 
 struct FetchScene {
-    std::vector<FetchVertex> vertices;    // as Scene::vertices, one at least
-    std::vector<FetchMaterial> materials; // as Scene::materials, then the default one
+    std::vector<FetchVertex> vertices;    // Scene::vertices, at least one
+    std::vector<FetchMaterial> materials; // Scene::materials, then the default material
     TextureArrays colors;                 // sRGB
     TextureArrays values;
     uint32_t maxDraws = 1;
@@ -48,10 +48,10 @@ struct FetchScene {
 };
 FetchScene makeFetchScene(const Scene& scene);
 
-// draws: as they are drawn, which is how ids count them.
+// `draws` are in the order in which they are drawn, because ids follow that order.
 std::vector<FetchDraw> fetchDraws(const Scene& scene, const std::vector<Draw>& draws);
 
-// For AgaaFetchFunction::glsl; without the textures that no material of the scene has.
+// Returns the text for AgaaFetchFunction::glsl, without the textures that no material of the scene uses.
 std::string fetchGlsl(const FetchScene& fetch, bool openGl);
 
 } // namespace harness

@@ -1,15 +1,15 @@
-// Room in lists of fragments, from what a frame asked for.
+// Capacity of the fragment lists, from the fragments of a frame.
 #pragma once
 
 #include "render/renderer.h"
 
 namespace harness {
 
-// AgaaDecoupledCoverage::fragmentsPerPixel for frames that have an eighth more fragments than this one.
+// Returns AgaaDecoupledCoverage::fragmentsPerPixel for frames with an eighth more fragments than the given frame.
 float roomForFragments(uint64_t fragments, uint32_t width, uint32_t height);
 
-// Draws one frame with little room, which counts all fragments, and sets the room in settings. Without lists nothing
-// happens.
+// Draws one frame with a small capacity, which counts all fragments, and sets the capacity in the settings. It does
+// nothing for techniques without lists.
 void fitFragmentRoom(Renderer& renderer, RenderSettings& settings);
 
 } // namespace harness

@@ -48,11 +48,11 @@ void checkMeshes(const Scene& scene) {
 DrawConstants drawConstants(const Scene& scene, const Draw& draw, uint32_t index) {
     DrawConstants c{};
     const glm::dmat3 linear(draw.toShading);
-    // The inverse transpose by cofactors: defined for flattened objects too.
+    // Cofactors give the inverse transpose, also for flattened objects.
     const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                glm::cross(linear[0], linear[1]));
     const double sign = draw.isMirrored ? -1 : 1;
-    // Normals are made unit length in the shader; here they only must not leave float's range.
+    // The shader normalises normals. The scale here only keeps them within the range of float.
     double largest = 0;
     for (int i = 0; i < 3; ++i)
         largest = std::max(largest, glm::length(cofactors[i]));

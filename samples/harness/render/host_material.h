@@ -1,4 +1,4 @@
-// What the sample engine's shaders are told of materials and draws (shaders/material.*).
+// Constants of materials and draws for the sample engine's shaders (shaders/material.*).
 #pragma once
 
 #include "render/draw_list.h"
@@ -12,7 +12,7 @@ namespace harness {
 constexpr uint32_t materialTextureCount = 4;
 constexpr uint32_t materialConstantsBinding = 4;
 
-// As the shaders' Material block, std140.
+// Matches the block Material of the shaders (std140).
 struct MaterialConstants {
     glm::vec4 baseColor{1};
     glm::vec3 emissive{0};
@@ -24,16 +24,16 @@ struct MaterialConstants {
 };
 static_assert(sizeof(MaterialConstants) == 48);
 MaterialConstants materialConstants(const Material& material);
-// Indices into Scene::textures; -1 where the material has no such texture.
+// Returns indices into Scene::textures; -1 if the material has no such texture.
 std::array<int, materialTextureCount> materialTextures(const Scene& scene, const Material& material);
 
-// The constant `features` of material.frag: bits of the textures in their order, then of the alpha test.
+// Returns the constant `features` of material.frag: bits of the textures in their order, then bits of the alpha test.
 uint32_t materialFeatures(const Scene& scene, uint32_t material);
 
-// Throws std::runtime_error where a mesh reaches beyond the scene's vertices or indices.
+// Throws std::runtime_error if a mesh exceeds the scene's vertices or indices.
 void checkMeshes(const Scene& scene);
 
-// As the Camera block of object.glsl and material.frag, std140.
+// Matches the block Camera of object.glsl and material.frag (std140).
 struct CameraConstants {
     glm::mat4 viewProjection;
     float footprint;
@@ -41,19 +41,19 @@ struct CameraConstants {
 };
 static_assert(sizeof(CameraConstants) == 80);
 
-// As object.glsl's Draw block.
+// Matches the block Draw of object.glsl.
 struct DrawConstants {
     std::array<glm::vec4, 3> toShading;
     std::array<glm::vec4, 3> normalToShading;
     uint32_t seed;
     float handedness;
     uint32_t index;
-    uint32_t firstIndex; // of the mesh
+    uint32_t firstIndex; // first index of the mesh
     uint32_t firstVertex;
 };
 static_assert(sizeof(DrawConstants) <= 128, "Vulkan promises no more push constants than this.");
 
-// index: in the frame's list of draws.
+// `index` is the index in the frame's list of draws.
 DrawConstants drawConstants(const Scene& scene, const Draw& draw, uint32_t index);
 
 struct Variant {

@@ -10,8 +10,8 @@
 
 namespace harness {
 
-// What the settings name and the scene has: an effect counts where both agree. Numbers of lights
-// are the scene's own.
+// Combines the facts of the settings and the scene. An effect is set if both have it. Numbers of lights come from the
+// scene.
 static AgaaSceneFacts completeFacts(const Scene& scene, const RenderSettings& settings) {
     const AgaaSceneFacts found = sceneFacts(scene, settings.lights);
     AgaaSceneFacts facts = settings.facts;
@@ -61,7 +61,7 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
     DrawListOptions options;
     options.useMasked = input.useMasked = (facts.flags & AGAA_FACT_ALPHA_MASKED) != 0;
     options.alphaPoints = settings.alphaPoints;
-    // Some targets are a pixel wider than the image on each side, or shifted by a part of one.
+    // Some targets are a pixel wider than the image on each side, or shifted by a part of a pixel.
     options.clipMargin = 4.0 / std::min(settings.width, settings.height);
     options.shuffleSeed = settings.drawOrderSeed;
     input.draws = makeDrawList(scene_, settings.worldOffset, input.camera.eye,

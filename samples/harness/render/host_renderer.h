@@ -1,5 +1,5 @@
-// What a frame of the sample engine is, whatever API draws it: facts, camera, lights, draws, and the order in which
-// a renderer is asked for them.
+// The part of a frame of the sample engine that does not depend on the graphics API: facts, camera, lights, draws, and
+// the order of the steps.
 #pragma once
 
 #include "render/camera_matrices.h"
@@ -17,7 +17,7 @@ class HostRenderer : public Renderer {
 public:
     void load(const Scene& scene) override;
     RenderResult render(const RenderSettings& settings) override;
-    // The SDK's warnings and errors so far.
+    // Returns the SDK's warnings and errors so far.
     const std::vector<std::string>& sdkTexts() { return log().texts(); }
 
 protected:
@@ -25,8 +25,8 @@ protected:
         const RenderSettings& settings;
         CameraMatrices camera;
         std::vector<AgaaLight> lights;
-        std::vector<AgaaLight> unshadowed; // the same without shadows
-        const AgaaSceneFacts* facts = nullptr; // of the frame; null: those of the view
+        std::vector<AgaaLight> unshadowed; // lights without shadows
+        const AgaaSceneFacts* facts = nullptr; // facts of the frame; null: the facts of the view
         std::vector<Draw> draws;
         bool useMasked = true;
     };
@@ -34,17 +34,18 @@ protected:
     virtual SdkLog& log() = 0;
     virtual ClipY clipY() const = 0;
     virtual uint64_t viewFlags() const { return 0; }
-    // The projection for z in [0;w] as this API's rasteriser wants it.
+    // Converts a projection for z in [0, w] to the clip space of the API.
     virtual glm::dmat4 rasterised(const glm::dmat4& projection) const { return projection; }
-    // Of the scene that scene() now is.
+    // Uploads scene() to the device.
     virtual void upload() = 0;
-    // For views that fetch: the function that fetches scene()'s materials. coversByEdges: the tier is not IDS.
+    // Returns the function that fetches the materials of scene(), for views that fetch. `coversByEdges` is true if the
+    // tier is not IDS.
     virtual const AgaaFetchFunction* fetchFunction(bool coversByEdges) = 0;
-    // First of all, so that the SDK refuses what it cannot do, in its own words.
+    // Runs before all other steps, so that the SDK reports unsupported settings itself.
     virtual AgaaView useView(const AgaaViewDesc& desc) = 0;
-    // Output, shadow maps and pipelines that the frames need.
+    // Creates the output, shadow maps and pipelines that the frames need.
     virtual void prepare(const FrameInput& input) = 0;
-    // One frame, waited for, through record(). Returns milliseconds.
+    // Renders one frame through record() and waits for it. Returns milliseconds.
     virtual double renderFrame(const FrameInput& input) = 0;
     virtual Image readOutput() = 0;
     virtual const std::vector<AgaaShadow>& shadows() const = 0;
@@ -57,16 +58,16 @@ protected:
 
 private:
     AgaaFrame describeFrame(const FrameInput& input) const;
-    // The SDK's callback: no exception may leave it, so errors wait in drawError_.
+    // The callback of the SDK. No exception may leave it, so drawError_ keeps errors.
     static AgaaResult AGAA_CALL onDraw(void* user, const AgaaDrawTarget* target);
 
     Scene scene_;
     bool isLoaded_ = false;
-    uint64_t frameIndex_ = 0; // of the newest frame; all are waited for
-    const FrameInput* input_ = nullptr; // of the frame being recorded
+    uint64_t frameIndex_ = 0; // index of the newest frame; the renderer waits for each frame
+    const FrameInput* input_ = nullptr; // input of the frame that is being recorded
     using Clock = std::chrono::steady_clock;
-    Clock::duration recordTime_{}; // of the SDK in the newest frame, with drawTime_
-    Clock::duration drawTime_{};   // of the callback
+    Clock::duration recordTime_{}; // time in the SDK in the newest frame, including drawTime_
+    Clock::duration drawTime_{};   // time in the draw callback
     std::string drawError_;
 };
 

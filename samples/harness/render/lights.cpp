@@ -25,7 +25,7 @@ glm::dvec3 unitDirection(const Light& light) {
     if (length > 0)
         return light.direction / length;
     if (light.type == LightType::Point)
-        return {0, -1, 0}; // not used, but the SDK asks for a unit vector
+        return {0, -1, 0}; // not used, but the SDK requires a unit vector
     throw std::runtime_error("A light has no direction.");
 }
 
@@ -53,13 +53,13 @@ std::vector<AgaaLight> toAgaaLights(const std::vector<Light>& lights, const glm:
         const glm::dvec3 position = light.position + worldOffset - eye;
         const glm::dvec3 direction = unitDirection(light);
         for (int c = 0; c < 3; ++c) {
-            // A directional light has no place; far from the origin the number would only confuse.
+            // A directional light has no position, so it gets 0 instead of a large offset.
             out.position[c] = light.type == LightType::Directional ? 0.0f : float(position[c]);
             out.direction[c] = float(direction[c]);
             out.color[c] = light.color[c];
         }
         out.range = light.type == LightType::Directional ? 0.0f : light.range;
-        // Lamps stand wherever a scene put them, at walls and inside of them too.
+        // A scene may place lamps at walls and even inside of them.
         out.radius = light.range > 0 ? 0.02f * light.range : 0.01f;
         if (light.type == LightType::Spot) {
             out.cosOuter = std::cos(light.outerCone);

@@ -7,10 +7,10 @@
 
 namespace harness {
 
-// Indices of the lights that get a shadow map, in the order of the maps: as many as the SDK takes.
+// Returns the indices of the lights with a shadow map, in the order of the maps, up to the SDK's limit.
 std::vector<size_t> shadowedLights(const std::vector<Light>& lights);
 
-// Positions become relative to the eye in double.
+// Positions become relative to the eye in double precision.
 std::vector<AgaaLight> toAgaaLights(const std::vector<Light>& lights, const glm::dvec3& worldOffset,
                                     const glm::dvec3& eye);
 

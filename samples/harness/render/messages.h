@@ -1,4 +1,4 @@
-// Collects what validation layers and drivers report, less what the allow-list excuses.
+// Collects the messages of validation layers and drivers, except those on the allow-list.
 #pragma once
 
 #include "render/renderer.h"
@@ -9,7 +9,7 @@
 
 namespace harness {
 
-// One line of allowed_messages.txt, and whether this process has met a message that it excuses.
+// One line of allowed_messages.txt, and whether this process has received a message that it allows.
 struct AllowedMessage {
     std::string id;
     std::string substring;
@@ -17,26 +17,26 @@ struct AllowedMessage {
     bool isUsed = false;
 };
 
-// The allow-list as used so far by all renderers of this process: tests fail on unused entries.
+// Returns the allow-list with its use by all renderers of this process. Tests fail on unused entries.
 std::vector<AllowedMessage> allowedMessages();
 
-// Messages that came when a renderer was destroyed, such as of leaked objects, or that nobody took
-// before. Since the last call, of all renderers of this process.
+// Returns messages of destroyed renderers, for example about leaked objects, and messages that nobody took before. They
+// come from all renderers of this process since the last call.
 std::vector<ApiMessage> takeLeftoverMessages();
 
-// Parses the allow-list. Throws std::runtime_error naming the line that is not of its form.
+// Parses the allow-list. Throws std::runtime_error that names an invalid line.
 std::vector<AllowedMessage> parseAllowedMessages(const std::string& text);
 
-// What an API's debug callback reports; the collector must stay where it is as long as that may call.
+// Collects the reports of an API's debug callback. The collector must not move while the callback may run.
 class MessageCollector {
 public:
-    void add(ApiMessage message); // unless the allow-list excuses it
+    void add(ApiMessage message); // ignored if the allow-list has it
     std::vector<ApiMessage> take();
-    // For takeLeftoverMessages(), when no more can come.
+    // Hands the messages to takeLeftoverMessages() when no more can arrive.
     void giveUp();
 
 private:
-    std::mutex mutex_; // drivers may report from threads of their own
+    std::mutex mutex_; // drivers may report from any thread
     std::vector<ApiMessage> messages_;
 };
 

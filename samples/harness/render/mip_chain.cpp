@@ -38,8 +38,7 @@ const std::array<float, 256>& decodeTable() {
     return table;
 }
 
-// Fine enough that the steepest part of the curve, 12.92 at 0, moves by a fifth of a code per
-// entry.
+// The table is fine enough: at the steepest part of the curve, 12.92 at 0, an entry is a fifth of a code.
 constexpr size_t encodeSize = 16384;
 const std::array<uint8_t, encodeSize + 1>& encodeTable() {
     static const std::array<uint8_t, encodeSize + 1> table = [] {
@@ -69,8 +68,8 @@ FloatLevel decode(const Texture& texture) {
     return level;
 }
 
-// Odd sizes: the last row or column of the level above goes into the last texel with the others, by
-// the part of it that the box covers.
+// If a size is odd, the last row or column of the level above contributes to the last texel by the share that the box
+// covers.
 struct Taps {
     std::array<uint32_t, 3> index{};
     std::array<float, 3> weight{};
@@ -127,14 +126,14 @@ FloatLevel halve(const FloatLevel& in, bool weightByAlpha) {
     return out;
 }
 
-// The share of a level's area where alpha times scale, stored in texels up to 1 and filtered bilinearly, passes the
-// test, counted at evenly spaced places; more of them a texel where there are few texels.
+// Returns the share of a level's area that passes the alpha test. Alpha is multiplied by `scale`, clamped to 1 per
+// texel, and filtered bilinearly. The test runs at evenly spaced points; small levels have more points per texel.
 double passingShare(const FloatLevel& level, const Texture& source, float scale, float cutoff) {
     const uint32_t side = level.texels.size() > 4096 ? 4 : 8;
-    const auto wrapped = [](uint32_t i, uint32_t size, Wrap wrap) { // i: 1 more than the texel's number
+    const auto wrapped = [](uint32_t i, uint32_t size, Wrap wrap) { // i is the index of the texel plus 1
         if (wrap == Wrap::Repeat)
             return (i + size - 1) % size;
-        return std::clamp(i, 1u, size) - 1; // a mirror's neighbour at the edge is the texel itself
+        return std::clamp(i, 1u, size) - 1; // a mirrored texture repeats the texel at the edge
     };
     const auto alpha = [&](uint32_t x, uint32_t y) {
         const size_t row = wrapped(y, level.height, source.wrapV);
@@ -144,7 +143,7 @@ double passingShare(const FloatLevel& level, const Texture& source, float scale,
     for (uint32_t j = 0; j <= level.height; ++j)
         for (uint32_t i = 0; i <= level.width; ++i) {
             const float a = alpha(i, j), b = alpha(i + 1, j), c = alpha(i, j + 1), d = alpha(i + 1, j + 1);
-            // Between texel centres; the first and the last of a row or column have half of that.
+            // Points lie between texel centres; the first and the last interval of a row or column have half of them.
             const uint32_t beginX = i == 0 ? side / 2 : 0, endX = i == level.width ? side / 2 : side;
             const uint32_t beginY = j == 0 ? side / 2 : 0, endY = j == level.height ? side / 2 : side;
             if (std::max({a, b, c, d}) < cutoff)
@@ -158,8 +157,8 @@ double passingShare(const FloatLevel& level, const Texture& source, float scale,
     return double(passing) / (double(side) * side * double(level.texels.size()));
 }
 
-// The scale of alpha by which the share `wanted` of the level passes the test. 1 where no scale comes nearer: small
-// levels have few values.
+// Returns the scale of alpha with which the share `wanted` of the level passes the test. It is 1 if no scale comes
+// nearer: small levels have few values.
 float alphaScale(const FloatLevel& level, const Texture& source, float cutoff, double wanted) {
     const auto share = [&](float scale) { return passingShare(level, source, scale, cutoff); };
     float low = cutoff / 2, high = 16;
@@ -203,7 +202,7 @@ std::vector<MipLevel> makeMipChain(const Texture& texture, const MipOptions& opt
     const double wanted = isTested ? passingShare(level, texture, 1, options.alphaCutoff) : 0;
     while (level.width > 1 || level.height > 1) {
         level = halve(level, isTested);
-        // Where nothing or everything passes, no scale is better than another.
+        // If nothing or everything passes, no scale is better than another.
         const bool isScaled = isTested && wanted > 0 && wanted < 1;
         const float alpha = isScaled ? alphaScale(level, texture, options.alphaCutoff, wanted) : 1.0f;
         levels.push_back(encode(level, texture.srgb, options, alpha));
@@ -213,7 +212,8 @@ std::vector<MipLevel> makeMipChain(const Texture& texture, const MipOptions& opt
 
 namespace {
 
-// Between texel centres; a texel beyond the edge is another one, or by mirroring as by clamping that at the edge.
+// Interpolates between texel centres. A texel beyond the edge is the wrapped one, or with mirroring and clamping the
+// texel at the edge.
 glm::vec4 interpolated(const FloatLevel& level, const Texture& source, double x, double y) {
     const auto wrapped = [](double v, uint32_t size, Wrap wrap) {
         const auto i = int64_t(std::floor(v)), count = int64_t(size);

@@ -1,4 +1,4 @@
-// Quantiles of a few measurements, by linear interpolation between ranks, and how far their median can be trusted.
+// Quantiles of a few measurements by linear interpolation between ranks, and the confidence interval of their median.
 #pragma once
 
 #include <algorithm>
@@ -20,17 +20,18 @@ inline double quantile(std::vector<double> values, double fraction) {
 
 struct MedianBounds {
     double low = 0, high = 0;
-    double confidence = 0; // that the median of what was measured lies between them
+    double confidence = 0; // probability that the median of the distribution lies in the interval
 };
 
-// The nearest two measurements that reach the confidence wanted, by the binomial distribution of how many lie below
-// the median, whatever the measurements' own distribution; the outermost two where they are too few.
+// Returns the nearest two measurements that reach the requested confidence, or the outermost two if there are too few.
+// The number of measurements below the median has a binomial distribution, whatever the distribution of the
+// measurements.
 inline MedianBounds medianBounds(std::vector<double> values, double wanted = 0.95) {
     if (values.empty())
         return {};
     std::sort(values.begin(), values.end());
     const size_t n = values.size();
-    double term = std::pow(0.5, double(n)), tail = term; // that at most k lie below
+    double term = std::pow(0.5, double(n)), tail = term; // tail: probability that at most k lie below
     size_t k = 0;
     while (2 * (k + 1) + 1 < n) {
         term *= double(n - k) / double(k + 1);

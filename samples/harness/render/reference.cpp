@@ -59,7 +59,8 @@ Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t 
     if (footprint == Footprint::Sample)
         settings.footprint = 1 / std::sqrt(double(spp));
     const glm::dvec2 centre = settings.jitter;
-    // A pattern that all frames share would stay in the image, and one that references share in their difference.
+    // A dither pattern that all frames share would remain in the image. A pattern that references share would remain in
+    // their difference.
     const uint32_t firstDither = settings.ditherFrame * spp + 1;
     Accumulator halves[2];
     Reference reference;

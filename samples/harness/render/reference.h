@@ -1,4 +1,4 @@
-// Images of many samples a pixel, accumulated from frames of one sample, each shifted by a part of a pixel.
+// Images of many samples per pixel, accumulated from frames of one sample, each shifted by a part of a pixel.
 #pragma once
 
 #include "image/metrics.h"
@@ -12,45 +12,46 @@
 
 namespace harness {
 
-// Offset i, in [-1/2;1/2) pixels, of a sequence that fills the pixel evenly at every length (Roberts 2018, R2):
-// the box filter of one pixel.
+// Returns offset i, in [-1/2, 1/2) pixels, of a sequence that fills the pixel evenly at every length (Roberts 2018,
+// R2). The filter is a box of one pixel.
 glm::dvec2 pixelOffset(uint32_t i);
 
-// The layout with 16 bits per channel of a sample; null: "precise". Reference images use it: 10 bits for the specular
-// reflectance change dark images by more than a technique's own error, and techniques without a G-buffer do not round.
+// Returns the layout with 16 bits per channel of a sample; null stands for "precise". Reference images use it for two
+// reasons: 10 bits of specular reflectance change dark images by more than a technique's error, and techniques without
+// a G-buffer do not round.
 AgaaLayout referenceLayout(const AgaaLayout* layout);
 
-// Over what the textures of a reference are filtered, so which question it answers.
+// The area over which a reference filters textures. It selects the question that the reference answers.
 enum class Footprint {
-    Pixel,  // a pixel, as by every technique: how far is a technique from all samples of the same textures?
-    Sample, // one of the spp samples: how far are techniques and texture filtering together from the scene?
+    Pixel,  // a pixel, as in every technique: the error against all samples of the same textures
+    Sample, // one of the spp samples: the error of technique and texture filtering together
 };
 
 struct Reference {
     Image image;
-    double splitHalfMse = 0; // of the image, from the difference of its halves
+    double splitHalfMse = 0; // error of the image, from the difference of its halves
     double splitHalfMseTm = 0;
 };
-// The settings' frame by spp samples per pixel (at least 2), around the settings' own jitter. The settings' technique,
-// samples and footprint are not used; their layout is widened. Every frame has one sample, hard cut-outs and random
-// numbers of its own for translucent surfaces. The two halves, which split the frames, share no random numbers;
-// references of the same spp and another ditherFrame do not either.
+// Renders the settings' frame with spp samples per pixel (at least 2) around the settings' jitter. The settings'
+// technique, samples and footprint are not used; their layout is widened. Every frame has one sample, hard cut-outs and
+// its own random numbers for translucent surfaces. The frames form two halves that share no random numbers. References
+// with the same spp and different ditherFrame share none either.
 Reference renderReference(Renderer& renderer, RenderSettings settings, uint32_t spp,
                           const std::function<void(uint32_t done)>& progress = {},
                           Footprint footprint = Footprint::Pixel);
 
-// Those of one scene, rendered when first asked for and kept: backends share them, whose images agree (see the
-// tests) far below a reference's own error.
+// Keeps the references of one scene, which it renders on demand. Backends share them, because the difference of their
+// images (see the tests) is far below the error of a reference.
 class SceneReferences {
 public:
-    // frame: a name of the settings' camera and jitter.
+    // `frame` names the settings' camera and jitter.
     const Reference& get(const std::string& frame, Renderer& renderer, const RenderSettings& settings, uint32_t spp);
 
 private:
     std::map<std::string, Reference> kept_;
 };
 
-// As docs/sweep.md has an error.
+// Returns the error that docs/sweep.md defines.
 nlohmann::json metricsJson(const Metrics& metrics);
 
 } // namespace harness

@@ -1,5 +1,5 @@
-// What the command line and the tests ask of a backend's sample engine: load a scene, render frames
-// through the SDK, read the image and the figures back.
+// The interface of a backend's sample engine for the command line and the tests: load a scene, render frames through
+// the SDK, read back the image and the statistics.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -19,16 +19,16 @@ struct RendererOptions {
     bool renderPass = false;     // Vulkan: VkRenderPass instead of dynamic rendering
     bool inlineRecording = false; // Vulkan: callbacks record into the host's command buffer
     bool noConditionalRendering = false; // Vulkan: the device runs all batches, needed or not
-    bool noGeometryShaders = false; // Vulkan: as on devices that have none
+    bool noGeometryShaders = false; // Vulkan: do not enable geometry shaders
     uint32_t shadowMapSize = 2048;
-    uint32_t keptViews = 2; // of the SDK: measurements take turns between views
+    uint32_t keptViews = 2; // views of the SDK that are kept: measurements alternate between views
     // OpenGL
     bool compatibilityProfile = false;
-    bool clipZFromMinusOne = false; // the default of OpenGL, in place of z/w in [0;1]
+    bool clipZFromMinusOne = false; // the default of OpenGL, instead of z/w in [0, 1]
     bool storageImages = false;     // material shaders without storage blocks
     uint32_t constants = 0;         // AgaaGlConstants
     bool hostOutputs = false;       // material shaders that declare their outputs themselves
-    uint32_t glslVersion = 450;     // of material shaders
+    uint32_t glslVersion = 450;     // GLSL version of material shaders
     uint32_t statePolicy = 0;       // AgaaGlStatePolicy
 };
 
@@ -41,35 +41,35 @@ struct RenderSettings {
     std::vector<Light> lights;
     glm::vec3 ambient{0.25f};
     glm::vec4 background{0.32f, 0.45f, 0.65f, 1.0f};
-    bool reversedZ = true;      // with an infinite far plane
-    glm::dvec2 jitter{0};       // of the image plane, in pixels
+    bool reversedZ = true;      // reversed depth with an infinite far plane
+    glm::dvec2 jitter{0};       // offset of the image plane, in pixels
     uint32_t drawOrderSeed = 0; // != 0: draws are shuffled by this seed
-    glm::dvec3 worldOffset{0};  // added to scene, lights and camera: tests precision far from 0
+    glm::dvec3 worldOffset{0};  // offset of scene, lights and camera, which tests precision far from 0
     uint32_t frames = 1;
     uint32_t warmup = 0;
-    bool switchFacts = false;   // each frame has the next of switchedFacts()
-    double footprint = 1;       // width over which textures are filtered, in pixels (0;1]; not of the tier IDS
-    uint32_t alphaPoints = 1;   // where cut-outs read alpha in a texel of the target: 1, 4 or 16
+    bool switchFacts = false;   // each frame has the next facts of switchedFacts()
+    double footprint = 1;       // width over which textures are filtered, in pixels, (0, 1]; not for the tier IDS
+    uint32_t alphaPoints = 1;   // alpha reads of cut-outs per texel of the target: 1, 4 or 16
     uint32_t ditherFrame = 0;   // AgaaFrame::ditherFrame
-    uint32_t unfetchedEvery = 0; // tier IDS: each so-manieth draw is one that cannot be fetched
-    bool splitSegments = false; // record each segment by a call of its own
+    uint32_t unfetchedEvery = 0; // tier IDS: every unfetchedEvery-th draw cannot be fetched; 0: none
+    bool splitSegments = false; // record each segment in a separate call
     bool vertexPulling = false; // AGAA_VIEW_VERTEX_PULLING
 };
 
-// What the SDK made of a configuration.
+// The result of a configuration in the SDK.
 struct PlanSummary {
     uint32_t samples = 0;
-    uint32_t aggregates = 0; // or surfaces of "sbaa"; 0 where nothing is aggregated
+    uint32_t aggregates = 0; // aggregates, or surfaces of "sbaa"; 0 if the technique has none
     std::vector<std::pair<std::string, std::string>> tiers; // stage, tier
 };
 
 struct RenderResult {
-    Image image; // of the last frame, linear
-    std::vector<double> frameMs; // submission to completion, per counted frame, without warm-up
-    std::vector<double> wholeFrameMs; // the same, from the beginning of recording
-    std::vector<double> recordMs; // elapsed in the SDK's recording calls, without the draw callbacks
+    Image image; // image of the last frame, linear
+    std::vector<double> frameMs; // time from submission to completion per counted frame, without warm-up
+    std::vector<double> wholeFrameMs; // time from the beginning of recording to completion
+    std::vector<double> recordMs; // time in the SDK's recording calls, without the draw callbacks
     std::vector<AgaaFrameStatistics> statistics; // per counted frame
-    std::optional<AgaaFactReport> facts; // of the last frame, with AGAA_CONFIG_CHECK_FACTS
+    std::optional<AgaaFactReport> facts; // report of the last frame, with AGAA_CONFIG_CHECK_FACTS
     AgaaMemoryReport memory = AGAA_MEMORY_REPORT_INIT; // predicted for this device
     PlanSummary plan;
 };
@@ -85,20 +85,20 @@ class Renderer {
 public:
     virtual ~Renderer() = default;
     virtual const AgaaDeviceCaps& caps() const = 0;
-    // Uploads a scene in place of the one before. Throws std::runtime_error.
+    // Replaces the scene on the device. Throws std::runtime_error.
     virtual void load(const Scene& scene) = 0;
-    // Throws std::runtime_error with the SDK's own sentence where the SDK refuses.
+    // Throws std::runtime_error with the SDK's sentence if the SDK reports an error.
     virtual RenderResult render(const RenderSettings& settings) = 0;
-    // Messages since the last call.
+    // Returns the messages since the last call.
     virtual std::vector<ApiMessage> takeMessages() = 0;
 };
 
 std::unique_ptr<Renderer> makeVulkanRenderer(const RendererOptions& options);
 std::unique_ptr<Renderer> makeGlRenderer(const RendererOptions& options);
 
-// Facts of a scene and its lights, as the SDK wants them declared.
+// Returns the facts of a scene and its lights for the SDK.
 AgaaSceneFacts sceneFacts(const Scene& scene, const std::vector<Light>& lights);
-// Facts that frames take turns with: those of the view, then each effect left out, then all of them.
+// Returns the facts between which frames alternate: the facts of the view, then each effect left out, then all of them.
 std::vector<AgaaSceneFacts> switchedFacts(const AgaaSceneFacts& view);
 
 } // namespace harness

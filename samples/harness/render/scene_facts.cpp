@@ -1,4 +1,4 @@
-// What a scene calls for, and what all of its materials and lights have in common.
+// The effects that a scene uses, and the properties that all of its materials and lights share.
 #include "render/draw_list.h"
 #include "render/lights.h"
 #include "render/renderer.h"
@@ -25,13 +25,13 @@ std::vector<UsedMaterial> usedMaterials(const Scene& scene) {
     return used;
 }
 
-// As shaders/material.glsl.
+// Matches shaders/material.glsl.
 float alpha2Of(float roughness) {
     const float alpha = std::max(roughness, 0.089f) * std::max(roughness, 0.089f);
     return std::min(alpha * alpha, 1.0f);
 }
 
-// Whether the normals of a mesh's vertices are those of its triangles, as far as the SDK tells them apart.
+// Returns whether the vertex normals of a mesh equal the normals of its triangles within the tolerance of the SDK.
 bool isFlat(const Scene& scene, const Mesh& mesh) {
     constexpr float least = 0.9998f;
     for (uint32_t i = 0; i + 2 < mesh.indexCount; i += 3) {
@@ -63,7 +63,7 @@ uint64_t commonValues(const Scene& scene, const std::vector<UsedMaterial>& used,
     if (all([](const UsedMaterial& u) { return u.material.metallic == 1 && u.material.metalRoughTexture < 0; }))
         flags |= AGAA_FACT_NO_DIFFUSE;
     if (all([&](const UsedMaterial& u) {
-            return u.material.metalRoughTexture < 0 && u.material.normalTexture < 0 && // which widens lobes
+            return u.material.metalRoughTexture < 0 && u.material.normalTexture < 0 && // a normal map widens lobes
                    u.material.roughness == used[0].material.roughness;
         })) {
         flags |= AGAA_FACT_ONE_ROUGHNESS;
@@ -83,8 +83,8 @@ uint64_t commonValues(const Scene& scene, const std::vector<UsedMaterial>& used,
 
 AgaaSceneFacts sceneFacts(const Scene& scene, const std::vector<Light>& lights) {
     AgaaSceneFacts facts = AGAA_SCENE_FACTS_INIT;
-    // Dielectrics reflect too, so every metallic-roughness material is specular. Ambient light is
-    // no property of the scene; the renderer drops it where the settings have none.
+    // Dielectrics reflect too, so every metallic-roughness material is specular. Ambient light is not a property of the
+    // scene; the renderer drops it if the settings have none.
     facts.flags = AGAA_FACT_SPECULAR | AGAA_FACT_AMBIENT;
     const std::vector<UsedMaterial> used = usedMaterials(scene);
     for (const UsedMaterial& u : used) {

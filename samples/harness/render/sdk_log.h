@@ -1,4 +1,4 @@
-// What the SDK says, and its errors as exceptions.
+// The messages of the SDK, and its errors as exceptions.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -8,13 +8,13 @@
 
 namespace harness {
 
-// What the SDK says through its log callback.
+// Keeps the messages of the log callback.
 class SdkLog {
 public:
     AgaaLog log();
-    // Throws std::runtime_error with the SDK's sentence where the result is an error.
+    // Throws std::runtime_error with the SDK's sentence if the result is an error.
     void check(AgaaResult result, const char* call);
-    // Warnings and errors so far.
+    // Returns the warnings and errors so far.
     const std::vector<std::string>& texts() const { return texts_; }
 
 private:

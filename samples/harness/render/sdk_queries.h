@@ -1,4 +1,4 @@
-// What the SDK predicts of a view on a device.
+// Predictions of the SDK for a view on a device.
 #pragma once
 
 #include "render/renderer.h"

@@ -1,4 +1,4 @@
-// The SDK's views that a renderer keeps: measurements alternate between two.
+// The SDK's views that a renderer keeps, because measurements alternate between two views.
 #pragma once
 
 #include "render/draw_pass.h"
@@ -14,7 +14,7 @@ template <class DrawPass>
 struct SdkView {
     AgaaView view = nullptr;
     std::vector<DrawPass> passes;
-    std::string key; // the settings that it was made for
+    std::string key; // key of the view's settings
 };
 
 template <class DrawPass>
@@ -28,8 +28,8 @@ public:
     SdkViews(const SdkViews&) = delete;
     SdkViews& operator=(const SdkViews&) = delete;
 
-    // Valid until the next call but one. All frames must have finished. create(desc) makes a view,
-    // list(view) tells its draw passes.
+    // Returns the view of the settings, which stays valid for one further call. All frames must have finished.
+    // create(desc) creates a view, list(view) returns its draw passes.
     template <class Create, class List>
     const SdkView<DrawPass>& get(const AgaaViewDesc& desc, const Create& create, const List& list) {
         const std::string key = viewKey(desc);
@@ -41,7 +41,7 @@ public:
             views_.splice(views_.begin(), views_, found);
             return views_.front();
         }
-        // Before the new one takes its memory.
+        // The oldest view must go before the new view takes memory.
         while (views_.size() >= kept_) {
             agaaDestroyView(views_.back().view);
             views_.pop_back();
@@ -53,7 +53,7 @@ public:
 
 private:
     size_t kept_; // at least 2
-    std::list<SdkView<DrawPass>> views_; // the most recently used first
+    std::list<SdkView<DrawPass>> views_; // most recently used first
 };
 
 } // namespace harness

@@ -14,7 +14,7 @@ namespace harness {
 
 namespace {
 
-// Half a texel of the map and the width of a tap around it stay free of self-shadowing.
+// The bias avoids self-shadowing within half a texel of the map and the width of a tap.
 constexpr double biasTexels = 1.5;
 
 struct Axes {
@@ -38,7 +38,7 @@ struct Sphere {
     double radius;
 };
 
-// The whole scene, or the part of it that the camera is about where the scene is much larger.
+// Returns the whole scene, or the part around the camera's target if the scene is much larger.
 Sphere directionalFocus(const Scene& scene, const CameraMatrices& camera,
                         const glm::dvec3& worldOffset) {
     const glm::dvec3 center = (scene.boundsMin + scene.boundsMax) / 2.0 + worldOffset;
@@ -54,7 +54,7 @@ ShadowFit fitDirectional(const Light& light, const Scene& scene, const CameraMat
                          const glm::dvec3& worldOffset, uint32_t mapSize) {
     const Axes axes = axesAlong(light.direction);
     Sphere focus = directionalFocus(scene, camera, worldOffset);
-    focus.radius *= 1.0 + 4.0 / mapSize; // the snap below and the taps at the border
+    focus.radius *= 1.0 + 4.0 / mapSize; // margin for the snap below and the taps at the border
 
     // Moving by whole texels against the scene keeps the shadows of a moving camera still.
     const double texel = 2 * focus.radius / mapSize;
@@ -66,7 +66,7 @@ ShadowFit fitDirectional(const Light& light, const Scene& scene, const CameraMat
     const double x = snap(axes.right);
     const double y = snap(axes.up);
 
-    // Casters between the light and the focus count, however far they are.
+    // Casters between the light and the focus are included at any distance.
     double zMin = std::numeric_limits<double>::infinity();
     double zMax = -zMin;
     for (int corner = 0; corner < 8; ++corner) {
@@ -105,8 +105,8 @@ glm::dmat4 perspectiveLayer(const Axes& axes, const Cone& cone) {
                     row(axes.forward, 1));
 }
 
-// A texel grows with the distance while a step of the map's depth shrinks with its square, so one
-// number can fit one distance only: the geometric middle of the range.
+// A texel grows with the distance, while a step of the map's depth shrinks with its square. One bias fits one distance
+// only: the geometric mean of the range.
 double perspectiveBias(const Cone& cone, uint32_t mapSize) {
     const double middle = std::sqrt(cone.nearPlane * cone.farPlane);
     const double texel = 2 * cone.tanHalf * middle / mapSize;

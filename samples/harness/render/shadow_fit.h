@@ -1,5 +1,5 @@
-// Where a light's shadow map looks, fitted to the camera without its jitter, so that all frames of
-// one view see the same map.
+// The projection of a light's shadow map. It is fitted to the camera without jitter, so that all frames of a view have
+// the same map.
 #pragma once
 
 #include "render/camera_matrices.h"
@@ -9,8 +9,8 @@
 namespace harness {
 
 struct ShadowFit {
-    std::vector<glm::dmat4> layers; // shading space to clip space, z in [0,w], y as the map's rows
-    double depthBias = 0;           // in the map's depth
+    std::vector<glm::dmat4> layers; // shading space to clip space, z in [0, w], y in the direction of the map's rows
+    double depthBias = 0;           // in units of the map's depth
 };
 
 ShadowFit fitShadow(const Light& light, const Scene& scene, const CameraMatrices& camera,
@@ -18,7 +18,7 @@ ShadowFit fitShadow(const Light& light, const Scene& scene, const CameraMatrices
 
 AgaaShadow toAgaaShadow(const ShadowFit& fit);
 
-// What the maps of a scene depend on: equal keys, equal maps.
+// Returns a key of all inputs of the maps: equal keys give equal maps.
 std::vector<double> shadowKey(const std::vector<Light>& lights, const glm::dvec3& worldOffset,
                               const CameraMatrices& camera);
 

@@ -8,10 +8,10 @@ namespace harness {
 
 constexpr uint32_t stripVertices = 8; // AGAA_MAX_STRIP
 constexpr uint32_t stripIndexCount = 3 * (stripVertices - 2);
-constexpr uint32_t stripsPerDraw = 4096; // a larger mesh takes several draws, with another first vertex
+constexpr uint32_t stripsPerDraw = 4096; // a larger mesh takes more draws, with different first vertices
 
-// The strips of stripsPerDraw triangles as a list of triangles, so that vertices are shaded once and no strip needs a draw or
-// an instance of its own. Vertex k of the strip of triangle t is 8 t + k.
+// Returns the strips of stripsPerDraw triangles as a triangle list, so that vertices are shaded once and a strip needs
+// no draw or instance. Vertex k of the strip of triangle t is 8 t + k.
 std::vector<uint32_t> stripIndices();
 
 } // namespace harness

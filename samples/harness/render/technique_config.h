@@ -1,4 +1,4 @@
-// A configuration with the settings of techniques chained to it, which stay chained when it is copied.
+// A configuration with the chained settings of techniques. Copies keep the chain.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -29,16 +29,16 @@ struct TechniqueConfig : AgaaConfig {
         return *this;
     }
 
-    // Whether n counts coverage samples.
+    // Returns whether n counts coverage samples.
     bool coversByEdges() const {
         const std::string_view name = technique;
         return name == "dcaa" || (name == "agaa" && (generationTier == AGAA_TIER_FRAGMENTS || samples > 32));
     }
-    // Whether views keep fragments in lists.
+    // Returns whether views keep fragments in lists.
     bool keepsLists() const {
         return coversByEdges() && generationTier != AGAA_TIER_FRAGMENT_INTERLOCK && generationTier != AGAA_TIER_RASTER_ORDER;
     }
-    // Whether views need an AgaaFetchFunction, or AUTO prefers one.
+    // Returns whether views need an AgaaFetchFunction, or AUTO prefers one.
     bool fetches() const {
         return generationTier == AGAA_TIER_IDS || generationTier == AGAA_TIER_FRAGMENT_LISTS ||
                generationTier == AGAA_TIER_FRAGMENTS || (generationTier == AGAA_TIER_AUTO && coversByEdges());

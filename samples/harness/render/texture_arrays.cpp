@@ -8,7 +8,7 @@ namespace harness {
 namespace {
 
 constexpr uint32_t largestLayer = 1024;
-constexpr double leastSaving = 0.25; // share of one array's memory that is worth a second sampler
+constexpr double leastSaving = 0.25; // share of one array's memory that justifies a second sampler
 
 struct Size {
     uint32_t width = 1, height = 1;
@@ -25,7 +25,7 @@ Size layerSize(const Texture& texture) {
     return {layerSide(texture.width), layerSide(texture.height)};
 }
 
-// Textures by whether both their sides are at most `side`.
+// Splits textures by whether both sides are at most `side`.
 struct Split {
     std::vector<int> large, small;
     Size largeSize, smallSize;
@@ -55,15 +55,15 @@ Split bestSplit(const Scene& scene, const std::set<int>& used) {
 
 uint32_t levelSide(uint32_t side, size_t level) { return std::max(side >> level, 1u); }
 
-// What is repeated in a layer of `layer`. A texture that does not wrap around fills the layer: at its edge, coarse levels
-// of a repeated one would mix in the opposite edge.
+// Returns the size of the texture that is repeated in a layer of size `layer`. A texture that does not wrap around
+// fills the layer, because coarse levels of a repeated texture would mix opposite edges.
 Size repeatedSize(const Texture& texture, Size layer) {
     const Size own = layerSize(texture);
     return {texture.wrapU == Wrap::Repeat ? own.width : layer.width,
             texture.wrapV == Wrap::Repeat ? own.height : layer.height};
 }
 
-// A layer of `size` in which each level is the texture's own level, repeated.
+// Returns a layer of `size` in which each level repeats the level of the texture.
 std::vector<MipLevel> repeated(const std::vector<MipLevel>& levels, Size size) {
     std::vector<MipLevel> out;
     for (size_t i = 0; i < size_t(std::bit_width(size.side())); ++i) {

@@ -1,6 +1,6 @@
-// Textures of one colour space as layers of arrays: of one, or of two by size where that saves a quarter of its memory.
-// A texture smaller than its layer is repeated in it, so that each level filters as that of the texture by itself; in a
-// direction in which it does not wrap around it is resized.
+// Textures of one colour space as layers of arrays. There is one array, or two by size if that saves a quarter of the
+// memory. A texture that is smaller than its layer is repeated in it, so that each level filters like the level of the
+// single texture. In a direction in which it does not wrap around, it is resized.
 #pragma once
 
 #include "render/mip_chain.h"
@@ -10,25 +10,25 @@
 
 namespace harness {
 
-// Of one size; never none, since a sampler must have something to read.
+// Layers of one size; at least one, because a sampler must have something to read.
 using TextureLayers = std::vector<std::vector<MipLevel>>;
 
 struct TextureLayer {
-    int layer = -1; // of a small texture: from firstSmallLayer on
-    uint32_t repeatsU = 0, repeatsV = 0; // log2 of how often the layer has the texture
+    int layer = -1; // small textures have layers from firstSmallLayer on
+    uint32_t repeatsU = 0, repeatsV = 0; // log2 of the repetitions of the texture in the layer
 };
 
 struct TextureArrays {
     TextureLayers large;
     TextureLayers small;
-    bool isSplit = false;      // else `small` holds nothing of the scene's
-    std::map<int, TextureLayer> layers; // by index into Scene::textures
+    bool isSplit = false;      // false: `small` holds no texture of the scene
+    std::map<int, TextureLayer> layers; // key: index into Scene::textures
 
     TextureLayer layerOf(int texture) const { return texture < 0 ? TextureLayer{} : layers.at(texture); }
 };
-inline constexpr int firstSmallLayer = 1 << 20; // beyond the layers of any device
+inline constexpr int firstSmallLayer = 1 << 20; // above the layer limit of all devices
 
-// used: indices into Scene::textures; options: one of each texture there.
+// `used` holds indices into Scene::textures; `options` has one element for each texture there.
 TextureArrays makeTextureArrays(const Scene& scene, const std::set<int>& used,
                                 const std::vector<MipOptions>& options);
 

@@ -8,8 +8,8 @@ namespace harness {
 
 namespace {
 
-// Plain values one after the other: equal bytes mean equal views. Members are added one by one,
-// since the padding of a struct may hold anything.
+// Appends plain values: equal bytes mean equal views. Members are added one by one, because the padding of a struct is
+// undefined.
 class Key {
 public:
     template <class Value>
@@ -46,7 +46,7 @@ void addFetchFunction(Key& key, const AgaaFetchFunction& function) {
     key.add(function.flags);
 }
 
-// The struct of this type in a chain, or the initial value where there is none.
+// Returns the struct of this type in a chain, or the initial value if there is none.
 template <class T> T chainedOr(const AgaaConfig& config, uint32_t sType, const T& initial) {
     for (auto* next = static_cast<const AgaaStructHeader*>(config.pNext); next;
          next = static_cast<const AgaaStructHeader*>(next->pNext))
@@ -55,7 +55,7 @@ template <class T> T chainedOr(const AgaaConfig& config, uint32_t sType, const T
     return initial;
 }
 
-// Whether all that is chained goes into the key.
+// Returns whether the key covers all chained structs.
 bool isKnown(const AgaaConfig& config) {
     for (auto* next = static_cast<const AgaaStructHeader*>(config.pNext); next;
          next = static_cast<const AgaaStructHeader*>(next->pNext))

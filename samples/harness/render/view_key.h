@@ -1,4 +1,4 @@
-// What tells one view from another.
+// A key that distinguishes views.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -7,7 +7,7 @@
 
 namespace harness {
 
-// Equal for equal views; empty where chained structs, which are unknown here, make the view one of its kind.
+// Returns equal keys for equal views. The key is empty if a chained struct is unknown here: the view is then unique.
 std::string viewKey(const AgaaViewDesc& desc);
 
 } // namespace harness

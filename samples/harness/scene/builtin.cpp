@@ -53,7 +53,7 @@ Scene finished(Scene scene, std::string_view name, std::string_view stresses) {
     return scene;
 }
 
-// Of "blades-N", N in [0, 100000]; empty where the name is another.
+// Returns N of "blades-N", [0, 100000]; empty for other names.
 std::optional<uint32_t> bladesOf(std::string_view name) {
     if (!name.starts_with(bladesName))
         return std::nullopt;

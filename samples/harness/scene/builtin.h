@@ -17,7 +17,7 @@ struct BuiltinScene {
 
 const std::vector<BuiltinScene>& builtinScenes();
 
-// A scene of the list, or "blades-N", N in [0, 100000]: a ladder of densities. Empty where the name is neither.
+// Returns a scene of the list, or "blades-N" with N in [0, 100000], whose density grows with N. Empty for other names.
 std::optional<Scene> makeBuiltinScene(std::string_view name);
 
 } // namespace harness

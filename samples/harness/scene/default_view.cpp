@@ -1,4 +1,4 @@
-// The camera and the lights of a scene that brings none.
+// The default camera and lights of a scene without its own.
 #include "scene/random.h"
 #include "scene/scene.h"
 
@@ -9,7 +9,7 @@ namespace harness {
 
 namespace {
 
-// The diagonal of the bounds; an empty scene and a single point have the size of 1.
+// Returns the diagonal of the bounds; 1 for an empty scene and a single point.
 double sizeOf(const Scene& scene) {
     const double diagonal = glm::length(scene.boundsMax - scene.boundsMin);
     return diagonal > 0 ? diagonal : 1;
@@ -36,18 +36,18 @@ std::vector<Light> defaultLights(const Scene& scene) {
 
 namespace {
 
-// Around what the camera looks at: a scene's bounds may reach far beyond its view.
+// The lights are around the camera's target, because a scene's bounds may extend far beyond its view.
 double reachOf(const Scene& scene, const Camera& camera) {
     const double distance = glm::length(camera.target - camera.eye);
     return distance > 0 ? std::min(sizeOf(scene), 1.5 * distance) : sizeOf(scene);
 }
 
-// leastRange, mostRange: in shares of reachOf(). irradiance: at half the range.
+// leastRange and mostRange are shares of reachOf(). `irradiance` is the irradiance at half the range.
 Light randomPointLight(const Scene& scene, const Camera& camera, Random& random, float leastRange, float mostRange, float irradiance) {
     const double reach = reachOf(scene, camera);
     Light light;
     light.type = LightType::Point;
-    // Braces: their order of evaluation is defined.
+    // Braces define the order of evaluation.
     const glm::dvec3 offset{random.in(-0.5f, 0.5f), random.in(-0.2f, 0.3f), random.in(-0.5f, 0.5f)};
     light.position = glm::clamp(camera.target + reach * offset, scene.boundsMin, scene.boundsMax);
     light.range = float(reach * random.in(leastRange, mostRange));

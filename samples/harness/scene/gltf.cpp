@@ -31,8 +31,7 @@ glm::dmat4 localTransform(const tinygltf::Node& node) {
     return transform;
 }
 
-// A unit direction of a node in the world; one that the node's scale flattens to nothing stays as
-// it was.
+// Returns a unit direction of a node in world space, or the direction itself if the node's scale flattens it to 0.
 glm::dvec3 axisOf(const glm::dmat4& transform, const glm::dvec3& axis) {
     const glm::dvec3 v(transform * glm::dvec4(axis, 0));
     const double length = glm::length(v);
@@ -75,7 +74,7 @@ public:
         : reader_(reader), firstMesh_(std::move(firstMesh)),
           seen_(reader.model.nodes.size(), false) {}
 
-    // Depth first with a stack of its own: a file may nest deeper than the program's stack reaches.
+    // Traverses depth first with an explicit stack, because a file may nest deeper than the call stack allows.
     void visit(const std::vector<int>& roots) {
         std::vector<Pending> pending;
         const auto push = [&](const std::vector<int>& nodes, const glm::dmat4& parent) {
@@ -131,7 +130,7 @@ private:
     bool hasSun_ = false;
 };
 
-// tinygltf hands over a pointer into a buffer without comparing the view with the buffer's size.
+// tinygltf returns a pointer into a buffer without comparing the view with the buffer's size.
 bool loadImage(tinygltf::Image* image, const int index, std::string* error, std::string* warning,
                int width, int height, const unsigned char* bytes, int size, void* model) {
     if (image->bufferView >= 0) {
@@ -174,8 +173,7 @@ void requireKnownExtensions(const GltfReader& reader) {
             reader.fail("it requires the extension " + name + ", which is not supported");
 }
 
-// glTF cameras have no target. Who asks how far away the subject is gets the depth of the middle of
-// the scene.
+// glTF cameras have no target. The target distance is the depth of the middle of the scene.
 void moveTargets(Scene& scene) {
     const glm::dvec3 centre = 0.5 * (scene.boundsMin + scene.boundsMax);
     const double size = glm::length(scene.boundsMax - scene.boundsMin);

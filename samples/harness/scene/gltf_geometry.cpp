@@ -11,7 +11,7 @@ namespace harness {
 
 namespace {
 
-// Elements of an accessor as floats or indices, with every range checked.
+// Reads elements of an accessor as floats or indices, and checks every range.
 class AccessorView {
 public:
     AccessorView(const GltfReader& reader, int index) : reader_(reader) {
@@ -29,8 +29,7 @@ public:
         if (stride <= 0)
             reader.fail("an accessor has no valid stride");
         stride_ = size_t(stride);
-        // Each term is bounded by the one before, so that no sum or product of a file's numbers
-        // can wrap around.
+        // Each check bounds the next term, so that no sum or product of a file's numbers can overflow.
         const size_t bytes = buffer.data.size();
         const bool inside = view.byteOffset <= bytes &&
                             view.byteLength <= bytes - view.byteOffset &&
@@ -215,7 +214,7 @@ std::vector<uint32_t> readMeshes(GltfReader& reader) {
             const bool triangles = primitive.mode == TINYGLTF_MODE_TRIANGLES ||
                                    primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
                                    primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN ||
-                                   primitive.mode == -1; // left out: triangles
+                                   primitive.mode == -1; // triangles by default
             if (triangles && attribute(primitive, "POSITION") >= 0)
                 readPrimitive(reader, primitive);
         }

@@ -14,7 +14,7 @@ Wrap wrapOf(int mode) {
                                                            : Wrap::Repeat;
 }
 
-// A texture per image, wrap mode and colour space that materials use.
+// Creates a texture for each image, wrap mode and colour space that materials use.
 class TextureTable {
 public:
     explicit TextureTable(GltfReader& reader) : reader_(reader) {}
@@ -68,7 +68,7 @@ private:
     std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
 };
 
-// Numbers of a file may be infinite as a float.
+// Numbers in a file may exceed the range of float.
 float finiteFloat(double value) {
     return float(std::clamp(value, -1e15, 1e15));
 }
@@ -117,7 +117,7 @@ void readMaterials(GltfReader& reader) {
     TextureTable textures(reader);
     for (const tinygltf::Material& material : reader.model.materials)
         reader.scene.materials.push_back(materialOf(material, textures));
-    Material plain; // of primitives that name none
+    Material plain; // material of primitives without one
     plain.name = "default";
     plain.metallic = 1;
     reader.scene.materials.push_back(plain);

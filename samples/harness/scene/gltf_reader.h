@@ -12,13 +12,13 @@ namespace harness {
 
 struct GltfReader {
     const tinygltf::Model& model;
-    std::string file; // for error sentences
+    std::string file; // named in errors
     Scene& scene;
 
     [[noreturn]] void fail(const std::string& what) const {
         throw std::runtime_error(file + ": " + what + ".");
     }
-    // An element of a list by a file's index.
+    // Returns the element of a list at an index of a file.
     template <typename T>
     const T& at(const std::vector<T>& list, int index, const char* what) const {
         if (index < 0 || size_t(index) >= list.size())
@@ -28,7 +28,7 @@ struct GltfReader {
 };
 
 void readMaterials(GltfReader& reader);
-// One Mesh per primitive; first[i] is the first Mesh of glTF mesh i, first.back() their number.
+// Creates one Mesh per primitive. first[i] is the first Mesh of glTF mesh i, first.back() is their number.
 std::vector<uint32_t> readMeshes(GltfReader& reader);
 
 } // namespace harness

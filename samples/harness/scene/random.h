@@ -1,4 +1,4 @@
-// PCG32 (O'Neill 2014): the same numbers on every machine, which std distributions do not promise.
+// PCG32 (O'Neill 2014). It gives the same numbers on every machine, which std distributions do not guarantee.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ public:
         const uint32_t rotation = uint32_t(old >> 59);
         return (shifted >> rotation) | (shifted << ((32 - rotation) & 31));
     }
-    float unit() { return float(next() >> 8) * (1.0f / 16777216.0f); } // [0;1)
+    float unit() { return float(next() >> 8) * (1.0f / 16777216.0f); } // [0, 1)
     float in(float low, float high) { return low + (high - low) * unit(); }
     uint32_t below(uint32_t count) { return uint32_t(uint64_t(next()) * count >> 32); }
 

@@ -26,8 +26,8 @@ double medianOf(std::vector<double>& values) {
     return *middle;
 }
 
-// Bounds of the points, without those that are so far from the others that single precision cannot hold both: one
-// stray vertex must not set the camera, its depth range and the shadow maps.
+// Returns the bounds of the points without outliers that are too far away for single precision. A stray vertex must not
+// determine the camera, its depth range and the shadow maps.
 Bounds boundsWithoutStrays(const std::vector<glm::dvec3>& points) {
     Bounds bounds;
     if (points.empty())

@@ -1,5 +1,5 @@
-// The sample engine's scene: geometry, materials, textures, lights and cameras in memory.
-// Everything is in double or float world space; the renderer makes it camera-relative.
+// The sample engine's scene: geometry, materials, textures, lights and cameras in memory. Positions are in world space,
+// as double or float; the renderer converts them to camera-relative ones.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace harness {
 
-// Interleaved as the vertex buffer holds it. tangent.w is the handedness (+1 or -1).
+// A vertex in the layout of the vertex buffer. tangent.w is the handedness (+1 or -1).
 struct Vertex {
     glm::vec3 position{0};
     glm::vec3 normal{0, 1, 0};
@@ -72,7 +72,7 @@ enum class LightType { Directional, Point, Spot };
 struct Light {
     LightType type = LightType::Point;
     glm::dvec3 position{0};         // point, spot
-    glm::dvec3 direction{0, -1, 0}; // directional, spot: the way the light travels, unit
+    glm::dvec3 direction{0, -1, 0}; // directional, spot: unit direction of the light
     glm::vec3 color{1};             // irradiance (directional) or intensity (point, spot), linear
     float range = 0;                // world units, 0: infinite
     float innerCone = 0;            // radians, half angle
@@ -90,7 +90,7 @@ struct Camera {
 
 struct Scene {
     std::string name;
-    std::string stresses; // one line: what the scene is hard for
+    std::string stresses; // one line: the difficulty of the scene
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
     std::vector<Mesh> meshes;
@@ -105,19 +105,20 @@ struct Scene {
     uint64_t placedTriangles() const;
 };
 
-// Recomputes Mesh bounds and the scene's bounds from its vertices and instances. The scene's bounds leave out vertices and
-// instances that are 2^24 times as far from the others as those are from each other; Mesh bounds have all.
+// Recomputes Mesh bounds and the scene's bounds from its vertices and instances. The scene's bounds exclude vertices
+// and instances that are 2^24 times as far from the others as those are from each other. Mesh bounds include all
+// vertices.
 void updateBounds(Scene& scene);
 
-// Frames the whole scene from a three-quarter view, whatever its size and position.
+// Returns a camera that frames the whole scene from a three-quarter view, for any size and position.
 Camera defaultCamera(const Scene& scene);
 
-// The papers' rig: one shadowed directional light and 16 ranged point lights without shadow, placed
-// by a fixed seed inside the scene's bounds around the camera's target.
+// Returns the lights of the papers: one shadowed directional light and 16 ranged point lights without shadow. A fixed
+// seed places them inside the scene's bounds around the camera's target.
 std::vector<Light> defaultLights(const Scene& scene, const Camera& camera);
-// The same around the target of the scene's first camera, or of the default one.
+// Returns the same lights around the target of the scene's first camera, or of the default camera.
 std::vector<Light> defaultLights(const Scene& scene);
-// Point lights, and a spot light for every three of these, of short ranges around what the camera looks at.
+// Returns point lights, and a spot light for every three of them, with short ranges around the camera's target.
 std::vector<Light> smallLights(const Scene& scene, const Camera& camera, uint32_t count);
 
 } // namespace harness

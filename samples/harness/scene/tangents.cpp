@@ -54,7 +54,7 @@ void generateTangents(std::span<Vertex> vertices, std::span<const uint32_t> indi
     for (size_t i = 0; i < vertices.size(); ++i) {
         const glm::vec3 n = vertices[i].normal;
         const glm::vec3 t = tangentAcross(n, tangents[i]);
-        // v grows downwards in a picture while a normal map's green points upwards.
+        // v grows downwards in a texture, while the green channel of a normal map points upwards.
         const float handedness = glm::dot(glm::cross(n, t), bitangents[i]) > 0 ? -1.0f : 1.0f;
         vertices[i].tangent = glm::vec4(t, handedness);
     }

@@ -7,13 +7,14 @@
 
 namespace harness {
 
-// Frames as glTF has them: cross(normal, tangent) * w points against v, as a normal map's green
-// does. Sets vertices' tangents from positions, normals and uv; indices are relative to the span. A
-// vertex without a direction (degenerate uv) gets any unit vector across its normal.
+// Sets the tangents of vertices from positions, normals and uv. Frames follow glTF: cross(normal, tangent) * w points
+// against v, like the green channel of a normal map. Indices are relative to the span. A vertex with degenerate uv gets
+// any unit vector perpendicular to its normal.
 void generateTangents(std::span<Vertex> vertices, std::span<const uint32_t> indices);
-// The part of a tangent across the unit normal as a unit vector, or any where there is none.
+// Returns the normalised part of a tangent that is perpendicular to the unit normal, or any perpendicular vector if
+// there is none.
 glm::vec3 tangentAcross(const glm::vec3& normal, const glm::vec3& tangent);
-// Area-weighted smooth normals; a vertex of no triangle gets +y.
+// Sets area-weighted smooth normals. A vertex of no triangle gets +y.
 void generateNormals(std::span<Vertex> vertices, std::span<const uint32_t> indices);
 
 } // namespace harness

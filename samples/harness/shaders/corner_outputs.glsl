@@ -1,5 +1,5 @@
-// What corners.frag reads of the three corners of a triangle, whichever shader expands it. The SDK's text for that shader and
-// interface.glsl come before this text.
+// The outputs for corners.frag: the three corners of a triangle, from either shader that expands it. The SDK's text for
+// that shader and interface.glsl come before this text.
 
 struct Corner {
     vec2 uv;
@@ -12,7 +12,7 @@ struct Corner {
 };
 
 #if AGAA_NEEDS_MATERIAL
-// Thirteen locations, because three belong to the SDK and devices need not have more than 16.
+// The outputs take thirteen locations, because the SDK uses three and devices need not have more than 16.
 VARYING(0) flat out vec4 cornerNormal[3]; // w: u
 VARYING(3) flat out vec4 cornerTangent[3];
 VARYING(6) flat out vec4 cornerColor[3]; // w: alpha

@@ -1,5 +1,5 @@
-// The fragments that corners.geom or corners.vert gives to pixels. The version, the SDK's extensions, interface.glsl, the SDK's
-// declarations, material.glsl and material_inputs.glsl come before this text.
+// Material of the fragments that corners.geom or corners.vert creates. The version, the SDK's extensions,
+// interface.glsl, the SDK's declarations, material.glsl and material_inputs.glsl come before this text.
 
 #if AGAA_NEEDS_MATERIAL
 VARYING(0) flat in vec4 cornerNormal[3]; // w: u
@@ -23,7 +23,7 @@ vec2 weighedUv(vec3 weights) { return weights.x * cornerUv[0] + weights.y * corn
 float weighedAlpha(vec3 weights) { return dot(weights, cornerAlpha); }
 #endif
 
-// Inside the triangle: beyond its edges textures may repeat.
+// The point is clamped to the triangle, because textures may repeat beyond its edges.
 float alphaNearCentre(vec2 offset, vec2 dx, vec2 dy) {
     vec3 weights = agaa_cornerWeights(offset).at;
     return alphaAt(weighedAlpha(weights), weighedUv(weights), dx, dy);
@@ -36,7 +36,7 @@ void setAlpha(inout AgaaSurfaceInput surface) {
     if ((features & alphaTestBit) != 0u)
         surface.alphaCutoff = material.alphaCutoff;
     surface.hasAlphaRows = (features & alphaRowsBit) != 0u;
-    surface.hasAlphaNear = true; // 64 samples want more than a plane through the centre
+    surface.hasAlphaNear = true; // 64 samples need more than a plane through the centre
     for (uint k = 0u; k < AGAA_ALPHA_POINTS && !surface.hasAlphaRows; ++k)
         surface.alphaNear[k] = alphaNearCentre(agaa_alphaPoint(k), dx, dy);
     for (uint k = 0u; k < 16u && surface.hasAlphaRows; ++k)
@@ -44,7 +44,7 @@ void setAlpha(inout AgaaSurfaceInput surface) {
 }
 
 #if AGAA_NEEDS_MATERIAL
-// In the middle of what the surface covers.
+// The material is evaluated at the middle of the covered area.
 void setMaterial(inout AgaaSurfaceInput surface) {
     agaa_Barycentrics there = agaa_cornerWeights(agaa_coveredMiddle(surface));
     vec2 uv = weighedUv(there.at);

@@ -1,4 +1,4 @@
-// A fragment for each pixel that a triangle touches, which gets what its material needs at the three corners. The SDK's
+// Creates a fragment for each pixel that a triangle touches, with the material inputs of the three corners. The SDK's
 // geometry text, interface.glsl and corner_outputs.glsl come before this text. corners.vert does the same.
 
 layout(triangles) in;

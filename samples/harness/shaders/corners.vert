@@ -1,6 +1,6 @@
-// As corners.geom, for views with AGAA_VIEW_VERTEX_PULLING: reads the corners of a triangle from the scene's vertices and
-// indices. The SDK's vertex text, interface.glsl, object.glsl and corner_outputs.glsl come before this text. Vertices of draws
-// are numbered through the strips of all triangles of a mesh.
+// Replaces corners.geom in views with AGAA_VIEW_VERTEX_PULLING: reads the corners of a triangle from the scene's
+// vertices and indices. The SDK's vertex text, interface.glsl, object.glsl and corner_outputs.glsl come before this
+// text. Vertices of a draw are numbered through the strips of all triangles of a mesh.
 
 layout(PULLED_VERTICES_AT) uniform usamplerBuffer pulledVertices; // words of the engine's Vertex
 layout(PULLED_INDICES_AT) uniform usamplerBuffer pulledIndices;
@@ -8,13 +8,13 @@ layout(PULLED_INDICES_AT) uniform usamplerBuffer pulledIndices;
 const int vertexWords = 13;
 
 float pulledFloat(int word) { return uintBitsToFloat(texelFetch(pulledVertices, word).x); }
-vec4 pulledBytes(int word) { // as attributes of normalised bytes are read
+vec4 pulledBytes(int word) { // decodes an attribute of normalised bytes
     uint bytes = texelFetch(pulledVertices, word).x;
     return vec4(uvec4(bytes, bytes >> 8u, bytes >> 16u, bytes >> 24u) & 255u) * (1.0 / 255.0);
 }
 vec3 pulledVector(int word) { return vec3(pulledFloat(word), pulledFloat(word + 1), pulledFloat(word + 2)); }
 
-// vertex: of the scene. Returns clip coordinates.
+// vertex is an index into the scene's vertices. Returns clip coordinates.
 vec4 pull(uint vertex, out Corner corner) {
     int word = vertexWords * int(vertex);
     vec4 color = pulledBytes(word + 12);

@@ -1,13 +1,13 @@
-// What the SDK's pass that fetches by id asks of the sample engine: triangles and materials from buffers, textures
-// from arrays. interface.glsl and material.glsl come before this text. Buffers are read as texels of four words:
-// drivers load those at once, and software rasterisers without a bounds check a word and lane.
-// Textures are of kinds: 0 base colour, 1 normal, 2 metallic-roughness, 3 emissive. FETCH_LARGE and FETCH_SMALL have a
-// bit for each kind that the scene's materials have among the large or small ones.
+// The fetch functions of the sample engine: triangles and materials from buffers, textures from arrays. interface.glsl
+// and material.glsl come before this text. Buffers are read as texels of four words: drivers load a texel at once, and
+// software rasterisers skip the bounds check per word and lane. Textures have a kind: 0 base colour, 1 normal, 2
+// metallic-roughness, 3 emissive. FETCH_LARGE and FETCH_SMALL have a bit for each kind that occurs among the large or
+// small textures.
 
 layout(std140, FETCH_UNIFORM_AT) uniform FetchCamera { mat4 viewProjection; } fetchCamera;
 layout(FETCH_TEXTURE_AT(0)) uniform sampler2DArray fetchColors; // sRGB
 layout(FETCH_TEXTURE_AT(1)) uniform sampler2DArray fetchValues;
-layout(FETCH_TEXTURE_AT(2)) uniform usamplerBuffer fetchDraws;     // as the engine's FetchDraw
+layout(FETCH_TEXTURE_AT(2)) uniform usamplerBuffer fetchDraws;     // FetchDraw of the engine
 layout(FETCH_TEXTURE_AT(3)) uniform usamplerBuffer fetchMaterials; // FetchMaterial
 layout(FETCH_TEXTURE_AT(4)) uniform usamplerBuffer fetchVertices;  // FetchVertex
 layout(FETCH_TEXTURE_AT(5)) uniform usamplerBuffer fetchIndices;   // one word each
@@ -40,7 +40,7 @@ float fetchRow(vec4 row, vec3 p) {
     precise float sum = ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w;
     return sum;
 }
-vec3 fetchTransform(FetchDraw draw, vec3 p) { // as object.glsl's
+vec3 fetchTransform(FetchDraw draw, vec3 p) { // matches object.glsl
     return vec3(fetchRow(fetchRowOf(draw, 0), p), fetchRow(fetchRowOf(draw, 1), p), fetchRow(fetchRowOf(draw, 2), p));
 }
 vec3 fetchRotate(FetchDraw draw, int firstRow, vec3 v) {
@@ -53,7 +53,7 @@ int fetchVertex(FetchDraw draw, uint primitive, uint corner) {
     return vertexTexels * int(draw.firstVertex + index);
 }
 
-// As object.glsl computes it.
+// Computes clip coordinates exactly like object.glsl.
 vec4 fetchClip(FetchDraw draw, int vertex) {
     vec3 p = fetchTransform(draw, uintBitsToFloat(texelFetch(fetchVertices, vertex).xyz));
     mat4 m = fetchCamera.viewProjection;
@@ -75,7 +75,8 @@ float fetchWrapped(float x, uint wrap, float halfTexel) {
 vec4 fetchTexel(sampler2DArray textures, int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
     if (layer < 0)
         return vec4(1.0);
-    vec2 share = exp2(-vec2(wrap >> 4u & 15u, wrap >> 8u & 15u)); // of the layer, that is the texture once
+    vec2 share = exp2(-vec2(wrap >> 4u & 15u, wrap >> 8u & 15u)); // share of the layer that one repetition of the
+                                                                  // texture takes
     vec2 halfTexel = 0.5 / (vec2(textureSize(textures, 0).xy) * share);
     uv = vec2(fetchWrapped(uv.x, wrap & 3u, halfTexel.x), fetchWrapped(uv.y, wrap >> 2u & 3u, halfTexel.y));
     return textureGrad(textures, vec3(uv * share, float(layer)), dx * share, dy * share);
@@ -112,7 +113,7 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
         uvec4 a = texelFetch(fetchVertices, v);
         vec4 b = uintBitsToFloat(texelFetch(fetchVertices, v + 1));
         vec4 c = uintBitsToFloat(texelFetch(fetchVertices, v + 2));
-        vec4 color = unpackUnorm4x8(a.w); // and the handedness of the tangent
+        vec4 color = unpackUnorm4x8(a.w); // alpha holds the handedness of the tangent
         position += weight * uintBitsToFloat(a.xyz);
         p.color += weight * color.rgb;
         p.normal += weight * b.xyz;
@@ -132,7 +133,8 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     int m = materialTexels * draw.material;
     vec4 emissive = uintBitsToFloat(texelFetch(fetchMaterials, m + 1));
     vec4 numbers = uintBitsToFloat(texelFetch(fetchMaterials, m + 2));
-    ivec4 layers = ivec4(texelFetch(fetchMaterials, m + 3)); // of base colour, normal, metallic-roughness, emissive
+    ivec4 layers = ivec4(texelFetch(fetchMaterials, m + 3)); // layers of base colour, normal, metallic-roughness,
+                                                             // emissive
     uvec4 wraps = texelFetch(fetchMaterials, m + 4);
     MaterialValues values = MaterialValues(uintBitsToFloat(texelFetch(fetchMaterials, m)), emissive.xyz, emissive.w,
                                            numbers.x, numbers.y, numbers.z);

@@ -1,4 +1,4 @@
-// What the APIs spell differently.
+// Definitions that hide differences between the APIs.
 #ifdef HARNESS_GL
 #define CAMERA_AT binding = 1
 #define MATERIAL_AT(n) binding = n
@@ -7,7 +7,7 @@
 #define VERTEX_INDEX gl_VertexID
 #define FETCH_UNIFORM_AT binding = 6
 #define FETCH_TEXTURE_AT(n) binding = 20 + n
-#define PULLED_VERTICES_AT binding = 28 // a number: older GLSL has no expressions here
+#define PULLED_VERTICES_AT binding = 28 // a literal, because older GLSL has no expressions here
 #define PULLED_INDICES_AT binding = 29
 #else
 #define CAMERA_AT set = 0, binding = 0
@@ -21,7 +21,7 @@
 #define PULLED_INDICES_AT set = 3, binding = 1
 #endif
 #define LOCATION(n) layout(location = n)
-// Between the stages; older GLSL matches by name.
+// Locations between the stages. Older GLSL matches by name.
 #if __VERSION__ >= 410
 #define VARYING(n) layout(location = n)
 #else

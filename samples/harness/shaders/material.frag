@@ -1,14 +1,14 @@
 // The sample engine's material. The version, the SDK's extensions, interface.glsl, the SDK's declarations,
 // material.glsl and material_inputs.glsl come before this text.
 
-// Two sets of inputs, because Mesa's software rasteriser (22.3) has two faults at the edges of triangles.
-// Where a shader reads an input inside the primitive, plain reads of the same input, and so their
-// derivatives, are displaced too: what is read both ways comes twice.
+// There are two sets of inputs, because Mesa's software rasteriser (22.3) has two faults at the edges of triangles. If
+// a shader reads an input inside the primitive, plain reads of the same input and their derivatives are displaced, too.
+// Inputs that are read both ways are therefore passed twice.
 VARYING(0) in vec3 centrePosition; // shading space
 VARYING(1) in vec2 centreUv;
 VARYING(2) in float centreAlpha;
-// And it interpolates inside with the 1/w of the pixel's centre: values come out too large by the factor
-// by which a constant 1 does, so one is sent along. Elsewhere it is 1.
+// The second fault: it interpolates inside the primitive with 1/w of the pixel's centre. Values are too large by a
+// factor, which an interpolated constant 1 measures. Other drivers interpolate it to 1.
 VARYING(3) centroid in vec4 insidePosition; // w: 1
 VARYING(4) centroid in vec3 insideNormal;
 VARYING(5) centroid in vec4 insideTangent;
@@ -17,7 +17,7 @@ VARYING(7) centroid in vec3 insideColor;
 VARYING(8) flat in uint primitiveSeed;
 VARYING(9) flat in uint drawIndex;
 
-// dx, dy: the textures' footprint, in which only its size may differ from uv's own derivatives.
+// dx and dy are the footprint of textures. It may differ from the derivatives of uv in its size only.
 void setAlpha(inout AgaaSurfaceInput surface, vec2 uv, vec2 dx, vec2 dy) {
     float vertexAlpha = AGAA_AT_CENTRE(centreAlpha);
     surface.alpha = alphaAt(vertexAlpha, uv, dx, dy);
@@ -37,7 +37,7 @@ void setAlpha(inout AgaaSurfaceInput surface, vec2 uv, vec2 dx, vec2 dy) {
 }
 
 SurfacePoint pointInside(vec3 position, float scale, vec2 dx, vec2 dy) {
-    // At the pixel's centre they extrapolate where the primitive is thinner than a pixel.
+    // Values at the pixel's centre extrapolate if the primitive is thinner than a pixel.
     vec2 uv = AGAA_INSIDE(insideUv) * scale;
     SurfacePoint p;
     p.position = position;
@@ -62,7 +62,7 @@ void main() {
     AgaaSurfaceInput surface = agaa_surfaceInput();
     vec4 inside = AGAA_INSIDE(insidePosition);
     float scale = 1.0 / inside.w;
-    // Gradients belong to the plain input: from pixel to pixel, the place inside jumps.
+    // Gradients come from the plain input, because the point inside the primitive jumps between pixels.
     vec2 uvAtCentre = AGAA_AT_CENTRE(centreUv);
     vec2 dx = agaa_dFdx(uvAtCentre) * camera.footprint;
     vec2 dy = agaa_dFdy(uvAtCentre) * camera.footprint;
@@ -87,6 +87,6 @@ void main() {
 #endif
     agaa_emit(surface);
 #ifdef COPY_OUTPUTS
-    COPY_OUTPUTS // where the host declares the outputs
+    COPY_OUTPUTS // if the host declares the outputs
 #endif
 }

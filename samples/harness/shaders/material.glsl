@@ -1,23 +1,23 @@
-// The metallic-roughness model of glTF, from what vertices and textures give at a point, whoever read them.
+// The metallic-roughness model of glTF at a point. Each caller reads the vertices and textures in its own manner.
 
-// As the engine's MaterialConstants.
+// Matches MaterialConstants of the engine.
 struct MaterialValues {
     vec4 baseColor;
     vec3 emissive;
     float metallic;
     float roughness;
     float normalScale;
-    float alphaCutoff; // < 0: alpha is coverage as it is
+    float alphaCutoff; // < 0: alpha is the coverage
 };
 
 struct SurfacePoint {
     vec3 position; // shading space
-    vec3 normal;   // of the vertices, of any length
+    vec3 normal;   // vertex normal of any length
     vec4 tangent;  // w: handedness
-    vec3 color;    // of the vertices
+    vec3 color;    // vertex colour
     bool isFront;
-    bool isBent; // by normalTexel
-    vec4 baseTexel; // 1 where the material has no such texture
+    bool isBent; // normalTexel bends the normal
+    vec4 baseTexel; // 1 if the material has no such texture
     vec4 normalTexel;
     vec4 metalRoughTexel;
     vec4 emissiveTexel;
@@ -31,7 +31,7 @@ struct SurfaceModel {
     float alpha2;
 };
 
-// The vertex normal n bent by the normal map.
+// Returns the vertex normal n, bent by the normal map.
 vec3 mappedNormal(vec3 n, vec4 tangent, vec3 m) {
     vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
     float tangentSquared = dot(t, t);
@@ -55,12 +55,12 @@ vec3 shadingNormal(SurfacePoint p, float normalScale) {
     }
     if (!p.isFront)
         n = -n; // glTF's rule for the back of double-sided materials
-    // Interpolation and normal maps may turn it away from the viewer: bend it onto the horizon.
+    // Interpolation and normal maps may turn the normal away from the viewer. It is bent onto the horizon.
     float facing = dot(n, toViewer);
     return facing < 0.0 ? normalize(n - toViewer * (facing - 1e-3)) : n;
 }
 
-// What a change of the vertices' normal is of the unit normal; a normal map turns with it.
+// Converts a change of the vertex normal to a change of the unit normal. A normal map turns with it.
 vec3 ofUnitNormal(SurfacePoint p, vec3 change) {
     float squared = dot(p.normal, p.normal);
     if (squared <= 0.0)
@@ -69,9 +69,10 @@ vec3 ofUnitNormal(SurfacePoint p, vec3 change) {
     return p.isFront ? across : -across;
 }
 
-// Filtering of a normal map shortens the mean of normals that point apart (Toksvig 2005); scale: of their slopes.
+// Returns the widening of the lobe: filtering shortens the mean of normals that diverge (Toksvig 2005). `scale` scales
+// their slopes.
 float widenedAlpha2(float alpha2, float meanLength, float scale) {
-    const float rounding = 0.0068; // of three components of 8 bits
+    const float rounding = 0.0068; // rounding error of three components of 8 bits
     float deficit = clamp((1.0 - meanLength - rounding) * scale * scale, 0.0, 0.99);
     float widening = 2.0 * (1.0 - alpha2) * deficit;
     return (alpha2 * (1.0 - deficit) + widening) / (1.0 - deficit + widening);
@@ -86,7 +87,7 @@ SurfaceModel surfaceModel(MaterialValues material, SurfacePoint p) {
     s.specular = mix(vec3(0.04), base, metallic);
     s.emissive = material.emissive * p.emissiveTexel.rgb;
     s.normal = shadingNormal(p, material.normalScale);
-    // Below this the highlight of a light without extent has no width.
+    // Below this value, the highlight of a point light has no width.
     float alpha = max(roughness, 0.089);
     alpha *= alpha;
     s.alpha2 = alpha * alpha;

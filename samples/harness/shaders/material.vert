@@ -1,4 +1,4 @@
-// The sample engine's one vertex shader for all passes that must agree on depth. The version, interface.glsl and
+// The sample engine's vertex shader for all passes that must agree on depth. The version, interface.glsl and
 // object.glsl come before this text.
 
 LOCATION(0) in vec3 vertexPosition;
@@ -18,7 +18,7 @@ VARYING(0) out vec3 centrePosition;
 #endif
 VARYING(1) out vec2 centreUv;
 VARYING(2) out float centreAlpha;
-// Read inside the primitive; see material.frag for why these are not the same.
+// Read inside the primitive. material.frag explains why these inputs are separate.
 #if FOR_CORNERS == 0
 VARYING(3) out vec4 insidePosition; // w: 1
 VARYING(6) out vec2 insideUv;
@@ -50,6 +50,6 @@ void main() {
                             vertexTangent.w * draw.handedness);
     insideColor = vertexColor.rgb;
 #endif
-    primitiveSeed = seedOf(uint(VERTEX_INDEX)); // of the primitive's first vertex
+    primitiveSeed = seedOf(uint(VERTEX_INDEX)); // from the first vertex of the primitive
     drawIndex = draw.index;
 }

@@ -1,4 +1,5 @@
-// Where vertices are: what all vertex shaders of the draw passes compute alike. interface.glsl comes before this text.
+// Positions of vertices, which all vertex shaders of the draw passes compute identically. interface.glsl comes before
+// this text.
 
 layout(std140, CAMERA_AT) uniform Camera { mat4 viewProjection; float footprint; } camera;
 
@@ -6,15 +7,15 @@ DRAW_BLOCK Draw {
     vec4 toShading[3];       // rows of object to shading space
     vec4 normalToShading[3]; // rows of the inverse transpose
     uint seed;
-    float handedness; // -1 where the transform mirrors
-    uint index;       // in the frame's list
-    uint firstIndex;  // of the mesh
+    float handedness; // -1 if the transform mirrors
+    uint index;       // index in the frame's list of draws
+    uint firstIndex;  // first index of the mesh
     uint firstVertex;
 } draw;
 
-// Sums in an order of their own, and precise: compilers are free to choose the order of dot() and of matrix products and to
-// contract sums, and of surfaces at equal depth rounding picks the one that shows. `invariant gl_Position` says nothing of
-// the vertex shader that pulls, and a caller's `precise` nothing of what functions compute.
+// The sums have an explicit order and are precise. Compilers may choose the order of dot() and of matrix products and
+// contract sums, and rounding would decide which of two surfaces at equal depth shows. `invariant gl_Position` does not
+// cover the vertex shader that pulls, and a caller's `precise` does not cover functions.
 float transformRow(vec4 row, vec3 p) {
     precise float sum = ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w;
     return sum;
@@ -34,7 +35,7 @@ vec4 clipOf(vec3 position) {
     return clip;
 }
 
-// vertex: with the mesh's first one, of the primitive's first corner.
+// vertex is the index of the primitive's first corner, including the first vertex of the mesh.
 uint seedOf(uint vertex) {
     uint seed = (draw.seed ^ vertex) * 0x9E3779B1u;
     return seed ^ (seed >> 15);

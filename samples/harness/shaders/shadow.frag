@@ -1,4 +1,4 @@
-// Alpha-masked casters only; opaque ones are drawn without a fragment shader.
+// Fragment shader of alpha-masked casters. Opaque casters are drawn without one.
 
 VARYING(0) in vec2 casterUv;
 VARYING(1) in float casterAlpha;
@@ -15,7 +15,7 @@ layout(std140, CASTER_AT(4)) uniform Material {
 
 void main() {
     float alpha = material.baseColor.a * casterAlpha * texture(baseColorMap, casterUv).a;
-    // What is blended casts a shadow where it covers more than half.
+    // Blended surfaces cast a shadow where they cover more than half.
     if (alpha < mix(material.alphaCutoff, 0.5, float(material.alphaCutoff < 0.0)))
         discard;
 }

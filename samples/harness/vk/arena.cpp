@@ -42,7 +42,7 @@ Arena::Place Arena::allocate(const VkMemoryRequirements& requirements, VkMemoryP
     Block block;
     block.type = type;
     block.isImages = isImage;
-    // Small arenas stay small: blocks double up to the full size.
+    // Blocks double up to the full size, so that small arenas stay small.
     const VkDeviceSize next = std::min(blockSize, (VkDeviceSize(1) << 20) << blocks_.size());
     block.size = std::max(requirements.size, next);
     block.used = requirements.size;

@@ -1,5 +1,4 @@
-// Device memory in large blocks, given back all at once, and the buffers and images that live in
-// it.
+// Device memory in large blocks that are freed together, and the buffers and images in it.
 #pragma once
 
 #include "vk/device.h"
@@ -12,7 +11,7 @@ namespace harness::vk {
 struct BufferResource {
     Buffer buffer;
     VkDeviceSize size = 0;
-    std::byte* mapped = nullptr; // of host-visible buffers
+    std::byte* mapped = nullptr; // address of a host-visible buffer
 };
 
 struct ImageResource {
@@ -25,7 +24,7 @@ public:
     explicit Arena(const Device& device) : device_(&device) {}
 
     BufferResource deviceBuffer(VkDeviceSize size, VkBufferUsageFlags usage);
-    // Host-visible and coherent; isRead: the host reads, so cached memory is preferred.
+    // Creates a host-visible, coherent buffer. isRead: the host reads it, so cached memory is preferred.
     BufferResource hostBuffer(VkDeviceSize size, VkBufferUsageFlags usage, bool isRead = false);
     // The view covers all levels and layers.
     ImageResource image(const VkImageCreateInfo& info, VkImageViewType viewType,
@@ -35,7 +34,7 @@ private:
     struct Block {
         DeviceMemory memory;
         uint32_t type = 0;
-        bool isImages = false; // apart from buffers, for the device's granularity
+        bool isImages = false; // separate from buffers, because of the device's granularity
         VkDeviceSize size = 0;
         VkDeviceSize used = 0;
         std::byte* mapped = nullptr;

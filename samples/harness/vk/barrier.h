@@ -1,4 +1,4 @@
-// Image barriers in the short form that the sample engine needs.
+// Image barriers for the sample engine.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -11,7 +11,7 @@ struct ImageUse {
     VkImageLayout layout;
 };
 
-// All levels and layers of one aspect.
+// Records a barrier for all levels and layers of one aspect.
 inline void imageBarrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect,
                          const ImageUse& before, const ImageUse& after) {
     VkImageMemoryBarrier barrier{};

@@ -13,7 +13,7 @@ std::string resultName(VkResult result);
 // Throws std::runtime_error "Vulkan could not <what>: <result>." on errors.
 void check(VkResult result, const char* what);
 
-// A handle that belongs to a device. Destroy is the API's function, such as vkDestroyImage.
+// A handle that belongs to a device. Destroy is a function of the API, such as vkDestroyImage.
 template <class Handle, auto Destroy>
 class Owned {
 public:

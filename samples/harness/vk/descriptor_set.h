@@ -1,4 +1,4 @@
-// A descriptor set with a pool of its own.
+// A descriptor set with its own pool.
 #pragma once
 
 #include "vk/check.h"
@@ -10,7 +10,7 @@ namespace harness::vk {
 class DescriptorSet {
 public:
     DescriptorSet() = default;
-    // sizes: the descriptors of the layout.
+    // `sizes` are the descriptors of the layout.
     DescriptorSet(VkDevice device, VkDescriptorSetLayout layout, std::span<const VkDescriptorPoolSize> sizes);
 
     VkDescriptorSet get() const { return set_; }

@@ -133,7 +133,7 @@ void Device::createInstance(bool useValidation) {
          (isValidated && hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, validationLayer)));
     if (hasMessenger) {
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
-        messenger.pNext = info.pNext; // also hears the instance's own creation and destruction
+        messenger.pNext = info.pNext; // reports the creation and destruction of the instance, too
         info.pNext = &messenger;
     }
     hasValidation_ = synchronises && hasMessenger;
@@ -241,8 +241,8 @@ void Device::createDevice(const RendererOptions& options) {
         if (!isUnwanted(feature) && supported.isSet(feature))
             enabled.set(feature);
     }
-    // The sample engine's own wish. Mesa's software rasteriser (22.3) takes wrong texels with it at
-    // the edges of triangles.
+    // Only the sample engine uses the feature. Mesa's software rasteriser (22.3) reads wrong texels with it at the
+    // edges of triangles.
     hasAnisotropy_ = properties_.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU &&
                      supported.isSet("samplerAnisotropy") && enabled.set("samplerAnisotropy");
     hasPrimitiveIds_ = !isUnwanted("geometryShader") && supported.isSet("geometryShader") && enabled.set("geometryShader");

@@ -1,4 +1,4 @@
-// The sample engine's Vulkan instance, device and queue, created with what the SDK asks for.
+// The sample engine's Vulkan instance, device and queue, with the features and extensions of the SDK.
 #pragma once
 
 #include "agaa_vk.h"
@@ -27,25 +27,25 @@ public:
     uint32_t queueFamily() const { return queueFamily_; }
     uint32_t apiVersion() const { return apiVersion_; }
     const std::vector<const char*>& extensions() const { return extensions_; }
-    const void* features() const { return enabled_->chain(); } // VkPhysicalDeviceFeatures2, of those that are enabled
+    const void* features() const { return enabled_->chain(); } // VkPhysicalDeviceFeatures2 of the enabled features
     const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
     const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
     std::string name() const { return properties_.deviceName; }
     bool hasDynamicRendering() const { return hasDynamicRendering_; }
-    bool hasValidation() const { return hasValidation_; } // of synchronisation too, and its messages are heard
+    bool hasValidation() const { return hasValidation_; } // with synchronisation validation
     bool hasAnisotropy() const { return hasAnisotropy_; }
     bool hasPrimitiveIds() const { return hasPrimitiveIds_; }
     std::vector<ApiMessage> takeMessages() { return messages_.take(); }
 
-    // Records, submits and waits.
+    // Records commands, submits them and waits.
     void runCommands(const std::function<void(VkCommandBuffer)>& record) const;
-    // The same in steps.
+    // These functions do the same in steps.
     VkCommandBuffer beginCommands() const;
-    // Ends, runs and frees; returns the milliseconds from the submission to the fence.
+    // Ends, submits and frees the command buffer. Returns the milliseconds from the submission to the fence.
     double submitAndWait(VkCommandBuffer commands) const;
-    void discardCommands(VkCommandBuffer commands) const; // frees without running
+    void discardCommands(VkCommandBuffer commands) const; // frees the command buffer without submitting it
 
-    // For AgaaVkDeviceDesc.
+    // The callback for AgaaVkDeviceDesc.
     static AgaaVkFunction AGAA_CALL getProcAddr(void* instance, const char* name);
 
 private:
@@ -71,7 +71,7 @@ private:
     std::optional<FeatureChain> enabled_;
     bool hasDynamicRendering_ = false;
     bool hasAnisotropy_ = false;
-    bool hasPrimitiveIds_ = false; // in fragment shaders
+    bool hasPrimitiveIds_ = false; // fragment shaders read gl_PrimitiveID
     bool hasValidation_ = false;
 };
 

@@ -15,7 +15,7 @@ FeatureChain::FeatureChain(uint32_t apiVersion, const Extensions& has) {
     core_.pNext = &v11_;
     v11_.pNext = &v12_;
     hasV13_ = apiVersion >= VK_API_VERSION_1_3;
-    // A feature must not be in a chain twice, so the single structs are for older devices only.
+    // A feature must not be in a chain twice, so only older devices use the single structs.
     void** end = &v12_.pNext;
     const auto append = [&end](auto& features) {
         *end = &features;
@@ -89,7 +89,7 @@ const VkBool32* FeatureChain::find(std::string_view name) const {
     FEATURE(v12_, vulkanMemoryModel);
     FEATURE(v12_, shaderOutputViewportIndex);
     FEATURE(v12_, shaderOutputLayer);
-    FEATURE(conditionalRendering_, conditionalRendering); // not set where it is not in the chain
+    FEATURE(conditionalRendering_, conditionalRendering); // not set if it is not in the chain
     FEATURE(interlock_, fragmentShaderPixelInterlock);
     FEATURE(attachmentOrder_, rasterizationOrderColorAttachmentAccess);
     if (hasV13_) {

@@ -7,10 +7,10 @@
 
 namespace harness::vk {
 
-// The chain of feature structs that a device of the given API version knows.
+// The chain of feature structs that a device of the given API version supports.
 class FeatureChain {
 public:
-    // Extensions of these names, of which the first two matter where the version is below the one that took them into the core.
+    // Flags of enabled extensions. The first two matter only for versions before the one that made them core.
     struct Extensions {
         bool dynamicRendering = false, synchronization2 = false, conditionalRendering = false, interlock = false,
              attachmentOrder = false;
@@ -19,9 +19,9 @@ public:
     FeatureChain(const FeatureChain&) = delete;
     FeatureChain& operator=(const FeatureChain&) = delete;
 
-    // What the device supports, to be asked by isSet().
+    // Reads the features that the device supports, for isSet().
     void query(VkPhysicalDevice device);
-    // False for names that are unknown here, or unknown to a device of this version.
+    // Returns false for names that are unknown here or in this version of the API.
     bool isSet(std::string_view name) const;
     bool set(std::string_view name);
     const void* chain() const { return &core_; }

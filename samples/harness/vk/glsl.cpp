@@ -15,14 +15,13 @@ namespace harness::vk {
 
 namespace {
 
-// The library wants to be told once per process that it is used, and once that it is not.
+// The library must be initialised and finalised once per process.
 struct Glslang {
     Glslang() { glslang::InitializeProcess(); }
     ~Glslang() { glslang::FinalizeProcess(); }
 };
 
-// glslang writes "ERROR: 0:123: …"; the text was put together at run time, so the line number alone
-// would help nobody.
+// glslang writes "ERROR: 0:123: …". The text was assembled at run time, so the message also quotes the line.
 std::string withSourceLines(const std::string& log, const std::string& source) {
     std::vector<std::string> lines;
     std::istringstream text(source);

@@ -1,4 +1,4 @@
-// GLSL to SPIR-V at run time: the SDK hands its declarations over as text.
+// GLSL to SPIR-V at run time, because the SDK's declarations are text.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,11 @@ namespace harness::vk {
 
 enum class ShaderStage { Vertex, Geometry, Fragment, Compute };
 
-// Throws std::runtime_error with the compiler's messages and the lines they name. `name` is told in
-// the error.
+// Throws std::runtime_error with `name`, the compiler's messages and the lines that they name.
 std::vector<uint32_t> compileGlsl(ShaderStage stage, const std::string& source,
                                   const std::string& name);
 
-// A text of shaders/ that needs nothing of the SDK's, with what comes before it.
+// Returns a shader of shaders/ that needs no SDK text, with its prefix.
 std::string vulkanText(const char* body);
 
 } // namespace harness::vk

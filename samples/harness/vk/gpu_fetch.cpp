@@ -96,7 +96,7 @@ void GpuFetch::createSet() {
         writes[i].dstBinding = i;
         writes[i].descriptorCount = 1;
         writes[i].descriptorType = type(i);
-        writes[i].pBufferInfo = &camera; // what the type does not name is not read
+        writes[i].pBufferInfo = &camera; // Vulkan ignores members that the type does not use
         if (isTexels(i))
             writes[i].pTexelBufferView = &views[i - DrawBinding];
         else if (i != CameraBinding)

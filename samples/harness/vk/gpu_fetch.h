@@ -1,4 +1,4 @@
-// What the SDK's pass that fetches by id reads: a descriptor set with the scene's buffers and texture arrays.
+// The resources that the SDK's fetching passes read: a descriptor set with the scene's buffers and texture arrays.
 #pragma once
 
 #include "render/fetch_scene.h"
@@ -15,7 +15,7 @@ public:
 
     const AgaaFetchFunction& function() const { return function_; }
     VkDescriptorSet set() const { return set_.get(); }
-    // Of the next frame; the one before has finished.
+    // Sets the data of the next frame. The previous frame must have finished.
     void update(const Scene& scene, const std::vector<Draw>& draws, const glm::mat4& viewProjection);
 
 private:

@@ -34,7 +34,7 @@ void GpuScene::uploadGeometry(Uploader& uploader, const Scene& scene) {
     checkMeshes(scene);
     const auto vertices = std::as_bytes(std::span(scene.vertices));
     const auto indices = std::as_bytes(std::span(scene.indices));
-    // A scene may be empty; buffers may not.
+    // A scene may be empty, but a buffer may not.
     vertices_ =
         arena_.deviceBuffer(std::max(vertices.size(), sizeof(Vertex)),
                             VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
@@ -58,7 +58,7 @@ void GpuScene::uploadTextures(Uploader& uploader, const Scene& scene) {
             uploader.texture(arena_, makeMipChain(texture, options[i]), texture.srgb));
         textureWraps_.emplace_back(texture.wrapU, texture.wrapV);
     }
-    // Bound where a material has no texture: a driver may read every binding of a bound set.
+    // This texture is bound if a material has no texture, because a driver may read every binding of a bound set.
     textures_.push_back(uploader.texture(arena_, {{1, 1, {255, 255, 255, 255}}}, false));
     textureWraps_.emplace_back(Wrap::Repeat, Wrap::Repeat);
 }

@@ -1,5 +1,4 @@
-// A scene on the device: one vertex and one index buffer, its textures, and a descriptor set a
-// material.
+// A scene on the device: one vertex and one index buffer, textures, and a descriptor set per material.
 #pragma once
 
 #include "render/host_material.h"
@@ -15,10 +14,10 @@ public:
     GpuScene(const Device& device, const Scene& scene);
 
     VkDescriptorSetLayout materialLayout() const { return layout_.get(); }
-    // Meshes without a valid material get the default one.
+    // Meshes without a valid material use the default material.
     VkDescriptorSet materialSet(uint32_t material) const;
     void bindGeometry(VkCommandBuffer commands) const;
-    const BufferResource& indices() const { return indices_; } // texels too
+    const BufferResource& indices() const { return indices_; } // with texel buffer usage
     const BufferResource& vertices() const { return vertices_; }
 
 private:
@@ -32,16 +31,16 @@ private:
     BufferResource vertices_;
     BufferResource indices_;
     BufferResource materialConstants_;
-    std::vector<ImageResource> textures_; // as Scene::textures, then a white one
+    std::vector<ImageResource> textures_; // Scene::textures, then a white texture
     std::vector<std::pair<Wrap, Wrap>> textureWraps_;
     std::map<std::pair<Wrap, Wrap>, Sampler> samplers_;
     DescriptorSetLayout layout_;
     DescriptorPool pool_;
-    std::vector<VkDescriptorSet> materialSets_; // as Scene::materials, then the default one
+    std::vector<VkDescriptorSet> materialSets_; // Scene::materials, then the default material
 };
 
-// The vertex layout of all pipelines. Attributes that a shader does not read are left out by a mask
-// of locations: validation warns of them.
+// The vertex layout of all pipelines. A mask of locations excludes attributes that a shader does not read, because
+// validation warns of them.
 struct VertexInput {
     explicit VertexInput(uint32_t locations);
     VertexInput(const VertexInput&) = delete;

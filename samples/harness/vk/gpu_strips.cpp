@@ -42,7 +42,7 @@ GpuStrips::GpuStrips(const Device& device, const Scene& scene, const GpuScene& g
     VkWriteDescriptorSet write{};
     write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
     write.dstSet = set_.get();
-    write.descriptorCount = uint32_t(std::size(views)); // of the bindings from 0 on
+    write.descriptorCount = uint32_t(std::size(views)); // bindings from 0 on
     write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
     write.pTexelBufferView = views;
     vkUpdateDescriptorSets(device.get(), 1, &write, 0, nullptr);

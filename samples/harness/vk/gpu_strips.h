@@ -1,4 +1,4 @@
-// What draws that pull vertices read and need: a descriptor set with the scene's vertices and indices, and an index buffer.
+// Resources of draws that pull vertices: a descriptor set with the scene's vertices and indices, and an index buffer.
 #pragma once
 
 #include "vk/descriptor_set.h"

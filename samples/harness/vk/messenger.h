@@ -7,7 +7,7 @@
 
 namespace harness::vk {
 
-// For VkInstanceCreateInfo::pNext and vkCreateDebugUtilsMessengerEXT.
+// Returns the description for VkInstanceCreateInfo::pNext and vkCreateDebugUtilsMessengerEXT.
 VkDebugUtilsMessengerCreateInfoEXT messengerInfo(MessageCollector& collector);
 
 } // namespace harness::vk

@@ -10,7 +10,7 @@ namespace harness::vk {
 
 namespace {
 
-// Full precision: error figures must measure the SDK and not the image.
+// The format has full precision, so that errors measure the SDK and not the image.
 constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr size_t channels = 4;
 

@@ -1,4 +1,4 @@
-// The image that the SDK writes its result into, and its way back to the host.
+// The image into which the SDK writes its result, and its read-back.
 #pragma once
 
 #include "vk/arena.h"
@@ -14,9 +14,9 @@ public:
     VkImage image() const { return target_.image.get(); }
     VkImageView view() const { return target_.view.get(); }
 
-    // Fills it and leaves it in GENERAL: what the SDK composites over.
+    // Fills the image, over which the SDK composites, and leaves it in GENERAL.
     void recordClear(VkCommandBuffer commands, const glm::vec3& color) const;
-    // The image must be in TRANSFER_SRC_OPTIMAL, and is left there.
+    // The image must be in TRANSFER_SRC_OPTIMAL and stays in it.
     Image read() const;
 
 private:

@@ -1,5 +1,4 @@
-// The sample engine's pipelines for the SDK's draw passes. The SDK says when they must be rebuilt
-// by a key, so they are kept by it, also across views.
+// The sample engine's pipelines for the SDK's draw passes, by the SDK's pipeline key. All views share them.
 #pragma once
 
 #include "render/draw_pass.h"
@@ -16,17 +15,17 @@ namespace harness::vk {
 constexpr uint32_t cameraSetIndex = 0;
 constexpr uint32_t agaaSetIndex = 1;
 constexpr uint32_t materialSetIndex = 2;
-constexpr uint32_t stripSetIndex = 3; // of passes that pull vertices
+constexpr uint32_t stripSetIndex = 3; // set of passes that pull vertices
 
 class PassPipelines {
 public:
     PassPipelines(const Device& device, VkDescriptorSetLayout cameraLayout);
 
-    // Makes what the draws need and is not there yet. Before recording: pipelines take time. stripLayout: may be null if no
-    // pass pulls vertices.
+    // Creates the missing pipelines for the draws. Must run before recording, because pipelines take time to compile.
+    // stripLayout may be null if no pass pulls vertices.
     void prepare(const DrawPass<AgaaVkDrawPass>& pass, const Scene& scene, const std::vector<Draw>& draws,
                  VkDescriptorSetLayout materialLayout, VkDescriptorSetLayout stripLayout);
-    // Both throw std::runtime_error where prepare() was not called for it.
+    // Both functions throw std::runtime_error if prepare() was not called for the pass.
     VkPipelineLayout layout(uint64_t pipelineKey) const;
     VkPipeline pipeline(uint64_t pipelineKey, const Variant& variant) const;
     void clear() { programs_.clear(); }
@@ -36,7 +35,7 @@ private:
         std::string text;
         PipelineLayout layout;
         std::array<ShaderModule, 2> fragments; // opaque, masked
-        ShaderModule geometry, pulling;        // where the pass has one
+        ShaderModule geometry, pulling;        // null if the pass has none
         const ShaderModule* vertex = nullptr;
         std::map<Variant, Pipeline> pipelines;
     };
@@ -48,7 +47,7 @@ private:
 
     const Device* device_;
     VkDescriptorSetLayout cameraLayout_;
-    std::array<ShaderModule, 3> vertices_; // by cornerOutputs()
+    std::array<ShaderModule, 3> vertices_; // indexed by cornerOutputs()
     std::map<uint64_t, Program> programs_;
 };
 

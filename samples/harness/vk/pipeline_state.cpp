@@ -76,7 +76,7 @@ PipelineState::PipelineState(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked
     }
     if (wanted.readsAttachments)
         blendFlags |= VK_PIPELINE_COLOR_BLEND_STATE_CREATE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_BIT_EXT;
-    // The bits of the SDK's mask are those of VkColorComponentFlags.
+    // The bits of the SDK's mask equal VkColorComponentFlags.
     for (VkPipelineColorBlendAttachmentState& blend : blends) {
         blend.colorWriteMask = wanted.colorWriteMask;
         if (wanted.keepFirst) {

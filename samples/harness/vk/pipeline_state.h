@@ -1,4 +1,4 @@
-// What the sample engine's graphics pipelines have in common.
+// The common state of the sample engine's graphics pipelines.
 #pragma once
 
 #include "render/draw_pass.h"
@@ -15,16 +15,17 @@ namespace harness::vk {
 ShaderModule makeShader(const Device& device, ShaderStage stage, const std::string& source,
                         const std::string& name);
 
-// Lists of triangles, dynamic viewport and scissor, no depth, stencil or colour until the user sets them.
+// State with triangle lists, dynamic viewport and scissor, and without depth, stencil or colour until the user sets
+// them.
 class PipelineState {
 public:
     explicit PipelineState(uint32_t colorAttachments);
-    // Everything that the SDK asks of a draw pass's pipelines. The pass must live as long as this.
+    // Sets the state that the SDK requires from the pipelines of a draw pass. The pass must outlive this object.
     PipelineState(const DrawPass<AgaaVkDrawPass>& pass, bool isMasked);
     PipelineState(const PipelineState&) = delete;
     PipelineState& operator=(const PipelineState&) = delete;
 
-    // fragment may be null.
+    // `fragment` may be null.
     Pipeline create(const Device& device, VkShaderModule vertex, VkShaderModule fragment,
                     VkPipelineLayout layout, VkRenderPass renderPass, const void* next = nullptr);
 
@@ -38,10 +39,10 @@ public:
     VkPipelineDepthStencilStateCreateInfo depthStencil{};
     std::vector<VkPipelineColorBlendAttachmentState> blends;
     VkPipelineColorBlendStateCreateFlags blendFlags = 0;
-    VkPipelineRenderingCreateInfo rendering{}; // with dynamic rendering
+    VkPipelineRenderingCreateInfo rendering{}; // used with dynamic rendering
 };
 
-// The whole target.
+// Sets viewport and scissor to the whole target.
 void setViewport(VkCommandBuffer commands, uint32_t width, uint32_t height);
 
 } // namespace harness::vk

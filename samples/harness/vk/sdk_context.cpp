@@ -32,7 +32,7 @@ void SdkContext::createContext(const Device& device, const RendererOptions& opti
     common.pNext = &desc;
     common.log = &log;
     log_.check(agaaVkCreateContext(AGAA_HEADER_VERSION, &common, &context_), "agaaVkCreateContext");
-    // Less what was not enabled.
+    // The capabilities of the context exclude features that were not enabled.
     log_.check(agaaVkGetContextCaps(context_, &caps_), "agaaVkGetContextCaps");
 }
 

@@ -20,8 +20,8 @@ public:
     const AgaaDeviceCaps& caps() const { return caps_; }
     SdkLog& log() { return log_; }
 
-    // Valid until the next call but one: measurements alternate between two views. All frames must
-    // have finished.
+    // Returns a view that stays valid for one further call, because measurements alternate between two views. All
+    // frames must have finished.
     const VkSdkView& view(const AgaaViewDesc& desc);
 
 private:

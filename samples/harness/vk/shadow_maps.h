@@ -13,11 +13,11 @@ class ShadowMaps {
 public:
     ShadowMaps(const Device& device, uint32_t size);
 
-    // Renders where the lights, the camera or the offset differ from the last call. The camera's
-    // jitter and image size do not matter: all frames of a view share their maps.
+    // Renders if the lights, the camera or the offset differ from the last call. The camera's jitter and image size do
+    // not matter: all frames of a view share their maps.
     void update(const GpuScene& gpuScene, const Scene& scene, const RenderSettings& settings,
                 const CameraMatrices& camera);
-    // The scene has changed.
+    // Must be called when the scene changes.
     void invalidate();
 
     const std::vector<AgaaShadow>& shadows() const { return shadows_; }
@@ -42,7 +42,7 @@ private:
     Arena arena_;
     std::vector<ImageResource> maps_;
     std::vector<AgaaShadow> shadows_;
-    std::vector<double> key_; // what the maps were rendered for
+    std::vector<double> key_; // key of the rendered maps
 };
 
 } // namespace harness::vk

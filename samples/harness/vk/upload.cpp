@@ -15,7 +15,7 @@ constexpr VkDeviceSize chunkSize = VkDeviceSize(16) << 20;
 
 Uploader::Uploader(const Device& device) : device_(&device), arena_(device) {}
 
-// Every copy is waited for, so one buffer serves them all; it grows to the largest texture.
+// Each copy is waited for, so all copies share one staging buffer. It grows to the size of the largest texture.
 const BufferResource& Uploader::staging(VkDeviceSize size) {
     if (staging_.size < size) {
         staging_ = {};

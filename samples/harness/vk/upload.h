@@ -14,9 +14,9 @@ public:
 
     // The buffer needs VK_BUFFER_USAGE_TRANSFER_DST_BIT.
     void fill(const BufferResource& buffer, std::span<const std::byte> bytes);
-    // A sampled RGBA8 image in SHADER_READ_ONLY_OPTIMAL.
+    // Returns a sampled RGBA8 image in SHADER_READ_ONLY_OPTIMAL.
     ImageResource texture(Arena& arena, const std::vector<MipLevel>& levels, bool srgb);
-    // The same with layers of one size, for compute.
+    // Returns such an image with layers of one size, for compute shaders.
     ImageResource textureArray(Arena& arena, const std::vector<std::vector<MipLevel>>& layers, bool srgb);
 
 private:

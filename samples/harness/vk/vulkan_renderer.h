@@ -1,4 +1,4 @@
-// The sample engine on Vulkan: the host that the SDK is built into.
+// The sample engine on Vulkan: a host of the SDK.
 #pragma once
 
 #include "render/host_renderer.h"
@@ -46,9 +46,9 @@ private:
     vk::ShadowMaps shadowMaps_;
     std::optional<vk::OutputImage> output_;
     std::optional<vk::GpuScene> gpuScene_;
-    std::optional<vk::GpuFetch> fetch_; // where a view fetches by id
-    std::optional<vk::GpuStrips> strips_; // where a pass pulls vertices
-    const vk::VkSdkView* view_ = nullptr; // in use
+    std::optional<vk::GpuFetch> fetch_; // set if a view fetches materials by id
+    std::optional<vk::GpuStrips> strips_; // set if a pass pulls vertices
+    const vk::VkSdkView* view_ = nullptr; // view in use
 };
 
 } // namespace harness

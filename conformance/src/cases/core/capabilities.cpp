@@ -1,4 +1,4 @@
-// agaaQueryCapabilities: what it lists, for whom, and what it refuses.
+// agaaQueryCapabilities: the entries per device, and the errors.
 #include "cases.h"
 #include "capabilities.h"
 #include "structs.h"
@@ -62,7 +62,7 @@ void testCapsNull(Test& test) {
         test.check(row.tier != AGAA_TIER_AUTO, nameOf(row) + " cannot run on an ideal device.");
 }
 
-// Nothing but count is written.
+// The call writes only count.
 void testCapabilitiesNull(Test& test) {
     uint32_t count = 0;
     test.result(test.sdk.agaaQueryCapabilities(nullptr, &count, nullptr), AGAA_OK, "agaaQueryCapabilities with capabilities = null");
@@ -138,7 +138,7 @@ void testTooSmall(Test& test) {
     test.check(count == rows.size(), "agaaQueryCapabilities does not return the number of entries.");
 }
 
-// Elements of a later header lie further apart.
+// Elements of a later header have a larger stride.
 void testArraySteps(Test& test) {
     const std::vector<AgaaCapability> expected = capabilitiesOf(test, nullptr);
     const size_t stride = sizeof(AgaaCapability) + 40;
@@ -155,7 +155,7 @@ void testArraySteps(Test& test) {
         test.check(std::memcmp(&got, &expected[i], sizeof got) == 0,
                    "agaaQueryCapabilities does not step by the caller's structSize: element " + std::to_string(i) + " differs.");
     }
-    test.check(array.findOther(expected.size() * stride, array.size(), Bytes::pattern) == array.size(),
+    test.check(array.findDifference(expected.size() * stride, array.size(), Bytes::pattern) == array.size(),
                "agaaQueryCapabilities writes beyond an array of larger elements.");
     element(1)->structSize = sizeof(AgaaCapability);
     test.result(test.sdk.agaaQueryCapabilities(nullptr, &count, element(0)), AGAA_ERROR_STRUCT,

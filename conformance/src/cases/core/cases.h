@@ -1,11 +1,11 @@
-// The tests that need no device, by what they are about.
+// The tests that need no device, by topic.
 #pragma once
 
 #include "suite.h"
 
 namespace agaa::conformance {
 
-void addCoreCases(Suite& suite); // all.cpp: all of them
+void addCoreCases(Suite& suite); // defined in all.cpp: adds all of them
 
 void addInitCases(Suite& suite);
 void addHeaderCases(Suite& suite);

@@ -10,7 +10,7 @@ namespace agaa::conformance {
 
 namespace {
 
-// Every pointer that a function without a device requires.
+// Tests every pointer that a function without a device requires.
 void testNullPointers(Test& test) {
     ViewParts parts(test.sdk, nullptr);
     const AgaaViewDesc* view = &parts.desc;
@@ -52,22 +52,22 @@ void testNullPointers(Test& test) {
     silent("agaaGlGetRequirements with null", test.sdk.agaaGlGetRequirements(nullptr));
 }
 
-// Rows of the wrong views that have this error, through all queries.
+// Passes the wrong views with this error to all queries.
 void testWrongViewsOf(Test& test, AgaaResult error) {
     for (const WrongView& row : wrongViews())
         if (row.expected == error) {
             ViewParts parts(test.sdk, nullptr);
-            row.spoil(parts);
+            row.corrupt(parts);
             expectViewRefused(test, parts, error, row.what, row.words);
         }
 }
 
-// A call that fails has the code also without a log, and with a log that has no callback.
+// A call that fails returns the code without a log, and with a log that has no callback.
 void testNoCallback(Test& test) {
     AgaaLog log = AGAA_LOG_INIT;
     for (const WrongView& row : wrongViews()) {
         ViewParts parts(test.sdk, nullptr);
-        row.spoil(parts);
+        row.corrupt(parts);
         for (const AgaaLog* pointer : {static_cast<const AgaaLog*>(nullptr), static_cast<const AgaaLog*>(&log)})
             test.result(test.sdk.agaaQueryMemory(parts.get(), &parts.caps, pointer, nullptr, nullptr, nullptr), row.expected,
                         callWith("agaaQueryMemory", row.what) + (pointer ? " and AgaaLog::callback = null" : " and log = null"));
@@ -77,11 +77,11 @@ void testNoCallback(Test& test) {
                 "agaaQueryMemory with AgaaLog::callback = null");
 }
 
-// AgaaLogCallback: user, the severity and the text of an error.
+// Tests user, severity and text of an error in AgaaLogCallback.
 void testMessages(Test& test) {
     for (const WrongView& row : wrongViews()) {
         ViewParts parts(test.sdk, nullptr);
-        row.spoil(parts);
+        row.corrupt(parts);
         LogRecorder log;
         test.sdk.agaaQueryMemory(parts.get(), &parts.caps, log.get(), nullptr, nullptr, nullptr);
         for (const LogLine& line : log.errors())
@@ -129,7 +129,7 @@ const std::vector<Change>& extremes() {
     return changes;
 }
 
-// Every call succeeds or names what it cannot do; none is an error of the library.
+// Every call succeeds or reports an error of the input; none reports an internal error.
 void testNoInternalError(Test& test) {
     std::vector<ViewQuery> queries = viewQueries();
     queries.push_back(aggregateGlslQuery);

@@ -1,4 +1,4 @@
-// A goal, an observation and a choice that are valid, with the view that they are of; tests change some of them.
+// A valid goal, observation and choice with their view; tests change some of them.
 #pragma once
 
 #include "view_parts.h"
@@ -9,8 +9,9 @@ struct GoalParts : ViewParts {
     explicit GoalParts(const Functions& sdk);
 
     AgaaGoal goal;
-    AgaaMeasuredSettings measured[2]; // "single" and "ssaa", n=8, with errors and times; not of the goal before useMeasured()
-    AgaaObservation observation; // of "ssaa", n=8
+    AgaaMeasuredSettings measured[2]; // "single" and "ssaa", n=8, with errors and times; useMeasured() adds them to the
+                                      // goal
+    AgaaObservation observation; // an observation of "ssaa", n=8
     AgaaChoice current;          // "ssaa", n=8
     AgaaChoice choice;           // initialised
     AgaaFrameStatistics statistics;

@@ -1,4 +1,4 @@
-// agaaObserve, agaaChooseSettings and agaaApplyChoice: what they give and what they refuse.
+// agaaObserve, agaaChooseSettings and agaaApplyChoice: results and errors.
 #include "cases.h"
 #include "goal_parts.h"
 #include "structs.h"
@@ -55,7 +55,7 @@ void testObserveNulls(Test& test) {
 struct WrongStatistics {
     const char* what;
     AgaaResult expected;
-    void (*spoil)(GoalParts&);
+    void (*corrupt)(GoalParts&);
 };
 
 void timeOne(GoalParts& parts, double milliseconds) {
@@ -75,13 +75,13 @@ const WrongStatistics wrongStatistics[] = {
      [](GoalParts& p) { timeOne(p, std::numeric_limits<double>::quiet_NaN()); }},
 };
 
-// error: AGAA_OK for all.
+// Runs the rows of an error; AGAA_OK selects all rows.
 void testWrongStatistics(Test& test, AgaaResult error) {
     for (const WrongStatistics& row : wrongStatistics) {
         if (error != AGAA_OK && row.expected != error)
             continue;
         GoalParts parts(test.sdk);
-        row.spoil(parts);
+        row.corrupt(parts);
         const AgaaObservation before = parts.observation;
         LogRecorder log;
         expectRefused(test, parts.observe(test, log.get()), row.expected, log, "agaaObserve", callWith("agaaObserve", row.what));
@@ -98,7 +98,7 @@ void testObserveInvalid(Test& test) {
                   AGAA_ERROR_INVALID_ARGUMENT, log, "agaaObserve", "agaaObserve with outObservation = null");
 }
 
-// Counts and times that the statistics lack stay, if they are of the same settings.
+// Counts and times that the statistics lack keep their values if the settings are the same.
 void testMerged(Test& test) {
     GoalParts parts(test.sdk);
     timeOne(parts, 3);
@@ -139,7 +139,7 @@ void testChooseNulls(Test& test) {
 struct WrongGoal {
     const char* what;
     AgaaResult expected;
-    void (*spoil)(GoalParts&);
+    void (*corrupt)(GoalParts&);
 };
 
 const WrongGoal wrongGoals[] = {
@@ -175,7 +175,7 @@ const WrongGoal wrongGoals[] = {
 struct WrongMeasured {
     const char* what;
     AgaaResult expected;
-    void (*spoil)(AgaaGoal& goal, AgaaMeasuredSettings* m);
+    void (*corrupt)(AgaaGoal& goal, AgaaMeasuredSettings* m);
 };
 
 const WrongMeasured wrongMeasured[] = {
@@ -211,13 +211,13 @@ void expectGoalRefused(Test& test, GoalParts& parts, AgaaResult error, const cha
     test.check(isSameChoice(before, parts.choice), call + " writes.");
 }
 
-// error: AGAA_OK for all.
+// Runs the rows of an error; AGAA_OK selects all rows.
 void testWrongGoals(Test& test, AgaaResult error) {
     for (const WrongGoal& row : wrongGoals) {
         if (error != AGAA_OK && row.expected != error)
             continue;
         GoalParts parts(test.sdk);
-        row.spoil(parts);
+        row.corrupt(parts);
         expectGoalRefused(test, parts, row.expected, row.what);
     }
     for (const WrongMeasured& row : wrongMeasured) {
@@ -225,12 +225,12 @@ void testWrongGoals(Test& test, AgaaResult error) {
             continue;
         GoalParts parts(test.sdk);
         parts.useMeasured();
-        row.spoil(parts.goal, parts.measured);
+        row.corrupt(parts.goal, parts.measured);
         expectGoalRefused(test, parts, row.expected, row.what);
     }
 }
 
-// Only measured settings are chosen, by what was measured of them.
+// Only measured settings are chosen, by their measured errors and times.
 void testMeasured(Test& test) {
     GoalParts parts(test.sdk);
     parts.useMeasured();
@@ -261,7 +261,7 @@ void testChooseInvalid(Test& test) {
 
 // ---- agaaApplyChoice -----------------------------------------------------------------------------
 
-// The view of a choice has the bytes that the choice says.
+// The view of a choice has the bytes that the choice predicts.
 void testApplied(Test& test) {
     for (const float share : {1.0f, 0.25f, 0.1f, 0.05f, 0.02f}) {
         GoalParts parts(test.sdk);
@@ -290,7 +290,7 @@ void testWrongChoices(Test& test, AgaaResult error) {
         if (row.expected != error)
             continue;
         GoalParts parts(test.sdk);
-        row.spoil(parts);
+        row.corrupt(parts);
         const AgaaConfig config = parts.config;
         const AgaaAggregation aggregation = parts.aggregation;
         const std::string call = callWith("agaaApplyChoice", row.what);
@@ -321,8 +321,8 @@ void addGoalCases(Suite& suite) {
     suite.core("agaaObserve/outObservation.unchanged", [](Test& test) { testWrongStatistics(test, AGAA_OK); });
     suite.core("agaaObserve/those_of.agaaQueryMemory", [](Test& test) {
         testWrongViews(test, nullptr, "agaaObserve", [&](const ViewParts& parts, LogRecorder& log) {
-            GoalParts own(test.sdk);
-            return test.sdk.agaaObserve(parts.get(), &parts.caps, log.get(), &own.statistics, &own.observation);
+            GoalParts valid(test.sdk);
+            return test.sdk.agaaObserve(parts.get(), &parts.caps, log.get(), &valid.statistics, &valid.observation);
         });
     });
     suite.core("agaaObserve/AGAA_ERROR_INVALID_ARGUMENT", testObserveInvalid);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr size_t guard = 64, more = spareBytes - guard;
 
-// The struct, as a host with a header of this structSize would pass it; at the end of the memory there is a guard.
+// A struct as a host with a header of this structSize passes it. A guard follows the memory.
 Bytes makeStruct(Test& test, const HeaderCase& c, size_t structSize) {
     const StructRow& row = versionedStruct(c.name);
     Bytes bytes(row.size + spareBytes);
@@ -20,13 +20,13 @@ Bytes makeStruct(Test& test, const HeaderCase& c, size_t structSize) {
 
 std::string what(const HeaderCase& c, const std::string& how) { return c.function + " with " + c.name + how; }
 
-// A call that must fail. An output struct must be unchanged.
+// Checks a call that must fail. An output struct must be unchanged.
 void expectStructRefused(Test& test, const HeaderCase& c, Bytes& bytes, AgaaResult expected, const std::string& how,
                          const std::string& words) {
     const Bytes before = bytes;
     LogRecorder log;
     const AgaaResult result = c.call(test, bytes.data(), log.get());
-    // A log that is not initialised is not called.
+    // The SDK must not call a log that is not initialised.
     const bool isSilent = !c.hasLog || (std::string(c.name) == "AgaaLog" && expected == AGAA_ERROR_STRUCT);
     if (c.holdsLog && expected == AGAA_ERROR_STRUCT)
         expectRefused(test, result, expected, what(c, how));
@@ -54,7 +54,7 @@ void expectSizeAccepted(Test& test, const HeaderCase& c, size_t structSize) {
     if (!c.isOutput)
         return;
     test.check(std::memcmp(&before, bytes.data(), sizeof before) == 0, what(c, how) + " changes sType, structSize or pNext.");
-    test.check(bytes.findOther(structSize, bytes.size(), Bytes::pattern) == bytes.size(),
+    test.check(bytes.findDifference(structSize, bytes.size(), Bytes::pattern) == bytes.size(),
                what(c, how) + " writes beyond structSize.");
 }
 

@@ -1,4 +1,4 @@
-// What AgaaStructHeader promises of every versioned struct, tested through a call that takes the struct.
+// Tests of the promises of AgaaStructHeader for every versioned struct, through a call that takes the struct.
 #pragma once
 
 #include "log.h"
@@ -6,30 +6,30 @@
 
 namespace agaa::conformance {
 
-// The memory of a struct that a case receives ends so many bytes after its size in these headers.
+// Number of bytes after the struct in the memory that a case receives.
 constexpr size_t spareBytes = 4096 + 64;
 
 struct HeaderCase {
-    const char* name;     // of the struct, as in structs.inc
-    std::string function; // that the message begins with
-    // Makes the initialised struct valid. May be null. The struct may be larger than in these headers.
+    const char* name;     // name of the struct in structs.inc
+    std::string function; // function with which the message begins
+    // Fills the initialised struct with valid values. May be null. The struct may be larger than in these headers.
     std::function<void(Test&, void* structure)> fill;
     std::function<AgaaResult(Test&, void* structure, const AgaaLog* log)> call;
     bool isOutput = false;
-    bool hasLog = true;     // of the function
-    bool isChained = false; // found by its sType: another sType is a struct that is not known
+    bool hasLog = true;     // the function has a log
+    bool isChained = false; // the library finds the struct by its sType: another sType is an unknown struct
     // A struct that may be chained, which the test chains twice. May be empty.
     std::string chained = "";
-    bool holdsLog = false; // the log is in the struct: it is not found if the struct is not initialised
+    bool holdsLog = false; // the struct holds the log, which is not found if the struct is not initialised
 };
 
-// Sizes that are accepted, and the bytes that are written; sizes and types that are refused.
+// Tests accepted sizes and the bytes that are written, and refused sizes and types.
 void testSizes(Test& test, const HeaderCase& c);
-// Data beyond what the library knows: AGAA_ERROR_VERSION.
+// Tests data beyond the known members: AGAA_ERROR_VERSION.
 void testTail(Test& test, const HeaderCase& c);
-// AGAA_ERROR_UNKNOWN_STRUCT.
+// Tests AGAA_ERROR_UNKNOWN_STRUCT.
 void testChain(Test& test, const HeaderCase& c);
-// A chain that ends is accepted, however long it is.
+// Tests that a finite chain of any length is accepted.
 void testLongChain(Test& test, const HeaderCase& c);
 
 inline void testHeader(Test& test, const HeaderCase& c) {

@@ -1,4 +1,4 @@
-// How a call is made with each struct that functions without a device take.
+// The calls with each struct that functions without a device take.
 #include "cases.h"
 #include "goal_parts.h"
 #include "header_check.h"
@@ -17,7 +17,7 @@ AgaaResult memory(Test& test, const ViewParts& parts, const AgaaLog* log) {
     return test.sdk.agaaQueryMemory(parts.get(), nullptr, log, nullptr, nullptr, nullptr);
 }
 
-// A struct that is chained to AgaaConfig or AgaaViewDesc, of a view that also has the default chain of the config.
+// A struct that is chained to AgaaConfig or AgaaViewDesc of a view with the default chain of the config.
 HeaderCase chainedCase(const char* name, std::function<void(ViewParts&, void*)> link,
                        std::function<void(Test&, void*)> fill = nullptr) {
     const auto call = [link](Test& test, void* structure, const AgaaLog* log) {
@@ -65,11 +65,11 @@ AgaaResult callCapabilities(Test& test, void* structure, const AgaaLog*) {
 }
 
 AgaaResult callPreset(Test& test, AgaaConfig* config, AgaaAggregation* aggregation, AgaaMeasurement* measurement) {
-    AgaaConfig ownConfig = AGAA_CONFIG_INIT;
-    AgaaAggregation ownAggregation = AGAA_AGGREGATION_INIT;
-    AgaaMeasurement ownMeasurement = AGAA_MEASUREMENT_INIT;
-    return test.sdk.agaaApplyPreset("paper", config ? config : &ownConfig, aggregation ? aggregation : &ownAggregation,
-                                    measurement ? measurement : &ownMeasurement);
+    AgaaConfig defaultConfig = AGAA_CONFIG_INIT;
+    AgaaAggregation defaultAggregation = AGAA_AGGREGATION_INIT;
+    AgaaMeasurement defaultMeasurement = AGAA_MEASUREMENT_INIT;
+    return test.sdk.agaaApplyPreset("paper", config ? config : &defaultConfig, aggregation ? aggregation : &defaultAggregation,
+                                    measurement ? measurement : &defaultMeasurement);
 }
 
 template <class T> void copyMembers(void* structure, const T& from) {
@@ -196,7 +196,7 @@ std::vector<HeaderCase> outputs() {
     };
 }
 
-// Structs that a second function takes: tests have the name of the struct and the function.
+// Structs that a second function takes. The names of their tests have the struct and the function.
 std::vector<HeaderCase> further() {
     return {
         {"AgaaObservation", "agaaObserve", nullptr,

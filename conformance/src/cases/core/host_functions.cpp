@@ -1,4 +1,4 @@
-// Functions of the host and debug views: techniques and other parts that they exclude.
+// Functions of the host and debug views: the techniques and structs that they exclude.
 #include "cases.h"
 #include "structs.h"
 #include "view_parts.h"
@@ -71,7 +71,7 @@ void testNotAllDraws(Test& test) {
         }
 }
 
-// AUTO selects the tier where n is beyond the samples of devices.
+// AUTO selects the tier if n exceeds the sample counts of devices.
 void testFragments(Test& test) {
     for (const uint32_t samples : {32u, 64u, 128u})
         for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENTS}) {
@@ -98,7 +98,7 @@ void testFragments(Test& test) {
         }
 }
 
-// Lists hold the fragments of all draws. Materials that are not fetched for all are carried by fragments.
+// Lists hold the fragments of all draws. If some draws cannot be fetched, fragments carry their materials.
 void testFragmentLists(Test& test) {
     const auto expectTier = [&](const ViewParts& parts, uint32_t tier, const std::string& what) {
         const std::string found = generationTierOf(test, parts);
@@ -134,7 +134,7 @@ void testAutoSelectsIds(Test& test) {
     expectViewRefused(test, without, AGAA_ERROR_UNSUPPORTED, "the tier IDS without an AgaaFetchFunction", "AgaaFetchFunction");
 }
 
-// The bits of the shadows that the function answers for.
+// Tests the bits of the shadows that the function answers for.
 void testShadowBits(Test& test) {
     struct Row {
         uint32_t maps, bits;

@@ -13,11 +13,11 @@ constexpr size_t guard = 64, more = 4096;
 
 struct InitRow {
     std::string name;
-    std::vector<unsigned char> expected; // of agaaInit… with this size
+    std::vector<unsigned char> expected; // result of agaaInit… with this size
     std::function<void(const Functions&, void*, size_t)> init;
 };
 
-// The string that AgaaConfig points to is the header's or the library's.
+// AgaaConfig points to a string of the header or of the library.
 void takeTechnique(AgaaConfig& config, const std::vector<unsigned char>& expected) {
     const char* technique = reinterpret_cast<const AgaaConfig*>(expected.data())->technique;
     if (config.technique && std::strcmp(config.technique, technique) == 0)
@@ -33,27 +33,28 @@ void testInit(Test& test, const InitRow& row) {
     const auto first = std::mismatch(row.expected.begin(), row.expected.end(), bytes.data()).first;
     test.check(first == row.expected.end(), row.name + ": the function and the macro differ at offset " +
                                                 std::to_string(first - row.expected.begin()) + ".");
-    test.check(bytes.findOther(size, bytes.size(), Bytes::pattern) == bytes.size(),
+    test.check(bytes.findDifference(size, bytes.size(), Bytes::pattern) == bytes.size(),
                row.name + ": the function writes beyond structSize.");
 }
 
-// The struct of a host whose header is older: only what it has is written.
+// A host with an older header has a smaller struct: only its members are written.
 void testSmaller(Test& test, const InitRow& row, size_t size) {
     Bytes bytes(row.expected.size() + guard);
     row.init(test.sdk, bytes.data(), size);
-    test.check(bytes.findOther(size, bytes.size(), Bytes::pattern) == bytes.size(),
+    test.check(bytes.findDifference(size, bytes.size(), Bytes::pattern) == bytes.size(),
                row.name + ": the function writes beyond structSize = " + std::to_string(size) + ".");
 }
 
-// A later header: bytes that the library does not know are 0. A later library knows some of them.
+// A later header has a larger struct: bytes that the library does not know become 0. A later library knows some of
+// them.
 void testLarger(Test& test, const InitRow& row, bool hasHeader) {
     const size_t size = row.expected.size();
     Bytes bytes(size + more + guard);
     row.init(test.sdk, bytes.data(), size + more);
     const size_t unknown = isSameVersion(test) ? size : size + more - 64;
-    test.check(bytes.findOther(unknown, size + more, 0) == bytes.size(),
+    test.check(bytes.findDifference(unknown, size + more, 0) == bytes.size(),
                row.name + ": bytes that the library does not know are not 0 after the function.");
-    test.check(bytes.findOther(size + more, bytes.size(), Bytes::pattern) == bytes.size(),
+    test.check(bytes.findDifference(size + more, bytes.size(), Bytes::pattern) == bytes.size(),
                row.name + ": the function writes beyond a structSize that is larger than the library's.");
     if (hasHeader)
         test.check(bytes.header().structSize == size + more, row.name + ": the function does not set structSize.");

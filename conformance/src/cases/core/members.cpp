@@ -42,7 +42,7 @@ void testMember(Test& test, const MemberRow& row) {
 }
 
 void testFlags(Test& test, const FlagRow& row) {
-    const uint64_t unlikely = UINT64_C(0xFFFF) << 48; // for later libraries, too
+    const uint64_t unlikely = UINT64_C(0xFFFF) << 48; // unused by later libraries, too
     for (uint32_t i = 0; i < 64; ++i) {
         const uint64_t bit = UINT64_C(1) << i;
         ViewParts parts(test.sdk, nullptr);

@@ -1,4 +1,4 @@
-// Tests of single members of what describes a view: values that are accepted and values that are refused.
+// Tests of single members of the description of a view: accepted and refused values.
 #pragma once
 
 #include "view_parts.h"
@@ -10,17 +10,18 @@ namespace agaa::conformance {
 
 // Values are doubles, which hold every float and every uint32_t.
 struct MemberRow {
-    std::string promise; // AgaaConfig.samples/range
-    const char* member;  // as the sentence names it, and the test's own sentences: AgaaConfig::samples
+    std::string promise; // for example AgaaConfig.samples/range
+    const char* member;  // name in the log and in the test's sentences, for example AgaaConfig::samples
     std::function<void(ViewParts&, double)> set;
     std::vector<double> accepted, refused;
-    std::function<void(ViewParts&)> prepare = nullptr; // where the member needs other parts
+    std::function<void(ViewParts&)> prepare = nullptr; // sets other members that the member needs
     // Values that a later library may accept; tested if the library has the version of these headers.
     std::vector<double> refusedToday = {};
     AgaaResult error = AGAA_ERROR_OUT_OF_RANGE;
 };
 
-// Flags: each documented bit alone is accepted, all others are refused. A later library may know some of them.
+// Tests flags: each documented bit alone is accepted, all other bits are refused. A later library may know some of
+// them.
 struct FlagRow {
     std::string promise;
     const char* member;
@@ -32,12 +33,12 @@ struct FlagRow {
 void addMember(Suite& suite, const MemberRow& row);
 void addFlags(Suite& suite, const FlagRow& row);
 
-// Next to a limit, as floats.
+// Return the float next to a limit.
 inline double above(float limit) { return std::nextafter(limit, std::numeric_limits<float>::infinity()); }
 inline double below(float limit) { return std::nextafter(limit, -std::numeric_limits<float>::infinity()); }
-// Refused by every float with a range.
+// Values that every float with a range refuses.
 std::vector<double> notNumbers(std::vector<double> others);
-// Refused by every uint32_t with a range.
+// Values that every uint32_t with a range refuses.
 std::vector<double> largeNumbers(std::vector<double> others);
 
 std::string numberText(double value);

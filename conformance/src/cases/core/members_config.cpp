@@ -78,10 +78,10 @@ void addTiers(Suite& suite) {
                       coverageTiers, largeNumbers({}),
                       [](ViewParts& p) {
                           useDcaa(p);
-                          p.config.aggregates = 2; // for which attachments have room
+                          p.config.aggregates = 2; // attachments hold two surfaces
                       },
                       unknown});
-    // Techniques without a stage for it check the member all the same.
+    // Techniques without a stage for it check the member, too.
     addMember(suite, {"AgaaConfig.generationTier/enum/ssaa", "AgaaConfig::generationTier",
                       [](ViewParts& p, double x) { p.config.generationTier = whole(x); },
                       coverageTiers, largeNumbers({}),
@@ -122,7 +122,7 @@ void setCoveragePosition(ViewParts& parts, double x) {
     parts.coverage.samplePositions = positions;
 }
 
-// Of "dcaa", and of techniques that check the struct and do not use it.
+// Tests "dcaa", and techniques that check the struct and do not use it.
 void addDecoupledCoverage(Suite& suite) {
     struct Use {
         const char* variant;
@@ -162,7 +162,7 @@ void addDecoupledCoverage(Suite& suite) {
                      [](ViewParts& p, uint64_t flags) { p.coverage.flags = flags; }, AGAA_COVERAGE_EXACT, useDcaa});
 }
 
-// Of "adaptive", and of techniques that check the struct and do not use it.
+// Tests "adaptive", and techniques that check the struct and do not use it.
 void addAdaptiveSampling(Suite& suite) {
     struct Use {
         const char* variant;
@@ -206,7 +206,7 @@ void addMeasurement(Suite& suite) {
     addMember(suite, {"AgaaMeasurement.shadingCost/range", "AgaaMeasurement::shadingCost",
                       [](ViewParts& p, double x) { p.measurement.shadingCost = whole(x); },
                       {1, 2, 63, 64}, largeNumbers({0, 65})});
-    // With ids all views apply.
+    // The tier IDS supports all debug views.
     addMember(suite, {"AgaaMeasurement.debugView/enum", "AgaaMeasurement::debugView",
                       [](ViewParts& p, double x) { p.measurement.debugView = whole(x); },
                       {AGAA_DEBUG_VIEW_NONE, AGAA_DEBUG_VIEW_EVENTS, AGAA_DEBUG_VIEW_AGGREGATES, AGAA_DEBUG_VIEW_CLUSTERS,

@@ -67,7 +67,7 @@ void addMeasured(Suite& suite) {
     struct Number {
         const char* name;
         float AgaaMeasuredSettings::*member;
-        double least; // that other members allow
+        double least; // smallest value that other members allow
     };
     for (const Number& n : {Number{"errorShare", &AgaaMeasuredSettings::errorShare, above(0)},
                             {"error", &AgaaMeasuredSettings::error, 0},
@@ -119,7 +119,7 @@ void addObservation(Suite& suite) {
     }
 }
 
-// Strings that no frame and no choice has.
+// Tests strings that no frame and no choice has.
 void testUnknown(Test& test) {
     GoalParts parts(test.sdk);
     parts.observation.technique = parts.observation.preset = nullptr;
@@ -130,14 +130,14 @@ void testUnknown(Test& test) {
     test.check(parts.choice.hasChanged == 1, "a choice without a current one has not changed.");
 }
 
-// Each number of the memory.
+// Tests each number of AgaaChoice::memory.
 void testMemory(Test& test) {
     for (uint32_t i = 0; i < AGAA_CHOICE_MEMORY; i += 7)
         testMember(test, {"", "AgaaChoice::memory", [i](GoalParts& p, double x) { p.current.memory[i] = float(x); }, {0, 1},
                           notNumbers({-1})});
 }
 
-// What choices say, over goals that can and that cannot be met.
+// Tests the members of choices for goals that can and that cannot be met.
 void testDescriptions(Test& test) {
     for (const float share : {0.5f, 0.1f, 1e-6f})
         for (const uint64_t bytes : {UINT64_C(0), UINT64_C(1)}) {

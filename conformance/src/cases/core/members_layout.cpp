@@ -34,7 +34,7 @@ void simpleLayout(ViewParts& parts) {
                       attribute(AGAA_SEMANTIC_EMISSIVE, 3)});
 }
 
-// The same with one custom attribute behind.
+// The same layout with one custom attribute after the others.
 void customLayout(ViewParts& parts) {
     simpleLayout(parts);
     parts.layout.attributes[parts.layout.attributeCount++] = attribute(AGAA_SEMANTIC_CUSTOM, 3, 8, "wetness");
@@ -47,7 +47,7 @@ template <uint32_t i, auto member> void set(ViewParts& parts, double x) {
 
 using Attribute = AgaaLayoutAttribute;
 
-// Of a layout, only reserved members fail with AGAA_ERROR_OUT_OF_RANGE.
+// In a layout, only reserved members fail with AGAA_ERROR_OUT_OF_RANGE.
 void addAttribute(Suite& suite, MemberRow row) {
     row.error = AGAA_ERROR_LAYOUT;
     addMember(suite, row);
@@ -57,7 +57,7 @@ void addAttribute(Suite& suite, MemberRow row) {
 void setSemantic(ViewParts& parts, double x) {
     const uint32_t semantic = whole(x);
     if (semantic == AGAA_SEMANTIC_DIFFUSE || semantic == AGAA_SEMANTIC_NORMAL)
-        return; // there already
+        return; // diffuse and normal exist already
     parts.layout.attributes[3] = attribute(semantic, 3, 8, semantic == AGAA_SEMANTIC_CUSTOM ? "wetness" : nullptr);
     parts.layout.attributeCount = 4;
 }
@@ -115,7 +115,7 @@ void addAttributes(Suite& suite) {
                       {AGAA_FILTER_MEAN, AGAA_FILTER_NORMAL, AGAA_FILTER_NONE}, largeNumbers({}),
                       [](ViewParts& parts) {
                           customLayout(parts);
-                          parts.layout.attributes[5].aggregateBits = 8; // 24 bits unfiltered
+                          parts.layout.attributes[5].aggregateBits = 8; // 24 bits of an unfiltered attribute
                       },
                       {AGAA_FILTER_NONE + 1}});
     addAttribute(suite, {"AgaaLayoutAttribute.filter/enum/diffuse", "AgaaLayoutAttribute::filter", set<0, &Attribute::filter>,
@@ -127,7 +127,7 @@ void addAttributes(Suite& suite) {
                       {0x1p62, -0x1p62}, simpleLayout, {1, -1}});
 }
 
-// Names of custom attributes: a name that is not allowed is a layout that cannot be used, whatever the code.
+// Tests names of custom attributes. A layout with an invalid name fails; the code may vary.
 void testNames(Test& test) {
     for (const char* name : {"a", "wetness", "Wetness2", "wet_ness", "abcdefghijklmnopqrstuvwxyz01234"}) {
         ViewParts parts(test.sdk, nullptr);
@@ -144,7 +144,7 @@ void testNames(Test& test) {
     }
 }
 
-// channels, and what depends on other attributes; all other members have tests of their own.
+// Tests channels and the dependencies on other attributes. All other members have separate tests.
 void testAttributeMembers(Test& test) {
     struct Row {
         const char* what;
@@ -169,7 +169,7 @@ void testAttributeMembers(Test& test) {
     expectViewRefused(test, named, AGAA_ERROR_LAYOUT, "DIFFUSE with a name");
 }
 
-// Also where another member is wrong, too.
+// Tests the member also if another member is wrong.
 void testReservedMembers(Test& test) {
     for (uint32_t i = 0; i < 5; ++i) {
         ViewParts parts(test.sdk, nullptr);

@@ -1,4 +1,4 @@
-// agaaQueryMemory and agaaQueryTarget: pointers, outputs and errors of their own.
+// agaaQueryMemory and agaaQueryTarget: pointers, outputs and errors that only they have.
 #include "cases.h"
 #include "structs.h"
 #include "view_parts.h"
@@ -59,7 +59,7 @@ void testMemoryNulls(Test& test) {
 
 void testSurfacesNull(Test& test) {
     ViewParts parts(test.sdk, nullptr);
-    uint32_t count = 1; // not the length of an array
+    uint32_t count = 1; // not the length of any array
     test.result(test.sdk.agaaQueryMemory(&parts.desc, nullptr, nullptr, nullptr, &count, nullptr), AGAA_OK,
                 "agaaQueryMemory with surfaces = null and surfaceCount = 1");
     test.check(count > 1, "agaaQueryMemory with surfaces = null does not return the number of surfaces.");
@@ -67,7 +67,7 @@ void testSurfacesNull(Test& test) {
                "agaaQueryMemory returns another number of surfaces with an array than without.");
 }
 
-// The functions have the same answer for a null pointer and for a device with every feature.
+// A null pointer and a device with every feature give the same result.
 void testCapsNull(Test& test) {
     for (const char* technique : {"single", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}) {
         ViewParts parts(test.sdk, nullptr);
@@ -87,12 +87,12 @@ void testCapsNull(Test& test) {
     }
 }
 
-// Whatever goes wrong, and also where only the array is too short.
+// Outputs are unchanged after every error, also if only the array is too short.
 void testReportUnchanged(Test& test) {
     const AgaaMemoryReport before = patternOf(initialReport);
     for (const WrongView& row : wrongViews()) {
         ViewParts parts(test.sdk, nullptr);
-        row.spoil(parts);
+        row.corrupt(parts);
         AgaaMemoryReport report = before;
         uint32_t count = 77;
         test.sdk.agaaQueryMemory(parts.get(), &parts.caps, nullptr, &report, &count, nullptr);
@@ -111,7 +111,7 @@ void testSurfacesUnchanged(Test& test) {
     const std::vector<AgaaSurface> before(64, patternOf(initialSurface));
     for (const WrongView& row : wrongViews()) {
         ViewParts parts(test.sdk, nullptr);
-        row.spoil(parts);
+        row.corrupt(parts);
         std::vector<AgaaSurface> surfaces = before;
         uint32_t count = uint32_t(surfaces.size());
         const AgaaResult result =
@@ -161,7 +161,7 @@ void testMemoryTooSmall(Test& test) {
                "agaaQueryMemory with a longer array writes behind the surfaces.");
 }
 
-// Output structs; those of the description are among the wrong views.
+// Tests output structs. The wrong views cover the structs of the description.
 void testMemoryStruct(Test& test) {
     ViewParts parts(test.sdk, nullptr);
     LogRecorder log;
@@ -206,7 +206,7 @@ void testSurfaceSteps(Test& test) {
         test.check(isSameBytes(got, expected[i]),
                    "agaaQueryMemory does not step by the caller's structSize: surface " + std::to_string(i) + " differs.");
     }
-    test.check(array.findOther(expected.size() * stride, array.size(), Bytes::pattern) == array.size(),
+    test.check(array.findDifference(expected.size() * stride, array.size(), Bytes::pattern) == array.size(),
                "agaaQueryMemory writes beyond an array of larger surfaces.");
     element(1)->structSize = sizeof(AgaaSurface);
     test.result(test.sdk.agaaQueryMemory(&parts.desc, nullptr, nullptr, nullptr, &count, element(0)), AGAA_ERROR_STRUCT,
@@ -219,7 +219,7 @@ void testTargetUnchanged(Test& test) {
     const AgaaTarget before = patternOf(initialTarget);
     for (const WrongView& row : wrongViews()) {
         ViewParts parts(test.sdk, nullptr);
-        row.spoil(parts);
+        row.corrupt(parts);
         AgaaTarget target = before;
         test.sdk.agaaQueryTarget(parts.get(), &parts.caps, nullptr, &target);
         test.check(isSameBytes(before, target), callWith("agaaQueryTarget", row.what) + " changes outTarget.");
@@ -240,11 +240,11 @@ void testTargetStruct(Test& test) {
                   "agaaQueryTarget", "agaaQueryTarget with AgaaDeviceCaps::sType = 0", "AgaaDeviceCaps");
 }
 
-// Limits of the device: a target of exactly maxImageSize is accepted, a texel more is not.
+// Tests limits of the device: a target of exactly maxImageSize is accepted, a texel more is refused.
 void testTargetTooLarge(Test& test) {
     struct Row {
         uint32_t width, height;
-        uint32_t samples, counts; // of the device
+        uint32_t samples, counts; // sample counts of the device
         AgaaResult expected;
     };
     for (const Row& row : {Row{1000, 1, 4, 0x3F, AGAA_OK}, Row{1001, 1, 4, 0x3F, AGAA_ERROR_TOO_LARGE},
@@ -253,7 +253,7 @@ void testTargetTooLarge(Test& test) {
                            Row{0xFFFFFFFF, 1, 4, 0x1, AGAA_ERROR_TOO_LARGE}}) {
         ViewParts parts(test.sdk, nullptr);
         parts.caps.maxImageSize = 1000;
-        parts.caps.sampleCounts = row.counts; // with one sample, a pixel of 4 is 2 x 2 texels
+        parts.caps.sampleCounts = row.counts; // a pixel with 4 samples is 2 x 2 texels of one sample
         parts.config.samples = row.samples;
         parts.desc.width = row.width;
         parts.desc.height = row.height;

@@ -61,7 +61,7 @@ void testResultStrings(Test& test) {
     }
 }
 
-// Any value: a pointer that is not null.
+// Every value gives a pointer that is not null.
 template <class Value> void testAnyValue(Test& test, const char* function, const char*(AGAA_CALL* call)(Value)) {
     for (int64_t i = -70000; i <= 70000; ++i)
         if (!test.check(call(Value(i)), std::string(function) + '(' + std::to_string(i) + ") returns null."))
@@ -145,7 +145,7 @@ void testNamesTooSmall(Test& test) {
 
 struct NamedTier {
     uint32_t tier;
-    const char* part; // of the name
+    const char* part; // part of the name
 };
 constexpr NamedTier tiers[] = {{AGAA_TIER_AUTO, "auto"}, {AGAA_TIER_NATIVE, "native"}, {AGAA_TIER_NV_MULTICAST, "multicast"},
                                {AGAA_TIER_SCALED_TARGET, "scaled"}, {AGAA_TIER_LAYERS, "layers"}, {AGAA_TIER_ORDERED_GRID, "grid"},
@@ -158,7 +158,7 @@ constexpr NamedTier stages[] = {{AGAA_STAGE_PREPASS, "prepass"}, {AGAA_STAGE_DEF
                                 {AGAA_STAGE_GENERATION, "generation"}, {AGAA_STAGE_SHADING, "shading"},
                                 {AGAA_STAGE_OTHER, "other"}};
 
-// Each value has the name that agaaGetNames lists, and values that are none are "unknown".
+// Each value has the name that agaaGetNames lists; other values are "unknown".
 template <size_t n> void testValueNames(Test& test, const char* function, TextOf call, const NamedTier (&rows)[n],
                                         uint32_t kind) {
     const std::vector<std::string> listed = namesOf(test, kind);

@@ -1,4 +1,4 @@
-// What queries say about a view agrees: bytes, surfaces, targets and the plan.
+// Queries of a view agree with each other: bytes, surfaces, targets and the plan.
 #include "cases.h"
 #include "capabilities.h"
 
@@ -21,7 +21,7 @@ std::string nameOf(const ViewParts& p) {
            std::to_string(p.desc.height) + (p.coverage.samplePositions ? ", own positions" : "");
 }
 
-// Whether 9 samples are to be had.
+// Returns whether the technique supports 9 samples.
 bool hasOrderedGrid(const std::string& technique) {
     return technique == "msaa" || technique == "ssaa" || technique == "simple_complex" || technique == "adaptive";
 }
@@ -53,13 +53,13 @@ void forEachView(Test& test, const std::function<void(ViewParts&)>& check) {
                 parts.config.samples = samples;
                 parts.config.generationTier = tier;
                 if (tier == AGAA_TIER_RASTER_ORDER)
-                    parts.config.aggregates = 2; // for which attachments have room
+                    parts.config.aggregates = 2; // attachments hold two surfaces
                 if (tier == AGAA_TIER_IDS || isFragments)
                     parts.chain(parts.fetch);
                 check(parts);
                 if (!countsCoverage(parts.config))
                     continue;
-                const std::vector<float> positions(2 * samples, 0.5f); // of a pattern of the host's own
+                const std::vector<float> positions(2 * samples, 0.5f); // a pattern of the host
                 parts.coverage.samplePositions = positions.data();
                 check(parts);
             }
@@ -181,8 +181,8 @@ void testNoSharing(Test& test) {
                    callWith("agaaQueryMemory", nameOf(parts)) + " and AGAA_CONFIG_READBACK: peakBytes is not totalBytes.");
         parts.config.flags = 0;
         parts.caps.flags |= AGAA_DEVICE_NO_ALIASING;
-        const AgaaMemoryReport ofDevice = reportOf(test, parts);
-        test.check(ofDevice.peakBytes == ofDevice.totalBytes,
+        const AgaaMemoryReport deviceReport = reportOf(test, parts);
+        test.check(deviceReport.peakBytes == deviceReport.totalBytes,
                    callWith("agaaQueryMemory", nameOf(parts)) + " and AGAA_DEVICE_NO_ALIASING: peakBytes is not totalBytes.");
     }
 }
@@ -197,13 +197,13 @@ void testEqualNames(Test& test) {
     test.check(planText(test, parts) == expected, "agaaPlanToJson writes different plans for \"simple-complex\" and \"simple_complex\".");
 }
 
-// Whether geometry shaders would expand the triangles of coverage samples, and the device has none.
+// Returns whether the technique needs geometry shaders for coverage samples and the device has none.
 bool needsPulling(const ViewParts& parts) {
     return countsCoverage(parts.config) && !(parts.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS);
 }
 
-// A row that can run has a plan with its tier; one that cannot is refused with a sentence. canRun: all stages of the technique
-// and n can run; otherwise there is no plan.
+// A row that can run has a plan with its tier; any other row is refused with a sentence. canRun is true if all stages
+// of the technique and n can run; otherwise there is no plan.
 void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row, bool canRun) {
     ViewParts parts(test.sdk, nullptr);
     parts.caps = caps;
@@ -234,7 +234,7 @@ void checkCapability(Test& test, const AgaaDeviceCaps& caps, const AgaaCapabilit
     test.check(tier == test.sdk.agaaTierName(row.tier), callWith("agaaPlanToJson", what) + " names the tier " + tier + ".");
 }
 
-// The first entry is what AUTO selects where the host offers no functions.
+// The first entry is the tier that AUTO selects without functions of the host.
 void checkFirst(Test& test, const AgaaDeviceCaps& caps, const AgaaCapability& row) {
     ViewParts parts(test.sdk, nullptr);
     parts.caps = caps;

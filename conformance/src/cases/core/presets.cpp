@@ -50,7 +50,7 @@ struct WrongLayoutCall {
     const char* what;
     AgaaResult expected;
     const char* name;
-    std::function<void(AgaaLayout&)> spoil;
+    std::function<void(AgaaLayout&)> corrupt;
 };
 
 const WrongLayoutCall wrongLayoutCalls[] = {
@@ -63,11 +63,11 @@ const WrongLayoutCall wrongLayoutCalls[] = {
     {"the name \"precise \"", AGAA_ERROR_LAYOUT, "precise ", [](AgaaLayout&) {}},
 };
 
-// expected: rows of this error; 0: all rows, whose output is unchanged.
+// Runs the rows of the error `expected`. 0 selects all rows and checks that the output is unchanged.
 void testWrongLayoutCalls(Test& test, AgaaResult expected) {
     for (const WrongLayoutCall& row : wrongLayoutCalls) {
         AgaaLayout layout = patternLayout();
-        row.spoil(layout);
+        row.corrupt(layout);
         const AgaaLayout before = layout;
         const AgaaResult result = test.sdk.agaaGetBuiltinLayout(row.name, &layout);
         if (expected == row.expected)
@@ -107,8 +107,8 @@ constexpr uint64_t configFlags = AGAA_CONFIG_SPLIT_SURFACES | AGAA_CONFIG_FINE_M
 constexpr uint64_t measurementFlags = AGAA_MEASURE_NO_DIFFUSE_FILTER | AGAA_MEASURE_NO_SHADOW_FILTER |
                                       AGAA_MEASURE_SHADOW_ALONG_DEPTH | AGAA_MEASURE_FIRST_SAMPLE_ROUTING;
 
-// Sets what a preset receives to that of `from`: all other members must be equal then.
-void takeReceived(Settings& s, const Settings& from) {
+// Copies the members that a preset sets from `from`. All other members must then be equal.
+void copyPresetMembers(Settings& s, const Settings& from) {
     s.config.technique = from.config.technique;
     s.config.aggregates = from.config.aggregates;
     s.config.surfaceCosine = from.config.surfaceCosine;
@@ -134,7 +134,7 @@ void testPresetKeepsOthers(Test& test) {
         test.requireOk(test.sdk.agaaApplyPreset(name, &s.config, &s.aggregation, &s.measurement), call);
         test.check(std::string(s.config.technique) == "agaa", call + " does not set the technique to \"agaa\".");
         Settings expected = before;
-        takeReceived(expected, s);
+        copyPresetMembers(expected, s);
         test.check(isSameBytes(expected.config, s.config), call + " changes a member of AgaaConfig that it does not receive.");
         test.check(isSameBytes(expected.aggregation, s.aggregation),
                    call + " changes a member of AgaaAggregation that it does not receive.");
@@ -143,7 +143,7 @@ void testPresetKeepsOthers(Test& test) {
     }
 }
 
-// The same result whatever the settings were, and accepted by the queries.
+// The result does not depend on the previous settings, and the queries accept it.
 void testPresetIsComplete(Test& test) {
     for (const char* name : presetNames) {
         ViewParts parts(test.sdk, nullptr);
@@ -153,7 +153,7 @@ void testPresetIsComplete(Test& test) {
         test.requireOk(test.sdk.agaaApplyPreset(name, &pattern.config, &pattern.aggregation, &pattern.measurement), call);
         Settings values = {parts.config, parts.aggregation, parts.measurement};
         Settings after = values;
-        takeReceived(after, pattern);
+        copyPresetMembers(after, pattern);
         after.config.technique = values.config.technique;
         test.check(isSameBytes(after.config, values.config) && isSameBytes(after.aggregation, values.aggregation) &&
                        isSameBytes(after.measurement, values.measurement),
@@ -179,8 +179,8 @@ struct WrongPreset {
     const char* what;
     AgaaResult expected;
     const char* name;
-    uint32_t nulls; // bit i: pointer i
-    std::function<void(Settings&)> spoil;
+    uint32_t nulls; // bit i: pointer i is null
+    std::function<void(Settings&)> corrupt;
 };
 
 const WrongPreset wrongPresets[] = {
@@ -208,7 +208,7 @@ void testWrongPresets(Test& test, AgaaResult expected) {
         if (row.expected != expected)
             continue;
         Settings s = patternSettings();
-        row.spoil(s);
+        row.corrupt(s);
         const Settings before = s;
         const AgaaResult result = test.sdk.agaaApplyPreset(row.name, row.nulls & 1 ? nullptr : &s.config,
                                                            row.nulls & 2 ? nullptr : &s.aggregation,

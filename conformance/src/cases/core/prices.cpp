@@ -1,4 +1,4 @@
-// agaaQueryPrices: what it lists, against agaaQueryMemory, and what it refuses.
+// agaaQueryPrices: the entries compared with agaaQueryMemory, and the errors.
 #include "cases.h"
 #include "structs.h"
 #include "view_parts.h"
@@ -44,13 +44,13 @@ void testCapsNull(Test& test) {
 
 void testPricesNull(Test& test) {
     ViewParts parts(test.sdk, nullptr);
-    uint32_t count = 1; // not the length of an array
+    uint32_t count = 1; // not the length of any array
     test.result(test.sdk.agaaQueryPrices(&parts.desc, nullptr, nullptr, &count, nullptr), AGAA_OK,
                 "agaaQueryPrices with prices = null and count = 1");
     test.check(count > 1, "agaaQueryPrices with prices = null does not return the number of entries.");
 }
 
-// The first is the view's, as agaaQueryMemory has it; each price has its words.
+// The first entry is the view and equals agaaQueryMemory. Each price has a name and a description.
 void testKinds(Test& test) {
     for (const char* technique : techniques) {
         ViewParts parts(test.sdk, nullptr);
@@ -100,7 +100,7 @@ void testUnchanged(Test& test) {
         price.totalBytes = 777;
     for (const WrongView& row : wrongViews()) {
         ViewParts parts(test.sdk, nullptr);
-        row.spoil(parts);
+        row.corrupt(parts);
         std::vector<AgaaPrice> prices = before;
         auto count = uint32_t(prices.size());
         const AgaaResult result = test.sdk.agaaQueryPrices(parts.get(), &parts.caps, nullptr, &count, prices.data());
@@ -167,7 +167,7 @@ void testTooSmall(Test& test) {
                "agaaQueryPrices with a longer array writes behind the prices.");
 }
 
-// A view beyond the device, and one whose traffic needs more than 63 bits.
+// Tests a view that exceeds the device, and one whose traffic needs more than 63 bits.
 void testTooLarge(Test& test) {
     ViewParts beyond(test.sdk, nullptr);
     beyond.caps.maxImageSize = 100;

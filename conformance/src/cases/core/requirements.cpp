@@ -13,7 +13,7 @@ const AgaaGlRequirements initialGl = AGAA_GL_REQUIREMENTS_INIT;
 
 struct Api {
     const char* function;
-    std::function<AgaaResult(const Functions&, void*)> call; // with a struct of either API
+    std::function<AgaaResult(const Functions&, void*)> call; // called with a struct of either API
     Bytes initial;
 };
 
@@ -42,10 +42,10 @@ const Api& openGl() {
 }
 
 void testStruct(Test& test, const Api& api, bool checksOutput) {
-    const auto spoilt = [&](const std::string& what, const std::function<void(AgaaStructHeader&)>& spoil) {
+    const auto expectCorruptRefused = [&](const std::string& what, const std::function<void(AgaaStructHeader&)>& corrupt) {
         Bytes bytes = api.initial;
         std::memset(bytes.data() + sizeof(AgaaStructHeader), 0x5A, bytes.size() - sizeof(AgaaStructHeader));
-        spoil(bytes.header());
+        corrupt(bytes.header());
         const Bytes before = bytes;
         const AgaaResult result = api.call(test.sdk, bytes.data());
         if (checksOutput)
@@ -53,11 +53,11 @@ void testStruct(Test& test, const Api& api, bool checksOutput) {
         else
             test.result(result, AGAA_ERROR_STRUCT, std::string(api.function) + " with " + what);
     };
-    spoilt("sType = 0", [](AgaaStructHeader& h) { h.sType = 0; });
-    spoilt("structSize = 0", [](AgaaStructHeader& h) { h.structSize = 0; });
-    spoilt("structSize = 48", [](AgaaStructHeader& h) { h.structSize = 48; });
-    spoilt("structSize = 57", [](AgaaStructHeader& h) { h.structSize = 57; });
-    spoilt("the sType of AgaaLog", [](AgaaStructHeader& h) { h.sType = AGAA_STRUCTURE_TYPE_LOG; });
+    expectCorruptRefused("sType = 0", [](AgaaStructHeader& h) { h.sType = 0; });
+    expectCorruptRefused("structSize = 0", [](AgaaStructHeader& h) { h.structSize = 0; });
+    expectCorruptRefused("structSize = 48", [](AgaaStructHeader& h) { h.structSize = 48; });
+    expectCorruptRefused("structSize = 57", [](AgaaStructHeader& h) { h.structSize = 57; });
+    expectCorruptRefused("the sType of AgaaLog", [](AgaaStructHeader& h) { h.sType = AGAA_STRUCTURE_TYPE_LOG; });
 }
 
 void checkNames(Test& test, const char* const* names, uint32_t count, const std::string& member, const char* begin) {
@@ -67,7 +67,7 @@ void checkNames(Test& test, const char* const* names, uint32_t count, const std:
     }
 }
 
-// The header gives the versions.
+// The versions are those of the header.
 void testVulkan(Test& test) {
     AgaaVkRequirements r = initialVk;
     test.requireOk(test.sdk.agaaVkGetRequirements(&r), "agaaVkGetRequirements");

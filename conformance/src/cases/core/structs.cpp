@@ -35,7 +35,7 @@ const StructRow& versionedStruct(const std::string& name) {
     throw std::logic_error(name + " is not in structs.inc");
 }
 
-size_t Bytes::findOther(size_t from, size_t to, unsigned char value) const {
+size_t Bytes::findDifference(size_t from, size_t to, unsigned char value) const {
     for (size_t i = from; i < to; ++i)
         if (data()[i] != value)
             return i;

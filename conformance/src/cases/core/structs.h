@@ -8,8 +8,8 @@ namespace agaa::conformance {
 struct StructRow {
     std::string name;
     uint32_t sType;
-    size_t size;      // in these headers
-    size_t firstSize; // in version 0.2, or the first one that has it: no host has a smaller one
+    size_t size;      // size in these headers
+    size_t firstSize; // size in version 0.2, or in the first version that has the struct; no host has a smaller one
     std::vector<unsigned char> initial; // AGAA_…_INIT
     std::function<void(const Functions&, void* structure, size_t structSize)> init; // agaaInit…
 };
@@ -27,18 +27,18 @@ public:
     size_t size() const { return size_; }
     AgaaStructHeader& header() { return *reinterpret_cast<AgaaStructHeader*>(words_.data()); }
     bool operator==(const Bytes&) const = default;
-    // The first byte from `from` on that is not `value`, or size().
-    size_t findOther(size_t from, size_t to, unsigned char value) const;
+    // Returns the index of the first byte from `from` on that is not `value`, or size().
+    size_t findDifference(size_t from, size_t to, unsigned char value) const;
 
 private:
     size_t size_;
     std::vector<uint64_t> words_;
 };
 
-// Whether the library has the version of these headers: then it knows no more than they do.
+// Returns whether the library has the version of these headers, and so knows nothing beyond them.
 inline bool isSameVersion(const Test& test) { return test.sdk.agaaGetVersion() == AGAA_HEADER_VERSION; }
 
-// A type that no library of this soname is likely to give to a struct.
+// A type that libraries of this soname are unlikely to use.
 constexpr uint32_t farStructType = 0x3FFFFFF0;
 
 } // namespace agaa::conformance

@@ -7,7 +7,7 @@ namespace agaa::conformance {
 
 namespace {
 
-// A function with its view, so that all have the same parameters.
+// A function with its view. All functions get the same parameters.
 struct TextCall {
     std::string name;
     std::function<AgaaResult(Test&, const AgaaDeviceCaps*, const AgaaLog*, size_t*, char*)> call;
@@ -38,12 +38,12 @@ std::string textOf(Test& test, const TextCall& c, const AgaaDeviceCaps* caps) {
     test.requireOk(c.call(test, caps, nullptr, &size, nullptr), c.name + " with text = null");
     std::string text(size, '#');
     test.requireOk(c.call(test, caps, nullptr, &size, text.data()), c.name);
-    return text; // with the final zero
+    return text; // includes the final zero
 }
 
-// The size is that of the text with its final zero, and nothing is written behind it.
+// The size includes the final zero, and nothing is written after it.
 void testTwoCalls(Test& test, const TextCall& c) {
-    size_t size = 12345; // not read
+    size_t size = 12345; // not read by the call
     test.requireOk(c.call(test, nullptr, nullptr, &size, nullptr), c.name + " with text = null");
     std::string text(size + 32, '#');
     size_t written = size;
@@ -80,7 +80,7 @@ void testSizeNull(Test& test, const TextCall& c) {
     test.check(text[0] == '#', c.name + " with size = null writes.");
 }
 
-// With and without a log: the same result.
+// The result does not depend on the log.
 void testLogNull(Test& test, const TextCall& c) {
     size_t size = 0;
     test.result(c.call(test, nullptr, nullptr, &size, nullptr), AGAA_OK, c.name + " with log = null");
@@ -110,7 +110,7 @@ void testWrongViewsOf(Test& test, const std::string& name,
 void testTextUnchanged(Test& test) {
     for (const WrongView& row : wrongViews()) {
         ViewParts parts(test.sdk, nullptr);
-        row.spoil(parts);
+        row.corrupt(parts);
         std::string text(1 << 16, '#');
         size_t size = text.size();
         const AgaaResult result = test.sdk.agaaPlanToJson(parts.get(), &parts.caps, nullptr, &size, text.data());
@@ -119,7 +119,7 @@ void testTextUnchanged(Test& test) {
     }
 }
 
-// The names that the header promises are in the texts.
+// The texts contain the names that the header promises.
 void testGlslNames(Test& test) {
     const std::string text = textOf(test, aggregateCall(), nullptr);
     for (const char* word : {"struct AgaaAggregate", "AgaaAggregate agaaAggregate(", "AGAA_AGGREGATES", "AGAA_AGGREGATE_WORD"})
@@ -128,7 +128,7 @@ void testGlslNames(Test& test) {
                "agaaGetCoverageGlsl: the text declares no function of the SDK.");
 }
 
-// Which views keep aggregates in memory.
+// Tests which views keep aggregates in memory.
 void testAggregatesUnsupported(Test& test) {
     struct Row {
         const char* what;

@@ -1,4 +1,4 @@
-// Functions that any thread may call: from several threads at once they give what they give to one.
+// Functions that any thread may call: concurrent calls have the same results as single calls.
 #include "cases.h"
 #include "view_parts.h"
 
@@ -11,14 +11,14 @@ namespace {
 
 constexpr uint32_t threadCount = 8;
 
-// What a call gives, as text; two texts are equal if all results are.
+// Returns the results of a call as text. Two texts are equal if all results are equal.
 using Answer = std::function<std::string(const Functions& sdk, uint32_t variant)>;
 
 template <class T> std::string bytesOf(const T& value) {
     return std::string(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-// Variants differ, so that calls that share memory by mistake give another's answer.
+// Variants differ, so that calls that share memory by mistake give wrong results.
 void testThreads(Test& test, const std::string& function, uint32_t repeats, const Answer& answer) {
     std::vector<std::string> expected;
     for (uint32_t i = 0; i < threadCount; ++i)
@@ -26,7 +26,7 @@ void testThreads(Test& test, const std::string& function, uint32_t repeats, cons
     std::atomic<uint32_t> waiting = threadCount, wrong = 0;
     const auto run = [&](uint32_t variant) {
         --waiting;
-        while (waiting) // all begin at once
+        while (waiting) // all threads begin together
             std::this_thread::yield();
         for (uint32_t i = 0; i < repeats; ++i)
             wrong += answer(test.sdk, variant) != expected[variant];
@@ -41,7 +41,7 @@ void testThreads(Test& test, const std::string& function, uint32_t repeats, cons
                                " threads at once differ from the same calls of one thread.");
 }
 
-// A variant of a view; some are refused, so that threads report errors at the same time.
+// Creates a variant of a view. Some variants are refused, so that threads report errors at the same time.
 void vary(ViewParts& parts, uint32_t variant) {
     static const char* const techniques[] = {"agaa", "sbaa", "msaa", "agaa", "ssaa", "agaa", "agaa", "taa"};
     parts.config.technique = techniques[variant % 8];
@@ -125,7 +125,7 @@ std::string appliedChoice(const Functions& sdk, uint32_t variant) {
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
     AgaaChoice made = AGAA_CHOICE_INIT;
     made.technique = "ssaa";
-    made.samples = 4 << (variant % 4); // no row has 16
+    made.samples = 4 << (variant % 4); // no row has 16 samples
     const AgaaResult result = sdk.agaaApplyChoice(&made, &config, &aggregation, nullptr);
     return std::to_string(result) + bytesOf(config) + bytesOf(aggregation);
 }
@@ -173,7 +173,7 @@ std::string preset(const Functions& sdk, uint32_t variant) {
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
     const AgaaResult result = sdk.agaaApplyPreset(names[variant % 5], &config, &aggregation, &measurement);
-    config.technique = nullptr; // another pointer before and after the call
+    config.technique = nullptr; // the pointer differs before and after the call
     return std::to_string(result) + bytesOf(config) + bytesOf(aggregation) + bytesOf(measurement);
 }
 

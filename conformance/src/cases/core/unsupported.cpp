@@ -1,4 +1,5 @@
-// What a device or a technique cannot do, in the words of the comments of single settings: AGAA_ERROR_UNSUPPORTED.
+// AGAA_ERROR_UNSUPPORTED: settings that a device or a technique does not support, as the comments of the settings
+// state.
 #include "cases.h"
 #include "view_parts.h"
 
@@ -12,7 +13,7 @@ struct Row {
     std::string what;
     AgaaResult expected;
     Change change;
-    std::string tier; // of generation, that AUTO selects; empty: not tested
+    std::string tier; // generation tier that AUTO selects; empty: not tested
 };
 
 void testRows(Test& test, const std::vector<Row>& rows) {
@@ -35,7 +36,7 @@ void testRows(Test& test, const std::vector<Row>& rows) {
 
 constexpr AgaaResult unsupported = AGAA_ERROR_UNSUPPORTED;
 
-// A setting that needs the tiers IDS or GBUFFER. isBuffered: also with AGAA_CONFIG_BUFFERED.
+// Tests a setting that needs the tiers IDS or GBUFFER. isBuffered: it works with AGAA_CONFIG_BUFFERED, too.
 std::vector<Row> needsMaterials(const std::string& setting, bool isBuffered, const Change& set) {
     const auto with = [set](uint32_t tier, bool fetches, uint64_t flags) {
         return [=](ViewParts& p) {
@@ -74,7 +75,7 @@ void testNdf(Test& test) {
                     p.facts.flags &= ~AGAA_FACT_SPECULAR;
             };
         };
-        // They use TOKSVIG.
+        // These techniques use TOKSVIG.
         testRows(test, {{"\"sbaa\" and " + name, AGAA_OK, withTier("sbaa", true), ""},
                         {"\"ssaa\" and " + name, AGAA_OK, withTier("ssaa", true), ""},
                         {"no specular light and " + name, AGAA_OK, withTier("agaa", false), ""}});
@@ -112,7 +113,7 @@ void testReservedTier(Test& test, uint32_t tier, const std::string& name) {
                          ""}});
 }
 
-// A tier of the other stage.
+// Tests a tier of the other stage.
 void testOtherStage(Test& test) {
     for (const uint32_t tier : {AGAA_TIER_NV_MIXED_SAMPLES, AGAA_TIER_POST_DEPTH_ATOMICS, AGAA_TIER_PER_SAMPLE,
                                 AGAA_TIER_GBUFFER, AGAA_TIER_IDS, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_FRAGMENTS,
@@ -130,7 +131,7 @@ void testOtherStage(Test& test) {
                              ""}});
 }
 
-// A generation tier of other techniques.
+// Tests a generation tier of other techniques.
 void testOtherTechnique(Test& test) {
     const auto with = [](const char* technique, uint32_t tier) {
         return [=](ViewParts& p) {
@@ -208,16 +209,16 @@ void testCustomDepth(Test& test) {
                     {"the tier PER_SAMPLE" + fact, unsupported, with("sbaa", AGAA_TIER_PER_SAMPLE, false), ""}});
 }
 
-// The flag stands for geometry shaders and for nothing else.
+// The flag replaces geometry shaders only.
 void testVertexPulling(Test& test) {
     for (const auto& [technique, tier] : {std::pair{"dcaa", AGAA_TIER_FRAGMENT_LISTS}, {"dcaa", AGAA_TIER_MATERIAL_LISTS},
                                           {"dcaa", AGAA_TIER_FRAGMENT_INTERLOCK}, {"dcaa", AGAA_TIER_RASTER_ORDER},
                                           {"agaa", AGAA_TIER_FRAGMENTS}}) {
         const auto with = [&, technique = technique, tier = tier](uint64_t flags, uint64_t without) {
             return [=](ViewParts& p) {
-                p.setTechnique("dcaa", 4); // and the function that fetches
+                p.setTechnique("dcaa", 4); // this also chains sceneFetch
                 p.config.technique = technique;
-                p.config.aggregates = 2; // for which attachments have room
+                p.config.aggregates = 2; // attachments hold two surfaces
                 p.config.generationTier = uint32_t(tier);
                 p.config.flags = 0;
                 p.desc.flags |= flags;
@@ -262,7 +263,7 @@ void testGenerationTier(Test& test) {
     }
     const auto ids = [](ViewParts& p) { p.config.generationTier = AGAA_TIER_IDS; };
     testRows(test, {{"the tier IDS without an AgaaFetchFunction", unsupported, ids, ""}});
-    // All tiers of "dcaa" need them.
+    // All tiers of "dcaa" need the features.
     for (const uint64_t feature : {AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_DEVICE_GEOMETRY_SHADERS})
         for (const uint32_t tier : {AGAA_TIER_AUTO, AGAA_TIER_FRAGMENT_LISTS, AGAA_TIER_MATERIAL_LISTS,
                                     AGAA_TIER_FRAGMENT_INTERLOCK}) {
@@ -290,7 +291,7 @@ void testGenerationTier(Test& test) {
                                  (without ? ", without the feature" : ""),
                              without || flags ? unsupported : AGAA_OK, interlock, ""}});
         }
-    // Attachments have room for 128 bytes a pixel.
+    // Attachments hold 128 bytes per pixel.
     for (const uint64_t without : {UINT64_C(0), AGAA_DEVICE_FRAMEBUFFER_FETCH, AGAA_DEVICE_GEOMETRY_SHADERS})
         for (const uint32_t surfaces : {1u, 2u, 8u})
             for (const uint64_t flags : {UINT64_C(0), AGAA_COVERAGE_EXACT}) {
@@ -308,7 +309,7 @@ void testGenerationTier(Test& test) {
             }
 }
 
-// 2^26 pixels are sorted at most.
+// AGAA_ADAPTIVE_SORTED sorts at most 2^26 pixels.
 void testSorted(Test& test) {
     const auto with = [](uint32_t width, uint64_t flags) {
         return [=](ViewParts& p) {
@@ -326,7 +327,7 @@ void testSorted(Test& test) {
                     {"8193 x 8192 pixels and SORTED", AGAA_ERROR_TOO_LARGE, with(8193, AGAA_ADAPTIVE_SORTED), ""}});
 }
 
-// A target needs differences of samples, which decide what is left out.
+// targetEvents needs differences of samples, which decide the samples that are skipped.
 void testTargets(Test& test) {
     const auto with = [](uint64_t flags) {
         return [flags](ViewParts& p) {
@@ -351,7 +352,7 @@ void testTargets(Test& test) {
                      }, ""}});
 }
 
-// All fragments are needed at once.
+// The tier needs all fragments at once.
 void testExact(Test& test) {
     const auto with = [](const char* technique, uint32_t maxBatches) {
         return [=](ViewParts& p) {
@@ -373,7 +374,7 @@ void testFragmentsAtOnce(Test& test) {
             p.config.samples = 64;
             p.config.flags |= flags;
             p.coverage.maxBatches = maxBatches;
-            p.coverage.flags = AGAA_COVERAGE_EXACT; // is of "dcaa"
+            p.coverage.flags = AGAA_COVERAGE_EXACT; // the flag belongs to "dcaa"
         };
     };
     testRows(test, {{"the tier FRAGMENTS", AGAA_OK, fragments(1, 0), ""},
@@ -385,23 +386,23 @@ void testVisibilityTier(Test& test) {
     const auto with = [](uint32_t tier) {
         return [=](ViewParts& p) {
             p.config.visibilityTier = tier;
-            p.caps.sampleCounts = 1; // no multisampling
+            p.caps.sampleCounts = 1; // the device has no multisampling
         };
     };
     testRows(test, {{"the tier NATIVE on a device without multisampling", unsupported, with(AGAA_TIER_NATIVE), ""},
                     {"the tier SCALED on a device without multisampling", AGAA_OK, with(AGAA_TIER_SCALED_TARGET), ""},
                     {"the tier AUTO on a device without multisampling", AGAA_OK, with(AGAA_TIER_AUTO), ""}});
-    // Its targets have one sample.
-    const auto ofDcaa = [](uint32_t tier) {
+    // The targets of "dcaa" have one sample.
+    const auto withDcaaTier = [](uint32_t tier) {
         return [=](ViewParts& p) {
             p.setTechnique("dcaa", 4);
             p.config.visibilityTier = tier;
             p.caps.sampleCounts = 1;
         };
     };
-    testRows(test, {{"\"dcaa\" and the tier NATIVE", AGAA_OK, ofDcaa(AGAA_TIER_NATIVE), ""},
-                    {"\"dcaa\" and the tier AUTO", AGAA_OK, ofDcaa(AGAA_TIER_AUTO), ""},
-                    {"\"dcaa\" and the tier SCALED", unsupported, ofDcaa(AGAA_TIER_SCALED_TARGET), ""}});
+    testRows(test, {{"\"dcaa\" and the tier NATIVE", AGAA_OK, withDcaaTier(AGAA_TIER_NATIVE), ""},
+                    {"\"dcaa\" and the tier AUTO", AGAA_OK, withDcaaTier(AGAA_TIER_AUTO), ""},
+                    {"\"dcaa\" and the tier SCALED", unsupported, withDcaaTier(AGAA_TIER_SCALED_TARGET), ""}});
 }
 
 void testSampleCounts(Test& test) {

@@ -1,4 +1,4 @@
-// A view with all that it points to, and the functions that answer for it without a device.
+// A view with all structs that it points to, and the queries that need no device.
 #pragma once
 
 #include "device.h"
@@ -7,21 +7,21 @@ namespace agaa::conformance {
 
 // All parts of a valid view; tests change some of them.
 struct ViewParts : ViewDescription {
-    // device: null for the queries of agaa/query.h.
+    // `device` is null for the queries of agaa/query.h.
     ViewParts(const Functions& sdk, const Device* device);
 
-    AgaaGBufferFunction gbuffer; // chained to desc by chain()
-    AgaaFetchFunction fetch; // of no scene
+    AgaaGBufferFunction gbuffer; // chain() chains it to desc
+    AgaaFetchFunction fetch; // functions without a scene
     AgaaShadowFunction shadow;
-    AgaaDeviceCaps caps;   // of an ideal device; not read by devices
-    AgaaAggregation spare; // for chains that hold a struct twice
-    bool isNull = false;   // the description itself
+    AgaaDeviceCaps caps;   // an ideal device; devices do not read it
+    AgaaAggregation spare; // second struct of its type in a chain
+    bool isNull = false;   // the description is null
 
     template <class T> void chain(T& function) {
         function.pNext = desc.pNext;
         desc.pNext = &function;
     }
-    // In place of the functions that are chained.
+    // Replaces the chained functions.
     template <class T> void chainAlone(T& function) {
         desc.pNext = nullptr;
         chain(function);
@@ -30,7 +30,7 @@ struct ViewParts : ViewDescription {
     const AgaaViewDesc* get() const { return isNull ? nullptr : &desc; }
 };
 
-// Every flag that makes a device more capable.
+// All flags that add a capability to a device.
 constexpr uint64_t idealDeviceFlags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEVICE_FRAGMENT_ATOMICS |
                                       AGAA_DEVICE_SAMPLE_RATE_SHADING | AGAA_DEVICE_DYNAMIC_RENDERING |
                                       AGAA_DEVICE_STORAGE_FORMATS | AGAA_DEVICE_NV_MIXED_SAMPLES | AGAA_DEVICE_D24S8 |
@@ -39,26 +39,26 @@ constexpr uint64_t idealDeviceFlags = AGAA_DEVICE_POST_DEPTH_COVERAGE | AGAA_DEV
 
 struct ViewQuery {
     const char* name;
-    // Asks for all that the function can give, by the two-call convention. Null pointers are passed on.
+    // Requests all outputs of the function with two calls. Passes null pointers on.
     AgaaResult (*call)(const Functions& sdk, const AgaaViewDesc* view, const AgaaDeviceCaps* caps, const AgaaLog* log);
 };
 
-// agaaQueryMemory, agaaQueryTarget, agaaPlanToJson and agaaQueryPrices.
+// Returns agaaQueryMemory, agaaQueryTarget, agaaPlanToJson and agaaQueryPrices.
 const std::vector<ViewQuery>& viewQueries();
 extern const ViewQuery aggregateGlslQuery; // fails for views without aggregates in memory
 
-// "agaaQueryMemory with WHAT"
+// Returns "agaaQueryMemory with WHAT".
 std::string callWith(const std::string& function, const std::string& what);
 
-// Checks that the queries accept a view; failures have the log's sentence.
+// Checks that the queries accept a view. The reason of a failure has the log's sentence.
 void expectAccepted(Test& test, const ViewParts& parts, const std::string& what);
-// Checks that all queries, agaaGetAggregateGlsl too, refuse a view with a sentence that has the words.
+// Checks that all queries, including agaaGetAggregateGlsl, refuse a view with a sentence that contains the words.
 void expectViewRefused(Test& test, const ViewParts& parts, AgaaResult expected, const std::string& what,
                        const std::string& words = "");
 
-// The text of agaaPlanToJson, which must succeed.
+// Returns the text of agaaPlanToJson, which must succeed.
 std::string planText(Test& test, const ViewParts& parts);
-// Tiers as the plan names them.
+// Returns the name of the tier in the plan.
 std::string generationTierOf(Test& test, const ViewParts& parts);
 std::vector<AgaaSurface> surfacesOf(Test& test, const ViewParts& parts, AgaaMemoryReport* outReport = nullptr);
 

@@ -71,8 +71,8 @@ void addStructs(Rows& rows) {
 }
 
 void addRanges(Rows& rows) {
-    const auto add = [&](const char* what, const char* words, std::function<void(ViewParts&)> spoil) {
-        rows.push_back({what, AGAA_ERROR_OUT_OF_RANGE, words, std::move(spoil)});
+    const auto add = [&](const char* what, const char* words, std::function<void(ViewParts&)> corrupt) {
+        rows.push_back({what, AGAA_ERROR_OUT_OF_RANGE, words, std::move(corrupt)});
     };
     add("AgaaViewDesc::width = 0", "width", [](ViewParts& p) { p.desc.width = 0; });
     add("AgaaViewDesc::height = 0", "height", [](ViewParts& p) { p.desc.height = 0; });
@@ -133,10 +133,10 @@ void addCustom(ViewParts& p, const char* name, uint32_t bits) {
     p.useLayout();
 }
 
-// Valid attributes that do not go together.
+// Attributes that are valid, but exclude each other.
 void addLayouts(Rows& rows) {
-    const auto add = [&](const char* what, const char* words, std::function<void(ViewParts&)> spoil) {
-        rows.push_back({what, AGAA_ERROR_LAYOUT, words, std::move(spoil)});
+    const auto add = [&](const char* what, const char* words, std::function<void(ViewParts&)> corrupt) {
+        rows.push_back({what, AGAA_ERROR_LAYOUT, words, std::move(corrupt)});
     };
     add("a layout without DIFFUSE", "diffuse", [](ViewParts& p) { removeAttribute(p, AGAA_SEMANTIC_DIFFUSE); });
     add("a layout without NORMAL", "normal", [](ViewParts& p) { removeAttribute(p, AGAA_SEMANTIC_NORMAL); });
@@ -214,7 +214,7 @@ void testWrongViews(Test& test, const Device* device, const std::string& functio
         if (only != AGAA_OK && row.expected != only)
             continue;
         ViewParts parts(test.sdk, device);
-        row.spoil(parts);
+        row.corrupt(parts);
         LogRecorder log;
         const AgaaResult result = create(parts, log);
         expectRefused(test, result, row.expected, log, function, callWith(function, row.what), row.words);

@@ -1,4 +1,4 @@
-// The tests on a device, by what they are about.
+// The tests on a device, by topic.
 #pragma once
 
 #include "suite.h"

@@ -40,7 +40,7 @@ void testVersions(Test& test) {
                       function + " with headerVersion = " + std::to_string(wrong), "version");
         test.check(context == untouchedHandle<AgaaContext>(), function + " fails and changes outContext.");
     }
-    // Other patches of the same minor version.
+    // Headers with another patch of the same minor version are accepted.
     for (const uint32_t right : {version & ~0xFFFu, version | 0xFFFu}) {
         LogRecorder log;
         AgaaContext context = nullptr;
@@ -49,7 +49,7 @@ void testVersions(Test& test) {
     }
 }
 
-// Calls that have no description, or no place for the context.
+// Tests calls without a description or without outContext.
 void testNulls(Test& test) {
     const bool isVulkan = test.device().backend() == Backend::Vulkan;
     const std::string function = apiName(test.device(), "CreateContext");
@@ -77,12 +77,12 @@ void testLogNull(Test& test) {
                                 true});
     const AgaaLog noCallback = AGAA_LOG_INIT;
     expectContextAccepted(test, "AgaaLog::callback = null", [&](ContextDescription& d) { d.desc.log = &noCallback; });
-    // The log is copied: the host's is gone when the context reports.
+    // The SDK copies the log: the host's struct changes before the context reports.
     LogRecorder log;
-    AgaaLog own = *log.get();
-    OwnContext context(test, [&](ContextDescription& d) { d.desc.log = &own; });
-    own.callback = nullptr;
-    own.user = nullptr;
+    AgaaLog hostLog = *log.get();
+    ScopedContext context(test, [&](ContextDescription& d) { d.desc.log = &hostLog; });
+    hostLog.callback = nullptr;
+    hostLog.user = nullptr;
     ViewDescription description(&test.device());
     description.desc.width = 0;
     AgaaView view = nullptr;
@@ -90,7 +90,7 @@ void testLogNull(Test& test) {
                   log, apiName(test.device(), "CreateView"), "a context whose AgaaLog was overwritten", "width");
 }
 
-// With f frames in flight, f frames may be unfinished, and no more.
+// If framesInFlight is f, at most f frames may be unfinished.
 void testFramesInFlight(Test& test) {
     for (uint32_t frames = 1; frames <= 8; ++frames) {
         const std::string what = "AgaaContextDesc::framesInFlight = " + std::to_string(frames);
@@ -121,7 +121,7 @@ void testReserved(Test& test) {
 }
 
 void testWrongOrder(Test& test) {
-    OwnContext context(test);
+    ScopedContext context(test);
     ViewDescription description(&test.device());
     useSingle(description);
     AgaaView views[2] = {};
@@ -130,7 +130,7 @@ void testWrongOrder(Test& test) {
     for (AgaaView view : views) {
         expectRefused(test, test.sdk.agaaDestroyContext(context.get()), AGAA_ERROR_WRONG_ORDER, context.log,
                       "agaaDestroyContext", "agaaDestroyContext of a context with views", "view");
-        // It is kept, with what it has.
+        // The context and its views remain usable.
         AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
         test.result(test.device().getContextCaps(test.sdk, context.get(), &caps), AGAA_OK, "a call with a context that is kept");
         test.result(test.sdk.agaaResizeView(view, 16, 16), AGAA_OK, "agaaResizeView after agaaDestroyContext failed");
@@ -139,9 +139,9 @@ void testWrongOrder(Test& test) {
     test.check(context.log.errors().empty(), "agaaDestroyView logs an error.");
 }
 
-// The second time the view is one that was resized, and one whose creation failed.
+// Destroys a new view, a resized view, and a view after a failed creation.
 void testDestroyView(Test& test) {
-    OwnContext context(test);
+    ScopedContext context(test);
     for (int i = 0; i < 3; ++i) {
         ViewDescription description(&test.device());
         AgaaView view = nullptr, none = nullptr;
@@ -157,7 +157,7 @@ void testDestroyView(Test& test) {
         test.sdk.agaaDestroyView(view);
         test.check(context.log.lines.empty(), "agaaDestroyView logs a line.");
     }
-    expectNoMessages(test, "agaaDestroyView"); // the context can be destroyed at the end
+    expectNoMessages(test, "agaaDestroyView"); // the test can destroy the context at its end
 }
 
 HeaderCase contextHeader(const Device& device) {
@@ -196,7 +196,7 @@ void addContextCases(Suite& suite) {
         testRowsOf(test, AGAA_ERROR_INVALID_ARGUMENT);
     });
     addApiCase(suite, "CreateContext", "AGAA_ERROR_VERSION", testVersions);
-    // Each row tests it; here are all of them.
+    // Each row tests the promise; this test runs all rows.
     addApiCase(suite, "CreateContext", "outContext.unchanged",
                [](Test& test) { testContextRows(test, allRows(test.device())); });
     suite.both("AgaaContextDesc/header", [](Test& test) { testHeader(test, contextHeader(test.device())); });
@@ -207,7 +207,7 @@ void addContextCases(Suite& suite) {
     suite.both("agaaDestroyContext/context.null",
                [](Test& test) { test.result(test.sdk.agaaDestroyContext(nullptr), AGAA_OK, "agaaDestroyContext(null)"); });
     suite.both("agaaDestroyView/view.null", [](Test& test) {
-        OwnContext context(test);
+        ScopedContext context(test);
         test.sdk.agaaDestroyView(nullptr);
         test.check(context.log.lines.empty(), "agaaDestroyView(null) logs a line.");
     });

@@ -65,10 +65,10 @@ namespace {
 
 struct Value {
     uint32_t value;
-    ChangeContext needs; // by the value; may be empty
+    ChangeContext needs; // other members that the value needs; may be empty
 };
 
-// Contexts, and views with their shaders, are created with each value; others are refused.
+// Creates contexts, and views with their shaders, with each value. Other values are refused.
 void testMember(Test& test, const std::string& member, const std::vector<Value>& accepted,
                 const std::function<void(AgaaGlDeviceDesc&, uint32_t)>& set) {
     for (const Value& v : accepted) {
@@ -79,7 +79,7 @@ void testMember(Test& test, const std::string& member, const std::vector<Value>&
         };
         const std::string what = "AgaaGlDeviceDesc::" + member + " = " + std::to_string(v.value);
         expectContextAccepted(test, what, change);
-        OwnContext context(test, change);
+        ScopedContext context(test, change);
         ViewDescription description(&test.device());
         AgaaView view = nullptr;
         if (test.result(test.device().createView(test.sdk, context.get(), &description.desc, &view), AGAA_OK,
@@ -95,13 +95,13 @@ void useCallbacks(ContextDescription& d) {
     d.gl.pushState = keepState;
     d.gl.popState = keepState;
 }
-void useOwnUnit(ContextDescription& d) { d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; }
+void useSeparateUnit(ContextDescription& d) { d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; }
 
-// "msaa" needs a block; all others take their constants in each way.
+// "msaa" needs a block. All other techniques accept each value of AgaaGlConstants.
 void testConstants(Test& test) {
     for (const uint32_t constants : {AGAA_GL_CONSTANTS_BLOCK, AGAA_GL_CONSTANTS_UNIFORMS, AGAA_GL_CONSTANTS_TEXELS}) {
-        OwnContext context(test, [&](ContextDescription& d) {
-            useOwnUnit(d);
+        ScopedContext context(test, [&](ContextDescription& d) {
+            useSeparateUnit(d);
             d.gl.constants = constants;
         });
         for (const char* technique : {"single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa", "dcaa", "adaptive"}) {
@@ -169,7 +169,7 @@ void addOpenGlContextCases(Suite& suite) {
     });
     gl("AgaaGlDeviceDesc.constants/enum", [](Test& test) {
         testMember(test, "constants",
-                   {{AGAA_GL_CONSTANTS_BLOCK, {}}, {AGAA_GL_CONSTANTS_UNIFORMS, {}}, {AGAA_GL_CONSTANTS_TEXELS, useOwnUnit}},
+                   {{AGAA_GL_CONSTANTS_BLOCK, {}}, {AGAA_GL_CONSTANTS_UNIFORMS, {}}, {AGAA_GL_CONSTANTS_TEXELS, useSeparateUnit}},
                    [](AgaaGlDeviceDesc& d, uint32_t value) { d.constants = value; });
     });
     gl("AgaaGlConstants/AGAA_ERROR_UNSUPPORTED", testConstants);

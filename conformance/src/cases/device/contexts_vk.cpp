@@ -77,7 +77,7 @@ void testDescriptorSet(Test& test) {
     testMember(test, "descriptorSet", accepted, [](AgaaVkDeviceDesc& d, uint32_t value) { d.descriptorSet = value; });
 }
 
-// A device that says that it can bind four descriptor sets.
+// Simulates a device that can bind four descriptor sets.
 void testSetLimit(Test& test) {
     VulkanInterposer vulkan;
     vulkan.changeProperties = [](VkPhysicalDeviceProperties& p) { p.limits.maxBoundDescriptorSets = 4; };
@@ -101,14 +101,14 @@ void testRendering(Test& test) {
 }
 
 AgaaDeviceCaps capsWith(Test& test, const ChangeContext& change) {
-    OwnContext context(test, change);
+    ScopedContext context(test, change);
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "agaaVkGetContextCaps");
     return caps;
 }
 
-// Null stands for all features of AgaaVkRequirements; the suite's device has the required ones and, of a version without dynamic
-// rendering, no others.
+// Null stands for all features of AgaaVkRequirements. The suite's device has only the required ones if its version
+// lacks dynamic rendering.
 void testFeaturesNull(Test& test) {
     const auto older = [](ContextDescription& d) { d.vk.apiVersion = VK_API_VERSION_1_2; };
     const uint64_t named = capsWith(test, older).flags;
@@ -123,7 +123,7 @@ void testFeaturesNull(Test& test) {
                                        std::to_string(flag) + " although the device has the feature.");
 }
 
-// The host's cache takes the place of the SDK's, and outlives the context.
+// The host's cache replaces the SDK's cache and outlives the context.
 void testPipelineCache(Test& test) {
     const auto device = static_cast<VkDevice>(test.device().description().vk.device);
     VkPipelineCacheCreateInfo info{};
@@ -132,12 +132,12 @@ void testPipelineCache(Test& test) {
     test.require(vkCreatePipelineCache(device, &info, nullptr, &cache) == VK_SUCCESS, "vkCreatePipelineCache fails.");
     {
         VulkanInterposer vulkan;
-        OwnContext context(test, [&](ContextDescription& d) {
+        ScopedContext context(test, [&](ContextDescription& d) {
             d.vk.getProcAddr = VulkanInterposer::getProcAddr;
             d.vk.pipelineCache = (uint64_t)cache;
         });
         ViewDescription description(&test.device());
-        OwnView view(test, context.get(), description);
+        ScopedView view(test, context.get(), description);
         test.check(!vulkan.objects.count("PipelineCache"), "the SDK creates a cache although the host has one.");
     }
     size_t size = 0;
@@ -170,7 +170,7 @@ void testThreads(Test& test) {
     expectNoMessages(test, "creating contexts in 4 threads");
 }
 
-// link: chains the struct, whose own chain remains.
+// `link` chains the struct and keeps the chain of the struct.
 HeaderCase chainedCase(const char* name, const std::function<void(Test&, void*)>& fill, bool isDevice) {
     const auto call = [isDevice](Test& test, void* structure, const AgaaLog* log) {
         ContextDescription right = test.device().description();

@@ -24,7 +24,7 @@ void addRectangles(Rig& rig, const std::vector<float>& normal = {0, 0, 1}) {
 }
 
 // The name must live as long as the rig.
-Rig::ChangeView ofTechnique(const std::string& technique, uint32_t samples) {
+Rig::ChangeView withTechnique(const std::string& technique, uint32_t samples) {
     return [&technique, samples](ViewDescription& description) { setTechnique(description, technique, samples); };
 }
 
@@ -36,9 +36,9 @@ uint32_t texelsOf(Rig& rig) { // per pixel
     return passes[0].scaleX * passes[0].scaleY;
 }
 
-// A rectangle on whole pixels, of one surface: all of its samples are seen once and one event
-// shades a pixel, but for techniques that shade samples, and "msaa", which shades fragments: two
-// where the rectangle's triangles meet.
+// A rectangle on whole pixels, of one surface. All of its samples are visible once, and one event shades a pixel.
+// Techniques that shade samples have an event per sample. "msaa" shades fragments: two where the triangles of the
+// rectangle meet.
 void expectRectangle(Rig& rig, const std::string& technique) {
     Test& test = rig.test;
     const uint32_t n = rig.description().config.samples;
@@ -69,7 +69,7 @@ void expectRectangle(Rig& rig, const std::string& technique) {
     expectCount(test, "shadowTaps", c.shadowTaps, 0, 0, what);
     expectCount(test, "widenedLobes", c.widenedLobes, 0, 0, what);
     expectCount(test, "primitives", c.primitives, 0, 0, what);
-    // Of "dcaa", a fragment for each triangle that covers a sample of a pixel. Both are of one surface.
+    // "dcaa" has a fragment for each triangle that covers a sample of a pixel. Both fragments belong to one surface.
     const bool hasFragments = technique == "dcaa";
     expectCount(test, "fragments", c.fragments, hasFragments ? pixels : 0, hasFragments ? 2 * pixels : 0, what);
     expectCount(test, "materials", c.materials, c.fragments, c.fragments, what);
@@ -97,7 +97,7 @@ void expectValid(Rig& rig, const std::string& technique) {
     rig.test.check(v.frameIndex == rig.recorded, what + " is not the frame that was validated.");
 }
 
-// Nothing is drawn.
+// The scene is empty.
 void expectEmpty(Rig& rig, const std::string& technique) {
     rig.scene.clear();
     rig.render();
@@ -105,14 +105,14 @@ void expectEmpty(Rig& rig, const std::string& technique) {
     const AgaaCounters none = {};
     rig.test.check(c.batches == (technique == "dcaa"),
                    "AgaaCounters::batches of an empty frame is " + std::to_string(c.batches) + ".");
-    c.batches = 0; // the scene is drawn, though it is empty
+    c.batches = 0; // the SDK draws the empty scene once
     rig.test.check(!std::memcmp(&c, &none, sizeof c), "a counter of an empty frame is not 0 (\"" + technique + "\").");
 }
 
 void testTechnique(Test& test, const std::string& technique) {
     const bool hasScale = technique == "agaa" || technique == "msaa";
     for (const uint32_t n : hasScale ? std::vector<uint32_t>{4, 8} : std::vector<uint32_t>{4}) {
-        Rig rig(test, ofTechnique(technique, n));
+        Rig rig(test, withTechnique(technique, n));
         expectRectangle(rig, technique);
         expectEmpty(rig, technique);
         rig.scene = smallScene(32, 24);
@@ -128,13 +128,12 @@ void testNoCounters(Test& test) {
     test.check(!std::memcmp(&c, &none, sizeof c), "a counter is not 0 without AGAA_CONFIG_COUNTERS.");
 }
 
-// A column of pixels shows half of a second wall at another depth and with another normal: two
-// aggregates there.
+// A column of pixels shows half of a second wall with another depth and normal, so it has two aggregates.
 void testTwoSurfaces(Test& test) {
     for (const std::string technique : {"agaa", "sbaa", "dcaa"}) {
-        if (!obstacleOf(test, technique).empty())
+        if (!unsupportedReason(test, technique).empty())
             continue;
-        Rig rig(test, ofTechnique(technique, 4));
+        Rig rig(test, withTechnique(technique, 4));
         const uint64_t n = rig.description().config.samples;
         rig.scene.clear();
         Surface wall, side;
@@ -155,10 +154,10 @@ void testTwoSurfaces(Test& test) {
     }
 }
 
-// An event of a flat pixel looks up each of its samples at most, and one at least.
+// An event of a flat pixel takes at least one tap, and at most one per sample.
 void testShadowTaps(Test& test) {
     for (const char* technique : {"single", "ssaa", "agaa", "dcaa"}) {
-        if (!obstacleOf(test, technique).empty())
+        if (!unsupportedReason(test, technique).empty())
             continue;
         Rig rig(test, [&](ViewDescription& description) {
             setTechnique(description, technique, 4);

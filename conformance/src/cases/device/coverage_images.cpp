@@ -65,13 +65,13 @@ void expectEmission(Rig& rig, const std::string& technique) {
         surface.emissive[i] = 4 * emitted[i]; // (4, 8, 32): beyond the range of the layout, 16
     addSurface(rig, 16, 0, 32, 24, 8, surface);
     const Image image = rig.render([](AgaaFrame& frame) { std::fill(frame.ambient, frame.ambient + 3, 0.0f); });
-    // At the edge of fxaa both colours mix.
+    // "fxaa" mixes both colours at the edge.
     expectColor(rig.test, image, 32, {0, 0, 14, 24}, emitted, 0.02f, "emission of " + technique);
     const float scaled[] = {2, 4, 16};
     expectColor(rig.test, image, 32, {18, 0, 32, 24}, scaled, 0.02f, "emission beyond the range, of " + technique);
 }
 
-// Share of the pixels of a column that the rectangle from x0 on covers.
+// Returns the share of the pixels of a column that the rectangle from x0 on covers.
 void expectEdge(Rig& rig, float fraction, const std::string& technique) {
     rig.scene.clear();
     addSurface(rig, 10 + fraction, 0, 32, 24, 8, white());
@@ -118,7 +118,7 @@ void testCoverageSamples(Test& test) {
     }
 }
 
-// With one sample, its place decides: all or nothing.
+// With one sample, the pixel shows all or nothing, by the position of the sample.
 void testOneSample(Test& test) {
     Rig rig(test, [](ViewDescription& description) { setTechnique(description, "single", 1); });
     for (const float fraction : {0.25f, 0.75f}) {
@@ -151,7 +151,7 @@ void expectMasks(Rig& rig, const std::string& technique) {
     expectColor(rig.test, image, 32, {0, 0, 32, 2}, color, 0.01f, "what is behind the masks, of " + technique);
 }
 
-// Materials that are not finite count as the lowest values, and spoil nothing.
+// Non-finite materials are replaced by the lowest values and affect nothing else.
 void expectFinite(Rig& rig, float bad, const std::string& technique) {
     Surface broken = white();
     for (int i = 0; i < 3; ++i)

@@ -26,7 +26,7 @@ void expectNoMessages(Test& test, const std::string& after) {
 }
 
 void expectContextRefused(Test& test, const ContextRow& row) {
-    test.device().takeMessages(); // of earlier calls
+    test.device().takeMessages(); // removes messages of earlier calls
     const std::string function = apiName(test.device(), "CreateContext"), what = function + " with " + row.what;
     ContextDescription description = test.device().description();
     LogRecorder log;
@@ -101,7 +101,7 @@ std::vector<ContextRow> wrongContexts() {
                     [](ContextDescription& d) { d.desc.pNext = &unknown; }});
     rows.push_back({"AgaaContextDesc::sType = 0", AGAA_ERROR_STRUCT, "", [](ContextDescription& d) { d.desc.sType = 0; }, true});
     rows.push_back({"AgaaLog::sType = 0", AGAA_ERROR_STRUCT, "", [](ContextDescription& d) { d.desc.log = &wrongLog; }, true});
-    // The library skips it, and finds no device.
+    // The library skips the struct, and finds no device.
     const auto hide = [](ContextDescription& d) {
         d.vk.sType = d.gl.sType = farStructType | AGAA_STRUCTURE_TYPE_OPTIONAL_BIT;
     };

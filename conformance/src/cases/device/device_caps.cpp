@@ -1,4 +1,4 @@
-// What devices and contexts can do: agaa…GetDeviceCaps and agaa…GetContextCaps.
+// Capabilities of devices and contexts: agaa…GetDeviceCaps and agaa…GetContextCaps.
 #include "cases.h"
 #include "creation.h"
 
@@ -23,7 +23,7 @@ AgaaDeviceCaps pattern() {
     return caps;
 }
 
-// What every device must say that can have a context.
+// Tests the capabilities that every device with a context must have.
 void checkCaps(Test& test, const AgaaDeviceCaps& caps, const std::string& function) {
     test.check(caps.deviceName[0] && std::memchr(caps.deviceName, 0, sizeof caps.deviceName),
                function + ": deviceName is empty or does not end.");
@@ -34,7 +34,7 @@ void checkCaps(Test& test, const AgaaDeviceCaps& caps, const std::string& functi
                function + ": a limit is lower than those that the graphics API guarantees.");
     test.check(caps.reserved == 0, function + ": the reserved member is not 0.");
     test.check(caps.flags & AGAA_DEVICE_STORAGE_FORMATS, function + ": the flag STORAGE_FORMATS is missing.");
-    // The queries take what the function gives.
+    // The queries accept the result of the function.
     ViewParts parts(test.sdk, &test.device());
     parts.caps = caps;
     test.result(test.sdk.agaaQueryMemory(&parts.desc, &caps, nullptr, nullptr, nullptr, nullptr), AGAA_OK,
@@ -59,31 +59,31 @@ void testDeviceCaps(Test& test) {
                 function + " with log = null and AgaaDeviceCaps::structSize = 0");
 }
 
-// Of a device without options a context can do no more than the device.
+// The context of a device without options has no more capabilities than the device.
 void testContextCaps(Test& test) {
     const std::string function = apiName(test.device(), "GetContextCaps");
-    OwnContext context(test);
-    AgaaDeviceCaps ofDevice = initialCaps, caps = pattern();
-    test.requireOk(test.device().getDeviceCaps(test.sdk, nullptr, &ofDevice), apiName(test.device(), "GetDeviceCaps"));
+    ScopedContext context(test);
+    AgaaDeviceCaps deviceCaps = initialCaps, caps = pattern();
+    test.requireOk(test.device().getDeviceCaps(test.sdk, nullptr, &deviceCaps), apiName(test.device(), "GetDeviceCaps"));
     test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), function);
     checkCaps(test, caps, function);
-    test.check(!(caps.flags & ~ofDevice.flags), function + ": the context has flags that the device lacks.");
-    test.check(!std::strcmp(caps.deviceName, ofDevice.deviceName), function + ": another device is named.");
+    test.check(!(caps.flags & ~deviceCaps.flags), function + ": the context has flags that the device lacks.");
+    test.check(!std::strcmp(caps.deviceName, deviceCaps.deviceName), function + ": another device is named.");
 }
 
-// Every way to make a call fail: with its struct, which is unchanged.
+// Runs each failing call and checks that its struct is unchanged.
 using Call = std::function<AgaaResult(const AgaaLog*, AgaaDeviceCaps*)>;
 
 void refuseStructs(Test& test, const std::string& function, LogRecorder& log, const Call& call) {
     struct Row {
         const char* what;
-        void (*spoil)(AgaaDeviceCaps&);
+        void (*corrupt)(AgaaDeviceCaps&);
     };
     for (const Row& row : {Row{"sType = 0", [](AgaaDeviceCaps& c) { c.sType = 0; }},
                            Row{"structSize = 0", [](AgaaDeviceCaps& c) { c.structSize = 0; }},
                            Row{"structSize = 12", [](AgaaDeviceCaps& c) { c.structSize = 12; }}}) {
         AgaaDeviceCaps caps = pattern();
-        row.spoil(caps);
+        row.corrupt(caps);
         const AgaaDeviceCaps before = caps;
         const std::string what = function + " with AgaaDeviceCaps::" + row.what;
         expectRefused(test, call(log.get(), &caps), AGAA_ERROR_STRUCT, log, function, what, "AgaaDeviceCaps");
@@ -99,7 +99,7 @@ void testDeviceStructs(Test& test) {
 }
 
 void testContextStructs(Test& test) {
-    OwnContext context(test);
+    ScopedContext context(test);
     refuseStructs(test, apiName(test.device(), "GetContextCaps"), context.log, [&](const AgaaLog*, AgaaDeviceCaps* caps) {
         return test.device().getContextCaps(test.sdk, context.get(), caps);
     });
@@ -107,7 +107,7 @@ void testContextStructs(Test& test) {
 
 void testContextNulls(Test& test) {
     const std::string function = apiName(test.device(), "GetContextCaps");
-    OwnContext context(test);
+    ScopedContext context(test);
     AgaaDeviceCaps caps = pattern();
     test.result(test.device().getContextCaps(test.sdk, nullptr, &caps), AGAA_ERROR_INVALID_ARGUMENT,
                 function + " with context = null");
@@ -148,18 +148,18 @@ void testDeviceNulls(Test& test) {
 
 // ---- headers ---------------------------------------------------------------------------------------
 
-void testCapsHeader(Test& test, bool ofContext) {
-    std::unique_ptr<OwnContext> context;
-    if (ofContext)
-        context = std::make_unique<OwnContext>(test);
-    HeaderCase c = {"AgaaDeviceCaps", apiName(test.device(), ofContext ? "GetContextCaps" : "GetDeviceCaps"), nullptr,
+void testCapsHeader(Test& test, bool isContext) {
+    std::unique_ptr<ScopedContext> context;
+    if (isContext)
+        context = std::make_unique<ScopedContext>(test);
+    HeaderCase c = {"AgaaDeviceCaps", apiName(test.device(), isContext ? "GetContextCaps" : "GetDeviceCaps"), nullptr,
                     [&](Test& inner, void* structure, const AgaaLog* log) {
                         auto* caps = static_cast<AgaaDeviceCaps*>(structure);
-                        return ofContext ? inner.device().getContextCaps(inner.sdk, context->get(), caps)
+                        return isContext ? inner.device().getContextCaps(inner.sdk, context->get(), caps)
                                          : inner.device().getDeviceCaps(inner.sdk, log, caps);
                     },
                     true};
-    c.hasLog = !ofContext; // it is the context's
+    c.hasLog = !isContext; // the log belongs to the context
     testHeader(test, c);
 }
 

@@ -29,13 +29,13 @@ struct Arguments {
     AgaaGlDrawPass gl;
     AgaaStructHeader unknown = {farStructType, sizeof(AgaaStructHeader), nullptr};
     bool isVk;
-    void chain(bool own) { array.back().pNext = own == isVk ? static_cast<void*>(&vk) : &gl; }
+    void chain(bool isSameApi) { array.back().pNext = isSameApi == isVk ? static_cast<void*>(&vk) : &gl; }
 };
 
 struct WrongCall {
     std::string what;
     AgaaResult code;
-    std::function<void(Arguments&)> spoil;
+    std::function<void(Arguments&)> corrupt;
 };
 
 const std::vector<WrongCall>& wrongCalls() {
@@ -67,10 +67,10 @@ bool isSame(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && !std::memcmp(a.data(), b.data(), a.size() * sizeof(T));
 }
 
-// code: the calls that fail with it; AGAA_OK: all.
+// Runs the calls that fail with `code`; AGAA_OK selects all calls.
 void testCalls(Test& test, AgaaResult code) {
-    const char* technique = "agaa"; // has several draw passes on most devices
-    OwnContext context(test);
+    const char* technique = "agaa"; // has more than one draw pass on most devices
+    ScopedContext context(test);
     ViewDescription description(&test.device());
     setTechnique(description, technique, 4);
     const BareView view(test, context.get(), description);
@@ -78,7 +78,7 @@ void testCalls(Test& test, AgaaResult code) {
         if (code != AGAA_OK && call.code != code)
             continue;
         Arguments a(test, view.get());
-        call.spoil(a);
+        call.corrupt(a);
         const uint32_t length = a.length;
         const std::vector<AgaaDrawPass> before = a.array;
         const AgaaVkDrawPass vk = a.vk;

@@ -1,4 +1,4 @@
-// agaaGetDrawPasses and what it describes.
+// agaaGetDrawPasses and its descriptions.
 #include "cases.h"
 #include "pass_list.h"
 
@@ -35,8 +35,7 @@ void testStates(Test& test) {
             const AgaaDrawState& state = pass.state;
             const std::string what = passText(technique, pass);
             test.check(state.depthCompare <= AGAA_COMPARE_ALWAYS, what + " has an unknown depthCompare.");
-            // The first pass finds the nearest fragment; the view's depth grows away
-            // from the eye.
+            // The first pass finds the nearest fragment. The depth of the view grows with the distance from the eye.
             if (pass.pass == AGAA_DRAW_PASS_FRAGMENTS) // the lists keep all fragments
                 test.check(state.depthCompare == AGAA_COMPARE_ALWAYS, what + " has another depthCompare than ALWAYS.");
             else if (&pass == &list.passes.front())
@@ -48,7 +47,7 @@ void testStates(Test& test) {
 }
 
 void testReversed(Test& test) {
-    const OwnContext context(test);
+    const ScopedContext context(test);
     ViewDescription description(&test.device());
     description.desc.flags |= AGAA_VIEW_REVERSED_Z;
     visitView(test, context, description, [&](const ViewDescription&, const PassList& list, const std::string&) {
@@ -116,10 +115,10 @@ void testStages(Test& test) {
     });
 }
 
-// Whether the pass has depth and colour. The pass FRAGMENTS has neither, and one sample per pixel for each n.
+// Tests depth and colour of the pass. The pass FRAGMENTS has neither, and one sample per pixel for every n.
 bool hasAttachments(const AgaaDrawPass& pass) { return pass.pass != AGAA_DRAW_PASS_FRAGMENTS; }
 
-// The target: texels are pixels times the scale, and samples of the texels of a pixel are n.
+// Tests the target: the size is pixels times the scale, and the texels of a pixel have n samples.
 void testTargets(Test& test) {
     forTechniques(test, [&](const ViewDescription& description, const PassList& list, const std::string& technique) {
         const AgaaViewDesc& desc = description.desc;
@@ -134,9 +133,9 @@ void testTargets(Test& test) {
     });
 }
 
-// Equal views have equal keys; what changes shaders changes keys.
+// Equal views have equal keys. Settings that change shaders change keys.
 void testKeys(Test& test) {
-    const OwnContext context(test);
+    const ScopedContext context(test);
     const auto keysOf = [&](const char* technique) {
         ViewDescription description(&test.device());
         setTechnique(description, technique, 4);
@@ -148,7 +147,7 @@ void testKeys(Test& test) {
         return keys;
     };
     const auto first = keysOf("agaa"), second = keysOf("agaa"), others = keysOf("msaa");
-    if (obstacleOf(test, "dcaa").empty())
+    if (unsupportedReason(test, "dcaa").empty())
         for (const uint64_t key : keysOf("dcaa"))
             test.check(std::find(first.begin(), first.end(), key) == first.end(),
                        "\"agaa\" and \"dcaa\" have a pipelineKey in common.");

@@ -1,4 +1,4 @@
-// What draw callbacks receive.
+// The targets that draw callbacks receive.
 #include "cases.h"
 #include "frame_rig.h"
 
@@ -12,7 +12,7 @@ namespace {
 struct Call {
     std::string technique;
     AgaaDrawTarget target;
-    std::vector<AgaaDrawPass> passes; // of the view; their texts are gone
+    std::vector<AgaaDrawPass> passes; // passes of the view, without their texts
     uint32_t width, height;
 };
 
@@ -49,7 +49,7 @@ std::vector<Call> recordCalls(Test& test) {
     return calls;
 }
 
-// Calls check() for each call of each technique, which are recorded once for all tests of a device.
+// Calls check() for each draw call of each technique. The calls are recorded once for all tests of a device.
 void forCalls(Test& test, const std::function<void(const Call&, const std::string& what)>& check) {
     static std::map<Backend, std::vector<Call>> recorded;
     std::vector<Call>& calls = recorded[test.device().backend()];

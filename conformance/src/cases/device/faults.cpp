@@ -1,4 +1,4 @@
-// Functions of the graphics API that fail while contexts and views are created or resized: each in turn.
+// Functions of the graphics API fail one after the other while contexts and views are created or resized.
 #include "cases.h"
 #include "frame_rig.h"
 #include "interposer.h"
@@ -29,7 +29,8 @@ struct Faults {
         test.check(api->objects == before, what + ": there are " + objectsText(api->objects) + " where there were " +
                                                objectsText(before) + ".");
     }
-    // Calls while the nth function fails, for every n, until none fails. The objects that exist must be those of before.
+    // Repeats the call while the nth function fails, for n from 1 until none fails. A failed call must leave no
+    // objects.
     void forEach(const std::string& function, LogRecorder& log, const std::function<AgaaResult()>& call,
                  const std::function<void(const std::string&)>& after) const {
         const std::map<std::string, int64_t> before = api->objects;
@@ -45,11 +46,11 @@ struct Faults {
             }
             const std::string what = function + ", where the function " + std::to_string(n) + ", " + failed +
                                      ", fails with the error " + std::to_string(fault.error);
-            // OpenGL reports errors at other calls than that which failed.
+            // OpenGL may report an error in a later call than the failed one.
             expectRefused(test, result, fault.expected, log, function, what, isVulkan ? failed : "");
             expectObjects(before, what);
             if (!isVulkan)
-                test.device().takeMessages(); // of the objects without memory
+                test.device().takeMessages(); // removes messages about objects without memory
             after(what);
         }
     }
@@ -76,11 +77,11 @@ void testContext(Test& test, const Fault& fault) {
     expectNoMessages(test, function);
 }
 
-// Of all sorts of objects: with times, shadows, and a pass of each kind.
+// The view has all kinds of objects: times, shadows, and a pass of each kind.
 void testView(Test& test, const Fault& fault) {
     const Faults faults{test, fault};
     const std::string function = apiName(test.device(), "CreateView");
-    OwnContext context(test, faults.chain());
+    ScopedContext context(test, faults.chain());
     ViewDescription description(&test.device());
     description.config.flags |= AGAA_CONFIG_TIMESTAMPS;
     description.facts.shadowMapCount = 1;
@@ -96,7 +97,7 @@ void testView(Test& test, const Fault& fault) {
     expectNoMessages(test, function);
 }
 
-// A frame shows the same with the variant and without.
+// A frame shows the same image with and without the variant.
 void testPrepare(Test& test, const Fault& fault) {
     const Faults faults{test, fault};
     Rig rig(test, {}, faults.chain());
@@ -116,7 +117,7 @@ void testResize(Test& test, const Fault& fault) {
     const Faults faults{test, fault};
     Rig rig(test, {}, faults.chain());
     const Image image = rig.render();
-    // A frame takes longer than all else, and Vulkan has many functions.
+    // A frame takes most of the time, and Vulkan has many functions.
     const uint32_t stride = faults.isVulkan ? 8 : 1;
     uint32_t count = 0;
     faults.forEach(
@@ -153,7 +154,7 @@ void addFaultCases(Suite& suite) {
                            Row{"agaaVkCreateView", "agaaGlCreateView", testView},
                            Row{"agaaResizeView", "agaaResizeView", testResize}}) {
         const std::string vk = row.vulkan, gl = row.openGl;
-        const bool isOne = vk == gl; // function of both APIs
+        const bool isOne = vk == gl; // both APIs have the function
         add(vk + "/AGAA_ERROR_DEVICE", Backend::Vulkan, row.run, deviceLost);
         add(vk + "/AGAA_ERROR_OUT_OF_MEMORY" + (isOne ? "/vulkan" : ""), Backend::Vulkan, row.run, outOfDeviceMemory);
         add(vk + "/AGAA_ERROR_OUT_OF_MEMORY/vulkan_host_memory", Backend::Vulkan, row.run, outOfHostMemory);

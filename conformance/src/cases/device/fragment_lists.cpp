@@ -9,7 +9,7 @@ namespace agaa::conformance {
 
 namespace {
 
-constexpr uint64_t leastRoom = 65536; // fragments, of the lists of a small view
+constexpr uint64_t minCapacity = 65536; // fragments that the lists of a small view hold
 
 Rig::ChangeView withCoverage(uint32_t tier, const std::function<void(AgaaDecoupledCoverage&)>& change) {
     return [tier, change](ViewDescription& description) {
@@ -21,21 +21,21 @@ Rig::ChangeView withCoverage(uint32_t tier, const std::function<void(AgaaDecoupl
     };
 }
 
-// All show the small scene, where no pixel shows more than two surfaces.
+// All settings show the small scene, in which no pixel shows more than two surfaces.
 void testMerges(Test& test) {
-    struct Way {
+    struct Settings {
         uint32_t merge;
         uint64_t flags;
         uint32_t tier = AGAA_TIER_FRAGMENT_LISTS;
     };
-    for (const Way& way : {Way{AGAA_MERGE_VISIBLE, 0}, Way{AGAA_MERGE_PAPER, 0}, Way{AGAA_MERGE_NONE, 0},
-                           Way{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT},
-                           Way{AGAA_MERGE_VISIBLE, 0, AGAA_TIER_MATERIAL_LISTS},
-                           Way{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT, AGAA_TIER_MATERIAL_LISTS}}) {
-        Rig rig(test, withCoverage(way.tier, [way](AgaaDecoupledCoverage& c) { c.merge = way.merge, c.flags = way.flags; }));
+    for (const Settings& settings : {Settings{AGAA_MERGE_VISIBLE, 0}, Settings{AGAA_MERGE_PAPER, 0}, Settings{AGAA_MERGE_NONE, 0},
+                           Settings{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT},
+                           Settings{AGAA_MERGE_VISIBLE, 0, AGAA_TIER_MATERIAL_LISTS},
+                           Settings{AGAA_MERGE_VISIBLE, AGAA_COVERAGE_EXACT, AGAA_TIER_MATERIAL_LISTS}}) {
+        Rig rig(test, withCoverage(settings.tier, [settings](AgaaDecoupledCoverage& c) { c.merge = settings.merge, c.flags = settings.flags; }));
         const Image image = rig.render();
-        const std::string what = "AgaaDecoupledCoverage::merge = " + std::to_string(way.merge) +
-                                 ", flags = " + std::to_string(way.flags) + ", tier " + test.sdk.agaaTierName(way.tier);
+        const std::string what = "AgaaDecoupledCoverage::merge = " + std::to_string(settings.merge) +
+                                 ", flags = " + std::to_string(settings.flags) + ", tier " + test.sdk.agaaTierName(settings.tier);
         const float second[] = {0.25f, 0.5f, 0.5f}, masked[] = {0.25f, 0.75f, 0.5f};
         expectColor(test, image, 32, {8, 12, 32, 24}, second, 0.01f, what + ": the second rectangle");
         expectColor(test, image, 32, {16, 0, 24, 12}, masked, 0.01f, what + ": the masked rectangle");
@@ -44,7 +44,7 @@ void testMerges(Test& test) {
     }
 }
 
-// Layers in front of each other that fill the view: more fragments than the lists have room for. From back to front.
+// Returns layers that fill the view, from back to front. They have more fragments than the lists can hold.
 Scene manyLayers() {
     Scene scene;
     Surface surface;
@@ -65,7 +65,7 @@ struct Batches {
     }
 };
 
-// A frame, whose draw callbacks must be numbered from 0 and be no more than maxBatches.
+// Renders a frame. Its draw callbacks must be numbered from 0, and there must be at most maxBatches.
 Image renderBatches(Rig& rig, uint32_t maxBatches, const std::string& what) {
     Batches batches{rig.device(), {}};
     const Image image = rig.render([&](AgaaFrame& frame) {
@@ -98,9 +98,9 @@ void testBatches(Test& test) {
         rig.scene = manyLayers();
         const Image layers = renderBatches(rig, maxBatches, what);
         const AgaaCounters c = rig.counters();
-        test.check(c.fragments > leastRoom, what + ": AgaaCounters::fragments is " + std::to_string(c.fragments) +
+        test.check(c.fragments > minCapacity, what + ": AgaaCounters::fragments is " + std::to_string(c.fragments) +
                                                 " for 100 rectangles of 768 pixels.");
-        const uint64_t lost = maxBatches == 1 ? c.fragments - leastRoom : 0;
+        const uint64_t lost = maxBatches == 1 ? c.fragments - minCapacity : 0;
         test.check(c.lostFragments == lost, what + ": AgaaCounters::lostFragments is " + std::to_string(c.lostFragments) +
                                                 " in place of " + std::to_string(lost) + ".");
         test.check(maxBatches == 1 ? c.batches == 1 : c.batches >= 2 && c.batches <= maxBatches,
@@ -111,13 +111,13 @@ void testBatches(Test& test) {
     }
 }
 
-// The constants of a frame, which the geometry shader reads too, come in each way.
+// Tests each value of AgaaGlConstants, because the geometry shader reads the constants, too.
 void testConstants(Test& test) {
     Image expected;
     for (const uint32_t constants : {AGAA_GL_CONSTANTS_BLOCK, AGAA_GL_CONSTANTS_UNIFORMS, AGAA_GL_CONSTANTS_TEXELS}) {
         Rig rig(test, withCoverage(AGAA_TIER_AUTO, [](AgaaDecoupledCoverage&) {}), [=](ContextDescription& d) {
             d.gl.constants = constants;
-            d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; // a unit of its own, if it is one
+            d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; // a unit that no other texture uses
         });
         const Image image = rig.render();
         if (constants == AGAA_GL_CONSTANTS_BLOCK)
@@ -127,7 +127,7 @@ void testConstants(Test& test) {
         rig.scene = manyLayers();
         rig.render();
         const AgaaCounters c = rig.counters();
-        test.check(c.lostFragments == c.fragments - leastRoom, "\"dcaa\" with AgaaGlDeviceDesc::constants = " +
+        test.check(c.lostFragments == c.fragments - minCapacity, "\"dcaa\" with AgaaGlDeviceDesc::constants = " +
                                                                    std::to_string(constants) + " loses " +
                                                                    std::to_string(c.lostFragments) + " of " +
                                                                    std::to_string(c.fragments) + " fragments.");
@@ -139,23 +139,23 @@ void testNoGeometryShaders(Test& test) {
     ContextDescription right = test.device().description();
     VkPhysicalDeviceFeatures2 features = *static_cast<const VkPhysicalDeviceFeatures2*>(right.vk.enabledFeatures);
     features.features.geometryShader = VK_FALSE;
-    OwnContext context(test, [&](ContextDescription& d) { d.vk.enabledFeatures = &features; });
+    ScopedContext context(test, [&](ContextDescription& d) { d.vk.enabledFeatures = &features; });
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "agaaVkGetContextCaps");
     test.check(!(caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS),
                "agaaVkGetContextCaps has the flag GEOMETRY_SHADERS where the host enables none.");
     ViewDescription description(&test.device());
     setTechnique(description, "dcaa", 4);
-    description.desc.flags &= ~AGAA_VIEW_VERTEX_PULLING; // of devices that have none
+    description.desc.flags &= ~AGAA_VIEW_VERTEX_PULLING; // the device has no geometry shaders
     AgaaView view = nullptr;
     expectRefused(test, test.device().createView(test.sdk, context.get(), &description.desc, &view), AGAA_ERROR_UNSUPPORTED,
                   context.log, "agaaVkCreateView", "agaaVkCreateView of \"dcaa\" without geometry shaders", "geometry shaders");
     test.check(!view, "agaaVkCreateView fails and returns a view.");
     description.desc.flags |= AGAA_VIEW_VERTEX_PULLING;
-    const BareView pulled(test, context.get(), description); // is created
+    const BareView pulled(test, context.get(), description); // the view is created
 }
 
-// Whether vertex shaders expand triangles is told in passes and targets. The images are the same.
+// Passes and targets state whether vertex shaders expand triangles. The images are the same.
 void testPulling(Test& test) {
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     test.requireOk(test.device().getDeviceCaps(test.sdk, nullptr, &caps), "asking for the capabilities of the device");
@@ -168,7 +168,7 @@ void testPulling(Test& test) {
         uint64_t fragments = 0;
         for (const bool pulls : {false, true}) {
             Rig rig(test, [&](ViewDescription& d) {
-                setTechnique(d, "dcaa", 4); // and the function that fetches
+                setTechnique(d, "dcaa", 4); // this also chains sceneFetch
                 d.technique = technique;
                 d.config.technique = d.technique.c_str();
                 d.config.generationTier = uint32_t(tier);
@@ -202,7 +202,7 @@ void testPulling(Test& test) {
     }
 }
 
-// The same with the constants of a frame, which the vertex shader reads too, in each way.
+// Tests vertex pulling with each value of AgaaGlConstants, because the vertex shader reads the constants, too.
 void testPullingConstants(Test& test) {
     Image expected;
     for (const uint32_t constants : {AGAA_GL_CONSTANTS_BLOCK, AGAA_GL_CONSTANTS_UNIFORMS, AGAA_GL_CONSTANTS_TEXELS})
@@ -215,7 +215,7 @@ void testPullingConstants(Test& test) {
                     [=](ContextDescription& d) {
                         d.gl.constants = constants;
                         d.gl.glslVersion = version;
-                        d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; // a unit of its own, if it is one
+                        d.gl.bindings[AGAA_GL_BINDING_FRAME] = 12; // a unit that no other texture uses
                     });
             const Image image = rig.render();
             if (expected.empty())
@@ -231,7 +231,7 @@ bool skipsBatches(Test& test, AgaaContext context) {
     return caps.flags & AGAA_DEVICE_CONDITIONAL_RENDERING;
 }
 
-// The device skips batches where the host enables that, which no image shows.
+// The device skips batches if the host enables the feature. The images must not change.
 void testConditionalRendering(Test& test) {
     const std::unique_ptr<Device> device = makeVulkanDevice(test.sdk, test.device().deviceName(), true);
     Test inner(test.sdk, device.get());

@@ -7,7 +7,7 @@ namespace agaa::conformance {
 namespace {
 
 struct ArgumentRow {
-    std::string what; // "a null AgaaFrame"
+    std::string what; // for example "a null AgaaFrame"
     std::string words;
     RecordHook hook;
     AgaaResult code = AGAA_ERROR_INVALID_ARGUMENT;
@@ -51,7 +51,7 @@ void testRows(Rig& rig, const std::vector<ArgumentRow>& rows, const Image& expec
     }
 }
 
-// Calls with a null view have no log.
+// A call with a null view has no log.
 void testNullView(Rig& rig) {
     AgaaFrame frame = rig.nextFrame();
     const AgaaResult result = rig.record(
@@ -79,7 +79,7 @@ void testVk(Test& test) {
     rows.push_back({"commandBuffer = null", "commandBuffer", vk([](AgaaVkFrame& f) { f.commandBuffer = nullptr; })});
     rows.push_back({"outputImage = 0", "output", vk([](AgaaVkFrame& f) { f.outputImage = 0; })});
     rows.push_back({"outputView = 0", "output", vk([](AgaaVkFrame& f) { f.outputView = 0; })});
-    // The view declares shadow maps: the first is needed without shadows, too.
+    // The view declares shadow maps, so the first one is needed even if the frame has no shadows.
     rows.push_back({"shadowViews[0] = 0", "shadowViews[0]", vk([](AgaaVkFrame& f) { f.shadowViews[0] = 0; })});
     testRows(rig, rows, expected);
     testRows(rig, {{"two shadows and shadowViews[1] = 0", "shadowViews[1]", vk([](AgaaVkFrame& f) { f.shadowViews[1] = 0; })}},
@@ -113,7 +113,7 @@ void testGl(Test& test) {
     rig.device().changeGlFrame = nullptr;
 }
 
-// Segments without the output need neither it nor shadow maps.
+// Segments that do not write the output need neither it nor shadow maps.
 void testPrepassNeedsLess(Test& test) {
     Rig rig(test, allowShadows);
     const Image expected = rig.render();

@@ -8,10 +8,10 @@ namespace agaa::conformance {
 
 namespace {
 
-// A callback of a host that draws, except in one of its calls.
+// A draw callback that fails in one of its calls.
 struct FailingDraw {
     Device& device;
-    uint32_t failingCall; // from 1; 0: none
+    uint32_t failingCall; // index of the failing call, from 1; 0: none
     AgaaResult result = AGAA_ERROR_CALLBACK;
     bool throws = false;
     uint32_t calls = 0;
@@ -46,7 +46,7 @@ std::string callText(const DrawFailure& row) {
            " at call " + std::to_string(row.call);
 }
 
-Rig::ChangeView ofTechnique(const std::string& technique) {
+Rig::ChangeView withTechnique(const std::string& technique) {
     return [technique](ViewDescription& description) { setTechnique(description, technique, 4); };
 }
 
@@ -60,9 +60,9 @@ void expectDrawFailure(Rig& rig, FailingDraw draw, const std::string& what, Agaa
 
 void testFailures(Test& test, AgaaResult code, const Rig::ChangeContext& changeContext = {}) {
     for (const char* technique : {"agaa", "msaa", "single", "dcaa"}) {
-        if (!obstacleOf(test, technique).empty())
+        if (!unsupportedReason(test, technique).empty())
             continue;
-        Rig rig(test, ofTechnique(technique), changeContext);
+        Rig rig(test, withTechnique(technique), changeContext);
         const Image expected = rig.render();
         const uint32_t passes = rig.statistics().geometryPasses;
         for (const DrawFailure& row : drawFailures)
@@ -81,7 +81,7 @@ void recordInline(ContextDescription& description) {
     description.vk.recording = AGAA_VK_RECORDING_INLINE;
 }
 
-// Nothing of the segment is recorded: the frame goes on where it was.
+// No command of the segment is recorded, and the frame continues with this segment.
 void testSegment(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
@@ -104,7 +104,7 @@ void testSegment(Test& test) {
     expectNextFrame(rig, expected, what);
 }
 
-// A frame whose later segment was recorded in part cannot go on; the next frame can.
+// A frame cannot continue if a later segment was recorded in part. The next frame can start.
 void testPartialSegment(Test& test) {
     Rig rig(test, {}, recordInline);
     const Image expected = rig.render();
@@ -124,7 +124,7 @@ void testPartialSegment(Test& test) {
     expectNextFrame(rig, expected, what);
 }
 
-// Frames that fail use up neither frames in flight nor indices.
+// Failed frames use neither frames in flight nor indices.
 void testManyFailures(Test& test, AgaaResult code, const Rig::ChangeContext& changeContext) {
     Rig rig(test, {}, changeContext);
     const Image expected = rig.render();

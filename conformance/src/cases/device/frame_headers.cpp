@@ -23,7 +23,7 @@ void copyMembers(void* structure, const T& from) {
                 sizeof from - headerBytes);
 }
 
-// The log of a view is that of its context: what a call adds to it goes to the log of the case.
+// A view logs through its context. The messages of a call are copied to the log of the case.
 template <class Call>
 AgaaResult logged(Rig& rig, const AgaaLog* log, const Call& call) {
     rig.context.log.lines.clear();
@@ -60,7 +60,7 @@ HeaderCase nativeFrameCase(Rig& rig, const char* name) {
     return {name, rig.function(), nullptr, call};
 }
 
-// All elements have the bytes of the case's struct; those of the first are returned.
+// All elements get the bytes of the case's struct. The bytes of the first element are returned.
 AgaaResult getPasses(Rig& rig, void* structure) {
     uint32_t count = 0;
     rig.test.requireOk(rig.test.sdk.agaaGetDrawPasses(rig.view.get(), &count, nullptr), "agaaGetDrawPasses");
@@ -82,7 +82,7 @@ HeaderCase passCase(Rig& rig) {
     return {"AgaaDrawPass", "agaaGetDrawPasses", nullptr, call, true};
 }
 
-// Chained to the last pass.
+// The struct is chained to the last pass.
 HeaderCase nativePassCase(Rig& rig, const char* name) {
     const auto call = [&rig](Test&, void* structure, const AgaaLog* log) {
         uint32_t count = 0;
@@ -143,7 +143,7 @@ void add(Suite& suite, const char* name, const std::vector<Backend>& backends,
          const std::function<HeaderCase(Rig&)>& makeCase) {
     suite.add(std::string(name), backends,
               [makeCase, isSimple = std::string(name).find("DrawPass") == std::string::npos](Test& test) {
-                  // "single" has the fewest pipelines, "agaa" several draw passes.
+                  // "single" has the fewest pipelines. "agaa" has more than one draw pass.
                   Rig rig(test, [isSimple](ViewDescription& d) {
                       setTechnique(d, isSimple ? "single" : "agaa", 4);
                       d.config.flags |= AGAA_CONFIG_CHECK_FACTS;

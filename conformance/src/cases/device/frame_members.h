@@ -1,5 +1,4 @@
-// Tests of single members of what describes a frame: values that are accepted and values that are
-// refused.
+// Tests of single members of the description of a frame: accepted and refused values.
 #pragma once
 
 #include "cases/core/members.h"
@@ -7,7 +6,7 @@
 
 namespace agaa::conformance {
 
-// A right frame with two lights and two shadows, which the frame does not point to yet.
+// A valid frame, and two lights and two shadows to which it does not point yet.
 struct FrameParts {
     explicit FrameParts(const Rig& rig);
     AgaaFrame frame;
@@ -25,23 +24,23 @@ struct FrameParts {
 
 // Values are doubles, which hold every float and every uint32_t.
 struct FrameMember {
-    std::string promise; // AgaaFrame.ambient/range
-    std::string member;  // in the test's own sentences: AgaaFrame::ambient
-    std::string words;   // of the log's sentence
+    std::string promise; // for example AgaaFrame.ambient/range
+    std::string member;  // name in the test's sentences, for example AgaaFrame::ambient
+    std::string words;   // part of the log's sentence
     std::function<void(FrameParts&, double)> set;
     std::vector<double> accepted, refused;
     std::vector<double> refusedToday = {}; // a later library may accept them
     AgaaResult error = AGAA_ERROR_OUT_OF_RANGE;
 };
 
-// A view for the rows, with at most 4 lights and 2 shadow maps, and the image of a right frame.
+// A view for the rows, with at most 4 lights and 2 shadow maps, and the image of a valid frame.
 struct MemberRig : Rig {
     explicit MemberRig(Test& test);
     Image expected;
 };
 void testFrameMember(MemberRig& rig, const FrameMember& row);
 void addFrameMember(Suite& suite, const FrameMember& row);
-// Several rows in one test; their own promises are not read.
+// Adds one test with all rows. The promises of the rows are not used.
 void addFrameMembers(Suite& suite, const std::string& promise, const std::vector<FrameMember>& rows);
 
 } // namespace agaa::conformance

@@ -1,4 +1,4 @@
-// Frames and segments in order, and what must be equal in the segments of a frame.
+// The order of frames and segments, and members that must be equal in the segments of a frame.
 #include "cases.h"
 #include "frame_rig.h"
 
@@ -19,8 +19,8 @@ std::string segmentsText(uint64_t segments) {
     return text;
 }
 
-// `first` of a frame is recorded, or nothing if 0. Then `second` must fail, and the rest of the
-// frame must work.
+// Records the segments `first` of a frame, or none if 0. Then `second` must fail, and the rest of the frame must
+// succeed.
 void expectSegmentsRefused(Rig& rig, uint64_t first, uint64_t second, const Image& expected) {
     AgaaFrame frame = rig.nextFrame();
     const std::string what = rig.function() + " with" + segmentsText(second) +
@@ -70,7 +70,7 @@ void testIndices(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
     rig.render();
-    rig.render([](AgaaFrame& frame) { // may leave indices out
+    rig.render([](AgaaFrame& frame) { // indices may have gaps
         frame.completedFrame = frame.frameIndex - 1;
         frame.frameIndex += 10;
     });
@@ -87,7 +87,7 @@ void testIndices(Test& test) {
     }
 }
 
-// Frame 0 is no frame.
+// The frame index 0 is invalid.
 void testFirstIndex(Test& test) {
     Rig rig(test);
     for (const uint64_t completed : {UINT64_C(0), UINT64_C(1)}) {
@@ -114,7 +114,7 @@ void testFramesInFlight(Test& test) {
         frame.completedFrame = 0;
         expectFrameRefused(
             rig, frame, {AGAA_ERROR_WRONG_ORDER, with + "none of " + std::to_string(inFlight) + " frames finished"}, expected);
-        // The frame framesInFlight before is finished, and no later one.
+        // Exactly the frame that is framesInFlight earlier is finished.
         rig.render([inFlight](AgaaFrame& f) { f.completedFrame = f.frameIndex - inFlight; });
     }
 }
@@ -134,7 +134,7 @@ void testCompletedFrame(Test& test) {
     }
 }
 
-// Camera and ditherFrame are those of the first segment.
+// Camera and ditherFrame must be the same in all segments.
 void testSameCamera(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
@@ -163,7 +163,7 @@ void testSameCamera(Test& test) {
         }
 }
 
-// Without AGAA_VIEW_COMPOSITE nothing is kept.
+// A view without AGAA_VIEW_COMPOSITE keeps nothing of the output.
 void testComposite(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();

@@ -1,4 +1,4 @@
-// Members of AgaaFrame, except what its lights and shadows hold.
+// Members of AgaaFrame, except the members of lights and shadows.
 #include "cases.h"
 #include "frame_members.h"
 
@@ -19,7 +19,7 @@ std::string elementText(const char* member, int i) {
     return std::string(member) + "[" + std::to_string(i) + "]";
 }
 
-// The pixel camera is orthographic: 0, 5, 10 scale, 12, 13, 14 shift. On OpenGL 14 may be -1.
+// The pixel camera is orthographic: elements 0, 5, 10 scale, elements 12, 13, 14 shift. On OpenGL element 14 may be -1.
 void testProjection(Test& test) {
     MemberRig rig(test);
     FrameMember row{"", "", "AgaaFrame::projection", {}, {}, {}};
@@ -35,7 +35,7 @@ void testProjection(Test& test) {
         refuse(i, notNumbers({0}));
     for (const int i : {12, 13, 14})
         refuse(i, notNumbers({}));
-    refuse(10, notNumbers({0, 0.05})); // near and far exchanged
+    refuse(10, notNumbers({0, 0.05})); // swaps the near and the far plane
     refuse(11, notNumbers({-1, 1}), ", with [15] = 1,");
     refuse(15, notNumbers({0, 2}), ", with [11] = 0,");
 }

@@ -9,7 +9,7 @@ namespace agaa::conformance {
 
 namespace {
 
-// Functions are pointers without a user: the hook of the call in progress.
+// The hook of the call in progress. A global holds it, because the replaced functions have no user pointer.
 struct Intercepted {
     const Functions& sdk;
     const RecordHook& hook;
@@ -36,13 +36,13 @@ Rig::Rig(Test& theTest, const ChangeView& changeView, const ChangeContext& chang
     : test(theTest), context(theTest, changeContext), description_(&theTest.device()),
       view(theTest, context.get(), changed(changeView)),
       scene(smallScene(description_.desc.width, description_.desc.height)) {
-    device().takeMessages(); // of earlier tests
+    device().takeMessages(); // removes messages of earlier tests
 }
 
 const ViewDescription& Rig::changed(const ChangeView& changeView) {
     if (changeView)
         changeView(description_);
-    const std::string obstacle = obstacleOf(test, description_.config.technique);
+    const std::string obstacle = unsupportedReason(test, description_.config.technique);
     if (!obstacle.empty())
         test.skip(obstacle);
     return description_;
@@ -167,7 +167,7 @@ void expectAlike(Test& test, const Image& got, const Image& expected, float roun
         return;
     for (size_t i = 0; i < got.size(); ++i) {
         const float difference = std::fabs(got[i] - expected[i]);
-        if (!(difference <= rounding * (1 + std::fabs(expected[i])))) { // also of what is no number
+        if (!(difference <= rounding * (1 + std::fabs(expected[i])))) { // true for NaN, too
             test.check(false, what + " has " + std::to_string(got[i]) + " in place of " + std::to_string(expected[i]) +
                                   " in pixel " + std::to_string(i / 4) + ".");
             return;
@@ -190,7 +190,7 @@ void expectColor(Test& test, const Image& got, uint32_t width, const Area& area,
         }
 }
 
-std::string obstacleOf(Test& test, const std::string& technique) {
+std::string unsupportedReason(Test& test, const std::string& technique) {
     if (!hasCoverageSamples(technique))
         return {};
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
@@ -206,7 +206,7 @@ std::vector<std::string> techniques(Test& test) {
     test.sdk.agaaGetNames(AGAA_NAMES_TECHNIQUES, &count, names.data());
     std::vector<std::string> able;
     for (const char* name : names)
-        if (obstacleOf(test, name).empty())
+        if (unsupportedReason(test, name).empty())
             able.push_back(name);
     return able;
 }

@@ -1,11 +1,11 @@
-// What the other tests build on.
+// Basic tests, on which the other tests rely.
 #include "cases.h"
 #include "frame_rig.h"
 
 namespace agaa::conformance {
 
 void addGeneralCases(Suite& suite) {
-    // Ambient light 1: each rectangle shows its diffuse colour.
+    // The ambient light is 1, so each rectangle shows its diffuse colour.
     suite.both("general/a_frame_shows_the_scene", [](Test& test) {
         Rig rig(test);
         const Image image = rig.render();

@@ -1,4 +1,4 @@
-// What a frame needs of OpenGL: textures, and a context in which programs may be changed.
+// OpenGL state that a frame needs: textures, and a context in which programs may change.
 #include "cases.h"
 #include "frame_rig.h"
 
@@ -8,18 +8,18 @@ namespace agaa::conformance {
 
 namespace {
 
-class OwnTexture {
+class ScopedTexture {
 public:
-    OwnTexture(GLenum target, GLenum format, GLsizei width, GLsizei height) {
+    ScopedTexture(GLenum target, GLenum format, GLsizei width, GLsizei height) {
         glCreateTextures(target, 1, &name);
         if (target == GL_TEXTURE_2D_ARRAY)
             glTextureStorage3D(name, 1, format, width, height, AGAA_MAX_SHADOW_LAYERS);
         else
             glTextureStorage2D(name, 1, format, width, height);
     }
-    ~OwnTexture() { glDeleteTextures(1, &name); }
-    OwnTexture(const OwnTexture&) = delete;
-    OwnTexture& operator=(const OwnTexture&) = delete;
+    ~ScopedTexture() { glDeleteTextures(1, &name); }
+    ScopedTexture(const ScopedTexture&) = delete;
+    ScopedTexture& operator=(const ScopedTexture&) = delete;
     GLuint name = 0;
 };
 
@@ -35,7 +35,7 @@ void testFormats(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
     for (const GLenum format : {GL_SRGB8_ALPHA8, GL_RGB8, GL_RGBA4, GL_RGB9_E5, GL_DEPTH_COMPONENT32F}) {
-        const OwnTexture output(GL_TEXTURE_2D, format, 32, 24);
+        const ScopedTexture output(GL_TEXTURE_2D, format, 32, 24);
         AgaaFrame frame = rig.nextFrame();
         expectFrameRefused(
             rig, frame,
@@ -43,7 +43,7 @@ void testFormats(Test& test) {
             expected, changed([&](AgaaGlFrame& f) { f.outputTexture = output.name; }));
     }
     for (const GLenum format : {GL_RGBA32F, GL_RGBA16F}) {
-        const OwnTexture output(GL_TEXTURE_2D, format, 32, 24);
+        const ScopedTexture output(GL_TEXTURE_2D, format, 32, 24);
         AgaaFrame frame = rig.nextFrame();
         test.requireOk(rig.record(frame, changed([&](AgaaGlFrame& f) { f.outputTexture = output.name; })),
                        rig.function() + " with an output of format " + std::to_string(format));
@@ -59,7 +59,7 @@ void testSizes(Test& test) {
     const Image expected = rig.render();
     const GLsizei sizes[][2] = {{31, 24}, {32, 25}, {24, 32}, {64, 48}, {1, 1}};
     for (const auto& size : sizes) {
-        const OwnTexture output(GL_TEXTURE_2D, GL_RGBA32F, size[0], size[1]);
+        const ScopedTexture output(GL_TEXTURE_2D, GL_RGBA32F, size[0], size[1]);
         AgaaFrame frame = rig.nextFrame();
         const std::string what = rig.function() + " with an output of " + std::to_string(size[0]) + "x" +
                                  std::to_string(size[1]) + " for a view of 32x24";
@@ -71,7 +71,7 @@ void testSizes(Test& test) {
 void testShadowWithoutDepth(Test& test) {
     Rig rig(test, [](ViewDescription& description) { description.facts.shadowMapCount = 1; });
     const Image expected = rig.render();
-    const OwnTexture map(GL_TEXTURE_2D_ARRAY, GL_RGBA8, 4, 4);
+    const ScopedTexture map(GL_TEXTURE_2D_ARRAY, GL_RGBA8, 4, 4);
     const AgaaShadow shadow = AGAA_SHADOW_INIT;
     AgaaFrame frame = rig.nextFrame();
     frame.shadows = &shadow;
@@ -95,7 +95,7 @@ void testReserved(Test& test) {
     }
 }
 
-// A program whose vertex shader captures a value.
+// Creates a program whose vertex shader captures a value.
 class Feedback {
 public:
     Feedback() {

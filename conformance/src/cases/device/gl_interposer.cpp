@@ -81,8 +81,8 @@ PFNGLGETINTEGERVPROC realInteger = nullptr;
 PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC realStatus = nullptr;
 
 GLenum APIENTRY getError() {
-    const uint32_t own = OpenGlInterposer::current ? OpenGlInterposer::current->takeError() : GL_NO_ERROR;
-    return own ? own : realError();
+    const uint32_t injected = OpenGlInterposer::current ? OpenGlInterposer::current->takeError() : GL_NO_ERROR;
+    return injected ? injected : realError();
 }
 const GLubyte* APIENTRY getString(GLenum name) {
     if (name == GL_VERSION && OpenGlInterposer::current && !OpenGlInterposer::current->version.empty())
@@ -110,9 +110,9 @@ GLenum APIENTRY checkStatus(GLuint framebuffer, GLenum target) {
 
 // ---- by name ---------------------------------------------------------------------------------------
 
-template <class F> AgaaGlFunction replace(F& real, AgaaGlFunction found, F own) {
+template <class F> AgaaGlFunction replace(F& real, AgaaGlFunction found, F replacement) {
     real = reinterpret_cast<F>(found);
-    return reinterpret_cast<AgaaGlFunction>(own);
+    return reinterpret_cast<AgaaGlFunction>(replacement);
 }
 
 AgaaGlFunction interpose(const std::string& name, AgaaGlFunction found) {
@@ -132,9 +132,9 @@ AgaaGlFunction interpose(const std::string& name, AgaaGlFunction found) {
     AGAA_ALLOCATING("glBufferData", PFNGLBUFFERDATAPROC)
     AGAA_ALLOCATING("glBufferStorage", PFNGLBUFFERSTORAGEPROC)
 #undef AGAA_ALLOCATING
-#define AGAA_OBJECTS(kind, real, own)                                     \
+#define AGAA_OBJECTS(kind, real, replacement)                                     \
     if (name == "glCreate" kind)                                          \
-        return replace(Objects<kind>::real, found, Objects<kind>::own);   \
+        return replace(Objects<kind>::real, found, Objects<kind>::replacement); \
     if (name == "glDelete" kind)                                          \
         return replace(Objects<kind>::realDelete, found, Objects<kind>::destroy);
     AGAA_OBJECTS("Textures", realCreateOf, createOf)
@@ -186,10 +186,10 @@ AgaaGlFunction AGAA_CALL OpenGlInterposer::getProcAddr(void* user, const char* n
 
 bool OpenGlInterposer::fails(const char* function) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const bool isTurn = isTurnOf(function);
-    if (isTurn)
+    const bool isFailing = mustFail(function);
+    if (isFailing)
         pending_ = uint32_t(error_);
-    return isTurn;
+    return isFailing;
 }
 
 uint32_t OpenGlInterposer::takeError() {

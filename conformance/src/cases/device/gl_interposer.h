@@ -1,4 +1,5 @@
-// Stands between the SDK and OpenGL: functions that allocate memory fail, and the context says other things of itself.
+// An interposer between the SDK and OpenGL. Functions that allocate memory fail, and the context reports changed
+// properties.
 #pragma once
 
 #include "interposer.h"
@@ -11,15 +12,15 @@ public:
     OpenGlInterposer();
     ~OpenGlInterposer() override;
 
-    // What the description had is called for the other functions.
+    // The function of the description provides all other functions.
     void chainTo(ContextDescription& description) override;
 
     std::string version;          // GL_VERSION, "4.2 …"; empty: the context's
-    std::string hiddenExtension;  // that the context seems to lack
-    std::string missing;          // the function that is not found; "*": all functions
-    bool isComplete = true;       // false: framebuffers are unsupported
+    std::string hiddenExtension;  // extension that the context seems to lack
+    std::string missing;          // function that is not found; "*": all functions
+    bool isComplete = true;       // false: framebuffers are reported as unsupported
 
-    // For the functions in place of OpenGL's.
+    // Called by the functions that replace OpenGL's.
     static OpenGlInterposer* current;
     bool fails(const char* function);
     uint32_t takeError();

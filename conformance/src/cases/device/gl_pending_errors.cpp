@@ -1,4 +1,4 @@
-// Errors of OpenGL that the host made before it calls the SDK.
+// OpenGL errors of the host that are pending when it calls the SDK.
 #include "cases.h"
 #include "creation.h"
 #include "frame_rig.h"
@@ -9,28 +9,28 @@ namespace agaa::conformance {
 
 namespace {
 
-// Functions that create and resize report such an error, and do not fail for it.
+// Functions that create and resize report such an error, but do not fail.
 void testCreation(Test& test, const std::string& function) {
-    OwnContext context(test);
+    ScopedContext context(test);
     ViewDescription description(&test.device());
-    OwnView view(test, context.get(), description);
+    ScopedView view(test, context.get(), description);
     context.log.lines.clear();
     test.device().takeMessages();
-    LogRecorder own;
+    LogRecorder otherLog;
     AgaaContext otherContext = nullptr;
     AgaaView otherView = nullptr;
     AgaaResult result = AGAA_OK;
     glEnable(0xFFFF); // GL_INVALID_ENUM
     if (function == "agaaGlCreateContext") {
         ContextDescription d = test.device().description();
-        d.desc.log = own.get();
+        d.desc.log = otherLog.get();
         result = test.device().createContext(test.sdk, AGAA_HEADER_VERSION, d, &otherContext);
     } else if (function == "agaaGlCreateView")
         result = test.device().createView(test.sdk, context.get(), &description.desc, &otherView);
     else
         result = test.sdk.agaaResizeView(view.get(), 48, 40);
     test.result(result, AGAA_OK, function + " after an error of the host");
-    const std::vector<LogLine>& lines = otherContext ? own.lines : context.log.lines;
+    const std::vector<LogLine>& lines = otherContext ? otherLog.lines : context.log.lines;
     test.check(lines.size() == 1 && lines[0].severity == AGAA_SEVERITY_WARNING && lines[0].code == AGAA_OK &&
                    lines[0].text.find("0500") != std::string::npos,
                function + " after GL_INVALID_ENUM does not report this error alone, as a warning" +
@@ -41,7 +41,7 @@ void testCreation(Test& test, const std::string& function) {
     test.sdk.agaaDestroyContext(otherContext);
 }
 
-// Frames leave it to the host, and add none.
+// Frames leave the error to the host, and add none.
 void testFrame(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
@@ -55,7 +55,7 @@ void testFrame(Test& test) {
         return recorded;
     };
     const AgaaResult result = rig.record(frame, hook);
-    rig.device().takeMessages(); // of the error
+    rig.device().takeMessages(); // removes the message of the error
     test.requireOk(result, rig.function() + " while an OpenGL error is pending");
     test.check(first == GL_INVALID_ENUM, "an OpenGL error that was pending before a frame is lost.");
     test.check(second == GL_NO_ERROR, "a frame leaves an OpenGL error.");

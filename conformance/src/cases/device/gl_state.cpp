@@ -27,7 +27,7 @@ constexpr Row switches[] = {
     ROW(GL_CLIP_DISTANCE1), ROW(GL_CLIP_DISTANCE2), ROW(GL_CLIP_DISTANCE3), ROW(GL_CLIP_DISTANCE4), ROW(GL_CLIP_DISTANCE5),
     ROW(GL_CLIP_DISTANCE6), ROW(GL_CLIP_DISTANCE7), ROW(GL_DEBUG_OUTPUT), ROW(GL_DEBUG_OUTPUT_SYNCHRONOUS)};
 
-// Numbers and names. All are read as doubles, which hold every int.
+// Numbers and names are read as doubles, which hold every int.
 constexpr Row values[] = {
     ROW(GL_CURRENT_PROGRAM), ROW(GL_PROGRAM_PIPELINE_BINDING), ROW(GL_VERTEX_ARRAY_BINDING), ROW(GL_ARRAY_BUFFER_BINDING),
     ROW(GL_ELEMENT_ARRAY_BUFFER_BINDING), ROW(GL_COPY_READ_BUFFER_BINDING), ROW(GL_COPY_WRITE_BUFFER_BINDING),
@@ -61,14 +61,14 @@ constexpr Row textureTargets[] = {
     ROW(GL_TEXTURE_BINDING_CUBE_MAP_ARRAY), ROW(GL_TEXTURE_BINDING_BUFFER), ROW(GL_TEXTURE_BINDING_2D_MULTISAMPLE),
     ROW(GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY), ROW(GL_SAMPLER_BINDING)};
 
-// Of each draw buffer.
+// State per draw buffer.
 constexpr Row blending[] = {ROW(GL_BLEND_SRC_RGB), ROW(GL_BLEND_DST_RGB), ROW(GL_BLEND_SRC_ALPHA), ROW(GL_BLEND_DST_ALPHA),
                             ROW(GL_BLEND_EQUATION_RGB), ROW(GL_BLEND_EQUATION_ALPHA)};
 
 struct Points {
     GLenum limit, binding, start, size;
     const char* text;
-    GLint ofSdk; // so many, from 0 on, are bound by the SDK in draw callbacks
+    GLint sdkBindings; // number of binding points, from 0 on, that the SDK binds in draw callbacks
 };
 constexpr Points bufferPoints[] = {
     {GL_MAX_UNIFORM_BUFFER_BINDINGS, GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE,
@@ -132,7 +132,7 @@ void readIndexed(State& state) {
             glGetIntegeri_v(points.binding, GLuint(i), &name);
             glGetInteger64i_v(points.start, GLuint(i), &start);
             glGetInteger64i_v(points.size, GLuint(i), &size);
-            state.push_back({points.text + std::to_string(i), {double(name), double(start), double(size)}, i < points.ofSdk});
+            state.push_back({points.text + std::to_string(i), {double(name), double(start), double(size)}, i < points.sdkBindings});
         }
     for (GLint i = 0; i < integer(GL_MAX_IMAGE_UNITS); ++i)
         for (const Row& row : imageMembers) {
@@ -174,7 +174,7 @@ State readState() {
         state.push_back({row.text, {double(glIsEnabled(row.name))}});
     for (const Row& row : values)
         state.push_back({row.text, valuesOf(row)});
-    // The SDK's passes are groups in captures.
+    // The depth differs in callbacks, because the SDK's passes are debug groups.
     state.push_back({"GL_DEBUG_GROUP_STACK_DEPTH", {double(integer(GL_DEBUG_GROUP_STACK_DEPTH))}, true});
     readIndexed(state);
     readTextures(state);
@@ -188,10 +188,10 @@ void expectSameState(Test& test, const State& got, const State& expected, bool i
                                   " " + when + ".");
 }
 
-OwnOpenGl::OwnOpenGl(Test& outer)
+SeparateOpenGl::SeparateOpenGl(Test& outer)
     : device(makeOpenGlDevice(outer.device().deviceName())), test(outer.sdk, device.get()), outer_(outer) {}
 
-OwnOpenGl::~OwnOpenGl() {
+SeparateOpenGl::~SeparateOpenGl() {
     for (const std::string& failure : test.failures())
         outer_.check(false, failure);
 }

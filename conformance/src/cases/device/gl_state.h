@@ -1,4 +1,4 @@
-// The state of an OpenGL context: made unusual, and read, to see whether the SDK changes it.
+// The state of an OpenGL context: functions that make it unusual and read it, to test whether the SDK changes it.
 #pragma once
 
 #include "device.h"
@@ -8,28 +8,28 @@ namespace agaa::conformance {
 struct StateValue {
     std::string name;
     std::vector<double> values;
-    // The SDK sets it during draw callbacks, as AGAA_GL_DEVICE_DESC_INIT says.
+    // The SDK sets this binding during draw callbacks, as AGAA_GL_DEVICE_DESC_INIT defines.
     bool isBindingOfSdk = false;
 };
-using State = std::vector<StateValue>; // in the order of reading
+using State = std::vector<StateValue>; // values in the order of reading
 
 State readState();
-// inCallback: without the bindings of the SDK.
+// Reads the state. inCallback excludes the bindings of the SDK.
 void expectSameState(Test& test, const State& got, const State& expected, bool inCallback, const std::string& when);
 
-// Sets everything that can be set to other values than the initial ones, with objects that remain until the context is
-// destroyed.
+// Sets all state to values that differ from the initial ones. Its objects remain until the context is destroyed.
 void makeStateUnusual();
-// Sets what the suite's host relies on and does not set itself.
+// Sets the state on which the suite's host relies and which it does not set.
 void setHarmlessState();
 
-// A test in an OpenGL context of its own, whose state the other tests do not see. What fails there fails in the outer test.
-class OwnOpenGl {
+// A test in a separate OpenGL context, whose state the other tests do not see. Its failures become failures of the
+// outer test.
+class SeparateOpenGl {
 public:
-    explicit OwnOpenGl(Test& outer);
-    ~OwnOpenGl();
-    OwnOpenGl(const OwnOpenGl&) = delete;
-    OwnOpenGl& operator=(const OwnOpenGl&) = delete;
+    explicit SeparateOpenGl(Test& outer);
+    ~SeparateOpenGl();
+    SeparateOpenGl(const SeparateOpenGl&) = delete;
+    SeparateOpenGl& operator=(const SeparateOpenGl&) = delete;
     const std::unique_ptr<Device> device;
     Test test;
 

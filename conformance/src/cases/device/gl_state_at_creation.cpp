@@ -1,4 +1,4 @@
-// Functions that create and resize leave the state of the host's context as it was.
+// Functions that create and resize do not change the state of the host's context.
 #include "cases.h"
 #include "creation.h"
 #include "gl_state.h"
@@ -7,9 +7,9 @@ namespace agaa::conformance {
 
 namespace {
 
-class UnusualContext : public OwnOpenGl {
+class UnusualContext : public SeparateOpenGl {
 public:
-    explicit UnusualContext(Test& outer) : OwnOpenGl(outer) {
+    explicit UnusualContext(Test& outer) : SeparateOpenGl(outer) {
         const State initial = readState();
         makeStateUnusual();
         expectNoMessages(test, "the test itself");
@@ -32,7 +32,7 @@ private:
 
 AgaaResult AGAA_CALL keepState(void*) { return AGAA_OK; }
 
-// With each policy: it is about frames.
+// Creates a context with a policy. The policy concerns frames only, so each policy must pass the tests.
 AgaaContext createContext(Test& test, UnusualContext& host, uint32_t policy, LogRecorder& log) {
     ContextDescription description = host.device->description();
     description.desc.log = log.get();
@@ -60,7 +60,7 @@ void testContexts(Test& test) {
     test.result(host.device->getDeviceCaps(test.sdk, nullptr, &caps), AGAA_OK, "agaaGlGetDeviceCaps");
     host.expectUnchanged("agaaGlGetDeviceCaps");
     ContextDescription wrong = host.device->description();
-    wrong.gl.bindings[AGAA_GL_BINDING_LIGHTS] = 0xFFFFFFF0; // found in the context
+    wrong.gl.bindings[AGAA_GL_BINDING_LIGHTS] = 0xFFFFFFF0; // the binding exceeds the limit of the context
     AgaaContext none = nullptr;
     test.result(host.device->createContext(test.sdk, AGAA_HEADER_VERSION, wrong, &none), AGAA_ERROR_OUT_OF_RANGE,
                 "agaaGlCreateContext with a binding that the context lacks");
@@ -99,7 +99,7 @@ void testViews(Test& test) {
         wrong.gbuffer.glsl = "";
         test.result(host.device->createView(test.sdk, context, &wrong.desc, &view), AGAA_ERROR_INVALID_ARGUMENT,
                     "agaaGlCreateView with a text that does not compile");
-        host.device->takeMessages(); // of the compiler
+        host.device->takeMessages(); // removes messages of the compiler
         host.expectUnchanged("agaaGlCreateView that fails");
     });
 }

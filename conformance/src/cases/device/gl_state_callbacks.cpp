@@ -1,4 +1,4 @@
-// AGAA_GL_STATE_CALLBACKS: the order of the host's callbacks, and callbacks that fail, each in turn.
+// AGAA_GL_STATE_CALLBACKS: the order of the host's callbacks, and callbacks that fail one after the other.
 #include "cases.h"
 #include "creation.h"
 #include "frame_rig.h"
@@ -10,7 +10,7 @@ namespace agaa::conformance {
 
 namespace {
 
-// The host's state is OpenGL's initial one: to restore it, the bindings that frames use are taken away.
+// The host has OpenGL's initial state. The callback restores it by removing the bindings that frames use.
 void restoreInitial() {
     setHarmlessState();
     glUseProgram(0);
@@ -30,8 +30,8 @@ void restoreInitial() {
 
 struct Callbacks {
     Device& device;
-    std::string order = {};   // + for pushState, - for popState, d for the draw callback
-    uint32_t failAt = 0; // the nth call of pushState and popState from now on; 0: none
+    std::string order = {};   // a letter per call: + pushState, - popState, d draw callback
+    uint32_t failAt = 0; // index of the failing call of pushState and popState from now on; 0: none
     AgaaResult failure = AGAA_ERROR_CALLBACK;
 
     AgaaResult result() { return failAt && --failAt == 0 ? failure : AgaaResult(AGAA_OK); }
@@ -66,7 +66,8 @@ struct Callbacks {
     }
 };
 
-// pushState on entry and after each draw callback, popState before each draw callback and before the end.
+// The SDK calls pushState on entry and after each draw callback, and popState before each draw callback and before the
+// end.
 std::string promisedOrder(Rig& rig) {
     std::string order = "+-";
     for (uint32_t i = 0; i < rig.statistics().geometryPasses; ++i)
@@ -100,7 +101,7 @@ void testFailures(Test& test, const std::string& technique, AgaaResult failure) 
     callbacks.failure = failure;
     Rig rig(test, [&](ViewDescription& description) { setTechnique(description, technique, 4); }, callbacks.change());
     const Image image = rig.render();
-    std::string calls; // without the draw callbacks
+    std::string calls; // calls without the draw callbacks
     for (const char call : promisedOrder(rig))
         if (call != 'd')
             calls += call;

@@ -1,4 +1,4 @@
-// What becomes of the host's OpenGL state while frames are recorded.
+// The host's OpenGL state while frames are recorded.
 #include "cases.h"
 #include "creation.h"
 #include "frame_rig.h"
@@ -8,11 +8,11 @@ namespace agaa::conformance {
 
 namespace {
 
-// A host that sets what it needs in its callback, and first looks at what is set.
+// A host whose callback checks the state, and then sets the state that it needs.
 struct Watcher {
     Rig& rig;
     State entry;
-    uint32_t failingCall = 0; // from 1
+    uint32_t failingCall = 0; // index of the failing call, from 1
     uint32_t calls = 0;
 
     static AgaaResult AGAA_CALL draw(void* user, const AgaaDrawTarget* target) {
@@ -26,14 +26,14 @@ struct Watcher {
     }
 };
 
-// The frame is recorded in unusual state, which must be there again in the callbacks and afterwards.
+// Records the frame in unusual state, which the SDK must restore in the callbacks and afterwards.
 AgaaResult recordUnusual(Rig& rig, AgaaFrame& frame, uint32_t failingCall, const std::string& what) {
     Watcher watcher{rig, {}, failingCall};
     frame.draw = Watcher::draw;
     frame.drawUser = &watcher;
     const RecordHook hook = [&](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
         makeStateUnusual();
-        rig.device().bindScene(); // the host's own binding
+        rig.device().bindScene(); // a binding of the host
         watcher.entry = readState();
         const AgaaResult result = call(view, f, native);
         expectSameState(rig.test, readState(), watcher.entry, false, "after " + what);
@@ -45,30 +45,30 @@ AgaaResult recordUnusual(Rig& rig, AgaaFrame& frame, uint32_t failingCall, const
 
 void testRestored(Test& outer) {
     for (const std::string& technique : techniques(outer)) {
-        OwnOpenGl own(outer);
-        Rig rig(own.test, [&](ViewDescription& description) { setTechnique(description, technique, 4); });
+        SeparateOpenGl separate(outer);
+        Rig rig(separate.test, [&](ViewDescription& description) { setTechnique(description, technique, 4); });
         const Image expected = rig.render();
         AgaaFrame frame = rig.nextFrame();
         const std::string what = "a frame of \"" + technique + "\" in unusual state";
-        own.test.requireOk(recordUnusual(rig, frame, 0, what), rig.function() + ", " + what);
-        expectSame(own.test, own.device->readOutput(), expected, 32, what);
+        separate.test.requireOk(recordUnusual(rig, frame, 0, what), rig.function() + ", " + what);
+        expectSame(separate.test, separate.device->readOutput(), expected, 32, what);
         rig.expectNoMessages(what);
     }
 }
 
 void testRestoredAfterFailure(Test& outer) {
-    OwnOpenGl own(outer);
-    Rig rig(own.test);
+    SeparateOpenGl separate(outer);
+    Rig rig(separate.test);
     const Image expected = rig.render();
     for (const uint32_t call : {1u, 2u}) {
         AgaaFrame frame = rig.nextFrame();
         const std::string what = "a frame whose callback fails at call " + std::to_string(call);
         const AgaaResult result = recordUnusual(rig, frame, call, what);
-        own.test.check(result == AGAA_ERROR_CALLBACK || call > rig.statistics().geometryPasses, what + " succeeds.");
+        separate.test.check(result == AGAA_ERROR_CALLBACK || call > rig.statistics().geometryPasses, what + " succeeds.");
     }
     AgaaFrame refused = rig.nextFrame();
     refused.ambient[0] = -1;
-    own.test.result(recordUnusual(rig, refused, 0, "a frame that is refused"), AGAA_ERROR_OUT_OF_RANGE, rig.function());
+    separate.test.result(recordUnusual(rig, refused, 0, "a frame that is refused"), AGAA_ERROR_OUT_OF_RANGE, rig.function());
     rig.expectNoMessages("frames that failed in unusual state");
     rig.context.log.lines.clear();
     expectNextFrame(rig, expected, "frames that failed in unusual state");

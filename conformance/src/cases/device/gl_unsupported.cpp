@@ -1,4 +1,5 @@
-// What the SDK cannot use of OpenGL: no context, old ones, those without an extension, and incomplete framebuffers.
+// OpenGL contexts that the SDK cannot use: none, old ones, those without an extension, and those with incomplete
+// framebuffers.
 #include "cases.h"
 #include "frame_rig.h"
 #include "gl_interposer.h"
@@ -9,7 +10,7 @@ namespace agaa::conformance {
 
 namespace {
 
-// No context is current while it lives.
+// No context is current during the lifetime of this object.
 class NoContext {
 public:
     NoContext() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
@@ -41,7 +42,7 @@ const std::vector<OtherContext>& otherContexts() {
     return all;
 }
 
-// call: creates something that it destroys again.
+// `call` creates an object and destroys it again.
 void testUnsupported(Test& test, const std::string& function,
                      const std::function<AgaaResult(ContextDescription&, const AgaaLog*)>& call) {
     for (const OtherContext& other : otherContexts()) {

@@ -1,4 +1,4 @@
-// State that no context has at first.
+// State that differs from the initial state of all contexts.
 #include "gl_state.h"
 
 #include "hosts/gl_device.h"
@@ -169,7 +169,7 @@ void makeStateUnusual() {
     glBindProgramPipeline(pipeline);
     glCreateRenderbuffers(1, &renderbuffer);
     glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
-    glCreateTransformFeedbacks(1, &feedback); // holds the transform feedback buffers
+    glCreateTransformFeedbacks(1, &feedback); // the object holds the transform feedback buffers
     glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback);
     bindBuffers();
     bindTextures();
@@ -183,7 +183,7 @@ void makeStateUnusual() {
 }
 
 void setHarmlessState() {
-    // Fragments; the host sets the rest for each pass.
+    // Fragment state; the host sets all other state for each pass.
     for (const GLenum name : {GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL, GL_POLYGON_SMOOTH,
                               GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,
                               GL_COLOR_LOGIC_OP, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART,
@@ -194,7 +194,7 @@ void setHarmlessState() {
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     glFrontFace(GL_CCW);
     glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
-    // Pixels that the host reads and clears.
+    // State of the pixels that the host reads and clears.
     for (const GLenum target : {GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER})
         glBindBuffer(target, 0);
     for (const GLenum name : {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_IMAGE_HEIGHT,

@@ -1,4 +1,5 @@
-// Host memory of AgaaContextDesc: every allocation is freed once, and a null return fails the call and loses nothing.
+// Host memory of AgaaContextDesc. Every allocation is freed once. If the host returns null, the call fails and leaks
+// nothing.
 #include "cases.h"
 
 #include "cases/core/structs.h"
@@ -12,7 +13,7 @@ namespace agaa::conformance {
 namespace {
 
 struct HostMemory {
-    uint32_t calls = 0, failing = ~0u; // the call that returns null
+    uint32_t calls = 0, failing = ~0u; // index of the call that returns null
     std::map<void*, size_t> blocks;
     std::vector<std::string> errors;
 
@@ -49,13 +50,13 @@ std::string createFunction(Test& test, const char* what) {
     return (test.device().backend() == Backend::Vulkan ? "agaaVkCreate" : "agaaGlCreate") + std::string(what);
 }
 
-// Returns how many allocations a context and a view make, which all fail in turn.
+// Counts the allocations of a context and a view, and lets them fail one after the other.
 void testFailures(Test& test) {
     HostMemory counted;
     {
-        OwnContext context(test, [&](ContextDescription& description) { counted.use(description); });
+        ScopedContext context(test, [&](ContextDescription& description) { counted.use(description); });
         ViewDescription description(&test.device());
-        OwnView view(test, context.get(), description);
+        ScopedView view(test, context.get(), description);
     }
     checkMemory(test, counted, "a context and a view");
     test.check(counted.calls >= 2, "the library makes no allocation by AgaaContextDesc::allocate.");

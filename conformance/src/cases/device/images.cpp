@@ -18,7 +18,7 @@ struct Rgb {
 constexpr Rgb albedo = {{0.25f, 0.5f, 0.75f}};
 constexpr float distance = 8;
 
-// Diffuse materials alone.
+// The scene has diffuse materials only.
 void diffuseFacts(ViewDescription& description) {
     description.facts.flags = AGAA_FACT_AMBIENT | AGAA_FACT_ALPHA_MASKED;
     description.facts.shadowMapCount = 2;
@@ -39,7 +39,7 @@ Area whole(const Rig& rig) {
     return {0, 0, rig.description().desc.width, rig.description().desc.height};
 }
 
-// Where the middle of a pixel of the wall lies in shading space.
+// Returns the middle of a pixel of the wall in shading space.
 void placeOf(const Rig& rig, uint32_t x, uint32_t y, float* place) {
     const AgaaViewDesc& desc = rig.description().desc;
     place[0] = float(x) + 0.5f - float(desc.width) / 2;
@@ -65,8 +65,8 @@ Image renderLight(Rig& rig, const AgaaLight& light, const AgaaShadow* shadow = n
 
 using Irradiance = std::function<float(const float* place)>;
 
-// The light that a pixel receives, times albedo / pi. Techniques shade a pixel at one place or
-// several: the value is between the least and the greatest of the pixel's corners.
+// The light that a pixel receives, times albedo / pi. Techniques shade a pixel at one or more points, so the value is
+// between the minimum and the maximum over the pixel's corners.
 void expectLightAt(Rig& rig, const Image& image, uint32_t x, uint32_t y, const Irradiance& irradiance,
                    const std::string& what) {
     float least = INFINITY, greatest = 0;
@@ -119,7 +119,7 @@ void expectDirectional(Rig& rig) {
         rig, renderLight(rig, light), [](const float*) { return 0.0f; }, named(rig, "a light from behind"));
 }
 
-// Intensity times cosine over the square of the distance, outside the lamp and within the range.
+// The result is intensity times cosine over the squared distance, outside the lamp and within the range.
 float pointLight(const float* place, const AgaaLight& light) {
     float squared = 0;
     for (int i = 0; i < 3; ++i)
@@ -154,7 +154,7 @@ void expectPoint(Rig& rig) {
 void expectSpot(Rig& rig) {
     AgaaLight light = lamp();
     light.type = AGAA_LIGHT_SPOT;
-    light.cosInner = 0.86f; // a circle of radius 4.7 on the wall
+    light.cosInner = 0.86f; // the cone is a circle of radius 4.7 on the wall
     light.cosOuter = 0.84f;
     const Image image = renderLight(rig, light);
     const auto cosine = [&](const float* p) {
@@ -167,7 +167,7 @@ void expectSpot(Rig& rig) {
             float place[3];
             placeOf(rig, x, y, place);
             const float c = cosine(place);
-            if (c < 0.89f && c > 0.80f) // near the edge of the cone
+            if (c < 0.89f && c > 0.80f) // close to the edge of the cone
                 continue;
             const bool isInside = c > 0.85f;
             expectLightAt(
@@ -176,7 +176,7 @@ void expectSpot(Rig& rig) {
         }
 }
 
-// All points have this place in a layer.
+// All points have this position in a layer.
 void project(float* matrix, float x, float depth) {
     std::fill(matrix, matrix + 16, 0.0f);
     matrix[12] = x;

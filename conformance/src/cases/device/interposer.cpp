@@ -12,7 +12,7 @@ void Interposer::failAt(uint32_t nth, int64_t error) {
     failed_.clear();
 }
 
-bool Interposer::isTurnOf(const char* function) {
+bool Interposer::mustFail(const char* function) {
     called.push_back(function);
     if (!remaining_ || --remaining_)
         return false;

@@ -1,4 +1,4 @@
-// Stands between the SDK and a graphics API: functions fail, and objects are counted.
+// An interposer between the SDK and a graphics API. It makes functions fail, and counts objects.
 #pragma once
 
 #include "creation.h"
@@ -9,7 +9,7 @@
 
 namespace agaa::conformance {
 
-// One at a time. It outlives the contexts that are created with it.
+// Only one may exist. It must outlive the contexts that are created with it.
 class Interposer {
 public:
     Interposer() = default;
@@ -17,21 +17,22 @@ public:
     Interposer(const Interposer&) = delete;
     Interposer& operator=(const Interposer&) = delete;
 
-    // Makes the SDK load its functions here.
+    // Changes the description so that the SDK loads its functions from the interposer.
     virtual void chainTo(ContextDescription& description) = 0;
 
-    // The nth call from now on that can fail does so with the error (VkResult, or what glGetError returns). 0: none.
+    // Makes the nth call from now on fail with the error (a VkResult, or a value of glGetError). 0: none. Only calls
+    // that can fail count.
     void failAt(uint32_t nth, int64_t error);
-    const std::string& failed() const { return failed_; } // the function that failed; empty if none did
-    std::vector<std::string> called; // functions that can fail, in the order of their calls
+    const std::string& failed() const { return failed_; } // name of the function that failed; empty if none did
+    std::vector<std::string> called; // functions that can fail, in call order
 
-    // Objects that were created and not destroyed, by kind; kinds without such objects are not listed.
+    // Returns the number of live objects by kind. Kinds without live objects are not listed.
     std::map<std::string, int64_t> objects;
     void count(const char* kind, int64_t difference);
 
 protected:
-    // Whether this call is the one.
-    bool isTurnOf(const char* function);
+    // Returns whether this call must fail.
+    bool mustFail(const char* function);
     std::mutex mutex_; // functions may be called from any thread
     int64_t error_ = 0;
     std::string failed_;
@@ -40,7 +41,7 @@ private:
     uint32_t remaining_ = 0;
 };
 
-// Of the device's API.
+// Creates the interposer of the device's API.
 std::unique_ptr<Interposer> makeInterposer(const Device& device);
 
 } // namespace agaa::conformance

@@ -8,8 +8,8 @@ namespace {
 
 using Set = std::function<void(AgaaLight&, double)>;
 
-// Of the second light, so that the sentence must say which one it is.
-std::function<void(FrameParts&, double)> ofLight(const Set& set, uint32_t type = AGAA_LIGHT_POINT) {
+// The member belongs to the second light, so that the sentence must name the light.
+std::function<void(FrameParts&, double)> setOfLight(const Set& set, uint32_t type = AGAA_LIGHT_POINT) {
     return [set, type](FrameParts& parts, double value) {
         parts.useLights();
         parts.lights[1].type = type;
@@ -18,7 +18,7 @@ std::function<void(FrameParts&, double)> ofLight(const Set& set, uint32_t type =
     };
 }
 
-std::function<void(FrameParts&, double)> ofShadow(const std::function<void(AgaaShadow&, double)>& set) {
+std::function<void(FrameParts&, double)> setOfShadow(const std::function<void(AgaaShadow&, double)>& set) {
     return [set](FrameParts& parts, double value) {
         parts.useShadows();
         parts.useLights();
@@ -27,7 +27,7 @@ std::function<void(FrameParts&, double)> ofShadow(const std::function<void(AgaaS
     };
 }
 
-// A direction of this length along one axis.
+// Returns a direction of this length along one axis.
 Set alongAxis(int axis) {
     return [axis](AgaaLight& light, double length) {
         for (float& d : light.direction)
@@ -43,26 +43,26 @@ void addVectors(Suite& suite) {
         positions.push_back({"",
                              "AgaaLight::position" + index,
                              "position",
-                             ofLight([i](AgaaLight& light, double v) { light.position[i] = float(v); }),
+                             setOfLight([i](AgaaLight& light, double v) { light.position[i] = float(v); }),
                              {-1e18f, 0, 1e18f},
                              notNumbers({above(1e18f), below(-1e18f)})});
         colors.push_back({"",
                           "AgaaLight::color" + index,
                           "light 1",
-                          ofLight([i](AgaaLight& light, double v) { light.color[i] = float(v); }),
+                          setOfLight([i](AgaaLight& light, double v) { light.color[i] = float(v); }),
                           {0, 1, 1e30f},
                           notNumbers({-1e-20, -1, above(1e30f)})});
         directions.push_back({"",
                               "AgaaLight::direction" + index + " of a point light",
                               "direction",
-                              ofLight([i](AgaaLight& light, double v) { light.direction[i] = float(v); }),
+                              setOfLight([i](AgaaLight& light, double v) { light.direction[i] = float(v); }),
                               {0, 5},
                               notNumbers({})});
         for (const uint32_t type : {AGAA_LIGHT_DIRECTIONAL, AGAA_LIGHT_SPOT})
             directions.push_back({"",
                                   "the length of AgaaLight::direction of a light of type " + std::to_string(type),
                                   "direction",
-                                  ofLight(alongAxis(i), type),
+                                  setOfLight(alongAxis(i), type),
                                   {-1, 1},
                                   notNumbers({0, 0.5, 2, -2})});
     }
@@ -75,13 +75,13 @@ void addLightRanges(Suite& suite) {
     addFrameMember(suite, {"AgaaLight.range/range",
                            "AgaaLight::range",
                            "range",
-                           ofLight([](AgaaLight& light, double v) { light.range = float(v); }),
+                           setOfLight([](AgaaLight& light, double v) { light.range = float(v); }),
                            {0, 1e-30f, 100, 1e18f},
                            notNumbers({-1e-20, -1, above(1e18f)})});
     addFrameMember(suite, {"AgaaLight.radius/range",
                            "AgaaLight::radius",
                            "radius",
-                           ofLight([](AgaaLight& light, double v) { light.radius = float(v); }),
+                           setOfLight([](AgaaLight& light, double v) { light.radius = float(v); }),
                            {0, 1e-30f, 1, 1e15f},
                            notNumbers({-1e-20, -1, above(1e15f)})});
 }
@@ -90,13 +90,13 @@ void addCones(Suite& suite) {
     addFrameMember(suite, {"AgaaLight.cosInner/range",
                            "AgaaLight::cosInner, with cosOuter = 0,",
                            "light 1",
-                           ofLight([](AgaaLight& light, double v) { light.cosInner = float(v); }, AGAA_LIGHT_SPOT),
+                           setOfLight([](AgaaLight& light, double v) { light.cosInner = float(v); }, AGAA_LIGHT_SPOT),
                            {0, 0.5, 1},
                            notNumbers({-1e-6, -1, above(1)})});
     addFrameMember(suite, {"AgaaLight.cosOuter/range",
                            "AgaaLight::cosOuter, with cosInner = 0.5,",
                            "light 1",
-                           ofLight(
+                           setOfLight(
                                [](AgaaLight& light, double v) {
                                    light.cosInner = 0.5f;
                                    light.cosOuter = float(v);
@@ -109,7 +109,7 @@ void addCones(Suite& suite) {
         others.push_back({"",
                           "the cosines of a light that has no cone (type " + std::to_string(type) + ")",
                           "",
-                          ofLight([](AgaaLight& light, double v) { light.cosInner = light.cosOuter = float(v); }, type),
+                          setOfLight([](AgaaLight& light, double v) { light.cosInner = light.cosOuter = float(v); }, type),
                           notNumbers({-2, 2}),
                           {}});
     addFrameMembers(suite, "AgaaLight.cosInner/range/no_cone", others);
@@ -119,19 +119,19 @@ void addShadows(Suite& suite) {
     addFrameMember(suite, {"AgaaShadow.layerCount/range",
                            "AgaaShadow::layerCount",
                            "AgaaShadow::layerCount",
-                           ofShadow([](AgaaShadow& shadow, double v) { shadow.layerCount = uint32_t(v); }),
+                           setOfShadow([](AgaaShadow& shadow, double v) { shadow.layerCount = uint32_t(v); }),
                            {1, 2, AGAA_MAX_SHADOW_LAYERS},
                            largeNumbers({0, AGAA_MAX_SHADOW_LAYERS + 1})});
     addFrameMember(suite, {"AgaaShadow.depthBias/range",
                            "AgaaShadow::depthBias",
                            "AgaaShadow::depthBias",
-                           ofShadow([](AgaaShadow& shadow, double v) { shadow.depthBias = float(v); }),
+                           setOfShadow([](AgaaShadow& shadow, double v) { shadow.depthBias = float(v); }),
                            {0, 0.5, 1},
                            notNumbers({-1e-20, -1, above(1)})});
     addFrameMember(suite, {"AgaaShadow.matrices/range",
                            "AgaaShadow::matrices",
                            "AgaaShadow::matrices",
-                           ofShadow([](AgaaShadow& shadow, double v) {
+                           setOfShadow([](AgaaShadow& shadow, double v) {
                                shadow.layerCount = 2;
                                shadow.matrices[1][15] = float(v);
                            }),
@@ -140,7 +140,7 @@ void addShadows(Suite& suite) {
     addFrameMember(suite, {"AgaaShadow.matrices/range/unused",
                            "AgaaShadow::matrices beyond layerCount",
                            "",
-                           ofShadow([](AgaaShadow& shadow, double v) { shadow.matrices[1][0] = float(v); }),
+                           setOfShadow([](AgaaShadow& shadow, double v) { shadow.matrices[1][0] = float(v); }),
                            notNumbers({1}),
                            {}});
     addFrameMember(suite, {"AgaaLight.shadowMap/range",
@@ -156,7 +156,7 @@ void addShadows(Suite& suite) {
     addFrameMember(suite, {"AgaaLight.shadowMap/range/without_shadows",
                            "AgaaLight::shadowMap of a frame without shadows",
                            "light 1",
-                           ofLight([](AgaaLight& light, double v) { light.shadowMap = uint32_t(v); }),
+                           setOfLight([](AgaaLight& light, double v) { light.shadowMap = uint32_t(v); }),
                            {double(AGAA_NO_SHADOW)},
                            {0, 1}});
 }
@@ -178,7 +178,7 @@ void addLightMemberCases(Suite& suite) {
     addFrameMember(suite, {"AgaaLight.reserved/zero",
                            "AgaaLight::reserved",
                            "reserved",
-                           ofLight([](AgaaLight& light, double v) { light.reserved = float(v); }),
+                           setOfLight([](AgaaLight& light, double v) { light.reserved = float(v); }),
                            {0},
                            {},
                            notNumbers({1, -1, 1e-38})});

@@ -1,4 +1,4 @@
-// Contexts and views of the other graphics API: functions refuse their handles.
+// Handles of the other graphics API: functions refuse its contexts and views.
 #include "cases.h"
 #include "frame_rig.h"
 #include "hosts/gl_device.h"
@@ -14,15 +14,15 @@ std::unique_ptr<Device> otherDevice(Test& test) {
     return test.device().backend() == Backend::Vulkan ? makeOpenGlDevice("") : makeVulkanDevice(test.sdk, "");
 }
 
-// The functions of the test's API, with a context of the other.
+// Calls functions of the test's API with a context of the other API.
 struct Handles {
-    const CurrentOpenGl current; // which NVIDIA's driver loses when its Vulkan goes
+    const CurrentOpenGl current; // restores the context, which NVIDIA's driver loses with its Vulkan device
     const std::unique_ptr<Device> device;
-    Test inner; // whose failures are the test's
-    std::unique_ptr<OwnContext> context;
+    Test inner; // its failures become failures of the test
+    std::unique_ptr<ScopedContext> context;
 
     explicit Handles(Test& test)
-        : device(otherDevice(test)), inner(test.sdk, device.get()), context(std::make_unique<OwnContext>(inner)) {}
+        : device(otherDevice(test)), inner(test.sdk, device.get()), context(std::make_unique<ScopedContext>(inner)) {}
 };
 
 void testContextCaps(Test& test) {

@@ -20,7 +20,7 @@ PassList::PassList(Test& test, AgaaView view) {
     test.require(count == passes.size(), "agaaGetDrawPasses changes the number of passes.");
 }
 
-void visitView(Test& test, const OwnContext& context, const ViewDescription& description, const VisitPasses& visit) {
+void visitView(Test& test, const ScopedContext& context, const ViewDescription& description, const VisitPasses& visit) {
     const BareView view(test, context.get(), description);
     visit(description, PassList(test, view.get()), "\"" + std::string(description.config.technique) + "\"");
 }
@@ -34,7 +34,7 @@ void forTechniques(Test& test, const VisitPasses& visit) {
     static std::map<Backend, std::vector<Entry>> listed;
     std::vector<Entry>& entries = listed[test.device().backend()];
     if (entries.empty()) {
-        const OwnContext context(test);
+        const ScopedContext context(test);
         for (const std::string& technique : techniques(test)) {
             const auto description = std::make_shared<ViewDescription>(&test.device());
             setTechnique(*description, technique, 4);

@@ -1,4 +1,4 @@
-// Frames with the same input are equal, bit by bit.
+// Frames with the same input are bitwise equal.
 #include "cases.h"
 #include "frame_rig.h"
 
@@ -10,8 +10,8 @@ namespace agaa::conformance {
 
 namespace {
 
-// Many small rectangles, which overlap in depth and share pixels, with all that materials have. No two are at one depth:
-// there, a device may show either of two masked surfaces.
+// Many small rectangles that overlap and share pixels, with all material properties. No two have the same depth, at
+// which a device may show either of two masked surfaces.
 Scene busyScene(uint32_t width, uint32_t height) {
     Scene scene = smallScene(width, height);
     uint32_t state = 1;
@@ -82,7 +82,7 @@ void expectSameCounters(Rig& rig, const AgaaCounters& expected, const std::strin
     rig.test.check(!std::memcmp(&now, &expected, sizeof now), what + " has other counters.");
 }
 
-// Another scene in between leaves no trace.
+// A frame of another scene in between changes nothing.
 void expectNoHistory(Rig& rig, const Image& expected, const std::string& technique) {
     const Scene scene = rig.scene;
     rig.scene = smallScene(32, 24);
@@ -106,7 +106,7 @@ void expectSameSegments(Rig& rig, const Image& expected, const std::string& tech
 }
 
 void testTechnique(Test& test, const char* technique) {
-    const std::string obstacle = obstacleOf(test, technique);
+    const std::string obstacle = unsupportedReason(test, technique);
     if (!obstacle.empty())
         test.skip(obstacle);
     const std::vector<std::string> names = techniques(test);
@@ -138,7 +138,7 @@ void testTechnique(Test& test, const char* technique) {
     }
 }
 
-// Surfaces that write no more than frames without any effect may.
+// Surfaces that write only the attributes that frames without effects may have.
 Scene plainScene() {
     Scene scene = busyScene(32, 24);
     for (Vertex& vertex : scene) {
@@ -151,7 +151,7 @@ Scene plainScene() {
 
 // AgaaFrame::facts, before and after agaaPrepareVariants.
 void testFacts(Test& test, const char* technique) {
-    const std::string obstacle = obstacleOf(test, technique);
+    const std::string obstacle = unsupportedReason(test, technique);
     if (!obstacle.empty())
         test.skip(obstacle);
     Rig rig(test, [&](ViewDescription& description) {
@@ -171,7 +171,7 @@ void testFacts(Test& test, const char* technique) {
     test.requireOk(test.sdk.agaaPrepareVariants(rig.view.get(), 1, &fewer), "agaaPrepareVariants");
     rig.expectNoErrors("agaaPrepareVariants");
     const uint32_t compiled = rig.statistics().compiledPipelines;
-    // A program of its own, which may round in its own way.
+    // The variant is a separate program, which may round differently.
     expectAlike(test, renderFewer(), expected, 2e-5f, named("a frame of fewer facts with a variant of its own,", technique));
     const uint64_t ran = rig.statistics().variantFlags;
     test.check(ran == fewer.flags, "AgaaFrameStatistics::variantFlags are not those of the variant that was prepared.");

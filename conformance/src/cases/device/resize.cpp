@@ -1,4 +1,4 @@
-// agaaResizeView on both APIs: what fails changes nothing, and what succeeds makes the view that would have been created.
+// agaaResizeView on both APIs: a failed call changes nothing, and a successful call gives the same view as creation.
 #include "cases.h"
 #include "creation.h"
 #include "frame_rig.h"
@@ -72,7 +72,7 @@ void expectRefusals(Test& test, const std::vector<Size>& sizes, AgaaResult expec
 void testTooLarge(Test& test) {
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     {
-        OwnContext context(test);
+        ScopedContext context(test);
         test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "reading the capabilities of the context");
     }
     const uint32_t most = caps.maxImageSize;
@@ -80,7 +80,7 @@ void testTooLarge(Test& test) {
                    AGAA_ERROR_TOO_LARGE, "");
 }
 
-// The surfaces keep their contents: a frame goes on after a call that fails between its segments.
+// The surfaces keep their contents: a frame continues after a call that fails between its segments.
 void testSegments(Test& test) {
     Rig rig(test);
     const Image image = rig.render();
@@ -112,7 +112,7 @@ std::vector<uint64_t> keysOf(Test& test, AgaaView view) {
     return keys;
 }
 
-// A view that is resized shows what a view shows that was created with the size. Pipelines are kept.
+// A resized view shows the same image as a view that was created with the size. The host keeps its pipelines.
 void testSuccess(Test& test) {
     const std::vector<std::string> names = techniques(test);
     for (const std::string& name : names) {
@@ -143,7 +143,7 @@ void testSuccess(Test& test) {
     }
 }
 
-// Frame indices go on, and statistics of frames before are lost.
+// Frame indices continue, and statistics of earlier frames are lost.
 void testStatistics(Test& test) {
     Rig rig(test);
     rig.render();
@@ -164,7 +164,7 @@ void testStatistics(Test& test) {
 // ---- host memory -----------------------------------------------------------------------------------
 
 struct CountedMemory {
-    uint32_t failAt = 0; // the nth allocation from now on; 0: none
+    uint32_t failAt = 0; // index of the failing allocation from now on; 0: none
     std::map<void*, size_t> blocks;
 
     static void* AGAA_CALL allocate(void* user, size_t size, size_t alignment) {

@@ -108,7 +108,7 @@ void withoutCounters(ViewDescription& description) {
 
 void testNoCounters(Test& test) {
     Rig rig(test, withoutCounters);
-    for (int i = 0; i < 2; ++i) { // before and after a frame
+    for (int i = 0; i < 2; ++i) { // repeats before and after a frame
         AgaaFrameValidation out = emptyValidation();
         expectCallRefused(rig, rig.view.get(), &out, AGAA_ERROR_WRONG_ORDER, " without AGAA_CONFIG_COUNTERS");
         rig.render();
@@ -117,14 +117,15 @@ void testNoCounters(Test& test) {
 
 void testNoChecks(Test& test) {
     Rig rig(test, oneSample);
-    for (int i = 0; i < 2; ++i) { // before and after a frame
+    for (int i = 0; i < 2; ++i) { // repeats before and after a frame
         AgaaFactReport out = emptyReport();
         expectCallRefused(rig, rig.view.get(), &out, AGAA_ERROR_WRONG_ORDER, " without AGAA_CONFIG_CHECK_FACTS");
         rig.render();
     }
 }
 
-// The scene has emission and specular reflectance, or neither, and a view without both contradicts it once in the log.
+// The scene has emission and specular reflectance, or neither. A view without both reports the contradiction once in
+// the log.
 void testContradictions(Test& test) {
     for (const uint64_t flags : {AGAA_FACT_ALL_SHADED, UINT64_C(0)}) {
         Rig rig(test, [flags](ViewDescription& description) {
@@ -168,7 +169,7 @@ void addErrors(Suite& suite, const std::string& output) {
                }));
 }
 
-// Whether the bytes from first to the end are those of an initialised struct.
+// Returns whether the bytes from `first` to the end equal an initialised struct.
 bool isInitialFrom(const AgaaFrameStatistics& statistics, size_t first, size_t end) {
     const AgaaFrameStatistics initial = emptyStatistics();
     return !std::memcmp(reinterpret_cast<const char*>(&statistics) + first, reinterpret_cast<const char*>(&initial) + first,

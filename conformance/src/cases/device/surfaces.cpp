@@ -37,7 +37,7 @@ struct Arguments {
 struct WrongCall {
     std::string what;
     AgaaResult code;
-    std::function<void(Arguments&, Backend)> spoil;
+    std::function<void(Arguments&, Backend)> corrupt;
 };
 
 const std::vector<WrongCall>& wrongCalls() {
@@ -62,9 +62,9 @@ const std::vector<WrongCall>& wrongCalls() {
     return calls;
 }
 
-// code: the calls that fail with it; AGAA_OK: all.
+// Runs the calls that fail with `code`; AGAA_OK selects all calls.
 void testCalls(Test& test, AgaaResult code) {
-    OwnContext context(test);
+    ScopedContext context(test);
     const ViewDescription description(&test.device());
     const BareView view(test, context.get(), description);
     const Backend backend = test.device().backend();
@@ -73,7 +73,7 @@ void testCalls(Test& test, AgaaResult code) {
             continue;
         Arguments a;
         a.view = view.get();
-        call.spoil(a, backend);
+        call.corrupt(a, backend);
         AgaaSurface before;
         Native nativeBefore;
         std::memcpy(&before, &a.surface, sizeof before);
@@ -96,7 +96,7 @@ struct Listed {
     std::string what;
 };
 
-void listSurfaces(Test& test, const OwnContext& context, const AgaaDeviceCaps& caps, const std::string& technique,
+void listSurfaces(Test& test, const ScopedContext& context, const AgaaDeviceCaps& caps, const std::string& technique,
                   std::vector<Listed>& list) {
     ViewDescription description(&test.device());
     setTechnique(description, technique, 4);
@@ -125,13 +125,13 @@ void listSurfaces(Test& test, const OwnContext& context, const AgaaDeviceCaps& c
 
 using Visit = std::function<void(const AgaaSurface& predicted, const AgaaSurface& got, const Native&, const std::string& what)>;
 
-// All surfaces of agaaQueryMemory with isPerPixel 1, of each technique; listed once for all tests
-// of a device.
+// All surfaces of agaaQueryMemory with isPerPixel 1, for each technique. They are listed once for all tests of a
+// device.
 void forSurfaces(Test& test, const Visit& visit) {
     static std::map<Backend, std::vector<Listed>> listed;
     std::vector<Listed>& list = listed[test.device().backend()];
     if (list.empty()) {
-        const OwnContext context(test);
+        const ScopedContext context(test);
         AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
         test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "the capabilities of the context");
         for (const std::string& technique : techniques(test))

@@ -1,5 +1,5 @@
-// Every technique runs on every device that has what AgaaVkRequirements and AgaaGlRequirements require, "dcaa" where the device
-// also has geometry shaders, in the memory that agaaQueryMemory predicts.
+// Every technique runs on every device that satisfies AgaaVkRequirements or AgaaGlRequirements; "dcaa" also needs
+// geometry shaders. The memory is the prediction of agaaQueryMemory.
 #include "cases.h"
 #include "creation.h"
 #include "frame_rig.h"
@@ -13,19 +13,19 @@ std::string quoted(const std::string& technique) { return "\"" + technique + "\"
 
 // All techniques show the colours of smallScene, with views of one context at the same time.
 void testTechniques(Test& test) {
-    OwnContext context(test);
+    ScopedContext context(test);
     const std::vector<std::string> names = techniques(test);
     test.check(names.size() >= 7, "agaaGetNames lists fewer than seven techniques.");
     std::vector<std::unique_ptr<ViewDescription>> descriptions;
-    std::vector<std::unique_ptr<OwnView>> views;
+    std::vector<std::unique_ptr<ScopedView>> views;
     for (const std::string& name : names) {
         descriptions.push_back(std::make_unique<ViewDescription>(&test.device()));
         setTechnique(*descriptions.back(), name, 4);
-        views.push_back(std::make_unique<OwnView>(test, context.get(), *descriptions.back()));
+        views.push_back(std::make_unique<ScopedView>(test, context.get(), *descriptions.back()));
     }
     test.device().takeMessages();
     const Scene scene = smallScene(32, 24);
-    // Away from edges, which "fxaa" blurs.
+    // The areas exclude edges, which "fxaa" blurs.
     const float back[] = {0.5f, 0.5f, 0.5f}, second[] = {0.25f, 0.5f, 0.5f}, masked[] = {0.25f, 0.75f, 0.5f};
     for (uint64_t i = 1; i <= 2; ++i)
         for (size_t t = 0; t < names.size(); ++t) {
@@ -42,35 +42,35 @@ void testTechniques(Test& test) {
         test.check(line.severity == AGAA_SEVERITY_INFO, "creating views and frames logs: " + line.text);
 }
 
-// The same on a device that has the options, too.
+// Runs the techniques on a device with the optional features.
 void testOptions(Test& test) {
     const std::unique_ptr<Device> device = makeVulkanDevice(test.sdk, test.device().deviceName(), true);
     Test inner(test.sdk, device.get());
     try {
         testTechniques(inner);
-        OwnContext context(inner, [](ContextDescription& d) { d.vk.rendering = AGAA_VK_RENDERING_AUTO; });
-        AgaaDeviceCaps ofDevice = AGAA_DEVICE_CAPS_INIT, caps = AGAA_DEVICE_CAPS_INIT;
-        inner.requireOk(device->getDeviceCaps(test.sdk, nullptr, &ofDevice), "agaaVkGetDeviceCaps");
+        ScopedContext context(inner, [](ContextDescription& d) { d.vk.rendering = AGAA_VK_RENDERING_AUTO; });
+        AgaaDeviceCaps deviceCaps = AGAA_DEVICE_CAPS_INIT, caps = AGAA_DEVICE_CAPS_INIT;
+        inner.requireOk(device->getDeviceCaps(test.sdk, nullptr, &deviceCaps), "agaaVkGetDeviceCaps");
         inner.requireOk(device->getContextCaps(test.sdk, context.get(), &caps), "agaaVkGetContextCaps");
-        inner.check(caps.flags == ofDevice.flags, "a device with all options gives the context other flags (" +
+        inner.check(caps.flags == deviceCaps.flags, "a device with all options gives the context other flags (" +
                                                       std::to_string(caps.flags) + ") than agaaVkGetDeviceCaps (" +
-                                                      std::to_string(ofDevice.flags) + ").");
-        OwnContext unnamed(inner, [](ContextDescription& d) { d.vk.enabledFeatures = nullptr; });
-        AgaaDeviceCaps ofUnnamed = AGAA_DEVICE_CAPS_INIT;
-        inner.requireOk(device->getContextCaps(test.sdk, unnamed.get(), &ofUnnamed), "agaaVkGetContextCaps");
-        inner.check(ofUnnamed.flags == (caps.flags & ~(AGAA_DEVICE_CONDITIONAL_RENDERING | AGAA_DEVICE_FRAMEBUFFER_FETCH)),
+                                                      std::to_string(deviceCaps.flags) + ").");
+        ScopedContext unnamed(inner, [](ContextDescription& d) { d.vk.enabledFeatures = nullptr; });
+        AgaaDeviceCaps unnamedCaps = AGAA_DEVICE_CAPS_INIT;
+        inner.requireOk(device->getContextCaps(test.sdk, unnamed.get(), &unnamedCaps), "agaaVkGetContextCaps");
+        inner.check(unnamedCaps.flags == (caps.flags & ~(AGAA_DEVICE_CONDITIONAL_RENDERING | AGAA_DEVICE_FRAMEBUFFER_FETCH)),
                     "enabledFeatures = null gives the context other flags.");
         const bool isDynamic = caps.flags & AGAA_DEVICE_DYNAMIC_RENDERING;
         const auto ask = [](ContextDescription& d) { d.vk.rendering = AGAA_VK_RENDERING_DYNAMIC; };
         if (isDynamic)
-            OwnContext dynamic(inner, ask);
+            ScopedContext dynamic(inner, ask);
     } catch (const Aborted&) {
     }
     for (const std::string& failure : inner.failures())
         test.check(false, "with options: " + failure);
 }
 
-// VkRenderPass of the first draw pass, or 0.
+// Returns the VkRenderPass of the first draw pass, or 0.
 uint64_t renderPassOf(Test& test, AgaaView view) {
     uint32_t count = 8;
     const AgaaDrawPass initial = AGAA_DRAW_PASS_INIT;
@@ -126,7 +126,7 @@ Prediction predict(Test& test, AgaaContext context, const ViewDescription& descr
     return p;
 }
 
-// Every surface that is predicted exists as it was described.
+// Every predicted surface exists as described.
 void checkSurfaces(Test& test, AgaaView view, const Prediction& p, const std::string& what) {
     for (const AgaaSurface& expected : p.surfaces) {
         if (!expected.isPerPixel)
@@ -159,7 +159,7 @@ void testMemory(Test& test) {
     std::unique_ptr<HostDeviceMemory> memory;
     if (isVulkan)
         memory = std::make_unique<HostDeviceMemory>(test);
-    OwnContext context(test, [&](ContextDescription& d) {
+    ScopedContext context(test, [&](ContextDescription& d) {
         if (isVulkan)
             memory->chainTo(d);
     });
@@ -179,7 +179,7 @@ void testMemory(Test& test) {
                            " bytes, and surfaces of " + std::to_string(s.payloadBytes) + " bytes are created.");
             checkSurfaces(test, view, p, what);
             if (isVulkan) {
-                // What drivers add by alignment is not predicted.
+                // Predictions exclude the padding of drivers.
                 test.check(s.driverBytes >= s.payloadBytes, what + ": driverBytes is below payloadBytes.");
                 test.check(memory->liveBytes() >= p.report.peakBytes + p.report.constantBytes,
                            what + ": AgaaVkAllocator gives " + std::to_string(memory->liveBytes()) +

@@ -1,4 +1,4 @@
-// Settings that a device cannot run: agaa…CreateView refuses them, and the context serves on.
+// Settings that a device cannot run: agaa…CreateView refuses them, and the context stays usable.
 #include "cases.h"
 
 #include "cases/core/structs.h"
@@ -12,7 +12,7 @@ std::string createView(Test& test) {
     return test.device().backend() == Backend::Vulkan ? "agaaVkCreateView" : "agaaGlCreateView";
 }
 
-void expectCreated(Test& test, const OwnContext& context, const ViewParts& parts, const std::string& what) {
+void expectCreated(Test& test, const ScopedContext& context, const ViewParts& parts, const std::string& what) {
     AgaaView view = nullptr;
     if (test.result(test.device().createView(test.sdk, context.get(), &parts.desc, &view), AGAA_OK,
                     callWith(createView(test), what)))
@@ -20,7 +20,7 @@ void expectCreated(Test& test, const OwnContext& context, const ViewParts& parts
 }
 
 // Returns the log's sentence.
-std::string expectNotCreated(Test& test, OwnContext& context, const ViewParts& parts, const std::string& what,
+std::string expectNotCreated(Test& test, ScopedContext& context, const ViewParts& parts, const std::string& what,
                              const std::string& words = "") {
     context.log.lines.clear();
     AgaaView view = nullptr;
@@ -36,14 +36,14 @@ std::string expectNotCreated(Test& test, OwnContext& context, const ViewParts& p
 }
 
 void testMixedSamples(Test& test) {
-    OwnContext context(test);
+    ScopedContext context(test);
     ViewParts parts(test.sdk, &test.device());
     parts.config.generationTier = AGAA_TIER_NV_MIXED_SAMPLES;
     expectNotCreated(test, context, parts, "generationTier = AGAA_TIER_NV_MIXED_SAMPLES");
 }
 
 void testSampleCounts(Test& test) {
-    OwnContext context(test);
+    ScopedContext context(test);
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "asking for the capabilities of the context");
     for (uint32_t i = 1; i <= 5; ++i) {
@@ -59,9 +59,9 @@ void testSampleCounts(Test& test) {
     }
 }
 
-// The sentence names the largest number, and that number is accepted.
+// The sentence names the largest number, which is accepted.
 void testLightsOfBlocks(Test& test) {
-    OwnContext context(test, [](ContextDescription& description) { description.gl.storage = AGAA_GL_STORAGE_IMAGES; });
+    ScopedContext context(test, [](ContextDescription& description) { description.gl.storage = AGAA_GL_STORAGE_IMAGES; });
     ViewParts parts(test.sdk, &test.device());
     parts.config.technique = "msaa";
     parts.facts.maxLights = 4096;

@@ -20,7 +20,7 @@ void testEmpty(Test& test) {
     test.check(v.isValid == 0 && v.visible == 0 && v.explanation[0], "a frame without geometry is valid.");
 }
 
-// The material pass leaves out a rectangle of 12 pixels in front of nothing.
+// The material pass leaves out a rectangle of 12 pixels with nothing behind it.
 AgaaFrameValidation validateMissing(Test& test) {
     Rig rig(test);
     uint32_t passes = 0;
@@ -62,14 +62,14 @@ void testReserved(Test& test) {
         test.check(!pixel.reserved[0] && !pixel.reserved[1], "AgaaInvalidPixel::reserved is not 0.");
 }
 
-// The host draws with another projection than AgaaFrame has.
+// The host draws with a projection that differs from AgaaFrame.
 void testMisplaced(Test& test) {
     Rig rig(test);
     rig.device().mistakes.changeProjection = [](float* projection) { projection[5] = -projection[5]; };
     rig.scene.clear();
     Surface surface;
     addRectangle(rig.scene, 32, 24, 4, 2, 12, 8, 8, surface);
-    for (size_t i = 0; i < rig.scene.size(); i += 3) // turned around by the other projection
+    for (size_t i = 0; i < rig.scene.size(); i += 3) // the other projection turns it around
         std::swap(rig.scene[i], rig.scene[i + 1]);
     AgaaFrame frame = rig.nextFrame();
     test.requireOk(rig.record(frame), rig.function());

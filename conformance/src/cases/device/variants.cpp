@@ -1,4 +1,4 @@
-// Facts of frames, variants that are prepared for them, and programs that hosts keep.
+// Facts of frames, prepared variants, and programs that hosts keep.
 #include "cases.h"
 #include "frame_rig.h"
 
@@ -20,7 +20,7 @@ AgaaSceneFacts noFacts() {
     return facts;
 }
 
-// Facts that no view of the default description has: with what is wrong about them.
+// Facts that exceed the default description, each with its error.
 struct WrongFacts {
     std::string what;
     AgaaSceneFacts facts;
@@ -38,7 +38,7 @@ std::vector<WrongFacts> beyond(const AgaaSceneFacts& view) {
     return list;
 }
 
-// Wrong elements, behind one that is right: nothing is prepared.
+// Invalid elements after a valid one: nothing is prepared.
 void expectNonePrepared(Test& test, AgaaResult code, const std::vector<WrongFacts>& rows) {
     Rig rig(test);
     const Image expected = rig.render();
@@ -72,7 +72,7 @@ void testStructs(Test& test) {
     AgaaSceneFacts noType = noFacts(), noSize = noFacts(), larger = noFacts();
     noType.sType = 0;
     noSize.structSize = 8;
-    larger.structSize += 4; // no multiple of 8
+    larger.structSize += 4; // not a multiple of 8
     expectNonePrepared(test, AGAA_ERROR_STRUCT, {{"sType = 0", noType}, {"structSize = 8", noSize}, {"an odd structSize", larger}});
 }
 
@@ -102,13 +102,13 @@ void testFrameFacts(Test& test) {
     expectFrameRefused(rig, frame, {AGAA_ERROR_OUT_OF_RANGE, "a frame of more lights than its facts", "lightCount"}, expected);
 }
 
-// Null is the same as the view's own.
+// Null stands for the facts of the view.
 void testNullFacts(Test& test) {
     Rig rig(test);
     const Image expected = rig.render();
-    const AgaaSceneFacts own = rig.description().facts;
-    expectSame(test, rig.render([&](AgaaFrame& frame) { frame.facts = &own; }), expected, 32, "a frame with the facts of its view");
-    test.check(rig.statistics().variantFlags == own.flags, "AgaaFrameStatistics::variantFlags are not those of the view.");
+    const AgaaSceneFacts viewFacts = rig.description().facts;
+    expectSame(test, rig.render([&](AgaaFrame& frame) { frame.facts = &viewFacts; }), expected, 32, "a frame with the facts of its view");
+    test.check(rig.statistics().variantFlags == viewFacts.flags, "AgaaFrameStatistics::variantFlags are not those of the view.");
 }
 
 void testVariantCount(Test& test) {
@@ -128,7 +128,7 @@ void testVariantCount(Test& test) {
 // ---- programs ---------------------------------------------------------------------------------------
 
 void testCacheArguments(Test& test) {
-    OwnContext context(test);
+    ScopedContext context(test);
     size_t size = 0;
     test.result(test.sdk.agaaGlGetProgramCache(nullptr, &size, nullptr), AGAA_ERROR_INVALID_ARGUMENT,
                 "agaaGlGetProgramCache with context = null");
@@ -136,9 +136,9 @@ void testCacheArguments(Test& test) {
                   "agaaGlGetProgramCache", "agaaGlGetProgramCache with size = null");
 }
 
-// data null tells the size; a size that is too small changes nothing.
+// A call with null data returns the size. A size that is too small changes nothing.
 void testCacheSize(Test& test) {
-    OwnContext context(test);
+    ScopedContext context(test);
     size_t size = 0;
     test.requireOk(test.sdk.agaaGlGetProgramCache(context.get(), &size, nullptr), "agaaGlGetProgramCache with data = null");
     test.require(size > 0, "agaaGlGetProgramCache tells no size.");
@@ -152,7 +152,7 @@ void testCacheSize(Test& test) {
     size_t more = size + 32;
     test.requireOk(test.sdk.agaaGlGetProgramCache(context.get(), &more, bytes.data()), "agaaGlGetProgramCache");
     test.check(more == size, "agaaGlGetProgramCache returns another size than before.");
-    test.check(bytes.findOther(size, size + 64, Bytes::pattern) == size + 64, "agaaGlGetProgramCache writes beyond its size.");
+    test.check(bytes.findDifference(size, size + 64, Bytes::pattern) == size + 64, "agaaGlGetProgramCache writes beyond its size.");
 }
 
 AgaaResult createWithCache(Test& test, const void* cache, const AgaaLog* log) {

@@ -1,4 +1,4 @@
-// Creating views on both APIs: every description that must be refused is, and leaves nothing behind.
+// Creation of views on both APIs: every invalid description is refused and leaves no objects.
 #include "cases.h"
 #include "creation.h"
 #include "frame_rig.h"
@@ -11,11 +11,11 @@ namespace {
 
 using Rows = std::vector<WrongView>;
 
-// Views that the device cannot have, or whose texts no compiler accepts.
+// Views that the device does not support, or whose texts do not compile.
 Rows deviceRows(const AgaaDeviceCaps& caps, Backend backend) {
     Rows rows;
-    const auto add = [&](const std::string& what, AgaaResult expected, const char* words, std::function<void(ViewParts&)> spoil) {
-        rows.push_back({what, expected, words, std::move(spoil)});
+    const auto add = [&](const std::string& what, AgaaResult expected, const char* words, std::function<void(ViewParts&)> corrupt) {
+        rows.push_back({what, expected, words, std::move(corrupt)});
     };
     constexpr AgaaResult invalid = AGAA_ERROR_INVALID_ARGUMENT;
     add("an AgaaGBufferFunction and an AgaaFetchFunction", invalid, "AgaaGBufferFunction", [](ViewParts& p) {
@@ -75,10 +75,10 @@ Rows allRows(Test& test, AgaaContext context) {
     return rows;
 }
 
-void expectRowRefused(Test& test, OwnContext& context, const WrongView& row) {
+void expectRowRefused(Test& test, ScopedContext& context, const WrongView& row) {
     const std::string function = apiName(test.device(), "CreateView"), what = callWith(function, row.what);
     ViewParts parts(test.sdk, &test.device());
-    row.spoil(parts);
+    row.corrupt(parts);
     AgaaView view = untouchedHandle<AgaaView>();
     context.log.lines.clear();
     const AgaaResult result = test.device().createView(test.sdk, context.get(), parts.get(), &view);
@@ -88,14 +88,14 @@ void expectRowRefused(Test& test, OwnContext& context, const WrongView& row) {
     else
         test.check(view == untouchedHandle<AgaaView>(), what + " fails and changes outView.");
     if (row.expected == AGAA_ERROR_INVALID_ARGUMENT && test.device().backend() == Backend::OpenGl)
-        test.device().takeMessages(); // compilers report what they refuse
+        test.device().takeMessages(); // compilers report messages
     else
         expectNoMessages(test, what);
 }
 
-// AGAA_OK stands for all errors. At the end the context has no views, which its destruction shows.
+// AGAA_OK stands for all errors. At the end, the destruction of the context shows that it has no views.
 void testRows(Test& test, AgaaResult expected) {
-    OwnContext context(test);
+    ScopedContext context(test);
     uint32_t count = 0;
     for (const WrongView& row : allRows(test, context.get()))
         if (expected == AGAA_OK || row.expected == expected) {
@@ -111,7 +111,7 @@ void testRows(Test& test, AgaaResult expected) {
 
 void testNulls(Test& test) {
     const std::string function = apiName(test.device(), "CreateView");
-    OwnContext context(test);
+    ScopedContext context(test);
     ViewParts parts(test.sdk, &test.device());
     AgaaView view = untouchedHandle<AgaaView>();
     test.result(test.device().createView(test.sdk, nullptr, &parts.desc, &view), AGAA_ERROR_INVALID_ARGUMENT,
@@ -124,7 +124,7 @@ void testNulls(Test& test) {
 
 // A view of the largest size is accepted.
 void testLargest(Test& test) {
-    OwnContext context(test);
+    ScopedContext context(test);
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "reading the capabilities of the context");
     for (const bool isTall : {false, true}) {
@@ -141,7 +141,7 @@ void testLargest(Test& test) {
 
 // The description is read during the call only.
 void testDescriptionGone(Test& test) {
-    OwnContext context(test);
+    ScopedContext context(test);
     AgaaView view = nullptr;
     {
         auto parts = std::make_unique<ViewParts>(test.sdk, &test.device());
@@ -161,9 +161,9 @@ void testDescriptionGone(Test& test) {
 }
 
 void testLayoutsOfSets(Test& test) {
-    OwnContext context(test);
-    const auto refuse = [&](const char* what, std::function<void(ViewParts&)> spoil) {
-        expectRowRefused(test, context, {what, AGAA_ERROR_INVALID_ARGUMENT, "layout", std::move(spoil)});
+    ScopedContext context(test);
+    const auto refuse = [&](const char* what, std::function<void(ViewParts&)> corrupt) {
+        expectRowRefused(test, context, {what, AGAA_ERROR_INVALID_ARGUMENT, "layout", std::move(corrupt)});
     };
     if (test.device().backend() == Backend::OpenGl) {
         refuse("AgaaGBufferFunction::descriptorSetLayout = 1", [](ViewParts& p) {
@@ -182,7 +182,7 @@ void testLayoutsOfSets(Test& test) {
         return;
     }
     for (const bool isFetch : {false, true})
-        refuse("different layouts of set 1", [=](ViewParts& p) { // that are not used, because the call fails before
+        refuse("different layouts of set 1", [=](ViewParts& p) { // the call fails before it uses the layouts
             p.facts.shadowMapCount = 1;
             p.shadow.descriptorSetLayout = 1;
             p.gbuffer.descriptorSetLayout = p.fetch.descriptorSetLayout = 2;
@@ -217,7 +217,7 @@ void addViewCases(Suite& suite) {
     addApiCase(suite, "CreateView", "description_is_copied", testDescriptionGone);
     suite.both("AgaaGBufferFunction.descriptorSetLayout/AGAA_ERROR_INVALID_ARGUMENT", testLayoutsOfSets);
     suite.add("AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE/AGAA_ERROR_UNSUPPORTED", {Backend::Vulkan}, [](Test& test) {
-        OwnContext context(test);
+        ScopedContext context(test);
         for (const char* technique : {"single", "msaa", "agaa"})
             for (const uint64_t others : {UINT64_C(0), AGAA_VIEW_REVERSED_Z})
                 expectRowRefused(test, context,

@@ -1,4 +1,4 @@
-// agaaVkGetDeviceCaps: functions that fail or are missing, and threads.
+// agaaVkGetDeviceCaps: failing and missing functions, and threads.
 #include "cases.h"
 #include "creation.h"
 #include "vk_interposer.h"
@@ -33,9 +33,9 @@ void testMissing(Test& test) {
     VulkanInterposer vulkan;
     AgaaDeviceCaps caps = initialCaps;
     test.requireOk(interposedCaps(test, nullptr, &caps), "agaaVkGetDeviceCaps with functions of the suite");
-    const std::set<std::string> asked = vulkan.asked;
-    test.require(!asked.empty(), "agaaVkGetDeviceCaps does not ask getProcAddr for functions.");
-    for (const std::string& name : asked) {
+    const std::set<std::string> requested = vulkan.requested;
+    test.require(!requested.empty(), "agaaVkGetDeviceCaps does not ask getProcAddr for functions.");
+    for (const std::string& name : requested) {
         vulkan.missing = {name};
         LogRecorder log;
         caps = pattern();

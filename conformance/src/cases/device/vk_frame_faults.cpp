@@ -1,4 +1,4 @@
-// Vulkan functions that fail while a frame is recorded: each in turn.
+// Vulkan functions fail one after the other while a frame is recorded.
 #include "cases.h"
 #include "frame_rig.h"
 #include "vk_interposer.h"

@@ -67,7 +67,7 @@ AgaaResult HostDeviceMemory::allocate(const AgaaVkAllocationInfo& info, AgaaVkMe
     }
     VkMemoryAllocateInfo native{};
     native.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-    const uint64_t offset = info.alignment; // so that offsets matter
+    const uint64_t offset = info.alignment; // a nonzero offset, so that offsets matter
     native.allocationSize = info.size + offset;
     native.memoryTypeIndex = typeOf(info);
     Block block = {VK_NULL_HANDLE, info.size, (info.requiredFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) != 0};
@@ -85,8 +85,8 @@ AgaaResult HostDeviceMemory::allocate(const AgaaVkAllocationInfo& info, AgaaVkMe
     live_[out.allocation] = block;
     infos.push_back(info);
     infos.back().name = nullptr;
-    if (spoil)
-        spoil(info, out);
+    if (corrupt)
+        corrupt(info, out);
     return AGAA_OK;
 }
 

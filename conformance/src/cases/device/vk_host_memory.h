@@ -1,4 +1,4 @@
-// An AgaaVkAllocator of the suite: it checks what the SDK asks for, fails when it is told to, and counts.
+// An AgaaVkAllocator of the suite: it checks the requests of the SDK, fails on demand, and counts.
 #pragma once
 
 #include "creation.h"
@@ -19,15 +19,15 @@ public:
     void chainTo(ContextDescription& description);
     const AgaaVkAllocator* get() const { return &allocator_; }
 
-    uint32_t failAt = 0; // the nth allocation from now on fails, and all later ones; 0: none
-    AgaaResult failure = AGAA_ERROR_OUT_OF_MEMORY; // that allocate returns then
+    uint32_t failAt = 0; // index from now on of the first allocation that fails; later ones fail, too; 0: none
+    AgaaResult failure = AGAA_ERROR_OUT_OF_MEMORY; // result of a failing allocation
     bool hasFailed = false;
-    std::function<void(const AgaaVkAllocationInfo&, AgaaVkMemory&)> spoil; // what is returned
+    std::function<void(const AgaaVkAllocationInfo&, AgaaVkMemory&)> corrupt; // changes the returned memory
 
     size_t live() const { return live_.size(); }
-    uint64_t liveBytes() const; // that were asked for
+    uint64_t liveBytes() const; // requested bytes that are not freed
     uint32_t allocations = 0;
-    std::vector<AgaaVkAllocationInfo> infos; // of all successful allocations; names are not kept
+    std::vector<AgaaVkAllocationInfo> infos; // requests of all successful allocations, without names
 
 private:
     struct Block {
@@ -44,7 +44,7 @@ private:
     VkDevice device_;
     VkPhysicalDeviceMemoryProperties types_;
     AgaaVkAllocator allocator_;
-    std::map<void*, Block> live_; // by AgaaVkMemory::allocation
+    std::map<void*, Block> live_; // key: AgaaVkMemory::allocation
     uintptr_t next_ = 1;
 };
 

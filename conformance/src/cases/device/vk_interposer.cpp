@@ -35,7 +35,7 @@ template <Function id, class... Arguments> struct Result<id, VkResult(VKAPI_PTR*
         VkResult error;
         const bool fails = failsNow(name, error);
         if (id == resultEndCommandBuffer && fails)
-            real(arguments...); // Vulkan's command buffer is not in recording state any more
+            real(arguments...); // the command buffer has left the recording state
         return fails ? error : real(arguments...);
     }
 };
@@ -138,18 +138,18 @@ VKAPI_ATTR VkResult VKAPI_CALL formats2(VkPhysicalDevice device, const VkPhysica
 
 // ---- by name ---------------------------------------------------------------------------------------
 
-template <class F> PFN_vkVoidFunction replace(F& real, PFN_vkVoidFunction found, F own) {
+template <class F> PFN_vkVoidFunction replace(F& real, PFN_vkVoidFunction found, F replacement) {
     real = reinterpret_cast<F>(found);
-    return reinterpret_cast<PFN_vkVoidFunction>(own);
+    return reinterpret_cast<PFN_vkVoidFunction>(replacement);
 }
 
 PFN_vkGetDeviceProcAddr realGetDevice = nullptr;
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDevice(VkDevice device, const char* name);
 
-// found: Vulkan's.
+// `found` is the function of Vulkan.
 PFN_vkVoidFunction interpose(const std::string& name, PFN_vkVoidFunction found) {
     if (VulkanInterposer::current && found)
-        VulkanInterposer::current->asked.insert(name);
+        VulkanInterposer::current->requested.insert(name);
     if (!found || (VulkanInterposer::current && VulkanInterposer::current->missing.count(name)))
         return nullptr;
 #define AGAA_CREATE(type)                                                          \
@@ -214,7 +214,7 @@ AgaaVkFunction AGAA_CALL VulkanInterposer::getProcAddr(void* instance, const cha
 
 bool VulkanInterposer::fails(const char* function, VkResult& error) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    isTurnOf(function);
+    mustFail(function);
     error = VkResult(error_);
     return failed_ == function;
 }

@@ -1,4 +1,4 @@
-// Stands between the SDK and Vulkan: functions are missing, too, and devices say other things of themselves.
+// An interposer between the SDK and Vulkan. It also hides functions, and changes the properties that devices report.
 #pragma once
 
 #include "interposer.h"
@@ -9,7 +9,7 @@
 
 namespace agaa::conformance {
 
-// Once a call failed, all later calls of the same function do.
+// After a call failed, all later calls of the same function fail.
 class VulkanInterposer : public Interposer {
 public:
     VulkanInterposer();
@@ -18,15 +18,15 @@ public:
     void chainTo(ContextDescription& description) override { description.vk.getProcAddr = getProcAddr; }
     static AgaaVkFunction AGAA_CALL getProcAddr(void* instance, const char* name);
 
-    std::set<std::string> missing; // functions that nobody has
-    std::set<std::string> asked;   // functions that the SDK asked for, and that Vulkan has
+    std::set<std::string> missing; // functions that getProcAddr does not find
+    std::set<std::string> requested;   // functions that the SDK requested and Vulkan has
 
-    // What the device says. Null: nothing is changed.
+    // Change the properties of the device. Null changes nothing.
     std::function<void(VkPhysicalDeviceProperties&)> changeProperties;
-    std::function<void(VkQueueFamilyProperties&)> changeQueueFamily; // of each family
+    std::function<void(VkQueueFamilyProperties&)> changeQueueFamily; // called for each queue family
     bool hasImageFormats = true; // false: the device supports images of no format
 
-    // For the functions in place of Vulkan's.
+    // Called by the functions that replace Vulkan's.
     static VulkanInterposer* current;
     bool fails(const char* function, VkResult& error);
 };

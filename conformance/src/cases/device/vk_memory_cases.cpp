@@ -12,21 +12,21 @@ namespace {
 
 constexpr const char* createView = "agaaVkCreateView";
 
-// A context whose memory is the test's.
+// A context with device memory from the test.
 struct HostContext {
     HostDeviceMemory memory;
-    OwnContext context;
+    ScopedContext context;
     explicit HostContext(Test& test) : memory(test), context(test, [&](ContextDescription& d) { memory.chainTo(d); }) {}
 };
 
-// Every block is the SDK's while the view exists, and no longer.
+// The SDK holds every block exactly as long as the view exists.
 void testBalance(Test& test, const std::function<void(HostDeviceMemory&)>& check = {}) {
     HostDeviceMemory memory(test);
     VulkanInterposer vulkan;
-    Image own, hosts;
+    Image sdkImage, hostImage;
     {
         Rig rig(test);
-        own = rig.render();
+        sdkImage = rig.render();
     }
     {
         Rig rig(test, {}, [&](ContextDescription& d) {
@@ -34,8 +34,8 @@ void testBalance(Test& test, const std::function<void(HostDeviceMemory&)>& check
             d.vk.getProcAddr = VulkanInterposer::getProcAddr;
         });
         test.check(memory.live() > 0, "a view takes no memory of AgaaVkAllocator.");
-        hosts = rig.render();
-        expectSame(test, hosts, own, rig.description().desc.width, "the image with memory of the host");
+        hostImage = rig.render();
+        expectSame(test, hostImage, sdkImage, rig.description().desc.width, "the image with memory of the host");
         const size_t before = memory.live();
         const uint32_t allocations = memory.allocations;
         test.requireOk(test.sdk.agaaResizeView(rig.view.get(), 16, 16), "agaaResizeView");
@@ -51,7 +51,7 @@ void testBalance(Test& test, const std::function<void(HostDeviceMemory&)>& check
     expectNoMessages(test, "memory of AgaaVkAllocator");
 }
 
-// mapped is needed where HOST_VISIBLE is required; HostDeviceMemory gives null for all others.
+// `mapped` is needed only if HOST_VISIBLE is required. HostDeviceMemory returns null for all other blocks.
 void testMapped(Test& test) {
     testBalance(test, [&](HostDeviceMemory& memory) {
         uint32_t mapped = 0, unmapped = 0;
@@ -63,7 +63,7 @@ void testMapped(Test& test) {
 
 // ---- failures --------------------------------------------------------------------------------------
 
-// What is called while the k-th allocation fails, for every k, until none fails.
+// Repeats a call while the k-th allocation fails, for k from 1 until none fails.
 void forEachFailure(Test& test, HostDeviceMemory& memory, const std::string& what, const std::function<AgaaResult()>& call,
                     const std::function<void(AgaaResult, const std::string&)>& onFailure) {
     for (uint32_t k = 1;; ++k) {
@@ -82,7 +82,7 @@ void forEachFailure(Test& test, HostDeviceMemory& memory, const std::string& wha
     }
 }
 
-// Whatever the callback returns in place of AGAA_OK.
+// The callback may return any value other than AGAA_OK.
 void testCreateFails(Test& test) {
     for (const AgaaResult failure : {AgaaResult(AGAA_ERROR_OUT_OF_MEMORY), AgaaResult(AGAA_ERROR_DEVICE), AgaaResult(1)}) {
         HostContext host(test);
@@ -119,14 +119,14 @@ void testResizeFails(Test& test) {
 
 // ---- memory that is not valid ----------------------------------------------------------------------
 
-struct Spoiled {
+struct CorruptMemory {
     const char* what;
     const char* words;
     void (*change)(const AgaaVkAllocationInfo&, AgaaVkMemory&);
 };
 
-const std::vector<Spoiled>& spoiled() {
-    static const std::vector<Spoiled> rows = {
+const std::vector<CorruptMemory>& corruptMemory() {
+    static const std::vector<CorruptMemory> rows = {
         {"no memory", "memory", [](const AgaaVkAllocationInfo&, AgaaVkMemory& m) { m.memory = 0; }},
         {"an offset that is not aligned", "offset",
          [](const AgaaVkAllocationInfo& i, AgaaVkMemory& m) { m.offset += i.alignment > 1 ? i.alignment / 2 : 0; }},
@@ -137,26 +137,27 @@ const std::vector<Spoiled>& spoiled() {
     return rows;
 }
 
-// The k-th allocation is not valid, for each k where that can be. calls the function, and returns after the last k.
-void forEachSpoiled(Test& test, HostDeviceMemory& memory, const Spoiled& row, const std::string& function, LogRecorder& log,
+// Makes the k-th allocation invalid, for each k to which the row applies, and calls the function. Returns after the
+// last k.
+void forEachCorruption(Test& test, HostDeviceMemory& memory, const CorruptMemory& row, const std::string& function, LogRecorder& log,
                     const std::function<AgaaResult()>& call, const std::function<void(const std::string&)>& after) {
     uint32_t found = 0;
     for (uint32_t k = 0;; ++k) {
         uint32_t number = 0;
-        bool isSpoiled = false;
-        memory.spoil = [&](const AgaaVkAllocationInfo& info, AgaaVkMemory& out) {
+        bool isCorrupt = false;
+        memory.corrupt = [&](const AgaaVkAllocationInfo& info, AgaaVkMemory& out) {
             if (number++ != k)
                 return;
             AgaaVkMemory changed = out;
             row.change(info, changed);
             const bool needsMapping = info.requiredFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT;
-            isSpoiled = std::memcmp(&changed, &out, sizeof out) != 0 && (changed.mapped == out.mapped || needsMapping);
-            if (isSpoiled)
+            isCorrupt = std::memcmp(&changed, &out, sizeof out) != 0 && (changed.mapped == out.mapped || needsMapping);
+            if (isCorrupt)
                 out = changed;
         };
         const AgaaResult result = call();
-        memory.spoil = nullptr;
-        if (!isSpoiled) {
+        memory.corrupt = nullptr;
+        if (!isCorrupt) {
             if (!test.result(result, AGAA_OK, function + " with valid memory") || number <= k)
                 break;
             continue;
@@ -169,8 +170,8 @@ void forEachSpoiled(Test& test, HostDeviceMemory& memory, const Spoiled& row, co
     test.check(found > 0, function + ": no allocation can be " + row.what + ".");
 }
 
-void testCreateSpoiled(Test& test, const std::string& words) {
-    for (const Spoiled& row : spoiled()) {
+void testCreateWithCorruptMemory(Test& test, const std::string& words) {
+    for (const CorruptMemory& row : corruptMemory()) {
         if (!words.empty() && words != row.words)
             continue;
         HostContext host(test);
@@ -182,26 +183,26 @@ void testCreateSpoiled(Test& test, const std::string& words) {
                 test.sdk.agaaDestroyView(view);
             return result;
         };
-        forEachSpoiled(test, host.memory, row, createView, host.context.log, create,
+        forEachCorruption(test, host.memory, row, createView, host.context.log, create,
                        [&](const std::string& what) { test.check(host.memory.live() == 0, what + ": memory is not freed."); });
     }
     expectNoMessages(test, createView);
 }
 
-void testResizeSpoiled(Test& test) {
-    for (const Spoiled& row : spoiled()) {
+void testResizeWithCorruptMemory(Test& test) {
+    for (const CorruptMemory& row : corruptMemory()) {
         HostDeviceMemory memory(test);
         Rig rig(test, {}, [&](ContextDescription& d) { memory.chainTo(d); });
         const Image image = rig.render();
         const size_t before = memory.live();
         const auto resize = [&] {
             const AgaaResult result = test.sdk.agaaResizeView(rig.view.get(), 64, 48);
-            memory.spoil = nullptr;
+            memory.corrupt = nullptr;
             if (result == AGAA_OK)
                 test.requireOk(test.sdk.agaaResizeView(rig.view.get(), 32, 24), "agaaResizeView back");
             return result;
         };
-        forEachSpoiled(test, memory, row, "agaaResizeView", rig.context.log, resize, [&](const std::string& what) {
+        forEachCorruption(test, memory, row, "agaaResizeView", rig.context.log, resize, [&](const std::string& what) {
             test.check(memory.live() == before, what + ", keeps or frees memory.");
             expectNextFrame(rig, image, what);
         });
@@ -213,14 +214,14 @@ void testResizeSpoiled(Test& test) {
 void addVulkanMemoryCases(Suite& suite) {
     const auto vk = [&](const char* name, std::function<void(Test&)> run) { suite.add(name, {Backend::Vulkan}, std::move(run)); };
     vk("AgaaVkAllocator/balance", [](Test& test) { testBalance(test); });
-    vk("AgaaVkAllocationInfo.reserved/zero", [](Test& test) { testBalance(test); }); // HostDeviceMemory tests each request
+    vk("AgaaVkAllocationInfo.reserved/zero", [](Test& test) { testBalance(test); }); // the allocator checks them
     vk("AgaaVkMemory.mapped/null", [](Test& test) {
         testMapped(test);
-        testCreateSpoiled(test, "mapped");
+        testCreateWithCorruptMemory(test, "mapped");
     });
-    vk("AgaaVkMemory.reserved/zero", [](Test& test) { testCreateSpoiled(test, "reserved"); });
-    vk("agaaVkCreateView/AGAA_ERROR_CALLBACK", [](Test& test) { testCreateSpoiled(test, ""); });
-    vk("agaaResizeView/AGAA_ERROR_CALLBACK", testResizeSpoiled);
+    vk("AgaaVkMemory.reserved/zero", [](Test& test) { testCreateWithCorruptMemory(test, "reserved"); });
+    vk("agaaVkCreateView/AGAA_ERROR_CALLBACK", [](Test& test) { testCreateWithCorruptMemory(test, ""); });
+    vk("agaaResizeView/AGAA_ERROR_CALLBACK", testResizeWithCorruptMemory);
     vk("agaaVkCreateView/AGAA_ERROR_OUT_OF_MEMORY/AgaaVkAllocator", testCreateFails);
     vk("agaaResizeView/AGAA_ERROR_OUT_OF_MEMORY/AgaaVkAllocator", testResizeFails);
 }

@@ -1,4 +1,4 @@
-// The output on Vulkan: layouts before and after, contents that are kept, and both ways to record.
+// The output on Vulkan: layouts before and after, kept contents, and both recording modes.
 #include "cases.h"
 #include "frame_rig.h"
 
@@ -17,13 +17,12 @@ void toLayout(const AgaaVkFrame& frame, VkImageLayout from, VkImageLayout to) {
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = (VkImage)frame.outputImage;
     barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    // No writes are made available: the output of the SDK is visible to all later commands.
+    // The barrier makes no writes available, because the SDK's output is visible to all later commands.
     vkCmdPipelineBarrier(static_cast<VkCommandBuffer>(frame.commandBuffer), VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
                          VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
 }
 
-// Gives the output to the SDK in one layout and takes it back in another one. The host's own is
-// GENERAL.
+// Passes the output to the SDK in one layout and receives it in another one. The host's layout is GENERAL.
 RecordHook withLayouts(VkImageLayout in, VkImageLayout out) {
     return [in, out](const RecordCall& call, AgaaView view, const AgaaFrame* frame, const void* native) {
         AgaaVkFrame copy = *static_cast<const AgaaVkFrame*>(native);
@@ -90,10 +89,10 @@ void testDiscarded(Test& test) {
         expected, withLayouts(VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL));
 }
 
-// Frames that are recorded inline show the same.
-void testWays(Test& test) {
-    for (const std::string technique : {"agaa", "msaa", "ssaa", "dcaa"}) { // with two draw passes and with one
-        if (!obstacleOf(test, technique).empty())
+// Frames that are recorded inline show the same image.
+void testRecordingModes(Test& test) {
+    for (const std::string technique : {"agaa", "msaa", "ssaa", "dcaa"}) { // two draw passes, or one
+        if (!unsupportedReason(test, technique).empty())
             continue;
         Image images[2];
         for (const uint32_t recording : {AGAA_VK_RECORDING_SECONDARY, AGAA_VK_RECORDING_INLINE}) {
@@ -122,19 +121,19 @@ void testCommandBuffers(Test& test) {
     for (const uint32_t recording : {AGAA_VK_RECORDING_SECONDARY, AGAA_VK_RECORDING_INLINE}) {
         Rig rig(test, {}, [recording](ContextDescription& c) { c.vk.recording = recording; });
         CommandBuffers buffers{rig.device(), {}};
-        void* own = nullptr;
+        void* hostCommands = nullptr;
         AgaaFrame frame = rig.nextFrame();
         frame.draw = CommandBuffers::draw;
         frame.drawUser = &buffers;
         test.requireOk(rig.record(frame,
                                   [&](const RecordCall& call, AgaaView view, const AgaaFrame* f, const void* native) {
-                                      own = static_cast<const AgaaVkFrame*>(native)->commandBuffer;
+                                      hostCommands = static_cast<const AgaaVkFrame*>(native)->commandBuffer;
                                       return call(view, f, native);
                                   }),
                        rig.function());
         test.check(!buffers.received.empty(), "no draw callback is called.");
         for (void* received : buffers.received)
-            test.check((received == own) == (recording == AGAA_VK_RECORDING_INLINE),
+            test.check((received == hostCommands) == (recording == AGAA_VK_RECORDING_INLINE),
                        recording == AGAA_VK_RECORDING_INLINE
                            ? "a draw callback receives another command buffer than the host's with INLINE."
                            : "a draw callback receives the host's command buffer with SECONDARY.");
@@ -150,7 +149,7 @@ void addVkOutputCases(Suite& suite) {
                   [technique](Test& test) { testLayouts(test, technique); });
     suite.add("agaaVkRecordFrame/AGAA_ERROR_OUT_OF_RANGE/layouts", vk, testWrongLayouts);
     suite.add("agaaVkRecordFrame/AGAA_ERROR_OUT_OF_RANGE/discarded_contents", vk, testDiscarded);
-    suite.add("general/both_ways_to_record_give_the_same_image", vk, testWays);
+    suite.add("general/both_ways_to_record_give_the_same_image", vk, testRecordingModes);
     suite.add("general/command_buffers_of_draw_callbacks", vk, testCommandBuffers);
 }
 

@@ -1,4 +1,4 @@
-// agaaResizeView where AUTO selects another tier at the new size: on a device whose storage buffers are too short for it.
+// agaaResizeView if AUTO selects another tier at the new size, on a device with small storage buffers.
 #include "cases.h"
 #include "creation.h"
 #include "frame_rig.h"
@@ -10,9 +10,9 @@ namespace agaa::conformance {
 
 namespace {
 
-// The aggregates of a view of 32 x 24 pixels fit a storage buffer, and those of larger views do not.
+// The aggregates of a view of 32 x 24 pixels fit a storage buffer, but those of larger views do not.
 uint32_t shortRange(Test& test, const ViewDescription& description) {
-    OwnContext context(test);
+    ScopedContext context(test);
     AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT;
     test.requireOk(test.device().getContextCaps(test.sdk, context.get(), &caps), "agaaVkGetContextCaps");
     const AgaaSurface initial = AGAA_SURFACE_INIT;
@@ -45,7 +45,7 @@ std::vector<uint64_t> keysOf(Test& test, AgaaView view) {
     return keys;
 }
 
-// The view serves with the other tier, and with the first one again.
+// The view works with the other tier, and again with the first one.
 void testOtherTier(Test& test) {
     const ViewDescription description(&test.device());
     ShortDevice device(test, description);
@@ -84,14 +84,14 @@ struct ShadowView : ViewParts {
     }
 };
 
-// Words that passes may use behind the function of the host.
+// Words that passes may use after the function of the host.
 constexpr const char* words[] = {"samples", "left",  "group", "base",  "best",   "masks", "mask",  "sum",    "next",
                                  "farthest", "members", "reach", "depth", "first", "other", "taken", "covered", "weight"};
 
 void testText(Test& test) {
     const ViewDescription description(&test.device());
     ShortDevice device(test, ShadowView(test, "unused_word"));
-    OwnContext context(test, ShortDevice::use);
+    ScopedContext context(test, ShortDevice::use);
     for (const char* word : words) {
         ShadowView parts(test, word);
         AgaaView view = nullptr, larger = nullptr;

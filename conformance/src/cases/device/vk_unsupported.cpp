@@ -1,4 +1,4 @@
-// Devices of Vulkan that the SDK cannot use, or not any more.
+// Vulkan devices that the SDK cannot use, or no longer.
 #include "cases.h"
 #include "creation.h"
 #include "frame_rig.h"
@@ -34,7 +34,7 @@ void testFeatures(Test& test) {
     }
 }
 
-// Of extensions and later versions a context can do without.
+// Returns whether a context needs the function. It works without functions of extensions and later versions.
 bool isCore(const std::string& name) {
     const std::string end = name.substr(name.size() - 3);
     return end != "EXT" && end != "KHR" && name.find("Rendering") == std::string::npos;
@@ -43,10 +43,10 @@ bool isCore(const std::string& name) {
 void testMissing(Test& test) {
     VulkanInterposer vulkan;
     expectContextAccepted(test, "functions of the suite", interpose);
-    const std::set<std::string> asked = vulkan.asked;
-    test.require(asked.count("vkGetDeviceProcAddr") && asked.count("vkCreateImage"),
+    const std::set<std::string> requested = vulkan.requested;
+    test.require(requested.count("vkGetDeviceProcAddr") && requested.count("vkCreateImage"),
                  "agaaVkCreateContext does not ask getProcAddr for the functions of Vulkan.");
-    for (const std::string& name : asked) {
+    for (const std::string& name : requested) {
         vulkan.missing = {name};
         if (isCore(name))
             expectContextRefused(test, {"no function " + name, AGAA_ERROR_UNSUPPORTED, name, interpose});
@@ -62,7 +62,7 @@ void testContextUnsupported(Test& test) {
     testMissing(test);
 }
 
-// The device has no images any more of the formats that the view has.
+// The device no longer supports images of the formats of the view.
 void testFormats(Test& test) {
     VulkanInterposer vulkan;
     Rig rig(test, {}, interpose);

@@ -18,7 +18,7 @@ constexpr int kSegments = 16; // between two nodes
 constexpr int kLeavesPerStalk = 180;
 
 struct Stalk {
-    std::vector<glm::vec3> nodes; // where segments meet, from the ground up
+    std::vector<glm::vec3> nodes; // joints between segments, from the ground up
     float radius;
 };
 
@@ -28,7 +28,7 @@ Stalk stalkShape(Random& random) {
     stalk.radius = random.in(0.028f, 0.045f);
     const glm::vec2 lean{random.in(-0.5f, 0.5f), random.in(-0.5f, 0.5f)};
     for (int i = 0; i <= kSegments; ++i) {
-        // Segments are short at the foot, and the lean grows with the height.
+        // Segments are shorter at the foot, and the lean grows with the height.
         const float s = float(i) / kSegments;
         const float h = 0.65f * s + 0.35f * s * s;
         stalk.nodes.push_back({lean.x * s * s * s, height * h, lean.y * s * s * s});
@@ -116,7 +116,7 @@ float soil(float x, float z) {
     return 0.06f * std::sin(0.9f * x + 0.4f) * std::cos(0.7f * z) - 0.03f;
 }
 
-// Feet of the stalks, none closer to another than a hand's breadth or in the path to the eye.
+// Returns the feet of the stalks. They are at least a hand's breadth apart and leave the path to the eye free.
 std::vector<glm::vec2> feet(Random& random) {
     std::vector<glm::vec2> result;
     while (result.size() < kStalks) {

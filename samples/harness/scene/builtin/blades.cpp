@@ -1,4 +1,5 @@
-// A field of grass whose number of blades is chosen, behind a railing: how errors grow with the number of surfaces in a pixel.
+// A field of grass behind a railing. The number of blades is a parameter, which shows how errors grow with the number
+// of surfaces in a pixel.
 #include "scene/builtin/mesh_builder.h"
 #include "scene/builtin/scenes.h"
 

@@ -32,7 +32,7 @@ int wrapped(int i) {
     return (i + kSize) % kSize;
 }
 
-// In texels: rounded bricks with a rough face in flat, sandy mortar.
+// Returns the height in texels: rounded bricks with a rough face in flat, sandy mortar.
 float heightAt(int x, int y) {
     const Brick brick = brickAt(wrapped(x), wrapped(y));
     const float u = float(wrapped(x)) / kSize, v = float(wrapped(y)) / kSize;
@@ -66,7 +66,7 @@ BrickTextures brickTextures() {
             for (int c = 0; c < 3; ++c)
                 result.color.rgba.push_back(srgbByte(color[c]));
             result.color.rgba.push_back(255);
-            // Green points upwards in the picture, where y is smaller.
+            // Green points upwards in the texture, towards smaller y.
             const glm::vec3 n =
                 glm::normalize(glm::vec3(heightAt(x - 1, y) - heightAt(x + 1, y),
                                          heightAt(x, y + 1) - heightAt(x, y - 1), 2.0f));

@@ -1,4 +1,4 @@
-// A brick wall as a pair of pictures that repeat: base colour and normal map.
+// A brick wall as a pair of repeating textures: base colour and normal map.
 #pragma once
 
 #include "scene/scene.h"
@@ -10,7 +10,7 @@ struct BrickTextures {
     Texture normal;
 };
 
-// Eight rows of four bricks on 256 x 256.
+// Creates eight rows of four bricks on 256 x 256 texels.
 BrickTextures brickTextures();
 
 } // namespace harness::builtin

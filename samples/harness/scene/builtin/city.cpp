@@ -65,7 +65,7 @@ void placeNew(Scene& scene, const MeshBuilder& mesh, uint32_t material) {
     place(scene, addMesh(scene, mesh, material));
 }
 
-// Turns a thing that faces +z so that it faces the road from one side: -1 left, +1 right.
+// Turns an object that faces +z towards the road. The side is -1 for left and +1 for right.
 glm::dmat4 facingRoad(float side, float x, float y, float z) {
     return placement({side * x, y, z}, -side * glm::half_pi<double>());
 }
@@ -95,7 +95,7 @@ void addHouse(Scene& scene, const Materials& m, const Window& window, int index,
     const float inner =
         kHouse + (side > 0 ? 0.0f : 2.4f); // the left fronts stand behind a colonnade
     const float low = std::min(side * inner, side * (inner + 6));
-    // The brick picture covers a metre.
+    // The brick texture covers a metre.
     wall.box({low, 0, front - kHouseLength}, {low + 6, height, front}, 1.0f);
     const float edge = std::min(side * (inner - 0.25f), side * (inner + 0.2f));
     trim.box({edge, height - 0.35f, front - kHouseLength}, {edge + 0.45f, height, front});
@@ -129,7 +129,7 @@ void addHouses(Scene& scene, const Materials& m, Random& random) {
         }
 }
 
-// In front of the left houses, carrying a roof.
+// The colonnade stands in front of the left houses and carries a roof.
 void addColonnade(Scene& scene, const Materials& m) {
     const uint32_t column = addMesh(scene, flutedColumn(0.24f, 3.3f), m.stone);
     const float x = -kHouse + 0.5f;

@@ -11,7 +11,7 @@ void addBar(MeshBuilder& mesh, const glm::vec3& from, const glm::vec3& to, float
     mesh.cylinder(from, to, radius, 6);
 }
 
-// Profile of a fluted shaft at an angle: the distance from the axis and its derivative.
+// Returns the profile of a fluted shaft at an angle: the distance from the axis and its derivative.
 glm::vec2 flute(float angle, float radius) {
     constexpr float count = 20, depth = 0.045f;
     const float wave = std::cos(count * angle);
@@ -31,7 +31,7 @@ void addShaft(MeshBuilder& mesh, float radius, float bottom, float top) {
             const glm::vec3 out{std::sin(a), 0, std::cos(a)}, along{std::cos(a), 0, -std::sin(a)};
             Vertex vertex;
             vertex.position = profile.x * out + glm::vec3(0, bottom + s * (top - bottom), 0);
-            // Across the profile's tangent (r' out + r along), leaning up with the taper.
+            // The normal is perpendicular to the profile's tangent (r' out + r along) and leans up with the taper.
             const glm::vec3 n = glm::normalize(profile.x * out - profile.y * along);
             vertex.normal = glm::normalize(n + glm::vec3(0, 0.15f * radius / (top - bottom), 0));
             vertex.uv = {float(j) / sides, s};

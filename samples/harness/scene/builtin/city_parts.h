@@ -1,11 +1,11 @@
-// Things that stand in the city scene. Each faces +z and rests on y = 0 unless said otherwise.
+// Objects of the city scene. Each faces +z and rests on y = 0 unless its comment says otherwise.
 #pragma once
 
 #include "scene/builtin/mesh_builder.h"
 
 namespace harness::builtin {
 
-// A frame with glazing bars around [-width/2;width/2] x [0;height], and a sill.
+// A frame with glazing bars around [-width/2, width/2] x [0, height], and a sill.
 MeshBuilder windowFrame(float width, float height);
 // A slab and a railing of thin bars in front of a window.
 MeshBuilder balcony(float width);

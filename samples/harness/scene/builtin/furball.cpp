@@ -15,13 +15,13 @@ constexpr float kRadius = 0.5f;
 // Directions spread evenly over the sphere.
 glm::vec3 fibonacciDirection(int i) {
     const float y = 1 - 2 * (float(i) + 0.5f) / kHairs;
-    // In double: the angle of late hairs is large.
+    // The angle is in double precision, because it is large for late hairs.
     const double turn = std::fmod(double(i) * 2.39996322972865332, 6.28318530717958648);
     const float r = std::sqrt(1 - y * y);
     return {r * float(std::cos(turn)), y, r * float(std::sin(turn))};
 }
 
-// Which of the coat's colours grows here: wavy bands.
+// Returns the colour of the coat at a point: wavy bands.
 size_t coatAt(const glm::vec3& n, Random& random) {
     const float band = std::sin(7 * n.y + 2.2f * std::sin(3 * n.x + 1) + 1.6f * std::cos(4 * n.z));
     if (band > 0.35f)
@@ -32,7 +32,7 @@ size_t coatAt(const glm::vec3& n, Random& random) {
 }
 
 void addHair(MeshBuilder& mesh, const glm::vec3& n, Random& random) {
-    // Combed around a tilted axis, with gravity and some disorder.
+    // Returns a hair that is combed around a tilted axis, with gravity and some disorder.
     const glm::vec3 combed = glm::cross(glm::normalize(glm::vec3(0.3f, 1, 0.2f)), n);
     const glm::vec3 disorder = 0.45f * unitVector(random);
     const glm::vec3 sideways = 0.8f * combed + disorder + glm::vec3(0, -0.55f, 0);
@@ -49,7 +49,7 @@ void addHair(MeshBuilder& mesh, const glm::vec3& n, Random& random) {
     widths.back() = 0;
     const uint8_t tint = uint8_t(150 + random.below(106));
     mesh.color = {tint, tint, tint, 255};
-    // Broad sides face every way across the hair.
+    // The broad sides face all directions across the hair.
     const glm::vec3 across = glm::cross(n, unitVector(random));
     mesh.blade(points, widths, glm::length(across) > 0.1f ? across : bend + combed);
 }

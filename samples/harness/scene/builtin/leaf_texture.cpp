@@ -16,10 +16,10 @@ constexpr float kSoftness = 2.5f / kSize; // half the width of the alpha ramp
 struct Leaf {
     glm::vec2 foot, axis; // axis is unit
     float length, halfWidth;
-    float youth; // 0 to 1, between the picture's two colours
+    float youth; // blend of the texture's two colours, [0, 1]
 };
 
-// Left and right in turns along the twig, one at its tip.
+// Leaves alternate between left and right along the twig; one is at its tip.
 std::vector<Leaf> leavesOf(const LeafPicture& picture) {
     Random random(picture.seed);
     std::vector<Leaf> leaves;
@@ -51,7 +51,7 @@ Place placeOn(const Leaf& leaf, const glm::vec2& p) {
     const float along = glm::dot(d, leaf.axis) / leaf.length;
     const float across = d.x * leaf.axis.y - d.y * leaf.axis.x;
     const float s = std::clamp(along, 0.0f, 1.0f);
-    const float half = leaf.halfWidth * std::sqrt(s) * (1 - s) * 2.6f; // broadest at a third
+    const float half = leaf.halfWidth * std::sqrt(s) * (1 - s) * 2.6f; // the leaf is broadest at a third of its length
     const float beyond = std::max({0.0f, -along, along - 1}) * leaf.length;
     return {half - std::fabs(across) - beyond, s,
             half > 0 ? std::clamp(across / half, -1.0f, 1.0f) : 0.0f};

@@ -19,7 +19,7 @@ glm::vec3 anyAcross(const glm::vec3& n) {
     return glm::normalize(glm::cross(n, axis));
 }
 
-// The direction of travel at a point of a polyline.
+// Returns the tangent at a point of a polyline.
 glm::vec3 directionAt(std::span<const glm::vec3> points, size_t i) {
     const size_t before = i > 0 ? i - 1 : 0;
     const size_t after = std::min(i + 1, points.size() - 1);
@@ -79,7 +79,7 @@ void MeshBuilder::cap(const glm::vec3& centre, const glm::vec3& normal, uint32_t
     const uint32_t middle = add(centre, normal, {0.5f, 0.5f});
     for (int j = 0; j < sides; ++j) {
         const float a = kTurn * float(j) / float(sides);
-        const glm::vec3 p = vertices[firstRing + uint32_t(j)].position; // add() may move the list
+        const glm::vec3 p = vertices[firstRing + uint32_t(j)].position; // add() may reallocate the list
         add(p, normal, {0.5f + 0.5f * std::cos(a), 0.5f + 0.5f * std::sin(a)});
     }
     for (uint32_t j = 0; j < uint32_t(sides); ++j) {
@@ -98,16 +98,16 @@ void MeshBuilder::tube(std::span<const glm::vec3> points, std::span<const float>
     glm::vec3 t = directionAt(points, 0);
     glm::vec3 u = anyAcross(t);
     float travelled = 0;
-    const uint32_t ring = uint32_t(sides) + 1; // the seam has its own vertices for u = 1
+    const uint32_t ring = uint32_t(sides) + 1; // the seam has separate vertices for u = 1
     const uint32_t first = uint32_t(vertices.size());
     const glm::vec3 start = t;
     for (size_t i = 0; i < points.size(); ++i) {
         const size_t before = i > 0 ? i - 1 : 0;
         const size_t after = std::min(i + 1, points.size() - 1);
         t = directionAt(points, i);
-        u = glm::normalize(u - t * glm::dot(u, t)); // carried along without twist
+        u = glm::normalize(u - t * glm::dot(u, t)); // transported without twist
         const glm::vec3 v = glm::cross(t, u);
-        // Where the radius shrinks the surface leans forward.
+        // The normal leans forward if the radius shrinks.
         const float slope =
             (radii[after] - radii[before]) / glm::distance(points[after], points[before]);
         if (i > 0)

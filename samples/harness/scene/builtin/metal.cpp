@@ -27,27 +27,27 @@ constexpr std::array<Metal, 5> kMetals{{{"steel", 0xc6c4c0, 0.2f},
                                         {"chrome", 0xdcdfe2, 0.15f},
                                         {"blue anodised", 0x5b7fc4, 0.35f}}};
 
-// A long wire that wanders through a dome around the middle.
+// Returns a long wire that wanders through a dome around the middle.
 MeshBuilder wire(Random& random) {
     std::array<glm::vec3, 9> knots;
     glm::vec3 p = 0.9f * unitVector(random);
     glm::vec3 heading = unitVector(random);
     for (glm::vec3& knot : knots) {
-        // Mostly onwards and back towards the middle: hairpins would be tighter than the wire.
+        // The wire turns slowly and back towards the middle, because hairpins would be narrower than the wire.
         heading = glm::normalize(heading + 0.9f * unitVector(random) - 0.5f * p);
         p += 0.5f * heading;
         knot = {p.x, 0.85f + 0.55f * p.y, p.z};
         knot.y = std::max(knot.y, 0.03f);
     }
     std::vector<glm::vec3> curve = smoothCurve(knots, 7);
-    for (glm::vec3& point : curve) // a spline may dip below its knots
+    for (glm::vec3& point : curve) // a spline may go below its knots
         point.y = std::max(point.y, 0.015f);
     MeshBuilder mesh;
     mesh.tube(curve, random.in(0.0025f, 0.006f), 8, true);
     return mesh;
 }
 
-// The outline of a coat hanger in the plane z = 0: shoulders, bar and hook.
+// Returns the outline of a coat hanger in the plane z = 0: shoulders, bar and hook.
 MeshBuilder hanger(float width, float radius) {
     const float w = 0.5f * width;
     const std::array outline{glm::vec3(0, 0.02f, 0),

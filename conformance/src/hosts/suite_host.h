@@ -1,4 +1,4 @@
-// An engine made of a device of the suite, to be checked as engines are. A right host unless Device::mistakes says otherwise.
+// An engine on a device of the suite, for the checks of integrations. It is correct except for Device::mistakes.
 #pragma once
 
 #include "device.h"
@@ -7,9 +7,9 @@
 
 namespace agaa::conformance {
 
-class OwnHost {
+class SuiteHost {
 public:
-    OwnHost(Test& test, Device& device);
+    SuiteHost(Test& test, Device& device);
     const AgaaConformanceHost* get() const { return &host_; }
 
 private:
@@ -21,10 +21,10 @@ private:
 
     const Functions& sdk_;
     Device& device_;
-    OwnContext context_;
+    ScopedContext context_;
     AgaaSceneFacts facts_;
     AgaaViewDesc desc_;
-    Scene scene_, opaque_; // all, and without alpha-masked surfaces
+    Scene scene_, opaque_; // all surfaces, and those without alpha mask
     bool isMaskedHidden_ = false;
     std::string messages_;
     AgaaConformanceHost host_;

@@ -1,4 +1,4 @@
-#include "own_host.h"
+#include "suite_host.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@ namespace agaa::conformance {
 namespace {
 
 constexpr uint32_t width = 64, height = 48;
-constexpr float turn = 0.4f; // of the camera about y, so that shading space is not view space
+constexpr float cameraAngle = 0.4f; // turn of the camera around y, so that shading space differs from view space
 
-// From view space to shading space.
-void turnBack(float* v) {
-    const float c = std::cos(turn), s = std::sin(turn), x = v[0], z = v[2];
+// Transforms from view space to shading space.
+void rotateToShading(float* v) {
+    const float c = std::cos(cameraAngle), s = std::sin(cameraAngle), x = v[0], z = v[2];
     v[0] = c * x + s * z;
     v[2] = -s * x + c * z;
 }
@@ -22,7 +22,7 @@ struct Corner {
     float x, y, z;
 };
 
-// A quadrilateral in view space, with the normal that faces the camera.
+// Adds a quadrilateral in view space, with the normal that faces the camera.
 void addQuad(Scene& scene, const Corner (&corners)[4], const Surface& surface, float secondAlpha) {
     const Corner &a = corners[0], &b = corners[1], &d = corners[3];
     const float u[3] = {b.x - a.x, b.y - a.y, b.z - a.z}, v[3] = {d.x - a.x, d.y - a.y, d.z - a.z};
@@ -31,13 +31,13 @@ void addQuad(Scene& scene, const Corner (&corners)[4], const Surface& surface, f
     const float length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) * (toEye > 0 ? -1.0f : 1.0f);
     for (float& component : n)
         component /= length;
-    turnBack(n);
+    rotateToShading(n);
     for (const int i : {0, 1, 2, 0, 2, 3}) {
         Vertex vertex{};
         vertex.position[0] = corners[i].x;
         vertex.position[1] = corners[i].y;
         vertex.position[2] = corners[i].z;
-        turnBack(vertex.position);
+        rotateToShading(vertex.position);
         std::memcpy(vertex.normal, n, sizeof n);
         std::memcpy(vertex.diffuse, surface.diffuse, sizeof vertex.diffuse);
         if (scene.size() % 6 >= 3)
@@ -48,7 +48,7 @@ void addQuad(Scene& scene, const Corner (&corners)[4], const Surface& surface, f
     }
 }
 
-// From back to front: a wall, two tilted surfaces, and a cut-out whose second triangle is discarded.
+// Returns from back to front a wall, two tilted surfaces, and a cut-out whose second triangle is discarded.
 Scene engineScene() {
     Scene scene;
     addQuad(scene, {{-8, -6, -9}, {8, -6, -9}, {8, 6, -11}, {-8, 6, -11}}, {.diffuse = {0.8f, 0.7f, 0.2f, 1}}, 1);
@@ -61,7 +61,7 @@ Scene engineScene() {
 }
 
 void setCamera(AgaaFrame& frame, bool fromMinusOne) {
-    const float c = std::cos(turn), s = std::sin(turn);
+    const float c = std::cos(cameraAngle), s = std::sin(cameraAngle);
     const float view[16] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};
     std::copy(view, view + 16, frame.view);
     const float nearest = 0.5f, farthest = 20.0f, low = fromMinusOne ? -1.0f : 0.0f, depth = farthest - nearest;
@@ -75,7 +75,7 @@ void setCamera(AgaaFrame& frame, bool fromMinusOne) {
 
 } // namespace
 
-OwnHost::OwnHost(Test& test, Device& device)
+SuiteHost::SuiteHost(Test& test, Device& device)
     : sdk_(test.sdk), device_(device), context_(test), scene_(engineScene()), opaque_(scene_) {
     std::erase_if(opaque_, [](const Vertex& vertex) { return vertex.isMasked != 0; });
     const AgaaSceneFacts initialFacts = AGAA_SCENE_FACTS_INIT;
@@ -100,8 +100,8 @@ OwnHost::OwnHost(Test& test, Device& device)
     host_.hideMasked = hideMasked;
 }
 
-AgaaResult OwnHost::prepareView(void* user, AgaaView view) {
-    auto& self = *static_cast<OwnHost*>(user);
+AgaaResult SuiteHost::prepareView(void* user, AgaaView view) {
+    auto& self = *static_cast<SuiteHost*>(user);
     try {
         self.device_.adopt(self.context_.get(), view);
         self.device_.prepare(self.sdk_, view);
@@ -111,10 +111,10 @@ AgaaResult OwnHost::prepareView(void* user, AgaaView view) {
     return AGAA_OK;
 }
 
-void OwnHost::releaseView(void* user, AgaaView view) { static_cast<OwnHost*>(user)->device_.forget(view); }
+void SuiteHost::releaseView(void* user, AgaaView view) { static_cast<SuiteHost*>(user)->device_.forget(view); }
 
-AgaaResult OwnHost::renderFrame(void* user, AgaaView view, AgaaFrame* frame, float* outPixels) {
-    auto& self = *static_cast<OwnHost*>(user);
+AgaaResult SuiteHost::renderFrame(void* user, AgaaView view, AgaaFrame* frame, float* outPixels) {
+    auto& self = *static_cast<SuiteHost*>(user);
     setCamera(*frame, self.desc_.flags & AGAA_VIEW_CLIP_Z_FROM_MINUS_ONE);
     const AgaaResult result = self.device_.record(self.sdk_, view, *frame, self.isMaskedHidden_ ? self.opaque_ : self.scene_);
     if (result == AGAA_OK) {
@@ -124,10 +124,10 @@ AgaaResult OwnHost::renderFrame(void* user, AgaaView view, AgaaFrame* frame, flo
     return result;
 }
 
-void OwnHost::hideMasked(void* user, uint32_t isHidden) { static_cast<OwnHost*>(user)->isMaskedHidden_ = isHidden != 0; }
+void SuiteHost::hideMasked(void* user, uint32_t isHidden) { static_cast<SuiteHost*>(user)->isMaskedHidden_ = isHidden != 0; }
 
-const char* OwnHost::takeMessages(void* user) {
-    auto& self = *static_cast<OwnHost*>(user);
+const char* SuiteHost::takeMessages(void* user) {
+    auto& self = *static_cast<SuiteHost*>(user);
     self.messages_.clear();
     for (const std::string& message : self.device_.takeMessages()) {
         std::string line = message;
