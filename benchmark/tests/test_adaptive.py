@@ -13,7 +13,7 @@ import runs
 
 def scene(name, share, mse):
     way = {"share": share, "mse": mse, "flip": 0, "events": 9 * share, "pixelsByEvents": [0] * 6}
-    return {"scene": name, "errors": {side: {"device": "D", "driver": "E", "ways": {n: way for n, _ in adaptive.WAYS}}
+    return {"scene": name, "errors": {side: {"device": "D", "driver": "E", "ways": {n: way for n, _ in adaptive.CONFIGURATIONS}}
                                       for side in adaptive.SIDES},
             "times": {cost: {"ssaa": 100 * cost, "simple_complex": 60 * cost, "adaptive": 50} for cost in adaptive.COSTS}}
 
@@ -38,13 +38,13 @@ class Adaptive(unittest.TestCase):
 
     def test_runs_go_on_where_they_stopped(self):
         with tempfile.TemporaryDirectory() as folder:
-            settings = {"ways": adaptive.WAYS}
+            settings = {"configurations": adaptive.CONFIGURATIONS}
             harness = Path(__file__)
             runs.Runs("adaptive", harness, Path(folder), settings).kept("metal", lambda: {"made": 1})
             again = runs.Runs("adaptive", harness, Path(folder), settings).kept("metal", lambda: {"made": 2})
             self.assertEqual(again, {"made": 1})
             with self.assertRaises(SystemExit):
-                runs.Runs("adaptive", harness, Path(folder), {"ways": []})
+                runs.Runs("adaptive", harness, Path(folder), {"configurations": []})
 
     def test_no_error_is_finite(self):
         self.assertEqual(adaptive.decibels(0), 120)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 TOOL = ROOT / "benchmark" / "report" / "speed.py"
-sys.path.insert(0, str(TOOL.parent))
+sys.path[:0] = [str(TOOL.parent), str(TOOL.parents[1])]
 import paired
 import speed
 
