@@ -1,4 +1,4 @@
-"""Shared by the tools: the scenes, calls of the sample engine, and results that are kept on the way."""
+"""Shared by the tools: the scenes, calls of the sample engine, and intermediate results."""
 import json
 import os
 import pathlib

@@ -47,7 +47,7 @@ EARLY_OUTS = [
     ("flat aggregate: one shadow lookup", "no", "the edge of a shadow may cross a plane between two of its samples"),
     ("all samples lit, or none: one lookup", "no", "a bound would need the least and the greatest depth of an area of the host's shadow map"),
 ]
-# With two geometry passes: the source of the normals of aggregates, and the options for it.
+# Name and options of each source of the normals that aggregates of two geometry passes have.
 NORMALS = [
     ("aggregates keep normals", ["--without", "specular", "--without", "local-lights"]),
     ("aggregates take those of the prepass",
@@ -108,7 +108,7 @@ class Measurement:
         return rows
 
     def normals(self, view):
-        """Errors of two geometry passes against aggregates of a G-buffer with the same facts, which keep normals in both rows."""
+        """Errors of two geometry passes against a G-buffer's aggregates, which keep normals with both sets of facts."""
         rows = {}
         for name, options in NORMALS:
             self.render(view, "--exr", self.image, *options)

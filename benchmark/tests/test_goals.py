@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of benchmark/calibrate.py and goals.py: what they say of measurements."""
+"""Tests of benchmark/calibrate.py and goals.py: the results that they derive from measurements."""
 import pathlib
 import sys
 import unittest

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of benchmark/passes.py: the page, and that the kept one follows from the kept results."""
+"""Tests of benchmark/passes.py: the page, and that the kept page is current."""
 
 import json
 import sys
