@@ -1,21 +1,20 @@
 #!/usr/bin/env python3
 """Measures `adaptive` against shading every sample: share of samples, error, times.
 
-Writes OUT/adaptive.json and OUT/adaptive.md. Resumable: what OUT/work holds is not made again.
+Writes OUT/adaptive.json and OUT/adaptive.md. An interrupted run continues with the results in OUT/work.
 """
-import argparse
-import json
 import math
-import pathlib
 import statistics
 import time
 
-from runs import HARNESS, Runs, find_scenes, view_options
+from command_line import tool_parser
+from markdown_table import table
+from runs import Runs, find_scenes, view_options, write_results
 
 SIDES = (2, 3, 4)
 PRINTED = ["--printed-metric", "--in-order", "--equal-weights"]
-# Name and options of each way to decide.
-WAYS = [
+# Name and options of each configuration of the decision.
+CONFIGURATIONS = [
     ("adaptive", []),
     ("geometry alone", ["--metrics", "geometry"]),
     ("shading alone", ["--metrics", "shading"]),
@@ -33,7 +32,7 @@ WAYS = [
 ]
 # The paper's table 1: samples shaded and mean squared error.
 PAPER = {2: (0.578, 5.0e-5), 3: (0.534, 3.08e-5), 4: (0.5313, 3.79e-5)}
-# Of section 4.2, whose times are compared.
+# Name and options of each configuration of section 4.2; their times are compared.
 SHADING = [
     ("distributed", []),
     ("loop", ["--loop"]),
@@ -50,7 +49,7 @@ class Measurement:
         self.lights = ["--no-culling"] if arguments.all_lights else []
         self.runs = Runs("adaptive", arguments.harness, arguments.out,
                          {"size": arguments.size, "frames": arguments.frames, "turns": arguments.turns,
-                          "ways": WAYS, "shading": SHADING, **({"lights": self.lights} if self.lights else {})})
+                          "configurations": CONFIGURATIONS, "shading": SHADING, **({"lights": self.lights} if self.lights else {})})
         self.image = self.runs.work / "image.exr"
         self.reference = self.runs.work / "reference.exr"
 
@@ -58,22 +57,22 @@ class Measurement:
         return self.runs.call("render", *view, "--no-validation", "--technique", technique, "--samples", n, *options)
 
     def errors(self, name, view, side):
-        """{way: {share, mse, flip, events}} against all samples of the same grid."""
+        """Errors of each configuration against all samples of the same grid: {name: {share, mse, flip, events}}."""
         n = side * side
         full = self.render(view, "ssaa", n, "--tier", "visibility=ordered-grid", "--exr", self.reference, "--no-timestamps")
         out = {"device": full["device"], "driver": full["driver"], "ways": {}}
-        for way, options in WAYS:
+        for configuration, options in CONFIGURATIONS:
             data = self.render(view, "adaptive", n, "--exr", self.image, "--no-timestamps", *options)
             counters = data["counters"]
             error = self.runs.call("compare", self.reference, self.image)
-            out["ways"][way] = {"share": counters["shadingEvents"] / counters["visible"], "mse": error["mseTm"],
-                                "flip": error["flip"], "events": counters["shadingEvents"] / counters["shadedPixels"],
-                                "pixelsByEvents": counters["pixelsByEvents"]}
+            out["ways"][configuration] = {
+                "share": counters["shadingEvents"] / counters["visible"], "mse": error["mseTm"], "flip": error["flip"],
+                "events": counters["shadingEvents"] / counters["shadedPixels"], "pixelsByEvents": counters["pixelsByEvents"]}
         print(f"{name}, {side} x {side}", flush=True)
         return out
 
     def times(self, view, side, rows):
-        """{row: median ms}: frames of all rows take turns."""
+        """Median milliseconds of each row, {name: ms}. The rows are measured in alternating order."""
         frames = {name: [] for name, _, _ in rows}
         for turn in range(self.arguments.turns):
             for name, technique, options in rows if turn % 2 == 0 else reversed(rows):
@@ -95,7 +94,7 @@ class Measurement:
 
     def shading(self, name, source, camera):
         view = view_options(source, camera, self.arguments.size)
-        rows = [(way, "adaptive", options) for way, options in SHADING]
+        rows = [(configuration, "adaptive", options) for configuration, options in SHADING]
         return self.runs.kept(f"{name}-shading", lambda: self.times(view, 3, rows))
 
 
@@ -104,32 +103,30 @@ def decibels(mse):
 
 
 def error_lines(scenes):
-    yield "| way | " + " | ".join(f"{side} × {side}: samples | dB | worst dB" for side in SIDES) + " |"
-    yield "|---" * (1 + 3 * len(SIDES)) + "|"
-    for way, _ in WAYS:
+    rows = []
+    for configuration, _ in CONFIGURATIONS:
         cells = []
         for side in SIDES:
-            rows = [scene["errors"][side]["ways"][way] for scene in scenes]
-            noise = [decibels(row["mse"]) for row in rows]
-            cells.append(f"{statistics.mean(row['share'] for row in rows):.3f} | {statistics.mean(noise):.1f} | {min(noise):.1f}")
-        yield f"| {way} | " + " | ".join(cells) + " |"
-    cells = [f"{share:.3f} | {decibels(mse):.1f} | –" for share, mse in (PAPER[side] for side in SIDES)]
-    yield "| the paper, Sponza | " + " | ".join(cells) + " |"
+            found = [scene["errors"][side]["ways"][configuration] for scene in scenes]
+            noise = [decibels(each["mse"]) for each in found]
+            cells += [f"{statistics.mean(each['share'] for each in found):.3f}", f"{statistics.mean(noise):.1f}", f"{min(noise):.1f}"]
+        rows.append([configuration, *cells])
+    paper = [cell for share, mse in (PAPER[side] for side in SIDES) for cell in (f"{share:.3f}", f"{decibels(mse):.1f}", "–")]
+    return table(["way", *(cell for side in SIDES for cell in (f"{side} × {side}: samples", "dB", "worst dB"))],
+                 [*rows, ["the paper, Sponza", *paper]])
 
 
 def scene_lines(scenes):
-    yield "| scene | " + " | ".join(f"{side} × {side}: samples | dB | MSE" for side in SIDES) + " |"
-    yield "|---" * (1 + 3 * len(SIDES)) + "|"
+    rows = []
     for scene in scenes:
-        rows = [scene["errors"][side]["ways"]["adaptive"] for side in SIDES]
-        yield f"| {scene['scene']} | " + " | ".join(f"{row['share']:.3f} | {decibels(row['mse']):.1f} | {row['mse']:.1e}"
-                                                  for row in rows) + " |"
+        found = [scene["errors"][side]["ways"]["adaptive"] for side in SIDES]
+        rows.append([scene["scene"], *(cell for each in found for cell in (
+            f"{each['share']:.3f}", f"{decibels(each['mse']):.1f}", f"{each['mse']:.1e}"))])
+    return table(["scene", *(cell for side in SIDES for cell in (f"{side} × {side}: samples", "dB", "MSE"))], rows)
 
 
 def time_lines(scenes):
-    yield "| scene | " + " | ".join(f"cost {cost}: `ssaa` | `simple_complex`" for cost in COSTS) + " |"
-    yield "|---" * (1 + 2 * len(COSTS)) + "|"
-    ratios = {}
+    rows, ratios = [], {}
     for scene in scenes:
         cells = []
         for cost in COSTS:
@@ -138,15 +135,15 @@ def time_lines(scenes):
                 ratio = times[rival] / times["adaptive"]
                 ratios.setdefault((cost, rival), []).append(ratio)
                 cells.append(f"{ratio:.2f}")
-        yield f"| {scene['scene']} | " + " | ".join(cells) + " |"
-    yield "| median | " + " | ".join(f"{statistics.median(values):.2f}" for values in ratios.values()) + " |"
+        rows.append([scene["scene"], *cells])
+    rows.append(["median", *(f"{statistics.median(values):.2f}" for values in ratios.values())])
+    return table(["scene", *(cell for cost in COSTS for cell in (f"cost {cost}: `ssaa`", "`simple_complex`"))], rows)
 
 
 def shading_lines(shading):
-    yield "| way | " + " | ".join(shading) + " |"
-    yield "|---" * (1 + len(shading)) + "|"
-    for way, _ in SHADING:
-        yield f"| {way} | " + " | ".join(f"{times[way] / times['distributed']:.2f}" for times in shading.values()) + " |"
+    return table(["way", *shading],
+                 [[configuration, *(f"{times[configuration] / times['distributed']:.2f}" for times in shading.values())]
+                  for configuration, _ in SHADING])
 
 
 def markdown(data):
@@ -169,13 +166,7 @@ def markdown(data):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
-    parser.add_argument("--out", default="adaptive", type=pathlib.Path)
-    parser.add_argument("--size", default="320x180")
-    parser.add_argument("--frames", default=3, type=int)
-    parser.add_argument("--turns", default=3, type=int)
-    parser.add_argument("--scene", action="append", help="only these; repeatable")
+    parser = tool_parser(__doc__, out="adaptive", size="320x180", scenes=True, frames=3, turns=3)
     parser.add_argument("--all-lights", action="store_true", help="times with all lights, not those in reach of a tile")
     arguments = parser.parse_args()
     wanted = find_scenes("adaptive", arguments.scene)
@@ -185,8 +176,7 @@ def main():
             "lights": "all lights of the scene" if arguments.all_lights else "the lights in reach of each tile",
             "scenes": [measurement.scene(*scene) for scene in wanted],
             "shading": {scene[0]: measurement.shading(*scene) for scene in wanted if scene[0] in ("metal", "foliage")}}
-    (arguments.out / "adaptive.json").write_text(json.dumps(data, indent=1) + "\n")
-    (arguments.out / "adaptive.md").write_text(markdown(data))
+    write_results(arguments.out, "adaptive", data, markdown(data))
     print(f"Wrote {arguments.out / 'adaptive.md'} after {time.monotonic() - begin:.0f} s")
 
 

@@ -1,16 +1,15 @@
 #!/usr/bin/env python3
 """Compares OpenGL with Vulkan over scenes and techniques: images, and with --times frames and passes.
 
-Writes OUT/backends.json and OUT/backends.md. Resumable: what OUT/work holds is not made again.
+Writes OUT/backends.json and OUT/backends.md. An interrupted run continues with the results in OUT/work.
 """
-import argparse
-import json
-import pathlib
 import statistics
 import time
 import typing
 
-from runs import HARNESS, Runs, find_scenes, view_options
+from command_line import tool_parser
+from markdown_table import table
+from runs import Runs, find_scenes, view_options, write_results
 
 
 class Configuration(typing.NamedTuple):
@@ -18,15 +17,16 @@ class Configuration(typing.NamedTuple):
     samples: int
     aggregates: int = 1
     tier: str = "auto"  # of generation
-    preset: str = ""    # that decides over the aggregates
+    preset: str = ""    # sets the aggregates; "": none
 
     def options(self):
-        how = (["--preset", self.preset] if self.preset else
-               ["--technique", self.technique, "--aggregates", self.aggregates])
-        way = [] if self.tier == "auto" else ["--tier", f"generation={self.tier}"]
-        return [*how, "--samples", self.samples, *way]
+        technique = (["--preset", self.preset] if self.preset else
+                     ["--technique", self.technique, "--aggregates", self.aggregates])
+        tier = [] if self.tier == "auto" else ["--tier", f"generation={self.tier}"]
+        return [*technique, "--samples", self.samples, *tier]
 
-    def way(self):
+    def variant(self):
+        """The preset and the tier; empty for the defaults."""
         return " ".join(filter(None, [self.preset, "" if self.tier == "auto" else self.tier]))
 
 
@@ -50,7 +50,7 @@ class Comparison:
         return self.runs.call("render", "--backend", backend, *view, *configuration.options(), "--no-counters", *more)
 
     def images(self, view, configuration):
-        """Differences of the two images, and what the APIs said."""
+        """Differences of the two images, and the number of messages of both APIs."""
         messages, files = 0, {backend: self.runs.work / f"{backend}.exr" for backend in ("vk", "gl")}
         for backend, file in files.items():
             row = self.render(backend, view, configuration, "--no-timestamps", "--exr", file)
@@ -60,7 +60,7 @@ class Comparison:
         return row
 
     def times(self, view, configuration, frames):
-        """A B B A runs: medians of frames and passes, and the ratio of the frames."""
+        """Medians of frames and passes, and the ratio of the frames. The runs alternate: Vulkan, OpenGL, OpenGL, Vulkan."""
         runs = {"vk": [], "gl": []}
         for backend in ("vk", "gl", "gl", "vk"):
             runs[backend].append(self.render(backend, view, configuration, "--no-validation",
@@ -77,40 +77,35 @@ class Comparison:
         return out
 
 
-def way(row):
-    return Configuration(*(row[field] for field in Configuration._fields)).way()
+def variant(row):
+    return Configuration(*(row[field] for field in Configuration._fields)).variant()
 
 
 def named(row):
-    return " ".join(filter(None, [f"{row['technique']} n={row['samples']} c={row['aggregates']}", way(row)]))
+    return " ".join(filter(None, [f"{row['technique']} n={row['samples']} c={row['aggregates']}", variant(row)]))
+
+
+def first_cells(row):
+    return [row["scene"], row["technique"], row["samples"], row["aggregates"], variant(row)]
 
 
 def image_table(results):
-    lines = ["| scene | technique | n | c | way | mean difference /255 | pixels above 4/255, % | largest, linear | "
-             "PSNR, dB |", "|---|---|---|---|---|---|---|---|---|"]
-    for r in results:
-        psnr = "equal" if r["psnr"] is None else f"{r['psnr']:.1f}"
-        lines.append(f"| {r['scene']} | {r['technique']} | {r['samples']} | {r['aggregates']} | "
-                     f"{way(r)} | {255 * r['meanAbsTm']:.4f} | {100 * r['above4of255']:.4f} | {r['maxAbs']:.3g} | "
-                     f"{psnr} |")
-    return lines
+    return table(["scene", "technique", "n", "c", "way", "mean difference /255", "pixels above 4/255, %", "largest, linear",
+                  "PSNR, dB"],
+                 [[*first_cells(r), f"{255 * r['meanAbsTm']:.4f}", f"{100 * r['above4of255']:.4f}", f"{r['maxAbs']:.3g}",
+                   "equal" if r["psnr"] is None else f"{r['psnr']:.1f}"] for r in results])
 
 
 def time_table(results):
-    lines = ["| scene | technique | n | c | way | Vulkan frame | OpenGL frame | ratio | Vulkan passes | "
-             "OpenGL passes |", "|---|---|---|---|---|---|---|---|---|---|"]
+    rows = []
     for r in results:
-        passes = {b: ", ".join(f"{name} {ms:.0f}" for name, ms in r[b]["passes"].items())
-                  for b in ("vk", "gl")}
-        lines.append(f"| {r['scene']} | {r['technique']} | {r['samples']} | {r['aggregates']} | "
-                     f"{way(r)} | {r['vk']['frameMs']:.0f} | {r['gl']['frameMs']:.0f} | {r['ratio']:.2f} | "
-                     f"{passes['vk']} | {passes['gl']} |")
-    return lines
+        passes = [", ".join(f"{name} {ms:.0f}" for name, ms in r[backend]["passes"].items()) for backend in ("vk", "gl")]
+        rows.append([*first_cells(r), f"{r['vk']['frameMs']:.0f}", f"{r['gl']['frameMs']:.0f}", f"{r['ratio']:.2f}", *passes])
+    return table(["scene", "technique", "n", "c", "way", "Vulkan frame", "OpenGL frame", "ratio", "Vulkan passes",
+                  "OpenGL passes"], rows)
 
 
 def write(out, devices, size, images, times):
-    (out / "backends.json").write_text(json.dumps(
-        {"devices": devices, "size": size, "images": images, "times": times}, indent=1) + "\n")
     worst = max(images, key=lambda r: r["meanAbsTm"])
     most = max(images, key=lambda r: r["above4of255"])
     lines = ["# OpenGL beside Vulkan", "",
@@ -126,16 +121,13 @@ def write(out, devices, size, images, times):
                   f"Milliseconds, medians of A B B A runs; frames without times of passes. Passes on Vulkan by "
                   f"{times[0]['vk']['timeSource']}, on OpenGL by {times[0]['gl']['timeSource']}.", "",
                   *time_table(times)]
-    (out / "backends.md").write_text("\n".join(lines) + "\n")
+    write_results(out, "backends", {"devices": devices, "size": size, "images": images, "times": times}, "\n".join(lines) + "\n")
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
-    parser.add_argument("--out", type=pathlib.Path, required=True)
-    parser.add_argument("--size", default="640x360")
+    parser = tool_parser(__doc__, out="", size="640x360")
     parser.add_argument("--times", type=int, default=0, metavar="FRAMES",
-                        help="also time this many frames a run; on an idle machine")
+                        help="also time this many frames in each run; needs an idle machine")
     arguments = parser.parse_args()
     comparison = Comparison(arguments)
     kept, scenes = comparison.runs.kept, find_scenes("backends")

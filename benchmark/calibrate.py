@@ -1,16 +1,15 @@
 #!/usr/bin/env python3
-"""Measures the settings that agaaChooseSettings chooses among in a scene of your own: errors against a reference, and times.
+"""Measures the settings of agaaChooseSettings in a scene of your own: errors against a reference, and times.
 
-OUT/measured.json is for `agaa-harness choose --measured`, and says what a host passes as AgaaGoal::measured. Resumable: what
-OUT/work holds is not measured again.
+`agaa-harness choose --measured` reads OUT/measured.json, whose rows a host passes as AgaaGoal::measured. An interrupted run
+continues with the results in OUT/work.
 """
-import argparse
 import json
-import pathlib
 import sys
 
 from choice_rows import GEOMETRY, candidates
-from runs import HARNESS, ROOT, Runs, view_options
+from command_line import tool_parser
+from runs import ROOT, Runs, view_options, write_json
 
 SWEEP = ROOT / "docs/results/lavapipe/sweep/results.json"
 
@@ -20,7 +19,7 @@ def table_rows():
 
 
 def wanted_rows(names):
-    """All, or those of these names and "single", by whose error all others are."""
+    """All rows, or the named ones and "single", whose error is the unit of all errors."""
     rows = table_rows()
     unknown = set(names or ()) - {row.name for row in rows}
     if unknown:
@@ -29,7 +28,7 @@ def wanted_rows(names):
 
 
 def options(row):
-    """Those of the sample engine for a row of the table."""
+    """The sample engine's options for a row of the table."""
     tier = ["--tier", f"generation={row.tier}"] if row.tier else []
     if row.preset:
         return ["--preset", row.preset, "--samples", row.samples, *tier]
@@ -38,7 +37,7 @@ def options(row):
 
 
 def times(passes):
-    """Milliseconds of geometry and of shading: medians of the frames."""
+    """Milliseconds of the geometry passes and of the shading passes: medians of the frames."""
     found = {"geometryMs": 0.0, "shadingMs": 0.0}
     for entry in passes:
         found["geometryMs" if entry["stage"] in GEOMETRY else "shadingMs"] += entry["ms"]["median"]
@@ -50,7 +49,7 @@ def milliseconds(found):
 
 
 def middle(times_of_turns):
-    """That of the median."""
+    """The times of the turn with the median total."""
     return sorted(times_of_turns, key=milliseconds)[(len(times_of_turns) - 1) // 2]
 
 
@@ -63,7 +62,7 @@ class Frame:
         runs.kept(f"{name}-reference", lambda: runs.call("reference", *view, "--spp", spp, "--exr", self.reference))
 
     def measure(self, row):
-        """Error and times of a row's frame, or why there is none."""
+        """Error and times of a row's frame, or the refusal of its settings."""
         def make():
             settings = options(row)
             refusal = self.runs.refusal("plan", *self.view, "--backend", "vk", *settings)
@@ -79,7 +78,8 @@ class Frame:
                                     *options(row))["passes"])
 
     def measure_all(self, rows, turns):
-        """Those that the device can run. Turns go over all rows, and times are medians: the load of a machine changes."""
+        """Measurements of the rows that the device can run. Times are medians of turns over all rows, because the load of a
+        machine changes."""
         found = {}
         for row in rows:
             measured = self.measure(row)
@@ -102,7 +102,7 @@ def single_error(measured):
 
 
 def measured_settings(measured, size):
-    """As `choose --measured` reads them."""
+    """The rows in the form that `choose --measured` reads."""
     width, height = map(int, size.split("x"))
     single = single_error(measured)
     return [{"technique": row.technique, "preset": row.preset or None, "samples": row.samples, "aggregates": row.aggregates,
@@ -111,19 +111,15 @@ def measured_settings(measured, size):
 
 
 def write_measured(path, measured, size):
-    path.write_text(json.dumps({"measured": measured_settings(measured, size)}, indent=1) + "\n")
+    write_json(path, {"measured": measured_settings(measured, size)})
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
-    parser.add_argument("--out", default="calibration", type=pathlib.Path)
-    parser.add_argument("--scene", required=True, help="as of the sample engine")
-    parser.add_argument("--camera", default="", help="ex,ey,ez,tx,ty,tz,fovDegrees; else the scene's own")
-    parser.add_argument("--size", default="320x180")
+    parser = tool_parser(__doc__, out="calibration", size="320x180", turns=3)
+    parser.add_argument("--scene", required=True, help="a scene of the sample engine")
+    parser.add_argument("--camera", default="", help="ex,ey,ez,tx,ty,tz,fovDegrees; the scene's own by default")
     parser.add_argument("--spp", default=256, type=int, help="samples per pixel of the reference")
-    parser.add_argument("--turns", default=3, type=int, help="measurements of each time")
-    parser.add_argument("--row", action="append", help="only these, as single-1 or agaa-8-fast-gbuffer, and single; repeatable")
+    parser.add_argument("--row", action="append", help="only this row, such as agaa-8-fast-gbuffer, and single; repeatable")
     arguments = parser.parse_args()
     settings = {name: getattr(arguments, name) for name in ("scene", "camera", "size", "spp")}
     runs = Runs("calibrate", arguments.harness, arguments.out, settings)

@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
-"""Says which effect is the cause where aggregates err more than fewer samples do, or than SBAA does.
+"""Finds the effect that causes larger errors of aggregates than of fewer samples, or than of SBAA.
 
 Takes the scenes of a sweep's RESULTS.json in which agaa n=8 c=2 is farther from the reference than ssaa n=4, or n=32
-c=2 than ssaa n=8, and those in which agaa n=8 c=2 is farther from ssaa n=8 than sbaa with four surfaces; renders them
-anew with one effect left out of every image, the reference included. Writes OUT/causes.json and OUT/causes.md.
-Resumable: what OUT/work holds is not made again.
+c=2 than ssaa n=8, and those in which agaa n=8 c=2 is farther from ssaa n=8 than sbaa with four surfaces. Renders them
+again without one effect in every image, the reference included. Writes OUT/causes.json and OUT/causes.md.
+An interrupted run continues with the results in OUT/work.
 """
-import argparse
 import json
 import pathlib
 
-from runs import HARNESS, Runs, find_scenes, view_options
+from command_line import tool_parser
+from markdown_table import table
+from runs import Runs, find_scenes, view_options, write_results
 
 BY_ID = ["--tier", "generation=ids"]
 ALL_SAMPLES = "ssaa n=8"
@@ -31,7 +32,7 @@ LEFT_OUT = ["", "specular", "shadows"]
 
 
 def errors(scene, against):
-    """By technique, n, c: of rows with the scene's lights, and of the first way that each takes."""
+    """Errors by technique, n and c: of the first row of each, whose lighting is evaluated once."""
     found = {}
     for row in scene["rows"]:
         if row["shadingCost"] == 1 and not row["preset"] and row[against]:
@@ -71,17 +72,14 @@ class Causes:
         return [self.runs.kept(f"{name}-{without}", lambda: self.row(view, without)) for without in LEFT_OUT]
 
 
-def table(data, columns, errors_of):
-    lines = ["| scene | without | " + " | ".join(columns) + " |", "|---|---|" + "---:|" * len(columns)]
-    for name, rows in data["scenes"].items():
-        for row in rows:
-            lines.append(f"| {name} | {row['without']} | "
-                         + " | ".join(f"{errors_of(row)[column]:.2e}" for column in columns) + " |")
-    return lines
+def error_table(data, columns, errors_of):
+    return table(["scene", "without", *columns],
+                 [[name, row["without"], *(f"{errors_of(row)[column]:.2e}" for column in columns)]
+                  for name, rows in data["scenes"].items() for row in rows], "llr")
 
 
 def nearer(data, without):
-    """In how many scenes agaa merges better than sbaa with four surfaces, with this effect left out."""
+    """The number of scenes in which agaa adds less error than sbaa with four surfaces, without this effect."""
     merged = [next(row for row in rows if row["without"] == without)["toAllSamples"] for rows in data["scenes"].values()]
     return sum(errors["agaa n=8 c=2"] < errors["sbaa n=8 S=4"] for errors in merged)
 
@@ -97,19 +95,16 @@ def markdown(data):
              "## What merging adds, against ssaa n=8", "",
              f"agaa c=2 adds less than sbaa with four surfaces in {nearer(data, 'nothing')} of these {scenes} scenes; without specular",
              f"light in {nearer(data, 'specular')}, without shadows in {nearer(data, 'shadows')}.", ""]
-    lines += table(data, MERGED, lambda row: row["toAllSamples"])
+    lines += error_table(data, MERGED, lambda row: row["toAllSamples"])
     lines += ["", f"## Against {data['spp']} samples a pixel", "",
               f"The reference's own error is at most {largest:.1e}, by its halves.", ""]
-    return "\n".join(lines + table(data, COLUMNS, lambda row: row["toReference"])) + "\n"
+    return "\n".join(lines + error_table(data, COLUMNS, lambda row: row["toReference"])) + "\n"
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = tool_parser(__doc__, out="", size="640x360")
     parser.add_argument("results", type=pathlib.Path, metavar="RESULTS.json")
-    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
-    parser.add_argument("--out", required=True, type=pathlib.Path)
-    parser.add_argument("--size", default="640x360")
-    parser.add_argument("--spp", default=512, type=int)
+    parser.add_argument("--spp", default=512, type=int, help="samples per pixel of the reference")
     arguments = parser.parse_args()
     causes = Causes(arguments)
     caps = causes.runs.call("caps", "--backend", "vk")
@@ -119,8 +114,7 @@ def main():
     for name, source, camera in find_scenes("causes", wanted) if wanted else []:
         data["scenes"][name] = causes.rows(name, view_options(source, camera, arguments.size))
         print(name, flush=True)
-    (arguments.out / "causes.json").write_text(json.dumps(data, indent=1) + "\n")
-    (arguments.out / "causes.md").write_text(markdown(data))
+    write_results(arguments.out, "causes", data, markdown(data))
 
 
 if __name__ == "__main__":

@@ -1,12 +1,12 @@
 """The rows of a sweep that agaaChooseSettings chooses among."""
 import dataclasses
 
-# Stages of passes that draw the scene; all others shade.
+# The stages of passes that draw the scene; all other stages shade.
 GEOMETRY = ("prepass", "definition", "generation")
 
-# Follows the paper for comparison, and needs an AgaaMeasurement: not for hosts.
+# Hosts do not use it: it follows the paper for comparison, and needs an AgaaMeasurement.
 LEFT_OUT = {"paper"}
-# Need structs that hosts chain to AgaaConfig: room for lists of fragments, a pattern of samples.
+# These need structs that hosts chain to AgaaConfig: the capacity of fragment lists, or a pattern of samples.
 TECHNIQUES_LEFT_OUT = {"dcaa", "adaptive"}
 TIERS_LEFT_OUT = {"fragments"}
 
@@ -17,7 +17,7 @@ class Candidate:
     samples: int
     aggregates: int  # 0: none
     preset: str      # "": none
-    tier: str        # of generation, "": AUTO
+    tier: str        # of generation; "": AUTO
 
     @property
     def name(self):
@@ -30,7 +30,7 @@ def candidate(row):
 
 
 def scenes(results):
-    """Without the plain variants of others."""
+    """The scenes of a sweep without the plain variants."""
     return [scene for scene in results["backends"][0]["scenes"] if not scene["plain"]]
 
 
@@ -40,7 +40,7 @@ def is_for_hosts(row):
 
 
 def candidates(results):
-    """In the order of the sweep: those that every scene has."""
+    """The candidates that every scene has, in the order of the sweep."""
     found = None
     for scene in scenes(results):
         here = [candidate(row) for row in scene["rows"] if row["shadingCost"] == 1 and is_for_hosts(row)]

@@ -1,15 +1,14 @@
 #!/usr/bin/env python3
-"""Prints src/core/tuning/choice_table.inc: the settings that agaaChooseSettings chooses among, their errors and the coefficients of
-their times.
+"""Prints src/core/tuning/choice_table.inc, the settings that agaaChooseSettings chooses among, with their errors and times.
 
-All are of a sweep (benchmark/full_sweep.py). To measure again, pass the results.json of another one.
+Errors, and the coefficients of the times, follow from a sweep (benchmark/full_sweep.py). The argument selects another one.
 """
-import argparse
 import json
 import pathlib
 import statistics
 
 from choice_rows import GEOMETRY, candidate, candidates, scenes
+from command_line import tool_parser
 from least_squares import nonnegative
 from runs import ROOT
 
@@ -18,11 +17,11 @@ TIERS = {"": "AUTO", "post-depth-atomics": "POST_DEPTH_ATOMICS", "gbuffer": "GBU
 
 
 class Frame:
-    """What a row needs in a scene: per pixel, times in nanoseconds."""
+    """The work of a row in a scene: counts, and times in nanoseconds, per pixel."""
 
     def __init__(self, row, lights, pixels):
         self.events = row["eventsPerPixel"]
-        self.lights = lights * row["shadingCost"]  # builds that cull lights count them
+        self.lights = lights * row["shadingCost"]  # builds that cull lights count the evaluations
         if "lightEvaluationsPerPixel" in row:
             self.lights = row["lightEvaluationsPerPixel"] / self.events
         self.taps = row["shadowTapsPerPixel"]
@@ -33,7 +32,7 @@ class Frame:
 
 
 class Costs:
-    """Frames by row and scene: the lightest shading comes first."""
+    """The frames of each row and scene, in the order of their shading cost."""
 
     def __init__(self, results, rows):
         width, height = map(int, results["size"].split("x"))
@@ -51,21 +50,21 @@ class Costs:
         return self.frames[row, scene][0]
 
     def coverage(self, scene):
-        """Share of the samples with geometry: single shades one."""
+        """The share of the samples with geometry: single shades one event for each."""
         return self.of(self.single, scene).events
 
     def single_geometry(self, scene):
         return self.of(self.single, scene).geometry
 
     def complexity(self, scene):
-        """Share of the samples beyond a pixel's first that simple_complex shades at n = 8."""
+        """The share of the samples beyond a pixel's first that simple_complex shades at n = 8."""
         frame = self.of(self.reference, scene)
         share = (frame.events / self.coverage(scene) - 1) / (self.reference.samples - 1)
         return min(max(share, 0.0), 1.0)
 
 
 def line(points):
-    """a, b of y = a + b x, neither negative; 0, 0 where all y are 0."""
+    """Coefficients a and b of y = a + b x, neither of them negative; both are 0 if all y are 0."""
     points = [(x, y) for x, y in points if y > 0]
     if not points:
         return 0.0, 0.0
@@ -92,7 +91,7 @@ class Model:
         return found["single"], found["fixed"]
 
     def fit_shading(self):
-        """A light and a tap cost the same in all rows; an event, and the work for each pixel, do not."""
+        """Fits one cost of a light and of a shadow tap for all rows, and costs of an event and of a pixel for each row."""
         rows, targets = [], []
         for row in self.rows:
             for scene in self.costs.scenes:
@@ -103,7 +102,7 @@ class Model:
         return nonnegative(rows, targets)
 
     def fit_lights(self, row):
-        """Lights of an event, by those of single's: techniques that the host shades do not cull them."""
+        """Lights of an event as a multiple of single's: techniques that the host shades do not cull lights."""
         return statistics.median(self.costs.of(row, s).lights / self.costs.of(self.costs.single, s).lights for s in self.costs.scenes)
 
     def shading_time(self, row, events, lights, taps):
@@ -112,7 +111,7 @@ class Model:
                 + found["tap"] * taps)
 
     def fit_error(self, row):
-        """Relative errors of geometry and shading together, with the counts of each frame."""
+        """Relative errors of the whole times, predicted from the counts of each frame."""
         errors = []
         for scene in self.costs.scenes:
             frame = self.costs.of(row, scene)
@@ -125,7 +124,7 @@ class Model:
         return statistics.median(number(scene) for scene in self.costs.scenes)
 
     def transfer_error(self, row):
-        """The same, predicted from the frame of single alone."""
+        """Relative errors of the whole times, predicted from the frame of single alone."""
         errors = []
         complexity = self.middle(self.costs.complexity)
         middle = self.middle(self.costs.single_geometry)
@@ -155,7 +154,7 @@ def numbers(values):
 
 
 def error_table(results, rows):
-    """Squares after tone mapping, by row and scene."""
+    """Mean squared errors after tone mapping, by row and scene."""
     return {(candidate(row), scene["name"]): row["errorReference"]["mseTm"]
             for scene in scenes(results) for row in scene["rows"] if row["shadingCost"] == 1 and candidate(row) in rows}
 
@@ -201,7 +200,7 @@ AGAA_CHOICE_COMMON({numbers([model.shading["light"], model.shading["tap"], model
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = tool_parser(__doc__, harness=False)
     parser.add_argument("results", nargs="?", default=RESULTS, type=pathlib.Path, help="results.json of a sweep")
     print(table(json.loads(parser.parse_args().results.read_text())), end="")
 

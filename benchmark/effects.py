@@ -1,20 +1,17 @@
 #!/usr/bin/env python3
-"""Prints docs/effects.md: what each effect, and each step of n and c, adds to a view. Asks `agaa-harness price`."""
-import argparse
-import json
-import pathlib
-import subprocess
-
-from runs import HARNESS, require_harness
+"""Prints docs/effects.md: what each effect, and each step of n and c, adds to a view, from `agaa-harness price`."""
+from command_line import tool_parser
+from markdown_table import table
+from runs import ask_json, require_harness
 
 WIDTH, HEIGHT = 1280, 720
-WAYS = [  # name, options
+CONFIGURATIONS = [  # name, options
     ("`agaa` n=8 c=2, two geometry passes", ["--tier", "generation=post-depth-atomics"]),
     ("`agaa` n=8 c=2, from a G-buffer", ["--tier", "generation=gbuffer"]),
     ("`agaa` n=8 c=2, by id", ["--tier", "generation=ids"]),
     ("`ssaa` n=8", ["--technique", "ssaa"]),
 ]
-COLUMNS = [  # heading, member, per pixel
+COLUMNS = [  # heading, member, whether it is per pixel
     ("passes", "passes", False),
     ("geometry passes", "geometryPasses", False),
     ("bytes", "totalBytes", True),
@@ -45,8 +42,7 @@ The four ways cost, with all effects that `agaaInitSceneFacts` and `agaaInitConf
 
 
 def prices(harness, options):
-    command = [harness, "price", "--json", "--size", f"{WIDTH}x{HEIGHT}", *options]
-    return json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    return ask_json(harness, "price", "--size", f"{WIDTH}x{HEIGHT}", *options)
 
 
 def number(row, member, per_pixel, signed=True):
@@ -55,13 +51,12 @@ def number(row, member, per_pixel, signed=True):
     return text if not signed or value < 0 else "" if value == 0 else "+" + text
 
 
-def table(first, rows):
-    """rows: (name, price)."""
-    print(f"| {first} | " + " | ".join(heading for heading, _, _ in COLUMNS) + " |")
-    print("|---|" + "---:|" * len(COLUMNS))
-    for name, row, signed in rows:
-        print(f"| {name} | " + " | ".join(number(row, member, per_pixel, signed) for _, member, per_pixel in COLUMNS) + " |")
-    print()
+def print_prices(first, rows):
+    """Prints a table of rows (name, price, whether its numbers are differences) and an empty line."""
+    lines = table([first, *(heading for heading, _, _ in COLUMNS)],
+                  [[name, *(number(price, member, per_pixel, signed) for _, member, per_pixel in COLUMNS)]
+                   for name, price, signed in rows], "lr")
+    print("\n".join(lines) + "\n")
 
 
 def changes(row):
@@ -74,7 +69,7 @@ def listing(names):
 
 def effects(found):
     rows = [row for row in found["effects"] if row["isPossible"]]
-    table("effect", [(f"`{row['name']}`", row, True) for row in rows if changes(row)])
+    print_prices("effect", [(f"`{row['name']}`", row, True) for row in rows if changes(row)])
     print(f"These effects change shaders alone, or nothing: {listing(row['name'] for row in rows if not changes(row))}.\n")
     refused = [row for row in found["effects"] if not row["isPossible"]]
     if refused:
@@ -90,23 +85,21 @@ def steps(found):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
-    arguments = parser.parse_args()
+    arguments = tool_parser(__doc__).parse_args()
     require_harness("effects", arguments.harness)
-    ways = [(name, prices(arguments.harness, options)) for name, options in WAYS]
+    configurations = [(name, prices(arguments.harness, options)) for name, options in CONFIGURATIONS]
     print(INTRODUCTION)
-    table("way", [(name, found["view"], False) for name, found in ways])
-    print("## When a scene needs an effect\n\n| effect | a scene needs it if |\n|---|---|")
-    for row in ways[0][1]["effects"]:
-        print(f"| `{row['name']}` | {row['description']} |")
+    print_prices("way", [(name, found["view"], False) for name, found in configurations])
+    print("## When a scene needs an effect\n")
+    print("\n".join(table(["effect", "a scene needs it if"],
+                          [[f"`{row['name']}`", row["description"]] for row in configurations[0][1]["effects"]])))
     print("\n`shadow-map-1` is a second map beside the first, and so on. An empty cell below means 0.\n")
-    for name, found in ways:
+    for name, found in configurations:
         print(f"## Effects of {name}\n")
         effects(found)
-    for name, found in ways:
+    for name, found in configurations:
         print(f"## Steps of {name}\n")
-        table("step", steps(found))
+        print_prices("step", steps(found))
         refused = [row for kind in ("samples", "aggregates") for row in found[kind] if not row["isPossible"]]
         for row in refused:
             print(f"{row['name']} from {row['from']} to {row['to']} are not possible: {row['reason']}\n")

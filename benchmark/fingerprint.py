@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Says whether two builds render the same bits: images, plans, bytes and counters of all techniques, on both APIs.
+"""Checks whether two builds render the same bits: images, plans, bytes and counters of all techniques, on both APIs.
 
-Run it on one build with --out, on the other with --against. It fails where anything differs and names it.
+Run it on one build with --out and on the other with --against. It names each difference, and fails if there is one.
 """
-import argparse
 import hashlib
 import json
 import pathlib
@@ -11,7 +10,8 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
-from runs import HARNESS, Runs, require_harness
+from command_line import tool_parser
+from runs import Runs, require_harness
 
 SCENES = ["foliage", "city"]  # masks and textures; emission and normal maps
 TIERS = ["post-depth-atomics", "per-sample", "gbuffer", "ids"]
@@ -19,7 +19,7 @@ SAMPLES = [1, 2, 4, 8, 16, 32]
 
 
 def configurations():
-    """Options of `agaa-harness render`, a list each."""
+    """Lists of options of `agaa-harness render`."""
     plain = [["single"], ["fxaa"], *(["msaa", n] for n in (2, 4, 8, 32))]
     plain += [[technique, n] for technique in ("ssaa", "simple_complex") for n in SAMPLES]
     for technique, *samples in plain:
@@ -62,8 +62,8 @@ def digest(data):
     return hashlib.sha256(data).hexdigest()[:16]
 
 
-def of_plan(arguments):
-    """Without options that `plan` does not take, and their values."""
+def plan_arguments(arguments):
+    """The arguments without the options that `plan` does not take, and without their values."""
     dropped = ("--backend", "--alpha-points", "--dither-frame", "--lights")
     kept = iter(arguments)
     return [text for text in kept if text not in dropped or next(kept) is None]
@@ -75,9 +75,9 @@ def fingerprint(runs, work, backend, scene, options, size):
     arguments = ["--backend", backend, "--scene", scene, "--size", size, *options]
     try:
         report = runs.call("render", *arguments, "--exr", image)
-    except SystemExit as refused:  # that is a result, too
+    except SystemExit as refused:  # a refusal is a result, too
         return name, {"refused": str(refused).split(": ", 2)[-1]}
-    plan = runs.call("plan", *of_plan(arguments))
+    plan = runs.call("plan", *plan_arguments(arguments))
     facts = {key: report[key] for key in ("bytesPerPixel", "memoryBytes", "peakBytes", "tiers", "geometryPasses",
                                           "counters", "apiMessages")}
     facts["passes"] = [one["name"] for one in report["passes"]]
@@ -99,12 +99,9 @@ def differences(before, after):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
-    parser.add_argument("--size", default="96x64")
-    parser.add_argument("--backend", action="append", choices=["vk", "gl"], help="repeatable; none: both")
+    parser = tool_parser(__doc__, size="96x64", backends=True)
     parser.add_argument("--scene", action="append", help=f"repeatable; none: {', '.join(SCENES)}")
-    parser.add_argument("--out", type=pathlib.Path, help="where the fingerprints go, as JSON")
+    parser.add_argument("--out", type=pathlib.Path, help="file for the fingerprints, as JSON")
     parser.add_argument("--against", type=pathlib.Path, help="fingerprints of another build")
     arguments = parser.parse_args()
     require_harness("fingerprint", arguments.harness)
@@ -125,9 +122,9 @@ def main():
     if arguments.out:
         arguments.out.write_text(json.dumps(found, indent=1, sort_keys=True) + "\n")
     if arguments.against:
-        told = list(differences(json.loads(arguments.against.read_text()), found))
-        print("\n".join(told) if told else "no difference")
-        sys.exit(1 if told else 0)
+        found_differences = list(differences(json.loads(arguments.against.read_text()), found))
+        print("\n".join(found_differences) if found_differences else "no difference")
+        sys.exit(1 if found_differences else 0)
 
 
 if __name__ == "__main__":

@@ -1,23 +1,22 @@
 #!/usr/bin/env python3
-"""Compares what agaaChooseSettings chooses with what its choices reach, and with the fastest settings that reach it.
+"""Compares the choices of agaaChooseSettings with their measured errors, and with the fastest settings for the same target.
 
 For each scene and each target, `agaa-harness choose --observe` chooses by frames of `single`. All settings of the table are
-rendered, and their errors measured against the reference. With --measured, choices are also made by what all settings had in
-another frame, of a camera that is moved to the side. OUT/goals.json has all numbers; tables in Markdown are printed.
+rendered, and their errors measured against the reference. With --measured, choices are also made by the measurements of
+another frame, whose camera is moved to the side. OUT/goals.json has all numbers; tables in Markdown are printed.
 """
-import argparse
-import json
 import math
-import pathlib
 
 from calibrate import Frame, milliseconds, options, single_error, table_rows, write_measured
-from runs import HARNESS, Runs, find_scenes, view_options
+from command_line import tool_parser
+from markdown_table import table
+from runs import Runs, find_scenes, view_options, write_json
 
-STEP = 0.1 # of the camera to the side, by the distance to its target
+STEP = 0.1  # how far the camera moves, as a share of the distance to its target
 
 
 def moved(camera):
-    """ex,ey,ez,tx,ty,tz,fov of a camera that still aims at its target."""
+    """The camera ex,ey,ez,tx,ty,tz,fov after a step to the side; it still aims at its target."""
     x, y, z, tx, ty, tz, fov = camera
     forward = (tx - x, ty - y, tz - z)
     distance = math.hypot(*forward)
@@ -27,7 +26,7 @@ def moved(camera):
 
 
 def fastest(measured, rows):
-    """Name and time, or nothing."""
+    """Name and time of the fastest row, or None and None."""
     if not rows:
         return None, None
     best = min(rows, key=lambda row: milliseconds(measured[row]))
@@ -35,7 +34,7 @@ def fastest(measured, rows):
 
 
 def judge(measured, target, choice):
-    """What a choice reached, and the settings that reach the target in the same frame."""
+    """The error and time of a choice, and the fastest settings that reach the target in the same frame."""
     by_options = {tuple(sorted(map(str, options(row)))): row for row in measured}
     row = by_options[tuple(sorted(choice["options"]))]
     single = single_error(measured)
@@ -59,8 +58,8 @@ class Scene:
         view = view_options(source, ",".join(map(repr, camera)), self.arguments.size)
         return Frame(self.runs, name, view, self.arguments.spp)
 
-    def ways(self):
-        """By what choices are made: options of `choose`."""
+    def sources(self):
+        """The sources of the choices, with the options of `choose` for them."""
         found = {"table": ["--observe", "--no-validation", "--scene-share", self.arguments.scene_share]}
         if self.other:
             path = self.runs.work / f"{self.name}-measured-settings.json"
@@ -70,19 +69,19 @@ class Scene:
 
     def results(self, targets):
         measured = self.judged.measure_all(table_rows(), self.arguments.turns)
-        for way, how in self.ways().items():
+        for source, options_of_source in self.sources().items():
             for target in targets:
-                choice = self.runs.kept(f"{self.name}-{way}-choice-{target}", lambda: self.runs.call(
-                    "choose", *self.judged.view, "--max-error", target, *how))
-                yield {"scene": self.name, "by": way, **judge(measured, target, choice)}
+                choice = self.runs.kept(f"{self.name}-{source}-choice-{target}", lambda: self.runs.call(
+                    "choose", *self.judged.view, "--max-error", target, *options_of_source))
+                yield {"scene": self.name, "by": source, **judge(measured, target, choice)}
 
 
-def cell(name, ms):
-    return f"{name} | {ms:.0f}" if name else "none | "
+def cells(name, ms):
+    return [name, f"{ms:.0f}"] if name else ["none", ""]
 
 
 def summary(results):
-    """How far choices lie from their targets and from the best."""
+    """Sentences about the distance of the choices from their targets and from the best settings."""
     possible = [r for r in results if r["fastest"]]
     reached = [r for r in possible if r["error"] <= r["target"]]
     ratios = [("Errors are at most {:.2f} times the target where some settings reach it.", [r["error"] / r["target"] for r in possible]),
@@ -94,27 +93,20 @@ def summary(results):
                      *(text.format(max(values)) for text, values in ratios if values)])
 
 
-def table(results):
-    lines = ["| scene | target | choice | error predicted | error reached | reached / target | ms predicted | ms | fastest preset | "
-             "its ms | fastest | its ms |", "|---|---:|---|---:|---:|---:|---:|---:|---|---:|---|---:|"]
-    for r in results:
-        lines.append(f"| {r['scene']} | {r['target']} | {r['choice']} | {r['predictedError']:.3f} | {r['error']:.3f} | "
-                     f"{r['error'] / r['target']:.2f} | {r['predictedMs']:.0f} | {r['ms']:.0f} | "
-                     f"{cell(r['fastestPreset'], r['fastestPresetMs'])} | {cell(r['fastest'], r['fastestMs'])} |")
-    return "\n".join(lines)
+def result_table(results):
+    rows = [[r["scene"], r["target"], r["choice"], f"{r['predictedError']:.3f}", f"{r['error']:.3f}",
+             f"{r['error'] / r['target']:.2f}", f"{r['predictedMs']:.0f}", f"{r['ms']:.0f}",
+             *cells(r["fastestPreset"], r["fastestPresetMs"]), *cells(r["fastest"], r["fastestMs"])] for r in results]
+    return "\n".join(table(["scene", "target", "choice", "error predicted", "error reached", "reached / target",
+                            "ms predicted", "ms", "fastest preset", "its ms", "fastest", "its ms"], rows, "lrlrrrrrlrlr"))
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
-    parser.add_argument("--out", default="goals", type=pathlib.Path)
-    parser.add_argument("--size", default="320x180")
+    parser = tool_parser(__doc__, out="goals", size="320x180", scenes=True, turns=3)
     parser.add_argument("--spp", default=256, type=int, help="samples per pixel of the reference")
-    parser.add_argument("--scene", action="append", help="only these; repeatable")
-    parser.add_argument("--target", action="append", type=float, help="errors by that of single; repeatable")
+    parser.add_argument("--target", action="append", type=float, help="error as a share of single's; repeatable")
     parser.add_argument("--scene-share", default=0.8, type=float, help="AgaaGoal::sceneShare")
-    parser.add_argument("--turns", default=3, type=int, help="measurements of each time")
-    parser.add_argument("--measured", action="store_true", help="choose by measurements of another frame, too")
+    parser.add_argument("--measured", action="store_true", help="also choose by measurements of another frame")
     arguments = parser.parse_args()
     targets = arguments.target or [0.25, 0.1, 0.05, 0.02]
     runs = Runs("goals", arguments.harness, arguments.out,
@@ -123,10 +115,11 @@ def main():
     results = []
     for scene in find_scenes("goals", arguments.scene):
         results += Scene(runs, scene, cameras, arguments).results(targets)
-        (arguments.out / "goals.json").write_text(json.dumps(results, indent=1) + "\n")
-    for way in dict.fromkeys(r["by"] for r in results):
-        own = [r for r in results if r["by"] == way]
-        print(f"\nBy {'the table' if way == 'table' else 'measurements of another frame'}:\n\n{table(own)}\n\n{summary(own)}")
+        write_json(arguments.out / "goals.json", results)
+    for source in dict.fromkeys(r["by"] for r in results):
+        rows = [r for r in results if r["by"] == source]
+        title = "the table" if source == "table" else "measurements of another frame"
+        print(f"\nBy {title}:\n\n{result_table(rows)}\n\n{summary(rows)}")
 
 
 if __name__ == "__main__":

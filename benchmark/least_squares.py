@@ -1,10 +1,10 @@
 """Least squares with coefficients that are not negative."""
 
 
-def nonnegative(rows, targets, turns=20000, tolerance=1e-9):
-    """Coefficients that minimise the sum of squares of relative errors: of row · coefficients, by the targets (> 0).
+def nonnegative(rows, targets, iterations=20000, tolerance=1e-9):
+    """Coefficients that minimise the sum of squared relative errors of row · coefficients against the targets (> 0).
 
-    Rows are sparse: {column: value}. Coordinates are minimised in turn, which ends in the one minimum there is.
+    Rows are sparse: {column: value}. Coordinate descent finds the minimum, which is unique.
     """
     columns = list(dict.fromkeys(column for row in rows for column in row))
     index = {column: i for i, column in enumerate(columns)}
@@ -22,7 +22,7 @@ def nonnegative(rows, targets, turns=20000, tolerance=1e-9):
                   for i in range(count)]
     right = [right[i] / scale[i] for i in range(count)]
     values = [0.0] * count
-    for _ in range(turns):
+    for _ in range(iterations):
         change = 0.0
         for i in range(count):
             value = max(0.0, right[i] - sum(weight * values[j] for j, weight in neighbours[i]))

@@ -1,18 +1,15 @@
 #!/usr/bin/env python3
-"""Prints docs/memory.md: bytes a pixel that each way keeps, beside the papers' models. Asks `agaa-harness memory`."""
-import argparse
-import json
-import pathlib
-import subprocess
-
-from runs import HARNESS, require_harness
+"""Prints docs/memory.md: bytes per pixel of each configuration, beside the papers' models, from `agaa-harness memory`."""
+from command_line import tool_parser
+from markdown_table import table
+from runs import ask_json, require_harness
 
 SAMPLES = ("8", "16", "32")
-PAPER = (81, 130, 228)  # bytes of agaa c=2
+PAPER = (81, 130, 228)  # bytes per pixel of agaa c=2
 MODEL = ["--layout", "paper16", "--tier", "native"]
 IDS = ["--tier", "generation=ids"]
 GBUFFER = ["--tier", "generation=gbuffer"]
-WAYS = [  # name, options
+CONFIGURATIONS = [  # name, options
     ("deferred, the paper's 16 bytes a sample", ["--technique", "ssaa", *MODEL]),
     ("`sbaa` S=2, the same, as its paper counts", ["--technique", "sbaa", *MODEL]),
     ("`agaa` c=2, the same", ["--technique", "agaa", *MODEL]),
@@ -31,7 +28,6 @@ WAYS = [  # name, options
     ("`adaptive`, by id", ["--technique", "adaptive", *IDS]),
 ]
 
-
 COVERAGE = """
 `dcaa` keeps a record for each fragment, here for eight a pixel, and a few surfaces. Its paper counts 112 bytes per pixel
 for four surfaces with 64 samples, without the fragments, which it merges at once. `agaa` with the tier `fragments` keeps
@@ -39,7 +35,7 @@ the fragments alone.
 
 The 640x360 view keeps, in bytes per pixel:
 """
-COVERAGE_WAYS = [  # name, options, surface; None: all
+COVERAGE_CONFIGURATIONS = [  # name, options, surface; None: all surfaces
     ("four surfaces, layout `dcaa28`", ["--aggregates", "4", "--layout", "dcaa28"], "surfaces"),
     ("the same, elliptic lobes", ["--aggregates", "4", "--layout", "dcaa28", "--ndf", "lean"], "surfaces"),
     ("four surfaces, layout `precise`", ["--aggregates", "4"], "surfaces"),
@@ -52,7 +48,7 @@ COVERAGE_WAYS = [  # name, options, surface; None: all
 ]
 
 
-def of_technique(options):
+def with_technique(options):
     return options if "--technique" in options else ["--technique", "dcaa", *options]
 
 
@@ -63,8 +59,7 @@ def part(memory, surface, pixels=640 * 360):
 
 
 def report(harness, options):
-    done = subprocess.run([harness, "memory", "--json", "--no-culling", *options], check=True, capture_output=True, text=True)
-    return json.loads(done.stdout)
+    return ask_json(harness, "memory", "--no-culling", *options)
 
 
 def below(ours, theirs):
@@ -72,7 +67,7 @@ def below(ours, theirs):
 
 
 def models(agaa, sbaa):
-    """What the papers' models of agaa and SBAA differ by: reports by n."""
+    """A sentence about the difference of the papers' models of agaa and SBAA. The arguments are reports by n."""
     agaa, sbaa = ([memory["bytesPerPixel"] for memory in each] for each in (agaa, sbaa))
     return (f"\nOf the papers' models `agaa` c=2 keeps {below(agaa, sbaa)} % less than `sbaa` S=2, and by the paper's own "
             f"count\n{below(PAPER, sbaa)} %.")
@@ -84,9 +79,7 @@ def cell(memory, pixels=640 * 360):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
-    arguments = parser.parse_args()
+    arguments = tool_parser(__doc__).parse_args()
     require_harness("memory", arguments.harness)
     print("""# Bytes a pixel
 
@@ -96,17 +89,17 @@ models, on a device that rasterises n samples and routes fragments to aggregates
 for `agaa`, 128, 256 and 512 for deferred shading. Beyond that, `agaa` keeps the coverage of each aggregate, of which
 the paper counts eight bits. Light culling adds 1/16 byte a pixel for each 32 lights; it is not counted here.
 """)
-    print("| way | " + " | ".join(f"n={n}" for n in SAMPLES) + " |\n|---|" + "---:|" * len(SAMPLES))
-    reports = [[report(arguments.harness, ["--samples", n, *options]) for n in SAMPLES] for _, options in WAYS]
-    for (name, _), row in zip(WAYS, reports):
-        print(f"| {name} | " + " | ".join(map(cell, row)) + " |")
+    reports = [[report(arguments.harness, ["--samples", n, *options]) for n in SAMPLES] for _, options in CONFIGURATIONS]
+    rows = [[name, *map(cell, row)] for (name, _), row in zip(CONFIGURATIONS, reports)]
+    print("\n".join(table(["way", *(f"n={n}" for n in SAMPLES)], rows, "lr")))
     print(models(reports[2], reports[1]))
     print(COVERAGE)
     counts = ("32", "64", "128")
-    print("| way | " + " | ".join(f"{n} samples" for n in counts) + " |\n|---|" + "---:|" * len(counts))
-    for name, options, surface in COVERAGE_WAYS:
-        row = [report(arguments.harness, ["--samples", n, *of_technique(options)]) for n in counts]
-        print(f"| {name} | " + " | ".join(f"{part(memory, surface):g}" for memory in row) + " |")
+    rows = []
+    for name, options, surface in COVERAGE_CONFIGURATIONS:
+        found = [report(arguments.harness, ["--samples", n, *with_technique(options)]) for n in counts]
+        rows.append([name, *(f"{part(memory, surface):g}" for memory in found)])
+    print("\n".join(table(["way", *(f"{n} samples" for n in counts)], rows, "lr")))
 
 
 if __name__ == "__main__":

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 """Renders a scene by each technique on both backends and tabulates what their passes cost on this device.
 
-Writes OUT/passes.json and OUT/passes.md: the bytes, the shading events and the medians of pass times that the device's own
-timestamps tell. Pass times of a GPU vary less than frame times, which the host's work is in. `--table` writes OUT/passes.md
-anew from OUT/passes.json.
+Writes OUT/passes.json and OUT/passes.md: the bytes, the shading events and the medians of pass times by the device's own
+timestamps. Pass times of a GPU vary less than frame times, which include the host's work. `--table` writes OUT/passes.md
+again from OUT/passes.json.
 """
-import argparse
 import json
-import pathlib
 
-from runs import HARNESS, Runs, find_scenes, view_options
+from command_line import BACKENDS, tool_parser
+from markdown_table import table
+from runs import Runs, find_scenes, view_options, write_results
 
 ROWS = [("single", 1), ("fxaa", 1), ("ssaa", 8), ("msaa", 8), ("simple_complex", 8), ("sbaa", 8, 2), ("agaa", 8, 2),
         ("adaptive", 8), *(("dcaa", 64, 4, tier) for tier in ("lists", "material-lists", "interlock"))]
@@ -23,7 +23,7 @@ def options(technique, samples, aggregates=0, tier=""):
 
 
 def kept(rendered, aggregates):
-    """What the file keeps of the JSON of a render. aggregates: as asked for, 0 where there are none."""
+    """The members of a render's JSON that the file keeps. aggregates: the requested number; 0: none."""
     return {"aggregates": aggregates, **{key: rendered[key] for key in KEPT}}
 
 
@@ -44,7 +44,7 @@ def measure(runs, scenes, size, backends, frames):
 
 
 def render(runs, arguments):
-    """What a render says, or why the SDK refuses it."""
+    """The JSON of a render, or the refusal of the SDK."""
     done, message = runs.run(arguments)
     if done.returncode == 1:
         return {"refusal": message}
@@ -53,7 +53,7 @@ def render(runs, arguments):
     return json.loads(done.stdout)
 
 
-def way(row):
+def label(row):
     tier = row["tiers"].get("generation", "")
     return (f"`{row['technique']}`, {row['samples']}" + (f", {row['aggregates']}" if row["aggregates"] else "")
             + (f" by {tier}" if tier else ""))
@@ -63,21 +63,22 @@ def milliseconds(value):
     return f"{value:.3f}" if value < 10 else f"{value:.1f}"
 
 
-def table(rows):
-    lines = ["| technique, n, c or S | passes, ms | of `ssaa` 8 | longest passes, ms | bytes a pixel | events a covered pixel |",
-             "|---|---|---|---|---|---|"]
-    def timed(row): # passes that copy have no time
+def pass_table(rows):
+    def timed(row):  # passes that copy have no time
         return [one for one in row["passes"] if one["ms"]]
+
     def total(row):
         return sum(one["ms"]["median"] for one in timed(row))
+
     full = next((total(row) for row in rows if (row["technique"], row["samples"]) == ("ssaa", 8)), None)
+    lines = []
     for row in rows:
         longest = sorted(timed(row), key=lambda one: -one["ms"]["median"])[:2]
-        lines.append("| " + " | ".join([
-            way(row), milliseconds(total(row)), f"{total(row) / full:.2f}" if full else "–",
-            ", ".join(f"{one['name']} {milliseconds(one['ms']['median'])}" for one in longest),
-            f"{row['bytesPerPixel']:.0f}", f"{row['shadingEventsPerCoveredPixel']:.2f}"]) + " |")
-    return lines
+        lines.append([label(row), milliseconds(total(row)), f"{total(row) / full:.2f}" if full else "–",
+                      ", ".join(f"{one['name']} {milliseconds(one['ms']['median'])}" for one in longest),
+                      f"{row['bytesPerPixel']:.0f}", f"{row['shadingEventsPerCoveredPixel']:.2f}"])
+    return table(["technique, n, c or S", "passes, ms", "of `ssaa` 8", "longest passes, ms", "bytes a pixel",
+                  "events a covered pixel"], lines)
 
 
 def document(results):
@@ -85,28 +86,23 @@ def document(results):
     rows = results["rows"]
     for key in dict.fromkeys((row["scene"], row["size"], row["backend"]) for row in rows):
         group = [row for row in rows if (row["scene"], row["size"], row["backend"]) == key]
-        lines += ["", f"## {key[0]}, {key[1]}, {key[2]}: {group[0]['device']} ({group[0]['driver']})", "", *table(group)]
+        lines += ["", f"## {key[0]}, {key[1]}, {key[2]}: {group[0]['device']} ({group[0]['driver']})", "", *pass_table(group)]
     return "\n".join(lines) + "\n"
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
-    parser.add_argument("--out", default="passes", type=pathlib.Path)
-    parser.add_argument("--size", default="1280x720")
-    parser.add_argument("--scene", action="append", help="only these; repeatable")
-    parser.add_argument("--backend", action="append", choices=["vk", "gl"], help="repeatable; none: both")
-    parser.add_argument("--frames", default=101, type=int)
-    parser.add_argument("--note", default="", help="what else a reader must know, for the page")
-    parser.add_argument("--table", action="store_true", help="measure nothing")
+    parser = tool_parser(__doc__, out="passes", size="1280x720", scenes=True, backends=True, frames=101)
+    parser.add_argument("--note", default="", help="a remark for the page's readers")
+    parser.add_argument("--table", action="store_true", help="measure nothing; write the page from the kept results")
     arguments = parser.parse_args()
-    file = arguments.out / "passes.json"
-    if not arguments.table:
-        backends = arguments.backend or ["vk", "gl"]
+    if arguments.table:
+        results = json.loads((arguments.out / "passes.json").read_text())
+    else:
         runs = Runs("passes", arguments.harness, arguments.out, {"size": arguments.size, "frames": arguments.frames})
-        rows = measure(runs, find_scenes("passes", arguments.scene), arguments.size, backends, arguments.frames)
-        file.write_text(json.dumps({"note": arguments.note, "rows": rows}, indent=1) + "\n")
-    (arguments.out / "passes.md").write_text(document(json.loads(file.read_text())))
+        results = {"note": arguments.note,
+                   "rows": measure(runs, find_scenes("passes", arguments.scene), arguments.size,
+                                   arguments.backend or BACKENDS, arguments.frames)}
+    write_results(arguments.out, "passes", results, document(results))
 
 
 if __name__ == "__main__":

@@ -1,24 +1,23 @@
 #!/usr/bin/env python3
-"""Measures the settings that presets are chosen among: error against shading every sample, and shading events.
+"""Measures the settings among which presets are chosen: error against shading every sample, and shading events.
 
-Writes OUT/presets.json and OUT/presets.md. Resumable: what OUT/work holds is not made again.
+Writes OUT/presets.json and OUT/presets.md. An interrupted run continues with the results in OUT/work.
 """
-import argparse
-import json
-import pathlib
 import statistics
 import sys
 import time
 
-from runs import HARNESS, Runs, find_scenes, view_options
+from command_line import tool_parser
+from markdown_table import table
+from runs import Runs, find_scenes, view_options, write_results
 
-# Of `accurate`; every further row departs from it in one setting.
+# The settings of `accurate`. Every further row differs from it in one setting.
 ACCURATE = {"aggregates": "4", "threshold": "0.1", "gloss-weight": "0.5", "lit": True, "ndf": "lean",
             "seeds": "maximin"}
-DEPARTURES = [("aggregates", value) for value in ("1", "2", "3")]
-DEPARTURES += [("threshold", value) for value in ("0.02", "0.05", "0.2", "0.4", "0.8")]
-DEPARTURES += [("gloss-weight", value) for value in ("0", "0.25", "1")]
-DEPARTURES += [("lit", False), ("ndf", "toksvig"), ("ndf", "sggx"), ("seeds", "sum-of-squares")]
+VARIATIONS = [("aggregates", value) for value in ("1", "2", "3")]
+VARIATIONS += [("threshold", value) for value in ("0.02", "0.05", "0.2", "0.4", "0.8")]
+VARIATIONS += [("gloss-weight", value) for value in ("0", "0.25", "1")]
+VARIATIONS += [("lit", False), ("ndf", "toksvig"), ("ndf", "sggx"), ("seeds", "sum-of-squares")]
 GBUFFER = ["--tier", "generation=gbuffer"]
 
 
@@ -30,12 +29,12 @@ def options_of(settings):
 
 
 def candidates():
-    """Name and options of each."""
+    """Name and options of each candidate."""
     yield "paper", ["--preset", "paper"]
     for preset in ("fast", "balanced", "accurate"):
         yield preset, ["--preset", preset, *GBUFFER]
     yield "spelled out", options_of(ACCURATE)
-    for setting, value in DEPARTURES:
+    for setting, value in VARIATIONS:
         yield f"{setting} {value}" if value else f"without {setting}", options_of({**ACCURATE, setting: value})
 
 
@@ -54,7 +53,7 @@ class Candidates:
         return self.runs.call("compare", reference, image)["mseTm"]
 
     def scene(self, name, source, camera):
-        """{candidate: {share, events}}: errors by that of single."""
+        """{candidate: {share, events}}; the share is the error as a multiple of single's."""
         return self.runs.kept(name, lambda: self.measured(name, view_options(source, camera, self.size)))
 
     def measured(self, name, view):
@@ -83,32 +82,28 @@ def markdown(data):
              f"n = {data['samples']}, {len(scenes)} scenes. Error: mean square after tone mapping against `ssaa` of the "
              "same n, by that of `single`. Events: of a covered pixel. All but `paper`, which has two geometry passes, "
              f"from a G-buffer; `accurate` is {chosen}, with lit statistics, and the rows below it depart from it in "
-             "what they name.", "",
-             "| settings | mean error | median | largest | mean without metal | events |", "|---|---|---|---|---|---|"]
+             "what they name.", ""]
+    cells = []
     for name in scenes[0]["candidates"]:
         rows = {s["scene"]: s["candidates"][name] for s in scenes}
         shares = [row["share"] for row in rows.values()]
         others = [row["share"] for scene, row in rows.items() if scene != "metal"] or shares
         worst = max(rows, key=lambda scene: rows[scene]["share"])
-        lines.append(f"| {name} | {statistics.mean(shares):.4f} | {statistics.median(shares):.4f} | "
-                     f"{rows[worst]['share']:.3f} ({worst}) | {statistics.mean(others):.4f} | "
-                     f"{statistics.mean(row['events'] for row in rows.values()):.2f} |")
+        cells.append([name, f"{statistics.mean(shares):.4f}", f"{statistics.median(shares):.4f}",
+                      f"{rows[worst]['share']:.3f} ({worst})", f"{statistics.mean(others):.4f}",
+                      f"{statistics.mean(row['events'] for row in rows.values()):.2f}"])
+    lines += table(["settings", "mean error", "median", "largest", "mean without metal", "events"], cells)
     return "\n".join(lines) + "\n"
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
-    parser.add_argument("--out", default="presets", type=pathlib.Path)
-    parser.add_argument("--size", default="320x180")
-    parser.add_argument("--samples", default=8, type=int)
-    parser.add_argument("--scene", action="append", help="only these; repeatable")
+    parser = tool_parser(__doc__, out="presets", size="320x180", scenes=True)
+    parser.add_argument("--samples", default=8, type=int, help="n")
     arguments = parser.parse_args()
     wanted = find_scenes("presets", arguments.scene)
     runs = Candidates(arguments)
     data = {"size": arguments.size, "samples": arguments.samples, "scenes": [runs.scene(*scene) for scene in wanted]}
-    (arguments.out / "presets.json").write_text(json.dumps(data, indent=1) + "\n")
-    (arguments.out / "presets.md").write_text(markdown(data))
+    write_results(arguments.out, "presets", data, markdown(data))
     print(f"Wrote {arguments.out / 'presets.md'}")
 
 

@@ -1,4 +1,4 @@
-"""What the measuring tools share: the scenes, calls of the sample engine, and results that are kept on the way."""
+"""Shared by the tools: the scenes, calls of the sample engine, and intermediate results."""
 import json
 import os
 import pathlib
@@ -8,7 +8,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 HARNESS = ROOT / "build" / "bin" / "agaa-harness"
 BUILTIN = ["bamboo", "foliage", "furball", "metal", "city"]
-CAMERAS = { # of shared scenes
+CAMERAS = {  # of the shared scenes
     "stk_gran_paradiso": "132.1,8.5,-86.8,150,8.0,-70,60",
     "stk_ravenbridge_mansion": "-4.7,1.8,75.8,-8,1.5,65,60",
     "fg_carrier": "40,40,20,86,50,-25,35",
@@ -18,9 +18,9 @@ CAMERAS = { # of shared scenes
 
 
 def find_scenes(tool, wanted=None):
-    """Name, argument of --scene and camera ("": the scene's own) of all scenes, or of those wanted.
+    """Name, argument of --scene and camera ("": the scene's own) of all scenes, or of the wanted ones.
 
-    Shared ones are below $AGAA_SCENES, or beside the source tree; that they are not there is told.
+    The shared scenes are below $AGAA_SCENES, or beside the source tree. If they are missing, a line says so.
     """
     named = os.environ.get("AGAA_SCENES")
     folder = pathlib.Path(named) if named else ROOT.parent / "shared" / "scenes"
@@ -44,9 +44,27 @@ def require_harness(tool, harness):
         sys.exit(f"{tool}: {harness} is not there; run scripts/build first.")
 
 
+def ask_json(harness, *arguments):
+    """The JSON that a command of the sample engine prints. Raises if the command fails."""
+    done = subprocess.run([harness, *arguments, "--json"], check=True, capture_output=True, text=True)
+    return json.loads(done.stdout)
+
+
+def write_json(path, value):
+    path.write_text(json.dumps(value, indent=1) + "\n")
+
+
+def write_results(out, name, data, text):
+    """Writes OUT/NAME.json and OUT/NAME.md."""
+    write_json(out / f"{name}.json", data)
+    (out / f"{name}.md").write_text(text)
+
+
 class Runs:
-    """Calls of the sample engine. What is kept below OUT/work is not made again, so that a run that is broken off
-    goes on; it belongs to the settings, and others are refused."""
+    """Calls of the sample engine, with results in OUT/work. An interrupted run continues with the kept results.
+
+    The folder belongs to the settings of a run; a run with other settings is refused.
+    """
 
     def __init__(self, tool, harness, out, settings):
         require_harness(tool, harness)
@@ -54,13 +72,13 @@ class Runs:
         self.harness = harness
         self.work = out / "work"
         self.work.mkdir(parents=True, exist_ok=True)
-        settings = json.loads(json.dumps(settings)) # as it is loaded: tuples are lists then
+        settings = json.loads(json.dumps(settings))  # tuples become lists, as in the loaded file
         if any(self.work.glob("*.json")) and self.load("settings") != settings:
             sys.exit(f"{tool}: {self.work} is of other settings; take another folder.")
         self.store("settings", settings)
 
     def run(self, arguments):
-        """The command's result, and the last line of its messages."""
+        """The finished process, and the last line of its messages."""
         done = subprocess.run([self.harness, *map(str, arguments), "--json"], capture_output=True, text=True)
         return done, (done.stderr.strip().splitlines()[-1:] or ["no message"])[0]
 
@@ -75,7 +93,7 @@ class Runs:
         return json.loads(done.stdout)
 
     def refusal(self, *arguments):
-        """Why the SDK refuses the arguments of a command; None where it does not."""
+        """The reason for which the SDK refuses the arguments of a command, or None."""
         done, message = self.run(arguments)
         if done.returncode not in (0, 1):
             self.fail(arguments, done, message)
@@ -86,12 +104,12 @@ class Runs:
         return json.loads(path.read_text()) if path.exists() else None
 
     def store(self, name, value):
-        part = self.work / f"{name}.part" # a whole file or none
+        part = self.work / f"{name}.part"  # moved when it is complete
         part.write_text(json.dumps(value))
         part.rename(self.work / f"{name}.json")
 
     def kept(self, name, make):
-        """What make() gave when it was called first."""
+        """The kept result of this name. Calls make() for it if there is none."""
         value = self.load(name)
         if value is None:
             value = make()

@@ -6,7 +6,6 @@
 
 The picture needs a built agaa-harness. The table needs nothing but the file.
 """
-import argparse
 import json
 import pathlib
 import struct
@@ -16,6 +15,10 @@ import tempfile
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT / "benchmark"))
+from command_line import tool_parser
+from markdown_table import row as table_row
+
 SCENE, SIZE = "bamboo", "480x270"
 CROP = 356, 52, 112, 92  # x, y, width, height in pixels
 SCALE, GAP = 3, 6        # texels of the picture
@@ -127,14 +130,13 @@ def table(results):
         ["shading events per covered pixel", *(f"{row['eventsPerCoveredPixel']:.1f}" for row in rows)],
     ]
     by_id = row("agaa", 8, 2, ("ids",))
-    return ("".join("| " + " | ".join(line) + " |\n" for line in cells) +
+    return ("".join(table_row(line) + "\n" for line in cells) +
             f"\nWith materials by id, the same aggregates take {by_id['frameMs']['median']:.0f} ms and "
             f"{by_id['bytesPerPixel']:.0f} bytes per pixel.\n")
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--harness", type=pathlib.Path, default=ROOT / "build" / "bin" / "agaa-harness")
+    parser = tool_parser(__doc__)
     parser.add_argument("--table", type=pathlib.Path, metavar="RESULTS.json")
     parser.add_argument("out", type=pathlib.Path, nargs="?", metavar="OUT.png")
     arguments = parser.parse_args()

@@ -1,19 +1,23 @@
 #!/usr/bin/env python3
-"""Writes docs/choosing.md: which technique, n and c for which scene and budget, from sweeps' results alone.
+"""Writes docs/choosing.md: which technique, n and c for which scene and budget, from the results of sweeps.
 
 usage: choosing.py RESULTS.json [MORE.json ...] OUT.md
 
-docs/sweep.md describes RESULTS.json. Where the most accurate row is asked for, errors that differ by less than
-ten times the reference's own count as equal, and the fastest of them is named.
+docs/sweep.md describes RESULTS.json. Errors that differ by less than ten times the reference's own error count as equal.
+The most accurate row is the fastest of such rows.
 """
 
+import sys
 from collections import Counter
+from pathlib import Path
 
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 import choosing_adaptive
-import document_command
 from choosing_presets import aim_sentences, preset_figures, preset_rows
 from choosing_speed import DENSE, speed_rows, speed_sentences
-from sweep_rows import builds, error, find, frame, name, ratio, rows_of, shown, table
+from command_line import write_document
+from markdown_table import escaped, fixed, paragraph
+from sweep_rows import builds, error, find, frame, name, ratio, rows_of
 
 QUALITIES = [4, 10, 30]  # times less error than single has
 BUDGETS = [2, 3, 4]      # times single's frame
@@ -26,7 +30,7 @@ def fastest(rows):
 
 
 def most_accurate(scene, rows):
-    """Of those that the reference cannot tell from the best, the fastest."""
+    """The fastest of the rows that the reference cannot distinguish from the best one."""
     if not rows:
         return None
     least = min(error(row) for row in rows)
@@ -39,7 +43,7 @@ def cell(row, scene):
         return "none"
     single = find(scene, "single", 1)
     share = ratio(error(row), error(single))
-    return f"{name(row)} ({shown(ratio(frame(row), frame(single)))}x, {share:.3g}, {row['bytesPerPixel']:.0f} B)"
+    return f"{name(row)} ({fixed(ratio(frame(row), frame(single)))}x, {share:.3g}, {row['bytesPerPixel']:.0f} B)"
 
 
 def for_quality(scene, times):
@@ -56,26 +60,26 @@ def for_memory(scene, limit):
     return most_accurate(scene, [row for row in rows_of(scene) if row["bytesPerPixel"] <= limit])
 
 
-# What is asked for, how it is asked, and the row that answers it.
+# Title of a question, its wording, its limits, and the function that finds the row.
 QUESTIONS = [("The fastest for an error", "error 1/{} of single's", QUALITIES, for_quality),
              ("The most accurate in a time", "within {}x single's frame", BUDGETS, for_time),
              ("The most accurate in memory", "within {} B a pixel", MEMORY, for_memory)]
 
 
 def by_scene(scenes, asked, limits, pick):
-    return table(["scene"] + [asked.format(limit) for limit in limits],
-                 [[s["name"]] + [cell(pick(s, limit), s) for limit in limits] for s in scenes])
+    return paragraph(["scene"] + [asked.format(limit) for limit in limits],
+                     [[s["name"]] + [cell(pick(s, limit), s) for limit in limits] for s in scenes])
 
 
 def how_often(scenes):
-    """Which rows answer each question, and on how many scenes."""
+    """A table of the rows that answer each question, with the number of scenes."""
     lines = []
     for _, asked, limits, pick in QUESTIONS:
         for limit in limits:
             rows = [pick(scene, limit) for scene in scenes]
             picks = Counter("none" if row is None else name(row) for row in rows).most_common()
             lines.append([asked.format(limit), ", ".join(f"{text} ({times})" for text, times in picks)])
-    return table(["budget", "what to take (on how many scenes)"], lines)
+    return paragraph(["budget", "what to take (on how many scenes)"], lines)
 
 
 def merge_rows(scenes):
@@ -85,13 +89,13 @@ def merge_rows(scenes):
         if None in rows:
             continue
         agaa, two, four = (row["errorSameSamples"]["mseTm"] for row in rows)
-        out.append([scene["name"], f"{agaa:.2e}", f"{two:.2e}", f"{four:.2e}", shown(ratio(agaa, two)),
+        out.append([scene["name"], f"{agaa:.2e}", f"{two:.2e}", f"{four:.2e}", fixed(ratio(agaa, two)),
                     "yes" if agaa <= 0.75 * two else "no", "yes" if agaa <= four else "no"])
     return out
 
 
 def loss_rows(scenes):
-    """Scene, and of each n the mean of FLIP and its 95th percentile, of simple_complex against ssaa."""
+    """For each scene and n: mean and 95th percentile of FLIP between simple_complex and ssaa."""
     out = []
     for scene in scenes:
         errors = [(find(scene, "simple_complex", n) or {}).get("errorSameSamples") for n in LOSS_SAMPLES]
@@ -113,7 +117,7 @@ def document(sweeps):
              "mapping, against the reference. In brackets: frame time and error by those of `single`, bytes a pixel. "
              "A gap of less than ten times the reference's own error counts as none; then the faster row is named. "
              "Times, and what is chosen by them, are of the device named in a heading: `benchmark/full_sweep.py` measures "
-             "yours. “Dense” are " + ", ".join(each.replace("_", "\\_") for each in DENSE) + ".", ""]
+             "yours. “Dense” are " + ", ".join(escaped(each) for each in DENSE) + ".", ""]
     for results, backend in ((results, backend) for results in sweeps for backend in results["backends"]):
         measured = [s for s in backend["scenes"] if not s.get("plain")]
         scenes = [s for s in measured if find(s, "single", 1)]
@@ -124,7 +128,7 @@ def document(sweeps):
             continue
         if len(scenes) < len(measured):
             lines += ["Left out, without `single`, which others are set beside: " + ", ".join(
-                      s["name"].replace("_", "\\_") for s in measured if s not in scenes) + ".", ""]
+                      escaped(s["name"]) for s in measured if s not in scenes) + ".", ""]
         if not scenes:
             continue
         speeds, merges = speed_rows(scenes), merge_rows(scenes)
@@ -149,30 +153,30 @@ def document(sweeps):
                       "than shaded ones, as where narrow highlights fall between samples. `paper` has the settings "
                       "of the paper's sections. “By c=2”: events and whole frames by those of `agaa` c=2 of the "
                       "same n with two geometry passes, geometric means.", ""]
-            lines += table(["preset", "n", "materials", "error", "its median", "its largest", "error by ssaa's",
-                            "events a covered pixel",
-                            "events by c=2", "frame by c=2", "bytes a pixel"], preset_rows(presets))
+            lines += paragraph(["preset", "n", "materials", "error", "its median", "its largest", "error by ssaa's",
+                                "events a covered pixel",
+                                "events by c=2", "frame by c=2", "bytes a pixel"], preset_rows(presets))
             lines += aim_sentences(scenes, presets) + [""]
         lines += ["### simple\\_complex by agaa c=2", "",
                   "Ratios above 1 are for `agaa`. Shading is with the classification of pixels, and without `agaa`'s "
                   "clustering but where that is said. The last three columns: how many times heavier than with the "
                   "scene's own lights shading must be for `agaa` to have the shorter frame, by the lines through "
                   "the frames at 1 and at 16, or 4, times; “any”: it has it with these.", ""]
-        lines += table(["scene", "n", "events", "shading", "shading by events", "shading with clustering",
-                        "frame, two passes",
-                        "frame, from a G-buffer", "frame, by id", "wins from, two passes", "wins from, G-buffer",
-                        "wins from, by id"], speeds)
+        lines += paragraph(["scene", "n", "events", "shading", "shading by events", "shading with clustering",
+                            "frame, two passes",
+                            "frame, from a G-buffer", "frame, by id", "wins from, two passes", "wins from, G-buffer",
+                            "wins from, by id"], speeds)
         lines += ["### What merging costs at n=8", "", "Mean squares after tone mapping against `ssaa` n=8.", ""]
-        lines += table(["scene", "agaa c=2", "sbaa S=2", "sbaa S=4", "agaa / sbaa S=2", "at most 0.75",
-                        "at most sbaa S=4"], merges)
+        lines += paragraph(["scene", "agaa c=2", "sbaa S=2", "sbaa S=4", "agaa / sbaa S=2", "at most 0.75",
+                            "at most sbaa S=4"], merges)
         lines += beside
         if losses := loss_rows(scenes):
             lines += ["### What simple\\_complex loses", "",
                       "FLIP against `ssaa` at the same n: its mean, and what 95 % of the pixels lie below; its "
                       "thresholds are set so that these stay below 0.05.", ""]
-            lines += table(["scene"] + [f"n={n}" for n in LOSS_SAMPLES], losses)
+            lines += paragraph(["scene"] + [f"n={n}" for n in LOSS_SAMPLES], losses)
     return "\n".join(lines)
 
 
 if __name__ == "__main__":
-    document_command.run("choosing", "Writes docs/choosing.md from sweeps' results.", document)
+    write_document("choosing", __doc__, document)

@@ -1,9 +1,10 @@
-"""adaptive beside ssaa, simple_complex and agaa at the same n: error, flicker, events, frame times, and which is quickest."""
+"""Compares adaptive with ssaa, simple_complex and agaa at the same n: error, flicker, events, frame times, the quickest."""
 
 from collections import Counter
 
 import paired
-from sweep_rows import error, find, frame, ratio, rows_of, shown, table
+from markdown_table import escaped, fixed, paragraph
+from sweep_rows import error, find, frame, ratio, rows_of
 
 COSTS = (1, 4, 16)
 SAMPLES = 8
@@ -18,7 +19,7 @@ def accurate(scene, cost=1):
                  if (row["technique"], row["preset"], row["n"]) == ("agaa", "accurate", SAMPLES)), None)
 
 
-# What it stands beside.
+# The techniques that it is compared with.
 RIVALS = [("`ssaa`", lambda scene, cost=1: find(scene, "ssaa", SAMPLES, 0, cost)),
           ("`simple_complex`", lambda scene, cost=1: find(scene, "simple_complex", SAMPLES, 0, cost)),
           ("`agaa` c=2 by id", lambda scene, cost=1: find(scene, "agaa", SAMPLES, 2, cost, "ids")),
@@ -26,23 +27,19 @@ RIVALS = [("`ssaa`", lambda scene, cost=1: find(scene, "ssaa", SAMPLES, 0, cost)
 ALL = [("`adaptive`", adaptive), *RIVALS]
 
 
-def named(scene):
-    return scene["name"].replace("_", "\\_")
-
-
 def figures(scenes, figure, columns):
-    """A table of figure(row), by that of ssaa of the same n."""
+    """A table of figure(row) as a multiple of that of ssaa with the same n, and an empty line."""
     rows = []
     for scene in scenes:
         whole = find(scene, "ssaa", SAMPLES)
-        rows.append([named(scene)] + [shown(ratio(figure(row), figure(whole)) if (row := pick(scene)) else None)
+        rows.append([escaped(scene["name"])] + [fixed(ratio(figure(row), figure(whole)) if (row := pick(scene)) else None)
                                       for _, pick in columns])
-    return table(["scene"] + [title for title, _ in columns], rows)
+    return paragraph(["scene"] + [title for title, _ in columns], rows)
 
 
 def quickest(scene, cost):
-    """Of the rows whose error against ssaa of the same n is below a tenth of the error against the reference, or that are
-    ssaa: all that the eye could tell from it."""
+    """The fastest of ssaa and the rows that the eye cannot distinguish from it: their error against ssaa of the same n is at
+    most a tenth of the error of ssaa against the reference."""
     limit = 0.1 * error(find(scene, "ssaa", SAMPLES))
     picks = [(title, row) for title, pick in ALL if (row := pick(scene, cost))
              and (row["technique"] == "ssaa" or (row["errorSameSamples"] and row["errorSameSamples"]["mseTm"] <= limit))]
@@ -52,9 +49,9 @@ def quickest(scene, cost):
 def times(scenes):
     columns = [(f"{title}, cost {cost}", pick, cost) for cost in COSTS for title, pick in RIVALS
                if any(pick(scene, cost) for scene in scenes)]
-    rows = [[named(scene)] + [paired.shown(paired.ratios(pick(scene, cost), adaptive(scene, cost))) for _, pick, cost in columns]
+    rows = [[escaped(scene["name"])] + [paired.shown(paired.ratios(pick(scene, cost), adaptive(scene, cost))) for _, pick, cost in columns]
             for scene in scenes]
-    return table(["scene"] + [title for title, *_ in columns], rows)
+    return paragraph(["scene"] + [title for title, *_ in columns], rows)
 
 
 def wins(scenes):
@@ -63,11 +60,11 @@ def wins(scenes):
         measured = [scene for scene in scenes if adaptive(scene, cost)]
         picks = Counter(quickest(scene, cost) for scene in measured).most_common()
         rows.append([str(cost), ", ".join(f"{title} ({count})" for title, count in picks)])
-    return table(["lighting, times", "quickest (on how many scenes)"], rows)
+    return paragraph(["lighting, times", "quickest (on how many scenes)"], rows)
 
 
 def lines(measured):
-    """Of scenes that have the rows; none where none has."""
+    """The chapter about the scenes that have the rows; no lines if none has."""
     scenes = [scene for scene in measured if adaptive(scene) and find(scene, "ssaa", SAMPLES)]
     if not scenes:
         return []

@@ -1,8 +1,9 @@
-"""Presets in a sweep: what each costs and leaves, and whether the most accurate one is what it was meant to be."""
+"""Presets in a sweep: their costs and errors, and whether the most accurate one reaches its aims."""
 
 import statistics
 
-from sweep_rows import error, find, frame, mean, ratio, rows_of, shown, span, way
+from markdown_table import fixed, span
+from sweep_rows import error, find, frame, materials, mean, ratio, rows_of
 
 PRESETS = [("paper", 8, None)]
 PRESETS += [(preset, 8, by) for preset in ("fast", "balanced", "accurate") for by in ("gbuffer", "ids")]
@@ -11,25 +12,25 @@ PRESETS += [("accurate", 32, by) for by in ("gbuffer", "ids")]
 
 def preset_row(scene, preset, n, by):
     for row in rows_of(scene):
-        if (row["preset"], row["n"], way(row)) == (preset, n, by):
+        if (row["preset"], row["n"], materials(row)) == (preset, n, by):
             return row
     return None
 
 
 def merge_share(scene, row):
-    """What aggregation costs, by the error of single."""
+    """The error that aggregation adds, as a multiple of single's error."""
     return ratio(row["errorSameSamples"]["mseTm"], error(find(scene, "single", 1)))
 
 
 def beside_ssaa(scene, row):
-    """How far from the reference, by how far ssaa of the same n is; 1 where the reference cannot tell them apart."""
+    """The error as a multiple of that of ssaa with the same n; 1 if the reference cannot distinguish them."""
     other = error(find(scene, "ssaa", row["n"]))
     return 1.0 if abs(error(row) - other) < 10 * scene["reference"]["splitHalfMseTm"] else ratio(error(row), other)
 
 
 def preset_figures(scenes):
-    """Of each preset, over the scenes that have all of the same n that any has, and agaa c=2 by two passes to set them
-    beside."""
+    """Figures of each preset over the scenes that have all presets of its n, and agaa c=2 with two passes to compare
+    with."""
     out = []
     measured = [each for each in PRESETS if any(preset_row(s, *each) for s in scenes)]
     for preset, n, by in measured:
@@ -56,23 +57,23 @@ def preset_figures(scenes):
 
 def preset_rows(figures):
     return [[f["preset"], f["n"], f["materials"], f"{f['error']:.4f}", f"{f['median']:.4f}", f["largest"], f["beside"],
-             f"{f['events']:.2f}", shown(f["eventsByTwo"]), shown(f["frameByTwo"]), f"{f['bytes']:.0f}"] for f in figures]
+             f"{f['events']:.2f}", fixed(f["eventsByTwo"]), fixed(f["frameByTwo"]), f"{f['bytes']:.0f}"] for f in figures]
 
 
-AIM = 0.005  # of single's error, that the most accurate preset may add in the mean
+AIM = 0.005  # the mean error that the most accurate preset may add, as a share of single's error
 
 
 def aim_sentences(scenes, figures):
-    """Whether the most accurate preset is what it was meant to be."""
+    """Sentences about the aims of the most accurate preset."""
     lines = []
     for f in figures:
         if f["preset"] != "accurate":
             continue
         met, missed = [], []
-        for holds, text in ((f["error"] <= AIM, f"error at most {AIM} ({f['error']:.4f}, median {f['median']:.4f})"),
+        for is_met, text in ((f["error"] <= AIM, f"error at most {AIM} ({f['error']:.4f}, median {f['median']:.4f})"),
                             (f["eventsByTwo"] <= 1, f"no more events than c=2 ({f['eventsByTwo']:.2f})"),
                             (f["frameByTwo"] <= 1, f"no longer frame ({f['frameByTwo']:.2f})")):
-            (met if holds else missed).append(text)
+            (met if is_met else missed).append(text)
         lines.append(f"* `accurate` n={f['n']} {f['materials']} was to have: " + "; ".join(
             f"{', '.join(of)}: {verdict}" for of, verdict in ((met, "it has"), (missed, "it has not")) if of) + ".")
     steady = steady_sentence(scenes)
@@ -80,7 +81,7 @@ def aim_sentences(scenes, figures):
 
 
 def steady_sentence(scenes):
-    """What of bias and variance under parts of a pixel the most accurate preset has more of than the paper's settings."""
+    """Compares bias and variance under sub-pixel shifts of the most accurate preset with those of the paper's settings."""
     more, within, known = [], 0, 0
     for scene in scenes:
         paper = preset_row(scene, "paper", 8, None)

@@ -1,8 +1,9 @@
-"""simple_complex by agaa c=2 in a sweep: events, shading, frames, and the shading cost from which agaa wins."""
+"""Ratios of simple_complex to agaa c=2 in a sweep: events, shading, frames, and the shading cost from which agaa wins."""
 
 import math
 
-from sweep_rows import find, frame, ratio, shown, span
+from markdown_table import fixed, span
+from sweep_rows import find, frame, ratio
 
 DENSE = ["bamboo", "foliage", "furball", "metal", "sh3d_foliage"]
 PAPER_EFFICIENCY = 0.64  # 2.84 of 4.42
@@ -10,8 +11,8 @@ PAPER_SOURCE = "from AGAA's table 1 and the slides' counts, Old City"
 
 
 def shading(row, grouping=False):
-    """None where passes have no times. grouping: with the clustering of aggregates. The classification of pixels always
-    counts: it may be in the same pass."""
+    """The time of shading, or None without pass times. grouping: include the clustering of aggregates. The classification
+    of pixels always counts, because it may be in the same pass."""
     times = row["stageMs"] or {}
     if not times.get("shading"):
         return None
@@ -19,7 +20,7 @@ def shading(row, grouping=False):
 
 
 def ratios(scene, n, by=None, cost=1):
-    """simple_complex by agaa c=2: of events, shading time and frame; or None."""
+    """Ratios of simple_complex to agaa c=2 for events, shading time and frame, or None."""
     a = find(scene, "simple_complex", n, cost=cost)
     b = find(scene, "agaa", n, 2, cost=cost, by=by)
     if a is None or b is None:
@@ -31,9 +32,11 @@ def ratios(scene, n, by=None, cost=1):
 
 
 def win_cost(scene, n, by=None):
-    """The largest shading cost that both were measured at, and that from which agaa's frame is the shorter, by the
-    lines through the least and the largest: 0 where it is up to the largest, infinite where it never is; None where
-    they were not measured."""
+    """The largest measured shading cost of both, and the cost from which agaa's frame is shorter, or None.
+
+    The second follows from the lines through the frames at the smallest and the largest cost. It is 0 if agaa's frame is
+    shorter up to the largest cost, and infinite if it never is.
+    """
     def rows(cost):
         return find(scene, "simple_complex", n, 0, cost), find(scene, "agaa", n, 2, cost, by)
     costs = [cost for cost in (1, 4, 16) if None not in rows(cost)]
@@ -66,9 +69,9 @@ def speed_rows(scenes):
             if two is None:
                 continue
             out.append([scene["name"] + (" (dense)" if scene["name"] in DENSE else ""), n,
-                        shown(two["events"]), shown(two["shading"]), shown(two["efficiency"]), shown(two["grouping"]),
-                        shown(two["frame"]),
-                        shown(one and one["frame"]), shown(ids and ids["frame"]), cost_text(scene, n),
+                        fixed(two["events"]), fixed(two["shading"]), fixed(two["efficiency"]), fixed(two["grouping"]),
+                        fixed(two["frame"]),
+                        fixed(one and one["frame"]), fixed(ids and ids["frame"]), cost_text(scene, n),
                         cost_text(scene, n, "gbuffer"), cost_text(scene, n, "ids")])
     return out
 

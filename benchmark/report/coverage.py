@@ -1,22 +1,23 @@
 #!/usr/bin/env python3
-"""Writes how decoupled coverage stands beside supersampling: errors, flicker, bytes, and times turn by turn.
+"""Compares decoupled coverage with supersampling: errors, flicker, bytes, and times turn by turn.
 
 usage: coverage.py RESULTS.json [MORE.json ...] OUT.md
 
 docs/sweep.md describes RESULTS.json. `benchmark/full_sweep.py --row` measures the rows that are named here.
 """
 
-import document_command
-import paired
-from sweep_rows import builds, error, find, ratio, rows_of, shown, table
+import sys
+from pathlib import Path
 
-# Wang et al., I3D 2016, table 1: error of DCAA by that of 8x MSAA.
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import paired
+from command_line import write_document
+from markdown_table import escaped, fixed, paragraph
+from sweep_rows import builds, error, find, ratio, rows_of
+
+# Wang et al., I3D 2016, table 1: the error of DCAA as a multiple of that of 8x MSAA.
 PAPER = {"Citadel": 6.40e-5 / 1.32e-4, "Bamboo": 1.63e-4 / 4.65e-4, "Villa": 6.90e-5 / 2.20e-4,
          "Tentacles": 5.65e-4 / 6.05e-4, "Sponza": 9.60e-5 / 9.70e-5, "Sibenik": 1.01e-4 / 1.03e-4}
-
-
-def named(scene):
-    return scene["name"].replace("_", "\\_")
 
 
 def variant(scene, preset):
@@ -29,7 +30,7 @@ def accurate(scene, n, cost=1):
 
 
 def beside(scene):
-    """Name and row of what is compared with ssaa n=8."""
+    """Names and rows that are compared with ssaa n=8."""
     return [("`dcaa` S=4", find(scene, "dcaa", 64, 4)), ("`dcaa` S=8", find(scene, "dcaa", 64, 8)),
             ("elliptic lobes, S=4", variant(scene, "lean")), ("the paper's rule, S=4", variant(scene, "paper")),
             ("all fragments", variant(scene, "exact")),
@@ -39,33 +40,33 @@ def beside(scene):
 
 
 def ratios_of(scenes, figure):
-    """A table of figure(row) by that of ssaa n=8, without columns that no scene has."""
+    """A table of figure(row) as a multiple of that of ssaa n=8, without columns that no scene has, and an empty line."""
     compared = [beside(scene) for scene in scenes]
     columns = [i for i in range(len(compared[0])) if any(rows[i][1] for rows in compared)]
     lines = []
     for scene, rows in zip(scenes, compared, strict=True):
         eight = find(scene, "ssaa", 8)
-        lines.append([named(scene)] + [shown(ratio(figure(rows[i][1]) if rows[i][1] else None, figure(eight))) for i in columns])
-    return table(["scene"] + [compared[0][i][0] for i in columns], lines)
+        lines.append([escaped(scene["name"])] + [fixed(ratio(figure(rows[i][1]) if rows[i][1] else None, figure(eight))) for i in columns])
+    return paragraph(["scene"] + [compared[0][i][0] for i in columns], lines)
 
 
 def times(scenes, row_of):
-    """Of row_of(scene, cost), by those of the columns."""
+    """A table of frame times of row_of(scene, cost) as multiples of those of the columns, and an empty line."""
     columns = [(f"`{technique}` n=8" + (f", cost {cost}" if cost > 1 else ""), technique, cost)
                for cost in (1, 4, 16) for technique in ("ssaa", "simple_complex")]
-    rows = [[named(scene)] + [paired.shown(paired.ratios(row_of(scene, cost), find(scene, technique, 8, 0, cost)))
+    rows = [[escaped(scene["name"])] + [paired.shown(paired.ratios(row_of(scene, cost), find(scene, technique, 8, 0, cost)))
                               for _, technique, cost in columns] for scene in scenes]
-    return table(["scene"] + [name for name, *_ in columns], rows)
+    return paragraph(["scene"] + [name for name, *_ in columns], rows)
 
 
 def counts(scenes):
     rows = []
     for scene in scenes:
         four, exact = find(scene, "dcaa", 64, 4), variant(scene, "exact")
-        rows.append([named(scene), f"{four['materialsPerPixel']:.2f}", f"{four['eventsPerPixel']:.2f}",
+        rows.append([escaped(scene["name"]), f"{four['materialsPerPixel']:.2f}", f"{four['eventsPerPixel']:.2f}",
                      f"{exact['eventsPerPixel']:.2f}" if exact else "not measured",
                      f"{find(scene, 'ssaa', 8)['eventsPerPixel']:.2f}"])
-    return table(["scene", "fragments", "events, S=4", "events, all fragments", "events, `ssaa` n=8"], rows)
+    return paragraph(["scene", "fragments", "events, S=4", "events, all fragments", "events, `ssaa` n=8"], rows)
 
 
 def document(sweeps):
@@ -97,4 +98,4 @@ def document(sweeps):
 
 
 if __name__ == "__main__":
-    document_command.run("coverage", "Writes decoupled coverage beside supersampling from sweeps' results.", document)
+    write_document("coverage", __doc__, document)

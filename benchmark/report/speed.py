@@ -1,60 +1,65 @@
 #!/usr/bin/env python3
-"""Writes how agaa's ways stand in time beside simple_complex and beside each other, at n=8 and 32, turn by turn.
+"""Compares the times of agaa's configurations with simple_complex and with each other, at n=8 and 32, turn by turn.
 
 usage: speed.py RESULTS.json [MORE.json ...] OUT.md
 
-docs/sweep.md describes RESULTS.json. Rows that are compared should take turns close together: a sweep of a few rows
-does for a machine whose speed changes within minutes.
+docs/sweep.md describes RESULTS.json. The turns of rows that are compared should be close together: on a machine whose speed
+changes within minutes, sweep only a few rows.
 """
 
-import document_command
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 import paired
 from choosing_presets import preset_row
 from choosing_speed import DENSE
-from sweep_rows import builds, find, table
+from command_line import write_document
+from markdown_table import escaped, paragraph
+from sweep_rows import builds, find
 
 SAMPLES = (8, 32)
-WAYS = {"two passes": None, "from a G-buffer": "gbuffer", "by id": "ids"}
+CONFIGURATIONS = {"two passes": None, "from a G-buffer": "gbuffer", "by id": "ids"}
 
 
 def named(scene):
-    return scene["name"].replace("_", "\\_") + (" (dense)" if scene["name"] in DENSE else "")
+    return escaped(scene["name"]) + (" (dense)" if scene["name"] in DENSE else "")
 
 
 def beside_rival(scene, n):
-    """simple_complex by agaa c=2."""
+    """Ratios of simple_complex to agaa c=2: shading, and the frame of each configuration."""
     rival = find(scene, "simple_complex", n)
-    ways = [find(scene, "agaa", n, 2, by=by) for by in WAYS.values()]
-    return ([paired.ratios(rival, ways[0], paired.shading)] if rival and ways[0] else [[]]) + [
-        paired.ratios(rival, way) for way in ways]
+    rows = [find(scene, "agaa", n, 2, by=by) for by in CONFIGURATIONS.values()]
+    return ([paired.ratios(rival, rows[0], paired.shading)] if rival and rows[0] else [[]]) + [
+        paired.ratios(rival, row) for row in rows]
 
 
 def beside_two_passes(scene, n):
-    """agaa's other ways by c=2 with two geometry passes."""
+    """Ratios of agaa's other configurations to c=2 with two geometry passes."""
     others = [find(scene, "agaa", n, 2, by=by) for by in ("gbuffer", "ids")]
     others += [preset_row(scene, "accurate", n, by) for by in ("gbuffer", "ids")]
     return [paired.ratios(row, find(scene, "agaa", n, 2)) for row in others]
 
 
-# Title, what it says, columns, and the ratios of a scene at n.
+# Title, remark, columns, and the function for the ratios of a scene at n.
 TABLES = [
     ("simple\\_complex by agaa c=2",
      "Above 1: `agaa` takes less time. Shading is with the classification of pixels and without `agaa`'s clustering, in "
      "the way of two passes; its times are of other frames than those of the other columns, whose passes are not timed.",
-     ["shading"] + [f"frame, {way}" for way in WAYS], beside_rival),
+     ["shading"] + [f"frame, {name}" for name in CONFIGURATIONS], beside_rival),
     ("Frames of agaa's other ways by those of c=2 with two geometry passes", "Below 1: shorter than with two passes.",
      ["c=2 from a G-buffer", "c=2 by id", "accurate from a G-buffer", "accurate by id"], beside_two_passes)]
 
 
-def measured_table(title, says, columns, figures, scenes):
+def measured_table(title, remark, columns, figures, scenes):
     rows = [[named(scene), n] + figures(scene, n) for scene in scenes for n in SAMPLES]
     rows = [row for row in rows if any(row[2:])]
     kept = [i for i in range(len(columns)) if any(row[2 + i] for row in rows)]
     if not rows:
         return []
-    return [f"### {title}", "", says, ""] + table(
+    return [f"### {title}", "", remark, "", *paragraph(
         ["scene", "n"] + [columns[i] for i in kept],
-        [row[:2] + [paired.shown(row[2 + i]) for i in kept] for row in rows])
+        [row[:2] + [paired.shown(row[2 + i]) for i in kept] for row in rows])]
 
 
 def document(sweeps):
@@ -79,4 +84,4 @@ def document(sweeps):
 
 
 if __name__ == "__main__":
-    document_command.run("speed", "Writes ratios of times from sweeps' results.", document)
+    write_document("speed", __doc__, document)

@@ -1,20 +1,21 @@
-"""Which of a sweep's images go into its page, packed tighter and each only once."""
+"""Selects the images of a sweep for its page, packs them tighter, and includes each only once."""
 
 import base64
 import hashlib
 import struct
 import zlib
+from pathlib import PurePosixPath
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 JPEG = b"\xff\xd8\xff"
-# What a reader compares first; everything else follows.
+# Readers compare these first.
 FIRST_N = [8, 32, 4, 16]
 FIRST_TECHNIQUES = ["agaa", "simple_complex", "ssaa", "sbaa", "msaa", "fxaa", "single"]
-PAIR = 1  # up to this rank a scene's images are taken before those of the next scene
+PAIR = 1  # images up to this rank are taken before those of the next scene
 
 
 def chunks(png):
-    """(kind, data) of each chunk; raises ValueError where the bytes are no whole PNG."""
+    """Yields kind and data of each chunk. Raises ValueError if the bytes are not a complete PNG."""
     if not png.startswith(SIGNATURE):
         raise ValueError("no PNG")
     at = len(SIGNATURE)
@@ -33,7 +34,7 @@ def chunk(kind, data):
 
 
 def repack(png):
-    """The same picture in fewer bytes: writers of images that are in a hurry compress weakly."""
+    """The same picture in fewer bytes: the sweep compresses weakly, to save time."""
     parts = list(chunks(png))
     scanlines = zlib.decompress(b"".join(data for kind, data in parts if kind == b"IDAT"))
     out, written = [SIGNATURE], False
@@ -48,7 +49,7 @@ def repack(png):
 
 
 def read_image(folder, name):
-    """Bytes of an image inside the folder, or None where there is none that can be shown."""
+    """The bytes of an image inside the folder, or None if it is missing or cannot be shown."""
     if not isinstance(name, str) or not name:
         return None
     try:
@@ -61,17 +62,17 @@ def read_image(folder, name):
 
 
 def rank(row):
-    """Place of a row's image in the queue for the page's room: agaa, and its best preset, are 0, its first rival 1."""
+    """The position of a row's image in the queue: agaa, and its best preset, have 0, its first rival 1."""
     n, c, technique = row.get("n"), row.get("c"), row.get("technique")
-    place = FIRST_TECHNIQUES.index(technique) if technique in FIRST_TECHNIQUES else 7
-    place += 10 * (FIRST_N.index(n) if n in FIRST_N else 0 if n in (0, 1, None) else 4)
+    position = FIRST_TECHNIQUES.index(technique) if technique in FIRST_TECHNIQUES else 7
+    position += 10 * (FIRST_N.index(n) if n in FIRST_N else 0 if n in (0, 1, None) else 4)
     tiers = row.get("tiers")
     tier = tiers.get("generation") if isinstance(tiers, dict) else None
     if row.get("preset") == "accurate" and tier == "ids":
-        return place  # the best beside the paper's
+        return position  # the best preset, compared with the settings of the paper
     if tier in ("gbuffer", "ids") or row.get("preset"):
-        place += 50  # looks as with two passes, or between the two
-    return place + (0 if c in (0, 2, None) else 100)
+        position += 50  # looks like the image of two passes, or between both
+    return position + (0 if c in (0, 2, None) else 100)
 
 
 def dicts(value):
@@ -79,37 +80,46 @@ def dicts(value):
 
 
 def wanted(results):
-    """(place, holder, key) of every image that the page may show, the most wanted first: what a reader
-    compares first, scene by scene, of the backend that comes first, whose like the others draw; then of these; then
-    the rest over all scenes."""
+    """(position, holder, key, scene's prefix of image names) of each image that the page may show, in the order of the queue.
+
+    The images that a reader compares first come first, scene by scene, for the first backend and then for the others,
+    whose images are alike. The other images follow over all scenes.
+    """
     found = []
     for which, backend in enumerate(dicts(results.get("backends"))):
         for index, scene in enumerate(dicts(backend.get("scenes"))):
-            if scene.get("plain"):  # which shows no image
+            if scene.get("plain"):  # the page shows no image of it
                 continue
             pair = (-1, which, index)
-            found.append((pair, scene, "referenceImage"))
+            prefix = f"{backend.get('backend')}-{scene.get('name')}-"
+            found.append((pair, scene, "referenceImage", prefix))
             for row in dicts(scene.get("rows")):
                 in_pair = rank(row) <= PAIR
-                found.append((pair if in_pair else (rank(row), which, index), row, "image"))
-                found.append((pair if in_pair else (rank(row) + 5, which, index), row, "heat"))
-                # The page subtracts any two images itself; it needs the written difference only
-                # where it has no reference to subtract.
+                found.append((pair if in_pair else (rank(row), which, index), row, "image", prefix))
+                found.append((pair if in_pair else (rank(row) + 5, which, index), row, "heat", prefix))
+                # The page subtracts any two images itself. It needs the written difference only if there is no reference.
                 if scene.get("referenceImage"):
                     row.pop("difference", None)
                 else:
-                    found.append(((rank(row) + 5, which, index), row, "difference"))
+                    found.append(((rank(row) + 5, which, index), row, "difference", prefix))
     return sorted(found, key=lambda entry: entry[0])
 
 
-def take_images(results, folder, most_bytes):
-    """Puts ids in the place of file names; returns the ids' base64 texts and what was left out."""
+def is_selected(file, prefix, names):
+    return not names or (isinstance(file, str) and PurePosixPath(file).stem.removeprefix(prefix) in names)
+
+
+def take_images(results, folder, most_bytes, names=()):
+    """Replaces file names in the results by ids. Returns the base64 texts of the ids, and the number of images left out.
+
+    names: only these images of each scene, such as "reference" and "agaa-8-2"; empty: all.
+    """
     ids, texts, room, left_out = {}, [], most_bytes, 0
-    for _, holder, key in wanted(results):
+    for _, holder, key, prefix in wanted(results):
         name = holder.get(key)
         holder[key] = None
-        # Once the room is used up the rest, some gigabytes of a whole sweep, is not even read.
-        image = read_image(folder, name) if room > 0 else None
+        # If the room is used up, the rest is not read: a whole sweep has gigabytes of images.
+        image = read_image(folder, name) if room > 0 and is_selected(name, prefix, names) else None
         if image is None:
             left_out += isinstance(name, str)
             continue

@@ -19,7 +19,7 @@ CHART_JS = ["/usr/share/javascript/chart.js/chart.min.js",
             "/usr/share/nodejs/chart.js/dist/chart.min.js",
             "/usr/share/nodejs/chart.js/dist/chart.umd.js"]
 SLIDER = HERE / "vendor" / "img-comparison-slider-8.0.7.min.js"
-# Later files use names of earlier ones.
+# Later files use names of earlier ones, so that the order matters.
 SCRIPTS = ["data.js", "maths.js", "dom.js", "charts.js", "pareto.js", "bars.js", "tables.js",
            "papers.js", "onepass.js", "claims.js", "compare.js", "main.js"]
 
@@ -35,7 +35,7 @@ def find_chart_js(chosen):
 
 
 def finite(value):
-    """The value with null for what JSON has no word for; browsers refuse NaN and Infinity."""
+    """The value with None for NaN and infinities, which browsers refuse in JSON."""
     if isinstance(value, dict):
         return {key: finite(item) for key, item in value.items()}
     if isinstance(value, list):
@@ -44,23 +44,23 @@ def finite(value):
 
 
 def as_script(value):
-    """JSON that no text inside it can end the script element of."""
+    """JSON in which no text can end the script element."""
     return json.dumps(value, ensure_ascii=False, allow_nan=False,
                       separators=(",", ":")).replace("<", "\\u003c")
 
 
 def library(source):
-    # A map that is not there would be asked for when a reader opens the browser's tools.
+    # Without this line, the developer tools of a browser would request a missing source map.
     return "\n".join(line for line in source.splitlines()
                      if not line.startswith("//# sourceMappingURL"))
 
 
-def page(results, folder, chart_js, most_bytes):
+def page(results, folder, chart_js, most_bytes, names=()):
     def read(name):
         return (HERE / name).read_text(encoding="utf-8")
 
     results = finite(results)
-    images, left_out = take_images(results, folder, most_bytes)
+    images, left_out = take_images(results, folder, most_bytes, names)
     results["imagesLeftOut"] = left_out
     slider = f"/*!\n{read('vendor/img-comparison-slider.LICENSE')}*/\n" + SLIDER.read_text("utf-8")
     parts = {
@@ -73,7 +73,7 @@ def page(results, folder, chart_js, most_bytes):
                                for source in (chart_js, slider)),
         "SCRIPT": "\n".join(read(f"sweep/{name}") for name in SCRIPTS),
     }
-    # Split, not replaced one after the other: no part is searched for the marks of another.
+    # Splitting, unlike repeated replacement, never searches one part for the marks of another.
     pieces = read("sweep/page.html").split("@@")
     return "".join(parts[piece] if i % 2 else piece for i, piece in enumerate(pieces))
 
@@ -85,6 +85,8 @@ def main(arguments):
     parser.add_argument("--chart-js", metavar="FILE", help="Chart.js, if not where Debian has it")
     parser.add_argument("--image-mib", type=float, default=48, metavar="MIB",
                         help="most room for images in the page (default: 48)")
+    parser.add_argument("--image", action="append", default=[], metavar="NAME",
+                        help="only this image of each scene, such as reference or agaa-8-2; repeatable")
     options = parser.parse_args(arguments)
     try:
         chart_js = find_chart_js(options.chart_js)
@@ -103,7 +105,7 @@ def main(arguments):
     try:
         options.out.parent.mkdir(parents=True, exist_ok=True)
         options.out.write_text(page(results, options.results.parent, chart_js,
-                                    int(options.image_mib * (1 << 20))), encoding="utf-8")
+                                    int(options.image_mib * (1 << 20)), options.image), encoding="utf-8")
     except OSError as error:
         print(f"Could not write {options.out}: {error}", file=sys.stderr)
         return 1

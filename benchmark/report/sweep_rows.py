@@ -1,8 +1,10 @@
-"""Rows of a sweep: how documents name and find them, and the numbers that they are compared by."""
+"""Rows of a sweep: their names in documents, how to find them, and the numbers by which they are compared."""
+
+from markdown_table import escaped
 
 
 def name(row):
-    text = row["technique"].replace("_", "\\_")
+    text = escaped(row["technique"])
     if row["n"] > 1:
         text += f" n={row['n']}"
     if row["preset"]:
@@ -10,11 +12,11 @@ def name(row):
     elif row["c"]:
         text += f" {'S' if row['technique'] == 'sbaa' else 'c'}={row['c']}"
     return text + {"gbuffer": " from a G-buffer", "ids": " by id", "fragments": " by fragments",
-                   "material-lists": " with its materials"}.get(way(row), "")
+                   "material-lists": " with its materials"}.get(materials(row), "")
 
 
-def way(row):
-    """How a row comes by materials: "gbuffer", "ids", "fragments", "material-lists", or None, by the usual way."""
+def materials(row):
+    """The source of a row's materials: "gbuffer", "ids", "fragments", "material-lists", or None for the default one."""
     tier = (row["tiers"] or {}).get("generation")
     return tier if tier in ("gbuffer", "ids", "fragments", "material-lists") else None
 
@@ -32,9 +34,9 @@ def rows_of(scene, cost=1):
 
 
 def find(scene, technique, n, c=0, cost=1, by=None):
-    """The row, or None. by: as way() tells; no row of a preset."""
+    """The row without a preset, or None. by: the source of its materials, as materials() returns it."""
     for row in rows_of(scene, cost):
-        if (row["technique"], row["n"], row["c"], way(row)) == (technique, n, c, by) and not row["preset"]:
+        if (row["technique"], row["n"], row["c"], materials(row)) == (technique, n, c, by) and not row["preset"]:
             return row
     return None
 
@@ -44,23 +46,9 @@ def builds(scenes):
 
 
 def ratio(a, b):
-    """None where there is none to speak of."""
+    """a / b, or None if a is None or b is None or 0."""
     return a / b if a is not None and b else None
-
-
-def shown(value):
-    return "not measured" if value is None else f"{value:.2f}"
 
 
 def mean(values):
     return sum(values) / len(values)
-
-
-def span(values):
-    values = [value for value in values if value is not None]
-    return f"{min(values):.2f} to {max(values):.2f}" if values else "not measured"
-
-
-def table(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return lines + ["| " + " | ".join(str(value) for value in row) + " |" for row in rows] + [""]

@@ -1,4 +1,4 @@
-"""A headless Chromium, spoken to through pipes: nothing but Python's own library is needed."""
+"""A headless Chromium that is controlled through pipes, with Python's own library alone."""
 
 import base64
 import fcntl
@@ -22,7 +22,7 @@ def find_chromium():
 class Browser:
     def __init__(self, program):
         self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        # The browser reads commands from descriptor 3 and answers on 4; ours are kept clear of both.
+        # The browser reads commands from descriptor 3 and answers on 4. No pipe of this process may have these numbers.
         ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for pair in (os.pipe(), os.pipe())
                 for end in pair]
         theirs_in, self.out, self.into, theirs_out = ends
@@ -41,7 +41,7 @@ class Browser:
         os.close(theirs_in)
         os.close(theirs_out)
         self.count, self.unread, self.session = 0, b"", None
-        self.complaints = []  # errors that the page wrote or threw
+        self.complaints = []  # errors that the page logged or threw
         self.requests = []
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.call("Target.attachToTarget", targetId=target,
@@ -61,7 +61,7 @@ class Browser:
         self.folder.cleanup()
 
     def read(self, seconds=60):
-        """The next message; events of interest are noted."""
+        """Returns the next message, and records errors of the page."""
         end = time.monotonic() + seconds
         while b"\0" not in self.unread:
             left = end - time.monotonic()
@@ -109,7 +109,7 @@ class Browser:
                   deviceScaleFactor=1, mobile=width < 500)
 
     def run(self, script):
-        """The value of an expression in the page; promises are waited for."""
+        """Returns the value of an expression in the page, after its promise if it is one."""
         answer = self.call("Runtime.evaluate", expression=script, returnByValue=True,
                            awaitPromise=True)
         if "exceptionDetails" in answer:

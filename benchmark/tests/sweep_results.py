@@ -1,4 +1,4 @@
-"""A sweep that never ran: results as docs/sweep.md describes them, with small images."""
+"""Synthetic results of a sweep in the format of docs/sweep.md, with small images."""
 
 import json
 import math
@@ -13,7 +13,7 @@ WIDTH, HEIGHT = 96, 54
 
 
 def write_png(path, pixel):
-    """A picture of pixel(x, y) -> (r, g, b), compressed as weakly as writers in a hurry do."""
+    """Writes a picture of pixel(x, y) -> (r, g, b), with weak compression."""
     def chunk(kind, data):
         return (struct.pack(">I", len(data)) + kind + data
                 + struct.pack(">I", zlib.crc32(kind + data)))
@@ -41,7 +41,7 @@ def configurations():
 
 
 def make_row(scene, technique, n, c, cost, speed):
-    """A row of plausible numbers; the images of the first lighting cost only."""
+    """A row of plausible numbers. Only rows of the first lighting cost have images."""
     dense = {"bamboo": 1.0, "metal": 1.6}.get(scene, 0.7)
     share = {"single": 1, "fxaa": 1, "msaa": 1.3, "ssaa": n,
              "simple_complex": 1 + 0.75 * dense * (n - 1) / 1.6}.get(technique, 0)
@@ -53,7 +53,7 @@ def make_row(scene, technique, n, c, cost, speed):
               "generation": 0.5 + (0.28 * n if technique != "msaa" else 0),
               "shading": 2.2 * share * cost, "other": 0.4}
     if (scene, technique, n, c) == ("metal", "agaa", 8, 2):
-        stages["shading"] *= 6 # a scene that breaks claims of the paper
+        stages["shading"] *= 6  # this scene contradicts claims of the paper
     stages = {stage: ms * speed for stage, ms in stages.items()}
     frame = 1.04 * sum(stages.values())
     size = {"agaa": 16 * c + 6 * n + n * max(0, math.ceil(math.log2(c or 1))) / 8,
@@ -87,7 +87,7 @@ def make_row(scene, technique, n, c, cost, speed):
 
 
 def one_pass_row(name, tier, preset, cost, speed):
-    """agaa n=8 without a second geometry pass; of a preset, with up to four aggregates."""
+    """A row of agaa n=8 with one geometry pass, and with up to four aggregates if it has a preset."""
     row = make_row(name, "agaa", 8, 4 if preset else 2, cost, speed)
     row.update(preset=preset, tiers={"visibility": "scaled-target", "generation": tier}, geometryPasses=1,
                bytesPerPixel=64 if tier == "ids" else 160, primitivesPerPixel=2.5 if tier == "ids" else 0,
@@ -130,7 +130,7 @@ def make_scene(name, speed, folder):
 
 
 def make_results(folder):
-    """The whole sweep of two backends; its images come to lie below the folder."""
+    """The results of a sweep of two backends, whose images are written below the folder."""
     backends = [
         {"backend": "vk", "device": "llvmpipe (LLVM 15.0.6, 256 bits)", "driver": "lavapipe",
          "passTimes": "device",
@@ -138,7 +138,7 @@ def make_results(folder):
         {"backend": "gl", "device": "llvmpipe", "driver": "Mesa 22.3.6", "passTimes": "none",
          "scenes": [make_scene("metal", 1.3, folder)]},
     ]
-    # A backend without times of passes, a sweep that was quick: most of it is not there.
+    # The second backend has no pass times, and a scene of a quick sweep lacks most members.
     for row in backends[1]["scenes"][0]["rows"]:
         row.update(stageMs=None, passes=None, temporal=None, path=None, heat=None)
     plain = {**backends[0]["scenes"][1], "name": "metal-plain", "plain": True}

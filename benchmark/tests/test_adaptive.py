@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of benchmark/adaptive.py: what its tables say of results."""
+"""Tests of benchmark/adaptive.py: the tables that it makes of results."""
 
 import sys
 import tempfile
@@ -12,8 +12,8 @@ import runs
 
 
 def scene(name, share, mse):
-    way = {"share": share, "mse": mse, "flip": 0, "events": 9 * share, "pixelsByEvents": [0] * 6}
-    return {"scene": name, "errors": {side: {"device": "D", "driver": "E", "ways": {n: way for n, _ in adaptive.WAYS}}
+    found = {"share": share, "mse": mse, "flip": 0, "events": 9 * share, "pixelsByEvents": [0] * 6}
+    return {"scene": name, "errors": {side: {"device": "D", "driver": "E", "ways": {n: found for n, _ in adaptive.CONFIGURATIONS}}
                                       for side in adaptive.SIDES},
             "times": {cost: {"ssaa": 100 * cost, "simple_complex": 60 * cost, "adaptive": 50} for cost in adaptive.COSTS}}
 
@@ -22,7 +22,7 @@ class Adaptive(unittest.TestCase):
     def setUp(self):
         self.data = {"size": "320x180", "frames": 3, "turns": 3, "lights": "lights of a test",
                      "scenes": [scene("metal", 0.2, 1e-5), scene("city", 0.4, 1e-3)],
-                     "shading": {"metal": {way: 10 * (i + 1) for i, (way, _) in enumerate(adaptive.SHADING)}}}
+                     "shading": {"metal": {name: 10 * (i + 1) for i, (name, _) in enumerate(adaptive.SHADING)}}}
 
     def test_means_are_of_shares_and_decibels(self):
         text = adaptive.markdown(self.data)
@@ -38,13 +38,13 @@ class Adaptive(unittest.TestCase):
 
     def test_runs_go_on_where_they_stopped(self):
         with tempfile.TemporaryDirectory() as folder:
-            settings = {"ways": adaptive.WAYS}
+            settings = {"configurations": adaptive.CONFIGURATIONS}
             harness = Path(__file__)
             runs.Runs("adaptive", harness, Path(folder), settings).kept("metal", lambda: {"made": 1})
             again = runs.Runs("adaptive", harness, Path(folder), settings).kept("metal", lambda: {"made": 2})
             self.assertEqual(again, {"made": 1})
             with self.assertRaises(SystemExit):
-                runs.Runs("adaptive", harness, Path(folder), {"ways": []})
+                runs.Runs("adaptive", harness, Path(folder), {"configurations": []})
 
     def test_no_error_is_finite(self):
         self.assertEqual(adaptive.decibels(0), 120)

@@ -1,4 +1,4 @@
-"""What calibrate.py measures in a scene is what `choose --measured` chooses by."""
+"""Tests that `choose --measured` chooses by the measurements of calibrate.py."""
 import json
 import pathlib
 import subprocess

@@ -1,4 +1,4 @@
-"""src/core/tuning/choice_table.inc is what benchmark/choice_table.py prints, and its coefficients are those of the frames."""
+"""Tests that src/core/tuning/choice_table.inc is current, and that its coefficients fit the frames."""
 import pathlib
 import random
 import subprocess
@@ -52,7 +52,7 @@ class LeastSquares(unittest.TestCase):
         self.assertEqual(nonnegative([{"a": 1.0, "b": 0.0}], [2.0]), {"a": 2.0, "b": 0.0})
 
 
-# Nanoseconds that the frames below have.
+# The coefficients of the frames below, in nanoseconds.
 LIGHT, PIXEL, EVENT = 10.0, {1: 40.0, 8: 300.0}, {1: 70.0, 8: 150.0}
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of benchmark/report/choosing.py: that it picks what the results say."""
+"""Tests of benchmark/report/choosing.py: its choices follow from the results."""
 
 import json
 import subprocess
@@ -71,7 +71,7 @@ class Choosing(unittest.TestCase):
         table = choosing_presets.preset_rows(choosing_presets.preset_figures([self.scene, whole]))  # the other scene has none
         self.assertEqual((table[0][6], table[-1][6]), ("0.50 to 0.50", "2.00 to 2.00"))
         other = json.loads(json.dumps(whole))
-        other["reference"]["splitHalfMseTm"] = 2e-4  # too coarse to tell 1e-3 from 2e-3
+        other["reference"]["splitHalfMseTm"] = 2e-4  # too large to distinguish 1e-3 from 2e-3
         self.assertEqual(choosing_presets.preset_rows(choosing_presets.preset_figures([whole, other]))[0][6], "0.50 to 1.00")
         self.assertEqual(table[0], ["paper", 8, "two passes", "0.1000", "0.1000", "0.100 (city)", "0.50 to 0.50", "1.50",
                                     "0.75", "0.80", "90"])
@@ -94,7 +94,7 @@ class Choosing(unittest.TestCase):
                                   "no longer frame (0.80): it has; "
                                   "no more events than c=2 (1.25): it has not.")
         self.assertIn("1 of 2 above 1 (city 1.500); 2 gaps are below", text[1])
-        rows[-1]["errorSameSamples"]["mseTm"] = 5.002e-5  # rounded it would be as wanted
+        rows[-1]["errorSameSamples"]["mseTm"] = 5.002e-5  # rounding would hide the failure
         text = choosing_presets.aim_sentences([whole], choosing_presets.preset_figures([whole]))
         self.assertIn("; error at most 0.005 (0.0050, median 0.0050), no more events", text[0])
         rows[-1]["temporal"]["biasSquared"] = 5e-5
@@ -125,7 +125,7 @@ class Choosing(unittest.TestCase):
 
     def test_gaps_that_the_reference_cannot_tell_are_none(self):
         self.assertIn("simple", self.cells(self.answers(1))[3])
-        # Least error within 4x is simple_complex; agaa's is as good by ten times the reference's error.
+        # simple_complex has the least error within 4x. The gap to agaa is below ten times the reference's error.
         for r in self.scene["rows"]:
             if r["technique"] == "agaa":
                 r["frameMs"]["median"] -= 60
@@ -141,7 +141,7 @@ class Choosing(unittest.TestCase):
             row("single", 1, 0, 100, 1e-2, 70)]
         self.assertEqual(self.cells(self.answers(2))[1], "none")
 
-    def test_ways_to_materials_are_told_apart(self):
+    def test_sources_of_materials_are_distinguished(self):
         for tier, ms in (("gbuffer", 250), ("ids", 200)):
             other = row("agaa", 8, 2, ms, 0.905e-3, 90, events=2, shading=125, merging=3e-5)
             other["tiers"] = {"generation": tier}
@@ -165,7 +165,7 @@ class Choosing(unittest.TestCase):
         self.assertAlmostEqual(choosing_speed.win_cost(self.scene, 8)[1], 1.5, msg="of those that both were measured at")
         agaa["frameMs"]["median"] = 1200  # no lighting is heavy enough
         self.assertEqual(choosing_speed.cost_text(self.scene, 8), "beyond 4")
-        sweep_rows.find(self.scene, "agaa", 8, 2)["frameMs"]["median"] = 200  # shorter up to what was measured
+        sweep_rows.find(self.scene, "agaa", 8, 2)["frameMs"]["median"] = 200  # shorter up to the largest measured cost
         agaa["frameMs"]["median"] = 850
         self.assertEqual(choosing_speed.cost_text(self.scene, 8), "any")
         agaa["frameMs"]["median"] = 250

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of benchmark/report/coverage.py: what is divided by what, and what is missing."""
+"""Tests of benchmark/report/coverage.py: ratios, and missing rows."""
 
 import sys
 import unittest

@@ -1,4 +1,4 @@
-"""docs/effects.md is what benchmark/effects.py prints."""
+"""Tests that docs/effects.md is the output of benchmark/effects.py."""
 import os
 import pathlib
 import subprocess

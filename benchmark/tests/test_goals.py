@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of benchmark/calibrate.py and goals.py: what they say of measurements."""
+"""Tests of benchmark/calibrate.py and goals.py: the results that they derive from measurements."""
 import pathlib
 import sys
 import unittest
@@ -60,7 +60,7 @@ class Judgement(unittest.TestCase):
         self.assertIn("1 of 3 targets are reached; no settings reach 1.", text)
         self.assertIn("Errors are at most 1.33 times the target", text)
         self.assertIn("Choices take at most 1.60 times the time of the fastest preset", text)
-        self.assertIn("| s | 0.05 | ssaa-8 | 0.100 | 0.100 | 2.00 | 7 | 8 | none |  | none |  |", goals.table(results))
+        self.assertIn("| s | 0.05 | ssaa-8 | 0.100 | 0.100 | 2.00 | 7 | 8 | none |  | none |  |", goals.result_table(results))
 
     def test_a_moved_camera_aims_at_its_target(self):
         x, y, z, *others = goals.moved([1.0, 2.0, 10.0, 1.0, 2.0, 0.0, 50.0])

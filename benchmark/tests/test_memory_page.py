@@ -1,4 +1,4 @@
-"""docs/memory.md is what benchmark/memory.py prints."""
+"""Tests that docs/memory.md is the output of benchmark/memory.py."""
 import os
 import pathlib
 import subprocess

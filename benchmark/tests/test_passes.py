@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of benchmark/passes.py: the page, and that the kept one follows from the kept results."""
+"""Tests of benchmark/passes.py: the page, and that the kept page is current."""
 
 import json
 import sys
@@ -20,14 +20,14 @@ def row(technique, samples, times, backend="vk", aggregates=0, tier="", scene="m
 
 class Page(unittest.TestCase):
     def test_sums_passes_and_compares_with_ssaa(self):
-        lines = passes.table([row("ssaa", 8, {"gbuffer": 3, "shade": 1}),
+        lines = passes.pass_table([row("ssaa", 8, {"gbuffer": 3, "shade": 1}),
                               row("agaa", 8, {"prepass": 1, "clear": 0.5, "generate": 1.5}, aggregates=2, tier="per-sample")])
         self.assertEqual(lines[2:], [
             "| `ssaa`, 8 | 4.000 | 1.00 | gbuffer 3.000, shade 1.000 | 20 | 1.25 |",
             "| `agaa`, 8, 2 by per-sample | 3.000 | 0.75 | generate 1.500, prepass 1.000 | 20 | 1.25 |"])
 
     def test_compares_with_nothing_where_ssaa_is_missing(self):
-        self.assertIn("| 12.0 | – |", passes.table([row("dcaa", 64, {"fragments": 12}, aggregates=4, tier="lists")])[2])
+        self.assertIn("| 12.0 | – |", passes.pass_table([row("dcaa", 64, {"fragments": 12}, aggregates=4, tier="lists")])[2])
 
     def test_each_scene_and_backend_has_a_table(self):
         page = passes.document({"note": "A note.", "rows": [row("ssaa", 8, {"a": 1}), row("ssaa", 8, {"a": 2}, "gl"),

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of benchmark/scene_effects.py: what its tables say of results."""
+"""Tests of benchmark/scene_effects.py: the tables that it makes of results."""
 
 import json
 import sys
@@ -20,9 +20,9 @@ def scene(ratio, lights):
     more = counts(5, 100.5, 10, 40, lights)
     effects = {name: {"with": more, "without": less, "ratio": ratio} for name, _, _ in scene_effects.EFFECTS}
     effects["bare"] = {"with": more, "without": less, "ratio": 2 * ratio}
-    way = {"short": more, "long": counts(5, 100.5, 10, 80, 2 * lights), "largest": 0, "mse": 0, "ratio": 1.5}
+    early_out = {"short": more, "long": counts(5, 100.5, 10, 80, 2 * lights), "largest": 0, "mse": 0, "ratio": 1.5}
     short = {"uncovered pixels": {"share": 0.25}, "pixels of one aggregate": {"share": 0.5}}
-    return {"effects": effects, "short": {**short, **{name: way for name, _ in scene_effects.LONG_WAYS}},
+    return {"effects": effects, "short": {**short, **{name: early_out for name, _ in scene_effects.SWITCHABLE_EARLY_OUTS}},
             "normals": {name: ratio / 1e5 for name, _ in scene_effects.NORMALS}}
 
 
@@ -45,7 +45,7 @@ class SceneEffects(unittest.TestCase):
         text = scene_effects.page(self.results)
         self.assertIn("| uncovered pixels, share | 0.25 | 0.25 | |", text)
         self.assertIn("| flat aggregate: one shadow lookup | no |", text)
-        name = scene_effects.LONG_WAYS[1][0]
+        name = scene_effects.SWITCHABLE_EARLY_OUTS[1][0]
         self.assertIn(f"| {name}: light evaluations with it | 0.50 | 0.50 | 0 |", text)
         self.assertIn(f"| {name}: frame without it | 1.50 | 1.50 | 0 |", text)
 

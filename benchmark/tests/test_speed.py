@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of benchmark/report/speed.py: ratios of the same turn, and how far they can be trusted."""
+"""Tests of benchmark/report/speed.py: ratios of the same turn, and their confidence bounds."""
 
 import subprocess
 import sys
@@ -9,11 +9,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 TOOL = ROOT / "benchmark" / "report" / "speed.py"
-sys.path.insert(0, str(TOOL.parent))
+sys.path[:0] = [str(TOOL.parent), str(TOOL.parents[1])]
 import paired
 import speed
 
-DRIFT = [1, 3, 1, 5, 2, 8, 1]  # how slow the device is in each turn
+DRIFT = [1, 3, 1, 5, 2, 8, 1]  # factors of the times in each turn
 
 
 def row(technique, n, c, ms, by=None, preset="", drift=DRIFT, shading=1):
@@ -49,7 +49,7 @@ class Paired(unittest.TestCase):
         self.assertEqual(paired.ratios(scene()["rows"][0], untimed, paired.shading), [])
 
     def test_bounds_are_those_of_the_harness(self):
-        # of n, the k-th from either end: with 95 % confidence, as tests/sweep/quantiles_test.cpp has it
+        # With 95 % confidence, the bounds of n values are the k-th from either end: see tests/render/quantiles_test.cpp.
         for n, k in ((1, 1), (5, 1), (6, 1), (8, 1), (9, 2), (11, 2), (12, 3), (20, 6), (101, 41)):
             with self.subTest(n=n):
                 self.assertEqual(paired.bounds(range(n, 0, -1)), (k, n + 1 - k))

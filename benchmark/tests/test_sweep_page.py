@@ -18,7 +18,7 @@ KEEP = None
 
 
 def rows_of(scene):
-    """Rows of the scene's own lights by technique, n and c; of agaa those by two passes, which come first."""
+    """Rows of the scene's own lights by technique, n and c. Rows of agaa with two passes come first and are taken."""
     return {(row["technique"], row["n"], row["c"]): row for row in reversed(scene["rows"]) if row["shadingCost"] == 1}
 
 
@@ -59,7 +59,7 @@ class Shown(unittest.TestCase):
         }})()""")
 
     def rows(self, selector):
-        """Lists of texts of a table's cells, a cell's note apart from its text by a line."""
+        """Texts of the cells of each row of a table. A line break separates a cell's note from its text."""
         return self.browser.run(f"""[...document.querySelectorAll("{selector} tr")].map((row) =>
             [...row.children].map((cell) => [...cell.childNodes].map((node) => node.textContent)
                 .join("\\n")))""")
@@ -115,7 +115,7 @@ class Shown(unittest.TestCase):
         self.assertIn("2.5e-6", self.browser.run("document.getElementById('temporal-note').textContent"))
 
     def expected_equal_time(self, rows):
-        """The rows of the table, worked out anew: {budget: {technique: (error, n, c)}}."""
+        """The rows of the table, computed independently: {budget: {technique: (error, n, c)}}."""
         rows = [row for row in rows if row and row.get("shadingCost") == 1]
         out = {}
         for budget in rows:
@@ -166,7 +166,7 @@ class Shown(unittest.TestCase):
         swapped = json.loads(json.dumps(self.results))
         for backend in swapped["backends"]:
             for scene in backend["scenes"]:
-                scene["rows"].reverse() # those by id come first
+                scene["rows"].reverse()  # rows by id come first
         with tempfile.TemporaryDirectory() as folder:
             page = Path(folder) / "swapped.html"
             self.assertEqual(run_tool(write_results(Path(folder), swapped), page).returncode, 0)
@@ -418,12 +418,12 @@ class Shown(unittest.TestCase):
         wide = self.browser.run("[...document.querySelectorAll('.scroll')]"
                                 ".filter((one) => one.scrollWidth > one.clientWidth).length")
         self.assertGreater(wide, 3)
-        # Heads of rows stay while the rest is scrolled: they leave room for it.
+        # Heads of rows stay while the rest scrolls, and leave room for it.
         widest = self.browser.run("[...document.querySelectorAll('tbody th')].map((one) => {"
                                   " one.textContent = 'agaa n=8 c=2 (post-depth-atomics, scaled-target)';"
                                   " return one.offsetWidth; }).sort((a, b) => b - a)[0]")
         self.assertTrue(90 < widest <= 195, widest)
-        # A page turned on its side, and back.
+        # The page is turned to landscape, and back.
         for width in (844, 390):
             self.browser.resize(width, 844)
             self.browser.wait(f"document.documentElement.scrollWidth === {width}"

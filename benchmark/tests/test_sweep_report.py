@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of benchmark/report/sweep_report.py: what the file that it writes holds."""
+"""Tests of benchmark/report/sweep_report.py: the contents of the page."""
 
 import base64
 import copy
@@ -58,7 +58,7 @@ class Written(unittest.TestCase):
 
     def test_images_are_kept_once_and_up_to_a_size(self):
         results = make_results(self.folder)
-        # Copies: what differs in name alone is the same image.
+        # Files that differ in their names alone are the same image.
         other = results["backends"][1]["scenes"][0]["rows"][0]
         (self.folder / "images/copy.png").write_bytes((self.folder / other["image"]).read_bytes())
         other["image"] = "images/copy.png"
@@ -73,9 +73,25 @@ class Written(unittest.TestCase):
 
         few = self.embedded(self.make(results, "--image-mib", "0.006"))
         self.assertGreater(few["imagesLeftOut"], 0)
-        # A scene's reference comes first.
+        # The reference of a scene comes first.
         self.assertIsInstance(few["backends"][0]["scenes"][0]["referenceImage"], int)
         self.assertIsNone(few["backends"][0]["scenes"][0]["rows"][-1]["image"])
+
+    def test_selected_images_alone(self):
+        results = make_results(self.folder)
+        scene = results["backends"][0]["scenes"][0]
+        scene["rows"] = scene["rows"][:2]
+        for holder, key, name in ((scene, "referenceImage", "reference"), (scene["rows"][0], "image", "single-1"),
+                                  (scene["rows"][1], "image", "agaa-8-2")):
+            named = f"images/vk-bamboo-{name}.png"
+            (self.folder / named).write_bytes((self.folder / holder[key]).read_bytes())
+            holder[key] = named
+        results["backends"] = [{**results["backends"][0], "scenes": [scene]}]
+        kept = self.embedded(self.make(results, "--image", "reference", "--image", "agaa-8-2"))
+        scene = kept["backends"][0]["scenes"][0]
+        self.assertIsInstance(scene["referenceImage"], int)
+        self.assertEqual([isinstance(row["image"], int) for row in scene["rows"]], [False, True])
+        self.assertGreater(kept["imagesLeftOut"], 0)
 
     def test_what_is_compared_first_is_whole_before_the_next_scene(self):
         def row(technique, n, c, tier="post-depth-atomics", preset=""):
@@ -87,7 +103,7 @@ class Written(unittest.TestCase):
                 row("agaa", 8, 0, preset="paper")]
         results = {"backends": [{"scenes": [{"referenceImage": f"reference-{name}-{scene}", "rows": copy.deepcopy(rows)}
                                             for scene in range(2)]} for name in ("vk", "gl")]}
-        names = [holder[key] for _, holder, key in sweep_images.wanted(results)]
+        names = [holder[key] for _, holder, key, _ in sweep_images.wanted(results)]
         first = ["simple_complex-8-0-post-depth-atomics", "simple_complex-8-0-post-depth-atomics-events",
                  "agaa-8-2-post-depth-atomics", "agaa-8-2-post-depth-atomics-events", "agaa-8-0-idsaccurate",
                  "agaa-8-0-idsaccurate-events"]

@@ -1,8 +1,8 @@
-// Bars by row: where a frame's time goes, and what the image does over time.
+// Bars by row: the stages of a frame's time, and errors over time.
 
 const BAR_HEIGHT = 24;
 
-// tip: words for a bar of the dataset named; else its number.
+// tip: returns the words for a bar of a dataset; without it, the bar's number is shown.
 function drawBars(id, words, rows, datasets, title, {plugins = [], tip = null} = {}) {
     drawChart(id, words, {
         type: "bar",
@@ -28,7 +28,7 @@ function drawBars(id, words, rows, datasets, title, {plugins = [], tip = null} =
     }, 90 + BAR_HEIGHT * rows.length);
 }
 
-// A stage's passes, one by one.
+// Lists the passes of a stage.
 function passesText(row, stage) {
     const passes = dicts(row.passes).filter((pass) => pass.stage === stage && finite(field(pass, "ms", "median")) !== null);
     return passes.length ? passes.map(({name, ms}) => `${name} ${msText(ms.median)} ms (p95 ${msText(ms.p95)})`) : null;
@@ -41,7 +41,7 @@ function showStages(backend, rows) {
     const measured = sortedRows(rows).filter((row) => Object.keys(stagesOf(row)).length);
     const select = byId("stage-n");
     const sizes = unique(measured.map(samplesOf)).sort((a, b) => a - b);
-    // Rows of one n fill a screen; all of a whole sweep's do not.
+    // Rows of one n fit on a screen; all rows of a sweep do not.
     setOptions(select, [{value: "all", text: "all"}, ...sizes.filter((n) => n > 1)
         .map((n) => ({value: String(n), text: "n = " + n}))], measured.length > 20 ? "8" : "all");
     const shown = measured.filter((row) => select.value === "all" || samplesOf(row) <= 1
@@ -58,7 +58,7 @@ function showStages(backend, rows) {
     })), "ms, medians of passes", {tip: passesText});
 }
 
-// A line at 1: what flickers as the reference does ends there.
+// The line at 1 marks the flicker of the reference.
 const steadyLine = {
     id: "steadyLine",
     afterDatasetsDraw(chart) {
@@ -77,7 +77,7 @@ const steadyLine = {
     },
 };
 
-// kind: field of a row. Charts go to the boxes of the ids given.
+// kind: field of a row. The charts are drawn into the boxes with these ids.
 function showOverTime(rows, kind, errorId, flickerId, words) {
     const measured = sortedRows(rows).filter((row) => finite(field(row, kind, "biasSquared")) !== null
         || finite(field(row, kind, "variance")) !== null);

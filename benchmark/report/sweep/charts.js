@@ -1,6 +1,6 @@
-// What all charts share: colours that are told apart without seeing red and green, and drawing.
+// Shared by all charts: colours that colour-blind readers can distinguish, and drawing.
 
-// Okabe and Ito's palette, moved a little where it is too pale or too dark for the page.
+// This is Okabe and Ito's palette, adjusted where it is too pale or too dark for the page.
 const STYLES = {
     agaa: {light: "#d55e00", dark: "#ff8126", point: "circle"},
     simple_complex: {light: "#0072b2", dark: "#4d9fe0", point: "rect"},
@@ -26,7 +26,7 @@ function styleOf(technique) {
     return {color: tone([style.light, style.dark]), point: style.point};
 }
 
-// Techniques in one order everywhere; what the page does not know comes last.
+// All charts have techniques in this order; unknown ones come last.
 const ORDER = ["single", "fxaa", "msaa", "ssaa", "simple_complex", "sbaa", "agaa"];
 function inOrder(techniques) {
     const place = (name) => ORDER.includes(name) ? ORDER.indexOf(name) : ORDER.length;
@@ -46,7 +46,7 @@ function clearChart(id) {
     charts.delete(id);
 }
 
-// height: pixels, or null for what the style gives.
+// height: pixels; null: the height of the style.
 function drawChart(id, words, config, height = null) {
     clearChart(id);
     Chart.defaults.color = styleVariable("--quiet");
@@ -71,11 +71,11 @@ function noChart(id, words) {
     fill(id, absent(words));
 }
 
-// Powers of ten are far apart; 2 and 5 between them are enough to read a value by.
+// Powers of ten are far apart; labels at 2 and 5 between them make values readable.
 function logAxis(title, text, values) {
     return {
         type: "logarithmic", title: {display: true, text: title},
-        // Room for whole points at the edges, but no empty decades.
+        // The edges have room for whole points, but no empty decades.
         min: Math.min(...values) / 1.3, max: Math.max(...values) * 1.3,
         ticks: {
             maxRotation: 0,

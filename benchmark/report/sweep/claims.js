@@ -1,11 +1,11 @@
-// The AGAA paper's claims against this run, over all scenes of the backend.
+// Compares the claims of the AGAA paper with this run, over all scenes of the backend.
 
-// A claim that values of one scene each must meet; null where no scene has the value.
-function judged(claim, scenes, value, holds, cause, text = ratioText) {
+// A claim that the value of each scene must meet; null if no scene has the value.
+function judged(claim, scenes, value, isMet, cause, text = ratioText) {
     const measured = scenes.map((scene) => ({scene, value: value(scene)})).filter((one) => one.value !== null);
     if (!measured.length)
         return null;
-    const broken = measured.filter((one) => !holds(one.value));
+    const broken = measured.filter((one) => !isMet(one.value));
     const names = broken.map((one) => `${one.scene.name ?? MISSING} ${text(one.value)}`).join(", ");
     return [claim, spanText(measured.map((one) => one.value), text),
         broken.length ? `on ${measured.length - broken.length} of ${measured.length}; not on ${names}`
@@ -13,7 +13,7 @@ function judged(claim, scenes, value, holds, cause, text = ratioText) {
         broken.length ? cause(broken.map((one) => one.scene)) : ""];
 }
 
-// A claim that the best scene must meet.
+// A claim that the value of the best scene must meet.
 function best(claim, scenes, value, least, cause) {
     const measured = scenes.map((scene) => ({scene, value: value(scene)})).filter((one) => one.value !== null);
     if (!measured.length)
@@ -25,7 +25,7 @@ function best(claim, scenes, value, least, cause) {
 
 const pairsAt = (scene, n, cost = 1) => pairAt(rowsAt(scene, cost), n);
 
-// How the ratio grows when lighting is most of the work: then the rest is what keeps it down.
+// States how the ratio grows when lighting is most of the work: then the other passes limit it.
 function heavierLighting(scenes, n, key) {
     for (const cost of [16, 4]) {
         const values = scenes.map((scene) => pairsAt(scene, n, cost)[key]).filter((value) => value !== null);
@@ -56,7 +56,7 @@ function errorShare(s) {
         return ratio(ours && errorOf(ours, metric), theirs && errorOf(theirs, metric));
     };
 }
-// Of agaa c=2 against a technique at c or S.
+// Compares agaa c=2 with a technique at c or S.
 const saved = (n, technique, c) => (scene) => {
     const bytes = (row) => finite(row?.bytesPerPixel), rows = rowsAt(scene, 1);
     const left = ratio(bytes(find(rows, "agaa", n, 2)), bytes(find(rows, technique, n, c)));

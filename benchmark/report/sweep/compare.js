@@ -6,7 +6,7 @@ const imageUrl = (id) => {
     return `data:image/${text.startsWith("/9j/") ? "jpeg" : "png"};base64,` + text; // JPEG begins with FF D8 FF
 };
 
-// Everything of a scene that has an image: {name, image, heat, difference}.
+// Returns the entries of a scene that have an image: {name, image, heat, difference}.
 function choicesOf(scene) {
     const shown = sortedRows(rowsOf(scene)).map((row) => ({name: label(row), row, image: row.image, heat: row.heat,
         difference: row.difference}));
@@ -21,7 +21,7 @@ function loaded(id) {
     return image.decode().then(() => image);
 }
 
-// Absolute difference of two images, four times as strong, as a URL.
+// Returns the absolute difference of two images, multiplied by four, as a URL.
 async function differenceUrl(first, second) {
     const images = await Promise.all([loaded(first), loaded(second)]);
     const canvas = element("canvas", {width: images[0].naturalWidth, height: images[0].naturalHeight});
@@ -59,7 +59,7 @@ function resizeCompare() {
     const fits = compare.zoom === "fit";
     slider.style.width = Math.round(fits ? fitting : natural * Number(compare.zoom)) + "px";
     slider.classList.toggle("magnified", slider.offsetWidth >= natural);
-    // A finger moves a picture larger than its frame, and the line only by its handle.
+    // On a touch screen, a finger scrolls a picture larger than its frame. The handle moves the line.
     slider.handle = !fits && slider.offsetWidth > room;
     const frame = slider.parentElement;
     frame.scrollLeft = (frame.scrollWidth - frame.clientWidth) / 2;
@@ -79,7 +79,7 @@ async function updateCompare(choices) {
     else if (mode === "reference")
         url = reference ? await differenceUrl(right.image, reference.image) : imageUrl(right.difference);
     const first = await loaded(left.image);
-    // A choice made while the pictures were worked out has the last word.
+    // A choice that was made while the pictures were computed takes precedence.
     if (work !== compare.work)
         return;
     byId("slider").dataset.width = first.naturalWidth;
@@ -105,7 +105,7 @@ function showCompare(scene) {
     const options = choices.map(({name}, i) => ({value: String(i), text: name}));
     const pick = (technique, n, c) => choices.findIndex(({row}) => row && row.technique === technique
         && (n === undefined || row.n === n) && (c === undefined || row.c === c));
-    const first = (...places) => String(Math.max(0, places.find((place) => place >= 0) ?? 0));
+    const first = (...indices) => String(Math.max(0, indices.find((index) => index >= 0) ?? 0));
     const selects = ["left", "right", "mode"].map((id) => element("select", {id, autocomplete: "off"}));
     setOptions(selects[0], options, first(pick("single"), pick("ssaa", 8), 0));
     setOptions(selects[1], options, first(pick("agaa", 8, 2), pick("agaa"), choices.length - 1));

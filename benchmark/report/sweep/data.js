@@ -1,5 +1,5 @@
 "use strict";
-// Reading of the results: anything may be missing, nothing of it may break the page.
+// Reads the results. Any member may be missing, which must not break the page.
 
 const results = JSON.parse(document.getElementById("results").textContent);
 const paperFigures = JSON.parse(document.getElementById("papers-figures").textContent);
@@ -11,13 +11,13 @@ const finite = (value) => typeof value === "number" && Number.isFinite(value) ? 
 const field = (value, ...keys) => keys.reduce((at, key) => at && typeof at === "object" ? at[key] : undefined, value);
 const backendsOf = () => dicts(results.backends);
 const allScenesOf = (backend) => dicts(field(backend, "scenes"));
-// A plain scene is there for the table of effects alone.
+// A plain scene appears in the table of effects only.
 const scenesOf = (backend) => allScenesOf(backend).filter((scene) => !scene.plain);
 const rowsOf = (scene) => dicts(field(scene, "rows"));
 const costOf = (row) => finite(row.shadingCost) ?? 1;
 const rowsAt = (scene, cost) => rowsOf(scene).filter((row) => costOf(row) === cost);
 const frameMs = (row) => finite(field(row, "frameMs", "median"));
-// Between what the median of such frames lies; nothing where it was not asked.
+// The confidence bounds of the median; nothing if the results lack them.
 function boundsText(times) {
     const [low, high, confidence] = ["low", "high", "confidence"].map((key) => finite(times?.[key]));
     return low === null || high === null || confidence === null ? null
@@ -45,7 +45,7 @@ function tiersOf(row) {
     return tiers.filter((tier) => tier).join(", ");
 }
 
-// Two rows of one scene that differ in their tiers alone say so in their names.
+// Two rows of one scene that differ in their tiers only have the tiers in their names.
 for (const scene of backendsOf().flatMap(scenesOf)) {
     const seen = new Map();
     for (const row of rowsOf(scene)) {
@@ -58,7 +58,7 @@ for (const scene of backendsOf().flatMap(scenesOf)) {
     }
 }
 
-// What is measured (key of an error) against what (the row's field).
+// The metrics: the key of an error, and the row's field for what it is measured against.
 const METRICS = {
     "mseTm": {name: "mseTm against the reference", against: "errorReference", key: "mseTm"},
     "mseTm-ssaa": {name: "mseTm against ssaa at the same n", against: "errorSameSamples", key: "mseTm"},
@@ -68,21 +68,21 @@ const METRICS = {
     "relMse": {name: "relMSE against the reference, linear", against: "errorReference", key: "relMse"},
 };
 const errorOf = (row, metric) => finite(field(row, metric.against, metric.key));
-// Techniques of different n can be set beside each other only by the one reference.
+// Only the common reference allows a comparison of techniques with different n.
 const referenceMetric = (metric) => METRICS[metric.key];
 
-// Errors of the reference are known as mseTm only; of other metrics every gap counts.
+// The reference's own error is known as mseTm only; with other metrics every gap counts.
 function smallestGap(scene, metric) {
     const own = finite(field(scene, "reference", "splitHalfMseTm"));
     return metric.key === "mseTm" && metric.against === "errorReference" && own !== null ? 10 * own : 0;
 }
 
-// a by b, errors of two rows; 1 where the reference cannot tell them apart.
+// Returns the ratio of two rows' errors; 1 if the reference cannot distinguish them.
 function errorRatio(scene, metric, a, b) {
     return a !== null && b !== null && Math.abs(a - b) < smallestGap(scene, metric) ? 1 : ratio(a, b);
 }
 
-// The same of "biasSquared" or "variance" over shifts.
+// Returns such a ratio of "biasSquared" or "variance" over shifts.
 function temporalRatio(row, other, key) {
     const [a, b, own] = [field(row, "temporal", key), field(other, "temporal", key), field(row, "temporal", "referenceMseTm")]
         .map(finite);

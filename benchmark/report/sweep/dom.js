@@ -1,4 +1,4 @@
-// Small builders of elements. Texts of the results only ever become text, never markup.
+// Small builders of elements. Texts of the results become text, never markup.
 
 const byId = (id) => document.getElementById(id);
 
@@ -10,8 +10,8 @@ function element(tag, properties = {}, ...children) {
 
 const absent = (words) => element("p", {className: "absent", textContent: words});
 
-// heads: texts, those that begin with "<" are of columns of words. rows: lists of cells; a cell is
-// a text or {text, note, className}; the first heads its row.
+// heads: texts; "<" at the beginning marks a column of words. rows: lists of cells; a cell is a text or
+// {text, note, className}, and the first one is the head of its row.
 function tableOf(caption, heads, rows) {
     const wordy = heads.map((head) => head.startsWith("<"));
     const cell = (value, column) => {
@@ -29,7 +29,7 @@ function tableOf(caption, heads, rows) {
     const table = element("table", {}, element("caption", {textContent: caption}),
         element("thead", {}, head),
         element("tbody", {}, ...rows.map((row) => element("tr", {}, ...row.map(cell)))));
-    // Tables scroll inside their own box, by keys too, so that the page itself never moves sideways.
+    // Tables scroll inside their own box, also by keys, so that the page itself never scrolls sideways.
     const box = element("div", {className: "scroll", tabIndex: 0}, table);
     box.setAttribute("role", "region");
     box.setAttribute("aria-label", caption);
@@ -40,7 +40,7 @@ function fill(id, ...children) {
     byId(id).replaceChildren(...children);
 }
 
-// Options are {value, text}; keeps the choice where the new options still have it.
+// Options are {value, text}. The choice is kept if the new options have it.
 function setOptions(select, options, preferred) {
     const before = select.value;
     select.replaceChildren(...options.map(({value, text, disabled = false}) =>

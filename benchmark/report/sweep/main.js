@@ -1,4 +1,4 @@
-// The page's choices, and drawing all of it for them.
+// The controls of the page, and drawing for their values.
 
 const chosen = () => {
     const backend = backendsOf()[Number(byId("backend").value)] ?? {};
@@ -64,7 +64,7 @@ function showScene() {
 
 function showBackend() {
     const {backend} = chosen();
-    // The scene stays the same one where the other backend has it too.
+    // The scene stays selected if the other backend also has it.
     const name = byId("scene").selectedOptions[0]?.textContent;
     const scenes = scenesOf(backend).map((scene, i) => ({value: String(i), text: String(scene.name ?? `scene ${i + 1}`)}));
     setOptions(byId("scene"), scenes, "0");

@@ -1,6 +1,6 @@
-// What the page works out of the rows.
+// Figures that the page computes from the rows.
 
-// Rows that no other beats in both: none is as quick with less error, nor as exact in less time.
+// Returns the Pareto front: rows for which none is as quick with less error, nor as exact in less time.
 function paretoFront(points) {
     const front = [];
     for (const point of [...points].sort((a, b) => a.x - b.x || a.y - b.y)) {
@@ -13,7 +13,7 @@ function paretoFront(points) {
 const least = (rows, of) => rows.reduce((best, row) => best === null || of(row) < of(best) ? row : best, null);
 const timed = (rows, metric) => rows.filter((row) => frameMs(row) > 0 && errorOf(row, metric) !== null);
 
-// For the frame time of each ssaa row: by technique, the row of least error that takes no longer.
+// For the frame time of each ssaa row, returns the row of least error of each technique that takes no longer.
 function equalTime(rows, metric) {
     const usable = timed(rows, metric);
     return usable.filter((row) => row.technique === "ssaa")
@@ -28,8 +28,8 @@ function equalTime(rows, metric) {
         });
 }
 
-// For the error of each ssaa and simple_complex row: by technique, the quickest row that errs no
-// more, and the quickest whose error is no different where that is a quicker one.
+// For the error of each ssaa and simple_complex row, returns the quickest row of each technique with no larger error, and
+// the quickest row whose error is not different if that one is quicker.
 function equalQuality(rows, metric, gap) {
     const usable = timed(rows, metric);
     return usable.filter((row) => row.technique === "ssaa" || row.technique === "simple_complex")
@@ -50,7 +50,7 @@ function equalQuality(rows, metric, gap) {
         });
 }
 
-// Stages of a row that took time, in the order of a frame.
+// Returns the stages of a row that took time, in the order of a frame.
 const STAGES = ["prepass", "shadowmap", "definition", "generation", "shading", "post", "other"];
 function stagesOf(row) {
     const times = row.stageMs && typeof row.stageMs === "object" ? row.stageMs : {};
@@ -64,7 +64,7 @@ function stagesOf(row) {
     return out;
 }
 
-// The papers' way of a technique: no preset, and not from a G-buffer or by id.
+// Returns whether a row has the papers' configuration: no preset, and not from a G-buffer or by id.
 const isPlain = (row) => !row.preset && !["gbuffer", "ids"].includes(field(row, "tiers", "generation"));
 const find = (rows, technique, n, c) => rows.find((row) => row.technique === technique && row.n === n
     && (c === undefined || row.c === c) && isPlain(row)) ?? null;

@@ -1,10 +1,10 @@
-// What a frame gains by one geometry pass, and what the presets give, over all scenes of the backend.
+// The advantage of one geometry pass, and the figures of the presets, over all scenes of the backend.
 
 const ONE_PASS = {gbuffer: "from a G-buffer", ids: "by id"};
 const tierRow = (rows, n, tier) => rows.find((row) => row.technique === "agaa" && row.n === n && row.c === 2 && !row.preset
     && field(row, "tiers", "generation") === tier) ?? null;
 
-// How many times simple_complex's frame is the row's, and the row's error by its.
+// Returns simple_complex's frame time as a multiple of the row's, and the row's error as a multiple of its error.
 function againstSimpleComplex(scene, row, theirs) {
     const value = ratio(theirs && frameMs(theirs), row && frameMs(row));
     const errors = errorRatio(scene, METRICS.mseTm, row && errorOf(row, METRICS.mseTm), theirs && errorOf(theirs, METRICS.mseTm));
@@ -37,7 +37,7 @@ function median(values) {
     return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
 }
 
-// The median over the scenes, with the least and the greatest and where that is.
+// Returns the median over the scenes, with the smallest and the largest value and its scene.
 function overScenes(scenes, value, text) {
     const known = scenes.map((scene) => ({scene, value: value(rowsAt(scene, 1), scene)})).filter((one) => one.value !== null);
     if (!known.length)

@@ -1,12 +1,12 @@
-// Our ratios beside the papers', and what keeps them from being compared.
+// Our ratios beside the papers', and the reasons for which they cannot be compared.
 
-// Bytes a pixel by the layouts that reproduce the figures of the papers.
+// Bytes per pixel with the layouts that reproduce the figures of the papers.
 const paperBytes = {
     agaa: (n, c) => 16 * c + 6 * n + n * Math.ceil(Math.log2(c)) / 8,
     ssaa: (n) => 16 * n,
     sbaa: (n, s) => 9 * n + 14 * s,
 };
-// Where pixels are classified, that is of shading: it may be in the same pass.
+// The classification of pixels counts as shading, because it may be in the same pass.
 const shadingMs = (row) => {
     const {shading, definition = 0} = row ? stagesOf(row) : {};
     return shading === undefined ? null : row.technique === "simple_complex" ? definition + shading : shading;
@@ -97,7 +97,7 @@ function ratioRows(backend, scene, rows, cost) {
     return out;
 }
 
-// Of Wang et al. 2016 (DCAA), table 1, and Holländer et al. 2013, table 1.
+// The figures are from Wang et al. 2016 (DCAA), table 1, and Holländer et al. 2013, table 1.
 function relativesRatios(scene, rows, add) {
     const mse = (row) => finite(field(row, "errorReference", "mse"));
     const {mse: theirs} = paperFigures.dcaa, byMsaa = ({sbaa4, msaa8}) => sbaa4 / msaa8;

@@ -1,4 +1,4 @@
-// Error against time and against memory: every row a point, what nothing beats joined.
+// Charts of error against time and memory. Each row is a point; a line joins the Pareto front.
 
 function pointTooltip() {
     return {
@@ -32,7 +32,7 @@ function drawPareto(id, rows, metric, axis) {
         noChart(id, "No row has both this error and " + axis.missing + ".");
         return 0;
     }
-    // The line runs on as far right as there are points, for what lies there above it.
+    // The line extends as far right as the points, because points above it there are beaten.
     const front = paretoFront(points).map(({x, y}) => ({x, y}));
     const furthest = Math.max(...points.map((point) => point.x));
     if (front[front.length - 1].x < furthest)
@@ -40,7 +40,7 @@ function drawPareto(id, rows, metric, axis) {
     const datasets = inOrder(points.map((point) => techniqueOf(point.row))).map((technique) => {
         const own = points.filter((point) => techniqueOf(point.row) === technique);
         const {color, point} = styleOf(technique);
-        // Crosses and stars are all outline; filled shapes keep a rim of the page's colour.
+        // Crosses and stars consist of outlines; filled shapes have a rim of the page's colour.
         const outlined = ["crossRot", "cross", "star", "dash"].includes(point);
         return {
             label: technique, data: own, pointStyle: point, borderColor: outlined ? color : styleVariable("--page"),

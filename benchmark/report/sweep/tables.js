@@ -70,7 +70,7 @@ function showMemory(rows) {
         msText(field(row, "frameMs", "p95")), boundsText(row.frameMs) ?? MISSING, tiersOf(row) || MISSING])));
 }
 
-// Errors against ssaa at the same n, which has none of its own.
+// Errors are against ssaa at the same n, which itself has none.
 function removedText(on, off) {
     if (on === null || off === null)
         return MISSING;
@@ -82,7 +82,7 @@ function removedText(on, off) {
     return on < off ? `removes ${share.toFixed(0)} %` : `adds ${share.toFixed(0)} %`;
 }
 
-// Of frame times with an effect and without.
+// Compares frame times with an effect and without it.
 function costCell(on, off) {
     const text = ratioText(ratio(finite(on?.median), finite(off?.median)));
     const alike = on?.low <= off?.high && off?.low <= on?.high;
