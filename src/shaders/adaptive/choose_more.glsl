@@ -1,12 +1,17 @@
-// Chooses samples until there are enough. After sample_choice.glsl.
+// Chooses samples until there are enough. Needs adaptive/sample_choice.glsl.
 #ifndef AGAA_CHOOSE_MORE_GLSL
 #define AGAA_CHOOSE_MORE_GLSL
+#ifndef AGAA_SAMPLE_CHOICE_GLSL
+#error "choose_more.glsl needs sample_choice.glsl."
+#endif
 #include "adaptive/first_samples.glsl"
 
-// wanted: the number of samples; 0: as many as differ enough from all others that were chosen, and what the shading calls for
-// (byShading: agaa_countByShading()). left: the difference of the sample that would be next, as a share of the limit.
+// Returns the mask of chosen samples.
+// wanted      Number of samples; 0: the samples that differ enough from all chosen ones, and those that shading demands.
+// byShading   agaa_countByShading().
+// left        Receives the difference of the sample that would be next, as a share of the limit.
 uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint wanted, float byShading, out float left) {
-    uint turn = 0u;
+    uint iteration = 0u;
     left = 0.0;
     do {
         if (chosen == covered)
@@ -22,7 +27,7 @@ uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint wanted, float 
         next = agaa_isAdaptive(AGAA_ADAPTIVE_IN_ORDER) ? agaa_firstInOrder(covered & ~chosen) : next;
         chosen |= 1u << next;
         agaa_chooseSample(pixel, covered, next);
-    } while (++turn < agaa_sampleCount());
+    } while (++iteration < agaa_sampleCount());
     return chosen;
 }
 #endif

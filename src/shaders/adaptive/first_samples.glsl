@@ -1,4 +1,5 @@
-// The image of first samples, and the samples that its differences call for (Hollaender et al. 2013, section 3.1).
+// The image of first samples, and the samples that its differences demand (Hollaender et al. 2013, section 3.1). Needs
+// common/frame.glsl.
 #ifndef AGAA_FIRST_SAMPLES_GLSL
 #define AGAA_FIRST_SAMPLES_GLSL
 #include "math/adaptive.glsl"
@@ -6,18 +7,18 @@
 #include "adaptive/adaptive_flags.glsl"
 #include "adaptive/stored_choice.glsl"
 
-// Radiance; where the pixel shows no geometry, what is below, and alpha is 0.
+// Radiance. Pixels without geometry have the background, with alpha 0.
 layout(AGAA_BINDING_FIRST_SAMPLES) uniform sampler2D agaa_firstSamples;
 
 vec4 agaa_firstSample(ivec2 pixel) { return texelFetch(agaa_firstSamples, pixel, 0); }
 
-// Tone-mapped, in [0, 1]: one bright pixel raises the counts of its neighbours by no more than an edge does.
+// Returns tone-mapped luma in [0, 1], so that one bright pixel raises the counts of its neighbours no more than an edge.
 float agaa_firstLuma(ivec2 pixel) {
     ivec2 at = clamp(pixel, ivec2(0), ivec2(agaa_frame.size) - 1);
     return agaa_displayLuma(agaa_firstSample(at).rgb);
 }
 
-// k_s; a real number of samples.
+// Returns the number of samples k_s, a real number.
 float agaa_countByShading(uvec2 pixel) {
     if (!agaa_isAdaptive(AGAA_ADAPTIVE_SHADING))
         return 0.0;
@@ -33,14 +34,16 @@ float agaa_countByShading(uvec2 pixel) {
                              uintBitsToFloat(AGAA_SHADING_SCALE));
 }
 
-// How many samples more than geometry calls for. byShading: agaa_countByShading(); left: how far the others differ from these,
-// [0, 1]. As printed, the larger count. Else as far as there is something for the lights to show differently: shadows are looked
+// Returns the number of samples that shading demands beyond those of geometry. The printed metric takes the larger count. The
+// other one scales the count by `left`, because lights show little difference between similar samples, and shadows are looked
 // up at all samples anyway.
+// byShading   agaa_countByShading().
+// left        Difference of the other samples from the chosen ones, [0, 1].
 float agaa_furtherByShading(float byShading, uint count, float left) {
     return agaa_isAdaptive(AGAA_ADAPTIVE_PRINTED_METRIC) ? max(byShading - float(count), 0.0) : byShading * left;
 }
 
-// With as many further samples.
+// Returns the whole number of samples with these further ones.
 uint agaa_withFurther(uint count, float further) {
     float rounding = agaa_isAdaptive(AGAA_ADAPTIVE_PRINTED_METRIC) ? 0.0 : 0.5;
     return agaa_wholeCount(float(count) - rounding + further, count, AGAA_SAMPLES);

@@ -1,10 +1,10 @@
-// From which bin of a histogram on its samples are shaded.
+// The lowest bin of a histogram whose samples are shaded. Needs common/frame.glsl.
 #ifndef AGAA_LIMIT_BIN_GLSL
 #define AGAA_LIMIT_BIN_GLSL
 #include "adaptive/stored_choice.glsl"
 
-// The least bin at which the samples of this and all larger ones are no more than there is room for; agaa_bins() where there is
-// none. first: the place of the first bin.
+// Returns the lowest bin such that the samples of this and all higher bins do not exceed `room`; agaa_bins() if there is none.
+// first   Index of the word of the first bin.
 uint agaa_limitBin(uint first, float room) {
     uint bin = agaa_bins();
     uint sum = 0u;

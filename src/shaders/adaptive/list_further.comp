@@ -1,5 +1,5 @@
-// Decides how many samples pixels have, by both metrics (Hollaender et al. 2013, section 3.1), lists those that have several, and
-// completes the others.
+// Decides the number of samples of each pixel by both metrics (Hollaender et al. 2013, section 3.1), lists the pixels with
+// several samples, and writes the others.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -14,7 +14,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 shared uint agaa_tileMaximum;
 
-// The mean of counts over frames, or this frame's where that is more.
+// Returns the mean of counts over frames, or this frame's count if that is larger.
 uint agaa_remember(uvec2 pixel, uint count) {
     float mean = uintBitsToFloat(agaa_choices.words[agaa_meanAt(pixel)]);
     mean = agaa_meanOfCounts(mean, count, uintBitsToFloat(AGAA_COUNT_MEMORY));
@@ -22,7 +22,7 @@ uint agaa_remember(uvec2 pixel, uint count) {
     return count == 0u ? 0u : agaa_wholeCount(mean - 0.5, count, AGAA_SAMPLES);
 }
 
-// By the ways of section 4.2 to make numbers of neighbours alike. Called by all lanes of a tile.
+// Makes the sample counts of neighbouring pixels similar (section 4.2). All lanes of a tile must call it.
 uint agaa_evenCount(uint count, uint covered) {
     if (agaa_isAdaptive(AGAA_ADAPTIVE_TILE_MAXIMUM)) {
         if (gl_LocalInvocationIndex == 0u)
@@ -59,19 +59,19 @@ void main() {
             remembered = agaa_remember(pixel, count);
         if (covered != 0u) {
             byShading = agaa_countByShading(pixel);
-            // Samples that are remembered are those that the shading would call for.
+            // Remembered samples are among those that shading would demand.
             count = max(agaa_countBoth(byShading, count, agaa_leftIn(word)), remembered);
         }
     }
     count = agaa_evenCount(count, covered);
-    // Debug views need the data that the shading of several samples has.
+    // Debug views need the data that only the pass for further samples has.
     bool isListed = count > 1u || (agaa_showsEvents() && covered != 0u);
-    uint place = agaa_listPixel(pixel, isListed, AGAA_FURTHER_AT);
+    uint index = agaa_listPixel(pixel, isListed, AGAA_FURTHER_AT);
     if (isListed)
         agaa_choices.words[agaa_choiceAt(pixel)] =
             AGAA_COUNTS_FOUND == AGAA_FOUND_WITH_FURTHER ? floatBitsToUint(byShading) : count;
     if (isListed && agaa_isAdaptive(AGAA_ADAPTIVE_SORTED))
-        agaa_choices.words[agaa_rankAt(place)] =
+        agaa_choices.words[agaa_rankAt(index)] =
             count << AGAA_RANK_BITS | atomicAdd(agaa_choices.words[AGAA_TALLY_AT + count], 1u);
     if (isInside && !isListed)
         agaa_completePixel(pixel, covered);

@@ -1,17 +1,18 @@
-// Appends pixels to a list, for groups of later passes that have a pixel in each lane.
+// Appends pixels to a list, from which later passes process one pixel per lane. Needs common/frame.glsl.
 #ifndef AGAA_PIXEL_LIST_GLSL
 #define AGAA_PIXEL_LIST_GLSL
 #include "adaptive/listed_pixels.glsl"
 
 shared uint agaa_groupListed, agaa_groupListedAt;
 
-// Called by all lanes of a group. list: its sums in agaa_choices. Returns the place of this lane's pixel, if it is listed.
+// Returns the index of this lane's pixel in the list, if it is listed. All lanes of a group must call it.
+// list   Index of the list's first word in agaa_choices.
 uint agaa_listPixel(uvec2 pixel, bool isListed, uint list) {
     const bool isFirst = gl_LocalInvocationIndex == 0u;
     if (isFirst)
         agaa_groupListed = 0u;
     barrier();
-    uint place = isListed ? atomicAdd(agaa_groupListed, 1u) : 0u;
+    uint index = isListed ? atomicAdd(agaa_groupListed, 1u) : 0u;
     barrier();
     if (isFirst && agaa_groupListed != 0u) {
         agaa_groupListedAt = atomicAdd(agaa_choices.words[list], agaa_groupListed);
@@ -21,9 +22,9 @@ uint agaa_listPixel(uvec2 pixel, bool isListed, uint list) {
         atomicMax(agaa_choices.words[list + 3u], 1u);
     }
     barrier();
-    place += agaa_groupListedAt;
+    index += agaa_groupListedAt;
     if (isListed)
-        agaa_choices.words[agaa_listAt(place)] = agaa_pixelIndex(pixel);
-    return place;
+        agaa_choices.words[agaa_listAt(index)] = agaa_pixelIndex(pixel);
+    return index;
 }
 #endif

@@ -1,4 +1,4 @@
-// Where the pixels of each number of samples begin, the largest number first.
+// Finds the index of the first pixel of each number of samples in the sorted list. The largest number comes first.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -12,8 +12,8 @@ void main() {
         return;
     uint sum = 0u;
     for (uint count = 33u; count != 0u; --count) {
-        uint own = agaa_choices.words[AGAA_TALLY_AT + count - 1u];
+        uint pixels = agaa_choices.words[AGAA_TALLY_AT + count - 1u];
         agaa_choices.words[AGAA_TALLY_AT + count - 1u] = sum;
-        sum += own;
+        sum += pixels;
     }
 }

@@ -1,15 +1,15 @@
-// The choice of samples that are shaded: the next one is the sample that differs most from all that were chosen (farthest-first
-// traversal, Gonzalez 1985), or the next one of the pattern's order. Samples that are not chosen belong to the chosen one that
-// they differ least from.
+// The choice of samples that are shaded. The next sample is the one that differs most from all chosen ones (farthest-first
+// traversal, Gonzalez 1985), or the next one in the pattern's order. Each other sample belongs to the chosen one from which it
+// differs least. Needs common/target.glsl.
 #ifndef AGAA_SAMPLE_CHOICE_GLSL
 #define AGAA_SAMPLE_CHOICE_GLSL
 #include "adaptive/sample_features.glsl"
 
-// Of the pixel at hand, by sample.
+// Values of the current pixel, by sample.
 float agaa_distances[AGAA_SAMPLES]; // to the nearest chosen sample
 uint agaa_owners[AGAA_SAMPLES];     // that sample
 
-// Loads the pixel's samples, and chooses the first in order. Returns those that show geometry.
+// Loads the pixel's samples and chooses the first in order. Returns the mask of samples with geometry.
 uint agaa_beginChoice(uvec2 pixel) {
     agaa_beginSamples(pixel);
     uint covered = 0u;
@@ -33,7 +33,7 @@ uint agaa_beginChoice(uvec2 pixel) {
     return covered;
 }
 
-// Before more are chosen: those that do not differ enough from the first to be shaded.
+// Returns the samples that do not differ enough from the first to be shaded. Call it before more samples are chosen.
 uint agaa_alikeSamples(uint covered) {
     uint alike = 0u;
     for (uint rest = covered; rest != 0u; rest &= rest - 1u) {
@@ -55,7 +55,7 @@ void agaa_chooseSample(uvec2 pixel, uint covered, uint chosen) {
     }
 }
 
-// Of those that are not chosen, in the pattern's order where several differ as much.
+// Returns the sample with the largest difference that is not chosen. Ties are broken by the pattern's order.
 uint agaa_farthestSample(uint covered, uint chosen) {
     uint farthest = 0u;
     float most = -1.0;
@@ -70,7 +70,7 @@ uint agaa_farthestSample(uint covered, uint chosen) {
     return farthest;
 }
 
-// The samples that belong to a chosen one.
+// Returns the samples that belong to a chosen one.
 uint agaa_samplesOf(uint covered, uint chosen) {
     uint samples = 0u;
     for (uint rest = covered; rest != 0u; rest &= rest - 1u) {

@@ -1,5 +1,5 @@
-// Counts, by their difference, the samples that the geometry of all pixels calls for, so that a limit can be found at which
-// no more are shaded than the target allows.
+// Makes a histogram of the samples that the geometry of all pixels demands, by their difference. The next pass finds the limit
+// by which no more samples are shaded than the target allows.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -22,7 +22,7 @@ void agaa_countDemand(uvec2 pixel) {
         return;
     atomicAdd(agaa_groupCovered, 1u);
     uint chosen = 1u << agaa_firstInOrder(covered);
-    uint turn = 0u;
+    uint iteration = 0u;
     do {
         if (chosen == covered)
             break;
@@ -32,7 +32,7 @@ void agaa_countDemand(uvec2 pixel) {
         atomicAdd(agaa_groupDifferences[agaa_differenceBin(agaa_distances[next])], 1u);
         chosen |= 1u << next;
         agaa_chooseSample(pixel, covered, next);
-    } while (++turn < agaa_sampleCount());
+    } while (++iteration < agaa_sampleCount());
 }
 
 void main() {

@@ -1,26 +1,29 @@
-// Features by which samples are compared.
+// Features by which samples are compared. Needs common/target.glsl and common/display.glsl.
 #ifndef AGAA_SAMPLE_FEATURES_GLSL
 #define AGAA_SAMPLE_FEATURES_GLSL
+#if !defined(AGAA_TARGET_GLSL) || !defined(AGAA_DISPLAY_GLSL)
+#error "sample_features.glsl needs target.glsl and display.glsl."
+#endif
 #include "math/adaptive.glsl"
-#include "adaptive/adaptive_flags.glsl" // before gbuffer.glsl, which includes some files under conditions
+#include "adaptive/adaptive_flags.glsl" // before gbuffer.glsl, which needs it
 #include "gbuffer/gbuffer.glsl"
 #include "common/sample_depth.glsl"
 #include "adaptive/stored_choice.glsl"
 
 struct agaa_Features {
     vec3 position, normal; // in shading space
-    float width;           // how far its plane reaches
-    vec4 diffuse, specular; // and alpha; and how bright the sample glows
+    float width;           // tolerance of distances from its plane
+    vec4 diffuse, specular; // w of diffuse: alpha; w of specular: luma of the emission
 };
 
-// Sample j of the pattern's order, which begins in the middle; a byte each.
+// Returns sample j of the pattern's order, which begins in the middle. A constant holds four samples.
 uint agaa_sampleInOrder(uint j) {
     const uint words[8] = uint[8](AGAA_ORDER0, AGAA_ORDER1, AGAA_ORDER2, AGAA_ORDER3, AGAA_ORDER4, AGAA_ORDER5, AGAA_ORDER6,
                                   AGAA_ORDER7);
     return words[j >> 2u] >> (8u * (j & 3u)) & 0xFFu;
 }
 
-// materials: of what agaa_differenceOf() compares, the members diffuse and specular.
+// materials   The members diffuse and specular of the features.
 agaa_Features agaa_featuresAt(uvec2 pixel, uint i, float depth, vec3 normal, mat2x4 materials) {
     vec3 position = agaa_sampleViewPosition(pixel, i, depth);
     float width = agaa_frame.surfaceDistance * agaa_pixelWidth(position.z) +
@@ -29,14 +32,14 @@ agaa_Features agaa_featuresAt(uvec2 pixel, uint i, float depth, vec3 normal, mat
     return agaa_Features(agaa_toShadingSpace(position), normal, width, materials[0], materials[1]);
 }
 
-// Of the sample fetched last.
+// Returns the features of the sample fetched last.
 agaa_Features agaa_fetchedFeatures(uvec2 pixel, uint i, float depth) {
     agaa_Surface s = agaa_sampleSurface();
     return agaa_featuresAt(pixel, i, depth, s.normal,
                            mat2x4(vec4(s.diffuse, sqrt(s.alpha2)), vec4(s.specular, agaa_displayLuma(s.emissive))));
 }
 
-// Depth, code of the normal, then materials in bytes.
+// Packs depth, the code of the normal and the material of the sample fetched last.
 uvec4 agaa_packFeatures(float depth) {
     agaa_Surface s = agaa_sampleSurface();
     return uvec4(floatBitsToUint(depth), packUnorm2x16(agaa_normalCode()), packUnorm4x8(vec4(s.diffuse, sqrt(s.alpha2))),
@@ -49,8 +52,8 @@ agaa_Features agaa_unpackFeatures(uvec2 pixel, uint i, uvec4 words) {
                            mat2x4(unpackUnorm4x8(words.z), unpackUnorm4x8(words.w)));
 }
 
-// How many thresholds apart two samples are: normals, whose differences count the more the glossier the surface; the plane;
-// the material.
+// Returns the difference of two samples in thresholds: the largest of those of normals, planes and materials. The weight of
+// normals rises with gloss.
 float agaa_differenceOf(agaa_Features a, agaa_Features b) {
     float gloss = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) / max(min(a.diffuse.w, b.diffuse.w), 0.01), 1.0, 20.0);
     vec4 material = max(abs(a.diffuse - b.diffuse), abs(a.specular - b.specular));
@@ -59,7 +62,7 @@ float agaa_differenceOf(agaa_Features a, agaa_Features b) {
                max(max(material.x, material.y), max(material.z, material.w)) / max(agaa_frame.surfaceMaterial, 1e-3));
 }
 
-// The first of these samples in the pattern's order.
+// Returns the first of these samples in the pattern's order.
 uint agaa_firstInOrder(uint covered) {
     uint j = 0u;
     while ((covered >> agaa_sampleInOrder(j) & 1u) == 0u)
@@ -67,7 +70,8 @@ uint agaa_firstInOrder(uint covered) {
     return agaa_sampleInOrder(j);
 }
 
-// The samples whose shadows the first sample is shaded with. alike: those that do not differ enough to be shaded.
+// Returns the samples whose shadows the first sample is shaded with.
+// alike   Samples that do not differ enough to be shaded.
 uint agaa_samplesOfFirst(uint first, uint alike, uint covered) {
     if (agaa_isAdaptive(AGAA_ADAPTIVE_GEOMETRY))
         return alike;
@@ -77,7 +81,7 @@ uint agaa_samplesOfFirst(uint first, uint alike, uint covered) {
 uvec4 agaa_sampleFeatures[AGAA_SAMPLES]; // agaa_packFeatures() of the pixel's samples
 
 #ifdef AGAA_HOST_FETCH
-// Loads the pixel's samples, with one material for all of a primitive. Returns those that show geometry.
+// Loads the pixel's samples, with one material per primitive. Returns the mask of samples with geometry.
 uint agaa_loadFetched(uvec2 pixel) {
     uint covered = 0u;
     uint i = 0u;
@@ -98,11 +102,11 @@ uint agaa_loadFetched(uvec2 pixel) {
     return covered;
 }
 
-// Before the pixel's samples are read.
+// Called before the pixel's samples are read.
 uint agaa_fetchedSamples = 0u;
 void agaa_beginSamples(uvec2 pixel) { agaa_fetchedSamples = agaa_loadFetched(pixel); }
 
-// False where the sample shows no geometry.
+// Returns false where the sample has no geometry.
 bool agaa_readFeatures(uvec2 pixel, uint i, out agaa_Features f) {
     f = agaa_unpackFeatures(pixel, i, agaa_sampleFeatures[i]);
     return (agaa_fetchedSamples >> i & 1u) != 0u;
@@ -118,7 +122,7 @@ bool agaa_readFeatures(uvec2 pixel, uint i, out agaa_Features f) {
     return isCovered;
 }
 
-// Of the sample that was read last.
+// Keeps the features of the sample that was read last.
 void agaa_keepFeatures(uvec2 pixel, uint i) { agaa_sampleFeatures[i] = agaa_packFeatures(agaa_depthOf(pixel, i)); }
 #endif
 #endif

@@ -1,4 +1,4 @@
-// The least difference at which the samples that differ by more are no more than the target allows.
+// Finds the limit of differences such that the samples above it do not exceed the target.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -8,7 +8,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "adaptive/adaptive_flags.glsl"
 #include "adaptive/limit_bin.glsl"
 
-// Of the further samples, what is for geometry where shading may call for more.
+// The share of the further samples that geometry gets if shading may demand more.
 const float agaa_geometryShare = 0.75;
 
 void main() {

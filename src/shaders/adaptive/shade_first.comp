@@ -1,4 +1,4 @@
-// Shades one sample of each pixel, and compares the others with it (Hollaender et al. 2013, sections 3 and 3.1).
+// Shades one sample of each pixel and compares the others with it (Hollaender et al. 2013, sections 3 and 3.1).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -17,11 +17,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/tile_pixels.glsl"
 #include "common/events.glsl"
 
-shared uint agaa_represented[64]; // samples whose shadows each pixel's event has
+shared uint agaa_represented[64]; // mask of the samples whose shadows the event of each pixel has
 
-// How the pixel's samples differ from the first.
+// The pixel's samples in comparison with the first.
 struct agaa_Comparison {
-    uint covered; // samples that show geometry
+    uint covered; // samples with geometry
     uint alike;   // those that do not differ enough to be shaded
     uint first;
     float most; // the largest difference
@@ -51,9 +51,9 @@ agaa_Comparison agaa_compareSamples(uvec2 pixel) {
     return c;
 }
 
-// The number of samples as printed by Hollaender et al. 2013, section 3.1: by the variance of depth and the cone around
-// the mean normal.
-// covered: samples that show geometry, one or more.
+// Returns the number of samples by the metric as printed by Hollaender et al. 2013, section 3.1: the variance of depth, and the
+// cone around the mean normal.
+// covered   Mask of samples with geometry, one or more.
 float agaa_printedCount(uvec2 pixel, uint covered) {
     vec3 sum = vec3(0.0);
     agaa_Moments depth = agaa_momentsInit(agaa_depthOf(pixel, uint(findLSB(covered))));
@@ -75,7 +75,7 @@ float agaa_printedCount(uvec2 pixel, uint covered) {
                agaa_normalMetric(smallest) * uintBitsToFloat(AGAA_NORMAL_SCALE));
 }
 
-// As far as it is known.
+// Returns the number of samples by geometry; 2 stands for several if it is not known yet.
 uint agaa_countByGeometry(uvec2 pixel, agaa_Comparison c) {
     uint most = uint(bitCount(c.covered));
     if (!agaa_isAdaptive(AGAA_ADAPTIVE_GEOMETRY))

@@ -1,4 +1,4 @@
-// Shades further samples of listed pixels, and completes these (Hollaender et al. 2013, sections 3.1 and 3.2).
+// Shades further samples of listed pixels and writes these pixels (Hollaender et al. 2013, sections 3.1 and 3.2).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -16,36 +16,37 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "adaptive/listed_pixels.glsl"
 #include "common/events.glsl"
 
-// The owners of a pixel's samples are packed into words of shared memory.
+// Shared memory holds the owners of a pixel's samples in packed words. The owner of a sample is the chosen sample that it
+// belongs to.
 const uint agaa_ownerBits = AGAA_SAMPLES > 16u ? 5u : 4u;
 const uint agaa_ownersPerWord = 32u / agaa_ownerBits;
 const uint agaa_ownerWords = (AGAA_SAMPLES + agaa_ownersPerWord - 1u) / agaa_ownersPerWord;
 
-uint agaa_ownerIn(uint word, uint place) {
-    return word >> (agaa_ownerBits * place) & ((1u << agaa_ownerBits) - 1u);
+uint agaa_ownerIn(uint word, uint index) {
+    return word >> (agaa_ownerBits * index) & ((1u << agaa_ownerBits) - 1u);
 }
 
-// The owners of the samples of a word.
+// Returns the word with the owners of its samples.
 uint agaa_ownerWord(uint word, uint covered) {
     uint owners = 0u;
-    for (uint place = 0u; place < agaa_ownersPerWord; ++place) {
-        uint i = min(word * agaa_ownersPerWord + place, AGAA_SAMPLES - 1u);
-        owners |= (covered >> i & 1u) != 0u ? agaa_owners[i] << (agaa_ownerBits * place) : 0u;
+    for (uint k = 0u; k < agaa_ownersPerWord; ++k) {
+        uint i = min(word * agaa_ownersPerWord + k, AGAA_SAMPLES - 1u);
+        owners |= (covered >> i & 1u) != 0u ? agaa_owners[i] << (agaa_ownerBits * k) : 0u;
     }
     return owners;
 }
 
-// Of each pixel: the samples that show geometry and their owners, and those with whose shadows the first one was shaded.
+// Values of each lane's pixel: samples with geometry, their owners, and the samples whose shadows the first one has.
 shared uint agaa_laneCovered[64];
 shared uint agaa_laneOwners[64u * agaa_ownerWords];
 shared uint agaa_laneFirst[64];
 
 uvec2 agaa_pixelOf(uint lane) {
-    uint place = agaa_boundedListIndexOf(lane);
-    return agaa_pixelAt(lane, agaa_isAdaptive(AGAA_ADAPTIVE_SORTED) ? agaa_sortedAt(place) : agaa_listAt(place), AGAA_FURTHER_AT);
+    uint index = agaa_boundedListIndexOf(lane);
+    return agaa_pixelAt(lane, agaa_isAdaptive(AGAA_ADAPTIVE_SORTED) ? agaa_sortedAt(index) : agaa_listAt(index), AGAA_FURTHER_AT);
 }
 
-// The samples that a shaded one of a lane's pixel stands for.
+// Returns the samples that a shaded sample of a lane's pixel represents.
 uint agaa_samplesOfLane(uint lane, uint chosen) {
     uint samples = 0u;
     uint i = 0u;
@@ -60,11 +61,11 @@ float agaa_eventWeight(uint samples) { return agaa_isAdaptive(AGAA_ADAPTIVE_EQUA
 
 struct agaa_Further {
     agaa_PixelWork work;
-    float firstWeight; // of the sample that is shaded already
-    float weights;     // of all
+    float firstWeight; // of the first sample, which is already shaded
+    float weights;     // of all samples
 };
 
-// The samples that are shaded. first: is already.
+// Returns the mask of shaded samples, which contains the first.
 uint agaa_chosenSamples(uvec2 pixel, uint covered, uint first) {
     uint word = agaa_choices.words[agaa_choiceAt(pixel)];
     bool isCounted = AGAA_COUNTS_FOUND != AGAA_FOUND_WITH_FURTHER;
@@ -99,7 +100,7 @@ agaa_Further agaa_furtherOf(uvec2 pixel) {
     return further;
 }
 
-// The first sample was shaded with the shadows of all samples like it. Those of them that are shaded, too, share these shadows.
+// Returns the samples whose shadows sample i is shaded with. Samples similar to the first have the shadows of the first.
 uint agaa_shadowedSamples(uint lane, uint i, uint samples) {
     if (agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS))
         return 1u << i;
@@ -117,7 +118,7 @@ vec3 agaa_shadeEvent(uint lane, uint i) {
            weight;
 }
 
-// One invocation for all samples of the pixel, as in the paper (section 4.2).
+// Shades all samples of the pixel in one invocation, as in the paper (section 4.2).
 vec3 agaa_shadeInLoop(agaa_PixelWork work) {
     vec3 color = vec3(0.0);
     for (uint rest = work.events[0]; rest != 0u; rest &= rest - 1u)

@@ -1,4 +1,4 @@
-// Sums up what the first samples call for, beside what was chosen by geometry.
+// Makes a histogram of the samples that the first samples demand beyond those of geometry.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -8,8 +8,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "adaptive/first_samples.glsl"
 #include "common/tile_pixels.glsl"
 
-shared uint agaa_groupDemand[256]; // samples by bin
-shared uint agaa_groupEvents;      // of geometry
+shared uint agaa_groupDemand[256]; // number of samples by bin
+shared uint agaa_groupEvents;      // number of samples by geometry
 
 void main() {
     const uint lane = gl_LocalInvocationIndex;

@@ -1,7 +1,10 @@
-// What shading an aggregate takes, wherever its sums are kept: its place, the shadows there, and its means as a
-// surface.
+// Shading of an aggregate, wherever its sums are stored: its position, its shadows, and its means as a surface. Needs
+// common/target.glsl and common/lighting.glsl.
 #ifndef AGAA_AGGREGATE_GLSL
 #define AGAA_AGGREGATE_GLSL
+#if !defined(AGAA_TARGET_GLSL) || !defined(AGAA_LIGHTING_GLSL)
+#error "aggregate.glsl needs target.glsl and lighting.glsl."
+#endif
 #include "aggregate/choice.glsl"
 #include "aggregate/mean_surface.glsl"
 #include "common/debug_view.glsl"
@@ -13,7 +16,7 @@ vec3 agaa_viewPositionOf(uvec2 pixel, uint i) {
     return agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i));
 }
 
-// Shadow taps at up to AGAA_SHADOW_TAPS of these samples, evenly chosen. Returns how many.
+// Adds shadow taps at up to AGAA_SHADOW_TAPS of these samples, evenly chosen. Returns the number of taps.
 uint agaa_tapSomeSamples(uvec2 pixel, uint mask) {
     uint taps = min(uint(bitCount(mask)), AGAA_SHADOW_TAPS);
     agaa_Choice choice = agaa_chooseFrom(mask, taps);
@@ -22,7 +25,7 @@ uint agaa_tapSomeSamples(uvec2 pixel, uint mask) {
     return taps;
 }
 
-// Shadow taps along the view ray, by the spread of the samples' depths. Returns how many.
+// Adds shadow taps along the view ray, by the spread of the samples' depths. Returns the number of taps.
 uint agaa_tapAlongDepth(vec3 mean, float sigma, float lowest, float highest) {
     uint taps = sigma > 0.0 ? 4u : 1u;
     for (uint j = 0u; j < taps; ++j) {
@@ -33,8 +36,8 @@ uint agaa_tapAlongDepth(vec3 mean, float sigma, float lowest, float highest) {
     return taps;
 }
 
-// Mean position of all samples, and the aggregate's share of each shadow map's light: at some of its samples, at all
-// of them, along the view ray or at the mean position.
+// Returns the mean position of all samples, and finds the aggregate's share of each shadow map's light: at some of its
+// samples, at all of them, along the view ray or at the mean position.
 vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
     agaa_lightPixel(pixel);
     uint count = uint(bitCount(mask));
@@ -80,12 +83,12 @@ vec3 agaa_locateAggregate(uvec2 pixel, uint mask) {
 }
 
 #if AGAA_LIT
-float agaa_sampleLight[32]; // share of a shadow's light that each sample gets, of the aggregate at hand
+float agaa_sampleLight[32]; // share of a shadow's light that reaches each sample of the current aggregate
 
-// Of the shader that includes this: sums of a pixel's samples, each times scale * agaa_sampleLight of it.
+// The includer defines this function. It returns sums over a pixel's samples, each times scale * agaa_sampleLight.
 agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale);
 
-// Of each key light's shadow, the share of the samples that its light reaches and the means over what it reaches.
+// Finds, for the shadow of each key light, the share of the samples that the light reaches and the means over these samples.
 void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map) {
         if (!agaa_isLitShadow(map))
@@ -104,7 +107,7 @@ void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
 }
 #endif
 
-// Shading of an aggregate after agaa_locateAggregate(), times the number of its samples.
+// Returns the radiance of an aggregate, times the number of its samples. Call agaa_locateAggregate() first.
 vec3 agaa_shadeMeans(uvec2 pixel, vec3 position, uint a, uint mask, agaa_Means means, bool folded) {
     vec3 toEye = agaa_toEye(position);
     agaa_Surface s = agaa_surfaceOfMeans(means, folded, toEye);

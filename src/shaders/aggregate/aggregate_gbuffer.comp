@@ -1,4 +1,4 @@
-// Aggregates of a multisampled G-buffer, shaded at once: nothing but the image goes to memory.
+// Aggregates the samples of a multisampled G-buffer and shades the aggregates at once. It writes only the image.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_MAX_SAMPLES AGAA_SAMPLES

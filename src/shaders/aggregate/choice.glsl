@@ -1,24 +1,24 @@
-// Some samples of many, evenly chosen. A loop over the chosen ones does its work as often as there are such, where
-// one over all samples, lanes skipping different ones, does it for each.
+// Chooses some samples of a mask, evenly. A loop over the chosen samples has fewer iterations than a loop over all samples in
+// which lanes skip different ones.
 #ifndef AGAA_CHOICE_GLSL
 #define AGAA_CHOICE_GLSL
 #include "tables/lighting.inc"
 
 struct agaa_Choice {
-    uint left;  // samples from the last one taken on
-    uint seen;  // samples before it
-    uint count; // of all
+    uint left;  // samples from the last returned one on
+    uint seen;  // number of samples before it
+    uint count; // number of all samples
     uint wanted;
 };
 
-// wanted: at most as many as there are.
+// wanted   Number of samples to choose, at most the number of bits of the mask.
 agaa_Choice agaa_chooseFrom(uint mask, uint wanted) {
     return agaa_Choice(mask, 0u, uint(bitCount(mask)), wanted);
 }
 
-// The one chosen as number j: sample floor((j + 1/2) count / wanted) of the mask. j ascends.
+// Returns chosen sample j, which is sample floor((j + 1/2) count / wanted) of the mask. Calls must have ascending j.
 uint agaa_nextSample(inout agaa_Choice choice, uint j) {
-    if (AGAA_SHADOW_FILTER != AGAA_SHADOW_AT_MEAN && AGAA_SAMPLES <= AGAA_SHADOW_TAPS) { // as many are wanted as there are
+    if (AGAA_SHADOW_FILTER != AGAA_SHADOW_AT_MEAN && AGAA_SAMPLES <= AGAA_SHADOW_TAPS) { // all samples are chosen
         uint next = uint(findLSB(choice.left));
         choice.left &= choice.left - 1u;
         return next;

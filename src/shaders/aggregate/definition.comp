@@ -1,4 +1,4 @@
-// Aggregate definition: which aggregate each sample of a pixel belongs to (AGAA section 3.3).
+// Aggregate definition: assigns each sample of a pixel to an aggregate (AGAA section 3.3).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_COUNTING 0

@@ -1,5 +1,5 @@
-// Generation from a multisampled G-buffer: each sample's attributes are added to its aggregate. Sums are
-// those of the tiers that accumulate fragments, without atomics.
+// Aggregate generation from a multisampled G-buffer: adds each sample's attributes to its aggregate. The sums equal those of
+// the tiers that accumulate fragments, and need no atomics.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -16,7 +16,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(AGAA_BINDING_METADATA) uniform usampler2D agaa_metadata;
 #endif
 
-// Samples whose attributes are summed for an aggregate, of those in the pixel.
+// Returns the samples of the pixel whose attributes are summed for an aggregate.
 uint agaa_summedSamples(uvec2 planes, uint a, uint base) {
 #if AGAA_REPRESENTED
     uvec2 record = uvec2(agaa_aggregates.words[base + AGAA_WORDS], 0u);
@@ -41,10 +41,10 @@ void main() {
     uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_STRIDE);
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a, base += AGAA_STRIDE) {
         agaa_clearSums();
-        uint own = agaa_summedSamples(planes, a, base);
+        uint summed = agaa_summedSamples(planes, a, base);
         uint mask = 0u;
         for (uint i = 0u; i < AGAA_SAMPLES; ++i)
-            if ((own >> i & 1u) != 0u && agaa_fetchSample(pixel, i)) {
+            if ((summed >> i & 1u) != 0u && agaa_fetchSample(pixel, i)) {
                 mask |= AGAA_REPRESENTED != 0 ? 1u : 1u << i;
                 agaa_addToSums(agaa_storedSample(), 1u);
             }

@@ -1,19 +1,20 @@
-// Which samples of a pixel are shaded together (AGAA section 3.3).
+// Groups the samples of a pixel that are shaded together (AGAA section 3.3). Needs AGAA_MAX_SAMPLES and common/frame.glsl.
 #ifndef AGAA_GROUPING_GLSL
 #define AGAA_GROUPING_GLSL
 #include "aggregate/pixel_samples.glsl"
 #include "math/surfaces.glsl"
 
-// Of the shader that includes this: agaa_weighNormal() of each of these samples, whose materials it knows.
+// The includer defines this function. It calls agaa_weighNormal() for each of these samples.
 void agaa_weighNormals(uvec2 pixel, uint covered);
 
-// Of the shader that includes this: whether shading normals, where agaa_addSample() was told others, are of one surface.
+// The includer defines this function. It returns whether the shading normals are those of one surface, if agaa_addSample()
+// received other normals.
 bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered);
 
-// Of the first n samples, which agaa_setSample() was told: tells them their aggregates, by agaa_sampleAggregate, where they
-// are more than one, and returns how many those are.
+// Returns the number of aggregates of the first n samples, which agaa_setSample() set. If there are several, writes the
+// aggregates of the samples to agaa_sampleAggregate.
 uint agaa_groupSamples(uvec2 pixel, agaa_PixelSamples samples, uint n) {
-    // Distance along a slanted surface would part its samples, though they are shaded nearly alike.
+    // The samples of one surface are shaded nearly alike. Clustering would split a slanted surface by distance.
     if (samples.covered == 0u || AGAA_AGGREGATES == 1u ||
         (agaa_areAllOneSurface(n, samples.covered, agaa_frame.surfaceCosine,
                                agaa_surfaceWidth(samples)) &&

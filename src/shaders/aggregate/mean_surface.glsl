@@ -1,4 +1,4 @@
-// An aggregate's means, from their sums to the surface that is shaded.
+// The means of an aggregate: their sums, and the surface that is shaded with them. Needs a function agaa_count(counter, amount).
 #ifndef AGAA_MEAN_SURFACE_GLSL
 #define AGAA_MEAN_SURFACE_GLSL
 #include "aggregate/means.glsl"
@@ -16,7 +16,7 @@ void agaa_addNormal(inout agaa_Means m, float weight, vec3 normal) {
         agaa_addNormalMoments(m.moments, weight, normal);
 }
 
-// An unwidened surface's, but for the normal.
+// Adds the attributes of an unwidened surface except the normal.
 void agaa_addMaterial(inout agaa_Means m, float weight, agaa_Surface one) {
     m.diffuse += weight * one.diffuse;
     if (AGAA_HAS_SPECULAR != 0u) {
@@ -32,12 +32,12 @@ void agaa_addToMeans(inout agaa_Means m, float weight, agaa_Surface one) {
     agaa_addNormal(m, weight, one.normal);
 }
 
-// folded: the normal's length says spread and roughness at once; the diffuse term cannot tell them apart.
+// folded   The length of the normal has spread and roughness in one value, which the diffuse term cannot separate.
 agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
     agaa_Surface s;
     float meanLength;
     agaa_meanDirection(m.normal, toEye, s.normal, meanLength);
-    if (!folded && meanLength <= m.lengthBound) { // a direction of rounding
+    if (!folded && meanLength <= m.lengthBound) { // the direction is a rounding error
         s.normal = toEye;
         meanLength = 0.0;
     }
@@ -63,7 +63,7 @@ agaa_Surface agaa_surfaceOfMeans(agaa_Means m, bool folded, vec3 toEye) {
     return s;
 }
 
-// By how much alpha grew.
+// Returns the increase of alpha.
 float agaa_widening(agaa_Means means, agaa_Surface surface) {
     float widest = max(surface.alpha2, surface.alpha2Along);
     return AGAA_HAS_SPECULAR == 0u ? 0.0 : max(sqrt(widest) - sqrt(means.alpha2), 0.0);

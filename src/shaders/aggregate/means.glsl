@@ -1,4 +1,4 @@
-// What an aggregate's attributes are in the mean over its samples.
+// Means of an aggregate's attributes over its samples.
 #ifndef AGAA_MEANS_GLSL
 #define AGAA_MEANS_GLSL
 #include "math/ndf.glsl"
@@ -7,9 +7,9 @@ struct agaa_Means {
     vec3 diffuse;
     vec3 specular;
     vec3 emissive;     // radiance
-    vec3 normal;       // as long as the normals agree
+    vec3 normal;       // its length is 1 if all normals agree
     float alpha2;
-    float lengthBound; // what rounding may have made the normal shorter by
-    agaa_NormalMoments moments; // with AGAA_NDF from AGAA_NDF_LEAN on
+    float lengthBound; // by which rounding may have shortened the normal
+    agaa_NormalMoments moments; // used by elliptic lobes
 };
 #endif

@@ -1,11 +1,11 @@
-// The words of a fragment's attributes in an aggregate: quantised values, or their sums.
+// Packs a fragment's attributes as the words of an aggregate: quantised values, which aggregates sum.
 #ifndef AGAA_PACKING_GLSL
 #define AGAA_PACKING_GLSL
 #include "math/ndf.glsl"
 #include "common/stored.glsl"
 
 #ifndef AGAA_MAX_WORDS
-// A word for each channel and the coverage at most.
+// The maximum is a word for each channel and one for the coverage.
 const uint agaa_maxWords = 1u
 #define AGAA_ATTRIBUTE(semantic, name)
 #define AGAA_CHANNEL(index, name, field, source, attribute, member) + 1u
@@ -13,7 +13,7 @@ const uint agaa_maxWords = 1u
     ;
 #define AGAA_MAX_WORDS agaa_maxWords
 #endif
-uint agaa_packed[AGAA_MAX_WORDS]; // of one fragment, by agaa_packSurface()
+uint agaa_packed[AGAA_MAX_WORDS]; // words of one fragment, by agaa_packSurface()
 
 void agaa_pack(uint field, float value) {
     uint bits = agaa_fieldBits(field);
@@ -22,7 +22,7 @@ void agaa_pack(uint field, float value) {
                                       << (field >> 8u & 0xFFu);
 }
 
-// The words that a fragment adds to an aggregate for each of its samples.
+// Packs the words that a fragment adds to an aggregate for each of its samples.
 void agaa_packSurface(agaa_Stored v) {
     if (AGAA_FOLDED_ROUGHNESS != 0u)
         v.normal *= agaa_foldedLength(v.alpha2);

@@ -1,15 +1,19 @@
-// Normals of primitives' planes that the prepass leaves of each sample, in the frame of the pixel's view ray. After target.glsl.
+// The plane normals of the primitives that the prepass wrote for each sample, in the frame of the pixel's view ray. Needs
+// common/target.glsl and AGAA_BINDING_NORMALS.
 #ifndef AGAA_PREPASS_NORMALS_GLSL
 #define AGAA_PREPASS_NORMALS_GLSL
+#if !defined(AGAA_TARGET_GLSL) || !defined(AGAA_BINDING_NORMALS)
+#error "prepass_normals.glsl needs target.glsl and AGAA_BINDING_NORMALS."
+#endif
 #include "math/encoding.glsl"
 #include "common/camera.glsl"
 
 layout(AGAA_BINDING_NORMALS) uniform AGAA_TARGET_TEXTURE agaa_normals;
 
-// 0 where there is no geometry.
+// Returns 0 where there is no geometry.
 uvec2 agaa_prepassCode(uvec2 pixel, uint i) { return uvec2(AGAA_FETCH(agaa_normals, pixel, i).xy * 255.0 + 0.5); }
 
-// To view space.
+// Returns the rotation from the frame of the view ray to view space.
 mat3 agaa_prepassFrame(uvec2 pixel) {
     vec2 centre = (vec2(pixel) + 0.5) / vec2(agaa_frame.size) * 2.0 - 1.0;
     vec3 ray = agaa_viewPosition(centre, -1.0, agaa_frame.projectionScale.x, agaa_frame.projectionScale.y,
@@ -21,7 +25,7 @@ mat3 agaa_prepassFrame(uvec2 pixel) {
     return mat3(t, b, v);
 }
 
-// Mean over those of these samples that have one, in shading space; as long as they agree, and 0 where none has.
+// Returns the mean normal of these samples in shading space, not normalised; 0 if no sample has a normal.
 vec3 agaa_meanPrepassNormal(uvec2 pixel, uint mask) {
     vec3 sum = vec3(0.0);
     float count = 0.0;

@@ -1,4 +1,5 @@
-// A pixel's samples as the clustering takes them, from the prepass or from a G-buffer.
+// Loads a pixel's samples for the clustering, from the prepass or from a G-buffer. Needs AGAA_MAX_SAMPLES and
+// common/target.glsl.
 #ifndef AGAA_SAMPLES_GLSL
 #define AGAA_SAMPLES_GLSL
 #include "math/encoding.glsl"
@@ -21,8 +22,8 @@
 #endif
 
 #ifndef AGAA_HOST_FETCH
-// The normal of a sample in the frame of agaa_normalFrame(), and a number that is equal for
-// equal normals. False where there is no geometry.
+// Loads the normal of a sample in the frame of agaa_normalFrame(), and a code that is equal for equal normals. Returns false
+// where there is no geometry.
 bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 #if AGAA_FROM_GBUFFER
     if (!agaa_fetchSample(pixel, i))
@@ -41,7 +42,9 @@ bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 }
 #endif
 
-// One more sample that shows geometry. normal: in the frame of the positions; code: equal for equal normals.
+// Adds a sample with geometry.
+// normal   In the frame of the positions.
+// code     Equal for equal normals.
 void agaa_addSample(inout agaa_PixelSamples samples, uvec2 pixel, uint i, vec3 normal, uint code) {
     float depth = agaa_depthOf(pixel, i);
     agaa_addSampleAt(samples, i, agaa_sampleViewPosition(pixel, i, depth), depth, agaa_storedQuantum(depth), agaa_sampleLocation(i),
@@ -49,7 +52,7 @@ void agaa_addSample(inout agaa_PixelSamples samples, uvec2 pixel, uint i, vec3 n
 }
 
 #ifndef AGAA_HOST_FETCH
-// Normals come in a frame of their own; planes want that of the positions.
+// Returns the rotation from the frame of stored normals to that of the positions, in which planes are compared.
 mat3 agaa_normalFrame(uvec2 pixel) {
 #if AGAA_FROM_GBUFFER
     return mat3(agaa_frame.view);

@@ -1,5 +1,5 @@
-// Which surfaces of a pixel are kept, and which sample each is shaded by (SBAA, Salvi and Vidimce 2012). Of a
-// surface's record the attributes are left 0 for generation to fill.
+// Selects the surfaces of a pixel that are kept, and the sample by which each is shaded (SBAA, Salvi and Vidimce 2012). It
+// writes 0 to the attributes of surfaces, which generation fills.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_COUNTING 0

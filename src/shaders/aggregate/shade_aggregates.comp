@@ -1,5 +1,5 @@
-// Shading once per aggregate, weighted by its share of the pixel's samples (AGAA section 3.5), or once per
-// surface that one of its samples represents (SBAA).
+// Shades once per aggregate, weighted by its share of the pixel's samples (AGAA section 3.5), or once per surface, which one of
+// its samples represents (SBAA).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -74,7 +74,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
     return work;
 }
 
-// normals: samples whose mean it is.
+// normals   The samples whose mean is the normal.
 agaa_Means agaa_meansOfAggregate(uvec2 pixel, uint normals) {
     agaa_Means means = agaa_meansOfStored(agaa_storedMeans());
 #ifndef AGAA_HOST_GBUFFER

@@ -1,15 +1,18 @@
-// Reading of aggregates from memory, in the SDK's passes and in hosts' own. The including text says by
-// AGAA_AGGREGATE_WORD, AGAA_IMAGE_WIDTH and AGAA_EMISSIVE_RANGE where they are.
+// Reads aggregates from memory, in passes of the SDK and of hosts. Needs AGAA_AGGREGATE_WORD(i), which reads word i of the
+// buffer, AGAA_IMAGE_WIDTH, AGAA_EMISSIVE_RANGE and AGAA_REPRESENTED.
 #ifndef AGAA_STORED_AGGREGATE_GLSL
 #define AGAA_STORED_AGGREGATE_GLSL
+#if !defined(AGAA_IMAGE_WIDTH) || !defined(AGAA_REPRESENTED)
+#error "stored_aggregate.glsl needs AGAA_IMAGE_WIDTH and AGAA_REPRESENTED."
+#endif
 #include "aggregate/stored_means.glsl"
 #include "math/encoding.glsl"
 #include "math/ndf.glsl"
 #include "math/records.glsl"
 #include "common/stored.glsl"
 
-uint agaa_base = 0u;   // first word of the aggregate at hand
-uint agaa_aggregateSamples = 0u; // its samples
+uint agaa_base = 0u;             // index of the first word of the current aggregate
+uint agaa_aggregateSamples = 0u; // number of its samples
 
 uint agaa_field(uint field) {
     uint bits = agaa_fieldBits(field);
@@ -23,7 +26,7 @@ uvec2 agaa_record() {
                  AGAA_SAMPLES > 16u ? AGAA_AGGREGATE_WORD(agaa_base + AGAA_WORDS + 1u) : 0u);
 }
 
-// A surface that no fragment was kept for shows nothing.
+// A surface without a kept fragment covers no sample.
 uint agaa_coverage() {
     return agaa_field(AGAA_FIELD_COVERAGE) != 0u ? agaa_recordSamples(agaa_record(), AGAA_SAMPLES) : 0u;
 }
@@ -33,7 +36,7 @@ uint agaa_summed() { return 1u; }
 #else
 uint agaa_coverage() { return agaa_field(AGAA_FIELD_COVERAGE); }
 
-// Sums take log2(n) bits more than one fragment's value.
+// Sums have log2(n) bits more than one fragment's value.
 uint agaa_sum(uint field) { return agaa_field(field + (uint(findMSB(AGAA_SAMPLES)) << 16)); }
 
 uint agaa_summed() { return agaa_aggregateSamples; }

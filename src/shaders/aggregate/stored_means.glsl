@@ -1,6 +1,9 @@
-// Attributes as shading reads them, of those that memory holds. The including text defines AGAA_EMISSIVE_RANGE.
+// Converts stored attributes to the means that shading reads. Needs AGAA_EMISSIVE_RANGE.
 #ifndef AGAA_STORED_MEANS_GLSL
 #define AGAA_STORED_MEANS_GLSL
+#ifndef AGAA_EMISSIVE_RANGE
+#error "stored_means.glsl needs AGAA_EMISSIVE_RANGE."
+#endif
 #include "math/encoding.glsl"
 #include "aggregate/means.glsl"
 #include "common/scene_facts.glsl"
@@ -8,7 +11,7 @@
 
 agaa_Means agaa_meansOfStored(agaa_Stored v) {
     agaa_Means m;
-    m.moments = agaa_NormalMoments(vec3(0.0), vec3(0.0)); // memory has no place for them
+    m.moments = agaa_NormalMoments(vec3(0.0), vec3(0.0)); // they are not stored
     m.diffuse = v.diffuse;
     m.normal = v.normal;
     m.lengthBound = agaa_storedLengthBound(1u, agaa_fieldBits(AGAA_FIELD_NORMAL_X));

@@ -1,6 +1,9 @@
-// Sums of an aggregate's attributes, quantised as fragments that accumulate them are.
+// Sums of an aggregate's attributes, quantised like those that fragments accumulate. Needs AGAA_BINDING_AGGREGATES.
 #ifndef AGAA_SUMS_GLSL
 #define AGAA_SUMS_GLSL
+#ifndef AGAA_BINDING_AGGREGATES
+#error "sums.glsl needs AGAA_BINDING_AGGREGATES."
+#endif
 #include "aggregate/packing.glsl"
 
 layout(std430, AGAA_BINDING_AGGREGATES) buffer agaa_AggregateBlock {
@@ -14,7 +17,7 @@ void agaa_clearSums() {
         agaa_sums[w] = 0u;
 }
 
-// Of `count` samples.
+// Adds the attributes of `count` samples.
 void agaa_addToSums(agaa_Stored v, uint count) {
     agaa_packSurface(v);
     for (uint w = 0u; w < AGAA_WORDS; ++w)
@@ -22,7 +25,8 @@ void agaa_addToSums(agaa_Stored v, uint count) {
                                                 : agaa_sums[w] + agaa_packed[w] * count;
 }
 
-// mask: its samples; base: the aggregate's first word.
+// mask   Samples of the aggregate.
+// base   Index of its first word.
 void agaa_storeSums(uint mask, uint base) {
     agaa_sums[AGAA_FIELD_COVERAGE & 0xFFu] |= mask << (AGAA_FIELD_COVERAGE >> 8u & 0xFFu);
     for (uint w = 0u; w < AGAA_WORDS; ++w)

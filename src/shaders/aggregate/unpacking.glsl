@@ -1,4 +1,4 @@
-// The attributes that words of aggregate/packing.glsl stand for, where they are of one surface, not sums.
+// Unpacks the words of aggregate/packing.glsl, which must be those of one surface, not sums.
 #ifndef AGAA_UNPACKING_GLSL
 #define AGAA_UNPACKING_GLSL
 #include "aggregate/packing.glsl"

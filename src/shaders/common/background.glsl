@@ -1,8 +1,11 @@
-// What pixels without geometry show.
+// Colour of pixels without geometry. Needs AGAA_COMPOSITE and common/frame.glsl.
 #ifndef AGAA_BACKGROUND_GLSL
 #define AGAA_BACKGROUND_GLSL
+#if !defined(AGAA_COMPOSITE) || !defined(AGAA_FRAME_GLSL)
+#error "background.glsl needs AGAA_COMPOSITE and frame.glsl."
+#endif
 #if AGAA_COMPOSITE
-// The output through a sampler: reading a storage image without a format is not to be had everywhere.
+// The output is read through a sampler, because not all devices read storage images without a format.
 layout(AGAA_BINDING_BACKGROUND) uniform sampler2D agaa_background;
 #endif
 

@@ -1,6 +1,9 @@
-// Counts of a workgroup, added to the frame's 64-bit counts once per group.
+// Counters of compute passes. A workgroup adds its counts to the frame's 64-bit counters once. Needs AGAA_COUNTING.
 #ifndef AGAA_COUNTERS_GLSL
 #define AGAA_COUNTERS_GLSL
+#ifndef AGAA_COUNTING
+#error "counters.glsl needs AGAA_COUNTING."
+#endif
 #include "common/api_values.glsl"
 
 #define AGAA_COUNTER(index, name, member) const uint name = index;
@@ -17,11 +20,11 @@ layout(std430, AGAA_BINDING_COUNTERS) coherent buffer agaa_CounterBlock {
     uint words[2u * AGAA_COUNTS];
     uint invalidPixelCount; // with uncovered or overlapping samples
     uint padding;
-    uint invalidPixels[AGAA_MAX_INVALID_PIXELS][14]; // of the first: x, y, masks of four words: visible, uncovered, overlapping
+    uint invalidPixels[AGAA_MAX_INVALID_PIXELS][14]; // x, y, then masks of four words: visible, uncovered, overlapping
 } agaa_counterBuffer;
 
 shared uint agaa_groupCounts[AGAA_COUNTS];
-uint agaa_laneCounts[AGAA_COUNTS]; // the last one: the most events of a pixel
+uint agaa_laneCounts[AGAA_COUNTS]; // the last is the largest number of events of a pixel
 
 void agaa_countBegin() {
     if (gl_LocalInvocationIndex < AGAA_COUNTS)
@@ -31,24 +34,24 @@ void agaa_countBegin() {
     barrier();
 }
 void agaa_count(uint which, uint amount) { agaa_laneCounts[which] += amount; }
-// Of a pixel.
+// Counts the events of one pixel.
 void agaa_countEvents(uint count) {
     agaa_laneCounts[AGAA_COUNT_EVENTS] += count;
     agaa_laneCounts[AGAA_COUNT_MAX_EVENTS] = max(agaa_laneCounts[AGAA_COUNT_MAX_EVENTS], count);
     if (count != 0u)
         ++agaa_laneCounts[AGAA_COUNT_PIXELS_OF_1 + min(uint(findMSB(count - 1u) + 1), AGAA_COUNT_PIXELS_OF_MORE - AGAA_COUNT_PIXELS_OF_1)];
 }
-// The geometry passes disagree about these samples of the pixel.
+// Reports samples of the pixel about which the geometry passes disagree.
 void agaa_reportPixel(uvec2 pixel, uvec4 visible, uvec4 uncovered, uvec4 overlapping) {
-    uint place = atomicAdd(agaa_counterBuffer.invalidPixelCount, 1u);
-    if (place >= AGAA_MAX_INVALID_PIXELS)
+    uint index = atomicAdd(agaa_counterBuffer.invalidPixelCount, 1u);
+    if (index >= AGAA_MAX_INVALID_PIXELS)
         return;
-    agaa_counterBuffer.invalidPixels[place][0] = pixel.x;
-    agaa_counterBuffer.invalidPixels[place][1] = pixel.y;
+    agaa_counterBuffer.invalidPixels[index][0] = pixel.x;
+    agaa_counterBuffer.invalidPixels[index][1] = pixel.y;
     for (uint word = 0u; word < 4u; ++word) {
-        agaa_counterBuffer.invalidPixels[place][2u + word] = visible[word];
-        agaa_counterBuffer.invalidPixels[place][6u + word] = uncovered[word];
-        agaa_counterBuffer.invalidPixels[place][10u + word] = overlapping[word];
+        agaa_counterBuffer.invalidPixels[index][2u + word] = visible[word];
+        agaa_counterBuffer.invalidPixels[index][6u + word] = uncovered[word];
+        agaa_counterBuffer.invalidPixels[index][10u + word] = overlapping[word];
     }
 }
 void agaa_reportPixel(uvec2 pixel, uint visible, uint uncovered, uint overlapping) {
@@ -61,11 +64,11 @@ void agaa_countEnd() {
     atomicMax(agaa_groupCounts[AGAA_COUNT_MAX_EVENTS], agaa_laneCounts[AGAA_COUNT_MAX_EVENTS]);
     barrier();
     uint i = gl_LocalInvocationIndex;
-    // In range for all invocations: Mesa reads the right side of && whatever the left one says.
+    // The index is in range for all invocations, because Mesa reads the right side of && regardless of the left side.
     uint count = agaa_groupCounts[min(i, AGAA_COUNT_MAX_EVENTS)];
     if (i < AGAA_COUNT_MAX_EVENTS && count != 0u) {
         uint before = atomicAdd(agaa_counterBuffer.words[2u * i], count);
-        if (before + count < before) // carried
+        if (before + count < before) // overflow
             atomicAdd(agaa_counterBuffer.words[2u * i + 1u], 1u);
     }
     if (i == AGAA_COUNT_MAX_EVENTS)

@@ -1,6 +1,8 @@
-// The lights that may reach what each tile of 8 by 8 pixels shows, and the shadows that they need: a bit for each.
+// Light culling: writes bit masks of the lights that may reach the geometry of each tile of 8 by 8 pixels, and of the
+// shadows of these lights.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#define AGAA_COUNTING 0
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
@@ -17,14 +19,14 @@ layout(std430, AGAA_BINDING_LIGHT_MASKS) writeonly buffer agaa_LightMaskBlock {
     uint words[];
 } agaa_lightMasks;
 
-// Around the samples of the tile in view space.
+// Bounding box in view space.
 struct agaa_Box {
     vec3 low, high;
 };
 shared uint agaa_tileBox[6];
-shared uint agaa_tileLights[AGAA_LIGHT_WORDS + 1u]; // and shadows in the last
+shared uint agaa_tileLights[AGAA_LIGHT_WORDS + 1u]; // the last word is the mask of shadows
 
-// Keeps the order of numbers.
+// Maps floats to integers of the same order.
 uint agaa_orderedBits(float x) {
     uint bits = floatBitsToUint(x);
     return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
@@ -53,7 +55,7 @@ agaa_Box agaa_boxOfTile() {
     return box;
 }
 
-// False where the sample shows no geometry. Targets of the SDK show none at the far plane (host/far_plane.glsl).
+// Returns false where the sample has no geometry. In targets of the SDK that is the far plane (host/far_plane.glsl).
 bool agaa_readDepth(uvec2 pixel, uint i, out float depth) {
 #ifdef AGAA_HOST_GBUFFER
     AgaaMaterial material;
@@ -77,7 +79,7 @@ void agaa_addPixel(uvec2 pixel) {
     agaa_addToTile(box);
 }
 
-// toView: the inverse of agaa_toShadingSpace(). Hosts' views are rotations up to rounding only.
+// toView   The inverse of agaa_toShadingSpace(). Views of hosts are rotations up to rounding only.
 bool agaa_reaches(agaa_GpuLight light, agaa_Box box, mat3 toView) {
     if (light.type == AGAA_LIGHT_DIRECTIONAL)
         return true;

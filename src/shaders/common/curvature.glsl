@@ -1,23 +1,24 @@
-// Curved primitives, by the derivatives of their normals in the image.
+// Curvature of primitives, from the screen-space derivatives of their normals.
 #ifndef AGAA_CURVATURE_GLSL
 #define AGAA_CURVATURE_GLSL
 #include "math/coverage_pattern.glsl"
 #include "math/ndf.glsl"
 #include "math/sanitise.glsl"
 
-// Returns 1 where something is not finite.
+// Replaces non-finite and negligible derivatives by 0 and limits the others. Returns 1 if a value is not finite.
 uint agaa_sanitiseNormalChange(inout vec3 dx, inout vec3 dy) {
     bool isKnown = agaa_isFinite3(dx) && agaa_isFinite3(dy);
     float steepest = isKnown ? max(dot(dx, dx), dot(dy, dy)) : 0.0;
-    // A change that widens no lobe is none, so that flat primitives take the short way in spite of rounding; a line says
-    // no more of a normal than one unit a pixel.
+    // Changes too small to widen a lobe count as 0, so that flat primitives take the fast path in spite of rounding. Normals
+    // change by at most one unit per pixel.
     float scale = steepest < 1e-8 || !agaa_isFinite(steepest) ? 0.0 : min(inversesqrt(steepest), 1.0);
     dx = scale > 0.0 ? scale * dx : vec3(0.0);
     dy = scale > 0.0 ? scale * dy : vec3(0.0);
     return isKnown ? 0u : 1u;
 }
 
-// Normals spread over the samples that a primitive covers: the mean normal is shorter by half of their variance.
+// Returns alpha2 widened by the spread of normals over the samples that a primitive covers. The mean normal is shorter than
+// 1 by half of their variance.
 float agaa_widenedByCurvature(float alpha2, vec3 dx, vec3 dy, uvec4 mask) {
     if (AGAA_HAS_SPECULAR == 0u || AGAA_NDF == agaa_ndfNone)
         return alpha2;

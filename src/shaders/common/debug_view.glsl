@@ -1,4 +1,5 @@
-// What the output shows in place of radiance (AgaaDebugView).
+// Debug views: values that the output shows in place of radiance (AgaaDebugView). Needs common/lighting.glsl before it if
+// AGAA_SHADOWS is 1.
 #ifndef AGAA_DEBUG_VIEW_GLSL
 #define AGAA_DEBUG_VIEW_GLSL
 #include "common/api_values.glsl"
@@ -6,12 +7,15 @@
 #ifndef AGAA_SHADOWS
 #define AGAA_SHADOWS 0
 #endif
+#if AGAA_SHADOWS && !defined(AGAA_LIGHTING_GLSL)
+#error "debug_view.glsl needs lighting.glsl."
+#endif
 
-// Of the pixel at hand; set by passes that know.
+// Values of the current pixel, which passes set that know them.
 uint agaa_shownPrimitives = 0u;
-bool agaa_shownUnfetched = false; // it has samples of a G-buffer beside ids
+bool agaa_shownUnfetched = false; // some samples have a G-buffer in place of ids
 
-// Apart for people who do not see red and green apart (Okabe and Ito 2008).
+// Colours that people with colour blindness distinguish (Okabe and Ito 2008).
 vec3 agaa_clusterColor(uint aggregate) {
     const vec3 colors[6] = vec3[6](vec3(0.0, 0.17, 0.45), vec3(0.79, 0.35, 0.0), vec3(0.0, 0.34, 0.17),
                                    vec3(0.87, 0.78, 0.05), vec3(0.6, 0.19, 0.39), vec3(0.09, 0.46, 0.81));
@@ -30,10 +34,10 @@ vec3 agaa_tierColor(uint tier) {
 
 bool agaa_showsEvents() { return AGAA_DEBUG_VIEW != AGAA_DEBUG_VIEW_NONE; }
 
-// The event's part in the mean of agaa_shownOfPixel(). diffuse: of its material.
+// Returns the event's term of the mean that agaa_shownOfPixel() takes. diffuse: of its material.
 vec3 agaa_shownOfEvent(uint aggregate, float widening, vec3 diffuse) {
     if (AGAA_DEBUG_VIEW == AGAA_DEBUG_VIEW_FACTS)
-        return diffuse; // 1 where facts do not hold (common/scene_facts.glsl)
+        return diffuse; // 1 if the material contradicts the facts (common/scene_facts.glsl)
     if (AGAA_DEBUG_VIEW == AGAA_DEBUG_VIEW_CLUSTERS)
         return agaa_clusterColor(aggregate);
     if (AGAA_DEBUG_VIEW == AGAA_DEBUG_VIEW_WIDENED)

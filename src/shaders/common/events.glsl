@@ -1,25 +1,29 @@
-// Shading events of 64 pixels, dealt out so that every lane has one: pixels need different numbers of them (Lauritzen
-// 2010: per-sample shading of complex pixels).
+// Compacts the shading events of 64 pixels so that all lanes are busy, because pixels have different numbers of events
+// (Lauritzen 2010: per-sample shading of complex pixels). Needs AGAA_MAX_EVENTS, the largest number of events of a pixel.
 #ifndef AGAA_EVENTS_GLSL
 #define AGAA_EVENTS_GLSL
+#ifndef AGAA_MAX_EVENTS
+#error "events.glsl needs AGAA_MAX_EVENTS."
+#endif
 #include "common/pixel_work.glsl"
 
-// Of the shader that includes this.
-// Radiance, or agaa_shownOfEvent(), times the number of samples that the event stands for. lane: of its pixel; which:
-// bit and kind.
+// The includer defines this function. It returns radiance, or agaa_shownOfEvent(), times the number of samples that the event
+// represents.
+// lane    The lane of the pixel.
+// which   Bit and kind of the event (agaa_PixelWork).
 vec3 agaa_shadeEvent(uint lane, uint which);
 
 shared uint agaa_eventCount;
 shared uint agaa_events[64u * AGAA_MAX_EVENTS]; // lane | which << 8
 shared vec3 agaa_eventColor[64];
 
-// The sum of what the events of this lane's pixel give. Called by all lanes.
+// Shades the events of all lanes' pixels and returns the sum over this lane's pixel. All lanes must call it.
 vec3 agaa_shadeWork(agaa_PixelWork work) {
     const uint lane = gl_LocalInvocationIndex;
     if (lane == 0u)
         agaa_eventCount = 0u;
     barrier();
-    // Where a pixel's events come to lie differs from run to run, their sum does not.
+    // The order of pixels in the list differs from run to run. The sum over one pixel does not.
     uint first = atomicAdd(agaa_eventCount, agaa_eventsOf(work));
     uint end = first;
     for (uint word = 0u; word < uint(AGAA_EVENT_WORDS); ++word)
@@ -28,9 +32,9 @@ vec3 agaa_shadeWork(agaa_PixelWork work) {
     barrier();
     uint count = agaa_eventCount;
     vec3 color = vec3(0.0);
-    // Tested at its end, as are other loops that lanes leave together: software rasterisers, whose lanes are masked,
-    // run what follows a test once more than lanes want it. Where lanes leave at different turns, sums of what was
-    // loaded come out wrong so on Mesa 22.3's Vulkan.
+    // Loops that all lanes leave together test at their end, because software rasterisers with masked lanes run the code
+    // after a test once more than needed. If lanes left at different iterations, Mesa 22.3's Vulkan driver would return
+    // wrong sums of loaded values.
     uint base = 0u;
     do {
         if (base + lane < count) {

@@ -1,10 +1,13 @@
-// Materials that functions of the host's give, and samples of a G-buffer of its own.
+// Materials that functions of the host return, and samples of the host's G-buffer. Needs common/frame.glsl.
 #ifndef AGAA_HOST_SAMPLES_GLSL
 #define AGAA_HOST_SAMPLES_GLSL
+#ifndef AGAA_FRAME_GLSL
+#error "host_samples.glsl needs frame.glsl."
+#endif
 #include "common/curvature.glsl"
 #include "common/scene_facts.glsl"
 #if defined(AGAA_HOST_GBUFFER) || defined(AGAA_HOST_FETCH)
-// What functions leave alone; as in agaa_surfaceInput().
+// Returns the values of members that the host does not set, which are those of agaa_surfaceInput().
 AgaaMaterial agaa_defaultMaterial() {
     AgaaMaterial m;
     m.diffuse = vec3(0.5);
@@ -17,10 +20,11 @@ AgaaMaterial agaa_defaultMaterial() {
     return m;
 }
 
-uint agaa_demands = 0u; // of the material at hand, by agaa_applyFacts()
+uint agaa_demands = 0u; // of the current material, by agaa_applyFacts()
 
-// What the facts of the scene fix. planeNormal: of the primitive, on the side of the eye, or that of the material where nothing
-// is known of it. isExact: it is known well enough to say that the material's differs.
+// Replaces the values that the facts of the scene fix.
+// planeNormal   Normal of the primitive, on the side of the eye; the material's normal if it is not known.
+// isExact       planeNormal is exact enough to compare the material's normal with it.
 void agaa_applyFacts(inout AgaaMaterial m, vec3 planeNormal, bool isExact) {
     if (AGAA_CHECK_FACTS != 0u)
         agaa_demands = agaa_demandsOf(m.diffuse, m.specular, m.emissive, m.alpha2) |
@@ -33,7 +37,7 @@ void agaa_applyFacts(inout AgaaMaterial m, vec3 planeNormal, bool isExact) {
     m.alpha2 = agaa_factAlpha2(m.alpha2);
 }
 
-// What is not finite becomes the least of its range (hard case 37). Returns 1 where something was not.
+// Replaces non-finite values by the lowest value of their range (hard case 37). Returns 1 if there was one.
 uint agaa_sanitiseValues(inout AgaaMaterial m) {
     uint bad = 0u;
     m.diffuse = agaa_sanitise3(m.diffuse, 0.0, 1.0, bad);
@@ -45,7 +49,7 @@ uint agaa_sanitiseValues(inout AgaaMaterial m) {
     return bad | agaa_sanitiseNormalChange(m.normalDx, m.normalDy);
 }
 
-// Of the material that was sanitised last.
+// Counts the demands of the material that was sanitised last.
 void agaa_countFacts() {
 #ifdef AGAA_COUNTERS_GLSL // the pass counts
     if (AGAA_CHECK_FACTS == 0u)

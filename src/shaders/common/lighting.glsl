@@ -1,6 +1,10 @@
-// All lights on one surface or aggregate, and the shadow lookups they share.
+// Lighting of one surface or aggregate by all lights, with shadows. Needs AGAA_SHADOWS, common/frame.glsl, and a function
+// agaa_count(counter, amount).
 #ifndef AGAA_LIGHTING_GLSL
 #define AGAA_LIGHTING_GLSL
+#if !defined(AGAA_SHADOWS) || !defined(AGAA_FRAME_GLSL)
+#error "lighting.glsl needs AGAA_SHADOWS and frame.glsl."
+#endif
 #include "common/camera.glsl"
 #include "math/brdf.glsl"
 #include "math/light.glsl"
@@ -13,7 +17,7 @@
 #ifndef AGAA_LIT
 #define AGAA_LIT 0
 #endif
-#ifndef AGAA_SHADOW_TEXTURES // 0 where a function of the host's answers for all shadows
+#ifndef AGAA_SHADOW_TEXTURES // 0 if a function of the host returns all shadows
 #define AGAA_SHADOW_TEXTURES 1
 #endif
 
@@ -23,10 +27,10 @@ layout(AGAA_BINDING_SHADOW1) uniform sampler2DArrayShadow agaa_shadowMap1;
 layout(AGAA_BINDING_SHADOW2) uniform sampler2DArrayShadow agaa_shadowMap2;
 layout(AGAA_BINDING_SHADOW3) uniform sampler2DArrayShadow agaa_shadowMap3;
 
-// The first layer whose clip volume holds the point; outside all of them it is lit. Points behind a
-// layer's eye (w <= 0) would read the mirrored map (hard case 41).
+// Finds the first layer whose clip volume contains the point. Returns false for points outside all layers, which are lit.
+// Points behind a layer's eye (w <= 0) would read the mirrored map (hard case 41).
 bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
-    uint layer = 0u; // there is one
+    uint layer = 0u; // every map has one
     do {
         vec4 clip = agaa_lightBuffer.shadows[map].matrices[layer] * vec4(p, 1.0);
         if (clip.w > 0.0 && abs(clip.x) <= clip.w && abs(clip.y) <= clip.w && clip.z >= 0.0 &&
@@ -40,11 +44,11 @@ bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
     return false;
 }
 
-#ifndef AGAA_COMPARE // level 0; in fragment shaders there would be derivatives, undefined in branches
+#ifndef AGAA_COMPARE // reads level 0; fragment shaders define it without derivatives, which are undefined in branches
 #define AGAA_COMPARE(map, at) texture(map, at)
 #endif
 
-// Samplers are named one by one: drivers without dynamic indexing of sampler arrays run this too.
+// Samplers are separate, because some drivers do not index sampler arrays dynamically.
 float agaa_mapTap(uint map, vec3 p) {
     vec4 at;
     if (!agaa_shadowCoordinate(map, p, at))
@@ -61,7 +65,7 @@ float agaa_mapTap(uint map, vec3 p) {
 float agaa_mapTap(uint map, vec3 p) { return 1.0; }
 #endif
 
-// The light that p gets past shadow `map`; one that the frame has not shades nothing and costs no tap.
+// Returns the share of light that shadow `map` lets reach p. A shadow that the frame lacks returns 1 and costs no tap.
 float agaa_shadowTap(uint map, vec3 p) {
     if (agaa_lightBuffer.shadows[map].layerCount == 0u)
         return 1.0;
@@ -74,12 +78,12 @@ float agaa_shadowTap(uint map, vec3 p) {
     return agaa_mapTap(map, p);
 }
 
-float agaa_visibility[AGAA_MAX_SHADOW_MAPS]; // per shadow map, for the surface at hand
+float agaa_visibility[AGAA_MAX_SHADOW_MAPS]; // by shadow map, of the current surface
 #if AGAA_LIT
-agaa_Surface agaa_litSurface[AGAA_MAX_SHADOW_MAPS]; // what the lights of these shadows reach of it
+agaa_Surface agaa_litSurface[AGAA_MAX_SHADOW_MAPS]; // the part of it that the lights of these shadows reach
 #endif
 
-// Whether visibility comes with the lit surface, not by taps.
+// Whether the visibility is that of the lit surface, not of taps.
 bool agaa_isLitShadow(uint map) {
 #if AGAA_LIT
     return (AGAA_LIT_SHADOWS >> map & 1u) != 0u;
@@ -88,7 +92,7 @@ bool agaa_isLitShadow(uint map) {
 #endif
 }
 
-uint agaa_reachingShadows = (1u << AGAA_MAX_SHADOW_MAPS) - 1u; // bits of those whose lights reach the surface at hand
+uint agaa_reachingShadows = (1u << AGAA_MAX_SHADOW_MAPS) - 1u; // mask of those whose lights reach the current surface
 
 void agaa_addTaps(vec3 position) {
 #if AGAA_SHADOWS
@@ -118,7 +122,7 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
     if (intensity <= 0.0)
         return vec3(0.0);
 #if AGAA_LIT
-    // By constants, so that surfaces stay in registers.
+    // The index is a constant, so that surfaces stay in registers.
     for (uint k = 0u; k < AGAA_MAX_SHADOW_MAPS; ++k)
         if (agaa_isLitShadow(k) && map == k)
             s = agaa_litSurface[k];
@@ -133,7 +137,7 @@ vec3 agaa_oneLight(agaa_Surface s, vec3 position, vec3 toEye, uint index) {
     return reflected * light.color * intensity;
 }
 
-// Lights in the order of the frame, so that the sum is the same whether those that reach nothing are left out.
+// Sums the lights in the order of the frame, so that culling does not change the result.
 vec3 agaa_sumOfLights(agaa_Surface s, vec3 position, vec3 toEye, vec3 sum) {
     const uint count = agaa_lightBuffer.shadows[0].lightCount;
     agaa_count(AGAA_COUNT_LIGHTS, count);
@@ -150,11 +154,11 @@ layout(std430, AGAA_BINDING_LIGHT_MASKS) readonly buffer agaa_LightMaskBlock {
     uint words[];
 } agaa_lightMasks;
 
-uint agaa_lightMask = 0u; // where the bits of the event's tile are
+uint agaa_lightMask = 0u; // index of the first word of the event's tile
 
 void agaa_lightPixel(uvec2 pixel) {
     agaa_lightMask = agaa_lightMaskAt(pixel / 8u);
-    if (AGAA_LIGHT_WORDS != 0u && AGAA_DEBUG_VIEW != AGAA_DEBUG_VIEW_LIT) // which shows visibility, lit or not
+    if (AGAA_LIGHT_WORDS != 0u && AGAA_DEBUG_VIEW != AGAA_DEBUG_VIEW_LIT) // which shows visibility without light, too
         agaa_reachingShadows = agaa_lightMasks.words[agaa_lightMask + AGAA_LIGHT_WORDS];
 }
 
@@ -183,8 +187,8 @@ vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
     return agaa_sumOfLights(s, position, toEye, sum);
 }
 
-// The cost axis of measurements: the same lighting several times over. The offset is zero, which the
-// compiler cannot know.
+// Measurements of shading cost repeat the lighting AGAA_SHADING_COST times. agaa_frame.zero keeps compilers from merging the
+// repetitions.
 vec3 agaa_lightSurface(agaa_Surface s, vec3 position) {
     vec3 toEye = agaa_toEye(position);
     vec3 sum = agaa_allLights(s, position, toEye);

@@ -1,6 +1,10 @@
-// The host's image. Shaded colour is composited over the background with the uncovered share.
+// Writes the output. Shaded colour is composited over the background by the share of uncovered samples. Needs
+// common/frame.glsl, AGAA_BINDING_OUTPUT and AGAA_COMPOSITE.
 #ifndef AGAA_OUTPUT_GLSL
 #define AGAA_OUTPUT_GLSL
+#ifndef AGAA_BINDING_OUTPUT
+#error "output.glsl needs AGAA_BINDING_OUTPUT."
+#endif
 #include "common/background.glsl"
 #include "common/display.glsl"
 
@@ -14,7 +18,7 @@ void agaa_writeOutput(uvec2 pixel, vec3 color, uint covered) {
         // An empty pixel is exactly the background (hard case 18).
         color = covered == 0u ? below.rgb : color + below.rgb * rest;
     }
-    color = min(color, vec3(65504.0)); // brighter is infinite in half floats
+    color = min(color, vec3(65504.0)); // half floats hold no more
     float alpha = AGAA_LUMA_IN_ALPHA != 0u ? agaa_displayLuma(color) : 1.0;
     imageStore(agaa_output, ivec2(pixel), vec4(color, alpha));
 }

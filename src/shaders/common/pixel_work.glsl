@@ -1,22 +1,22 @@
-// What a pixel has to shade, and what becomes of it.
+// The shading events of a pixel, and the output of their sum.
 #ifndef AGAA_PIXEL_WORK_GLSL
 #define AGAA_PIXEL_WORK_GLSL
 #include "common/debug_view.glsl"
 #include "common/output.glsl"
 
-// Words of a mask of events; a shader with more than 32 a pixel defines it first.
+// Number of words of a mask of events. A shader with more than 32 events per pixel defines it first.
 #ifndef AGAA_EVENT_WORDS
 #define AGAA_EVENT_WORDS 1
 #endif
 
-// Events whose bits are set, each of the kind given.
+// A mask of events, all of one kind.
 struct agaa_PixelWork {
     uint events[AGAA_EVENT_WORDS];
     uint kind;    // a multiple of 32 * AGAA_EVENT_WORDS
     uint covered; // samples with geometry
 };
 
-// events: of the first word.
+// events   The first word of the mask.
 agaa_PixelWork agaa_pixelWork(uint events, uint kind, uint covered) {
     agaa_PixelWork work;
     for (uint word = 0u; word < uint(AGAA_EVENT_WORDS); ++word)

@@ -1,6 +1,9 @@
-// Depth of a sample, as the depth buffer holds it.
+// The depth of a sample as stored in the depth buffer. Needs common/target.glsl.
 #ifndef AGAA_SAMPLE_DEPTH_GLSL
 #define AGAA_SAMPLE_DEPTH_GLSL
+#ifndef AGAA_TARGET_GLSL
+#error "sample_depth.glsl needs target.glsl."
+#endif
 #include "common/host_samples.glsl"
 #ifdef AGAA_HOST_GBUFFER
 float agaa_depthOf(uvec2 pixel, uint i) {

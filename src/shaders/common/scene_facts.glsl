@@ -1,13 +1,13 @@
-// What the facts of a scene say of its materials (AgaaSceneFacts), for texts of hosts and for passes.
+// The facts of a scene about its materials (AgaaSceneFacts), for shaders of hosts and for passes.
 #ifndef AGAA_SCENE_FACTS_GLSL
 #define AGAA_SCENE_FACTS_GLSL
 #include "common/api_values.glsl"
 
 bool agaa_hasFact(uint fact) { return (AGAA_FACTS & fact) != 0u; }
 
-// Bits of facts that would be wrong, or missing, with this material: what it has that a scene can do without.
+// Returns the bits of the facts that this material demands or contradicts.
 uint agaa_demandsOf(vec3 diffuse, vec3 specular, vec3 emissive, float alpha2) {
-    const float least = 2e-3; // more than 8 bits round by
+    const float least = 2e-3; // above the rounding of 8 bits
     vec3 apart = abs(specular - specular.yzx);
     vec3 other = abs(specular - uintBitsToFloat(AGAA_ONE_SPECULAR));
     uint demands = 0u;
@@ -21,21 +21,21 @@ uint agaa_demandsOf(vec3 diffuse, vec3 specular, vec3 emissive, float alpha2) {
 }
 
 uint agaa_demandOfNormal(vec3 normal, vec3 planeNormal) {
-    const float least = 0.9998; // more than codes of 8 bits round by
+    const float least = 0.9998; // below the rounding of codes of 8 bits
     return dot(normal, planeNormal) < least ? AGAA_FACT_PLANE_NORMALS : 0u;
 }
 
-// The demands that the facts of the view do not meet.
+// Returns the demands that the facts of the view do not meet.
 uint agaa_unmetDemands(uint demands) {
     const uint wanted = AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED;
     uint unmet = demands & (AGAA_FACTS ^ wanted);
-    // Reflectance that nothing shades has neither colour nor roughness.
+    // Without specular shading, roughness and colour of the reflectance do not matter.
     return agaa_hasFact(AGAA_FACT_SPECULAR)
                ? unmet
                : unmet & ~(AGAA_FACT_ONE_ROUGHNESS | AGAA_FACT_GREY_SPECULAR | AGAA_FACT_ONE_SPECULAR);
 }
 
-// Values that the facts fix, in place of those that materials have.
+// The following functions return the value that the facts fix, or the material's value.
 vec3 agaa_factDiffuse(vec3 diffuse) { return agaa_hasFact(AGAA_FACT_NO_DIFFUSE) ? vec3(0.0) : diffuse; }
 
 vec3 agaa_factSpecular3(vec3 specular) {
@@ -44,7 +44,7 @@ vec3 agaa_factSpecular3(vec3 specular) {
     return agaa_hasFact(AGAA_FACT_GREY_SPECULAR) ? vec3((specular.x + specular.y + specular.z) / 3.0) : specular;
 }
 
-// Of what a layout stores of it: a channel, three or none.
+// Returns the reflectance from the channels that a layout stores: none, one or three.
 vec3 agaa_storedSpecular(vec3 specular) {
     return agaa_hasFact(AGAA_FACT_GREY_SPECULAR) && !agaa_hasFact(AGAA_FACT_ONE_SPECULAR) ? specular.xxx
                                                                                       : agaa_factSpecular3(specular);

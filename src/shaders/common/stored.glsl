@@ -4,27 +4,27 @@
 #include "math/encoding.glsl"
 #include "common/custom.glsl"
 
-// A field is word | shift << 8 | bits << 16 | flags << 24. bits: of one fragment's value, 0 where the layout has no such
-// channel. flags: 1 signed, 2 the largest value instead of the sum.
+// A field is word | shift << 8 | bits << 16 | flags << 24. The bits are those of one fragment's value, 0 if the layout lacks
+// the channel. Unfiltered fields keep the largest value in place of the sum.
 const uint agaa_fieldIsSigned = 1u, agaa_fieldIsUnfiltered = 2u;
 uint agaa_fieldBits(uint field) { return field >> 16u & 0xFFu; }
 bool agaa_isSignedField(uint field) { return (field >> 24u & agaa_fieldIsSigned) != 0u; }
 bool agaa_isUnfilteredField(uint field) { return (field >> 24u & agaa_fieldIsUnfiltered) != 0u; }
 
-// What to write to a channel of a G-buffer.
+// Returns the value to write to a channel of a G-buffer.
 float agaa_sourceOf(float value, uint source) {
     uint bits = agaa_fieldBits(source);
     return agaa_isSignedField(source) ? agaa_unormOfCode(vec2(float(agaa_signedCode(value, bits))), bits).x
                                       : agaa_unormOf(value, bits);
 }
 
-// Channels in [0,1]; normal and signed custom channels in [-1,1].
+// Channels are in [0, 1]. The normal and signed custom channels are in [-1, 1].
 struct agaa_Stored {
     vec3 diffuse;
-    vec3 specular; // of aggregates luma and chroma, at AGAA_YCBCR_SPECULAR
-    vec3 normal;   // of aggregates shorter, at AGAA_FOLDED_ROUGHNESS; of samples x and y are the octahedral code
+    vec3 specular; // luma and chroma in aggregates with AGAA_YCBCR_SPECULAR
+    vec3 normal;   // aggregates with AGAA_FOLDED_ROUGHNESS shorten it; in samples, x and y are the octahedral code
     float alpha2;
-    vec3 emissive; // shares of the layout's range; with one channel, x is a share of range times diffuse
+    vec3 emissive; // divided by the layout's range; with one channel, x is divided by range times diffuse
     float custom[8];
 };
 

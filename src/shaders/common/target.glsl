@@ -1,12 +1,15 @@
-// Texels of the scaled, multisampled target by pixel and sample.
+// Access to the scaled, multisampled target by pixel and sample. Needs common/frame.glsl.
 #ifndef AGAA_TARGET_GLSL
 #define AGAA_TARGET_GLSL
+#ifndef AGAA_FRAME_GLSL
+#error "target.glsl needs frame.glsl."
+#endif
 #include "common/camera.glsl"
 #include "math/depth.glsl"
 #include "math/sanitise.glsl"
 #include "common/host_code.glsl"
 
-#ifndef AGAA_MULTISAMPLED // passes that read no target
+#ifndef AGAA_MULTISAMPLED // passes that read no target do not define it
 #define AGAA_MULTISAMPLED 0
 #endif
 #if AGAA_MULTISAMPLED
@@ -22,15 +25,15 @@ float agaa_sampleViewZ(float depth) {
                                agaa_isOrthographic());
 }
 
-// A step of the depth buffer at this depth; of float formats it is relative.
+// Returns the step of the depth buffer at this depth.
 float agaa_storedQuantum(float depth) {
     float quantum = agaa_frame.depthQuantum;
     return quantum < 0.0 ? -quantum * depth : quantum;
 }
 
-// place: in the pixel, [0,1].
-vec3 agaa_viewPositionAt(uvec2 pixel, vec2 place, float depth) {
-    vec2 ndc = (vec2(pixel) + place) / vec2(agaa_frame.size) * 2.0 - 1.0;
+// offset   Position in the pixel, [0, 1].
+vec3 agaa_viewPositionAt(uvec2 pixel, vec2 offset, float depth) {
+    vec2 ndc = (vec2(pixel) + offset) / vec2(agaa_frame.size) * 2.0 - 1.0;
     return agaa_viewPosition(ndc, agaa_sampleViewZ(depth), agaa_frame.projectionScale.x,
                              agaa_frame.projectionScale.y, agaa_frame.projectionOffset.x,
                              agaa_frame.projectionOffset.y, agaa_isOrthographic());

@@ -1,10 +1,10 @@
-// Shading of tiles of 8 by 8 pixels, one a workgroup.
+// Shades a tile of 8 by 8 pixels per workgroup. Needs AGAA_MAX_EVENTS.
 #ifndef AGAA_TILE_GLSL
 #define AGAA_TILE_GLSL
 #include "common/events.glsl"
 #include "common/tile_pixels.glsl"
 
-// Of the shader that includes this.
+// The includer defines this function, which returns the shading events of a pixel.
 agaa_PixelWork agaa_workOf(uvec2 pixel);
 
 void agaa_shadeTile() {

@@ -1,9 +1,10 @@
-// Aggregates of the fragments that a pixel shows, each shaded once: clustering (AGAA section 3.3) over visibility at
-// coverage samples, which Wang et al. (I3D 2016) name as future work.
+// Aggregates the fragments that a pixel shows and shades each aggregate once. This is the clustering of AGAA (section 3.3) over
+// visibility at coverage samples, which Wang et al. (I3D 2016) name as future work. Each fragment is clustered as a sample at the
+// centroid of the samples that show it.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_LISTS_QUALIFIER coherent
-#define AGAA_SHOWN uint // the first fragment of the list
+#define AGAA_SHOWN uint // head of the list
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/bindings.glsl"
 #include "common/constants.glsl"
@@ -14,7 +15,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/output.glsl"
 #define AGAA_MAX_EVENTS AGAA_AGGREGATES
 #include "common/tile.glsl"
-#define AGAA_MAX_SAMPLES 33 // 32 that are clustered, and one at hand
+#define AGAA_MAX_SAMPLES 33 // 32 clustered fragments and the current one
 #include "aggregate/grouping.glsl"
 #include "coverage/shown_fragments.glsl"
 #include "coverage/surface_position.glsl"
@@ -28,7 +29,7 @@ uint agaa_itemFragment[AGAA_MAX_SAMPLES];
 void agaa_setAggregate(uint record, uint a) { agaa_fragments.words[record + AGAA_AGGREGATE_OF_FRAGMENT] = a; }
 uint agaa_aggregateOf(uint record) { return agaa_fragments.words[record + AGAA_AGGREGATE_OF_FRAGMENT]; }
 
-// As agaa_fetchMaterial() does of samples: the normal is that at the pixel's corner.
+// Returns the material at an offset from the pixel's centre. Its normal is that at the pixel's corner.
 AgaaMaterial agaa_fetchCovered(AgaaPrimitive p, uvec2 pixel, vec2 middle) {
     agaa_evaluateAt(p, pixel, middle + 0.5);
     AgaaMaterial m = agaa_evaluateMaterial(p);
@@ -36,7 +37,7 @@ AgaaMaterial agaa_fetchCovered(AgaaPrimitive p, uvec2 pixel, vec2 middle) {
     return m;
 }
 
-// Fragment as number i of those that are clustered.
+// Adds the fragment as number i of the clustered ones.
 void agaa_addFragment(inout agaa_PixelSamples samples, uvec2 pixel, uint i, uint fragment) {
     uint record = agaa_record(fragment);
     vec2 middle = agaa_coverageMiddle(agaa_maskOf(record), AGAA_SAMPLES);
@@ -65,7 +66,7 @@ void agaa_weighNormals(uvec2 pixel, uint covered) {
 
 bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered) {
     if (AGAA_GLOSS_WEIGHT == 0u)
-        return true; // planes decide
+        return true; // planes are compared only
     vec3 normal = agaa_itemGloss[findLSB(covered)].xyz;
     float least = 1.0;
     for (uint rest = covered; rest != 0u; rest &= rest - 1u)
@@ -83,14 +84,15 @@ uint agaa_countShown(uint head, uint least) {
     return count;
 }
 
-// Adds the fragments that show at most samples, of equals the first, up to agaa_maxClustered. Returns their number.
+// Adds up to agaa_maxClustered fragments, those that show at most samples, and the first of equal ones. Returns their number.
 uint agaa_addLargest(inout agaa_PixelSamples samples, uvec2 pixel, uint head, uint shown) {
-    uint enough = 1u; // fragments of so many samples find room, all of them: 32 have 4 each of 128 at most
+    // All fragments with this number of samples have room: at most 32 fragments have 4 of 128 samples.
+    uint enough = 1u;
     while (enough < 4u && shown > agaa_maxClustered) {
         ++enough;
         shown = agaa_countShown(head, enough);
     }
-    uint room = agaa_maxClustered - shown; // for smaller ones
+    uint room = agaa_maxClustered - shown; // for smaller fragments
     uint count = 0u;
     for (uint fragment = head; fragment != 0u;) {
         uint record = agaa_record(fragment);
@@ -109,7 +111,7 @@ uint agaa_addLargest(inout agaa_PixelSamples samples, uvec2 pixel, uint head, ui
     return count;
 }
 
-// The one of `count` aggregates whose seed is nearest to the fragment, which was not clustered.
+// Returns the aggregate, of `count`, whose seed is nearest to a fragment that was not clustered.
 uint agaa_nearestSeed(uvec2 pixel, uint fragment, uint count, agaa_Lengths lengths) {
     agaa_PixelSamples ignored = agaa_noSamples();
     agaa_addFragment(ignored, pixel, agaa_maxClustered, fragment);
@@ -125,7 +127,7 @@ uint agaa_nearestSeed(uvec2 pixel, uint fragment, uint count, agaa_Lengths lengt
     return best;
 }
 
-// Gives each fragment of the resolved list its aggregate, and returns how many aggregates there are.
+// Assigns each fragment of the resolved list to an aggregate. Returns the number of aggregates.
 uint agaa_groupFragments(uvec2 pixel, uint head) {
     uint shown = agaa_countShown(head, 1u);
     agaa_shownPrimitives = shown;
@@ -151,7 +153,7 @@ uint agaa_groupFragments(uvec2 pixel, uint head) {
     return count;
 }
 
-shared uint agaa_heads[64];                     // of each pixel's list
+shared uint agaa_heads[64];                     // the first fragment of each pixel's list
 shared uvec4 agaa_masks[64u * AGAA_AGGREGATES]; // samples of each aggregate
 
 agaa_PixelWork agaa_workOf(uvec2 pixel) {
@@ -169,7 +171,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
         covered += agaa_coverageCount(mask);
         fragment = agaa_nextOf(record);
     }
-    memoryBarrierBuffer(); // other lanes shade what this one grouped
+    memoryBarrierBuffer(); // other lanes shade the fragments that this lane grouped
     agaa_countEvents(count);
     agaa_count(AGAA_COUNT_VISIBLE, covered);
     agaa_count(AGAA_COUNT_ONCE, covered);
@@ -179,7 +181,7 @@ agaa_PixelWork agaa_workOf(uvec2 pixel) {
 }
 
 #if AGAA_LIT
-float agaa_sampleLight[AGAA_SAMPLES]; // share of a shadow's light that each sample gets, of the aggregate at hand
+float agaa_sampleLight[AGAA_SAMPLES]; // share of a shadow's light that reaches each sample of the current aggregate
 #endif
 
 float agaa_weightOf(uint i, bool isLit) {
@@ -196,15 +198,15 @@ agaa_PositionSums agaa_positionSumsOf(uvec4 mask, float scale, bool isLit) {
         for (uint left = mask[word]; left != 0u; left &= left - 1u) {
             uint i = word * 32u + uint(findLSB(left));
             float weight = scale * agaa_weightOf(i, isLit);
-            vec2 place = agaa_coveragePosition(i, AGAA_SAMPLES) + 0.5;
+            vec2 at = agaa_coveragePosition(i, AGAA_SAMPLES) + 0.5;
             p.weight += weight;
-            p.sum += weight * place;
-            p.products += weight * vec3(place * place, place.x * place.y);
+            p.sum += weight * at;
+            p.products += weight * vec3(at * at, at.x * at.y);
         }
     return p;
 }
 
-// Means over the fragments of aggregate a, whose samples weigh scale, times the light that they get where isLit is set.
+// Returns means over the fragments of aggregate a. A sample has the weight `scale`, times its light if isLit is set.
 agaa_Means agaa_meansOf(uvec2 pixel, uint head, uint a, float scale, bool isLit) {
     agaa_Means means = agaa_noMeans();
     for (uint fragment = head; fragment != 0u;) {
@@ -215,18 +217,18 @@ agaa_Means agaa_meansOf(uvec2 pixel, uint head, uint a, float scale, bool isLit)
             AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
             AgaaMaterial m = agaa_fetchCovered(p, pixel, agaa_coverageMiddle(mask, AGAA_SAMPLES));
             bool isWeighed = isLit || agaa_isCurvedMaterial(m);
-            agaa_PositionSums places = agaa_positionSumsOf(isWeighed ? mask : uvec4(0u), scale, isLit);
-            agaa_addFetched(means, m, isWeighed ? places.weight : scale * float(count), places);
+            agaa_PositionSums sums = agaa_positionSumsOf(isWeighed ? mask : uvec4(0u), scale, isLit);
+            agaa_addFetched(means, m, isWeighed ? sums.weight : scale * float(count), sums);
         }
         fragment = agaa_nextOf(record);
     }
     return means;
 }
 
-// Mean position of the aggregate's samples, in shading space.
+// Returns the mean position of the aggregate's samples in shading space.
 vec3 agaa_meanFragmentPosition(uvec2 pixel, uint head, uint a, float weight) {
     vec3 first = vec3(0.0);
-    vec3 away = vec3(0.0); // from the first: sums keep their digits (hard case 14)
+    vec3 away = vec3(0.0); // relative to the first, so that sums keep their digits (hard case 14)
     bool isFirst = true;
     for (uint fragment = head; fragment != 0u;) {
         uint record = agaa_record(fragment);
@@ -243,7 +245,7 @@ vec3 agaa_meanFragmentPosition(uvec2 pixel, uint head, uint a, float weight) {
     return first + away / weight;
 }
 
-// The plane of the fragment that shows at a sample.
+// Returns the plane of the fragment that shows at a sample.
 vec3 agaa_shownPlane(uint head, uint sampleOf) {
     vec3 plane = vec3(0.0);
     for (uint fragment = head; fragment != 0u;) {
@@ -256,7 +258,7 @@ vec3 agaa_shownPlane(uint head, uint sampleOf) {
 }
 
 #if AGAA_LIT
-// Of each key light's shadow, the share of the samples that its light reaches and the means over what it reaches.
+// Finds, for the shadow of each key light, the share of the samples that the light reaches and the means over these samples.
 void agaa_findLitSurfaces(uvec2 pixel, uint head, uint a, float weight, vec3 toEye) {
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map) {
         if (!agaa_isLitShadow(map))

@@ -1,4 +1,4 @@
-// Fills the table of half-planes for the host's own pattern of coverage samples (DCAA section 3.1, figure 3).
+// Fills the table of half-planes for the host's pattern of coverage samples (DCAA section 3.1, figure 3).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
@@ -10,7 +10,7 @@ layout(local_size_x = 64) in;
 layout(rgba32ui, AGAA_BINDING_COVERAGE_TABLE_OUT) writeonly uniform uimage2D agaa_table;
 
 void main() {
-    const uint entry = gl_GlobalInvocationID.x; // the largest table has half as many groups as fit a row
+    const uint entry = gl_GlobalInvocationID.x; // one row of workgroups suffices for the largest table
     if (entry >= AGAA_TABLE_SIZE * AGAA_TABLE_SIZE)
         return;
     uvec4 mask = uvec4(0u);

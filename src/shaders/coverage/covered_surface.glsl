@@ -1,7 +1,7 @@
-// Surfaces of `dcaa` in memory. The words of one: its coverage, the depth at the pixel's centre, the growth of depth per
-// pixel in x and in y (16 bits each: sign, 8 bits of exponent, 7 of mantissa), the normal (octahedral, 16 bits each), with
-// elliptic lobes how normals spread (coverage/surface_spread.glsl), then its material (aggregate/packing.glsl). No coverage: there is no surface. Depths grow away from the eye; reversed ones are
-// negated.
+// Surfaces of `dcaa` in memory. A surface has these words: coverage, depth at the pixel's centre, change of depth per pixel in
+// x and in y (16 bits each: sign, 8 bits of exponent, 7 of mantissa), normal (octahedral, 16 bits each), with elliptic lobes the
+// spread of normals (coverage/surface_spread.glsl), then the material (aggregate/packing.glsl). A coverage of 0 means no surface.
+// Depths increase away from the eye; reversed depths are negated. Needs common/frame.glsl.
 #ifndef AGAA_COVERED_SURFACE_GLSL
 #define AGAA_COVERED_SURFACE_GLSL
 #include "math/surface_merge.glsl"
@@ -18,7 +18,7 @@
 #define AGAA_IN_TARGETS 0
 #endif
 
-// Where the words of one begin: in a buffer of all pixels, or with AGAA_IN_TARGETS among those of the pixel.
+// Returns the index of the first word of surface a: in the buffer, or with AGAA_IN_TARGETS among the words of the pixel.
 uint agaa_surfaceBase(uvec2 pixel, uint a) {
 #if AGAA_IN_TARGETS
     return a * AGAA_STRIDE;
@@ -33,11 +33,11 @@ agaa_CoveredSurface agaa_surfaceOfWords(uvec4 mask, uint depth, uint slopes, uin
     return agaa_CoveredSurface(mask, plane, vec2(plane.x - reach, plane.x + reach), agaa_unpackNormal(normal));
 }
 
-// As memory gives it back.
+// Returns the surface as it is after storing and loading.
 agaa_CoveredSurface agaa_asStored(agaa_CoveredSurface s) {
     return agaa_surfaceOfWords(s.mask, floatBitsToUint(s.plane.x), agaa_packSlopes(s.plane.yz), agaa_packNormal(s.normal));
 }
 
-// The depth buffer's, by a depth that grows away from the eye.
+// Converts a depth that increases away from the eye to that of the depth buffer.
 float agaa_deviceDepth(float depth) { return AGAA_FAR_DEPTH != 0u ? depth : -depth; }
 #endif

@@ -1,4 +1,4 @@
-// After the first draw of the scene: whether all fragments found room, and if not, which further draw keeps which tiles.
+// Runs after the first draw of the scene. It decides whether all fragments had room and, if not, assigns tiles to further draws.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
@@ -11,8 +11,8 @@ layout(std430, AGAA_BINDING_FRAGMENTS) buffer agaa_FragmentBlock {
     uint words[];
 } agaa_fragments;
 
-shared uint agaa_sums[64]; // of each lane's tiles
-shared uint agaa_fullest[64];
+shared uint agaa_sums[64];    // fragments in the tiles of each lane
+shared uint agaa_fullest[64]; // fragments in the fullest of them
 
 void main() {
     const uint lane = gl_LocalInvocationIndex;
@@ -39,16 +39,16 @@ void main() {
         fullest = max(fullest, agaa_fullest[k]);
     }
     bool isEnough = all <= agaa_frame.fragmentCapacity;
-    // Tiles that begin in the same stretch of fragments, of this length, find room together.
-    uint stretch = max(agaa_frame.fragmentCapacity, fullest + 1u) - fullest;
+    // Tiles whose first fragments are in the same interval of this length have room in one draw.
+    uint interval = max(agaa_frame.fragmentCapacity, fullest + 1u) - fullest;
     uint most = agaa_frame.maxBatches - 1u;
     for (uint t = begin; t < end; ++t) {
         uint fragments = agaa_fragments.words[first + t];
-        agaa_fragments.words[first + t] = isEnough ? 0u : min(1u + before / stretch, most);
+        agaa_fragments.words[first + t] = isEnough ? 0u : min(1u + before / interval, most);
         before += fragments;
     }
     if (lane == 0u) {
-        agaa_fragments.words[AGAA_LIST_BATCHES] = isEnough ? 1u : min(2u + all / stretch, most + 1u);
+        agaa_fragments.words[AGAA_LIST_BATCHES] = isEnough ? 1u : min(2u + all / interval, most + 1u);
         agaa_fragments.words[AGAA_LIST_PREDICATE] = isEnough ? 0u : 1u;
     }
 }

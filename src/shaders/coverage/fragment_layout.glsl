@@ -1,20 +1,20 @@
-// Words of the buffer of lists: counts, the first fragment of each pixel, where the scene may be drawn again a word for each
-// tile of 8 by 8 pixels, then the fragments.
+// Layout of the buffer of fragment lists: counts, the first fragment of each pixel, a word for each tile of 8 by 8 pixels if the
+// scene may be drawn again, then the fragments.
 //
-// A fragment is the id of its primitive, the next fragment of its pixel, its coverage, and AGAA_PAYLOAD_WORDS of the passes that
-// read lists. Fragments are numbered from 1; 0 ends a list.
+// A fragment has the id of its primitive, the next fragment of its pixel, its coverage, and AGAA_PAYLOAD_WORDS further words.
+// Fragments are numbered from 1. The number 0 ends a list.
 //
-// Batches: the first draw of the scene counts the fragments of each tile. If all of them found room, it was the only one.
-// Otherwise tiles are divided among further draws, which keep the fragments of their tiles alone.
+// Batches: the first draw of the scene counts the fragments of each tile. If all of them have room, it is the only draw.
+// Otherwise the tiles are divided among further draws, each of which keeps the fragments of its tiles only.
 #ifndef AGAA_FRAGMENT_LAYOUT_GLSL
 #define AGAA_FRAGMENT_LAYOUT_GLSL
-#define AGAA_LIST_COUNT 0u   // fragments that asked for a place in this draw
+#define AGAA_LIST_COUNT 0u   // fragments of this draw, with or without room
 #define AGAA_LIST_BATCH 1u   // number of this draw
 #define AGAA_LIST_BATCHES 2u // draws that are needed, known after the first
 #define AGAA_LIST_PREDICATE 3u // 0: no further draw is needed
-#define AGAA_LIST_HEADS 16u  // where the first fragments begin
+#define AGAA_LIST_HEADS 16u  // index of the first pixel's word
 #ifndef AGAA_PAYLOAD_WORDS
-#define AGAA_PAYLOAD_WORDS 0u // of a fragment, that passes after the draw of the scene write
+#define AGAA_PAYLOAD_WORDS 0u // of a fragment, written after the draw of the scene
 #endif
 #define AGAA_FRAGMENT_WORDS (2u + AGAA_SAMPLES / 32u + AGAA_PAYLOAD_WORDS)
 
@@ -22,7 +22,7 @@ uint agaa_headOf(uvec2 pixel, uvec2 size) { return AGAA_LIST_HEADS + pixel.y * s
 
 uvec2 agaa_tilesOf(uvec2 size) { return (size + 7u) / 8u; }
 
-// Of the first draw the number of its fragments, then the draw that keeps them.
+// Returns the index of a tile's word: the number of its fragments during the first draw, then the draw that keeps them.
 uint agaa_tileOf(uvec2 pixel, uvec2 size) {
     return AGAA_LIST_HEADS + size.x * size.y + pixel.y / 8u * agaa_tilesOf(size).x + pixel.x / 8u;
 }

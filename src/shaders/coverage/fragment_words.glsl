@@ -1,10 +1,13 @@
-// The buffer of lists of fragments.
+// The buffer of fragment lists. Needs common/frame.glsl and AGAA_BINDING_FRAGMENTS.
 #ifndef AGAA_FRAGMENT_WORDS_GLSL
 #define AGAA_FRAGMENT_WORDS_GLSL
+#if !defined(AGAA_FRAME_GLSL) || !defined(AGAA_BINDING_FRAGMENTS)
+#error "fragment_words.glsl needs frame.glsl and AGAA_BINDING_FRAGMENTS."
+#endif
 #include "coverage/fragment_layout.glsl"
 
 #ifndef AGAA_LISTS_QUALIFIER
-#define AGAA_LISTS_QUALIFIER // coherent: lanes read what others wrote
+#define AGAA_LISTS_QUALIFIER // coherent if lanes read words that other lanes wrote
 #endif
 layout(std430, AGAA_BINDING_FRAGMENTS) AGAA_LISTS_QUALIFIER buffer agaa_FragmentBlock {
     uint words[];

@@ -1,16 +1,19 @@
-// Which fragments of a list show at which samples: the depths of all fragments are compared at each sample. The including
-// text defines agaa_keptPlane(record) and agaa_keepPlanes(pixel, head), after which planes are known.
+// Visibility of the fragments of a list: their depths are compared at each sample. The includer defines agaa_keptPlane(record)
+// and agaa_keepPlanes(pixel, head), which is called before planes are read. Needs coverage/list_order.glsl.
 #ifndef AGAA_LIST_VISIBILITY_GLSL
 #define AGAA_LIST_VISIBILITY_GLSL
+#ifndef AGAA_LIST_ORDER_GLSL
+#error "list_visibility.glsl needs list_order.glsl."
+#endif
 #include "math/coverage_pattern.glsl"
 
-// Of each sample at hand, the nearest depth and its fragment.
+// The nearest depth at each sample of the current pixel, and its fragment.
 float agaa_nearestDepth[AGAA_SAMPLES];
 uint agaa_nearestFragment[AGAA_SAMPLES];
 
-// Lets samples of a fragment take it where it is the nearest, or, where they are decided, takes from it all others. Loops are
-// over samples that fragments cover, not over pairs of fragments: software rasterisers of Mesa end all loops of an invocation
-// once they have turned 65535 times together.
+// Makes the fragment the nearest of the samples where its depth is lowest. With isDecided, removes the samples from its mask that
+// show another fragment. Loops are over covered samples, not over pairs of fragments, because software rasterisers of Mesa end
+// all loops of an invocation after 65535 iterations in total.
 void agaa_resolveFragment(uint fragment, uint record, bool isDecided) {
     uvec4 mask = agaa_maskOf(record);
     vec3 plane = agaa_keptPlane(record);
@@ -35,17 +38,17 @@ void agaa_resolveFragment(uint fragment, uint record, bool isDecided) {
         agaa_setMask(record, mask);
 }
 
-// Leaves each fragment the samples that show it; of equal depths the lower id shows. Returns the first fragment.
+// Reduces the mask of each fragment to the samples that show it. Of equal depths the lower id shows. Returns the first fragment.
 uint agaa_resolveList(uvec2 pixel) {
     uint head = agaa_sortList(pixel);
     agaa_keepPlanes(pixel, head);
     for (uint i = 0u; i < AGAA_SAMPLES; ++i)
         agaa_nearestFragment[i] = 0u;
-    for (uint turn = 0u; turn < 2u; ++turn) {
+    for (uint pass = 0u; pass < 2u; ++pass) {
         uint fragment = head;
         while (fragment != 0u) {
             uint record = agaa_record(fragment);
-            agaa_resolveFragment(fragment, record, turn == 1u);
+            agaa_resolveFragment(fragment, record, pass == 1u);
             fragment = agaa_nextOf(record);
         }
     }

@@ -1,4 +1,4 @@
-// Lists of fragments that carry their materials.
+// Lists of fragments with their materials. Needs what coverage/fragment_words.glsl needs.
 #ifndef AGAA_MATERIAL_LISTS_GLSL
 #define AGAA_MATERIAL_LISTS_GLSL
 #define AGAA_MATERIAL_LISTS

@@ -1,4 +1,4 @@
-// Merges the fragments of each pixel, which carry their materials, into surfaces in memory (DCAA sections 3.2 and 3.3).
+// Merges the fragments of each pixel, whose materials are in the lists, into surfaces in memory (DCAA sections 3.2 and 3.3).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -12,12 +12,12 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "coverage/material_lists.glsl"
 #include "coverage/covered_surface.glsl"
 
-bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread) {
+bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored material, out agaa_NormalSpread spread) {
     s.mask = agaa_maskOf(record);
     s.plane = agaa_keptPlane(record);
     s.normal = agaa_keptNormal(record);
     s = agaa_asStored(s);
-    own = agaa_keptMaterial(record);
+    material = agaa_keptMaterial(record);
     spread = agaa_keptSpread(record);
     return true;
 }

@@ -1,5 +1,4 @@
-// Merges the fragments of each pixel into surfaces in memory, whose materials the host fetches by id (DCAA sections 3.2 and
-// 3.3).
+// Merges the fragments of each pixel into surfaces in memory. Materials are fetched by id (DCAA sections 3.2 and 3.3).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -15,7 +14,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "ids/stored_material.glsl"
 #include "coverage/surface_spread.glsl"
 
-bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread) {
+bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored material, out agaa_NormalSpread spread) {
     s.mask = agaa_maskOf(record);
     AgaaPrimitive p = agaa_primitive(agaa_fragments.words[record]);
     agaa_DepthPlane plane = agaa_planeOf(p, pixel);
@@ -28,7 +27,7 @@ bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out 
     s.plane = agaa_growingDepth(plane);
     s.normal = m.normal;
     s = agaa_asStored(s);
-    own = agaa_storedMaterial(m);
+    material = agaa_storedMaterial(m);
     spread = agaa_noSpread(s.normal);
     if (AGAA_SPREAD_WORDS != 0u)
         spread = agaa_spreadOfFragment(s.normal, m.normalDx, m.normalDy, s.mask);

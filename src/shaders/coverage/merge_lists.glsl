@@ -1,6 +1,10 @@
-// Merges the fragments of each pixel, in the order of their ids, into surfaces in memory. The including text defines
-// bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored own, out agaa_NormalSpread spread),
-// which is false for what is not shown.
+// Merges the fragments of each pixel, in the order of their ids, into surfaces in memory. The includer defines
+// bool agaa_readFragment(uvec2 pixel, uint record, out agaa_CoveredSurface s, out agaa_Stored material,
+// out agaa_NormalSpread spread), which returns false for fragments at the far plane. Needs AGAA_BINDING_SURFACES,
+// common/counters.glsl and coverage/list_order.glsl.
+#if !defined(AGAA_BINDING_SURFACES) || !defined(AGAA_COUNTERS_GLSL) || !defined(AGAA_LIST_ORDER_GLSL)
+#error "merge_lists.glsl needs AGAA_BINDING_SURFACES, counters.glsl and list_order.glsl."
+#endif
 layout(std430, AGAA_BINDING_SURFACES) buffer agaa_SurfaceBlock {
     uint words[];
 } agaa_surfaces;
@@ -14,10 +18,10 @@ void agaa_mergePixel(uvec2 pixel) {
     while (fragment != 0u) {
         uint record = agaa_record(fragment);
         agaa_CoveredSurface s;
-        agaa_Stored own;
+        agaa_Stored material;
         agaa_NormalSpread spread;
-        if (agaa_readFragment(pixel, record, s, own, spread))
-            agaa_insertFragment(pixel, s, own, spread);
+        if (agaa_readFragment(pixel, record, s, material, spread))
+            agaa_insertFragment(pixel, s, material, spread);
         fragment = agaa_fragments.words[record + 1u];
     }
     for (uint a = 0u; a < agaa_aggregateLimit(); ++a) {
@@ -39,7 +43,7 @@ bool agaa_isTileInBatch() {
     return batch != 0u && agaa_fragments.words[agaa_tileOf(gl_WorkGroupID.xy * 8u, agaa_frame.size)] == batch;
 }
 
-// Whether anything is left for this draw.
+// Whether this draw has tiles to keep.
 bool agaa_isDrawNeeded() {
     uint batch = agaa_fragments.words[AGAA_LIST_BATCH];
     return batch == 0u || batch < agaa_fragments.words[AGAA_LIST_BATCHES];
@@ -51,10 +55,10 @@ void main() {
         agaa_count(AGAA_COUNT_BATCHES, 1u);
     uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
     bool isInside = all(lessThan(pixel, agaa_frame.size));
-    bool turn = agaa_isTileInBatch();
-    if (isInside && turn)
+    bool isInBatch = agaa_isTileInBatch();
+    if (isInside && isInBatch)
         agaa_mergePixel(pixel);
     else if (isInside && agaa_fragments.words[AGAA_LIST_BATCH] == 0u)
-        agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size)] = 0u; // a further draw makes the list anew
+        agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size)] = 0u; // a further draw makes the list again
     agaa_countEnd();
 }

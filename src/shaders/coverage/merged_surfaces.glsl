@@ -1,4 +1,4 @@
-// Fragments that merge into a pixel's surfaces in memory (DCAA sections 3.2 and 3.3). The including text has
+// Merges fragments into a pixel's surfaces in memory (DCAA sections 3.2 and 3.3). Needs AGAA_MERGE_RULE and the functions
 // agaa_readSurfaces(word), agaa_setSurfaces(word, value) and agaa_count(counter, amount).
 #ifndef AGAA_MERGED_SURFACES_GLSL
 #define AGAA_MERGED_SURFACES_GLSL
@@ -7,14 +7,16 @@
 #include "coverage/surface_spread.glsl"
 #include "aggregate/unpacking.glsl"
 
-// Of the pixel's surface at `base`.
+// Returns the material of the surface whose first word is `base`.
 agaa_Stored agaa_loadMaterial(uint base) {
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         agaa_packed[w] = agaa_readSurfaces(base + AGAA_MATERIAL_WORD + w);
     return agaa_unpackSurface();
 }
 
-// The share is of b. normalLength: of the mean normal, by which lobes widen.
+// Returns the mix of a and b.
+// share          Share of b, [0, 1].
+// normalLength   Length of the mean normal, by which lobes widen.
 agaa_Stored agaa_mixMaterials(agaa_Stored a, agaa_Stored b, float share, float normalLength) {
 #define AGAA_ATTRIBUTE(semantic, name)
 #define AGAA_CHANNEL(index, name, field, source, attribute, member) a.member += (b.member - a.member) * share;
@@ -30,7 +32,7 @@ agaa_NormalSpread agaa_loadSpread(uint base) {
     return agaa_unpackSpread(normal, uvec2(agaa_readSurfaces(at), agaa_readSurfaces(at + 1u)));
 }
 
-// Memory has the normal that the spread is of.
+// Merges a spread into that of the surface at `base`, and stores the normal that the spread is relative to.
 void agaa_mergeSpread(uint base, agaa_NormalSpread spread, float share, vec3 normal) {
     if (share < 1.0)
         spread = agaa_mixSpreads(agaa_loadSpread(base), spread, share, normal);
@@ -40,7 +42,7 @@ void agaa_mergeSpread(uint base, agaa_NormalSpread spread, float share, vec3 nor
     agaa_setSurfaces(base + AGAA_SPREAD_WORD + 1u, words.y);
 }
 
-// Lets a surface have this share of another material.
+// Merges a material into that of the surface at `base`, with this share.
 void agaa_mergeMaterial(uint base, agaa_Stored v, float share, float normalLength) {
     if (share < 1.0)
         v = agaa_mixMaterials(agaa_loadMaterial(base), v, share, normalLength);
@@ -62,9 +64,11 @@ agaa_MergeRules agaa_mergeRules() {
     return agaa_MergeRules(agaa_aggregateLimit(), agaa_frame.surfaceCosine, 0.0, AGAA_MERGE_RULE);
 }
 
-// s: as stored. own: its material; spread: of its normals. Materials and spreads are in memory, all else in agaa_kept.
-// Returns what became of it.
-agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stored own, agaa_NormalSpread spread) {
+// Inserts a fragment. Materials and spreads of surfaces are in memory, everything else is in agaa_kept.
+// s          Values as stored.
+// material   The fragment's material.
+// spread     The spread of its normals.
+agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stored material, agaa_NormalSpread spread) {
     agaa_MergeRules rules = agaa_mergeRules();
     rules.slack = abs(s.plane.x) * 9.5367e-7;
     uint before = agaa_keptCount;
@@ -77,7 +81,7 @@ agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stor
         if (AGAA_SPREAD_WORDS != 0u)
             moved = agaa_loadSpread(from);
         if (done.into == rules.limit) {
-            own = agaa_mixMaterials(own, moving, done.moved, done.movedLength);
+            material = agaa_mixMaterials(material, moving, done.moved, done.movedLength);
             if (AGAA_SPREAD_WORDS != 0u)
                 spread = agaa_mixSpreads(spread, moved, done.moved, agaa_asStored(agaa_kept[done.to]).normal);
         } else {
@@ -90,7 +94,7 @@ agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stor
     }
     if (done.to != AGAA_NO_SURFACE) {
         uint to = agaa_surfaceBase(pixel, done.to);
-        agaa_mergeMaterial(to, own, done.share, done.shareLength);
+        agaa_mergeMaterial(to, material, done.share, done.shareLength);
         agaa_keep(done.to, agaa_asStored(agaa_kept[done.to]));
         if (AGAA_SPREAD_WORDS != 0u)
             agaa_mergeSpread(to, spread, done.share, agaa_kept[done.to].normal);
@@ -98,7 +102,7 @@ agaa_Insertion agaa_insertFragment(uvec2 pixel, agaa_CoveredSurface s, agaa_Stor
     return done;
 }
 
-// All but the material.
+// Stores the surface without its material.
 void agaa_storeSurface(uint base, agaa_CoveredSurface s) {
     for (uint word = 0u; word < AGAA_MASK_WORDS; ++word)
         agaa_setSurfaces(base + word, s.mask[word]);

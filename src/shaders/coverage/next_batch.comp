@@ -1,4 +1,4 @@
-// Between two draws of the scene.
+// Prepares the next draw of the scene, or ends the repetition.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;

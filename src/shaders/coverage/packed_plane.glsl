@@ -1,9 +1,9 @@
-// Slopes of depth planes and normals in one word each.
+// Packs the slopes of a depth plane, and a normal, in one word each.
 #ifndef AGAA_PACKED_PLANE_GLSL
 #define AGAA_PACKED_PLANE_GLSL
 #include "math/encoding.glsl"
 
-// To the nearest; of two the even one.
+// Rounds to the nearest value, ties to even.
 uint agaa_packSlope(float slope) {
     uint bits = floatBitsToUint(slope);
     return bits + 0x7FFFu + (bits >> 16u & 1u) >> 16u;

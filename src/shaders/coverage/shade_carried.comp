@@ -1,4 +1,4 @@
-// Shades each fragment of a pixel that shows at a sample, with the material that it carries. DCAA's reference.
+// Shades each fragment of a pixel that shows at a sample, with its material in the list. This is the reference for DCAA.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -16,7 +16,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define AGAA_EMISSIVE_RANGE agaa_frame.emissiveRange
 #include "aggregate/stored_means.glsl"
 
-void agaa_keepPlanes(uvec2 pixel, uint head) {} // fragments carry them
+void agaa_keepPlanes(uvec2 pixel, uint head) {} // the lists have them
 #include "coverage/list_visibility.glsl"
 
 agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle) {

@@ -1,4 +1,4 @@
-// Shades each fragment of a pixel that shows at a sample, with the material that the host fetches by id. DCAA's reference.
+// Shades each fragment of a pixel that shows at a sample. Materials are fetched by id. This is the reference for DCAA.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,8 +1,11 @@
-// Shades each fragment of a pixel that shows at a sample, without merging: the depths of all fragments are compared at each
-// sample. DCAA's reference. The including text defines agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask,
-// vec2 middle) for the samples of the mask, whose middle that is.
+// Shades each fragment of a pixel that shows at a sample, without merging. The includer defines
+// agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle), which returns the material for the samples of
+// the mask, whose centroid is `middle`. Needs common/output.glsl and coverage/list_visibility.glsl.
+#if !defined(AGAA_OUTPUT_GLSL) || !defined(AGAA_LIST_VISIBILITY_GLSL)
+#error "shade_lists.glsl needs output.glsl and list_visibility.glsl."
+#endif
 
-// Radiance, or agaa_shownOfEvent(), times the number of samples.
+// Returns radiance, or agaa_shownOfEvent(), times the number of samples.
 vec3 agaa_shadeFragment(uvec2 pixel, uint record, uvec4 mask) {
     vec3 plane = agaa_keptPlane(record);
     vec2 middle = agaa_coverageMiddle(mask, AGAA_SAMPLES);

@@ -1,4 +1,4 @@
-// Which fragments of a list show at which samples, by the planes of their primitives.
+// Visibility of the fragments of a list by the planes of their primitives. Needs what coverage/sorted_list.glsl needs.
 #ifndef AGAA_SHOWN_FRAGMENTS_GLSL
 #define AGAA_SHOWN_FRAGMENTS_GLSL
 #include "coverage/sorted_list.glsl"
@@ -11,7 +11,7 @@ vec3 agaa_keptPlane(uint record) {
                 uintBitsToFloat(agaa_fragments.words[at + 2u]));
 }
 
-// Keeps the planes of all fragments. What is at the far plane covers nothing.
+// Stores the planes of all fragments. Fragments at the far plane cover no sample.
 void agaa_keepPlanes(uvec2 pixel, uint head) {
     uint fragment = head;
     while (fragment != 0u) {

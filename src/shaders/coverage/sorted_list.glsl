@@ -1,4 +1,5 @@
-// Lists of fragments in the order of the host's draws, and the primitives that fragments are of.
+// Fragment lists in the order of the host's draws, with the primitives of fragments. Needs what ids/fetch.glsl and
+// coverage/fragment_words.glsl need.
 #ifndef AGAA_SORTED_LIST_GLSL
 #define AGAA_SORTED_LIST_GLSL
 #include "common/curvature.glsl"

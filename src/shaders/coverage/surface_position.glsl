@@ -1,18 +1,21 @@
-// Where a surface with coverage samples is shaded, how much light gets past shadows there, and how its lobe widens.
+// Position, shadows and widened lobe of a surface with coverage samples. Needs common/target.glsl and common/lighting.glsl.
 #ifndef AGAA_SURFACE_POSITION_GLSL
 #define AGAA_SURFACE_POSITION_GLSL
+#if !defined(AGAA_TARGET_GLSL) || !defined(AGAA_LIGHTING_GLSL)
+#error "surface_position.glsl needs target.glsl and lighting.glsl."
+#endif
 #include "tables/lighting.inc"
 #include "math/surface_resolve.glsl"
 #include "coverage/covered_surface.glsl"
 #include "coverage/surface_spread.glsl"
 
-// offset: from the pixel's centre, in pixels.
+// Returns the position of a depth plane in shading space. offset: from the pixel's centre, in pixels.
 vec3 agaa_surfacePosition(uvec2 pixel, vec3 plane, vec2 offset) {
     float depth = agaa_deviceDepth(plane.x + dot(plane.yz, offset));
     return agaa_toShadingSpace(agaa_viewPositionAt(pixel, offset + 0.5, depth));
 }
 
-// The depth plane of what shows at a sample: the surface's, or what the including text finds by an AGAA_SHOWN of its own.
+// Returns the depth plane that shows at a sample. Includers that define the type AGAA_SHOWN define this function, too.
 #ifdef AGAA_SHOWN
 vec3 agaa_shownPlane(AGAA_SHOWN shown, uint sampleOf);
 #else
@@ -20,7 +23,7 @@ vec3 agaa_shownPlane(AGAA_SHOWN shown, uint sampleOf);
 vec3 agaa_shownPlane(vec3 plane, uint sampleOf) { return plane; }
 #endif
 
-// Shadow taps at up to AGAA_SHADOW_TAPS of the samples, evenly chosen, or in their middle.
+// Finds the visibility by shadow taps at up to AGAA_SHADOW_TAPS of the samples, evenly chosen, or at their centroid.
 void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
 #if AGAA_SHADOWS
     uint count = agaa_coverageCount(mask);
@@ -38,7 +41,7 @@ void agaa_tapSurface(uvec2 pixel, AGAA_SHOWN shown, uvec4 mask, vec3 position) {
 #endif
 }
 
-// s: with the lobe of its material alone.
+// Widens the lobe of s, which is that of its material, by the spread of normals.
 void agaa_widenSurface(inout agaa_Surface s, agaa_NormalSpread spread) {
     agaa_widenBySpread(spread, s.alpha2, AGAA_NDF == agaa_ndfSggx ? 1u : 0u, s.axis, s.alpha2Along, s.alpha2);
 }

@@ -1,4 +1,4 @@
-// The spread of normals beside a surface's normal, where lobes are elliptic (AGAA_SPREAD_WORDS): two words.
+// Packs the spread of a surface's normals, which elliptic lobes use (AGAA_SPREAD_WORDS), in two words.
 #ifndef AGAA_SURFACE_SPREAD_GLSL
 #define AGAA_SURFACE_SPREAD_GLSL
 #include "math/coverage_pattern.glsl"
@@ -14,17 +14,17 @@ agaa_NormalSpread agaa_unpackSpread(vec3 normal, uvec2 words) {
     return agaa_NormalSpread(normal, vec3(agaa_unpackSlopes(words.x), last.x), last.y);
 }
 
-// Of a fragment, over the samples that it covers.
+// Returns the spread of a fragment's normals over the samples that it covers.
 agaa_NormalSpread agaa_spreadOfFragment(vec3 normal, vec3 dx, vec3 dy, uvec4 mask) {
     if (dx == vec3(0.0) && dy == vec3(0.0))
         return agaa_noSpread(normal);
     vec2 middle = agaa_coverageMiddle(mask, AGAA_SAMPLES);
-    vec3 places = vec3(0.0);
+    vec3 products = vec3(0.0);
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)
         for (uint left = mask[word]; left != 0u; left &= left - 1u) {
-            vec2 place = agaa_coveragePosition(word * 32u + uint(findLSB(left)), AGAA_SAMPLES) - middle;
-            places += vec3(place * place, place.x * place.y);
+            vec2 offset = agaa_coveragePosition(word * 32u + uint(findLSB(left)), AGAA_SAMPLES) - middle;
+            products += vec3(offset * offset, offset.x * offset.y);
         }
-    return agaa_spreadOfChange(normal, dx, dy, places / float(agaa_coverageCount(mask)));
+    return agaa_spreadOfChange(normal, dx, dy, products / float(agaa_coverageCount(mask)));
 }
 #endif

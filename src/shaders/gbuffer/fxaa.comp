@@ -1,6 +1,6 @@
-// FXAA (Lottes 2009, the quality variant): where luma has contrast, the edge through a pixel is followed to its
-// ends, and the pixel takes as much of its neighbour across as the edge's slope says. Luma and blending are
-// those of the tone-mapped image that viewers see; the output stays linear.
+// FXAA (Lottes 2009, the quality variant). If luma has contrast, the pass follows the edge through a pixel to its ends and
+// mixes in the neighbour across the edge by the edge's slope. Luma and mixing are those of the tone-mapped image. The output
+// stays linear.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -12,10 +12,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(AGAA_BINDING_COLOR) uniform sampler2D agaa_shaded; // a: luma
 layout(AGAA_BINDING_OUTPUT) writeonly uniform image2D agaa_output;
 
-const float agaa_contrast = 0.125;       // of the brightest neighbour
-const float agaa_darkContrast = 0.0312;  // below which nothing is seen
-const float agaa_subpixelShare = 0.75;   // of what removes single bright pixels
-// How far the edge is followed, in pixels, each way; the longer ones skip.
+const float agaa_contrast = 0.125;      // lowest contrast, as a share of the brightest neighbour
+const float agaa_darkContrast = 0.0312; // lowest visible contrast
+const float agaa_subpixelShare = 0.75;  // strength of the filter that removes single bright pixels
+// Distances in pixels at which the edge is tested in each direction. Longer ones skip pixels.
 const int agaa_edgeSteps[10] = int[](1, 2, 3, 4, 5, 7, 9, 12, 16, 24);
 
 vec4 agaa_texel(ivec2 at) { return texelFetch(agaa_shaded, clamp(at, ivec2(0), ivec2(agaa_frame.size) - 1), 0); }
@@ -27,8 +27,8 @@ float agaa_luma(ivec2 at) { return agaa_texel(at).a; }
 struct agaa_Edge {
     ivec2 across; // to the neighbour on the other side
     ivec2 along;
-    float luma;   // between the two sides
-    float step;   // by which luma differs where the edge ends
+    float luma;   // mean of the two sides
+    float step;   // difference of luma at the edge's end
 };
 
 struct agaa_Neighbours {
@@ -55,13 +55,13 @@ agaa_Edge agaa_findEdge(agaa_Neighbours l) {
     return edge;
 }
 
-// Distance to the edge's end one way, and how luma departs from the edge's there.
-float agaa_followEdge(ivec2 pixel, agaa_Edge edge, int way, out float departure) {
+// Returns the distance to the edge's end in one direction. departure receives the difference from the edge's luma there.
+float agaa_followEdge(ivec2 pixel, agaa_Edge edge, int direction, out float departure) {
     departure = 0.0;
     int reached = 0;
     for (int i = 0; i < 10; ++i) {
         reached = agaa_edgeSteps[i];
-        ivec2 at = pixel + edge.along * (way * reached);
+        ivec2 at = pixel + edge.along * (direction * reached);
         departure = 0.5 * (agaa_luma(at) + agaa_luma(at + edge.across)) - edge.luma;
         if (abs(departure) >= edge.step)
             break;
@@ -69,15 +69,15 @@ float agaa_followEdge(ivec2 pixel, agaa_Edge edge, int way, out float departure)
     return float(reached);
 }
 
-// How far toward the neighbour across the pixel moves, [0;1/2], so that the edge is a straight line.
+// Returns the distance, [0, 1/2], by which the pixel moves toward the neighbour across so that the edge is straight.
 float agaa_edgeShift(ivec2 pixel, agaa_Edge edge, float luma) {
     float departures[2];
     float one = agaa_followEdge(pixel, edge, -1, departures[0]);
     float two = agaa_followEdge(pixel, edge, 1, departures[1]);
     float departure = one < two ? departures[0] : departures[1];
-    // At the nearer end the edge must turn to the pixel's side, or the pixel is on the right side of it.
-    bool turns = (departure < 0.0) != (luma < edge.luma);
-    return turns ? 0.5 - min(one, two) / (one + two) : 0.0;
+    // The pixel moves only if the edge bends to the pixel's side at the nearer end.
+    bool bends = (departure < 0.0) != (luma < edge.luma);
+    return bends ? 0.5 - min(one, two) / (one + two) : 0.0;
 }
 
 float agaa_subpixelShift(agaa_Neighbours l, float range) {

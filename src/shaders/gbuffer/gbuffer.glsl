@@ -1,7 +1,10 @@
-// Samples of a multisampled G-buffer: by the layout, where its attachments are and what their channels hold; or by
-// functions of the host's, that read its G-buffer, or fetch materials by id.
+// Reads samples of a multisampled G-buffer: from attachments by the layout, from the host's G-buffer by a function of the host,
+// or by fetching materials by id. Needs common/target.glsl. To fetch by id it needs adaptive/adaptive_flags.glsl.
 #ifndef AGAA_GBUFFER_GLSL
 #define AGAA_GBUFFER_GLSL
+#ifndef AGAA_TARGET_GLSL
+#error "gbuffer.glsl needs target.glsl."
+#endif
 #include "math/encoding.glsl"
 #include "math/light.glsl"
 #include "common/host_samples.glsl"
@@ -9,7 +12,7 @@
 #include "common/stored.glsl"
 
 #if defined(AGAA_HOST_GBUFFER) || (defined(AGAA_HOST_FETCH) && !defined(AGAA_SOME_UNFETCHED))
-AgaaMaterial agaa_fetched; // of the sample fetched last
+AgaaMaterial agaa_fetched; // the sample fetched last
 
 #ifdef AGAA_HOST_GBUFFER
 bool agaa_fetchSample(uvec2 pixel, uint i) {
@@ -25,26 +28,26 @@ void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) { agaa_fetchSample(pixel
 
 bool agaa_isCovered(uvec2 pixel, uint i) { return agaa_idOf(pixel, i) != 0u; }
 
-// Those of these samples that show the primitive of sample i.
+// Returns those of these samples that show the primitive of sample i.
 uint agaa_samplesOfPrimitive(uvec2 pixel, uint i, uint samples) {
     const uint id = agaa_idOf(pixel, i);
-    uint own = 0u;
+    uint found = 0u;
     for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
         uint other = uint(findLSB(rest));
-        own |= agaa_idOf(pixel, other) == id ? 1u << other : 0u;
+        found |= agaa_idOf(pixel, other) == id ? 1u << other : 0u;
     }
-    return own;
+    return found;
 }
 
-// The material of a shading event at sample i, in the middle of these samples of its primitive. Textures are filtered over
-// their share of the pixel (Hollaender et al. 2013, section 4.1).
+// Fetches the material of a shading event at sample i, at the centroid of those of these samples that show its primitive.
+// Textures are filtered over their share of the pixel (Hollaender et al. 2013, section 4.1).
 void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) {
-    const uint own = agaa_samplesOfPrimitive(pixel, i, samples | 1u << i);
+    const uint shown = agaa_samplesOfPrimitive(pixel, i, samples | 1u << i);
     vec2 middle = vec2(0.0);
-    for (uint rest = own; rest != 0u; rest &= rest - 1u)
+    for (uint rest = shown; rest != 0u; rest &= rest - 1u)
         middle += agaa_sampleLocation(uint(findLSB(rest)));
-    middle /= float(bitCount(own));
-    const int represented = agaa_isAdaptive(AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS) ? 1 : bitCount(own);
+    middle /= float(bitCount(shown));
+    const int represented = agaa_isAdaptive(AGAA_ADAPTIVE_SAMPLE_FOOTPRINTS) ? 1 : bitCount(shown);
     const float width = sqrt(float(represented) / float(AGAA_SAMPLES));
     AgaaPrimitive p = agaa_primitive(agaa_idOf(pixel, i));
     agaa_evaluateAt(p, pixel, middle);
@@ -74,7 +77,7 @@ layout(AGAA_BINDING_GBUFFER1) uniform AGAA_TARGET_TEXTURE agaa_gbuffer1;
 layout(AGAA_BINDING_GBUFFER2) uniform AGAA_TARGET_TEXTURE agaa_gbuffer2;
 layout(AGAA_BINDING_GBUFFER3) uniform AGAA_TARGET_TEXTURE agaa_gbuffer3;
 
-agaa_Stored agaa_fetched; // of the sample fetched last; absent channels are 0
+agaa_Stored agaa_fetched; // the sample fetched last; absent channels are 0
 
 float agaa_sourceValue(float texel, uint source) {
     uint bits = agaa_fieldBits(source);
@@ -83,7 +86,7 @@ float agaa_sourceValue(float texel, uint source) {
     return agaa_fromSignedCode(uint(texel * float(agaa_maxCode(bits)) + 0.5), bits);
 }
 
-// False where the sample shows no geometry.
+// Returns false where the sample has no geometry.
 bool agaa_fetchSample(uvec2 pixel, uint i) {
     vec4 texels[4];
     texels[0] = AGAA_FETCH(agaa_gbuffer0, pixel, i);
@@ -98,7 +101,7 @@ bool agaa_fetchSample(uvec2 pixel, uint i) {
     return agaa_fetched.normal.x != 0.0;
 }
 
-// As agaa_fetchSample(), without the fetching of what is not asked for.
+// Returns the result of agaa_fetchSample(), but fetches one attachment only.
 bool agaa_isCovered(uvec2 pixel, uint i) {
     const uint attachment = AGAA_SOURCE_NORMAL_X & 0xFFu;
     vec4 texel = attachment == 0u   ? AGAA_FETCH(agaa_gbuffer0, pixel, i)
@@ -108,10 +111,10 @@ bool agaa_isCovered(uvec2 pixel, uint i) {
     return texel[AGAA_SOURCE_NORMAL_X >> 8u & 0xFFu] != 0.0;
 }
 
-// Of a shading event that stands for these samples.
+// Fetches sample i for a shading event that represents these samples.
 void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) { agaa_fetchSample(pixel, i); }
 
-// Whether two samples have the same values: those of a texel that one fragment covered.
+// Whether two samples have the same values. The samples of a texel that one fragment covered have.
 bool agaa_areAlike(uvec2 pixel, uint a, uint b) {
     return AGAA_FETCH(agaa_gbuffer0, pixel, a) == AGAA_FETCH(agaa_gbuffer0, pixel, b) &&
            AGAA_FETCH(agaa_gbuffer1, pixel, a) == AGAA_FETCH(agaa_gbuffer1, pixel, b) &&
@@ -121,7 +124,7 @@ bool agaa_areAlike(uvec2 pixel, uint a, uint b) {
 
 vec2 agaa_normalCode() { return agaa_fetched.normal.xy; }
 
-// Emission as stored: in shares of the layout's range, or of range times diffuse.
+// Returns the emission divided by the layout's range or, with one channel, by range times diffuse.
 vec3 agaa_storedEmissive() {
     if (AGAA_EMISSIVE_CHANNELS == 3u)
         return agaa_fetched.emissive;
@@ -154,7 +157,7 @@ agaa_Surface agaa_sampleSurface() {
     return s;
 }
 
-// The sample fetched last, as an aggregate stores it.
+// Returns the sample fetched last as an aggregate stores it.
 agaa_Stored agaa_storedSample() {
     agaa_Surface s = agaa_sampleSurface();
     agaa_Stored v = agaa_storedSurface(s.diffuse, s.specular, s.normal, s.alpha2, agaa_storedEmissive());

@@ -1,4 +1,4 @@
-// Mean of a multisampled image over the background.
+// Resolves a multisampled image: writes the mean of its samples over the background.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -12,13 +12,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/sample_depth.glsl"
 #include "gbuffer/forward_color.glsl"
 
-// Alpha: 0 where nothing is, else 1.
+// Alpha is 1 where a sample has geometry, else 0.
 layout(AGAA_BINDING_COLOR) uniform AGAA_TARGET_TEXTURE agaa_color;
 
 bool agaa_isAtFarPlane(uvec2 pixel, uint i) { return agaa_depthOf(pixel, i) == float(AGAA_FAR_DEPTH); }
 
 #if AGAA_COUNTING
-// Alpha is what the second geometry pass wrote, depth what the first one left.
+// Compares the alpha of the second geometry pass with the depth of the first.
 void agaa_countSamples(uvec2 pixel, uint covered) {
     uint visible = 0u;
     for (uint i = 0u; i < AGAA_SAMPLES; ++i)

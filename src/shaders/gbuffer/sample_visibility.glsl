@@ -1,4 +1,4 @@
-// Shadows of a shading event at the samples of a G-buffer that it stands for.
+// Shadows of a shading event at the samples of a G-buffer that it represents. Needs common/target.glsl and AGAA_SHADOWS.
 #ifndef AGAA_SAMPLE_VISIBILITY_GLSL
 #define AGAA_SAMPLE_VISIBILITY_GLSL
 #include "aggregate/choice.glsl"
@@ -9,8 +9,9 @@ vec3 agaa_samplePosition(uvec2 pixel, uint i) {
     return agaa_toShadingSpace(agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i)));
 }
 
-// Shadows end within surfaces too: of several samples that are shaded once, they are looked up at each of these, up to
-// AGAA_SHADOW_TAPS. mask: one or more samples with geometry.
+// Finds the visibility of all shadowed lights. Shadows end within surfaces, so they are looked up at each of the samples that are
+// shaded once, up to AGAA_SHADOW_TAPS.
+// mask   One or more samples with geometry.
 void agaa_findVisibility(uvec2 pixel, uint mask) {
     agaa_lightPixel(pixel);
 #if AGAA_SHADOWS

@@ -1,5 +1,5 @@
-// Shading of a multisampled G-buffer: of every covered sample, or, where pixels are classified, once of those
-// that show one surface (Lauritzen 2010).
+// Shades a multisampled G-buffer: each covered sample or, with AGAA_CLASSIFIED, once per pixel that shows one surface (Lauritzen
+// 2010). One surface has samples whose normals, planes and materials differ by no more than the frame's thresholds.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -27,14 +27,14 @@ float agaa_materialDifference(agaa_Surface a, agaa_Surface b) {
     return d;
 }
 
-// mask: of the samples that show geometry, of which there is one.
+// Whether the pixel shows several surfaces. mask: one or more samples with geometry.
 bool agaa_isComplex(uvec2 pixel, uint mask) {
     uint i = uint(findLSB(mask));
     agaa_fetchSample(pixel, i);
     agaa_Surface first = agaa_sampleSurface();
     first.normal = mat3(agaa_frame.view) * first.normal;
     vec3 at = agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i));
-    float farthest = agaa_frame.surfaceDistance * agaa_pixelWidth(at.z); // from the plane of the first sample
+    float farthest = agaa_frame.surfaceDistance * agaa_pixelWidth(at.z); // distance from the plane of the first sample
     bool complex = false;
     for (uint rest = mask & (mask - 1u); rest != 0u && !complex; rest &= rest - 1u) {
         i = uint(findLSB(rest));
@@ -50,7 +50,7 @@ bool agaa_isComplex(uvec2 pixel, uint mask) {
 }
 #endif
 
-const uint agaa_wholePixel = 32u; // kind of event: one for all of the pixel's samples
+const uint agaa_wholePixel = 32u; // kind of an event that represents all samples of the pixel
 
 uint agaa_coveredSamples(uvec2 pixel) {
     uint covered = 0u;

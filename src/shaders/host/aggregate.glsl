@@ -1,5 +1,8 @@
-// Generation pass: a fragment's attributes are added to the aggregates that its visible samples belong
-// to, split exactly (AGAA algorithm 2). Sums are of integers, so that order does not matter.
+// Generation pass: adds a fragment's attributes to the aggregates of its visible samples, split exactly (AGAA algorithm 2). Sums
+// are integers, so the order of fragments does not matter. Needs the macros of core/glsl/host_glsl.cpp.
+#if !defined(AGAA_WORDS) || !defined(AGAA_STRIDE) || !defined(AGAA_REPRESENTED)
+#error "aggregate.glsl needs AGAA_WORDS, AGAA_STRIDE and AGAA_REPRESENTED."
+#endif
 layout(early_fragment_tests) in;
 #if AGAA_POST_DEPTH_COVERAGE
 layout(post_depth_coverage) in;
@@ -31,7 +34,7 @@ layout(AGAA_BINDING_NORMALS) uniform AGAA_TARGET_TEXTURE agaa_normals; // of the
 #define AGAA_NORMAL_OF(i) texelFetch(agaa_normals, ivec2(gl_FragCoord.xy), i)
 #endif
 
-// Of a texel, the samples that show geometry.
+// Returns the samples of the texel that have geometry.
 uint agaa_shownSamples() {
     uint shown = 0u;
     for (int i = 0; i < AGAA_HW_SAMPLES; ++i)
@@ -40,10 +43,10 @@ uint agaa_shownSamples() {
 }
 #endif
 
-// Samples of the pixel that this invocation stands for.
+// Returns the samples of the pixel that this invocation represents.
 uint agaa_fragmentMask(AgaaSurfaceInput s) {
 #if AGAA_CHECKS_FAR_PLANE
-    bool isFar = agaa_mayReachFarPlane(); // first: derivatives want uniform control flow
+    bool isFar = agaa_mayReachFarPlane(); // derivatives need uniform control flow, so this comes first
 #endif
 #if AGAA_HW_SAMPLES == 1
     uint mask = 1u;
@@ -72,7 +75,7 @@ uvec2 agaa_readPlanes(uvec2 pixel) {
 }
 
 #if AGAA_REPRESENTED
-// 1 where the fragment owns the sample that stands for the surface.
+// Returns 1 if the fragment covers the sample that represents the surface.
 uint agaa_representedPart(uint mask, uint base) {
     uvec2 record = uvec2(agaa_readWord(base + AGAA_WORDS), 0u);
     if (AGAA_SAMPLES > 16)
@@ -95,8 +98,8 @@ void agaa_emit(AgaaSurfaceInput s) {
     uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_STRIDE);
     const uint coverageShift = AGAA_FIELD_COVERAGE >> 8 & 0xFFu;
 #if AGAA_FIRST_SAMPLE_ROUTING
-    // Coplanar duplicates may go to different aggregates, so that the coverage of one cannot tell that another holds a
-    // sample already. A word of each pixel, after all aggregates, tells it.
+    // Coplanar duplicates may go to different aggregates, so the coverage of one does not show that another has the sample. A
+    // word for each pixel, after all aggregates, shows it.
     uint pixels = agaa_frame.size.x * agaa_frame.size.y;
     uint claim = pixels * (AGAA_AGGREGATES * AGAA_STRIDE) + pixel.y * agaa_frame.size.x + pixel.x;
     uint claimed = agaa_orWord(claim, mask) & mask;
@@ -110,25 +113,25 @@ void agaa_emit(AgaaSurfaceInput s) {
 #endif
     for (uint a = 0u; a < AGAA_AGGREGATES; ++a, base += AGAA_STRIDE) {
 #if AGAA_REPRESENTED
-        uint own = agaa_representedPart(mask, base);
+        uint part = agaa_representedPart(mask, base);
 #elif AGAA_FIRST_SAMPLE_ROUTING
-        uint own = a == only ? mask : 0u;
+        uint part = a == only ? mask : 0u;
 #else
-        uint own = mask & agaa_samplesOfAggregate(planes, a);
+        uint part = mask & agaa_samplesOfAggregate(planes, a);
 #endif
-        if (own == 0u)
+        if (part == 0u)
             continue;
-        // First come, first kept: coplanar duplicates must not count twice (hard case 25).
-        uint before = agaa_orWord(base + (AGAA_FIELD_COVERAGE & 0xFFu), own << coverageShift) >>
+        // The first fragment keeps the sample: coplanar duplicates must not count twice (hard case 25).
+        uint before = agaa_orWord(base + (AGAA_FIELD_COVERAGE & 0xFFu), part << coverageShift) >>
                       coverageShift;
-        uint fresh = own & ~before;
-        if (fresh != own)
-            agaa_countFragment(AGAA_COUNT_TIES, uint(bitCount(own & before)));
+        uint fresh = part & ~before;
+        if (fresh != part)
+            agaa_countFragment(AGAA_COUNT_TIES, uint(bitCount(part & before)));
         if (fresh == 0u)
             continue;
         uint count = uint(bitCount(fresh));
-        // The product in the condition: words of a material without textures are uniform, and Mesa's lavapipe (22.3)
-        // makes a copy of a shader, which it never frees, at every draw whose uniforms decide a branch.
+        // The condition contains the product, because words of a material without textures are uniform. Mesa's lavapipe
+        // (22.3) copies a shader, and never frees the copy, at every draw whose uniforms decide a branch.
         for (uint w = 0u; w < AGAA_WORDS; ++w)
             if (agaa_isUnfilteredWord(w))
                 agaa_raiseWord(base + w, agaa_packed[w]);

@@ -1,12 +1,12 @@
-// Where a host's geometry or vertex shader passes the corners of a triangle to its fragment shader: three locations.
+// The corners of a triangle, which a host's geometry or vertex shader passes to its fragment shader in three locations.
 #ifndef AGAA_CORNER_LOCATION
 #define AGAA_CORNER_LOCATION 13
 #endif
-// x, y and w in pixels; where fragments carry their materials, z of clip coordinates too, for depths in [0, 1].
+// A corner has x, y and w in pixels. If fragments have materials, it also has z of clip coordinates, for depths in [0, 1].
 #if AGAA_NEEDS_MATERIAL
 #define AGAA_CORNER vec4
 #else
 #define AGAA_CORNER vec3
 #endif
-// NVIDIA's linker places outputs without a location over those of the host.
+// The location is explicit, because NVIDIA's linker assigns outputs without one to locations of the host.
 #define AGAA_AT_CORNERS layout(location = AGAA_CORNER_LOCATION)

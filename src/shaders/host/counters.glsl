@@ -1,4 +1,7 @@
-// Counts of a host's fragments, added to the frame's 64-bit counts.
+// Counters of a host's fragments, which add to the frame's 64-bit counters. Needs AGAA_COUNTING and AGAA_STORAGE_IMAGES.
+#if !defined(AGAA_COUNTING) || !defined(AGAA_STORAGE_IMAGES)
+#error "counters.glsl needs AGAA_COUNTING and AGAA_STORAGE_IMAGES."
+#endif
 #define AGAA_COUNTER(index, name, member)
 #define AGAA_COUNTER_DRAWN(index, name, member) const uint name = index;
 #define AGAA_COUNTER_MAX(index, name, member)
@@ -22,7 +25,7 @@ uint agaa_addToCounter(uint word, uint amount) { return atomicAdd(agaa_counterBu
 #if AGAA_COUNTING
 void agaa_countFragment(uint counter, uint amount) {
     uint before = agaa_addToCounter(2u * counter, amount);
-    if (before + amount < before) // carried
+    if (before + amount < before) // overflow
         agaa_addToCounter(2u * counter + 1u, 1u);
 }
 #else
@@ -43,12 +46,12 @@ void agaa_countDemands(uint demands, bool isInspected) {
 #endif
 }
 
-// Of a surface that was sanitised, and is visible or may be.
+// Counts a sanitised surface that is or may be visible.
 void agaa_countSurface(uint bad) {
     if (bad != 0u)
         agaa_countFragment(AGAA_COUNT_SANITISED, 1u);
     agaa_countDemands(agaa_demands, true);
 }
 
-// Of a fragment whose material another pass fetches.
+// Counts the mask of a fragment whose material another pass fetches.
 void agaa_countMask(AgaaSurfaceInput s) { agaa_countDemands(agaa_demandsOfMask(s), false); }

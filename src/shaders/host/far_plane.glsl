@@ -1,7 +1,10 @@
-// Samples whose stored depth is that of the far plane are background in all techniques: the first pass, which tests
-// against the depth that was cleared, refuses them. A second pass tests for equal depth and would let them through.
+// Samples whose stored depth is that of the far plane are background in all techniques. The first pass rejects them, because it
+// tests against the cleared depth. A second pass tests for equal depth and would accept them. Needs AGAA_FAR_DEPTH.
+#ifndef AGAA_FAR_DEPTH
+#error "far_plane.glsl needs AGAA_FAR_DEPTH."
+#endif
 
-// Whether a sample of this fragment may have the far plane's depth. True where depth is no number.
+// Whether a sample of this fragment may have the far plane's depth. Returns true for NaN.
 bool agaa_mayReachFarPlane() {
     float reach = 2.0 * fwidth(gl_FragCoord.z); // samples lie within half a texel
 #if AGAA_FAR_DEPTH

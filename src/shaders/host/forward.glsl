@@ -1,5 +1,5 @@
-// Forward pass: a fragment is shaded once for all its samples, with the lighting of the deferred passes.
-layout(early_fragment_tests) in; // what is hidden is neither shaded nor counted
+// Forward pass: shades a fragment once for all its samples, with the lighting of the deferred passes.
+layout(early_fragment_tests) in; // hidden fragments are neither shaded nor counted
 void agaa_count(uint counter, uint amount) { agaa_countFragment(counter, amount); }
 #define AGAA_COMPARE(map, at) textureGrad(map, at, vec2(0.0), vec2(0.0))
 #include "common/lighting.glsl"

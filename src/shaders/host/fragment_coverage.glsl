@@ -1,7 +1,11 @@
-// The samples of a pixel that a fragment covers, in passes that draw a fragment for each pixel that a triangle touches.
+// The samples of a pixel that a fragment covers, in passes that draw a fragment for each pixel that a triangle touches. Needs
+// AGAA_TABLE_SIZE.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3.1.
 #ifndef AGAA_HOST_FRAGMENT_COVERAGE_GLSL
 #define AGAA_HOST_FRAGMENT_COVERAGE_GLSL
+#ifndef AGAA_TABLE_SIZE
+#error "fragment_coverage.glsl needs AGAA_TABLE_SIZE."
+#endif
 #include "host/corners.glsl"
 #include "math/barycentrics.glsl"
 #include "math/triangle_coverage.glsl"
@@ -11,8 +15,8 @@
 
 AGAA_AT_CORNERS flat in AGAA_CORNER agaa_corners[3];
 
-// Perspective-correct weights of the triangle's corners at an offset from the pixel's centre, in pixels. Points outside the
-// triangle are moved in. Members: at; dx and dy, their growth per pixel. The host weighs its flat attributes by them.
+// Returns perspective-correct weights of the triangle's corners at an offset from the pixel's centre, in pixels. Points outside
+// the triangle are moved inside. The host interpolates its flat attributes by the members at, and dx and dy, the change per pixel.
 agaa_Barycentrics agaa_cornerWeights(vec2 offset) {
     return agaa_barycentrics(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz, gl_FragCoord.xy + offset, vec2(1.0));
 }
@@ -22,13 +26,13 @@ layout(AGAA_BINDING_COVERAGE_TABLE) uniform usampler2D agaa_coverageTable;
 
 uvec4 agaa_edgeByTable(vec3 a, vec3 b) {
     agaa_CoverageLookup found = agaa_findCoverage(a, b, AGAA_TABLE_SIZE);
-    uvec2 place = agaa_tableTexel(found.entry, AGAA_TABLE_SIZE);
-    uvec4 mask = place.y < AGAA_TABLE_SIZE ? texelFetch(agaa_coverageTable, ivec2(place), 0) : uvec4(0u);
+    uvec2 texel = agaa_tableTexel(found.entry, AGAA_TABLE_SIZE);
+    uvec4 mask = texel.y < AGAA_TABLE_SIZE ? texelFetch(agaa_coverageTable, ivec2(texel), 0) : uvec4(0u);
     return agaa_foundCoverage(found, mask, AGAA_SAMPLES);
 }
 #endif
 
-// Of the samples, those in the triangle.
+// Returns the samples in the triangle.
 uvec4 agaa_cornerCoverage() {
 #if AGAA_TABLE_SIZE
     vec3 a = agaa_vertexFromCentre(agaa_corners[0].xyz, gl_FragCoord.xy);
@@ -41,7 +45,7 @@ uvec4 agaa_cornerCoverage() {
 }
 
 #if AGAA_ALPHA_MASKED
-// Bilinear between the four of 16 points that are nearest.
+// Tests alpha by bilinear interpolation of the nearest four of 16 points.
 bool agaa_isInCutout16(vec4 rows[4], float cutoff, vec2 offset) {
     vec2 at = offset * 4.0 + 1.5;
     ivec2 first = ivec2(clamp(floor(at), vec2(0.0), vec2(2.0)));
@@ -70,7 +74,7 @@ uvec4 agaa_cutoutCoverage(AgaaSurfaceInput s, float alpha, vec2 gradient) {
     return mask;
 }
 
-// It takes derivatives, so it needs uniform control flow.
+// Returns the samples that alpha covers. It takes derivatives, so it needs uniform control flow.
 uvec4 agaa_alphaCoverage(AgaaSurfaceInput s) {
     float alpha = agaa_sanitiseAlpha(s.alpha);
     vec2 gradient = AGAA_FINE_GRADIENT(alpha);
@@ -89,7 +93,7 @@ uvec4 agaa_alphaCoverage(AgaaSurfaceInput s) {
 uvec4 agaa_covered = uvec4(0u); // by agaa_coverageOf(), once it is known
 bool agaa_isCoverageKnown = false;
 
-// Of what s says of alpha.
+// Returns the samples in the triangle that the alpha of s covers.
 uvec4 agaa_coverageOf(AgaaSurfaceInput s) {
     if (agaa_isCoverageKnown)
         return agaa_covered;
@@ -101,7 +105,7 @@ uvec4 agaa_coverageOf(AgaaSurfaceInput s) {
     return agaa_covered;
 }
 
-// The middle of the samples that s covers, from the pixel's centre, for agaa_cornerWeights(): where the host evaluates the
-// material. Members of alpha are set before.
+// Returns the centroid of the samples that s covers, as an offset from the pixel's centre for agaa_cornerWeights(). The host
+// evaluates the material there. It must set the alpha members of s before.
 vec2 agaa_coveredMiddle(AgaaSurfaceInput s) { return agaa_coverageMiddle(agaa_coverageOf(s), AGAA_SAMPLES); }
 #endif

@@ -1,4 +1,7 @@
-// What a fragment carries beside its coverage.
+// The payload of a fragment: geometry and material (coverage/material_payload.glsl). Needs AGAA_NEEDS_MATERIAL = 1.
+#if !AGAA_NEEDS_MATERIAL
+#error "fragment_payload.glsl needs AGAA_NEEDS_MATERIAL."
+#endif
 #include "host/fragment_coverage.glsl"
 #include "coverage/material_payload.glsl"
 #include "common/curvature.glsl"
@@ -9,8 +12,8 @@
 uint agaa_payload[AGAA_MATERIAL_PAYLOAD_WORDS]; // by agaa_packFragment()
 uint agaa_wasSanitised = 0u;
 
-// False where the triangle is at the far plane, which is background.
-// agaa_wasSanitised: a member was not finite or beyond its range.
+// Fills agaa_payload, and sets agaa_wasSanitised if a member of s was not finite or out of range. Returns false for a triangle at
+// the far plane, which is background.
 bool agaa_packFragment(AgaaSurfaceInput s, uvec4 mask) {
     agaa_DepthPlane plane = agaa_depthPlane(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz,
                                             vec3(agaa_corners[0].w, agaa_corners[1].w, agaa_corners[2].w), gl_FragCoord.xy);

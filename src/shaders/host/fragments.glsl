@@ -1,6 +1,9 @@
-// Fragments pass: the coverage of each fragment, with the id of its primitive or with its material, becomes a record in the
-// list of its pixel.
+// Fragments pass: appends the coverage of each fragment, with the id of its primitive or its material, to the list of its pixel.
+// Needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL and AGAA_HAS_BATCHES.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3.1.
+#ifndef AGAA_HAS_BATCHES
+#error "fragments.glsl needs AGAA_HAS_BATCHES."
+#endif
 #include "host/fragment_coverage.glsl"
 
 #if AGAA_STORAGE_IMAGES
@@ -39,7 +42,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     else if (agaa_readFragments(agaa_tileOf(pixel, size)) != batch)
         return;
 #endif
-    uint place = agaa_addToFragments(AGAA_LIST_COUNT, 1u);
+    uint index = agaa_addToFragments(AGAA_LIST_COUNT, 1u);
     uint id = agaa_orderOfInput(s);
     if (isFirstDraw)
         agaa_countFragment(AGAA_COUNT_FRAGMENTS, 1u);
@@ -50,14 +53,14 @@ void agaa_emit(AgaaSurfaceInput s) {
     if (isFirstDraw)
         agaa_countMask(s);
 #endif
-    if (place >= agaa_fragmentCapacity()) {
-        // After the first of several draws there is room in another.
+    if (index >= agaa_fragmentCapacity()) {
+        // If the scene is drawn again, a further draw has room.
         if (AGAA_HAS_BATCHES == 0 || !isFirstDraw)
             agaa_countFragment(AGAA_COUNT_LOST_FRAGMENTS, 1u);
         return;
     }
-    uint base = agaa_recordOf(place + 1u, size, AGAA_HAS_BATCHES == 1);
-    uint next = agaa_exchangeFragments(agaa_headOf(pixel, size), place + 1u);
+    uint base = agaa_recordOf(index + 1u, size, AGAA_HAS_BATCHES == 1);
+    uint next = agaa_exchangeFragments(agaa_headOf(pixel, size), index + 1u);
     agaa_setFragments(base, id);
     agaa_setFragments(base + 1u, next);
     for (uint word = 0u; word < AGAA_SAMPLES / 32u; ++word)

@@ -1,6 +1,9 @@
 // Fragments pass of devices that order the fragments of a pixel, by fragment shader interlock or, with AGAA_IN_TARGETS, by
-// attachments that shaders read: each fragment merges into the surfaces of its pixel, in the order of the draws and without
-// lists (Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3).
+// attachments that shaders read. Each fragment merges into the surfaces of its pixel, in the order of the draws and without
+// lists (Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3). Needs AGAA_IN_TARGETS and AGAA_MERGE_RULE.
+#if !defined(AGAA_IN_TARGETS) || !defined(AGAA_MERGE_RULE)
+#error "merge_in_order.glsl needs AGAA_IN_TARGETS and AGAA_MERGE_RULE."
+#endif
 #include "host/fragment_coverage.glsl"
 
 #if AGAA_IN_TARGETS == 0
@@ -21,7 +24,7 @@ layout(std430, AGAA_BINDING_SURFACES) coherent buffer agaa_SurfaceBlock {
 uint agaa_readSurfaces(uint word) { return agaa_surfaces.words[word]; }
 void agaa_setSurfaces(uint word, uint value) { agaa_surfaces.words[word] = value; }
 #endif
-#if AGAA_FRAME_CONSTANTS != 0
+#if AGAA_FRAME_CONSTANTS != AGAA_CONSTANTS_BLOCK
 uint agaa_aggregateLimit() { return AGAA_AGGREGATES; }
 #endif
 void agaa_count(uint counter, uint amount) {
@@ -30,9 +33,9 @@ void agaa_count(uint counter, uint amount) {
 }
 #include "coverage/merged_surfaces.glsl"
 
-bool agaa_merges = false; // the fragment at hand covers a sample
+bool agaa_merges = false; // the current fragment covers a sample
 
-// All that is not of the pixel's other fragments, before the critical section.
+// Does the work that needs no other fragments of the pixel, before the critical section.
 void agaa_prepareMerge(AgaaSurfaceInput s) {
     uvec4 mask = agaa_coverageOf(s);
     if (agaa_coverageCount(mask) == 0u || AGAA_HELPER)
@@ -61,7 +64,7 @@ void agaa_loadSurfaces(uvec2 pixel) {
     }
 }
 
-// The critical section.
+// Merges the fragment, in the critical section.
 void agaa_mergeInOrder() {
     if (!agaa_merges)
         return;
@@ -70,13 +73,13 @@ void agaa_mergeInOrder() {
         agaa_asStored(agaa_surfaceOfWords(agaa_covered, agaa_payload[0], agaa_payload[1], agaa_payload[2]));
     for (uint w = 0u; w < AGAA_WORDS; ++w)
         agaa_packed[w] = agaa_payload[3u + AGAA_SPREAD_WORDS + w];
-    agaa_Stored own = agaa_unpackSurface();
+    agaa_Stored material = agaa_unpackSurface();
     agaa_NormalSpread spread = agaa_noSpread(s.normal);
 #if AGAA_SPREAD_WORDS
     spread = agaa_unpackSpread(s.normal, uvec2(agaa_payload[3], agaa_payload[4]));
 #endif
     agaa_loadSurfaces(pixel);
-    agaa_Insertion done = agaa_insertFragment(pixel, s, own, spread);
+    agaa_Insertion done = agaa_insertFragment(pixel, s, material, spread);
     if (done.from != AGAA_NO_SURFACE && done.into != agaa_aggregateLimit())
         agaa_storeSurface(agaa_surfaceBase(pixel, done.into), agaa_kept[done.into]);
     if (done.to != AGAA_NO_SURFACE)
@@ -91,7 +94,7 @@ void agaa_emit(AgaaSurfaceInput s) {
     agaa_storeTargets();
 }
 #else
-// GLSL has the critical section in main() alone, outside of all branches.
+// GLSL allows the critical section only in main(), outside of all branches.
 #define agaa_emit(s) \
     agaa_prepareMerge(s); \
     beginInvocationInterlockARB(); \

@@ -1,5 +1,8 @@
-// Whether fragments lie where the frame's camera puts their positions: a projection that is not the
-// rasteriser's own would shade them somewhere else, which no other count shows.
+// Checks whether fragments are at the positions that the frame's camera projects them to. With a projection that differs from
+// the rasteriser's, shading would use other positions, which no other counter shows. Needs AGAA_COUNTING and AGAA_FIRST_PASS.
+#if !defined(AGAA_COUNTING) || !defined(AGAA_FIRST_PASS)
+#error "placement.glsl needs AGAA_COUNTING and AGAA_FIRST_PASS."
+#endif
 bool agaa_isMisplaced(vec3 position) {
     uint orthographic = agaa_frame.isOrthographic;
     vec3 p = mat3(agaa_frame.view) * position;
@@ -9,7 +12,7 @@ bool agaa_isMisplaced(vec3 position) {
     vec2 away = abs((ndc * 0.5 + 0.5) * target - gl_FragCoord.xy);
     float z = agaa_viewZFromDepth(gl_FragCoord.z, agaa_frame.projection22, agaa_frame.projection32,
                                   orthographic);
-    // Positions inside a primitive are up to a pixel from the fragment's centre, and depth has its steps.
+    // Positions inside a primitive are up to a pixel from the fragment's centre, and depth is quantised.
     float slope = fwidth(p.z);
     float quantum = agaa_depthQuantum(z, gl_FragCoord.z, agaa_frame.projection22, agaa_frame.projection32,
                                       orthographic, 5.96e-8);

@@ -1,17 +1,17 @@
-// What a host's own shading pass reads of an aggregate.
+// Reads aggregates in a host's shading pass.
 #include "aggregate/stored_aggregate.glsl"
 
 struct AgaaAggregate {
-    uint samples;  // bit i: it holds sample i of the pixel; 0: there is no such aggregate
+    uint samples;  // bit i: it contains sample i of the pixel; 0: the pixel has no such aggregate
     vec3 diffuse;  // means over its samples
     vec3 specular; // reflectance at normal incidence
     vec3 emissive; // radiance
-    vec3 normal;   // as long as normals agree
-    float alpha2;  // of GGX, squared; of layouts that fold it into the normal's length, their spread included
+    vec3 normal;   // its length is 1 if all normals agree
+    float alpha2;  // GGX alpha squared; layouts that fold it into the normal's length include the spread of normals
     AGAA_CUSTOM_MEMBERS
 };
 
-// a: below AGAA_AGGREGATES.
+// a   Index of the aggregate, [0, AGAA_AGGREGATES).
 AgaaAggregate agaaAggregate(uvec2 pixel, uint a) {
     agaa_selectAggregate(pixel, a);
     AgaaAggregate result;

@@ -1,39 +1,42 @@
+// The interface of draw passes to the host's fragment shader. Needs common/frame.glsl and the macros of core/glsl/host_glsl.cpp.
+#if !defined(AGAA_HW_SAMPLES) || !defined(AGAA_HAS_CORNERS) || !defined(AGAA_FIRST_PASS) || !defined(AGAA_CHECK_FACTS)
+#error "surface.glsl needs AGAA_HW_SAMPLES, AGAA_HAS_CORNERS, AGAA_FIRST_PASS and AGAA_CHECK_FACTS."
+#endif
 #include "common/camera.glsl"
 
-// What a host's fragment shader fills and hands over. Positions and normals are in shading space (the
-// host's axes, origin at the eye), colours linear, alpha2 is GGX alpha squared.
+// The surface that a host's fragment shader passes to the SDK. Positions and normals are in shading space (the host's axes,
+// origin at the eye), colours are linear, alpha2 is GGX alpha squared.
 struct AgaaSurfaceInput {
     vec3 position;        // of the fragment
-    vec3 geometricNormal; // of the primitive's plane; either side. Read in the visibility pass, and in all passes with
-                          // AGAA_FACT_PLANE_NORMALS or AGAA_CONFIG_CHECK_FACTS
-    float alpha;          // used where AGAA_ALPHA_MASKED is 1. Must be equal in every pass: declare it
-                          // precise and take it at AGAA_AT_CENTRE, because AGAA_INSIDE depends on which
-                          // samples survive. A value that is not finite counts as 0, and so does a cutoff
-    float alphaCutoff;    // > 0: a cut-out, which covers the samples where alpha >= alphaCutoff.
-                          // 0 and below: a translucent surface, which covers the share alpha of the samples,
-                          // [0,1]; a cut-out at 0, which covers all, is not alpha-masked
-    bool hasAlphaNear;    // of cut-outs: alphaNear is set; alpha is then read at n = 1 only
+    vec3 geometricNormal; // normal of the primitive's plane, on either side. Read in the visibility pass, and in all passes
+                          // with AGAA_FACT_PLANE_NORMALS or AGAA_CONFIG_CHECK_FACTS
+    float alpha;          // read if AGAA_ALPHA_MASKED is 1. It must be equal in all passes: declare it precise and evaluate
+                          // it at AGAA_AT_CENTRE, because AGAA_INSIDE depends on the samples that survive. A non-finite
+                          // alpha or cutoff counts as 0
+    float alphaCutoff;    // > 0: a cut-out, which covers the samples with alpha >= alphaCutoff.
+                          // <= 0: a translucent surface, which covers the share alpha of the samples, [0, 1]. A cut-out at
+                          // 0 covers all samples and is not alpha-masked
+    bool hasAlphaNear;    // cut-outs: alphaNear is set; alpha is then read at n = 1 only
     vec4 alphaNear;       // alpha at agaa_alphaPoint(0) to (3), by the same rules as alpha
 #if AGAA_HAS_CORNERS
-    bool hasAlphaRows;    // of cut-outs where AGAA_HAS_CORNERS is 1: alphaRows is set, in place of alphaNear
+    bool hasAlphaRows;    // cut-outs, if AGAA_HAS_CORNERS is 1: alphaRows is set in place of alphaNear
     vec4 alphaRows[4];    // alpha at agaa_alphaRowPoint(r, c) in row r, column c
 #endif
-    uint primitiveSeed;   // of translucent surfaces: differs between primitives that may overlap, and is the
-                          // same in every pass
-    uint draw;            // of the visibility pass where AGAA_WRITES_IDS is 1: what AgaaFetchFunction is asked for
-    uint primitive;       // of the draw, as gl_PrimitiveID counts
+    uint primitiveSeed;   // translucent surfaces: differs between primitives that may overlap, and is equal in all passes
+    uint draw;            // visibility pass, if AGAA_WRITES_IDS is 1: the draw that AgaaFetchFunction receives
+    uint primitive;       // index in the draw, as gl_PrimitiveID
     vec3 diffuse;         // [0,1]
     vec3 specular;        // reflectance at normal incidence, [0,1]
-    vec3 emissive;        // radiance, [0,range of the layout]; brighter: scaled to that, in the same hue
+    vec3 emissive;        // radiance, [0,range of the layout]; brighter values are scaled to the range, in the same hue
     vec3 normal;          // shading normal, unit
     float alpha2;         // [4.1e-6,1]
 #if AGAA_HAS_CORNERS
-    vec3 normalDx, normalDy; // where AGAA_HAS_CORNERS is 1: derivatives of `normal` by the image's x and y, as in AgaaMaterial
+    vec3 normalDx, normalDy; // if AGAA_HAS_CORNERS is 1: derivatives of `normal` by the image's x and y, as in AgaaMaterial
 #endif
-    AGAA_CUSTOM_MEMBERS   // attributes of the layout's own (AGAA_SEMANTIC_CUSTOM), in their range
+    AGAA_CUSTOM_MEMBERS   // custom attributes of the layout (AGAA_SEMANTIC_CUSTOM), in their range
 };
 
-const uint AGAA_UNFETCHED = 0xFFFFFFFFu; // AgaaSurfaceInput::draw of what AGAA_FETCH_NOT_ALL_DRAWS says
+const uint AGAA_UNFETCHED = 0xFFFFFFFFu; // AgaaSurfaceInput::draw of unfetched draws (AGAA_FETCH_NOT_ALL_DRAWS)
 
 AgaaSurfaceInput agaa_surfaceInput() {
     AgaaSurfaceInput s;
@@ -63,13 +66,12 @@ AgaaSurfaceInput agaa_surfaceInput() {
     return s;
 }
 
-// The value of a fragment input inside its primitive: on a triangle thinner than a pixel the centre lies
-// outside and attributes extrapolate without bound. Mesa 22.3 divides by the centre's 1/w here and
-// displaces plain reads of the same input: pass a constant 1 along, divide by it, and take derivatives
-// of an input of their own where such drivers matter.
+// Returns the value of a fragment input inside its primitive. The centre of a pixel may be outside a triangle thinner than a
+// pixel, where attributes extrapolate without bound. Mesa 22.3 divides by the centre's 1/w here and changes plain reads of the
+// same input: if such drivers matter, interpolate a constant 1 too and divide by it, and take derivatives of a separate input.
 #if AGAA_FIRST_PASS && AGAA_HW_SAMPLES > 1
-// The first pass tests depth against whatever was drawn earlier. Mesa 22.3 takes the centroid of the samples that pass,
-// so that values would depend on the order of draws. gl_SampleMaskIn has the samples that the primitive covers.
+// The first pass tests depth against earlier draws. Mesa 22.3 takes the centroid of the samples that pass, so values would depend
+// on the order of draws. gl_SampleMaskIn has the samples that the primitive covers.
 bool agaa_isCentreInside() {
     uint mask = uint(gl_SampleMaskIn[0]);
     return mask == 0u || mask == 0xFFFFFFFFu >> (32u - AGAA_HW_SAMPLES); // 0: a helper invocation
@@ -81,15 +83,15 @@ int agaa_firstSampleInside() { return max(findLSB(uint(gl_SampleMaskIn[0])), 0);
 #define AGAA_INSIDE(v) interpolateAtCentroid(v)
 #endif
 
-// The value of a fragment input at the centre of its texel. Where a pass runs once per sample, OpenGL evaluates
-// plain inputs at the sample.
+// Returns the value of a fragment input at the centre of its texel. If a pass runs once per sample, OpenGL evaluates plain inputs
+// at the sample.
 #if defined(AGAA_PER_SAMPLE) && AGAA_PER_SAMPLE
 #define AGAA_AT_CENTRE(v) interpolateAtOffset(v, vec2(0.0))
 #else
 #define AGAA_AT_CENTRE(v) (v)
 #endif
 
-// Derivatives per pixel, whatever the target's scale; of plain inputs, so that they belong to the centre.
+// Derivatives per pixel, independent of the target's scale. Take them of plain inputs, so that they are those at the centre.
 #define AGAA_DERIVATIVES(T) \
     T agaa_dFdx(T v) { return dFdx(v) * float(AGAA_SCALE_X); } \
     T agaa_dFdy(T v) { return dFdy(v) * float(AGAA_SCALE_Y); }
@@ -97,7 +99,7 @@ AGAA_DERIVATIVES(float)
 AGAA_DERIVATIVES(vec2)
 AGAA_DERIVATIVES(vec3)
 
-// Normal of the plane that the fragment's position input moves on.
+// Returns the normal of the plane of the fragment's position input.
 vec3 agaa_planeNormal(vec3 position) {
     vec3 n = cross(dFdx(position), dFdy(position));
     float l2 = dot(n, n);
@@ -110,28 +112,28 @@ uint agaa_hostGroup() {
     return sub.y * AGAA_SCALE_X + sub.x;
 }
 
-// Where AgaaSurfaceInput::alphaNear wants alpha: from the texel's centre, in pixels, as agaa_dFdx() counts them.
+// Positions of AgaaSurfaceInput::alphaNear and alphaRows: offsets from the texel's centre, in the pixels of agaa_dFdx().
 #define AGAA_ALPHA_POINTS (AGAA_HW_SAMPLES > 1 || AGAA_HAS_CORNERS == 1 ? 4u : 0u)
 vec2 agaa_alphaPoint(uint k) {
     return (vec2(float(k & 1u), float(k >> 1u)) * 0.5 - 0.25) / vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
 }
 vec2 agaa_alphaRowPoint(uint r, uint c) { return vec2(float(c), float(r)) * 0.25 - 0.375; }
 
-// From the texel's centre to its sample i, in texels.
+// Returns the offset from the texel's centre to its sample i, in texels.
 vec2 agaa_sampleOffset(uint i) {
     uvec2 texel = uvec2(gl_FragCoord.xy) % uvec2(AGAA_SCALE_X, AGAA_SCALE_Y);
     vec2 position = agaa_sampleLocation(agaa_hostGroup() * AGAA_HW_SAMPLES + i);
     return position * vec2(AGAA_SCALE_X, AGAA_SCALE_Y) - vec2(texel) - 0.5;
 }
 
-// Of the pixel's own row and column, where a driver would otherwise share a quad's.
+// Gradient of each pixel, where a driver would otherwise use one per quad.
 #if __VERSION__ >= 450
 #define AGAA_FINE_GRADIENT(v) vec2(dFdxFine(v), dFdyFine(v))
 #else
 #define AGAA_FINE_GRADIENT(v) vec2(dFdx(v), dFdy(v))
 #endif
 
-// Samples of this texel that a cut-out covers. gradient: of alpha per texel.
+// Returns the samples of this texel that a cut-out covers. gradient: change of alpha per texel.
 uint agaa_cutoutMask(AgaaSurfaceInput s, float alpha, vec2 gradient) {
     bool isBilinear = s.hasAlphaNear && AGAA_HW_SAMPLES > 1;
     vec4 near = vec4(agaa_sanitiseAlpha(s.alphaNear.x), agaa_sanitiseAlpha(s.alphaNear.y),
@@ -146,12 +148,12 @@ uint agaa_cutoutMask(AgaaSurfaceInput s, float alpha, vec2 gradient) {
     return mask;
 }
 
-// Samples of this texel that an alpha-masked surface covers. It takes derivatives, so it needs uniform control flow.
+// Returns the samples of this texel that an alpha-masked surface covers. It takes derivatives, so it needs uniform control flow.
 uint agaa_alphaMask(AgaaSurfaceInput s) {
     float alpha = agaa_sanitiseAlpha(s.alpha);
     vec2 gradient = AGAA_FINE_GRADIENT(alpha);
-    // The cutoff is mostly a uniform. Mesa's lavapipe (22.3) copies a shader, and never frees the copy, at every draw whose
-    // uniforms decide a branch. A term that depends on the fragment, and is 0, prevents that.
+    // The cutoff is usually a uniform. Mesa's lavapipe (22.3) copies a shader, and never frees the copy, at every draw whose
+    // uniforms decide a branch. A term that is 0 but depends on the fragment prevents that.
     s.alphaCutoff = agaa_sanitiseAlpha(s.alphaCutoff + min(gl_FragCoord.x, 0.0));
     if (agaa_hasFact(AGAA_FACT_NO_TRANSLUCENCY) || (!agaa_hasFact(AGAA_FACT_NO_CUTOUTS) && s.alphaCutoff > 0.0))
         return agaa_cutoutMask(s, alpha, gradient);
@@ -160,14 +162,14 @@ uint agaa_alphaMask(AgaaSurfaceInput s) {
                                 agaa_translucencyHash(pixel.x, pixel.y, s.primitiveSeed, agaa_frame.ditherFrame));
 }
 
-// Leaves a fragment these samples. OpenGL ignores the sample mask of targets with one sample.
+// Reduces a fragment to these samples. OpenGL ignores the sample mask of targets with one sample.
 #if AGAA_HW_SAMPLES == 1
 #define AGAA_KEEP_SAMPLES(mask) if ((mask) == 0u) discard
 #else
 #define AGAA_KEEP_SAMPLES(mask) gl_SampleMask[0] = int(mask)
 #endif
 
-uint agaa_demands = 0u; // of the surface at hand, by agaa_applyFacts()
+uint agaa_demands = 0u; // of the current surface, by agaa_applyFacts()
 
 uint agaa_demandsOfMask(AgaaSurfaceInput s) {
 #if AGAA_ALPHA_MASKED
@@ -177,7 +179,7 @@ uint agaa_demandsOfMask(AgaaSurfaceInput s) {
 #endif
 }
 
-// Of the primitive's plane, on the side of the eye; without a plane, the direction to the eye.
+// Returns the plane normal of the primitive, facing the eye; the direction to the eye for a primitive without a plane.
 vec3 agaa_facingNormal(AgaaSurfaceInput s) {
     uint hasNone = 0u;
     vec3 n = agaa_sanitiseNormal(s.geometricNormal, hasNone);
@@ -185,7 +187,7 @@ vec3 agaa_facingNormal(AgaaSurfaceInput s) {
     return hasNone != 0u ? toEye : dot(n, toEye) < 0.0 ? -n : n;
 }
 
-// What the facts of the scene fix.
+// Replaces the values that the facts of the scene fix.
 void agaa_applyFacts(inout AgaaSurfaceInput s) {
 #if AGAA_CHECK_FACTS
     agaa_demands = agaa_demandsOf(s.diffuse, s.specular, s.emissive, s.alpha2) | agaa_demandsOfMask(s) |
@@ -205,7 +207,7 @@ void agaa_applyFacts(inout AgaaSurfaceInput s) {
     s.alpha2 = agaa_factAlpha2(s.alpha2);
 }
 
-// Clamps to what a layout can hold; a non-finite value becomes 0 and is counted (hard case 37).
+// Clamps values to the ranges of the layout and replaces non-finite ones (hard case 37). Returns 1 if there was one.
 uint agaa_sanitiseSurface(inout AgaaSurfaceInput s, float emissiveRange) {
     uint bad = 0u;
     s.diffuse = agaa_sanitise3(s.diffuse, 0.0, 1.0, bad);

@@ -1,8 +1,11 @@
-// For the host's geometry shader in passes that need a fragment for each pixel that a triangle touches. For each triangle
-// it calls agaa_beginPrimitive(), then for each vertex of a strip agaa_setVertex() and EmitVertex(). pulled_hull.glsl is for
-// vertex shaders.
+// Triangle hulls for the host's geometry shader, in passes that need a fragment for each pixel that a triangle touches. For each
+// triangle, the shader calls agaa_beginPrimitive(), then agaa_setVertex() and EmitVertex() for each vertex of the strip.
+// pulled_hull.glsl is for vertex shaders. Needs AGAA_NEEDS_MATERIAL, AGAA_CLIP_Z_FROM_MINUS_ONE and AGAA_FAR_DEPTH.
 #ifndef AGAA_HOST_TRIANGLE_HULL_GLSL
 #define AGAA_HOST_TRIANGLE_HULL_GLSL
+#if !defined(AGAA_NEEDS_MATERIAL) || !defined(AGAA_CLIP_Z_FROM_MINUS_ONE) || !defined(AGAA_FAR_DEPTH)
+#error "triangle_hull.glsl needs AGAA_NEEDS_MATERIAL, AGAA_CLIP_Z_FROM_MINUS_ONE and AGAA_FAR_DEPTH."
+#endif
 #include "host/corners.glsl"
 #include "math/triangle_coverage.glsl"
 #include "math/triangle_hull.glsl"
@@ -26,8 +29,8 @@ AGAA_CORNER agaa_cornerOf(vec4 clip, vec2 pixelsPerNdc) {
 #endif
 }
 
-// a, b, c: clip coordinates of the vertices, as the host's vertex shader gives them. Returns the number of vertices of the
-// strip, 0 where there is nothing in front of the near plane. The strip faces as the triangle does.
+// Returns the number of vertices of the strip, 0 if nothing is in front of the near plane. The strip has the triangle's facing.
+// a, b, c   Clip coordinates of the vertices, as the host's vertex shader outputs them.
 uint agaa_beginPrimitive(vec4 a, vec4 b, vec4 c) {
     vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
 #if AGAA_FAR_DEPTH == 0
@@ -45,10 +48,11 @@ uint agaa_beginPrimitive(vec4 a, vec4 b, vec4 c) {
     return agaa_hull.count;
 }
 
-// i: below what agaa_beginPrimitive() returned, in ascending order. Sets gl_Position and what the SDK's fragment shader
-// text reads. The host's own outputs must be flat, or follow from agaa_cornerWeights() in its fragment shader.
+// Sets gl_Position and the inputs of the SDK's fragment shader text. The host's outputs must be flat, or its fragment shader must
+// derive them from agaa_cornerWeights().
+// i   Vertex of the strip, in ascending order, below the number that agaa_beginPrimitive() returned.
 void agaa_setVertex(uint i) {
-    // A strip that turns the other way: neighbours change places, but for the first vertex and the last of an even number.
+    // A mirrored strip swaps neighbours, except the first vertex and the last of an even number.
     uint other = (i & 1u) == 0u ? i - min(i, 1u) : i + 1u < agaa_hull.count ? i + 1u : i;
     gl_Position = agaa_hull.vertices[agaa_isHullMirrored ? other : i];
     agaa_corners = agaa_hullCorners;

@@ -1,4 +1,5 @@
-// Aggregates of what ids name in pixels of several primitives, shaded at once: nothing but the image goes to memory.
+// Aggregates the fetched materials of pixels with several primitives and shades the aggregates at once. It writes only the
+// image.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_MAX_SAMPLES AGAA_SAMPLES
@@ -18,21 +19,21 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "ids/primitives.glsl"
 #include "ids/primitive_means.glsl"
 
-// lane: of the pixel.
+// Returns means over these samples of the pixel of a lane.
 agaa_Means agaa_meansOf(uint lane, uint mask, float scale, bool isLit) {
     agaa_Means m = agaa_noMeans();
     uint list = agaa_pixelList[lane];
     uint end = (list & 0xFFFFu) + (list >> 16u);
     for (uint at = list & 0xFFFFu; at < end; ++at) {
-        uint own = agaa_listSamples[at] & mask;
-        if (own != 0u)
-            agaa_addPrimitive(m, agaa_listMaterial[at], own, scale, isLit);
+        uint samples = agaa_listSamples[at] & mask;
+        if (samples != 0u)
+            agaa_addPrimitive(m, agaa_listMaterial[at], samples, scale, isLit);
     }
     return m;
 }
 
 #if AGAA_LIT
-uint agaa_eventLane = 0u; // of the pixel at hand
+uint agaa_eventLane = 0u; // the lane of the event's pixel
 
 agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale) { return agaa_meansOf(agaa_eventLane, mask, scale, true); }
 #endif
@@ -47,12 +48,12 @@ vec3 agaa_shadeEvent(uint lane, uint a) {
     return agaa_shadeMeans(pixel, agaa_locateAggregate(pixel, mask), a, mask, means, false);
 }
 
-void agaa_shadeDeferredPixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered) {
+void agaa_shadeDeferredPixel(bool hasPixel, uvec2 pixel, uint covered, uint uncovered) {
     agaa_PixelWork work = agaa_pixelWork(0u, 0u, 0u);
-    if (isHeld)
+    if (hasPixel)
         work = agaa_countedWork(pixel, agaa_aggregateCount[gl_LocalInvocationIndex], covered, uncovered);
     vec3 color = agaa_shadeWork(work);
-    if (isHeld)
+    if (hasPixel)
         agaa_writePixel(pixel, work, color);
 }
 
@@ -61,9 +62,9 @@ void main() {
     uint count = agaa_findDeferred();
     agaa_firstDeferred = 0u;
     do {
-        bool isHeld = agaa_firstDeferred + gl_LocalInvocationIndex < count;
+        bool hasPixel = agaa_firstDeferred + gl_LocalInvocationIndex < count;
         uvec2 pixel = agaa_pixelOf(gl_LocalInvocationIndex);
-        agaa_processPixels(pixel, isHeld ? agaa_loadIds(pixel) : 0u);
+        agaa_processPixels(pixel, hasPixel ? agaa_loadIds(pixel) : 0u);
         barrier();
         agaa_firstDeferred += 64u;
     } while (agaa_firstDeferred < count);

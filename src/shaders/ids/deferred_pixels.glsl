@@ -1,7 +1,11 @@
-// Pixels that one pass defers to another: a bit each, two words a tile of 8 by 8. A group of the pass that takes them has
-// a region of tiles, so that its lanes are full where tiles defer few pixels.
+// Bit mask of the pixels deferred to a later pass, two words per tile of 8 by 8 pixels. A workgroup of the consuming pass has a
+// region of tiles, so that its lanes are busy where tiles defer few pixels. Needs common/frame.glsl, AGAA_BINDING_DEFERRED and
+// AGAA_REGION_SIDE. The consuming pass defines AGAA_CONSUMES_DEFERRED.
 #ifndef AGAA_DEFERRED_PIXELS_GLSL
 #define AGAA_DEFERRED_PIXELS_GLSL
+#if !defined(AGAA_FRAME_GLSL) || !defined(AGAA_BINDING_DEFERRED) || !defined(AGAA_REGION_SIDE)
+#error "deferred_pixels.glsl needs frame.glsl, AGAA_BINDING_DEFERRED and AGAA_REGION_SIDE."
+#endif
 #ifdef AGAA_CONSUMES_DEFERRED
 #define AGAA_DEFERRED_ACCESS readonly
 #else
@@ -18,7 +22,7 @@ uint agaa_deferredWord(uvec2 tile, uint lane) { return 2u * (tile.y * agaa_tileC
 #ifndef AGAA_CONSUMES_DEFERRED
 shared uint agaa_deferredHere[2];
 
-// Called by all lanes, which have a pixel of the tile each.
+// Defers this lane's pixel of the tile. All lanes must call it.
 void agaa_deferPixel(uvec2 tile, bool isDeferred) {
     const uint lane = gl_LocalInvocationIndex;
     if (lane < 2u)
@@ -31,7 +35,7 @@ void agaa_deferPixel(uvec2 tile, bool isDeferred) {
         agaa_deferred.words[agaa_deferredWord(tile, 32u * lane)] = agaa_deferredHere[lane];
 }
 
-// One more, after all tiles of the group were sorted.
+// Defers one more pixel after agaa_deferPixel() has run for all tiles of the group.
 void agaa_deferLate(uvec2 pixel) {
     uint lane = pixel.x & 7u | (pixel.y & 7u) << 3u;
     atomicOr(agaa_deferred.words[agaa_deferredWord(pixel / 8u, lane)], 1u << (lane & 31u));
@@ -40,9 +44,9 @@ void agaa_deferLate(uvec2 pixel) {
 const uint agaa_maxDeferred = 64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE;
 shared uint agaa_deferredCount;
 shared uint agaa_deferredPixels[agaa_maxDeferred]; // lane in its tile | tile << 6
-uint agaa_firstDeferred = 0u; // place of the first pixel in hand; a lane has one each
+uint agaa_firstDeferred = 0u; // index of the first pixel of the current iteration, in which each lane has one
 
-// Called by all lanes; returns how many there are in the region.
+// Lists the deferred pixels of the region and returns their number. All lanes must call it.
 uint agaa_findDeferred() {
     const uint lane = gl_LocalInvocationIndex;
     if (lane == 0u)
@@ -59,12 +63,12 @@ uint agaa_findDeferred() {
     return agaa_deferredCount;
 }
 
-// That a lane has in hand.
+// Returns the pixel of a lane in the current iteration.
 uvec2 agaa_pixelOf(uint lane) {
-    uint place = agaa_deferredPixels[min(agaa_firstDeferred + lane, agaa_maxDeferred - 1u)];
-    uint tile = place >> 6u;
+    uint entry = agaa_deferredPixels[min(agaa_firstDeferred + lane, agaa_maxDeferred - 1u)];
+    uint tile = entry >> 6u;
     uvec2 corner = gl_WorkGroupID.xy * AGAA_REGION_SIDE + uvec2(tile % AGAA_REGION_SIDE, tile / AGAA_REGION_SIDE);
-    return corner * 8u + uvec2(place & 7u, place >> 3u & 7u);
+    return corner * 8u + uvec2(entry & 7u, entry >> 3u & 7u);
 }
 #endif
 #endif

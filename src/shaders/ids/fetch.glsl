@@ -1,6 +1,10 @@
-// Materials of primitives by their ids, by functions of the host's.
+// Fetches materials of primitives by id, through functions of the host. Needs common/frame.glsl, AGAA_HOST_FETCH and
+// AGAA_PRIMITIVE_BITS.
 #ifndef AGAA_FETCH_GLSL
 #define AGAA_FETCH_GLSL
+#if !defined(AGAA_HOST_FETCH) || !defined(AGAA_PRIMITIVE_BITS)
+#error "fetch.glsl needs AGAA_HOST_FETCH and AGAA_PRIMITIVE_BITS."
+#endif
 #include "math/barycentrics.glsl"
 #include "common/host_samples.glsl"
 
@@ -25,7 +29,7 @@ vec3 agaa_vertexViewPosition(vec4 clip) {
 
 float agaa_largest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 
-// Of the primitive's plane in view space, facing the eye; vertices behind the eye are no exception.
+// Returns the normal of the primitive's plane in view space, facing the eye. Vertices may be behind the eye.
 vec3 agaa_planeNormal(AgaaPrimitive p) {
     vec3 a = agaa_vertexViewPosition(p.a);
     vec3 n = cross(agaa_vertexViewPosition(p.b) - a, agaa_vertexViewPosition(p.c) - a);
@@ -37,7 +41,7 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
     return away > 0.0 ? -n : n;
 }
 
-// By how much rounding of the corners, some steps of their size, may turn the normal: the sine of the angle. 1 without an area.
+// Returns the sine of the angle by which rounding of the vertices may turn the plane normal; 1 for a primitive without area.
 float agaa_planeNormalError(AgaaPrimitive p) {
     vec3 a = agaa_vertexViewPosition(p.a), b = agaa_vertexViewPosition(p.b), c = agaa_vertexViewPosition(p.c);
     float longest = max(length(b - a), max(length(c - b), length(a - c)));
@@ -46,15 +50,15 @@ float agaa_planeNormalError(AgaaPrimitive p) {
     return height > rounding ? rounding / height : 1.0;
 }
 
-// In shading space; the direction to the eye where corners tell no plane.
-vec3 agaa_facingNormal(AgaaPrimitive p, float doubt) {
-    return doubt < 1.0 ? agaa_toShadingSpace(agaa_planeNormal(p)) : agaa_toEye(agaa_toShadingSpace(agaa_vertexViewPosition(p.a)));
+// Returns the plane normal in shading space; the direction to the eye for a primitive without area.
+vec3 agaa_facingNormal(AgaaPrimitive p, float normalError) {
+    return normalError < 1.0 ? agaa_toShadingSpace(agaa_planeNormal(p)) : agaa_toEye(agaa_toShadingSpace(agaa_vertexViewPosition(p.a)));
 }
 
-// The primitive at a place in the pixel.
-void agaa_evaluateAt(inout AgaaPrimitive p, uvec2 pixel, vec2 place) {
+// Evaluates the primitive's weights at an offset in the pixel, [0, 1].
+void agaa_evaluateAt(inout AgaaPrimitive p, uvec2 pixel, vec2 offset) {
     vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
-    vec2 ndc = (vec2(pixel) + place) / pixelsPerNdc - 1.0;
+    vec2 ndc = (vec2(pixel) + offset) / pixelsPerNdc - 1.0;
     agaa_Barycentrics b = agaa_barycentrics(p.a.xyw, p.b.xyw, p.c.xyw, ndc, pixelsPerNdc);
     p.at = b.at;
     p.dx = b.dx;
@@ -68,8 +72,8 @@ AgaaMaterial agaa_evaluateMaterial(AgaaPrimitive p) {
     agaa_count(AGAA_COUNT_MATERIALS, 1u);
     agaa_count(AGAA_COUNT_SANITISED, agaa_sanitiseValues(m));
     if (agaa_hasFact(AGAA_FACT_PLANE_NORMALS) || AGAA_CHECK_FACTS != 0u) {
-        float doubt = agaa_planeNormalError(p);
-        agaa_applyFacts(m, agaa_facingNormal(p, doubt), doubt < 0.005);
+        float normalError = agaa_planeNormalError(p);
+        agaa_applyFacts(m, agaa_facingNormal(p, normalError), normalError < 0.005);
     } else {
         agaa_applyFacts(m, m.normal, false);
     }
@@ -77,17 +81,18 @@ AgaaMaterial agaa_evaluateMaterial(AgaaPrimitive p) {
     return m;
 }
 
-// Whether each texel of the target has materials of its own (AGAA_CONFIG_FINE_MATERIALS).
+// Whether each texel of the target has separate materials (AGAA_CONFIG_FINE_MATERIALS).
 bool agaa_hasFineMaterials() { return AGAA_FINE_MATERIALS != 0u; }
 
-// Samples of a pixel that share a primitive's material with this one.
+// Returns the samples of a pixel that share a primitive's material with this one.
 uint agaa_materialGroup(uint i) {
     if (!agaa_hasFineMaterials() || AGAA_MATERIAL_SAMPLES >= 32u)
         return 0xFFFFFFFFu;
     return (1u << AGAA_MATERIAL_SAMPLES) - 1u << i / AGAA_MATERIAL_SAMPLES * AGAA_MATERIAL_SAMPLES;
 }
 
-// Samples of a texel that the primitive covers, nearer surfaces and masks left aside, by the weights at one of them.
+// Returns the samples of a texel that the primitive covers, without regard to nearer surfaces and masks.
+// known   A sample at which the weights of p were evaluated.
 uint agaa_coveredOfTexel(AgaaPrimitive p, uint group, uint known) {
     uint covered = 1u << known;
     for (uint i = group * AGAA_MATERIAL_SAMPLES; i < (group + 1u) * AGAA_MATERIAL_SAMPLES; ++i) {
@@ -98,8 +103,8 @@ uint agaa_coveredOfTexel(AgaaPrimitive p, uint group, uint known) {
     return covered;
 }
 
-// A texel's material, where a fragment of a G-buffer has it (AGAA_INSIDE): one normal, in the centre or, where the
-// primitive does not cover all samples, at the first that it covers.
+// Returns a texel's material at the position of a G-buffer's fragment (AGAA_INSIDE): the centre or, if the primitive does not
+// cover all samples, the first sample that it covers. It has one normal.
 AgaaMaterial agaa_fetchFineMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
     uint first = uint(findLSB(samples));
     uint group = first / AGAA_MATERIAL_SAMPLES;
@@ -116,7 +121,7 @@ AgaaMaterial agaa_fetchFineMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) 
     return m;
 }
 
-// Of these samples, one or more, in their middle; its normal is that at the pixel's corner, not unit.
+// Returns the material of these samples, one or more, at their centroid. Its normal is that at the pixel's corner, not unit.
 AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
     if (agaa_hasFineMaterials())
         return agaa_fetchFineMaterial(p, pixel, samples);
@@ -135,14 +140,14 @@ AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
 
 bool agaa_isCurvedMaterial(AgaaMaterial m) { return m.normalDx != vec3(0.0) || m.normalDy != vec3(0.0); }
 
-// At sample i.
+// Returns the normal at sample i.
 vec3 agaa_materialNormal(AgaaMaterial m, uint i) {
-    vec2 place = agaa_sampleLocation(i);
-    vec3 n = m.normal + place.x * m.normalDx + place.y * m.normalDy;
+    vec2 at = agaa_sampleLocation(i);
+    vec3 n = m.normal + at.x * m.normalDx + at.y * m.normalDy;
     return n * inversesqrt(max(dot(n, n), 1e-6));
 }
 
-// Of a curved one the normal is not a surface's.
+// The normal of a curved material is not that of the surface.
 agaa_Surface agaa_surfaceOfMaterial(AgaaMaterial m) {
     return agaa_Surface(m.diffuse, m.specular, m.emissive, m.normal, 1.0, m.alpha2, 0.0, vec3(0.0));
 }

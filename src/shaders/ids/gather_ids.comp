@@ -1,4 +1,4 @@
-// Aggregates of what a pixel's ids name, left in memory as the tiers that accumulate fragments leave theirs.
+// Aggregates the fetched materials of a pixel and writes the aggregates in the format of the tiers that accumulate fragments.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_MAX_SAMPLES AGAA_SAMPLES
@@ -20,11 +20,11 @@ void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
     uint end = (list & 0xFFFFu) + (list >> 16u);
     for (uint at = list & 0xFFFFu; at < end && mask != 0u; ++at) {
         agaa_Stored v = agaa_storedMaterial(agaa_listMaterial[at]);
-        uint own = agaa_listSamples[at] & mask;
+        uint samples = agaa_listSamples[at] & mask;
         bool isCurved = agaa_isCurvedMaterial(agaa_listMaterial[at]);
-        if (own != 0u && !isCurved)
-            agaa_addToSums(v, uint(bitCount(own)));
-        for (uint rest = isCurved ? own : 0u; rest != 0u; rest &= rest - 1u) {
+        if (samples != 0u && !isCurved)
+            agaa_addToSums(v, uint(bitCount(samples)));
+        for (uint rest = isCurved ? samples : 0u; rest != 0u; rest &= rest - 1u) {
             v.normal = agaa_listedNormal(at, uint(findLSB(rest)));
             agaa_addToSums(v, 1u);
         }
@@ -32,9 +32,9 @@ void agaa_storeAggregate(uvec2 pixel, uint a, uint mask) {
     agaa_storeSums(mask, ((pixel.y * agaa_frame.size.x + pixel.x) * AGAA_AGGREGATES + a) * AGAA_STRIDE);
 }
 
-// What is missed is found by the pass that shades.
-void agaa_shadeDeferredPixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered) {
-    if (isHeld)
+// The pass that shades finds missing samples.
+void agaa_shadeDeferredPixel(bool hasPixel, uvec2 pixel, uint covered, uint uncovered) {
+    if (hasPixel)
         for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
             agaa_storeAggregate(pixel, a, agaa_masks[gl_LocalInvocationIndex * AGAA_AGGREGATES + a]);
 }

@@ -1,4 +1,4 @@
-// Means over samples of primitives, each of one material for all its samples of a pixel.
+// Means over the samples of primitives, which have one material each in a pixel. Needs what aggregate/aggregate.glsl needs.
 #ifndef AGAA_PRIMITIVE_MEANS_GLSL
 #define AGAA_PRIMITIVE_MEANS_GLSL
 #include "aggregate/aggregate.glsl"
@@ -19,23 +19,25 @@ agaa_PositionSums agaa_positionSumsOf(uint samples, float scale, bool isLit) {
     for (uint rest = samples; rest != 0u; rest &= rest - 1u) {
         uint i = uint(findLSB(rest));
         float weight = scale * agaa_weightOf(i, isLit);
-        vec2 place = agaa_sampleLocation(i);
+        vec2 at = agaa_sampleLocation(i);
         p.weight += weight;
-        p.sum += weight * place;
-        p.products += weight * vec3(place * place, place.x * place.y);
+        p.sum += weight * at;
+        p.products += weight * vec3(at * at, at.x * at.y);
     }
     return p;
 }
 
-// Adds these samples of a primitive.
+// Adds these samples of a primitive to the means.
 void agaa_addPrimitive(inout agaa_Means m, AgaaMaterial material, uint samples, float scale, bool isLit) {
     bool isCurved = agaa_isCurvedMaterial(material);
-    agaa_PositionSums places = agaa_positionSumsOf(isCurved || isLit ? samples : 0u, scale, isLit);
-    float weight = isCurved || isLit ? places.weight : scale * float(bitCount(samples));
-    agaa_addFetched(m, material, weight, places);
+    agaa_PositionSums sums = agaa_positionSumsOf(isCurved || isLit ? samples : 0u, scale, isLit);
+    float weight = isCurved || isLit ? sums.weight : scale * float(bitCount(samples));
+    agaa_addFetched(m, material, weight, sums);
 }
 
-// count: of the pixel's aggregates; uncovered: samples beside the covered ones that no pass gave a material.
+// Counts a pixel and returns its work.
+// count       Number of the pixel's aggregates.
+// uncovered   Samples with geometry that have no material.
 agaa_PixelWork agaa_countedWork(uvec2 pixel, uint count, uint covered, uint uncovered) {
     uint samples = uint(bitCount(covered));
     agaa_count(AGAA_COUNT_VISIBLE, uint(bitCount(covered | uncovered)));

@@ -1,38 +1,42 @@
-// Primitives that the ids of 64 pixels name: lanes list them, and share out the fetching of materials, each in the
-// middle of the samples that its primitive has in a pixel, and the grouping of samples in pixels of several.
+// Fetches materials for the id tiers. The lanes of a workgroup collect the distinct primitives of 64 pixels and fetch one
+// material per entry, at the centroid of its samples. They also share the grouping of samples in pixels with several primitives.
+// Needs AGAA_MAX_SAMPLES, common/target.glsl and what ids/fetch.glsl needs.
 #ifndef AGAA_PRIMITIVES_GLSL
 #define AGAA_PRIMITIVES_GLSL
+#if !defined(AGAA_MAX_SAMPLES) || !defined(AGAA_HOST_FETCH)
+#error "primitives.glsl needs AGAA_MAX_SAMPLES and AGAA_HOST_FETCH."
+#endif
 #include "aggregate/samples.glsl"
 #include "aggregate/grouping.glsl"
 #include "common/debug_view.glsl"
 
-// Primitives of pixels that are in hand; a group with more takes them in turns, a pixel at a time at least.
+// Capacity of the list. A workgroup with more primitives needs several iterations, each with one pixel at least.
 #ifndef AGAA_LIST_LENGTH
 #define AGAA_LIST_LENGTH 256u
 #endif
 const uint agaa_listLength = AGAA_LIST_LENGTH;
-shared uint agaa_listedCount; // places asked for, of which some may not have been had
+shared uint agaa_listedCount; // requested entries; may exceed the capacity
 shared uint agaa_listId[agaa_listLength];
-shared uint agaa_listSamples[agaa_listLength]; // 0: nobody's
+shared uint agaa_listSamples[agaa_listLength]; // 0: unused entry
 shared uint agaa_listLane[agaa_listLength];
 shared vec3 agaa_listPlane[agaa_listLength]; // normal in view space
-shared AgaaMaterial agaa_listMaterial[agaa_listLength]; // its normal at the pixel's corner, not unit
-shared uint agaa_pixelList[64];                    // first place | number of them << 16
-shared uint agaa_complexCount;                        // pixels of several primitives
+shared AgaaMaterial agaa_listMaterial[agaa_listLength]; // with the normal at the pixel's corner, not unit
+shared uint agaa_pixelList[64]; // first entry | number of entries << 16
+shared uint agaa_complexCount;  // number of pixels whose samples are grouped
 shared uint agaa_complexLanes[64];
 shared uint agaa_aggregateCount[64];
-shared uint agaa_masks[64u * AGAA_AGGREGATES];     // samples of each aggregate
-shared uint agaa_waitingCount;                          // pixels that did not find room
+shared uint agaa_masks[64u * AGAA_AGGREGATES]; // samples of each aggregate
+shared uint agaa_waitingCount;                 // number of pixels for which the list had no room
 #ifdef AGAA_SOME_UNFETCHED
-shared uint agaa_uncoveredSamples[64]; // of each pixel, that the G-buffer of unfetched draws has not
+shared uint agaa_uncoveredSamples[64]; // of each pixel: samples that the G-buffer of unfetched draws lacks
 #endif
 
-// Of the pixel at hand.
+// Values of the current pixel.
 uint agaa_sampleIds[AGAA_MAX_SAMPLES];
-uint agaa_samplePrimitive[AGAA_MAX_SAMPLES]; // its place in the list
+uint agaa_samplePrimitive[AGAA_MAX_SAMPLES]; // index in the list
 uint agaa_primitiveSamples[AGAA_MAX_SAMPLES];
 
-// Returns the samples that show geometry.
+// Loads the ids of a pixel's samples. Returns the mask of samples with geometry.
 uint agaa_loadIds(uvec2 pixel) {
     uint covered = 0u;
     agaa_shownUnfetched = false;
@@ -47,8 +51,8 @@ uint agaa_loadIds(uvec2 pixel) {
 }
 
 #ifdef AGAA_SOME_UNFETCHED
-// Of `left`, the first of which is `first`, those that are alike: one by one a pixel would have up to n entries, and a
-// group take its pixels in as many turns.
+// Returns the samples of `left` that equal its first sample `first`. With an entry per sample, a pixel would have up to n
+// entries, and a workgroup would need as many iterations.
 uint agaa_alikeUnfetched(uvec2 pixel, uint first, uint left) {
     uint end = min((first / AGAA_HW_SAMPLES + 1u) * AGAA_HW_SAMPLES, agaa_sampleCount());
     uint alike = 1u << first;
@@ -61,8 +65,8 @@ uint agaa_alikeUnfetched(uvec2 pixel, uint first, uint left) {
 uint agaa_alikeUnfetched(uvec2 pixel, uint first, uint left) { return 1u << first; }
 #endif
 
-// Returns how many entries these samples take: primitives, once for each group of samples that share a material, and of
-// unfetched draws samples that are alike. shown: of fetched primitives.
+// Returns the number of list entries of these samples: one for each primitive and group of samples that share a material, and
+// one for each set of equal samples of unfetched draws. shown receives the number of fetched primitives.
 uint agaa_findPrimitives(uvec2 pixel, uint covered, out uint shown) {
     uint count = 0u;
     shown = 0u;
@@ -87,7 +91,7 @@ uint agaa_findPrimitives(uvec2 pixel, uint covered, out uint shown) {
     return count;
 }
 
-// count: one or more.
+// Writes the entries of this lane's pixel. count: one or more.
 void agaa_listPrimitives(uint first, uint count) {
     const uint lane = gl_LocalInvocationIndex;
     uint i = 0u;
@@ -131,7 +135,7 @@ void agaa_fetchListed(uint at) {
 
 vec3 agaa_listedNormal(uint at, uint i) { return agaa_materialNormal(agaa_listMaterial[at], i); }
 
-// lane: of the pixel, which may be another's.
+// Returns the clustering input of a pixel, which may be that of another lane.
 agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
     agaa_PixelSamples samples = agaa_noSamples();
     uint first = agaa_pixelList[lane] & 0xFFFFu;
@@ -154,7 +158,7 @@ agaa_PixelSamples agaa_listedSamples(uvec2 pixel, uint lane) {
 
 bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered) {
     if (AGAA_GLOSS_WEIGHT == 0u)
-        return true; // planes decide
+        return true; // planes are compared only
     uint first = uint(findLSB(covered));
     vec3 normal = agaa_listedNormal(agaa_samplePrimitive[first], first);
     float least = 1.0;
@@ -175,7 +179,7 @@ void agaa_weighNormals(uvec2 pixel, uint covered) {
     } while (++i < agaa_sampleCount());
 }
 
-// lane: of the pixel, which may be another's.
+// Groups the samples of a pixel, which may be that of another lane.
 void agaa_groupListed(uint lane) {
     uvec2 pixel = agaa_pixelOf(lane);
     agaa_PixelSamples samples = agaa_listedSamples(pixel, lane);
@@ -191,40 +195,41 @@ void agaa_groupListed(uint lane) {
         }
 }
 
-// Of the shader that includes this; called by all lanes.
-// A pixel's aggregates are known, by agaa_masks; isHeld: the lane has one, all of whose samples are `covered` but for
-// those that no geometry pass gave a material, `uncovered`.
-void agaa_shadeDeferredPixel(bool isHeld, uvec2 pixel, uint covered, uint uncovered);
+// The includer defines this function. All lanes call it when the aggregates of their pixels are in agaa_masks.
+// hasPixel    The lane has a pixel.
+// covered     Samples with a material.
+// uncovered   Samples with geometry that have no material.
+void agaa_shadeDeferredPixel(bool hasPixel, uvec2 pixel, uint covered, uint uncovered);
 
-// Each pixel with geometry is taken once. Called by all lanes, `covered` being 0 of those that have no pixel.
+// Calls agaa_shadeDeferredPixel() once for each pixel with geometry. All lanes must call it, with covered = 0 without a pixel.
 void agaa_processPixels(uvec2 pixel, uint covered) {
     const uint lane = gl_LocalInvocationIndex;
     uint primitives = agaa_findPrimitives(pixel, covered, agaa_shownPrimitives);
     agaa_count(AGAA_COUNT_PRIMITIVES, agaa_shownPrimitives);
-    bool waits = covered != 0u;
+    bool isWaiting = covered != 0u;
     for (;;) {
         if (lane == 0u)
             agaa_listedCount = agaa_waitingCount = agaa_complexCount = 0u;
         for (uint at = lane; at < agaa_listLength; at += 64u)
             agaa_listSamples[at] = 0u;
         barrier();
-        uint first = waits ? atomicAdd(agaa_listedCount, primitives) : 0u;
-        bool turn = waits && first + primitives <= agaa_listLength;
+        uint first = isWaiting ? atomicAdd(agaa_listedCount, primitives) : 0u;
+        bool isListed = isWaiting && first + primitives <= agaa_listLength;
 #ifdef AGAA_SOME_UNFETCHED
         agaa_uncoveredSamples[lane] = 0u;
 #endif
-        if (turn) {
+        if (isListed) {
             agaa_listPrimitives(first, primitives);
             agaa_aggregateCount[lane] = 1u;
             for (uint a = 0u; a < AGAA_AGGREGATES; ++a)
                 agaa_masks[lane * AGAA_AGGREGATES + a] = a == 0u ? covered : 0u;
         }
-        bool groups = turn && AGAA_AGGREGATES > 1u &&
+        bool groups = isListed && AGAA_AGGREGATES > 1u &&
                       (primitives > 1u || agaa_splitsSurfaces() || AGAA_GLOSS_WEIGHT != 0u);
         if (groups)
             agaa_complexLanes[atomicAdd(agaa_complexCount, 1u)] = lane;
-        waits = waits && !turn;
-        if (waits)
+        isWaiting = isWaiting && !isListed;
+        if (isWaiting)
             atomicAdd(agaa_waitingCount, 1u);
         barrier();
         uint listed = min(agaa_listedCount, agaa_listLength);
@@ -237,8 +242,8 @@ void agaa_processPixels(uvec2 pixel, uint covered) {
         } while (at < listed);
         barrier();
 #ifdef AGAA_SOME_UNFETCHED
-        uint uncovered = turn ? agaa_uncoveredSamples[lane] : 0u;
-        if (turn && !groups) { // grouping leaves them out by itself
+        uint uncovered = isListed ? agaa_uncoveredSamples[lane] : 0u;
+        if (isListed && !groups) { // agaa_groupListed() excludes them
             agaa_masks[lane * AGAA_AGGREGATES] &= ~uncovered;
             agaa_aggregateCount[lane] = covered == uncovered ? 0u : 1u;
         }
@@ -249,7 +254,7 @@ void agaa_processPixels(uvec2 pixel, uint covered) {
             agaa_groupListed(agaa_complexLanes[lane]);
         }
         barrier();
-        agaa_shadeDeferredPixel(turn, pixel, covered & ~uncovered, uncovered);
+        agaa_shadeDeferredPixel(isListed, pixel, covered & ~uncovered, uncovered);
         if (waiting == 0u)
             break;
         barrier();

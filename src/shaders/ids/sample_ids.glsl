@@ -1,19 +1,19 @@
-// The ids that a prepass left at each sample.
+// The primitive ids that the prepass wrote for each sample. Needs AGAA_BINDING_IDS.
 #ifndef AGAA_SAMPLE_IDS_GLSL
 #define AGAA_SAMPLE_IDS_GLSL
 #include "common/target.glsl"
 #include "ids/id_values.glsl"
 
-// Four bytes: each is exact in an 8-bit channel, on every device at every sample count.
+// An id is four bytes, each of which is exact in an 8-bit channel on every device at every sample count.
 layout(AGAA_BINDING_IDS) uniform AGAA_TARGET_TEXTURE agaa_ids;
 
-// 0: no geometry.
+// Returns 0 where there is no geometry.
 uint agaa_idOf(uvec2 pixel, uint i) {
     uvec4 bytes = uvec4(AGAA_FETCH(agaa_ids, pixel, i) * 255.0 + 0.5);
     return bytes.x | bytes.y << 8 | bytes.z << 16 | bytes.w << 24;
 }
 
-// False of draws that a G-buffer holds instead (AGAA_FETCH_NOT_ALL_DRAWS).
+// Returns false for draws that a G-buffer holds instead (AGAA_FETCH_NOT_ALL_DRAWS).
 bool agaa_isFetched(uint id) {
 #ifdef AGAA_SOME_UNFETCHED
     return id != AGAA_UNFETCHED_ID;

@@ -1,5 +1,5 @@
-// Shades pixels of one primitive, whose samples make one aggregate. Pixels that show several primitives, or whose
-// surfaces may be split, are left to the pass that groups samples.
+// Shades pixels of one primitive, whose samples are one aggregate. Pixels that show several primitives, or whose surfaces may be
+// split, are deferred to the pass that groups samples.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_MAX_SAMPLES AGAA_SAMPLES
@@ -15,32 +15,33 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "ids/deferred_pixels.glsl"
 #include "ids/primitive_means.glsl"
 
-// A group has a region of AGAA_REGION_SIDE tiles each way, whose pixels of one primitive are dealt out to full lanes.
+// A workgroup has a region of AGAA_REGION_SIDE tiles in each direction and compacts its pixels of one primitive, so that all
+// lanes are busy.
 shared uint agaa_singleCount;
 shared uint agaa_singlePixel[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE]; // x | y << 16
 shared uint agaa_singleId[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
 shared uint agaa_singleSamples[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
 
-// Of the pixel at hand, by groups of samples that share one.
+// The materials of the current pixel, by groups of samples that share one.
 AgaaMaterial agaa_materials[(AGAA_MAX_SAMPLES + AGAA_MATERIAL_SAMPLES - 1u) / AGAA_MATERIAL_SAMPLES];
 
-// Returns whether shading normals are of one surface. Before what reads materials: compilers warn of reads that they
-// meet before writes.
+// Fetches the materials of a pixel. Returns whether shading normals are those of one surface. It precedes all readers of
+// agaa_materials, because compilers warn about reads that precede writes.
 bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
     AgaaPrimitive primitive = agaa_primitive(id);
     vec3 normal = vec3(0.0);
     float least = 1.0;
     for (uint left = samples; left != 0u;) {
         uint first = uint(findLSB(left));
-        uint own = left & agaa_materialGroup(first);
-        AgaaMaterial m = agaa_fetchMaterial(primitive, pixel, own);
+        uint group = left & agaa_materialGroup(first);
+        AgaaMaterial m = agaa_fetchMaterial(primitive, pixel, group);
         agaa_materials[first / AGAA_MATERIAL_SAMPLES] = m;
         bool isFirst = left == samples;
-        left &= ~own;
+        left &= ~group;
         if (AGAA_AGGREGATES == 1u || AGAA_GLOSS_WEIGHT == 0u)
             continue;
         normal = isFirst ? agaa_materialNormal(m, first) : normal;
-        uint compared = agaa_isCurvedMaterial(m) ? own : 1u << first;
+        uint compared = agaa_isCurvedMaterial(m) ? group : 1u << first;
         for (; compared != 0u; compared &= compared - 1u)
             least = min(least, dot(normal, agaa_materialNormal(m, uint(findLSB(compared)))));
     }
@@ -51,9 +52,9 @@ agaa_Means agaa_meansOf(uint samples, float scale, bool isLit) {
     agaa_Means m = agaa_noMeans();
     for (uint left = samples; left != 0u;) {
         uint first = uint(findLSB(left));
-        uint own = left & agaa_materialGroup(first);
-        agaa_addPrimitive(m, agaa_materials[first / AGAA_MATERIAL_SAMPLES], own, scale, isLit);
-        left &= ~own;
+        uint group = left & agaa_materialGroup(first);
+        agaa_addPrimitive(m, agaa_materials[first / AGAA_MATERIAL_SAMPLES], group, scale, isLit);
+        left &= ~group;
     }
     return m;
 }
@@ -75,7 +76,7 @@ void agaa_shadeSingle(uvec2 pixel, uint id, uint samples) {
     agaa_writePixel(pixel, work, color);
 }
 
-// Of a tile, whose lanes have a pixel each: writes what is empty, deals out or leaves the rest.
+// Writes the empty pixels of a tile, lists those of one primitive, and defers the others. Each lane has a pixel.
 void agaa_sortTile(uvec2 tile) {
     const uint lane = gl_LocalInvocationIndex;
     uvec2 pixel = tile * 8u + uvec2(lane & 7u, lane >> 3u);
@@ -85,19 +86,19 @@ void agaa_sortTile(uvec2 tile) {
     bool isInside = all(lessThan(pixel, agaa_frame.size));
     uint i = 0u;
     do {
-        uint own = isInside ? agaa_idOf(pixel, i) : 0u;
-        isOne = isOne && (own == 0u || ((id == 0u || own == id) && agaa_isFetched(own)));
-        id = own != 0u ? own : id;
-        samples |= own != 0u ? 1u << i : 0u;
+        uint sampleId = isInside ? agaa_idOf(pixel, i) : 0u;
+        isOne = isOne && (sampleId == 0u || ((id == 0u || sampleId == id) && agaa_isFetched(sampleId)));
+        id = sampleId != 0u ? sampleId : id;
+        samples |= sampleId != 0u ? 1u << i : 0u;
     } while (++i < agaa_sampleCount());
     isOne = isOne && !(agaa_splitsSurfaces() && bitCount(samples) > 1);
     if (samples == 0u && isInside)
         agaa_writePixel(pixel, agaa_pixelWork(0u, 0u, 0u), vec3(0.0));
     if (samples != 0u && isOne) {
-        uint place = atomicAdd(agaa_singleCount, 1u);
-        agaa_singlePixel[place] = pixel.x | pixel.y << 16u;
-        agaa_singleId[place] = id;
-        agaa_singleSamples[place] = samples;
+        uint at = atomicAdd(agaa_singleCount, 1u);
+        agaa_singlePixel[at] = pixel.x | pixel.y << 16u;
+        agaa_singleId[at] = id;
+        agaa_singleSamples[at] = samples;
     }
     agaa_deferPixel(tile, !isOne);
 }

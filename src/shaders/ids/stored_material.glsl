@@ -1,4 +1,4 @@
-// A fetched material as layouts store it.
+// Converts a fetched material to the channels of a layout. Needs common/frame.glsl.
 #ifndef AGAA_STORED_MATERIAL_GLSL
 #define AGAA_STORED_MATERIAL_GLSL
 #include "common/host_code.glsl"

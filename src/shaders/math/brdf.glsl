@@ -9,9 +9,8 @@
 #include "ndf.glsl"
 #include "real.glsl"
 
-// log(1 + x) without the cancellation of 1 + x near x = 0, for x > -1. The series of the inverse
-// hyperbolic tangent is used in the place of Kahan's (u-1) correction, which a compiler that may
-// reassociate turns into x.
+// Returns log(1 + x) for x > -1 without the cancellation of 1 + x near x = 0. It uses the series of the inverse hyperbolic
+// tangent, because a compiler that reassociates turns Kahan's (u-1) correction into x.
 real agaa_log1p(real x) {
     real result = real(0.0);
     if (abs(x) < real(0.5)) {
@@ -33,8 +32,8 @@ real agaa_log1p(real x) {
     return result;
 }
 
-// GGX from |n x h|^2: the textbook 1 - (n.h)^2 has no digits left for small alpha. The denominator
-// of unit vectors cannot fall below alpha2, so the maximum 1/(pi alpha2) is kept as a guard.
+// Returns GGX from |n x h|^2, because 1 - (n.h)^2 loses all digits for small alpha. The denominator of unit vectors cannot fall
+// below alpha2, so the maximum 1/(pi alpha2) is a guard.
 real agaa_ggxD(real alpha2, real NoH, real NxH2) {
     const real a2 = clamp(alpha2, agaa_minAlpha2(), real(1.0));
     const real c = max(NoH, real(0.0));
@@ -42,7 +41,7 @@ real agaa_ggxD(real alpha2, real NoH, real NxH2) {
     return a2 / (agaa_pi() * d * d);
 }
 
-// Height-correlated Smith visibility, G / (4 NoL NoV). Both cosines 0 give a large finite number.
+// Returns the height-correlated Smith visibility, G / (4 NoL NoV). If both cosines are 0, it is a large finite number.
 real agaa_ggxV(real alpha2, real NoV, real NoL) {
     const real a2 = clamp(alpha2, agaa_minAlpha2(), real(1.0));
     const real v = agaa_saturate(NoV);
@@ -52,10 +51,9 @@ real agaa_ggxV(real alpha2, real NoV, real NoL) {
     return real(0.5) / max(maskV + maskL, real(1e-7));
 }
 
-// GGX of an elliptic lobe, alpha2 `along` in the direction of an axis at right angles to the normal
-// and `across` at right angles to both; h has the half vector's components in that order, the
-// normal's last. Both sides of the fraction are times the product of the widths, so that no quotient
-// of small numbers is squared.
+// Returns GGX of an elliptic lobe. `along` is alpha2 in the direction of an axis perpendicular to the normal, `across` is alpha2
+// perpendicular to both. h has the half vector's components in that order, then that along the normal. Numerator and denominator
+// are multiplied by the product of the widths, so that no quotient of small numbers is squared.
 real agaa_ggxEllipseD(real along, real across, rvec3 h) {
     const real a = clamp(along, agaa_minAlpha2(), real(1.0));
     const real b = clamp(across, agaa_minAlpha2(), real(1.0));
@@ -65,7 +63,7 @@ real agaa_ggxEllipseD(real along, real across, rvec3 h) {
     return ab / (d * d) * sqrt(ab) / agaa_pi();
 }
 
-// agaa_ggxV() with the widths that v and l see (Heitz 2014); components as above.
+// Returns agaa_ggxV() with the widths in the directions of v and l (Heitz 2014). Components are in the order of agaa_ggxEllipseD().
 real agaa_ggxEllipseV(real along, real across, rvec3 v, rvec3 l) {
     const real a = clamp(along, agaa_minAlpha2(), real(1.0));
     const real b = clamp(across, agaa_minAlpha2(), real(1.0));
@@ -84,9 +82,8 @@ rvec3 agaa_fresnelSchlick(rvec3 f0, real VoH) {
                  f0.z + (real(1.0) - f0.z) * m5);
 }
 
-// The Blinn-Phong distribution (s+2)/(2 pi) (n.h)^s, which integrates to 1 against n.h. pow() of a
-// cosine near 1 loses everything at high exponents, so the logarithm comes from |n x h|^2 there and
-// from the cosine where that is small.
+// Returns the Blinn-Phong distribution (s+2)/(2 pi) (n.h)^s, which integrates to 1 against n.h. pow() of a cosine near 1 loses all
+// digits at high exponents, so the logarithm is computed from |n x h|^2 there, and from the cosine if that is small.
 real agaa_blinnPhong(real exponent, real NxH2, real NoH) {
     const real s = max(exponent, real(0.0));
     real d = real(0.0);
@@ -97,14 +94,14 @@ real agaa_blinnPhong(real exponent, real NxH2, real NoH) {
         } else {
             logCosine = log(clamp(NoH, real(1e-30), real(1.0)));
         }
-        // exp() flushes anyway below -87; the bound keeps its argument in the range it is exact in.
+        // exp() is 0 below -87. The bound keeps its argument in the range where it is exact.
         d = (s + real(2.0)) / (real(2.0) * agaa_pi()) * exp(max(s * logCosine, real(-80.0)));
     }
     return d;
 }
 
-// Blinn-Phong of an elliptic lobe (Ashikhmin and Shirley 2000): the exponent is the mean of those of
-// both axes by where n x h points.
+// Returns Blinn-Phong of an elliptic lobe (Ashikhmin and Shirley 2000). The exponent is the mean of those of both axes, weighted
+// by the direction of n x h.
 real agaa_blinnPhongEllipse(real along, real across, rvec3 h) {
     const real a = agaa_exponentFromAlpha2(along);
     const real b = agaa_exponentFromAlpha2(across);
@@ -119,9 +116,8 @@ real agaa_blinnPhongEllipse(real along, real across, rvec3 h) {
     return isotropic * sqrt((a + real(2.0)) * (b + real(2.0))) / (exponent + real(2.0));
 }
 
-// Mean of max(n.l, 0) over the normals of an aggregate, of which mean (NoL_mean = dot(Na, l), Na
-// not normalised), direction (noL_unit = dot(Na/|Na|, l)) and length are known. Exactly
-// max(NoL_mean, 0) at length 1.
+// Returns the mean of max(n.l, 0) over the normals of an aggregate, from their mean Na: NoL_mean = dot(Na, l) and
+// noL_unit = dot(Na/|Na|, l). At length 1 it is exactly max(NoL_mean, 0).
 real agaa_rectifiedDiffuse(real NoL_mean, real noL_unit, real meanLength) {
     const real len = agaa_saturate(meanLength);
     const real u2 = min(noL_unit * noL_unit, real(1.0));
@@ -135,7 +131,7 @@ real agaa_rectifiedDiffuse(real NoL_mean, real noL_unit, real meanLength) {
         if (NoL_mean >= real(0.0)) {
             d = real(0.5) * (NoL_mean + root);
         } else {
-            // Same value; mu + root would cancel for a mean that faces away.
+            // The value is the same. NoL_mean + root would cancel for a mean that faces away.
             d = real(0.5) * spread / (root - NoL_mean);
         }
     }

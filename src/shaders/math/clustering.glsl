@@ -1,18 +1,21 @@
-// Aggregate definition: which samples of a pixel are shaded together.
+// Aggregate definition: clusters the samples of a pixel that are shaded together.
 // Sources: AGAA (Crassin et al., TVCG 2016) section 3.3, Equation 1 and Algorithm 1, with these
 // corrections: seeds by maximin distance (the printed rule (e) picks existing seeds), a new
 // aggregate only farther than t from every earlier seed, ties broken by content, averages in
 // integers; hard cases 10, 18, 20 to 24, 29 and 30.
 //
-// The including file defines AGAA_MAX_SAMPLES (32 are clustered at most) and fills the inputs by agaa_setSample. The
-// arrays are globals in GLSL and members of a struct in C++. Nothing here depends on the order of
-// the samples except the names of samples that are equal in content. Loops over samples, of which there
-// are one or more, are tested at their end: software rasterisers run what follows a test once more.
+// Needs AGAA_MAX_SAMPLES; at most 32 samples are clustered. The includer sets samples by agaa_setSample(). The arrays are globals
+// in GLSL and members of a struct in C++. Results do not depend on the order of the samples, except the indices of samples with
+// equal content. Loops over samples, of which there is at least one, test at their end, because software rasterisers run the
+// code after a test once more.
 #ifndef AGAA_MATH_CLUSTERING_GLSL
 #define AGAA_MATH_CLUSTERING_GLSL
+#ifndef AGAA_MAX_SAMPLES
+#error "clustering.glsl needs AGAA_MAX_SAMPLES."
+#endif
 #include "real.glsl"
 
-rvec3 agaa_samplePosition[AGAA_MAX_SAMPLES]; // view space, relative to anything
+rvec3 agaa_samplePosition[AGAA_MAX_SAMPLES]; // view space, relative to any origin
 rvec3 agaa_sampleNormal[AGAA_MAX_SAMPLES];   // unit
 uint agaa_sampleKeyA[AGAA_MAX_SAMPLES];      // depth key
 uint agaa_sampleKeyB[AGAA_MAX_SAMPLES];      // normal code and sub-pixel position key
@@ -21,7 +24,7 @@ uint agaa_sampleAggregate[AGAA_MAX_SAMPLES]; // result; 0 for samples without ge
 uint agaa_sampleNearest[AGAA_MAX_SAMPLES];   // quantised distance to the nearest seed so far
 uint agaa_seedSample[8];                     // sample that founded each aggregate
 
-// For each sample with geometry.
+// Sets a sample with geometry.
 void agaa_setSample(uint i, rvec3 position, rvec3 unitNormal, real depthStep, uint keyA, uint keyB) {
     agaa_samplePosition[i] = position;
     agaa_sampleNormal[i] = unitNormal;
@@ -30,8 +33,7 @@ void agaa_setSample(uint i, rvec3 position, rvec3 unitNormal, real depthStep, ui
     agaa_sampleStep[i] = depthStep;
 }
 
-// Distances are compared as multiples of 1/4096: finer than the 4e-4 below which the 8-bit normal
-// codes are noise.
+// Distances are compared as multiples of 1/4096, which is below 4e-4, the noise of 8-bit codes of normals.
 real agaa_distanceScale() {
     return real(4096.0);
 }
@@ -41,8 +43,8 @@ real agaa_maxPositionTerm() {
     return real(1e6);
 }
 
-// 1/k^2 with k held in [1e-15, 1e15]: k of 0, negative or NaN counts as tiny, infinite as huge
-// (normals only). The API refuses such values; here they must only not do harm.
+// Returns 1/k^2 with k clamped to [1e-15, 1e15]. A k of 0, below 0 or NaN counts as 1e-15, an infinite one as 1e15. The API
+// rejects such values; here they must only not cause errors.
 real agaa_inverseK2(real k) {
     real kk = real(1e-15);
     if (k > kk) {
@@ -51,9 +53,8 @@ real agaa_inverseK2(real k) {
     return real(1.0) / (kk * kk);
 }
 
-// k of Equation 1 as it applies to a pair of samples: the depth buffer may put two samples of one surface
-// a whole step apart, so k grows by perStep times the coarser step of the two. A far sample does not
-// change the distance between near ones.
+// The k of Equation 1 for a pair of samples. The depth buffer may put two samples of one surface a whole step apart, so k
+// increases by perStep times the coarser step of the two. A far sample does not change the distance between near ones.
 struct agaa_Lengths {
     real k;
     real perStep;
@@ -72,8 +73,8 @@ real agaa_pairInverseK2(agaa_Lengths lengths, real stepA, real stepB) {
     return agaa_inverseK2(lengths.k + lengths.perStep * max(stepA, stepB));
 }
 
-// Equation 1, with (1 - na.nb)/2 written as |na - nb|^2 / 4. For unit vectors both are the same,
-// but the difference is exactly 0 for equal normals and keeps its digits for similar ones.
+// Returns Equation 1, with (1 - na.nb)/2 written as |na - nb|^2 / 4. Both are equal for unit vectors, but the difference is
+// exactly 0 for equal normals and keeps its digits for similar ones.
 real agaa_sampleDistance(rvec3 pa, rvec3 pb, rvec3 na, rvec3 nb, real inverseK2) {
     const rvec3 dx = pa - pb;
     const rvec3 dn = na - nb;
@@ -81,10 +82,9 @@ real agaa_sampleDistance(rvec3 pa, rvec3 pb, rvec3 na, rvec3 nb, real inverseK2)
            min(real(0.25) * dot(dn, dn), real(1.0));
 }
 
-// From 4 on the step is 1/8192 to 1/16384 of the value, because 14 significant bits are coarser
-// than what the roundings of two devices differ by: equal distances stay ties, which content
-// decides. Monotone, so that comparisons of the rounded values never contradict those of the exact
-// ones.
+// Quantises a distance. From 4 on, the step is 1/8192 to 1/16384 of the value: 14 significant bits are coarser than the rounding
+// differences between devices, so that equal distances stay ties, which content breaks. The function is monotonic, so that
+// comparisons of quantised values never contradict those of exact ones.
 uint agaa_quantiseDistance(real d) {
     const real top = agaa_maxPositionTerm() + real(1.0);
     const uint q = uint(clamp(d, real(0.0), top) * agaa_distanceScale() + real(0.5));
@@ -96,7 +96,7 @@ bool agaa_sampleIsCovered(uint covered, uint i) {
     return ((covered >> i) & 1u) != 0u;
 }
 
-// What is compared before the place in the array is, and that.
+// Sort key: depth, then normal and position; the index breaks ties.
 struct agaa_Content {
     uint keyA;
     uint keyB;
@@ -111,8 +111,7 @@ agaa_Content agaa_contentOf(uint i) {
     return content;
 }
 
-// Equal content means equal keys; then it does not matter which of the two is taken, and the index
-// makes the choice definite.
+// Whether a precedes b. With equal keys either order is valid, and the index makes the result deterministic.
 bool agaa_contentPrecedes(agaa_Content a, agaa_Content b) {
     bool precedes = a.sample_ < b.sample_;
     if (a.keyA != b.keyA) {
@@ -123,8 +122,8 @@ bool agaa_contentPrecedes(agaa_Content a, agaa_Content b) {
     return precedes;
 }
 
-// The sample of the largest value so far, of equals the first by content. What is compared with each
-// sample is kept in registers: arrays of a lane's own are memory.
+// The sample with the largest value so far; content breaks ties. Its values are copies in registers, because arrays of a lane are
+// in memory.
 struct agaa_Farthest {
     bool any;
     uint value;
@@ -157,16 +156,16 @@ real agaa_pairDistance(uint a, uint b, agaa_Lengths lengths) {
                                agaa_pairInverseK2(lengths, agaa_sampleStep[a], agaa_sampleStep[b]));
 }
 
-// Founds aggregate `id` at sample `seed`: moves every sample that is nearer to it than to its seed
-// so far and returns the sample that is then farthest from all seeds, the next candidate. A sample
-// as near to two seeds goes to the seed of lower content.
+// Creates aggregate `id` with seed sample `seed`. Moves all samples that are nearer to it than to their previous seeds, and returns
+// the sample that is then farthest from all seeds, the next candidate. Between two seeds at equal distance, the one that precedes
+// in content gets the sample.
 uint agaa_addSeed(uint n, uint covered, uint id, uint seed, agaa_Lengths lengths) {
     const rvec3 position = agaa_samplePosition[seed];
     const rvec3 normal = agaa_sampleNormal[seed];
     const real depthStep = agaa_sampleStep[seed];
     const agaa_Content content = agaa_contentOf(seed);
-    agaa_seedSample[id] = seed; // first: compilers warn of reads that they meet before writes
-    uint precedes = 0u; // bit s: seed s
+    agaa_seedSample[id] = seed; // before the reads, because compilers warn about reads that precede writes
+    uint precedes = 0u; // mask of the seeds that the new seed precedes
     for (uint s = 0u; s < id; ++s) {
         if (agaa_contentPrecedes(content, agaa_contentOf(agaa_seedSample[s]))) {
             precedes = precedes | (1u << s);
@@ -192,9 +191,8 @@ uint agaa_addSeed(uint n, uint covered, uint id, uint seed, agaa_Lengths lengths
     return best.any ? best.content.sample_ : seed;
 }
 
-// Rule (e) as printed: the sample with the largest sum of squared distances from all seeds.
-// Equation 1 is itself a squared distance (of position/k and half the normal), so its values are
-// summed.
+// Returns the candidate of rule (e) as printed: the sample with the largest sum of squared distances from all seeds. Equation 1 is
+// a squared distance (of position/k and half the normal), so its values are summed.
 uint agaa_literalCandidate(uint n, uint covered, uint seeds, agaa_Lengths lengths) {
     agaa_Farthest best = agaa_noneYet();
     for (uint i = 0u; i < n; ++i) {
@@ -211,8 +209,8 @@ uint agaa_literalCandidate(uint n, uint covered, uint seeds, agaa_Lengths length
     return best.content.sample_;
 }
 
-// Seed 0, the sample farthest from the average. Sums of floats depend on their order; offsets from
-// the lower corner of the bounding box, in integers of 2^-20 of its size, do not.
+// Returns seed 0, the sample farthest from the average. Sums of floats depend on their order; sums of offsets from the lower
+// corner of the bounding box, as integer multiples of 2^-20 of its size, do not.
 uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real inverseK2) {
     const real steps = real(1048576.0);
     const real longest = real(8.0); // of a normal's components, where gloss weighs them
@@ -237,8 +235,8 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
     } while (++i < n);
     const real inverse = real(1.0) / (steps * real(max(count, 1u)));
     const rvec3 meanP = rvec3(real(sumP.x), real(sumP.y), real(sumP.z)) * (inverse * size);
-    // The mean normal is left unnormalised: its distance is then the mean of the distances to all
-    // normals up to a constant, and there is no direction to invent where normals cancel.
+    // The mean normal is not normalised. Its distance is then the mean of the distances to all normals up to a constant, and
+    // cancelling normals need no substitute direction.
     const rvec3 meanN =
         rvec3(real(sumN.x) * inverse - longest, real(sumN.y) * inverse - longest,
               real(sumN.z) * inverse - longest);
@@ -254,13 +252,15 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
     return best.content.sample_;
 }
 
-// Partitions the covered samples into at most c (1 to 8) aggregates, whose number it returns; ids
-// go to agaa_sampleAggregate in the order of the seeds. `covered` has a bit for each sample with
-// geometry; t is the smallest distance of a new aggregate from the others; literalSeeds != 0 takes
-// the paper's rule (e) for the third and later seeds. O(n c), O(n c^2) for literal seeds.
+// Partitions the covered samples into aggregates and returns their number. Writes ids in the order of the seeds to
+// agaa_sampleAggregate. The cost is O(n c), with literal seeds O(n c^2).
+// covered        Mask of samples with geometry.
+// c              Maximum number of aggregates, [1, 8].
+// t              Lowest distance of a new aggregate from the others.
+// literalSeeds   Not 0: the third and later seeds follow the paper's rule (e).
 uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint literalSeeds) {
     const uint samples = min(n, uint(AGAA_MAX_SAMPLES));
-    // A shift by 32 is undefined, hence the case distinction.
+    // A shift by 32 is undefined.
     const uint present = samples < 32u ? covered & ((1u << samples) - 1u) : covered;
     const uint limit = clamp(c, 1u, 8u);
     rvec3 lowest = rvec3(real(0.0), real(0.0), real(0.0));
@@ -290,15 +290,14 @@ uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint li
     if (any && limit > 1u) {
         const agaa_Lengths lengths = agaa_lengthsFor(k, t);
         const uint threshold = agaa_quantiseDistance(max(t, real(0.0)));
-        // The short way: two samples are never farther apart than the corners of their bounding
-        // boxes, by the finest of their steps. The margin covers the rounding of the distances that are
-        // not computed.
+        // Fast path: the distance of two samples never exceeds that of the corners of their bounding boxes, with the finest of
+        // their steps. The margin covers the rounding of the distances that are not computed.
         const real bound = agaa_sampleDistance(lowest, highest, lowestNormal, highestNormal,
                                                agaa_pairInverseK2(lengths, finest, finest));
         if (agaa_quantiseDistance(bound * real(1.00001)) > threshold) {
             const rvec3 size = highest - lowest;
             const real extent = max(size.x, max(size.y, size.z));
-            // Distances to one average are compared by one length, that of the coarsest step.
+            // All distances to the average use one length, that of the coarsest step.
             uint seed = agaa_firstSeed(samples, present, lowest, extent,
                                        agaa_pairInverseK2(lengths, coarsest, coarsest));
             uint candidate = agaa_addSeed(samples, present, 0u, seed, lengths);

@@ -1,30 +1,30 @@
-// Which samples an alpha-masked surface covers: cut-outs, whose alpha is compared with a cutoff, and translucent
+// Samples that an alpha-masked surface covers: cut-outs, whose alpha is compared with a cutoff, and translucent
 // surfaces, whose alpha is the share of samples that they cover.
 //
-// Passes are programs of their own and must agree about every sample, so every expression that decides is PRECISE and
-// its order of operations is written out.
+// Passes are separate programs and must agree about every sample, so every deciding expression is PRECISE and
+// has an explicit order of operations.
 #ifndef AGAA_MATH_COVERAGE_GLSL
 #define AGAA_MATH_COVERAGE_GLSL
 #include "real.glsl"
 #include "sanitise.glsl"
 
-// 0 where alpha is no finite number, so that the gradients of its neighbours in the quad stay small.
+// Returns 0 for non-finite alpha, so that the gradients of its neighbours in the quad stay small.
 real agaa_sanitiseAlpha(real alpha) {
     return agaa_isFinite(alpha) ? clamp(alpha, real(-65504.0), real(65504.0)) : real(0.0);
 }
 
-// Located masks: inside a texel of the target the edge of a cut-out is nearly straight, so alpha is taken as a simple
-// function of the place and compared with the cutoff at the sample's own position. offset: from the texel's centre to
-// the sample, in texels, [-1/2,1/2].
+// Cut-outs: inside a texel of the target the edge of a cut-out is nearly straight, so alpha is a simple function of
+// the position and is compared with the cutoff at the sample's position. offset: from the texel's centre to the
+// sample, in texels, [-1/2, 1/2].
 
-// As a plane, by the change of alpha per texel.
+// Whether a sample is covered, with alpha as a plane. gradient: change of alpha per texel.
 bool agaa_isInCutout(real alpha, real cutoff, rvec2 gradient, rvec2 offset) {
     PRECISE real margin = (alpha - cutoff) + (gradient.x * offset.x + gradient.y * offset.y);
     return margin >= real(0.0);
 }
 
-// Bilinear through four points, which also follows corners and thin stems: k = 0 to 3 is at
-// (k & 1, k >> 1) / 2 - 1/4 texels from the centre.
+// Whether a sample is covered, with alpha bilinear through four points, which also follows corners and thin stems.
+// Point k, 0 to 3, is at (k & 1, k >> 1) / 2 - 1/4 texels from the centre.
 bool agaa_isInCutout4(rvec4 alpha, real cutoff, rvec2 offset) {
     PRECISE real x = offset.x * real(2.0) + real(0.5);
     PRECISE real y = offset.y * real(2.0) + real(0.5);
@@ -40,18 +40,18 @@ uint agaa_hash(uint x) { // PCG output permutation
     return (state >> 22u) ^ state;
 }
 
-// The random number of a translucent primitive in a pixel. frame: 0 in every frame keeps the pattern still.
+// Returns the random number of a translucent primitive in a pixel. A constant frame keeps the pattern constant.
 uint agaa_translucencyHash(uint x, uint y, uint primitiveSeed, uint frame) {
     return agaa_hash(x + agaa_hash(y + agaa_hash(primitiveSeed + frame * 0x9E3779B9u)));
 }
 
-// Stratified mask: bit i is sample i of one of the `groups` texels of a pixel, each of which has `samples` samples. One
-// random number per pixel and primitive is spread over texels and samples, so that the pixel's number of samples is
-// alpha n, rounded up or down without bias; which samples they are differs between primitives (hard case 53).
+// Returns a stratified mask: bit i is sample i of one of the `groups` texels of a pixel, each with `samples` samples.
+// One random number per pixel and primitive is distributed over texels and samples, so that the pixel has alpha n
+// samples, rounded up or down without bias. The chosen samples differ between primitives (hard case 53).
 uint agaa_translucentMask(real alpha, uint samples, uint group, uint groups, uint hash) {
-    const uint turned = (group + (hash >> 8u)) % groups;
+    const uint rotated = (group + (hash >> 8u)) % groups;
     const real fine = (real(agaa_hash(hash) & 0xFFFFu) + real(0.5)) / real(65536.0);
-    const real u = (real(turned) + fine) / real(groups);
+    const real u = (real(rotated) + fine) / real(groups);
     PRECISE real wanted = clamp(agaa_sanitiseAlpha(alpha), real(0.0), real(1.0)) * real(samples) + u;
     const uint count = min(uint(wanted), samples);
     const uint start = (hash >> 16u) + group * 3u;

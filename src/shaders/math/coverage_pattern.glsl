@@ -14,7 +14,7 @@
 // Sample row * columns + column is bit i & 31 of word i >> 5 of a mask; words without samples are 0. All coordinates
 // are multiples of 1/512, so that float holds them exactly.
 //
-// Shaders with the constants of a frame may have a pattern of the host's own instead, whose masks come from a table of
+// Shaders with the constants of a frame may have a pattern of the host instead, whose masks come from a table of
 // half-planes (coverage_table.glsl).
 #ifndef AGAA_MATH_COVERAGE_PATTERN_GLSL
 #define AGAA_MATH_COVERAGE_PATTERN_GLSL
@@ -44,7 +44,7 @@ uint agaa_coverageRows(uint samples) {
     return samples == 128u ? 32u : 16u;
 }
 
-// Where the first sample of a row is, from the left border of the pixel, in units of the spacing of the row's samples.
+// Returns the position of the first sample of a row, from the left border of the pixel, in units of the spacing of samples.
 real agaa_coveragePhase(uint row, uint samples) {
     if (samples == 128u) {
         return (real((row * 41u) & 63u) + real(0.5)) * real(0.015625);
@@ -52,12 +52,12 @@ real agaa_coveragePhase(uint row, uint samples) {
     return (real((row * (samples == 64u ? 7u : 5u)) & 15u) + real(0.5)) * real(0.0625);
 }
 
-// From the pixel's centre, in pixels.
+// Returns y of a row, from the pixel's centre, in pixels.
 real agaa_coverageRowY(uint row, uint samples) {
     return (real(row) + real(0.5)) * (samples == 128u ? real(0.03125) : real(0.0625)) - real(0.5);
 }
 
-// From the pixel's centre, in pixels: (-1/2, 1/2).
+// Returns a sample's position from the pixel's centre in pixels, (-1/2, 1/2).
 rvec2 agaa_coveragePosition(uint i, uint samples) {
     if (agaa_hasHostPattern())
         return agaa_hostPosition(i);
@@ -82,7 +82,7 @@ rvec2 agaa_hostMiddle(uvec4 mask) {
     return sum / max(count, real(1.0));
 }
 
-// The mean position of a mask's samples, of which there is one at least, from the pixel's centre in pixels.
+// Returns the centroid of a mask's samples, one or more, from the pixel's centre in pixels.
 rvec2 agaa_coverageMiddle(uvec4 mask, uint samples) {
     if (agaa_hasHostPattern())
         return agaa_hostMiddle(mask);
@@ -94,11 +94,11 @@ rvec2 agaa_coverageMiddle(uvec4 mask, uint samples) {
     real count = real(0.0);
     for (uint row = 0u; row < rows; ++row) {
         const uint bits = (mask[row / rowsOfWord] >> (row % rowsOfWord * columns)) & ((1u << columns) - 1u);
-        const real own = real(bitCount(bits));
-        const real places = real(bitCount(bits & 0xAu) + 2 * bitCount(bits & 0xCu)); // of the columns
-        sum.x += (places + own * agaa_coveragePhase(row, samples)) * spacing;
-        sum.y += own * agaa_coverageRowY(row, samples);
-        count += own;
+        const real samplesOfRow = real(bitCount(bits));
+        const real columnSum = real(bitCount(bits & 0xAu) + 2 * bitCount(bits & 0xCu));
+        sum.x += (columnSum + samplesOfRow * agaa_coveragePhase(row, samples)) * spacing;
+        sum.y += samplesOfRow * agaa_coverageRowY(row, samples);
+        count += samplesOfRow;
     }
     const real scale = real(1.0) / max(count, real(1.0));
     return rvec2(sum.x * scale - real(0.5), sum.y * scale);

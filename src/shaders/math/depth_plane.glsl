@@ -1,4 +1,4 @@
-// The depths of a triangle's surface within a pixel: a plane, limited to the depths that the triangle has there.
+// Depth planes: the depths of a triangle's surface within a pixel, limited to the range of depths of the triangle.
 // Sources: DCAA (Wang et al., I3D 2016) sections 3.2 and 3.4; hard cases 45 and 46 (edge-on triangles), 50 (vertices
 // behind the eye).
 #ifndef AGAA_MATH_DEPTH_PLANE_GLSL
@@ -7,29 +7,29 @@
 #include "sanitise.glsl"
 #include "triangle_coverage.glsl"
 
-// depth + slope * offset at an offset from the pixel's centre in pixels, clamped to the range. Finite.
+// The depth at an offset from the pixel's centre in pixels is depth + slope * offset, clamped to the range. All members are finite.
 struct agaa_DepthPlane {
     real depth;  // at the centre; may be outside the range where the triangle misses the centre
     rvec2 slope; // per pixel
-    rvec2 range; // least and greatest depth of the plane in the pixel, within the triangle's depths
+    rvec2 range; // lowest and highest depth of the plane in the pixel, within the triangle's depths
 };
 
-// The plane's steepest slope per pixel, in ranges of the triangle's depths. Where it is steeper, the triangle is narrower
+// Limit of the plane's slope per pixel, in units of the range of the triangle's depths. A triangle with a steeper plane is narrower
 // than 1/1024 of a pixel and covers hardly any sample.
 real agaa_steepestSlope() {
     return real(1024.0);
 }
 
-// Adds the depths of the edge from a vertex in front of the eye to one behind it: they grow without limit.
+// Adds the depths of the edge from a vertex in front of the eye to one behind it, which increase without limit.
 rvec2 agaa_addEdgeToEye(rvec2 range, rvec2 front, rvec2 behind) {
-    // Of z where w is 0, which has the sign of all depths near the eye.
+    // z at w = 0 has the sign of all depths near the eye.
     const real atEye = behind.x * front.y - front.x * behind.y;
     if (atEye < real(0.0))
         return rvec2(real(0.0), range.y);
     return atEye > real(0.0) ? rvec2(range.x, real(1.0)) : range;
 }
 
-// The depths of the triangle's part in front of the eye, in [0, 1]. z, w: of the vertices.
+// Returns the range of depths of the triangle's part in front of the eye, in [0, 1]. z, w: of the vertices.
 rvec2 agaa_depthRange(rvec3 z, rvec3 w) {
     rvec2 range = rvec2(real(1.0), real(0.0));
     for (int i = 0; i < 3; ++i) {
@@ -47,9 +47,11 @@ rvec2 agaa_depthRange(rvec3 z, rvec3 w) {
     return range;
 }
 
-// a, b, c: as for agaa_triangleCoverage. z: clip.z of the vertices, with depths z / w in [0, 1], in either direction.
-// centre: of the pixel, in pixels. A triangle without an area has the middle of its range as depth; one that covers
-// nothing has depth 0.
+// Returns the depth plane of a triangle in a pixel. A triangle without area has the middle of its range as depth; a triangle that
+// covers nothing has depth 0.
+// a, b, c   Vertices of agaa_triangleCoverage().
+// z         clip.z of the vertices, with depths z / w in [0, 1], in either direction.
+// centre    Centre of the pixel, in pixels.
 agaa_DepthPlane agaa_depthPlane(rvec3 a, rvec3 b, rvec3 c, rvec3 z, rvec2 centre) {
     agaa_DepthPlane plane;
     plane.depth = real(0.0);
@@ -70,8 +72,8 @@ agaa_DepthPlane agaa_depthPlane(rvec3 a, rvec3 b, rvec3 c, rvec3 z, rvec2 centre
     const real middle = (least + greatest) * real(0.5);
     plane.depth = middle;
 
-    // Edge functions weigh the vertices. Depths are taken relative to one near them: most are near 1, and the digits
-    // that differ would be lost in the sums. The reference has few digits, as agaa_fromCentre needs.
+    // Edge functions weigh the vertices. Depths are relative to a reference near them: most are near 1, and sums would
+    // lose the digits that differ. The reference has few digits, which agaa_fromCentre() needs.
     const rvec3 qr = agaa_edgeLine(q, r);
     const rvec3 rp = agaa_edgeLine(r, p);
     const rvec3 pq = agaa_edgeLine(p, q);
@@ -82,7 +84,7 @@ agaa_DepthPlane agaa_depthPlane(rvec3 a, rvec3 b, rvec3 c, rvec3 z, rvec2 centre
     if (facing == real(0.0) || !agaa_isFinite(facing) || !agaa_isFinite3(sum))
         return plane;
 
-    // Steeper planes are flattened around the middle depth, which stays at its place in the pixel.
+    // Steeper planes are flattened around the middle depth, whose position in the pixel does not change.
     const real size = max(abs(facing), real(1e-37));
     const real steepest = max(greatest - least, real(1e-30)) * agaa_steepestSlope();
     const real divisor = max(size, (abs(sum.x) + abs(sum.y)) / steepest);
@@ -96,13 +98,13 @@ agaa_DepthPlane agaa_depthPlane(rvec3 a, rvec3 b, rvec3 c, rvec3 z, rvec2 centre
     return plane;
 }
 
-// offset: from the pixel's centre, in pixels, such as a sample's position.
+// Returns the depth at an offset from the pixel's centre, in pixels.
 real agaa_depthAt(agaa_DepthPlane plane, rvec2 offset) {
     return clamp(plane.depth + (plane.slope.x * offset.x + plane.slope.y * offset.y), plane.range.x, plane.range.y);
 }
 
-// The plane as surfaces keep it, without a range: depth at the centre and growth per pixel, so flat that over the whole pixel
-// it stays within the range.
+// Returns the plane that surfaces store, without a range: depth at the centre and change per pixel, flattened so that it stays in
+// the range over the whole pixel.
 rvec3 agaa_planeInRange(agaa_DepthPlane plane) {
     const real reach = (abs(plane.slope.x) + abs(plane.slope.y)) * real(0.5);
     const real halfRange = (plane.range.y - plane.range.x) * real(0.5);

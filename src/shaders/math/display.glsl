@@ -1,12 +1,12 @@
-// The display curve y = (x / (1 + x))^(1 / 2.2), by which filters see colours, and its inverse.
+// The display curve y = (x / (1 + x))^(1 / 2.2), which filters apply to colours, and its inverse.
 //
-// Bright light comes close to y = 1, where y keeps no digits of x: in float, 6e4 came back wrong by 45 %. So values are
-// passed on as the complement 1 - y, and 1 - (1 - u)^p is computed without a difference of nearly equal numbers.
+// Bright light has y near 1, where y keeps no digits of x: in float, 6e4 returned with an error of 45 %. So functions use the
+// complement 1 - y, and compute 1 - (1 - u)^p without a difference of nearly equal numbers.
 #ifndef AGAA_MATH_DISPLAY_GLSL
 #define AGAA_MATH_DISPLAY_GLSL
 #include "real.glsl"
 
-// 1 - (1 - u)^p for u in [0,1/8] and p > 0, by the binomial series.
+// Returns 1 - (1 - u)^p for u in [0, 1/8] and p > 0, by the binomial series.
 real agaa_complementOfPower(real u, real p) {
     real sum = real(0.0);
     real term = p * u;
@@ -17,7 +17,7 @@ real agaa_complementOfPower(real u, real p) {
     return sum;
 }
 
-// 1 - y of linear light, [0, 65504]; negative light counts as none.
+// Returns 1 - y of linear light, [0, 65504]. Negative light counts as 0.
 real agaa_displayComplement(real linear) {
     const real p = real(1.0) / real(2.2);
     const real x = clamp(linear, real(0.0), real(65504.0));
@@ -33,7 +33,7 @@ real agaa_linearFromDisplayComplement(real complement) {
     return min(y / max(u, real(1e-7)), real(65504.0));
 }
 
-// Between two linear values as viewers see them.
+// Interpolates two linear values in display space.
 real agaa_mixDisplayed(real a, real b, real share) {
     const real from = agaa_displayComplement(a);
     return agaa_linearFromDisplayComplement(from + (agaa_displayComplement(b) - from) * share);

@@ -10,8 +10,8 @@
 
 // ---- frame of a view ray ---------------------------------------------------------------------
 
-// Orthonormal t, b with cross(t, b) == v for unit v (Duff et al. 2017). No branch on a pole: the sign of v.z moves the
-// singularity away, so v.z == -1 is as exact as v.z == 1.
+// Computes orthonormal t, b with cross(t, b) == v for unit v (Duff et al. 2017). The sign of v.z moves the singularity away, so
+// v.z == -1 needs no branch and is as exact as v.z == 1.
 void agaa_viewBasis(rvec3 v, OUT(rvec3) t, OUT(rvec3) b) {
     const real s = v.z < real(0.0) ? real(-1.0) : real(1.0);
     const real a = real(-1.0) / (s + v.z);
@@ -22,31 +22,30 @@ void agaa_viewBasis(rvec3 v, OUT(rvec3) t, OUT(rvec3) b) {
 
 // ---- codes with an exact centre --------------------------------------------------------------
 
-// The largest code of a UNORM channel. Channels have 1 to 24 bits: more do not fit into a float.
+// Returns the largest code of a UNORM channel. Channels have 1 to 24 bits, because a float holds no more.
 uint agaa_maxCode(uint bits) {
     return (1u << min(bits, 24u)) - 1u;
 }
 
-// What to write to a UNORM channel of `bits` bits (2 to 16) so that it stores this code: a quarter of a step above it,
-// for drivers that round and for those that truncate, as Mesa 22.3 does with 10 bits.
+// Returns the value to write to a UNORM channel of `bits` bits, [2, 16], so that it stores this code. The value is a quarter of a
+// step above the code, for drivers that round and for drivers that truncate, such as Mesa 22.3 with 10 bits.
 rvec2 agaa_unormOfCode(rvec2 code, uint bits) {
     return (code + rvec2(real(0.25))) / real(agaa_maxCode(bits));
 }
 
-// The same of the code nearest to x.
+// Returns the value to write for the code nearest to x.
 real agaa_unormOf(real x, uint bits) {
     const real code = floor(agaa_saturate(x) * real(agaa_maxCode(bits)) + real(0.5));
     return agaa_unormOfCode(rvec2(code), bits).x;
 }
 
-// Signed codes lie in 1..2^bits-1 around the centre 2^(bits-1): an odd number of codes, so that 0
-// is represented exactly, and code 0 stays free to say "no geometry".
+// Signed codes are in [1, 2^bits-1] around the centre 2^(bits-1). Their number is odd, so that 0 is exact, and code 0 means "no
+// geometry".
 uint agaa_signedCode(real v, uint bits) {
     const uint centre = 1u << (clamp(bits, 2u, 24u) - 1u);
     const real span = real(centre - 1u);
     const real c = clamp(v, real(-1.0), real(1.0)) * span + real(0.5);
-    // floor() of a value in [-span + 0.5, span + 0.5], made non-negative before it becomes
-    // unsigned.
+    // floor() returns a value in [-span, span], which becomes non-negative before the conversion to unsigned.
     return uint(floor(c) + real(centre));
 }
 
@@ -56,8 +55,8 @@ real agaa_fromSignedCode(uint code, uint bits) {
     return clamp((real(code) - real(centre)) / span, real(-1.0), real(1.0));
 }
 
-// A vector scaled so that its largest component is 1, or +z if it has no direction. Scaling first
-// keeps sums of components away from overflow and underflow.
+// Returns the vector scaled so that its largest component is 1, or +z if it has no direction. The scale prevents overflow and
+// underflow of sums of components.
 rvec3 agaa_directionOrZ(rvec3 n) {
     rvec3 result = rvec3(real(0.0), real(0.0), real(1.0));
     if (agaa_isFinite3(n)) {
@@ -69,7 +68,7 @@ rvec3 agaa_directionOrZ(rvec3 n) {
     return result;
 }
 
-// A host's normal as a unit vector, +z if it has no direction; not finite sets bad to 1.
+// Returns a host's normal as a unit vector, +z if it has no direction. Sets bad to 1 if it is not finite.
 rvec3 agaa_sanitiseNormal(rvec3 n, INOUT(uint) bad) {
     if (!agaa_isFinite3(n)) {
         bad = 1u;
@@ -79,8 +78,8 @@ rvec3 agaa_sanitiseNormal(rvec3 n, INOUT(uint) bad) {
 
 // ---- hemi-octahedral, two times 8 bits -------------------------------------------------------
 
-// n in the frame whose +z points to the viewer. Below the horizon z is set to 0, which keeps the
-// azimuth and does not mirror the normal. Without a direction left the code is that of +z.
+// Encodes n in the frame whose +z points to the viewer. Below the horizon z is set to 0, which keeps the azimuth and does not
+// mirror the normal. If no direction remains, the code is that of +z.
 uvec2 agaa_encodeHemiOct8(rvec3 n) {
     const rvec3 d = agaa_directionOrZ(n);
     const real z = max(d.z, real(0.0));
@@ -104,12 +103,12 @@ rvec3 agaa_decodeHemiOct8(uvec2 code) {
     return normalize(rvec3(x, y, z));
 }
 
-// How much shorter than 1 the mean of normals in neighbouring codes can be, which rounding alone may have put apart.
+// Returns the bound of 1 - length for the mean of equal normals that rounding put in neighbouring codes.
 real agaa_hemiOct8LengthBound() { return real(4.7e-5); }
 
 // ---- octahedral, full sphere -----------------------------------------------------------------
 
-// The value to store in two UNORM channels of `bits` bits each (2 to 16). Neither is ever code 0.
+// Returns the values to store in two UNORM channels of `bits` bits each, [2, 16]. Neither is code 0.
 rvec2 agaa_encodeOct(rvec3 n, uint bits) {
     const rvec3 d = agaa_directionOrZ(n);
     const real s = abs(d.x) + abs(d.y) + abs(d.z);
@@ -144,8 +143,8 @@ rvec3 agaa_decodeOct(rvec2 u, uint bits) {
 
 // ---- unsigned fixed point --------------------------------------------------------------------
 
-// Round to nearest after clamping to [0, 1]; everything non-finite becomes 0, as in agaa_sanitise.
-// Exact for up to 16 bits; between 17 and 24 bits the float sum itself rounds (at most one code).
+// Clamps to [0, 1] and rounds to the nearest code. Non-finite values become 0. The result is exact for up to 16 bits; between 17
+// and 24 bits the float sum rounds by at most one code.
 uint agaa_quantise(real v, uint bits) {
     const uint top = agaa_maxCode(bits);
     uint code = 0u;
@@ -155,8 +154,8 @@ uint agaa_quantise(real v, uint bits) {
     return code;
 }
 
-// The mean, in [0, 1], of `count` codes whose integer sum is `sum`. No sample, no mean: 0. Sums up
-// to 2^24 (32 samples of 16 bits are 2^21) and the divisor are exact in a float.
+// Returns the mean, in [0, 1], of `count` codes whose integer sum is `sum`; 0 without codes. Sums up to 2^24 (32 samples of 16
+// bits are 2^21) and the divisor are exact in a float.
 real agaa_meanOfSum(uint sum, uint count, uint bits) {
     real mean = real(0.0);
     if (count > 0u) {
@@ -165,8 +164,8 @@ real agaa_meanOfSum(uint sum, uint count, uint bits) {
     return mean;
 }
 
-// The mean, in [-1, 1], of `count` signed codes whose integer sum is `sum`. No sample, no mean: 0. The
-// centres are taken off as integers, so that a mean of zeros is exactly 0.
+// Returns the mean, in [-1, 1], of `count` signed codes whose integer sum is `sum`; 0 without codes. The centres are subtracted as
+// integers, so that a mean of zeros is exactly 0.
 real agaa_signedMeanOfSum(uint sum, uint count, uint bits) {
     real mean = real(0.0);
     if (count > 0u) {
@@ -191,13 +190,13 @@ rvec3 agaa_yCbCrToRgb(rvec3 c) {
     const real cr = c.z - real(0.5);
     const real r = c.x + real(1.402) * cr;
     const real b = c.x + real(1.772) * cb;
-    // From Y = .299 R + .587 G + .114 B with R and B replaced by their differences to Y.
+    // Y = .299 R + .587 G + .114 B, solved for G, with R and B replaced by their differences to Y.
     const real g = c.x - (real(0.299) * real(1.402) / real(0.587)) * cr -
                    (real(0.114) * real(1.772) / real(0.587)) * cb;
     return rvec3(r, g, b);
 }
 
-// Emission, in shares of a layout's range, as a factor of the diffuse albedo; in [0;1].
+// Returns emission, divided by a layout's range, as a factor of the diffuse albedo, [0, 1].
 real agaa_emissiveFactor(rvec3 diffuse, rvec3 emissive) {
     const rvec3 luma = rvec3(real(0.2126), real(0.7152), real(0.0722));
     return clamp(dot(emissive, luma) / max(dot(diffuse, luma), real(1e-3)), real(0.0), real(1.0));

@@ -9,8 +9,8 @@
 
 #define agaa_brdfBlinnPhong 0u // AGAA_BRDF_BLINN_PHONG; GGX otherwise
 
-// Inverse square law, 0 from `range` on (range 0: no end); d2 is the squared distance, rMin2 the
-// squared radius of the lamp, within which the law would diverge.
+// Returns the inverse square law with a window that reaches 0 at `range`; a range of 0 has no window. d2 is the squared distance,
+// rMin2 the squared radius of the lamp, within which the law would diverge.
 real agaa_pointAttenuation(real d2, real range, real rMin2) {
     real window = real(1.0);
     if (range > real(0.0)) {
@@ -20,14 +20,14 @@ real agaa_pointAttenuation(real d2, real range, real rMin2) {
     return window / max(d2, max(rMin2, real(1e-12)));
 }
 
-// Unit vector along toLight; at the light itself it fades to the zero vector, which lights nothing.
+// Returns the unit vector along toLight. At the position of the light it approaches the zero vector, which lights nothing.
 rvec3 agaa_lightDirection(rvec3 toLight, real rMin2) {
     const real d2 = dot(toLight, toLight);
     const real scale = real(1.0) / sqrt(max(d2, max(min(rMin2, real(1e-6)), real(1e-12))));
     return rvec3(toLight.x * scale, toLight.y * scale, toLight.z * scale);
 }
 
-// Linear in the cosine between the two cones; equal cones make a step that is 1e-4 wide.
+// Returns the attenuation of a spot light, linear in the cosine between the two cones. Equal cones make a step of width 1e-4.
 real agaa_spotCone(real cosAngle, real cosInner, real cosOuter) {
     return agaa_saturate((cosAngle - cosOuter) / max(cosInner - cosOuter, real(1e-4)));
 }
@@ -39,8 +39,7 @@ struct agaa_Surface {
     rvec3 normal;    // unit
     real meanLength; // of the mean normal: 1 for a single sample
     real alpha2;     // already widened, by agaa_toksvigAlpha2 or agaa_spreadAlpha2
-    // Of an elliptic lobe: alpha2 along axis, a unit vector at right angles to the normal; alpha2 is
-    // across.
+    // Elliptic lobes have alpha2Along along axis, a unit vector perpendicular to the normal, and alpha2 across.
     real alpha2Along;
     rvec3 axis;
 };
@@ -71,7 +70,7 @@ real agaa_ellipticLobe(agaa_Surface s, rvec3 n, rvec3 v, rvec3 l, rvec3 h, uint 
            agaa_ggxEllipseV(s.alpha2Along, s.alpha2, vAt, lAt);
 }
 
-// The diffuse term times cosine for unit radiance from l, a unit vector away from the surface.
+// Returns the diffuse term times cosine for unit radiance from l, a unit vector away from the surface.
 rvec3 agaa_shadeDiffuse(agaa_Surface s, rvec3 l, uint filterDiffuse) {
     const rvec3 n = clamp(s.normal, real(-1.0), real(1.0));
     const rvec3 toLight = clamp(l, real(-1.0), real(1.0));
@@ -85,12 +84,13 @@ rvec3 agaa_shadeDiffuse(agaa_Surface s, rvec3 l, uint filterDiffuse) {
     return rvec3(albedo.x * diffuse, albedo.y * diffuse, albedo.z * diffuse);
 }
 
-// The specular term too, whose Fresnel factor is not 0 where `specular` is; v: away from the surface.
-// brdf 0: Blinn-Phong with the exponent of the same width and the implicit visibility 1/4;
-// brdf 1: GGX with height-correlated Smith. Both take Schlick's Fresnel term, so that a change of
-// lobe changes the lobe only. elliptic 1: the lobe is alpha2Along wide along axis. Vectors and
-// reflectances are clamped to their legal ranges first: whatever finite values come in, a finite
-// colour goes out.
+// Returns the diffuse and specular terms times cosine for unit radiance from l. The Fresnel factor is not 0 where `specular` is 0.
+// Vectors and reflectances are clamped to their valid ranges first, so that finite inputs give a finite colour. Both lobes have
+// Schlick's Fresnel term, so that a change of lobe changes the lobe only.
+// v          Unit vector away from the surface, to the eye.
+// brdf       0: Blinn-Phong with the exponent of the same width and the implicit visibility 1/4; 1: GGX with height-correlated
+//            Smith.
+// elliptic   1: the lobe has the width alpha2Along along axis.
 rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse,
                  uint elliptic) {
     const rvec3 n = clamp(s.normal, real(-1.0), real(1.0));

@@ -6,20 +6,20 @@
 #define AGAA_MATH_METADATA_GLSL
 #include "real.glsl"
 
-// For up to 4 aggregates.
+// Sets the id of a sample, for up to 4 aggregates.
 void agaa_putAggregateId(INOUT(uvec2) planes, uint index, uint id) {
     planes.x = planes.x | ((id & 1u) << index);
     planes.y = planes.y | (((id >> 1u) & 1u) << index);
 }
 
-// Samples whose id is `aggregate`; samples without geometry have id 0.
+// Returns the samples whose id is `aggregate`. Samples without geometry have id 0.
 uint agaa_samplesOfAggregate(uvec2 planes, uint aggregate) {
     const uint low = (aggregate & 1u) != 0u ? planes.x : ~planes.x;
     const uint high = (aggregate & 2u) != 0u ? planes.y : ~planes.y;
     return low & high;
 }
 
-// As stored: side by side in one channel while they fit 32 bits, else one to a channel.
+// Returns the planes as stored: in one channel if they fit in 32 bits, otherwise one per channel.
 uvec2 agaa_storedPlanes(uvec2 planes, uint n, uint c) {
     if (c <= 2u) {
         return uvec2(planes.x, 0u);

@@ -3,9 +3,9 @@
 // Normal Maps"; Olano and Baker 2010, "LEAN Mapping"; Heitz et al. 2015, "The SGGX Microflake
 // Distribution"; Duff et al. 2017, "Building an Orthonormal Basis, Revisited"; hard cases 1 to 5 and 9.
 //
-// alpha is the width of the GGX lobe (the paper's r), alpha2 its square, perceptual roughness the
-// square root of alpha. Everything downstream takes alpha2; the conversions live here and nowhere
-// else, because widening alpha in the place of alpha2 under-filters without looking wrong.
+// alpha is the width of the GGX lobe (the paper's r), alpha2 its square, perceptual roughness the square root of alpha. All other
+// code uses alpha2. All conversions are in this file, because widening alpha in place of alpha2 filters too little without
+// visible errors.
 #ifndef AGAA_MATH_NDF_GLSL
 #define AGAA_MATH_NDF_GLSL
 #include "encoding.glsl"
@@ -22,14 +22,13 @@ real agaa_minAlpha2() {
     return real(4.100625e-6);
 }
 
-// Blinn-Phong exponent of the lobe of the same width, in [0, 487729].
+// Returns the Blinn-Phong exponent of the lobe of the same width, [0, 487729].
 real agaa_exponentFromAlpha2(real a2) {
     return real(2.0) / clamp(a2, agaa_minAlpha2(), real(1.0)) - real(2.0);
 }
 
-// alpha2 widened by the variance that the length of a mean of unit normals tells. The five steps of
-// section 3.5.2, (alpha2 -> exponent -> Toksvig factor -> exponent -> alpha2), reduced to one
-// fraction that has no infinity for alpha2 = 0 and no pole for lengths above 1.
+// Returns alpha2 widened by the variance of normals, from the length of their mean. The five steps of section 3.5.2 (alpha2 ->
+// exponent -> Toksvig factor -> exponent -> alpha2) are one fraction, which is finite for alpha2 = 0 and lengths above 1.
 real agaa_toksvigAlpha2(real alpha2, real meanLength) {
     const real a = agaa_saturate(alpha2);
     const real len = agaa_saturate(meanLength);
@@ -42,25 +41,24 @@ real agaa_toksvigAlpha2(real alpha2, real meanLength) {
     return widened;
 }
 
-// How far the length of a mean of stored unit normals can be from 1 by rounding alone: each of
-// three components is off by half a step of its signed code, 2/(2^bits-2), once if integer codes are summed exactly
-// (roundings = 1), n times if a blender rounds after each of n additions (roundings = n).
+// Returns the bound of 1 - length for the mean of equal stored normals. Rounding changes each of three components by half a step
+// of its signed code, 2/(2^bits-2): once if integer codes are summed exactly (roundings = 1), n times if blending rounds after
+// each of n additions (roundings = n).
 real agaa_storedLengthBound(uint roundings, uint bits) {
     return real(1.7320508075688772) * real(roundings) / real(max(agaa_maxCode(bits), 2u) - 1u);
 }
 
-// The mean length with a deficit 1-L up to `bound` taken for rounding: deficit' =
-// max(0, deficit - bound) / (1 - bound). Linear above the bound, hence continuous; 1 stays 1 and 0
-// stays 0, so fully scattered normals are still fully scattered.
+// Returns the mean length without the rounding error: deficits 1-L up to `bound` become 0, by deficit' = max(0, deficit - bound) /
+// (1 - bound). The function is continuous and maps 1 to 1 and 0 to 0, so that fully scattered normals stay fully scattered.
 real agaa_varianceFloor(real meanLength, real bound) {
     const real b = clamp(bound, real(0.0), real(0.5));
     const real deficit = real(1.0) - agaa_saturate(meanLength);
     return real(1.0) - max(deficit - b, real(0.0)) / (real(1.0) - b);
 }
 
-// The paper's folded layout keeps roughness in the length of the normal itself: L = s/(1+s), in
-// terms of alpha2 (2-2a)/(2-a), which is its own inverse. The length is held above 1/256 because
-// alpha2 = 1 would otherwise store a zero vector and lose the direction.
+// Returns the length of the normal in which the paper's folded layout stores roughness: L = s/(1+s), in terms of alpha2
+// (2-2a)/(2-a), which is its own inverse. The length is at least 1/256, because alpha2 = 1 would otherwise store a zero vector
+// and lose the direction.
 real agaa_foldedLength(real alpha2) {
     const real a = clamp(alpha2, agaa_minAlpha2(), real(1.0));
     const real folded = real(2.0) * (real(1.0) - a) / (real(2.0) - a);
@@ -73,13 +71,13 @@ real agaa_alpha2FromFoldedLength(real meanLength) {
     return max(a, agaa_minAlpha2());
 }
 
-// Direction and length of a mean normal. Where opposite normals cancel there is no direction: the
-// fallback (a normal of one of the samples) is returned with length 0, the widest lobe.
+// Computes direction and length of a mean normal. If opposite normals cancel, the direction is the fallback (the normal of a
+// sample) and the length is 0, which gives the widest lobe.
 void agaa_meanDirection(rvec3 sumDir, rvec3 fallback, OUT(rvec3) n, OUT(real) len) {
     const real m = max(abs(sumDir.x), max(abs(sumDir.y), abs(sumDir.z)));
-    // The rounding of 32 cancelling unit vectors leaves some 1e-6; less than that is no direction.
+    // The sum of 32 cancelling unit vectors is about 1e-6 by rounding, which is no direction.
     if (agaa_isFinite3(sumDir) && m > real(2e-6)) {
-        // Scaling by the largest component keeps the squares in range.
+        // The scale by the largest component keeps the squares in range.
         const rvec3 scaled = rvec3(sumDir.x / m, sumDir.y / m, sumDir.z / m);
         const real scaledLength = sqrt(dot(scaled, scaled));
         n = rvec3(scaled.x / scaledLength, scaled.y / scaledLength, scaled.z / scaledLength);
@@ -90,7 +88,7 @@ void agaa_meanDirection(rvec3 sumDir, rvec3 fallback, OUT(rvec3) n, OUT(real) le
     }
 }
 
-// Mean of the products of a unit normal's components, over the samples of an aggregate.
+// Means of the products of a unit normal's components over the samples of an aggregate.
 struct agaa_NormalMoments {
     rvec3 squares; // xx, yy, zz
     rvec3 mixed;   // yz, zx, xy
@@ -101,7 +99,7 @@ void agaa_addNormalMoments(INOUT(agaa_NormalMoments) m, real weight, rvec3 n) {
     m.mixed = m.mixed + weight * rvec3(n.y * n.z, n.z * n.x, n.x * n.y);
 }
 
-// What the moments are along a and b.
+// Returns the moment in the directions a and b.
 real agaa_momentAlong(agaa_NormalMoments m, rvec3 a, rvec3 b) {
     const rvec3 r = rvec3(m.squares.x * b.x + m.mixed.z * b.y + m.mixed.y * b.z,
                           m.mixed.z * b.x + m.squares.y * b.y + m.mixed.x * b.z,
@@ -109,12 +107,11 @@ real agaa_momentAlong(agaa_NormalMoments m, rvec3 a, rvec3 b) {
     return dot(a, r);
 }
 
-// A lobe that normals widen in each direction across their mean as they spread there: alpha2 of the
-// widest direction `axis` (unit, at right angles to the mean direction n) and of the one across it.
-// By LEAN mapping, sggx 0, twice the variance of slopes is added, as for a Gaussian in GGX's place; by
-// SGGX, sggx 1, projected areas are. A variance up to `bound` is taken for rounding. Second moments
-// do not know a normal from its opposite, the length of the mean does: below a half, normals point
-// all ways, and the lobe goes over into the widest.
+// Widens a lobe in each direction by the spread of normals there. axis receives the widest direction (unit, perpendicular to the
+// mean direction n), along and across receive alpha2 in that direction and perpendicular to it. LEAN mapping (sggx 0) adds twice
+// the variance of slopes, as for a Gaussian in place of GGX. SGGX (sggx 1) adds projected areas. A variance up to `bound` counts as
+// rounding. Second moments do not distinguish a normal from its opposite, but the length of the mean does: below 1/2, normals
+// point in all directions, and the lobe approaches the widest.
 void agaa_spreadAlpha2(agaa_NormalMoments m, rvec3 n, real meanLength, real alpha2, uint sggx,
                        real bound, OUT(rvec3) axis, OUT(real) along, OUT(real) across) {
     const real a2 = clamp(alpha2, agaa_minAlpha2(), real(1.0));
@@ -125,8 +122,7 @@ void agaa_spreadAlpha2(agaa_NormalMoments m, rvec3 n, real meanLength, real alph
     const real bb = agaa_momentAlong(m, b, b);
     const real tb = agaa_momentAlong(m, t, b);
     const real nn = agaa_momentAlong(m, n, n);
-    // Eigenvalues and the eigenvector of the larger. Of the two forms of the vector the one is taken
-    // whose terms have one sign.
+    // Computes the eigenvalues and the eigenvector of the larger one, in the form of the vector whose terms have one sign.
     const real skew = real(0.5) * (tt - bb);
     const real root = sqrt(skew * skew + tb * tb);
     const real mean = real(0.5) * (tt + bb);

@@ -1,13 +1,13 @@
-// How the unit normals of a surface spread around their mean: second moments in its tangent plane, which merge with those of
-// other surfaces as if all normals were known. Lobes then widen along each direction by what normals do there.
+// Spread of a surface's unit normals around their mean: second moments in its tangent plane, which merge with those of other
+// surfaces as if all normals were known. Lobes widen in each direction by the spread there.
 // Source: Olano and Baker 2010, "LEAN Mapping": moments of normals are linear.
 #ifndef AGAA_MATH_NORMAL_SPREAD_GLSL
 #define AGAA_MATH_NORMAL_SPREAD_GLSL
 #include "encoding.glsl"
 #include "ndf.glsl"
 
-// Axes at right angles to a stored normal. Codes of normals are further apart than rounding is: where z is rounding alone, its
-// sign does not mirror the axes, for shaders need not agree on it.
+// Computes axes perpendicular to a stored normal. A z below the distance of codes is a rounding error, whose sign differs between
+// shaders; it counts as 0, so that its sign does not mirror the axes.
 void agaa_spreadBasis(rvec3 n, OUT(rvec3) t, OUT(rvec3) b) {
     agaa_viewBasis(rvec3(n.x, n.y, abs(n.z) < real(1e-5) ? real(0.0) : n.z), t, b);
 }
@@ -26,7 +26,8 @@ rvec3 agaa_mixedProducts(rvec3 a, rvec3 b) {
     return rvec3(a.y * b.z, a.z * b.x, a.x * b.y);
 }
 
-// What is not in the tangent plane is along the normal: the squares of a unit vector's components add up to 1.
+// Adds the moments of a spread. The remainder of the moments in the tangent plane is along the normal, because the squares of a
+// unit vector's components sum to 1.
 void agaa_addSpread(INOUT(agaa_NormalMoments) m, real weight, agaa_NormalSpread s) {
     rvec3 t;
     rvec3 b;
@@ -41,7 +42,9 @@ void agaa_addSpread(INOUT(agaa_NormalMoments) m, real weight, agaa_NormalSpread 
               xy * (agaa_mixedProducts(t, b) + agaa_mixedProducts(b, t));
 }
 
-// The share is of b. normal: the direction of the mean of both, or one that is given to them.
+// Returns the spread of both surfaces.
+// share    Share of b, [0, 1].
+// normal   Direction of the mean of both, or another direction that the result is relative to.
 agaa_NormalSpread agaa_mixSpreads(agaa_NormalSpread a, agaa_NormalSpread b, real share, rvec3 normal) {
     agaa_NormalMoments m = agaa_NormalMoments(rvec3(real(0.0)), rvec3(real(0.0)));
     agaa_addSpread(m, real(1.0) - share, a);
@@ -56,8 +59,9 @@ agaa_NormalSpread agaa_mixSpreads(agaa_NormalSpread a, agaa_NormalSpread b, real
                              min(sqrt(dot(mean, mean)), real(1.0)));
 }
 
-// Of a normal that grows by dx and dy per pixel, at places whose second moments around their middle are xx, yy and xy.
-agaa_NormalSpread agaa_spreadOfChange(rvec3 normal, rvec3 dx, rvec3 dy, rvec3 places) {
+// Returns the spread of a normal that changes by dx and dy per pixel.
+// positions   Second moments xx, yy and xy of the positions around their centroid.
+agaa_NormalSpread agaa_spreadOfChange(rvec3 normal, rvec3 dx, rvec3 dy, rvec3 positions) {
     rvec3 t;
     rvec3 b;
     agaa_spreadBasis(normal, t, b);
@@ -65,14 +69,14 @@ agaa_NormalSpread agaa_spreadOfChange(rvec3 normal, rvec3 dx, rvec3 dy, rvec3 pl
     const real uy = dot(dx, b);
     const real vx = dot(dy, t);
     const real vy = dot(dy, b);
-    const real xx = max(places.x * ux * ux + places.y * vx * vx + real(2.0) * places.z * ux * vx, real(0.0));
-    const real yy = max(places.x * uy * uy + places.y * vy * vy + real(2.0) * places.z * uy * vy, real(0.0));
-    const real xy = places.x * ux * uy + places.y * vx * vy + places.z * (ux * vy + uy * vx);
+    const real xx = max(positions.x * ux * ux + positions.y * vx * vx + real(2.0) * positions.z * ux * vx, real(0.0));
+    const real yy = max(positions.x * uy * uy + positions.y * vy * vy + real(2.0) * positions.z * uy * vy, real(0.0));
+    const real xy = positions.x * ux * uy + positions.y * vx * vy + positions.z * (ux * vy + uy * vx);
     const real scale = real(1.0) / (real(1.0) + xx + yy);
     return agaa_NormalSpread(normal, rvec3(xx, yy, xy) * scale, sqrt(scale));
 }
 
-// As agaa_spreadAlpha2(): alpha2 of the widest direction `axis` and of the one across it.
+// Widens a lobe like agaa_spreadAlpha2().
 void agaa_widenBySpread(agaa_NormalSpread s, real alpha2, uint sggx, OUT(rvec3) axis, OUT(real) along, OUT(real) across) {
     agaa_NormalMoments m = agaa_NormalMoments(rvec3(real(0.0)), rvec3(real(0.0)));
     agaa_addSpread(m, real(1.0), s);

@@ -1,12 +1,12 @@
-// Mean and variance over the samples of an aggregate, and what shadows and metrics make of them.
+// Mean and variance over the samples of an aggregate, and functions of shadows and metrics that use them.
 // Sources: AGAA (Crassin et al., TVCG 2016) sections 3.4.1 and 3.5.3; Hollaender et al. 2013
 // (adaptive image-space sampling metrics); hard cases 12, 13, 14 and 19.
 #ifndef AGAA_MATH_STATISTICS_GLSL
 #define AGAA_MATH_STATISTICS_GLSL
 #include "real.glsl"
 
-// Sums of differences to `shift`, which should be one of the samples (the first): E[x^2] - E[x]^2
-// of raw values cancels as soon as the mean exceeds the spread by a few thousand.
+// Sums of differences to `shift`, which should be the first of the samples. E[x^2] - E[x]^2 of the values cancels if the mean
+// exceeds the spread by a few thousand.
 struct agaa_Moments {
     real shift;
     real sum;
@@ -30,7 +30,7 @@ void agaa_momentsAdd(INOUT(agaa_Moments) m, real x) {
     m.count = m.count + real(1.0);
 }
 
-// Never negative, and exactly 0 for one sample, whatever the compiler contracts.
+// Returns the variance. It is never negative, and exactly 0 for one sample, even with contraction by compilers.
 real agaa_momentsVariance(agaa_Moments m) {
     real variance = real(0.0);
     if (m.count > real(1.5)) {
@@ -40,17 +40,17 @@ real agaa_momentsVariance(agaa_Moments m) {
     return variance;
 }
 
-// Depth of shadow tap j of four along the view ray: taps of equal weight at +-0.45 and +-1.34 sigma, whose
-// spread is that of a Gaussian. Samples are no Gaussian: a tap stays between the nearest and the farthest.
+// Returns the depth of shadow tap j of four along the view ray. Taps have equal weights and are at +-0.45 and +-1.34 sigma, so that
+// their spread is that of a Gaussian. They stay between the nearest and the farthest sample, which a Gaussian would exceed.
 real agaa_depthTap(uint j, real mean, real sigma, real lowest, real highest) {
     const real quantile = j < 2u ? real(0.45) : real(1.34);
     const real offset = (j & 1u) != 0u ? sigma * quantile : -sigma * quantile;
     return clamp(mean + offset, lowest, highest);
 }
 
-// Normal metric for a sample count: sqrt(1 - smallest n.n), of signed dot products of normals that
-// were turned to the viewer, so that a flipped sample counts as different. Rounded unit vectors
-// reach products above 1, whose root would be NaN.
+// Returns the normal metric of a sample count: sqrt(1 - smallest n.n). The dot products are those of normals that face the viewer
+// and have signs, so that an opposite normal counts as different. Rounded unit vectors have products above 1, whose root would
+// be NaN.
 real agaa_normalMetric(real smallestDot) {
     return sqrt(max(real(1.0) - smallestDot, real(0.0)));
 }

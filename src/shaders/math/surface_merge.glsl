@@ -1,10 +1,10 @@
-// A pixel's surfaces, of which each has a coverage mask, one depth plane and one normal: fragments are merged into them in the
-// order of the draws, so that few surfaces stand for any number of fragments.
+// Merges the fragments of a pixel into a few surfaces, in the order of the draws. A surface has a coverage mask, one depth plane
+// and one normal.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, sections 3.2 and 3.3, algorithm 1; for the cost of
 // merging, Ward 1963, "Hierarchical Grouping to Optimize an Objective Function".
 //
-// The surfaces are global; in C++ they are members of a struct. Attributes are the caller's, who repeats what
-// agaa_insertSurface() returns.
+// The surfaces are global; in C++ they are members of a struct. The caller has the attributes of surfaces and applies the merges
+// that agaa_insertSurface() returns to them.
 #ifndef AGAA_MATH_SURFACE_MERGE_GLSL
 #define AGAA_MATH_SURFACE_MERGE_GLSL
 #include "coverage_pattern.glsl"
@@ -13,41 +13,41 @@
 #define AGAA_MAX_KEPT 8u
 #define AGAA_NO_SURFACE 0xFFFFFFFFu
 
-// Depths are smaller nearer to the eye.
+// Depths increase away from the eye.
 struct agaa_CoveredSurface {
     uvec4 mask;
-    rvec3 plane;  // depth at the pixel's centre, and its growth per pixel in x and in y
-    rvec2 range;  // least and largest depth: planes seen edge-on extrapolate beyond all bounds
+    rvec3 plane;  // depth at the pixel's centre, and its change per pixel in x and in y
+    rvec2 range;  // lowest and highest depth, because edge-on planes extrapolate without bound
     rvec3 normal; // unit
 };
 
-// How surfaces merge, as AgaaMerge.
-// Visible: surfaces count by the samples that they show. At first a fragment merges only where it shares no sample with a
-// surface, because two fragments of one continuous surface never do. In a full pixel the cheapest pair merges, and no sample
-// that shows a surface is lost.
-// Paper: algorithm 1. None: the same without its second merge.
+// Merge rules, the values of AgaaMerge.
+// VISIBLE counts the samples that show a surface. At first a fragment merges only with a surface that shares no sample with it,
+// because two fragments of one continuous surface share none. In a full pixel the cheapest pair merges, and no sample that shows
+// a surface is lost. PAPER is algorithm 1. NONE is PAPER without its second merge.
 #define AGAA_RULE_VISIBLE 0u
 #define AGAA_RULE_PAPER 1u
 #define AGAA_RULE_NONE 2u
 
 struct agaa_MergeRules {
-    uint limit;  // of surfaces, [1, AGAA_MAX_KEPT]
-    real cosine; // normals merge above it
-    real slack;  // how far apart depths may be that overlap
+    uint limit;  // maximum number of surfaces, [1, AGAA_MAX_KEPT]
+    real cosine; // lowest cosine between normals that merge
+    real slack;  // distance up to which depths overlap
     uint rule;
 };
 
-// Surface `from` goes into `into` first, by the share `moved` of the result; then the fragment goes to `to`, by the share
-// `share`. AGAA_NO_SURFACE: nothing moves, or the fragment goes nowhere. into = limit: the fragment itself.
+// The merges of one insertion. First, surface `from` merges into `into` and has the share `moved` of the result. Then the fragment
+// merges into `to` and has the share `share`. AGAA_NO_SURFACE means no merge, or that the fragment is discarded. into = limit means
+// the fragment.
 struct agaa_Insertion {
     uint from, into;
     real moved;
-    real movedLength; // of the mean of the two normals: 1 where they agree
+    real movedLength; // length of the mean of the two normals, 1 if they agree
     uint to;
     real share;
     real shareLength;
-    bool isSecond; // no surface took the fragment, and there was no room
-    uint lost;     // samples that were visible and that no surface has now
+    bool isSecond; // the pixel was full, and the fragment merged with no surface at first
+    uint lost;     // number of visible samples that no surface has any more
 };
 
 agaa_Insertion agaa_noInsertion() {
@@ -55,15 +55,15 @@ agaa_Insertion agaa_noInsertion() {
                           0u);
 }
 
-agaa_CoveredSurface agaa_kept[AGAA_MAX_KEPT + 1u]; // the last: the fragment in hand
+agaa_CoveredSurface agaa_kept[AGAA_MAX_KEPT + 1u]; // the last is the current fragment
 uint agaa_keptCount = 0u;
 
-// Before all that reads: compilers warn of reads that they meet before writes.
+// Stores a surface. It precedes all readers, because compilers warn about reads that precede writes.
 void agaa_keep(uint i, agaa_CoveredSurface s) {
     agaa_kept[i] = s;
 }
 
-// Over the pixel.
+// Returns the range of depths over the pixel.
 rvec2 agaa_depthInterval(agaa_CoveredSurface s) {
     const real reach = real(0.5) * (abs(s.plane.y) + abs(s.plane.z));
     return clamp(rvec2(s.plane.x - reach, s.plane.x + reach), rvec2(s.range.x), rvec2(s.range.y));
@@ -73,15 +73,16 @@ real agaa_centreDepth(agaa_CoveredSurface s) {
     return clamp(s.plane.x, s.range.x, s.range.y);
 }
 
-// By how much the depths of two surfaces overlap; negative: they are so far apart.
+// Returns the overlap of the depths of two surfaces; a negative value is their distance.
 real agaa_depthOverlap(agaa_CoveredSurface a, agaa_CoveredSurface b) {
     const rvec2 x = agaa_depthInterval(a);
     const rvec2 y = agaa_depthInterval(b);
     return min(x.y, y.y) - max(x.x, y.x);
 }
 
-// Averages by weights, whose sum is above 0, and depths only where they overlap. mask: what of b's coverage goes along.
-// Returns the share of b, and the length of the mean normal.
+// Merges b into a by weights, whose sum is above 0. Depths are averaged only if they overlap. Returns the share of b and the length
+// of the mean normal.
+// mask   The part of b's coverage that a receives.
 rvec2 agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 mask, uint ofA, uint ofB, real slack) {
     const real share = real(ofB) / real(ofA + ofB);
     if (agaa_depthOverlap(a, b) + slack >= real(0.0)) {
@@ -96,7 +97,7 @@ rvec2 agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 
     return rvec2(share, min(sqrt(l2), real(1.0)));
 }
 
-// Section 3.2: aligned normals and overlapping depths; of several the closest normal, and of those the largest overlap.
+// Returns the surface with aligned normal and overlapping depths (section 3.2). The closest normal wins, then the largest overlap.
 uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
     uint best = AGAA_NO_SURFACE;
     real closest = real(0.0);
@@ -115,14 +116,14 @@ uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
     return best;
 }
 
-// Whether a is in front of b by the depths at the pixel's centre; of equal depths the first.
+// Whether a is in front of b by the depths at the pixel's centre. The lower index breaks ties.
 bool agaa_isInFront(uint a, uint b) {
     const real x = agaa_centreDepth(agaa_kept[a]);
     const real y = agaa_centreDepth(agaa_kept[b]);
     return x < y || (x == y && a < b);
 }
 
-// Samples of surface i that none of `count` covers in front of it: the coarse depth resolve.
+// Returns the samples of surface i that none of `count` surfaces covers in front of it. This is the coarse depth resolve.
 uvec4 agaa_visibleOf(uint i, uint count) {
     uvec4 visible = agaa_kept[i].mask;
     for (uint k = 0u; k < count; ++k) {
@@ -132,8 +133,8 @@ uvec4 agaa_visibleOf(uint i, uint count) {
     return visible;
 }
 
-// Section 3.3: the one that shows least, but not the closest: without it thin objects pop. Of equals the last. count: 2 or
-// more.
+// Returns the surface with the fewest visible samples except the closest one, without which thin objects would pop (section 3.3).
+// The last one wins ties. count: 2 or more.
 uint agaa_findLeast(uint count) {
     uint closest = 0u;
     for (uint i = 1u; i < count; ++i)
@@ -150,7 +151,7 @@ uint agaa_findLeast(uint count) {
     return least;
 }
 
-// Of `count`, the one whose depths overlap most with those of i.
+// Returns the surface, of `count`, whose depths overlap most with those of i.
 uint agaa_findOverlapping(uint i, uint count, real slack) {
     uint best = AGAA_NO_SURFACE;
     real largest = real(0.0);
@@ -164,8 +165,8 @@ uint agaa_findOverlapping(uint i, uint count, real slack) {
     return best;
 }
 
-// Of `count`, which are 2 or more, the one that takes surface i best: of those whose depths overlap the one of the closest
-// normal, otherwise the nearest in depth.
+// Returns the best merge target of surface i, of `count` surfaces, 2 or more: the one with the closest normal among those whose
+// depths overlap, otherwise the nearest in depth.
 uint agaa_findMergeTarget(uint i, uint count) {
     uint best = AGAA_NO_SURFACE;
     bool bestOverlaps = false;
@@ -184,15 +185,15 @@ uint agaa_findMergeTarget(uint i, uint count) {
     return best;
 }
 
-// The one that costs least to merge into its taker: samples that it shows, times how little the two are alike. The weights of
-// a difference in depth, and of each sample as such, are by measurement. Of equals the last.
+// Returns the surface with the cheapest merge into its target. The cost is the number of its visible samples times the difference
+// of both surfaces. The weights of a difference in depth, and of each sample, come from measurement. The last one wins ties.
 uint agaa_findCheapest(uint count) {
     uint cheapest = 0u;
     real lowest = real(0.0);
     for (uint i = 0u; i < count; ++i) {
-        const uint taker = agaa_findMergeTarget(i, count);
-        const real apart = agaa_depthOverlap(agaa_kept[i], agaa_kept[taker]) >= real(0.0) ? real(0.0) : real(0.5);
-        const real unlike = real(1.1) - dot(agaa_kept[i].normal, agaa_kept[taker].normal) + apart;
+        const uint target = agaa_findMergeTarget(i, count);
+        const real apart = agaa_depthOverlap(agaa_kept[i], agaa_kept[target]) >= real(0.0) ? real(0.0) : real(0.5);
+        const real unlike = real(1.1) - dot(agaa_kept[i].normal, agaa_kept[target].normal) + apart;
         const real cost = real(agaa_coverageCount(agaa_visibleOf(i, count))) * unlike;
         if (i == 0u || cost <= lowest) {
             cheapest = i;
@@ -202,7 +203,7 @@ uint agaa_findCheapest(uint count) {
     return cheapest;
 }
 
-// The fragment is agaa_kept[rules.limit].
+// Inserts the fragment agaa_kept[rules.limit] into a full pixel.
 agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
     agaa_Insertion done = agaa_noInsertion();
     done.isSecond = true;
@@ -211,22 +212,22 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
     const uint least = byCost ? agaa_findCheapest(count) : agaa_findLeast(count);
     const uvec4 visible = agaa_visibleOf(least, count);
     const uvec4 moving = byCost ? visible : agaa_kept[least].mask;
-    uint taker = AGAA_NO_SURFACE;
+    uint target = AGAA_NO_SURFACE;
     if (rules.rule != AGAA_RULE_NONE && agaa_coverageCount(moving) != 0u)
-        taker = byCost ? agaa_findMergeTarget(least, count) : agaa_findOverlapping(least, count, rules.slack);
-    if (taker == AGAA_NO_SURFACE) {
+        target = byCost ? agaa_findMergeTarget(least, count) : agaa_findOverlapping(least, count, rules.slack);
+    if (target == AGAA_NO_SURFACE) {
         done.lost = agaa_coverageCount(visible);
     } else {
-        const uvec4 own = byCost ? agaa_visibleOf(taker, count) : agaa_kept[taker].mask;
-        const rvec2 merged = agaa_mergeKept(agaa_kept[taker], agaa_kept[least], moving, agaa_coverageCount(own),
+        const uvec4 targetMask = byCost ? agaa_visibleOf(target, count) : agaa_kept[target].mask;
+        const rvec2 merged = agaa_mergeKept(agaa_kept[target], agaa_kept[least], moving, agaa_coverageCount(targetMask),
                                             agaa_coverageCount(moving), rules.slack);
         if (least == rules.limit) {
-            done.to = taker;
+            done.to = target;
             done.share = merged.x;
             done.shareLength = merged.y;
         } else {
             done.from = least;
-            done.into = taker;
+            done.into = target;
             done.moved = merged.x;
             done.movedLength = merged.y;
         }
@@ -238,7 +239,7 @@ agaa_Insertion agaa_insertInFull(agaa_MergeRules rules) {
     return done;
 }
 
-// The fragment covers a sample at least.
+// Inserts a fragment, which must cover a sample.
 agaa_Insertion agaa_insertSurface(agaa_CoveredSurface s, agaa_MergeRules rules) {
     agaa_Insertion done = agaa_noInsertion();
     done.to = agaa_findAligned(s, rules);

@@ -1,12 +1,13 @@
-// Which of a pixel's samples show a surface, by depth planes.
+// Depth test of surfaces at a pixel's samples, by depth planes.
 // Source: DCAA (Wang et al., I3D 2016) section 3.4.
 #ifndef AGAA_MATH_SURFACE_RESOLVE_GLSL
 #define AGAA_MATH_SURFACE_RESOLVE_GLSL
 #include "coverage_pattern.glsl"
 #include "real.glsl"
 
-// Of the samples that both surfaces cover, those where the second is in front. Planes: depth at the pixel's centre and its
-// growth per pixel in x and in y; smaller depths are nearer. secondWins: who is in front where depths are equal.
+// Returns the samples, of those that both surfaces cover, where the second is in front.
+// plane, second   Depth at the pixel's centre and its change per pixel in x and in y; smaller depths are nearer.
+// secondWins      The second is in front where depths are equal.
 uvec4 agaa_samplesBehind(rvec3 plane, rvec3 second, uvec4 both, bool secondWins, uint samples) {
     const rvec3 behind = plane - second;
     const real reach = (abs(behind.y) + abs(behind.z)) * real(0.5);
@@ -28,7 +29,7 @@ uvec4 agaa_samplesBehind(rvec3 plane, rvec3 second, uvec4 both, bool secondWins,
     return hidden;
 }
 
-// Sample number n of a mask, from 0 on; n is less than the mask's count.
+// Returns sample n of a mask, from 0 on. n must be less than the mask's count.
 uint agaa_coveredSample(uvec4 mask, uint n) {
     uint word = 0u;
     while (word < 3u && n >= uint(bitCount(mask[word]))) {

@@ -1,18 +1,18 @@
-// Which surfaces a pixel shows, and by which of its samples each is shaded.
+// Selects the surfaces that a pixel shows, and the sample by which each is shaded.
 // Source: SBAA (Salvi and Vidimce, I3D 2012), merge mode: samples on one plane within tolerances are one
-// surface, and the surfaces that cover most are kept. Samples of others are dropped there; here they join
-// the kept surface nearest to them, which leaves less error. Primitive ids are not needed: samples of one
+// surface, and the surfaces that cover most are kept. SBAA drops the samples of other surfaces; here they join
+// the nearest kept surface, which leaves less error. Primitive ids are not needed, because samples of one
 // primitive share its plane.
 //
-// Works on the samples of clustering.glsl, whose arrays the including file fills by agaa_setSample.
+// The input is the samples of clustering.glsl, which the includer sets by agaa_setSample().
 #ifndef AGAA_MATH_SURFACES_GLSL
 #define AGAA_MATH_SURFACES_GLSL
 #include "clustering.glsl"
 
-uint agaa_surfaceSamples[8]; // result: mask, own samples and those that joined; most of its own first
-uint agaa_surfaceShaded[8];  // result: the sample whose attributes stand for it
+uint agaa_surfaceSamples[8]; // result: mask of samples, in descending order of their number before others joined
+uint agaa_surfaceShaded[8];  // result: the sample whose attributes represent it
 
-// Before the rest: compilers warn of reads that they meet before writes.
+// Clears the results. It precedes all readers, because compilers warn about reads that precede writes.
 void agaa_clearSurfaces(uint limit) {
     for (uint s = 0u; s < limit; ++s) {
         agaa_surfaceSamples[s] = 0u;
@@ -20,7 +20,7 @@ void agaa_clearSurfaces(uint limit) {
     }
 }
 
-// The plane of one sample, kept in registers.
+// The plane of one sample. It is a copy in registers.
 struct agaa_Plane {
     rvec3 position;
     rvec3 normal;
@@ -35,16 +35,16 @@ agaa_Plane agaa_planeOf(uint i) {
     return plane;
 }
 
-// Whether sample i lies on the plane. The depths of both samples may be a step off.
+// Whether sample i is on the plane. The depths of both samples may differ by a step.
 bool agaa_isOnSurface(agaa_Plane plane, uint i, real cosine, real width) {
     const rvec3 between = agaa_samplePosition[i] - plane.position;
-    const rvec3 own = agaa_sampleNormal[i];
+    const rvec3 normal = agaa_sampleNormal[i];
     const real farthest = width + plane.depthStep + agaa_sampleStep[i];
-    return dot(plane.normal, own) >= cosine && abs(dot(plane.normal, between)) <= farthest &&
-           abs(dot(own, between)) <= farthest;
+    return dot(plane.normal, normal) >= cosine && abs(dot(plane.normal, between)) <= farthest &&
+           abs(dot(normal, between)) <= farthest;
 }
 
-// Whether all samples show one surface, that of the first by content.
+// Whether all samples show one surface, that of the first sample by content.
 bool agaa_areAllOneSurface(uint n, uint covered, real cosine, real width) {
     agaa_Farthest first = agaa_noneYet();
     uint i = 0u;
@@ -64,7 +64,7 @@ bool agaa_areAllOneSurface(uint n, uint covered, real cosine, real width) {
     return one;
 }
 
-// The sample of the mask nearest to the mean of their positions; the first of equals.
+// Returns the sample of the mask that is nearest to the mean of their positions. The first one wins ties.
 uint agaa_centralSample(uint n, uint mask) {
     rvec3 sum = rvec3(real(0.0), real(0.0), real(0.0));
     rvec3 origin = sum;
@@ -92,29 +92,31 @@ uint agaa_centralSample(uint n, uint mask) {
     return best;
 }
 
-// Puts a surface of `count` samples where it belongs among the kept ones, the later after its equals;
-// the last of `limit` falls out. Returns how many there are.
+// Inserts a surface into the kept ones, in descending order of samples and after equal ones. A full list drops its last surface.
+// Returns the number of kept surfaces.
 uint agaa_keepSurface(uint kept, uint limit, uint mask) {
     const uint count = uint(bitCount(mask));
-    uint place = kept;
+    uint index = kept;
     for (uint s = limit; s > 0u; --s) {
         if (s <= kept && uint(bitCount(agaa_surfaceSamples[s - 1u])) < count) {
-            place = s - 1u;
+            index = s - 1u;
         }
     }
     for (uint s = limit; s > 1u; --s) {
-        if (s - 1u > place && s - 1u <= kept) {
+        if (s - 1u > index && s - 1u <= kept) {
             agaa_surfaceSamples[s - 1u] = agaa_surfaceSamples[s - 2u];
         }
     }
-    if (place < limit) {
-        agaa_surfaceSamples[place] = mask;
+    if (index < limit) {
+        agaa_surfaceSamples[index] = mask;
     }
     return min(kept + 1u, limit);
 }
 
-// At most `limit` (1 to 8) surfaces; their number. width: the tolerance to a plane, without the steps of
-// depth; lengths: as in Equation 1 of AGAA, to tell which surface is nearest.
+// Selects surfaces and returns their number.
+// limit     Maximum number of surfaces, [1, 8].
+// width     Tolerance to a plane, without the steps of depth.
+// lengths   Those of Equation 1 of AGAA, by which the nearest surface is found.
 uint agaa_selectSurfaces(uint n, uint covered, uint limit, real cosine, real width,
                          agaa_Lengths lengths) {
     uint kept = 0u;

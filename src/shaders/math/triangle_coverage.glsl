@@ -1,4 +1,4 @@
-// Which coverage samples of a pixel a triangle covers, exactly up to the rounding of its edges.
+// Coverage of a pixel's coverage samples by a triangle, exact up to the rounding of its edges.
 // Sources: DCAA (Wang et al., I3D 2016) section 3.1; Olano and Greer 1997, "Triangle Scan Conversion using 2D
 // Homogeneous Coordinates"; hard cases 13, 14 (differences before products), 47 (shared edges), 48 (slivers) and 50
 // (vertices behind the eye).
@@ -11,16 +11,16 @@
 #include "real.glsl"
 #include "sanitise.glsl"
 
-// Clip coordinates x, y, w to a vertex in pixels. pixelsPerNdc: half of the image's size, negative where an axis of the
-// image runs against ndc.
+// Converts clip coordinates x, y, w to a vertex in pixels. pixelsPerNdc: half of the image's size, negative if an axis of the
+// image is opposite to ndc.
 rvec3 agaa_vertexInPixels(rvec3 clip, rvec2 pixelsPerNdc) {
     PRECISE real x = clip.x * pixelsPerNdc.x + clip.z * abs(pixelsPerNdc.x);
     PRECISE real y = clip.y * pixelsPerNdc.y + clip.z * abs(pixelsPerNdc.y);
     return rvec3(x, y, clip.z);
 }
 
-// A power of two, which rounds nothing, that brings sizes to [2^-36, 2^38]: products of three vertices neither overflow
-// nor vanish.
+// Returns a power of two, which causes no rounding, that scales sizes to [2^-36, 2^38], so that products of three vertices neither
+// overflow nor underflow.
 real agaa_vertexScale(real size) {
     if (size > real(1.152921504606846976e18)) // 2^60
         return real(8.0779356694631608874e-28); // 2^-90
@@ -31,7 +31,7 @@ real agaa_vertexScale(real size) {
     return size < real(9.5367431640625e-7) ? real(1099511627776.0) : real(1.0);
 }
 
-// x - centre * w. The product is split, so that its rounding error is 2^-9 of that of a plain product at 16384 pixels.
+// Returns x - centre * w. The product is split, so that its rounding error is 2^-9 of that of a plain product at 16384 pixels.
 real agaa_fromCentre(real x, real w, real centre) {
     PRECISE real carry = w * real(32769.0);
     PRECISE real high = carry - (carry - w);
@@ -44,13 +44,13 @@ real agaa_scaleOfVertex(rvec3 v) {
     return agaa_vertexScale(abs(v.x) + abs(v.y) + abs(v.z) * real(16384.0));
 }
 
-// The vertex with the pixel's centre as origin, scaled. Depends on nothing but vertex and pixel.
+// Returns the scaled vertex with the pixel's centre as origin. It depends only on vertex and pixel.
 rvec3 agaa_vertexFromCentre(rvec3 v, rvec2 centre) {
     const rvec3 s = v * agaa_scaleOfVertex(v);
     return rvec3(agaa_fromCentre(s.x, s.z, centre.x), agaa_fromCentre(s.y, s.z, centre.y), s.z);
 }
 
-// One fixed order of two vertices, so that both triangles at an edge compute the same line.
+// Defines one order of two vertices, so that both triangles at an edge compute the same line.
 bool agaa_isOrdered(rvec3 a, rvec3 b) {
     if (a.x != b.x)
         return a.x < b.x;
@@ -59,8 +59,8 @@ bool agaa_isOrdered(rvec3 a, rvec3 b) {
     return a.z < b.z;
 }
 
-// The line through two vertices as a x + b y + c, positive on the left of a to b where both w are positive. The line
-// from b to a is its exact negative.
+// Returns the line through two vertices as a x + b y + c, positive on the left of a to b if both w are positive. The line from b
+// to a is its exact negative.
 rvec3 agaa_edgeLine(rvec3 a, rvec3 b) {
     const bool ordered = agaa_isOrdered(a, b);
     const rvec3 p = ordered ? a : b;
@@ -71,13 +71,13 @@ rvec3 agaa_edgeLine(rvec3 a, rvec3 b) {
     return ordered ? rvec3(x, y, c) : rvec3(-x, -y, -c);
 }
 
-// An edge as it cuts rows. Samples on the line count as right of it, or as above it where it is parallel to the rows, as
-// if all samples were moved right a little and up by still less: of the triangles around a vertex on a sample, exactly
-// one covers the sample.
+// An edge for intersection with rows. Samples on the line count as right of it, or as above it if it is parallel to the rows, as
+// if all samples were moved right a little and up by still less. Exactly one of the triangles around a vertex at a sample covers
+// the sample.
 struct agaa_Edge {
-    rvec2 pointA; // two points of the line, the vertices where they are near the pixel: error grows with distance
+    rvec2 pointA; // two points of the line, the vertices if they are near the pixel, because the error increases with distance
     rvec2 pointB;
-    real slope;   // x of the line falls by this for each pixel of y
+    real slope;   // x of the line decreases by this for each pixel of y
     bool level;   // parallel to the rows
     bool swapped; // covered samples are left of the line, or below it
     bool outside; // the line passes the pixel at a distance
@@ -96,7 +96,7 @@ agaa_Edge agaa_edgeFromCentre(rvec3 a, rvec3 b) {
     edge.pointB = rvec2(real(0.0));
     edge.slope = real(0.0);
     edge.level = abs(line.x) < size * real(1e-20);
-    // Also lines at infinity and equal vertices, which are on neither side of each other's edge.
+    // Lines at infinity and equal vertices are outside, too.
     edge.outside = !(abs(line.z) < size * real(1.5));
     if (edge.outside) {
         edge.swapped = line.z < real(0.0) || (line.z == real(0.0) && !agaa_isOrdered(a, b));
@@ -110,7 +110,7 @@ agaa_Edge agaa_edgeFromCentre(rvec3 a, rvec3 b) {
     const rvec3 q = ordered ? b : a;
     const bool pIsNear = agaa_isNearPixel(p);
     const bool qIsNear = agaa_isNearPixel(q);
-    // The point of the line next to the centre, where no vertex is near.
+    // If no vertex is near, the point is the one of the line nearest to the centre.
     const rvec3 unit = line / size;
     edge.pointA = rvec2(unit.x, unit.y) * (-unit.z / (unit.x * unit.x + unit.y * unit.y));
     if (pIsNear)
@@ -123,14 +123,14 @@ agaa_Edge agaa_edgeFromCentre(rvec3 a, rvec3 b) {
     return edge;
 }
 
-// The samples of a row that an edge covers, in the lowest bits. phase, y: of the row.
+// Returns the samples of a row that an edge covers, in the lowest bits. phase, y: of the row.
 uint agaa_edgeSpan(agaa_Edge edge, real y, real phase, uint columns) {
     const uint all = (1u << columns) - 1u;
     uint left = 0u; // samples left of the line
     if (edge.level && !edge.outside) {
         left = y >= edge.pointA.y ? 0u : columns;
     } else if (!edge.outside) {
-        // From the vertex whose y is closer: exact for a row through the vertex.
+        // The vertex whose y is closer gives an exact result for a row through the vertex.
         const bool useB = abs(y - edge.pointB.y) < abs(y - edge.pointA.y);
         const rvec2 from = useB ? edge.pointB : edge.pointA;
         PRECISE real x = (from.x + real(0.5)) - edge.slope * (y - from.y);
@@ -140,7 +140,7 @@ uint agaa_edgeSpan(agaa_Edge edge, real y, real phase, uint columns) {
     return ((all << left) & all) ^ (edge.swapped ? all : 0u);
 }
 
-// The samples on the left of the edge from a to b, where w is positive. For the edge from b to a: all others.
+// Returns the samples on the left of the edge from a to b, for positive w. The edge from b to a has all others.
 uvec4 agaa_edgeCoverage(agaa_Edge edge, uint samples) {
     const uint columns = agaa_coverageColumns(samples);
     const uint rowsOfWord = 32u / columns;
@@ -157,8 +157,8 @@ uvec4 agaa_edgeCoverage(agaa_Edge edge, uint samples) {
     return mask;
 }
 
-// The mask of a triangle from the masks of its edges bc, ca and ab. Vertices: from agaa_vertexFromCentre. Vertices that
-// are not finite, and triangles without an area, cover nothing.
+// Returns the mask of a triangle from the masks of its edges bc, ca and ab. The vertices are those of agaa_vertexFromCentre().
+// Triangles with non-finite vertices, or without area, cover nothing.
 uvec4 agaa_joinEdges(rvec3 a, rvec3 b, rvec3 c, uvec4 bc, uvec4 ca, uvec4 ab, uint samples) {
     const real facing = a.z * agaa_edgeLine(b, c).z + b.z * agaa_edgeLine(c, a).z + c.z * agaa_edgeLine(a, b).z;
     const bool finite = agaa_isFinite3(a) && agaa_isFinite3(b) && agaa_isFinite3(c) && agaa_isFinite(facing);
@@ -166,14 +166,14 @@ uvec4 agaa_joinEdges(rvec3 a, rvec3 b, rvec3 c, uvec4 bc, uvec4 ca, uvec4 ab, ui
         return uvec4(0u);
     const uvec4 left = bc & ca & ab;
     const uvec4 right = agaa_coverageComplement(bc | ca | ab, samples);
-    // One of the two is empty, whatever the winding. The sign of a sliver's area may be rounded to the wrong one.
+    // One of the two is empty for either winding. Rounding may change the sign of a sliver's area.
     if (min(a.z, min(b.z, c.z)) > real(0.0))
         return left | right;
-    // Behind the eye all signs are the other way round.
+    // Behind the eye all signs are opposite.
     return facing > real(0.0) ? left : right;
 }
 
-// The samples that the part of the triangle in front of the eye covers. centre: of the pixel, in pixels.
+// Returns the samples that the part of the triangle in front of the eye covers. centre: of the pixel, in pixels.
 uvec4 agaa_triangleCoverage(rvec3 a, rvec3 b, rvec3 c, rvec2 centre, uint samples) {
     const rvec3 p = agaa_vertexFromCentre(a, centre);
     const rvec3 q = agaa_vertexFromCentre(b, centre);

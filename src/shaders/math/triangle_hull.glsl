@@ -1,9 +1,10 @@
-// What to rasterise so that every pixel that a triangle touches gets a fragment, without conservative rasterisation.
+// Triangle hulls: polygons whose rasterisation gives a fragment to each pixel that a triangle touches, without conservative
+// rasterisation.
 // Sources: DCAA (Wang et al., I3D 2016) section 4.1, which needs that; Hasselgren et al. 2005, "Conservative
 // Rasterization", GPU Gems 2, chapter 42; hard case 50.
 //
-// The pixels are those whose centres are in the Minkowski sum of triangle and pixel square. The sum is convex: it has a
-// vertex for each vertex of the triangle and each corner of the square.
+// These pixels have their centres in the Minkowski sum of triangle and pixel square. The sum is convex and has a vertex for each
+// vertex of the triangle and each corner of the square.
 #ifndef AGAA_MATH_TRIANGLE_HULL_GLSL
 #define AGAA_MATH_TRIANGLE_HULL_GLSL
 #include "real.glsl"
@@ -12,15 +13,15 @@
 // A triangle strip of `count` vertices in clip space, with w = 1 and depth 1/2. Attributes must be flat.
 struct agaa_Hull {
     rvec4 vertices[8];
-    uint count; // 0 where nothing is in front of the near plane, or a vertex is not finite
+    uint count; // 0 if nothing is in front of the near plane, or a vertex is not finite
 };
 
-// The triangle before the near plane, in pixels from the image's middle.
+// The triangle clipped at the near plane, in pixels from the image's centre.
 struct agaa_ClippedTriangle {
     rvec2 at[4];
     uint count;
     real size; // of the largest coordinate
-    bool bounded; // false where a vertex is at the eye
+    bool bounded; // false if a vertex is at the eye
 };
 
 void agaa_addClipped(INOUT(agaa_ClippedTriangle) clipped, rvec4 vertex, rvec2 pixelsPerNdc) {
@@ -53,7 +54,7 @@ agaa_ClippedTriangle agaa_clippedToNear(rvec4 a, rvec4 b, rvec4 c, rvec2 nearPla
     return clipped;
 }
 
-// The corner of the square that is furthest in a direction; corners are counted anticlockwise from the upper right.
+// Returns the corner of the square that is furthest in a direction. Corners are counted anticlockwise from the upper right.
 uint agaa_furthestCorner(rvec2 direction) {
     if (direction.x > real(0.0) && direction.y >= real(0.0))
         return 0u;
@@ -66,8 +67,8 @@ rvec2 agaa_squareCorner(uint corner, real halfWidth) {
     return rvec2(corner == 0u || corner == 3u ? halfWidth : -halfWidth, corner < 2u ? halfWidth : -halfWidth);
 }
 
-// Leaves a polygon that turns anticlockwise at every vertex: of a thin one only its longest distance, of vertices that
-// are closer than rounding only one. Returns what it may have moved its border by.
+// Simplifies a polygon so that it turns anticlockwise at every vertex. A thin polygon becomes its longest distance; vertices closer
+// than rounding become one. Returns the largest distance by which the border may have moved.
 real agaa_simplifyClipped(INOUT(agaa_ClippedTriangle) p, real rounding) {
     rvec2 first = p.at[0];
     rvec2 second = p.at[0];
@@ -116,13 +117,13 @@ bool agaa_isFiniteVertex(rvec4 v) {
     return agaa_isFinite3(rvec3(v.x, v.y, v.z)) && agaa_isFinite(v.w);
 }
 
-// Clip coordinates x, y, w of the vertices: > 0 where they turn from x to y of ndc, < 0 where the other way.
+// Returns a value > 0 if vertices with clip coordinates x, y, w turn from x to y of ndc, < 0 if they turn the other way.
 real agaa_facing(rvec3 a, rvec3 b, rvec3 c) {
     const rvec3 s = cross(b, c);
     return a.x * s.x + a.y * s.y + a.z * s.z;
 }
 
-// The whole image, where the triangle has no bounds.
+// Returns the whole image, for triangles without bounds.
 agaa_Hull agaa_wholeImage() {
     agaa_Hull hull;
     hull.count = 4u;
@@ -132,9 +133,11 @@ agaa_Hull agaa_wholeImage() {
     return hull;
 }
 
-// a, b, c: clip coordinates. pixelsPerNdc: half of the image's size. nearPlane: what is in front of the eye has
-// nearPlane.x * z + nearPlane.y * w >= 0: (1, 0) where depth 0 is near, (-1, 1) where depth 1 is, (1, 1) for depths
-// from -1. Either winding.
+// Returns the hull of a triangle of either winding.
+// a, b, c        Clip coordinates.
+// nearPlane      Points in front of the eye have nearPlane.x * z + nearPlane.y * w >= 0: (1, 0) if depth 0 is near, (-1, 1) if
+//                depth 1 is near, (1, 1) for depths from -1.
+// pixelsPerNdc   Half of the image's size.
 agaa_Hull agaa_triangleHull(rvec4 a, rvec4 b, rvec4 c, rvec2 nearPlane, rvec2 pixelsPerNdc) {
     agaa_Hull hull = agaa_wholeImage();
     hull.count = 0u;
@@ -146,7 +149,7 @@ agaa_Hull agaa_triangleHull(rvec4 a, rvec4 b, rvec4 c, rvec2 nearPlane, rvec2 pi
     hull.count = 4u;
     if (!p.bounded)
         return hull;
-    // Rasterisers round vertices to 1/256 of a pixel; large coordinates are rounded to more than that.
+    // Rasterisers round vertices to 1/256 of a pixel. Large coordinates have larger rounding errors.
     const real rounding = real(0.00390625) + p.size * real(4e-7);
     real halfWidth = real(0.5) + rounding;
     halfWidth += agaa_simplifyClipped(p, rounding);
@@ -160,7 +163,7 @@ agaa_Hull agaa_triangleHull(rvec4 a, rvec4 b, rvec4 c, rvec2 nearPlane, rvec2 pi
         uint next = agaa_furthestCorner(rvec2(edge.y, -edge.x));
         if (edge.x == real(0.0) && edge.y == real(0.0))
             next = (i & 1u) != 0u ? 1u : 3u;
-        if (i == 0u) { // the walk starts and ends at the first edge
+        if (i == 0u) { // the loop starts and ends at the first edge
             corner = next;
             continue;
         }
