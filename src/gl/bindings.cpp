@@ -14,7 +14,7 @@ std::optional<BindingKind> hostKind(const BindingRow& row, const HostDialect& di
     return row.kind == BindingKind::WrittenStorage ? BindingKind::Image : BindingKind::Uniform;
 }
 
-static std::vector<uint32_t>& placesOf(StateScope& scope, BindingKind kind) {
+static std::vector<uint32_t>& bindingPointsOf(StateScope& scope, BindingKind kind) {
     switch (kind) {
     case BindingKind::Uniform:
         return scope.uniformBindings;
@@ -33,14 +33,14 @@ StateScope hostBindings(const HostDialect& dialect) {
     StateScope scope;
     for (const BindingRow& row : hostBindingTable)
         if (const auto kind = hostKind(row, dialect))
-            placesOf(scope, *kind).push_back(dialect.bindings[row.slot]);
+            bindingPointsOf(scope, *kind).push_back(dialect.bindings[row.slot]);
     return scope;
 }
 
 StateScope passBindings() {
     StateScope scope;
     for (const BindingRow& row : bindingTable)
-        placesOf(scope, row.kind).push_back(row.openGl);
+        bindingPointsOf(scope, row.kind).push_back(row.openGl);
     return scope;
 }
 

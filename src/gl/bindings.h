@@ -1,4 +1,4 @@
-// Binding points of OpenGL: plans number bindings in one space, OpenGL has a space of places for each kind.
+// Binding points of OpenGL. Plans number all bindings in one space; OpenGL has one space for each kind.
 #pragma once
 
 #include "core/plan/bindings.h"
@@ -9,13 +9,13 @@
 
 namespace agaa::gl {
 
-constexpr uint32_t placeOf(uint32_t slot) { return bindingTable[slot].openGl; }
+constexpr uint32_t bindingPointOf(uint32_t slot) { return bindingTable[slot].openGl; }
 
-// How the host's shaders reach a binding: storage buffers become images or uniform buffers with AGAA_GL_STORAGE_IMAGES, the
-// frame's constants a texture with AGAA_GL_CONSTANTS_TEXELS. None: not at all.
+// Returns how the host's shaders access a binding, or nullopt if they do not. Storage buffers become images or uniform
+// buffers with AGAA_GL_STORAGE_IMAGES; the frame constants become a texture with AGAA_GL_CONSTANTS_TEXELS.
 std::optional<BindingKind> hostKind(const BindingRow& row, const HostDialect& dialect);
 
-// Where draw callbacks find the SDK's resources, and where the SDK's compute passes do.
+// Binding points of the SDK's resources during draw callbacks and in compute passes.
 StateScope hostBindings(const HostDialect& dialect);
 StateScope passBindings();
 

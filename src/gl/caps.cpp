@@ -1,4 +1,4 @@
-// What an OpenGL context must, should and does offer.
+// Requirements and capabilities of OpenGL contexts.
 #include "core/abi/api_guard.h"
 #include "core/base/error.h"
 #include "core/base/structs.h"
@@ -15,11 +15,11 @@ namespace agaa::gl {
 
 namespace {
 
-// Core in 4.5.
+// Core in OpenGL 4.5.
 constexpr const char* requiredExtensions[] = {"GL_ARB_direct_state_access"};
 constexpr const char* optionalExtensions[] = {
-    "GL_ARB_post_depth_coverage", // else generation runs once per sample
-    "GL_ARB_clip_control",        // core in 4.5; reversed depth is precise with it only
+    "GL_ARB_post_depth_coverage", // without it generation runs once per sample
+    "GL_ARB_clip_control",        // core in OpenGL 4.5; without it reversed depth loses precision
     "GL_ARB_fragment_shader_interlock",
     "GL_EXT_shader_framebuffer_fetch",
 };
@@ -30,7 +30,7 @@ GLint integer(const GladGLContext& gl, GLenum parameter) {
     return value;
 }
 
-// NVIDIA makes some counts of fewer samples in a larger image, where masks and positions are not those of samples.
+// NVIDIA emulates some sample counts by fewer samples in a larger image. Sample masks and positions do not match there.
 bool isRasterised(const GladGLContext& gl, Format format, GLint samples) {
     if (!gl.NV_internalformat_sample_query)
         return true;
@@ -43,7 +43,7 @@ bool isRasterised(const GladGLContext& gl, Format format, GLint samples) {
     return is(GL_SUPERSAMPLE_SCALE_X_NV) && is(GL_SUPERSAMPLE_SCALE_Y_NV) && is(GL_CONFORMANT_NV);
 }
 
-// Bit i: 2^i samples that textures of this format can have.
+// Returns a bit mask: textures of this format can have 2^i samples if bit i is set.
 uint32_t sampleCounts(const GladGLContext& gl, Format format) {
     GLint count = 0;
     gl.GetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, internalFormat(format), GL_NUM_SAMPLE_COUNTS, 1,
@@ -75,7 +75,7 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
     gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &range);
     caps.maxStorageRange = uint64_t(std::max<GLint64>(range, 0));
     caps.maxSharedBytes = uint32_t(integer(gl, GL_MAX_COMPUTE_SHARED_MEMORY_SIZE));
-    // Mesa's, which name themselves.
+    // Software rasterisers of Mesa.
     for (const char* software : {"llvmpipe", "softpipe"})
         if (std::strstr(caps.deviceName, software))
             caps.flags |= AGAA_DEVICE_SOFTWARE;
@@ -91,7 +91,7 @@ AgaaDeviceCaps queryCaps(const GladGLContext& gl) {
         caps.flags |= AGAA_DEVICE_FRAMEBUFFER_FETCH;
     if (gl.NV_framebuffer_mixed_samples && gl.NV_sample_mask_override_coverage)
         caps.flags |= AGAA_DEVICE_NV_MIXED_SAMPLES;
-    caps.sampleCounts = 0x1F; // no standard has a pattern of 32 samples
+    caps.sampleCounts = 0x1F; // no standard defines a pattern of 32 samples
     for (Format format : {Format::R8, Format::RG8, Format::RGBA8, Format::R16, Format::RG16, Format::RGBA16,
                           Format::RGBA16F, Format::RGB10A2, Format::D24S8, Format::D32S8, Format::D32})
         caps.sampleCounts &= sampleCounts(gl, format);

@@ -13,7 +13,7 @@ GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user) {
     struct Loader {
         AgaaGlGetProcAddr get;
         void* user;
-        std::string missing; // of the functions that the context's version promises
+        std::string missing; // first function that the driver does not have
     } loader{getProcAddr, user, {}};
     GladGLContext gl{};
     const int version = gladLoadGLContextUserPtr(
@@ -85,7 +85,7 @@ static void checkBindings(const GladGLContext& gl, const HostDialect& dialect) {
     }
 }
 
-// Where buffers are reached as images, these set the limits.
+// Applies the limits of image units and buffer textures: host draws access buffers as images.
 static void limitToImages(const GladGLContext& gl, AgaaDeviceCaps& caps) {
     GLint texels = 0, images = 0;
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
@@ -95,7 +95,7 @@ static void limitToImages(const GladGLContext& gl, AgaaDeviceCaps& caps) {
     caps.flags |= images >= 2 ? AGAA_DEVICE_FRAGMENT_ATOMICS : 0;
 }
 
-// What a driver may change with makes another one.
+// Identifies the driver: program binaries are loaded only by the driver that wrote them.
 static std::string driverOf(const GladGLContext& gl) {
     std::string driver;
     for (const GLenum name : {GL_VENDOR, GL_RENDERER, GL_VERSION, GL_SHADING_LANGUAGE_VERSION})
@@ -123,9 +123,9 @@ Context::Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc, co
     dialect.constants = AgaaGlConstants(desc.constants);
     dialect.hostOutputs = desc.outputs == AGAA_GL_OUTPUTS_HOST;
     std::copy_n(desc.bindings, hostBindingCount, dialect.bindings.begin());
-    takeHostErrors("agaaGlCreateContext");
+    clearHostErrors("agaaGlCreateContext");
     caps = queryCaps(gl);
-    if (dialect.hostOutputs) // the host's cannot be read
+    if (dialect.hostOutputs) // outputs that the host declares cannot be read
         caps.flags &= ~AGAA_DEVICE_FRAMEBUFFER_FETCH;
     checkBindings(gl, dialect);
     binaryFormats = binaryFormatsOf(gl);
@@ -184,30 +184,30 @@ void Context::createObjects() {
         gl.SamplerParameteri(texelSampler, filter, GL_NEAREST);
     for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         gl.SamplerParameteri(texelSampler, wrap, GL_CLAMP_TO_EDGE);
-    gl.CreateFramebuffers(1, &noTarget);
-    label(GL_FRAMEBUFFER, noTarget, "agaa no target");
+    gl.CreateFramebuffers(1, &emptyFramebuffer);
+    label(GL_FRAMEBUFFER, emptyFramebuffer, "agaa no target");
     for (GLenum side : {GL_FRAMEBUFFER_DEFAULT_WIDTH, GL_FRAMEBUFFER_DEFAULT_HEIGHT})
-        gl.NamedFramebufferParameteri(noTarget, side, 1);
+        gl.NamedFramebufferParameteri(emptyFramebuffer, side, 1);
     gl.GetIntegerv(GL_MAX_DEBUG_GROUP_STACK_DEPTH, &maxDebugGroups);
-    gl.CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &noShadow);
-    label(GL_TEXTURE, noShadow, "agaa no shadow");
-    gl.TextureStorage3D(noShadow, 1, GL_DEPTH_COMPONENT16, 1, 1, 1);
+    gl.CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &emptyShadowMap);
+    label(GL_TEXTURE, emptyShadowMap, "agaa no shadow");
+    gl.TextureStorage3D(emptyShadowMap, 1, GL_DEPTH_COMPONENT16, 1, 1, 1);
 }
 
 void Context::destroyObjects() {
     gl.DeleteSamplers(1, &shadowSampler);
     gl.DeleteSamplers(1, &texelSampler);
     gl.DeleteSamplers(1, &linearSampler);
-    gl.DeleteFramebuffers(1, &noTarget);
-    gl.DeleteTextures(1, &noShadow);
+    gl.DeleteFramebuffers(1, &emptyFramebuffer);
+    gl.DeleteTextures(1, &emptyShadowMap);
 }
 
 void Context::label(GLenum kind, GLuint name, const std::string& text) const {
     gl.ObjectLabel(kind, name, GLsizei(text.size()), text.c_str());
 }
 
-void Context::takeHostErrors(const char* call, GLenum ours) const {
-    // A lost context repeats its error for ever.
+void Context::clearHostErrors(const char* call, GLenum ours) const {
+    // The loop is bounded because a lost context repeats its error forever.
     for (int i = 0; i < 16; ++i) {
         const GLenum error = gl.GetError();
         if (error == GL_NO_ERROR)

@@ -1,4 +1,4 @@
-// The SDK inside one host OpenGL context.
+// The SDK's state for one OpenGL context of the host.
 #pragma once
 
 #include "agaa_gl.h"
@@ -14,20 +14,21 @@
 
 namespace agaa::gl {
 
-// Functions of the current context. Throws AGAA_ERROR_UNSUPPORTED where there is none or it is too old.
+// Loads the functions of the current context. Throws AGAA_ERROR_UNSUPPORTED if no context is current or its version is
+// too low.
 GladGLContext loadFunctions(AgaaGlGetProcAddr getProcAddr, void* user);
 AgaaDeviceCaps queryCaps(const GladGLContext& gl);
 
 class Context : public AgaaContext_T {
 public:
-    // cache: the host's, or none.
+    // cache: bytes of an earlier run that the host stored, if any.
     Context(const AgaaContextDesc& common, const AgaaGlDeviceDesc& desc, const std::optional<AgaaGlProgramCache>& cache);
     ~Context() override;
 
     void label(GLenum kind, GLuint name, const std::string& text) const;
-    // Tells the log about errors of the host's that would be taken for ours. One of the kind given is ours.
-    void takeHostErrors(const char* call, GLenum ours = GL_NO_ERROR) const;
-    // Throws where a call of ours since takeHostErrors() failed.
+    // Logs and clears pending errors of the host. One error of the kind `ours` is cleared without a message.
+    void clearHostErrors(const char* call, GLenum ours = GL_NO_ERROR) const;
+    // Throws if an OpenGL call since clearHostErrors() failed.
     void checkErrors(const char* what) const;
 
     GladGLContext gl{};
@@ -36,19 +37,19 @@ public:
     AgaaGlStateCallback pushState;
     AgaaGlStateCallback popState;
     void* stateUser;
-    std::optional<StateGuard> guard; // of all that frames touch
+    std::optional<StateGuard> guard; // of all states that frames change
     std::optional<HostBindings> hostBindings; // with AGAA_GL_STATE_CALLBACKS
     AgaaTimeSource timeSource = AGAA_TIME_DEVICE;
-    uint32_t timestampBits = 64; // of the driver's counter
+    uint32_t timestampBits = 64; // width of the driver's counter
     GLuint shadowSampler = 0;
     GLuint linearSampler = 0;
-    GLuint texelSampler = 0; // for textures of the host, whose own filter may need mip levels
-    GLuint noTarget = 0;     // framebuffer without images: what is fetched from must not be drawn into (4.5, 9.3.1)
-    GLint maxDebugGroups = 0; // of the context's stack
-    ProgramCache programs;   // kept where the host keeps them
-    bool keepsPrograms = false;
-    std::vector<uint32_t> binaryFormats; // that the driver loads
-    GLuint noShadow = 0;     // where a frame has no map at all: binding 0 to a unit unbinds all its targets
+    GLuint texelSampler = 0; // for host textures, whose filter may need mip levels
+    GLuint emptyFramebuffer = 0; // has no images: passes must not fetch from the bound framebuffer (OpenGL 4.5, 9.3.1)
+    GLint maxDebugGroups = 0; // depth of the context's stack
+    ProgramCache programs;   // filled if keepsPrograms
+    bool keepsPrograms = false; // the host stores the cache
+    std::vector<uint32_t> binaryFormats; // formats that the driver loads
+    GLuint emptyShadowMap = 0; // bound if a frame has no shadow map: binding 0 would unbind all targets of the unit
 
 private:
     void createObjects();

@@ -1,4 +1,4 @@
-// What hosts are told of a view's draw passes and surfaces.
+// Descriptions of draw passes and surfaces for hosts.
 #include "core/base/structs.h"
 #include "gl/formats.h"
 #include "gl/view.h"
@@ -10,21 +10,21 @@ const StructRow& View::surfaceRow() const { return StructOf<AgaaGlSurface>::row;
 
 void View::describePass(size_t index, void* native) const {
     const HostPass& hostPass = hostPasses[index];
-    AgaaGlDrawPass own = AGAA_GL_DRAW_PASS_INIT;
+    AgaaGlDrawPass description = AGAA_GL_DRAW_PASS_INIT;
     for (size_t i = 0; i < hostPass.colors.size(); ++i)
-        own.colorFormats[i] = internalFormat(hostPass.colors[i].format);
-    own.depthStencilFormat = internalFormat(hostPass.depthFormat);
-    own.framebuffer = framebuffers[index];
-    writeStruct(static_cast<AgaaGlDrawPass*>(native), own);
+        description.colorFormats[i] = internalFormat(hostPass.colors[i].format);
+    description.depthStencilFormat = internalFormat(hostPass.depthFormat);
+    description.framebuffer = framebuffers[index];
+    writeStruct(static_cast<AgaaGlDrawPass*>(native), description);
 }
 
 void View::describeSurface(ResourceId id, void* native) const {
     const GpuResource& objects = (*resources)[id];
-    AgaaGlSurface own = AGAA_GL_SURFACE_INIT;
-    own.texture = objects.texture;
-    own.buffer = objects.buffers.empty() ? 0 : objects.buffers[0];
-    own.format = internalFormat(plan.resources[id].format);
-    writeStruct(static_cast<AgaaGlSurface*>(native), own);
+    AgaaGlSurface description = AGAA_GL_SURFACE_INIT;
+    description.texture = objects.texture;
+    description.buffer = objects.buffers.empty() ? 0 : objects.buffers[0];
+    description.format = internalFormat(plan.resources[id].format);
+    writeStruct(static_cast<AgaaGlSurface*>(native), description);
 }
 
 } // namespace agaa::gl

@@ -1,4 +1,4 @@
-// Running a frame: validate, then passes with the host's state away, but for the host's own draws.
+// Runs a frame: checks it, then runs the passes of its segments. The host's state is restored around draw callbacks.
 #include "core/base/error.h"
 #include "core/frame/frame_data.h"
 #include "gl/bindings.h"
@@ -7,7 +7,6 @@
 #include "gl/output_view.h"
 
 #include <algorithm>
-#include <new>
 #include <optional>
 
 namespace agaa::gl {
@@ -44,67 +43,68 @@ void View::clearTargets(size_t index) {
         gl.ClearNamedFramebufferfv(framebuffers[index], GL_DEPTH, 0, &pass.draw.draw.clear.depth);
 }
 
-// A map's own texture. Only the frame's maps were checked: where it has this one not, another takes its place,
-// which shaders declare but do not read.
+// Returns the map's texture. If the frame lacks the map, any valid texture is bound: shaders declare it but do not read
+// it. Textures beyond the frame's shadow maps were not checked and are never used.
 GLuint View::shadowTexture(const Resource& map, const AgaaFrame& frame, const AgaaGlFrame& glFrame) const {
-    const auto own = [&](const Resource& resource) {
+    const auto textureOf = [&](const Resource& resource) {
         return resource.hostSlot < frame.shadowCount ? glFrame.shadowTextures[resource.hostSlot] : 0u;
     };
-    if (own(map))
-        return own(map);
+    if (textureOf(map))
+        return textureOf(map);
     for (const Resource& resource : plan.resources)
-        if (resource.kind == ResourceKind::ShadowMap && own(resource))
-            return own(resource);
-    return context.noShadow;
+        if (resource.kind == ResourceKind::ShadowMap && textureOf(resource))
+            return textureOf(resource);
+    return context.emptyShadowMap;
 }
 
-// Binding to an index also binds to the target, where the host's own buffer is to stay.
-// For draws of the host's.
-void View::bindConstants(GLuint place, ResourceId resource, uint32_t slot) {
+// Binds the frame constants for a draw callback.
+void View::bindConstants(GLuint point, ResourceId resource, uint32_t slot) {
     const GladGLContext& gl = context.gl;
     if (context.dialect.constants == AGAA_GL_CONSTANTS_BLOCK)
-        gl.BindBufferBase(GL_UNIFORM_BUFFER, place, resources->buffer(resource, slot));
+        gl.BindBufferBase(GL_UNIFORM_BUFFER, point, resources->buffer(resource, slot));
     if (context.dialect.constants != AGAA_GL_CONSTANTS_TEXELS)
         return;
-    gl.BindTextureUnit(place, resources->bufferImage(resource, slot));
-    gl.BindSampler(place, 0);
+    gl.BindTextureUnit(point, resources->bufferImage(resource, slot));
+    gl.BindSampler(point, 0);
 }
 
 void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
                        uint32_t slot) {
     const GladGLContext& gl = context.gl;
     GLint uniformBuffer = 0, storageBuffer = 0;
-    const bool targetsStay = context.statePolicy != AGAA_GL_STATE_NONE;
-    if (targetsStay) { // drivers with a thread of their own wait for it at each query
+    const bool restoresTargets = context.statePolicy != AGAA_GL_STATE_NONE;
+    // glBindBufferBase also binds to the target, where the host's buffer must remain. AGAA_GL_STATE_NONE skips the
+    // queries: drivers with a thread of their own synchronise at each of them.
+    if (restoresTargets) {
         gl.GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &uniformBuffer);
         gl.GetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &storageBuffer);
     }
     for (const Binding& binding : pass.bindings) {
-        const GLuint place = context.dialect.bindings[binding.slot];
+        const GLuint point = context.dialect.bindings[binding.slot];
         switch (binding.type) {
         case BindingType::UniformBuffer:
-            bindConstants(place, binding.resource, slot);
+            bindConstants(point, binding.resource, slot);
             break;
         case BindingType::StorageBuffer:
             if (hostKind(hostBindingTable[binding.slot], context.dialect) == BindingKind::Image)
-                gl.BindImageTexture(place, resources->bufferImage(binding.resource, slot), 0, GL_FALSE, 0,
+                gl.BindImageTexture(point, resources->bufferImage(binding.resource, slot), 0, GL_FALSE, 0,
                                     GL_READ_WRITE, GL_R32UI);
             else
-                gl.BindBufferBase(context.dialect.storageImages ? GL_UNIFORM_BUFFER : GL_SHADER_STORAGE_BUFFER, place,
+                gl.BindBufferBase(context.dialect.storageImages ? GL_UNIFORM_BUFFER : GL_SHADER_STORAGE_BUFFER, point,
                                   resources->buffer(binding.resource, slot));
             break;
         case BindingType::ShadowTexture:
-            gl.BindTextureUnit(place, shadowTexture(plan.resources[binding.resource], frame, glFrame));
-            gl.BindSampler(place, context.shadowSampler);
+            gl.BindTextureUnit(point, shadowTexture(plan.resources[binding.resource], frame, glFrame));
+            gl.BindSampler(point, context.shadowSampler);
             break;
         case BindingType::Texture:
         case BindingType::StorageImage:
-            gl.BindTextureUnit(place, (*resources)[binding.resource].texture);
-            gl.BindSampler(place, 0);
+            gl.BindTextureUnit(point, (*resources)[binding.resource].texture);
+            gl.BindSampler(point, 0);
             break;
         }
     }
-    if (!targetsStay)
+    if (!restoresTargets)
         return;
     gl.BindBuffer(GL_UNIFORM_BUFFER, GLuint(uniformBuffer));
     gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, GLuint(storageBuffer));
@@ -141,37 +141,37 @@ void View::bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGl
     for (const Binding& binding : pass.bindings) {
         const Resource& resource = plan.resources[binding.resource];
         const bool output = resource.kind == ResourceKind::Output;
-        const GLuint place = placeOf(binding.slot);
+        const GLuint point = bindingPointOf(binding.slot);
         const GLuint texture =
             output ? glFrame.outputTexture : (*resources)[binding.resource].texture;
         switch (binding.type) {
         case BindingType::UniformBuffer:
-            gl.BindBufferBase(GL_UNIFORM_BUFFER, place,
+            gl.BindBufferBase(GL_UNIFORM_BUFFER, point,
                               resources->buffer(binding.resource, slot));
             break;
         case BindingType::StorageBuffer:
-            gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, place,
+            gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, point,
                               resources->buffer(binding.resource, slot));
             break;
         case BindingType::StorageImage:
-            gl.BindImageTexture(place, texture, 0, GL_FALSE, 0, GL_WRITE_ONLY,
+            gl.BindImageTexture(point, texture, 0, GL_FALSE, 0, GL_WRITE_ONLY,
                                 output ? outputFormat_ : internalFormat(resource.format));
             break;
         case BindingType::Texture:
-            gl.BindTextureUnit(place, texture);
-            gl.BindSampler(place, binding.filter == Filter::Linear ? context.linearSampler
+            gl.BindTextureUnit(point, texture);
+            gl.BindSampler(point, binding.filter == Filter::Linear ? context.linearSampler
                                   : output                             ? context.texelSampler
                                                                        : 0);
             break;
         case BindingType::ShadowTexture:
-            gl.BindTextureUnit(place, shadowTexture(resource, frame, glFrame));
-            gl.BindSampler(place, context.shadowSampler);
+            gl.BindTextureUnit(point, shadowTexture(resource, frame, glFrame));
+            gl.BindSampler(point, context.shadowSampler);
             break;
         }
     }
 }
 
-// glClearNamedBufferData would read a value by the host's state of unpacking pixels; with none it writes 0.
+// glClearNamedBufferData would read a value through the host's pixel unpacking state. Without a value it writes 0.
 static void fillBuffer(const GladGLContext& gl, GLuint buffer, uint64_t bytes, uint32_t value) {
     if (value == 0) {
         gl.ClearNamedBufferSubData(buffer, GL_R32UI, 0, GLsizeiptr(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
@@ -217,9 +217,9 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
     const GladGLContext& gl = context.gl;
     if (const GLbitfield bits = barriers.before(plan, pass, context.dialect.storageImages))
         gl.MemoryBarrier(bits);
-    // First, for what a draw stored before its callback failed needs barriers too.
+    // This precedes the pass because the stores of a draw whose callback then fails need barriers too.
     barriers.after(plan, pass);
-    // Of a pass that repeats, from its first beginning to its last end.
+    // The time of a repeated pass lasts from its first step to its last.
     if (clock && step.isFirst)
         clock->begin(slot, index);
     switch (pass.kind) {
@@ -230,7 +230,7 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
         std::optional<OutputView> output;
         if (usesOutput(plan, pass))
             output.emplace(gl, glFrame.outputTexture);
-        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.noTarget);
+        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.emptyFramebuffer);
         gl.UseProgram(GLuint(variant.programs[index]));
         bindForCompute(pass, frame, glFrame, slot);
         dispatch(pass.compute.compute.compute.dispatch, slot);
@@ -247,7 +247,7 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
 
 namespace {
 
-// A group in the host's captures; ends with the scope.
+// Groups the calls of a pass in captures of the host. The scope ends the group.
 class DebugGroup {
 public:
     DebugGroup(const GladGLContext& gl, const std::string& text) : gl_(gl) {
@@ -299,7 +299,7 @@ void View::runPasses(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const V
             group.emplace(context.gl, "agaa " + pass.name);
         runStep(frame, glFrame, variant, step, slot, state);
     }
-    // The host may use what the segment left in any way.
+    // The host may use the contents that the segment wrote in any way.
     context.gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
@@ -310,7 +310,7 @@ AgaaResult View::record(AgaaFrame frame, const AgaaGlFrame& glFrame) {
     outputFormat_ = checkTarget(frame, glFrame);
     const uint32_t slot = sequence.slotOf(frame);
     const Variant& variant = variantOf(frame);
-    HostState state(context); // where it fails, nothing has run
+    HostState state(context); // if it throws, no pass has run
     try {
         uploadFrame(frame, slot);
         runPasses(frame, glFrame, variant, slot, state);

@@ -1,4 +1,4 @@
-// Plan formats in OpenGL's words.
+// OpenGL equivalents of plan formats.
 #pragma once
 
 #include "core/base/format.h"

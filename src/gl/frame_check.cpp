@@ -1,8 +1,9 @@
-// What a frame brings along, checked before anything runs.
+// Checks of a frame's OpenGL objects and of the context before any pass runs.
 #include "gl/view.h"
 
 #include "core/base/arguments.h"
 #include "core/base/error.h"
+#include "core/frame/frame_checks.h"
 
 #include <algorithm>
 #include <iterator>
@@ -11,7 +12,7 @@ namespace agaa::gl {
 
 namespace {
 
-// Formats that image stores of floats take (OpenGL 4.3, table 8.26).
+// Floating-point and normalised formats that support image stores (OpenGL 4.3, table 8.26).
 constexpr GLenum outputFormats[] = {GL_RGBA32F, GL_RGBA16F, GL_R11F_G11F_B10F, GL_RGBA16,
                                     GL_RGB10_A2, GL_RGBA8};
 
@@ -21,9 +22,9 @@ GLint levelParameter(const GladGLContext& gl, GLuint texture, GLenum parameter) 
     return value;
 }
 
-// Mesa does not tell a texture's target in compatibility contexts, so it is bound to that: what is bound there
-// now comes back. A texture of another target is an error that is not the host's to find; errors of the host's own
-// that come with it are told, but for one of the same kind, which is not to be told from it.
+// Mesa cannot query a texture's target in compatibility contexts, so this function binds the texture to the target and
+// then restores the binding. If the texture has another target, OpenGL raises GL_INVALID_OPERATION, which is removed.
+// Pending errors of the host are logged, except one GL_INVALID_OPERATION, which cannot be distinguished.
 bool isOfTarget(const Context& context, GLuint texture, GLenum target) {
     const GladGLContext& gl = context.gl;
     GLint before = 0, bound = 0;
@@ -33,7 +34,7 @@ bool isOfTarget(const Context& context, GLuint texture, GLenum target) {
     gl.BindTexture(target, texture);
     gl.GetIntegerv(binding, &bound);
     if (GLuint(bound) != texture)
-        context.takeHostErrors("agaaGlRecordFrame", GL_INVALID_OPERATION);
+        context.clearHostErrors("agaaGlRecordFrame", GL_INVALID_OPERATION);
     gl.BindTexture(target, GLuint(before));
     return GLuint(bound) == texture;
 }
@@ -48,7 +49,7 @@ void checkTexture(const Context& context, GLuint texture, GLenum target, const s
 
 } // namespace
 
-// Programs cannot be changed meanwhile, so every pass would fail.
+// While transform feedback is active, programs cannot be changed and every pass would fail.
 void View::checkContextState() const {
     GLboolean isActive = GL_FALSE, isPaused = GL_FALSE;
     context.gl.GetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &isActive);
@@ -62,8 +63,7 @@ GLenum View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) con
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
         return GL_NONE;
     const GladGLContext& gl = context.gl;
-    require(plan.view.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
-            "the frame composites over the output, but the view has no AGAA_VIEW_COMPOSITE.");
+    checkComposite(frame, plan);
     const GLuint output = glFrame.outputTexture;
     checkTexture(context, output, GL_TEXTURE_2D, "AgaaGlFrame::outputTexture", "TEXTURE_2D");
     const GLint width = levelParameter(gl, output, GL_TEXTURE_WIDTH);
@@ -83,7 +83,7 @@ GLenum View::checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) con
         const GLuint map = glFrame.shadowTextures[resource.hostSlot];
         const std::string name = format("AgaaGlFrame::shadowTextures[%u]", resource.hostSlot);
         checkTexture(context, map, GL_TEXTURE_2D_ARRAY, name, "TEXTURE_2D_ARRAY");
-        // Comparing with anything else is undefined.
+        // Depth comparison is undefined for textures without depth.
         if (levelParameter(gl, map, GL_TEXTURE_DEPTH_SIZE) == 0)
             fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s holds no depth.", name.c_str()));
     }

@@ -24,7 +24,8 @@ void HostBindings::capture() {
             row.read(reading, row, element, *value++);
 }
 
-// Binding to an index also binds to the target, and textures need their unit active: both stay the callback's.
+// Binding to an index also binds to the target, and binding a texture changes the active unit. Both keep the values
+// that the callback left.
 void HostBindings::restore() noexcept {
     const GladGLContext& gl = context_.gl();
     GLint uniformBuffer = 0, storageBuffer = 0, activeTexture = 0;

@@ -1,5 +1,5 @@
-// The host's bindings where draw callbacks find the SDK's, for hosts that save and restore their state
-// themselves: their popState comes before the SDK binds there, so it cannot bring these back.
+// The host's objects at the binding points that the SDK uses during draw callbacks. Needed with
+// AGAA_GL_STATE_CALLBACKS: popState runs before the SDK binds its resources there, so it cannot restore these bindings.
 #pragma once
 
 #include "gl/bindings.h"
@@ -8,7 +8,7 @@
 
 namespace agaa::gl {
 
-// As StateGuard; only of the numbered places, so what a callback does elsewhere stays.
+// Works like StateGuard, but for numbered binding points only: other changes of a callback persist.
 class HostBindings {
 public:
     HostBindings(const GladGLContext& gl, const HostDialect& dialect, bool compatibilityProfile);

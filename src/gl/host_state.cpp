@@ -5,13 +5,13 @@
 
 namespace agaa::gl {
 
-// Of a frame that fails, which has a failure to tell of already.
+// Runs after a failure only; the first error is the one that is reported.
 View::HostState::~HostState() {
     if (finished_)
         return;
     if (context_.statePolicy == AGAA_GL_STATE_RESTORE && captured_)
-        context_.guard->restore(); // whatever a callback left behind
-    if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS && away_)
+        context_.guard->restore(); // undoes the changes of a callback, too
+    if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS && isPushed_)
         contained([&] { return context_.popState(context_.stateUser); });
 }
 
@@ -19,7 +19,7 @@ void View::HostState::restore() {
     if (context_.statePolicy == AGAA_GL_STATE_RESTORE)
         context_.guard->restore();
     if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS) {
-        away_ = false;
+        isPushed_ = false;
         require(contained([&] { return context_.popState(context_.stateUser); }) == AGAA_OK, AGAA_ERROR_CALLBACK,
                 "AgaaGlDeviceDesc::popState reported failure.");
     }
@@ -31,7 +31,7 @@ void View::HostState::finish() {
 }
 
 void View::HostState::save() {
-    // What a callback changes is not what the host had on entry.
+    // Captured once per frame: changes of a callback are not part of the state on entry.
     if (context_.statePolicy == AGAA_GL_STATE_RESTORE && !captured_) {
         context_.guard->capture();
         captured_ = true;
@@ -39,7 +39,7 @@ void View::HostState::save() {
     if (context_.statePolicy == AGAA_GL_STATE_CALLBACKS) {
         require(contained([&] { return context_.pushState(context_.stateUser); }) == AGAA_OK, AGAA_ERROR_CALLBACK,
                 "AgaaGlDeviceDesc::pushState reported failure.");
-        away_ = true;
+        isPushed_ = true;
     }
 }
 

@@ -1,5 +1,5 @@
-// The host's state around a frame, by the policy that the host chose: away while the SDK works, back while the
-// host draws and when it ends, however it ends.
+// The host's state around a frame, according to the context's state policy. It is saved while the SDK works. It is
+// restored for draw callbacks and at the end of the frame, even if the frame fails.
 #pragma once
 
 #include "gl/view.h"
@@ -13,14 +13,14 @@ public:
     HostState(const HostState&) = delete;
     HostState& operator=(const HostState&) = delete;
 
-    void restore(); // the host's, before a draw callback
-    void save();    // after it
-    void finish();  // restores for good, and tells if that fails
+    void restore(); // before a draw callback
+    void save();    // after a draw callback
+    void finish();  // at the end of the frame; throws if popState fails
 
 private:
     Context& context_;
     bool captured_ = false;
-    bool away_ = false;
+    bool isPushed_ = false;
     bool finished_ = false;
 };
 

@@ -4,7 +4,7 @@ namespace agaa::gl {
 
 static constexpr std::array<GLint, 4> inOrder = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
 
-// Immutable storage has all levels that it can have.
+// Returns whether the filter may need mip levels that the storage lacks. Immutable storage has all its levels.
 static bool mayLackLevels(const GladGLContext& gl, GLuint texture) {
     GLint isImmutable = GL_FALSE, filter = GL_NEAREST;
     gl.GetTextureParameteriv(texture, GL_TEXTURE_IMMUTABLE_FORMAT, &isImmutable);

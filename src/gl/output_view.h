@@ -1,4 +1,4 @@
-// The host's output as passes write and read it: level 0, channels in order.
+// Texture parameters of the host's output while a pass uses it: level 0, channels in order.
 #pragma once
 
 #include "gl/context.h"
@@ -7,14 +7,14 @@
 
 namespace agaa::gl {
 
-// Lets passes write and read level 0 of the output, and brings the host's values back at the end of the scope:
+// Lets passes write and read level 0 of the output. The destructor restores the host's values of these parameters:
 //
-// * the base level: image stores to a level below it do nothing, and a sampler object does not replace it
-// * the last level, where the texture lacks mip levels that its filter wants, as glTexImage2D leaves one: an image unit with an
-//   incomplete texture is invalid, and stores to it do nothing
-// * the swizzle, which a sampler object does not replace either
+// * The base level becomes 0: image stores to a level below it do nothing, and a sampler object does not override it.
+// * The last level becomes 0 if the texture lacks mip levels that its filter needs, as after glTexImage2D: an image
+//   unit with an incomplete texture is invalid, and stores to it do nothing.
+// * The swizzle becomes the identity: a sampler object does not override it.
 //
-// Leaves alone what needs no change: textures with bindless handles refuse any.
+// Parameters that have the needed value are not set: textures with bindless handles refuse any change.
 class OutputView {
 public:
     OutputView(const GladGLContext& gl, GLuint texture);
@@ -26,7 +26,7 @@ private:
     const GladGLContext& gl_;
     GLuint texture_;
     GLint baseLevel_ = 0;
-    GLint maxLevel_ = 0; // 0 where no level is lacked
+    GLint maxLevel_ = 0; // 0: the texture has all levels that its filter needs
     std::array<GLint, 4> swizzle_{};
 };
 

@@ -1,5 +1,5 @@
-// Times of a view's passes: by the device's timestamps, or where the driver's are wrong by the CPU's clock
-// around glFinish.
+// Times of a view's passes, from the device's timestamps. If the driver's timestamps are wrong, the times are those of
+// the CPU's clock around glFinish.
 #pragma once
 
 #include "gl/context.h"
@@ -9,8 +9,8 @@
 
 namespace agaa::gl {
 
-// Of counters of so many bits, [1;64], which wrap. Signed: a pass that was begun anew and never ended has the end of an
-// earlier frame.
+// Returns the difference of two timestamps of counters with `bits` bits in [1, 64], which wrap. The result can be
+// negative: a pass that began but did not end keeps the end of an earlier frame.
 inline double millisecondsBetween(GLuint64 begin, GLuint64 end, uint32_t bits) {
     const uint32_t unused = 64 - bits;
     return double(int64_t((end - begin) << unused) >> unused) * 1e-6;
@@ -32,9 +32,9 @@ private:
 
     const Context& context_;
     size_t passCount_;
-    std::vector<GLuint> queries_; // two a pass and slot
+    std::vector<GLuint> queries_; // two per pass and slot
     std::vector<double> times_;
-    std::vector<std::chrono::steady_clock::time_point> begins_; // by pass: passes that repeat take turns
+    std::vector<std::chrono::steady_clock::time_point> begins_; // by pass: repeated passes alternate
 };
 
 } // namespace agaa::gl

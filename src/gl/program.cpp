@@ -11,7 +11,7 @@ namespace agaa::gl {
 
 namespace {
 
-// As the end of a sentence.
+// Returns the first line of a log as the end of a sentence.
 std::string firstLine(const std::string& log) {
     std::string line = log.substr(0, log.find('\n'));
     return line.ends_with('.') ? line : line + '.';
@@ -44,7 +44,7 @@ static void attachStage(const GladGLContext& gl, GLuint program, const StageText
     gl.GetShaderiv(shader, GL_COMPILE_STATUS, &done);
     const std::string log = done ? "" : firstLine(shaderLog(gl, shader));
     gl.AttachShader(program, shader);
-    gl.DeleteShader(shader); // with the program
+    gl.DeleteShader(shader); // it is deleted together with the program
     if (!done)
         fail(blame, format("%s does not compile: %s", name.c_str(), log.c_str()));
 }
@@ -70,7 +70,7 @@ GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> sta
     return program;
 }
 
-// 0 where the driver does not load the binary, as after an update that its version does not tell of.
+// Returns 0 if the driver refuses the binary, for example after an update that did not change its version string.
 static GLuint loadBinary(const GladGLContext& gl, const ProgramCache::Binary& binary) {
     const GLuint program = gl.CreateProgram();
     gl.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
@@ -102,7 +102,7 @@ Compiled compilePass(Context& context, const Pass& pass) {
     const std::string text = passGlslForOpenGl(pass, gl.VERSION_4_5 ? 450 : 430);
     const ProgramCache::Key key = ProgramCache::keyOf(text);
     const ProgramCache::Binary* kept = context.keepsPrograms ? context.programs.find(key) : nullptr;
-    // Other formats are an error of OpenGL.
+    // glProgramBinary raises an error for formats that the driver does not list.
     if (kept && std::find(context.binaryFormats.begin(), context.binaryFormats.end(), kept->format) != context.binaryFormats.end())
         if (const GLuint program = loadBinary(gl, *kept))
             return {program, true};

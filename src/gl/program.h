@@ -1,4 +1,4 @@
-// Programs from GLSL.
+// Compiles programs from GLSL.
 #pragma once
 
 #include "core/frame/variants.h"
@@ -16,11 +16,11 @@ struct StageText {
     GLenum stage;
     const char* text;
 };
-// Throws AGAA_ERROR_INTERNAL, or what is given for texts that hold the host's code, with the compiler's first
-// message. isRetrievable: the program's binary will be asked for.
+// Throws `blame` with the compiler's first message. blame: AGAA_ERROR_INTERNAL unless the text contains code of the
+// host. isRetrievable: the binary of the program will be read.
 GLuint linkProgram(const GladGLContext& gl, std::initializer_list<StageText> stages,
                    const std::string& name, AgaaResult blame = AGAA_ERROR_INTERNAL, bool isRetrievable = false);
-// A compute pass, from the context's cache where it has the program.
+// Compiles a compute pass, or loads its program from the context's cache.
 Compiled compilePass(Context& context, const Pass& pass);
 
 } // namespace agaa::gl

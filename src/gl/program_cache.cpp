@@ -9,19 +9,19 @@ namespace agaa::gl {
 
 namespace {
 
-// The bytes: a header, the driver's name, binaries, and a checksum of all before it. Numbers are in the order of the
-// processor; on one of the other order the mark does not fit.
+// Layout of the bytes: a header, the driver's name, the binaries, and a checksum of everything before it. Numbers have
+// the byte order of the processor; the mark does not match on a processor with the other byte order.
 constexpr uint32_t mark = 0x41475043, formatVersion = 1;
 struct Header {
     uint32_t mark, formatVersion, libraryVersion, driverBytes;
-    uint64_t count; // of binaries
+    uint64_t count; // binaries
 };
 struct Entry {
     uint64_t low, high; // Key
     uint32_t format, bytes;
 };
 
-// FNV-1a: any change of one byte changes it.
+// FNV-1a: a change of any one byte changes the hash.
 uint64_t hash(std::string_view text, uint64_t state = 0xCBF29CE484222325u) {
     for (const char c : text)
         state = (state ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
@@ -29,7 +29,7 @@ uint64_t hash(std::string_view text, uint64_t state = 0xCBF29CE484222325u) {
 }
 uint64_t checksum(std::span<const std::byte> data) { return hash({reinterpret_cast<const char*>(data.data()), data.size()}); }
 
-// Reads up to the end, and no further.
+// Reads values in sequence and fails at the end of the data.
 class Reader {
 public:
     explicit Reader(std::span<const std::byte> data) : rest_(data) {}

@@ -1,4 +1,4 @@
-// Binaries of programs, and the bytes in which hosts keep them from run to run. Calls no OpenGL.
+// Cache of program binaries, which hosts can store as bytes between runs. It calls no OpenGL function.
 #pragma once
 
 #include <compare>
@@ -14,7 +14,7 @@ namespace agaa::gl {
 
 class ProgramCache {
 public:
-    // Of a program's whole text. Two texts of the same key are not expected in the life of the universe.
+    // 128-bit hash of a program's whole text; collisions are not handled.
     struct Key {
         uint64_t low = 0, high = 0;
         auto operator<=>(const Key&) const = default;
@@ -26,15 +26,15 @@ public:
         std::vector<std::byte> bytes;
     };
 
-    // driver: tells it from all whose binaries it cannot load.
+    // driver: differs from the string of every driver whose binaries this one cannot load.
     explicit ProgramCache(std::string driver) : driver_(std::move(driver)) {}
 
-    // Adds the programs of an earlier run. Whatever the bytes are: where they are not those of bytes() by the same driver and
-    // library, nothing is added, and the reason is returned as the end of a sentence.
+    // Adds the programs of an earlier run. Any data is allowed. If the same driver and library did not write it with
+    // bytes(), nothing is added, and the function returns the reason as the end of a sentence.
     std::string read(std::span<const std::byte> data);
     std::vector<std::byte> bytes() const;
 
-    const Binary* find(const Key& key) const; // null: there is none
+    const Binary* find(const Key& key) const; // null if the cache lacks it
     void set(const Key& key, Binary binary) { binaries_[key] = std::move(binary); }
     size_t size() const { return binaries_.size(); }
 

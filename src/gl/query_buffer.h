@@ -1,5 +1,4 @@
-// The results of queries go to a buffer that the host has bound, if it has, and not to the pointer
-// given.
+// Unbinds the host's query buffer: while one is bound, query results go to that buffer instead of to the CPU.
 #pragma once
 
 #include <glad/gl.h>
@@ -10,7 +9,7 @@ inline bool hasQueryBuffer(const GladGLContext& gl) {
     return gl.VERSION_4_4 || gl.ARB_query_buffer_object;
 }
 
-// While it lives, no buffer takes the results of queries.
+// No query buffer is bound during the lifetime of an object. The destructor restores the host's binding.
 class NoQueryBuffer {
 public:
     explicit NoQueryBuffer(const GladGLContext& gl) : gl_(gl) {

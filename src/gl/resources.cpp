@@ -6,8 +6,8 @@
 
 namespace agaa::gl {
 
-// Shaders of the host's that cannot have blocks reach buffers as texels of this format: what a draw adds to as an image,
-// constants as a texture. GL_NONE: of others.
+// Returns the texel format through which host shaders without blocks access a buffer: storage buffers as images, frame
+// constants as a texture. Returns GL_NONE for buffers that no host draw accesses as texels.
 static GLenum texelsOfDraws(const Context& context, const Plan& plan, ResourceId id) {
     for (const Pass& pass : plan.passes)
         for (const Binding& binding : pass.bindings) {
@@ -22,7 +22,7 @@ static GLenum texelsOfDraws(const Context& context, const Plan& plan, ResourceId
 }
 
 ViewResources::ViewResources(const Context& context, const Plan& plan) : context_(context) {
-    context.takeHostErrors("creating surfaces");
+    context.clearHostErrors("creating surfaces");
     try {
         resources_.resize(plan.resources.size());
         for (ResourceId id = 0; id < plan.resources.size(); ++id) {

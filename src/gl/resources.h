@@ -11,7 +11,7 @@ namespace agaa::gl {
 struct GpuResource {
     GLuint texture = 0;
     std::vector<GLuint> buffers;      // one per copy
-    std::vector<GLuint> bufferImages; // buffer textures of these, where host draws reach them as texels
+    std::vector<GLuint> bufferImages; // buffer textures of `buffers`, if host draws access them as texels
 };
 
 class ViewResources {
@@ -24,7 +24,7 @@ public:
     const GpuResource& operator[](ResourceId id) const { return resources_[id]; }
     GLuint buffer(ResourceId id, uint32_t slot) const;
     GLuint bufferImage(ResourceId id, uint32_t slot) const;
-    uint64_t payloadBytes() const { return payloadBytes_; } // of per-pixel surfaces, as created
+    uint64_t payloadBytes() const { return payloadBytes_; } // per-pixel surfaces as created
 
 private:
     void createTexture(const Resource& resource, GpuResource& out);

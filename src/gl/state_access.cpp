@@ -14,7 +14,7 @@ void readParameter(const GladGLContext& gl, GLenum parameter, char type, const u
         else
             plain(parameter, data);
     };
-    // Wider than any answer: some drivers write two values for a polygon mode of one.
+    // Larger than any answer: some drivers write two values for GL_POLYGON_MODE where one is specified.
     GLboolean booleans[8]{};
     GLint integers[8]{};
     GLint64 longs[8]{};
@@ -23,7 +23,7 @@ void readParameter(const GladGLContext& gl, GLenum parameter, char type, const u
     case 'b':
         get(gl.GetBooleanv, gl.GetBooleani_v, booleans);
         break;
-    case 'u': // as a GLint, drivers may clamp it to 2^31 - 1
+    case 'u': // not read as GLint: drivers may clamp it to 2^31 - 1
     case 'l':
         get(gl.GetInteger64v, gl.GetInteger64i_v, longs);
         break;

@@ -1,5 +1,5 @@
-// How rows are read and written: by the types of their components, and by the signature of the
-// OpenGL function that sets them.
+// Functions that read and write rows of the state table. They follow the component types of the row and the signature
+// of the OpenGL function that sets the state.
 #pragma once
 
 #include "gl/state_context.h"
@@ -9,13 +9,13 @@
 
 namespace agaa::gl {
 
-// glGet of the row's parameters, with the element as index unless the row stands once.
+// Reads the row's parameters by glGet, indexed by element unless the row is StateArray::Once.
 void readValues(const StateReading&, const StateRow&, uint32_t element, StateValue&);
 
-// glIsEnabled and glEnable.
+// Read and write by glIsEnabled, glEnable and glDisable.
 void readCapability(const StateReading&, const StateRow&, uint32_t element, StateValue&);
 void writeCapability(const StateContext&, const StateRow&, uint32_t element, const StateValue&);
-// The same with an index.
+// Read and write by glIsEnabledi, glEnablei and glDisablei.
 void readCapabilityAt(const StateReading&, const StateRow&, uint32_t element, StateValue&);
 void writeCapabilityAt(const StateContext&, const StateRow&, uint32_t element, const StateValue&);
 
@@ -31,7 +31,7 @@ T component(const StateValue& value, size_t i) {
         return static_cast<T>(value.integer(i));
 }
 
-// Calls an OpenGL function with the leading arguments, then the components.
+// Calls an OpenGL function with the leading arguments, followed by the components.
 template <typename... Parameters, typename... Leading>
 void callWith(void(GLAD_API_PTR* function)(Parameters...), const StateValue& value,
               Leading... leading) {
@@ -44,29 +44,29 @@ void callWith(void(GLAD_API_PTR* function)(Parameters...), const StateValue& val
     (std::index_sequence_for<Parameters...>{});
 }
 
-// function(constants…, components…)
+// Calls Function(constants…, components…).
 template <auto Function, GLenum... Constants>
 void set(const StateContext& context, const StateRow&, uint32_t, const StateValue& value) {
     callWith(context.gl().*Function, value, Constants...);
 }
 
-// function(element, components…)
+// Calls Function(element, components…).
 template <auto Function>
 void setAt(const StateContext& context, const StateRow&, uint32_t element,
            const StateValue& value) {
     callWith(context.gl().*Function, value, element);
 }
 
-// function(parameter, components…)
+// Calls Function(parameter, components…).
 template <auto Function>
 void setParameter(const StateContext& context, const StateRow& row, uint32_t,
                   const StateValue& value) {
     callWith(context.gl().*Function, value, row.parameters[0]);
 }
 
-// The object's name, or 0 if the host has deleted it since it was read.
+// Returns the object's name, or 0 if the host has deleted the object since it was read.
 template <auto IsObject>
-GLuint living(const StateContext& context, GLuint name) {
+GLuint existingName(const StateContext& context, GLuint name) {
     return name != 0 && (context.gl().*IsObject)(name) == GL_TRUE ? name : 0;
 }
 

@@ -1,5 +1,5 @@
-// Objects bound to the context. Those deleted since they were read are restored as 0: a name that
-// no longer exists would raise an error, or make an object that the host never asked for.
+// Bindings of objects. An object that was deleted since it was read is restored as 0: binding its name would raise an
+// error or create a new object.
 #include "gl/query_buffer.h"
 #include "gl/state_access.h"
 #include "gl/state_table.h"
@@ -11,18 +11,18 @@ using Gl = GladGLContext;
 
 template <auto Bind, auto IsObject, GLenum... Target>
 void bindObject(const StateContext& context, const StateRow&, uint32_t, const StateValue& value) {
-    (context.gl().*Bind)(Target..., living<IsObject>(context, value.name()));
+    (context.gl().*Bind)(Target..., existingName<IsObject>(context, value.name()));
 }
 template <GLenum Target>
 constexpr StateWrite bindBuffer = bindObject<&Gl::BindBuffer, &Gl::IsBuffer, Target>;
 template <GLenum Target>
 constexpr StateWrite bindFramebuffer = bindObject<&Gl::BindFramebuffer, &Gl::IsFramebuffer, Target>;
 
-// A buffer bound without a range is read as start 0, size 0.
+// For a buffer that is bound without a range, OpenGL returns start 0 and size 0.
 template <GLenum Target>
 void bindBufferRange(const StateContext& context, const StateRow&, uint32_t element,
                      const StateValue& value) {
-    const GLuint buffer = living<&Gl::IsBuffer>(context, value.name());
+    const GLuint buffer = existingName<&Gl::IsBuffer>(context, value.name());
     const auto start = component<GLintptr>(value, 1);
     const auto size = component<GLsizeiptr>(value, 2);
     if (buffer == 0 || size == 0)
@@ -31,15 +31,15 @@ void bindBufferRange(const StateContext& context, const StateRow&, uint32_t elem
         context.gl().BindBufferRange(Target, element, buffer, start, size);
 }
 
-// The binding is the vertex array's, which may hold a buffer whose name is gone. Core contexts
-// without a vertex array have none.
+// The binding belongs to the vertex array, which can keep a buffer whose name was deleted. Core contexts without a
+// vertex array have no such binding.
 void bindElementBuffer(const StateContext& context, const StateRow&, uint32_t,
                        const StateValue& value) {
     GLint bound = 0;
     context.gl().GetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &bound);
     if (static_cast<GLuint>(bound) != value.name())
         context.gl().BindBuffer(GL_ELEMENT_ARRAY_BUFFER,
-                                living<&Gl::IsBuffer>(context, value.name()));
+                                existingName<&Gl::IsBuffer>(context, value.name()));
 }
 
 void readUnit(const StateReading& reading, const StateRow& row, uint32_t element, StateValue& out) {
@@ -54,11 +54,11 @@ void bindTexture(const StateContext& context, const StateRow& row, uint32_t elem
                  const StateValue& value) {
     const GladGLContext& gl = context.gl();
     gl.ActiveTexture(GL_TEXTURE0 + element);
-    const GLuint texture = living<&Gl::IsTexture>(context, value.name());
+    const GLuint texture = existingName<&Gl::IsTexture>(context, value.name());
     GLint bound = 0;
     if (texture != 0) {
-        // Cannot fail, as glBindTexture does where the host has given the name to a texture of
-        // another target: then that is what it binds, and the query shows it.
+        // The host may have reused the name for a texture of another target, for which glBindTexture would fail.
+        // glBindTextureUnit binds that texture to its own target instead, and the query shows it.
         gl.BindTextureUnit(element, texture);
         gl.GetIntegerv(row.parameters[0], &bound);
     }
@@ -68,23 +68,22 @@ void bindTexture(const StateContext& context, const StateRow& row, uint32_t elem
 
 void bindSampler(const StateContext& context, const StateRow&, uint32_t element,
                  const StateValue& value) {
-    context.gl().BindSampler(element, living<&Gl::IsSampler>(context, value.name()));
+    context.gl().BindSampler(element, existingName<&Gl::IsSampler>(context, value.name()));
 }
 
 void bindImage(const StateContext& context, const StateRow&, uint32_t element,
                const StateValue& value) {
-    context.gl().BindImageTexture(element, living<&Gl::IsTexture>(context, value.name()),
+    context.gl().BindImageTexture(element, existingName<&Gl::IsTexture>(context, value.name()),
                                   component<GLint>(value, 1), component<GLboolean>(value, 2),
                                   component<GLint>(value, 3), component<GLenum>(value, 4),
                                   component<GLenum>(value, 5));
 }
 
-// Mesa ignores glBindProgramPipeline(0) while a program is in use, and glUseProgram(0) fails there
-// if the pipeline behind the program has been deleted: so another pipeline comes between. The
-// program in use is the next row's.
+// Mesa ignores glBindProgramPipeline(0) while a program is in use. Its glUseProgram(0) fails if the pipeline behind the
+// program was deleted. Binding an empty pipeline first avoids both. The next row restores the program in use.
 void bindPipeline(const StateContext& context, const StateRow&, uint32_t, const StateValue& value) {
     const GladGLContext& gl = context.gl();
-    const GLuint pipeline = living<&Gl::IsProgramPipeline>(context, value.name());
+    const GLuint pipeline = existingName<&Gl::IsProgramPipeline>(context, value.name());
     GLint bound = 0;
     gl.GetIntegerv(GL_PROGRAM_PIPELINE_BINDING, &bound);
     if (static_cast<GLuint>(bound) == pipeline)
@@ -94,9 +93,9 @@ void bindPipeline(const StateContext& context, const StateRow&, uint32_t, const 
     gl.BindProgramPipeline(pipeline);
 }
 
-// A program that the host has linked anew without success can be in use, but not be used again.
+// A program whose latest link failed can remain in use, but glUseProgram refuses it.
 void useProgram(const StateContext& context, const StateRow&, uint32_t, const StateValue& value) {
-    const GLuint program = living<&Gl::IsProgram>(context, value.name());
+    const GLuint program = existingName<&Gl::IsProgram>(context, value.name());
     GLint linked = GL_FALSE;
     if (program != 0)
         context.gl().GetProgramiv(program, GL_LINK_STATUS, &linked);
@@ -144,7 +143,7 @@ constexpr StateRow kRows[] = {
     {"GL_RENDERBUFFER_BINDING", "renderbuffer", {GL_RENDERBUFFER_BINDING}, "o", readValues,
      bindObject<&Gl::BindRenderbuffer, &Gl::IsRenderbuffer, GL_RENDERBUFFER>},
 
-    // Binding to an index also binds to the target.
+    // Binding to an index also binds to the target, so that the rows of targets follow.
     {"GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE",
      "uniform buffers by index",
      {GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE}, "oll",
@@ -168,7 +167,7 @@ constexpr StateRow kRows[] = {
     buffer<GL_COPY_WRITE_BUFFER>(GL_COPY_WRITE_BUFFER_BINDING, "GL_COPY_WRITE_BUFFER_BINDING",
                                  "target of buffer copies"),
     buffer<GL_PIXEL_PACK_BUFFER>(GL_PIXEL_PACK_BUFFER_BINDING, "GL_PIXEL_PACK_BUFFER_BINDING",
-                                 "buffer that pixels are read to"),
+                                 "buffer that receives pixels"),
     buffer<GL_PIXEL_UNPACK_BUFFER>(GL_PIXEL_UNPACK_BUFFER_BINDING, "GL_PIXEL_UNPACK_BUFFER_BINDING",
                                    "buffer that pixels come from"),
     buffer<GL_DRAW_INDIRECT_BUFFER>(GL_DRAW_INDIRECT_BUFFER_BINDING,
@@ -201,13 +200,13 @@ constexpr StateRow kRows[] = {
      {GL_IMAGE_BINDING_NAME, GL_IMAGE_BINDING_LEVEL, GL_IMAGE_BINDING_LAYERED,
       GL_IMAGE_BINDING_LAYER, GL_IMAGE_BINDING_ACCESS, GL_IMAGE_BINDING_FORMAT},
      "oibiee", readValues, bindImage, StateArray::ImageUnits},
-    // Setting textures and reading them changes the active unit.
+    // Reading and writing texture bindings changes the active unit, so that this row follows them.
     {"GL_ACTIVE_TEXTURE", "active texture unit", {GL_ACTIVE_TEXTURE}, "e", readActiveTexture,
      set<&Gl::ActiveTexture>},
 
     {"GL_CLIENT_ACTIVE_TEXTURE", "texture unit of vertex arrays", {GL_CLIENT_ACTIVE_TEXTURE}, "e",
      readValues, set<&Gl::ClientActiveTexture>, StateArray::Once, StateProfile::Compatibility},
-    {"GL_MATRIX_MODE", "which matrix is changed", {GL_MATRIX_MODE}, "e", readValues,
+    {"GL_MATRIX_MODE", "matrix mode", {GL_MATRIX_MODE}, "e", readValues,
      set<&Gl::MatrixMode>, StateArray::Once, StateProfile::Compatibility},
 };
 // clang-format on

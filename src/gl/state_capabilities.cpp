@@ -1,4 +1,4 @@
-// What glEnable and glDisable switch.
+// States that glEnable and glDisable set.
 #include "gl/state_access.h"
 #include "gl/state_table.h"
 
@@ -14,7 +14,8 @@ constexpr StateRow capability(GLenum parameter, const char* name, const char* de
 
 constexpr StateProfile kCompatibility = StateProfile::Compatibility;
 
-// glEnable(GL_DEPTH_CLAMP) switches both planes, and asking tells of either.
+// With GL_AMD_depth_clamp_separate, glEnable(GL_DEPTH_CLAMP) sets both planes and glIsEnabled returns true for either,
+// so that each plane has its own row.
 constexpr StateNeed kDepthClamp{
     "no GL_AMD_depth_clamp_separate",
     [](const GladGLContext& gl) { return gl.AMD_depth_clamp_separate == 0; }};
@@ -40,7 +41,7 @@ constexpr StateRow kRows[] = {
                "clamping at the far plane instead of clipping", StateProfile::Any,
                kDepthClampSeparate),
     capability(GL_STENCIL_TEST, "GL_STENCIL_TEST", "stencil test"),
-    capability(GL_RASTERIZER_DISCARD, "GL_RASTERIZER_DISCARD", "dropping of all primitives"),
+    capability(GL_RASTERIZER_DISCARD, "GL_RASTERIZER_DISCARD", "discarding of all primitives"),
     capability(GL_CULL_FACE, "GL_CULL_FACE", "face culling"),
     capability(GL_POLYGON_OFFSET_FILL, "GL_POLYGON_OFFSET_FILL", "depth offset of filled polygons"),
     capability(GL_POLYGON_OFFSET_LINE, "GL_POLYGON_OFFSET_LINE", "depth offset of outlines"),
@@ -53,7 +54,7 @@ constexpr StateRow kRows[] = {
     capability(GL_SAMPLE_ALPHA_TO_ONE, "GL_SAMPLE_ALPHA_TO_ONE", "alpha to one"),
     capability(GL_SAMPLE_COVERAGE, "GL_SAMPLE_COVERAGE", "coverage by a value"),
     capability(GL_SAMPLE_MASK, "GL_SAMPLE_MASK", "coverage by a mask"),
-    capability(GL_SAMPLE_SHADING, "GL_SAMPLE_SHADING", "shading of several samples"),
+    capability(GL_SAMPLE_SHADING, "GL_SAMPLE_SHADING", "sample shading"),
     capability(GL_COLOR_LOGIC_OP, "GL_COLOR_LOGIC_OP", "logical operation on colours"),
     capability(GL_DITHER, "GL_DITHER", "dithering"),
     capability(GL_FRAMEBUFFER_SRGB, "GL_FRAMEBUFFER_SRGB", "writing and blending in sRGB"),
@@ -63,7 +64,7 @@ constexpr StateRow kRows[] = {
     capability(GL_TEXTURE_CUBE_MAP_SEAMLESS, "GL_TEXTURE_CUBE_MAP_SEAMLESS",
                "filtering across cube edges"),
     capability(GL_RASTER_MULTISAMPLE_EXT, "GL_RASTER_MULTISAMPLE_EXT",
-               "rasterization with a sample count of its own", StateProfile::Any, kMixedSamples),
+               "rasterization with an explicit sample count", StateProfile::Any, kMixedSamples),
     capability(GL_ALPHA_TEST, "GL_ALPHA_TEST", "alpha test", kCompatibility),
     capability(GL_FOG, "GL_FOG", "fog", kCompatibility),
     capability(GL_LIGHTING, "GL_LIGHTING", "lighting", kCompatibility),

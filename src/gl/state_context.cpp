@@ -43,8 +43,8 @@ StateContext::StateContext(const GladGLContext& gl, const StateScope& scope,
     set(StateArray::StorageBindings,
         below(gl, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, scope.storageBindings));
     set(StateArray::ImageUnits, below(gl, GL_MAX_IMAGE_UNITS, scope.imageUnits));
-    // All of these: the calls without an index (glColorMask, glViewport, …) set all, and hosts use
-    // them in their draw callbacks.
+    // All elements are saved: draw callbacks use the functions without an index (glColorMask, glViewport, …), which set
+    // all of them.
     set(StateArray::DrawBuffers, first(limit(gl, GL_MAX_DRAW_BUFFERS)));
     set(StateArray::Viewports, first(limit(gl, GL_MAX_VIEWPORTS)));
     set(StateArray::ClipDistances, first(limit(gl, GL_MAX_CLIP_DISTANCES)));
@@ -56,7 +56,7 @@ StateContext::StateContext(const GladGLContext& gl, const StateScope& scope,
     gl.CreateFramebuffers(1, &framebuffer_);
     gl.NamedFramebufferRenderbuffer(framebuffer_, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                                     stencil_);
-    // Has the driver look at the attachment now: it need not when the framebuffer is only bound.
+    // Makes the driver validate the attachment now: binding the framebuffer alone may not.
     gl.CheckNamedFramebufferStatus(framebuffer_, GL_DRAW_FRAMEBUFFER);
 }
 

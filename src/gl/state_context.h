@@ -1,4 +1,4 @@
-// What the rows of the state table need to know of a context.
+// Properties of a context that the rows of the state table need.
 #pragma once
 
 #include "gl/state_row.h"
@@ -9,7 +9,7 @@
 
 namespace agaa::gl {
 
-// Made, used and destroyed while its OpenGL context is current. Changes no state of it.
+// Its OpenGL context must be current whenever it is created, used or destroyed. It changes no state of the context.
 class StateContext {
 public:
     StateContext(const GladGLContext& gl, const StateScope& scope, bool compatibilityProfile);
@@ -20,7 +20,7 @@ public:
     const GladGLContext& gl() const { return gl_; }
     bool compatibilityProfile() const { return compatibility_; }
     bool has(const StateRow& row) const;
-    // Of a row that the context has.
+    // Returns the elements of rows with this array. The context must have the row.
     const std::vector<uint32_t>& elements(StateArray array) const {
         return elements_[static_cast<size_t>(array)];
     }
@@ -31,14 +31,14 @@ private:
     const GladGLContext& gl_;
     bool compatibility_;
     std::array<std::vector<uint32_t>, kStateArrays> elements_;
-    GLuint framebuffer_ = 0; // with a stencil; see StateReading
+    GLuint framebuffer_ = 0; // has a stencil buffer; used by StateReading
     GLuint stencil_ = 0;
     GLuint pipeline_ = 0;
 };
 
-// While it lives, queries tell what has been set: otherwise a stencil reference is clamped to the
-// bits of the draw framebuffer's stencil, and colours are clamped while fragment colours are. What
-// it changes for that it keeps for the rows concerned, and sets again when it goes.
+// Makes queries return the values that were set, during the lifetime of an object. Without it OpenGL clamps a stencil
+// reference to the bits of the draw framebuffer's stencil, and colours while fragment colours are clamped. It changes
+// the draw framebuffer and the clamping, keeps their values for the rows that read them, and restores them at its end.
 class StateReading {
 public:
     explicit StateReading(const StateContext& context);

@@ -1,4 +1,4 @@
-// From fragments to the framebuffer: depth, stencil, blending, masks and clear values.
+// States between fragments and the framebuffer: depth, stencil, blending, masks and clear values.
 #include "gl/state_access.h"
 #include "gl/state_table.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 using Gl = GladGLContext;
 
-// The separate form refuses the equations of GL_KHR_blend_equation_advanced.
+// glBlendEquationSeparatei refuses the equations of GL_KHR_blend_equation_advanced.
 void setBlendEquations(const StateContext& context, const StateRow&, uint32_t element,
                        const StateValue& value) {
     const GLenum rgb = component<GLenum>(value, 0), alpha = component<GLenum>(value, 1);
@@ -71,10 +71,10 @@ constexpr StateRow kRows[] = {
     {"GL_ALPHA_TEST_FUNC, GL_ALPHA_TEST_REF", "alpha comparison",
      {GL_ALPHA_TEST_FUNC, GL_ALPHA_TEST_REF}, "ef", readValues, set<&Gl::AlphaFunc>,
      StateArray::Once, StateProfile::Compatibility},
-    {"GL_CLAMP_FRAGMENT_COLOR", "clamping of fragments' colours", {GL_CLAMP_FRAGMENT_COLOR}, "e",
+    {"GL_CLAMP_FRAGMENT_COLOR", "clamping of fragment colours", {GL_CLAMP_FRAGMENT_COLOR}, "e",
      readClampFragmentColor, setParameter<&Gl::ClampColor>, StateArray::Once,
      StateProfile::Compatibility},
-    {"GL_CLAMP_VERTEX_COLOR", "clamping of vertices' colours", {GL_CLAMP_VERTEX_COLOR}, "e",
+    {"GL_CLAMP_VERTEX_COLOR", "clamping of vertex colours", {GL_CLAMP_VERTEX_COLOR}, "e",
      readValues, setParameter<&Gl::ClampColor>, StateArray::Once, StateProfile::Compatibility},
 };
 // clang-format on

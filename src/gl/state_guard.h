@@ -1,4 +1,4 @@
-// Saves the host's OpenGL state and sets it again.
+// Saves and restores the host's OpenGL state.
 #pragma once
 
 #include "gl/state_context.h"
@@ -7,20 +7,20 @@
 
 namespace agaa::gl {
 
-// Made, used and destroyed while the context that it is for is current; gl must live longer.
-// Neither capture nor restore allocates, waits for the device, asks for or raises an OpenGL error,
-// provided that no transform feedback is active. Errors that are pending stay so.
+// Its context must be current whenever it is created, used or destroyed; gl must outlive it. If no transform feedback
+// is active, capture and restore neither allocate, wait for the device, nor query or raise an OpenGL error. Pending
+// errors stay pending.
 class StateGuard {
 public:
     StateGuard(const GladGLContext& gl, const StateScope& scope, bool compatibilityProfile);
 
     // Reads every row of the table.
     void capture();
-    // Sets every row to what was last captured. Objects deleted since become 0.
+    // Sets every row to the value that was captured last. Bindings of objects deleted since then become 0.
     void restore() noexcept;
 
     const StateContext& context() const { return context_; }
-    // Row by row of the table, those that the context has, and element by element.
+    // Values in the order of the table's rows and of their elements; rows that the context lacks are omitted.
     const std::vector<StateValue>& captured() const { return values_; }
 
 private:

@@ -1,4 +1,4 @@
-// How pixels are read from and written to memory.
+// States of pixel transfers from and to memory.
 #include "gl/state_access.h"
 #include "gl/state_table.h"
 

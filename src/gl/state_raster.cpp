@@ -1,4 +1,4 @@
-// From vertices to fragments: viewports, primitives and samples.
+// States between vertices and fragments: viewports, primitives and samples.
 #include "gl/state_access.h"
 #include "gl/state_table.h"
 
@@ -22,7 +22,7 @@ void setPolygonModes(const StateContext& context, const StateRow&, uint32_t,
     context.gl().PolygonMode(GL_BACK, component<GLenum>(value, 1));
 }
 
-// glPolygonOffset sets the clamp to 0, so the three are set by one call where there is a clamp.
+// glPolygonOffset sets the clamp to 0. If the context has a clamp, one call sets all three values.
 bool hasOffsetClamp(const GladGLContext& gl) {
     return gl.VERSION_4_6 || gl.ARB_polygon_offset_clamp || gl.EXT_polygon_offset_clamp;
 }
@@ -61,27 +61,27 @@ constexpr StateRow kRows[] = {
     {"GL_CLIP_ORIGIN, GL_CLIP_DEPTH_MODE", "clip control", {GL_CLIP_ORIGIN, GL_CLIP_DEPTH_MODE},
      "ee", readValues, set<&Gl::ClipControl>, StateArray::Once, StateProfile::Any, kClipControl},
 
-    {"GL_CULL_FACE_MODE", "which faces are culled", {GL_CULL_FACE_MODE}, "e", readValues,
+    {"GL_CULL_FACE_MODE", "culled faces", {GL_CULL_FACE_MODE}, "e", readValues,
      set<&Gl::CullFace>},
-    {"GL_FRONT_FACE", "which way front faces turn", {GL_FRONT_FACE}, "e", readValues,
+    {"GL_FRONT_FACE", "winding of front faces", {GL_FRONT_FACE}, "e", readValues,
      set<&Gl::FrontFace>},
-    {"GL_POLYGON_MODE", "polygons as areas, lines or points", {GL_POLYGON_MODE}, "e", readValues,
+    {"GL_POLYGON_MODE", "polygon mode", {GL_POLYGON_MODE}, "e", readValues,
      set<&Gl::PolygonMode, GL_FRONT_AND_BACK>, StateArray::Once, StateProfile::Core},
-    {"GL_POLYGON_MODE", "polygons as areas, lines or points, front and back", {GL_POLYGON_MODE},
+    {"GL_POLYGON_MODE", "polygon mode, front and back", {GL_POLYGON_MODE},
      "ee", readValues, setPolygonModes, StateArray::Once, StateProfile::Compatibility},
     {"GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS, GL_POLYGON_OFFSET_CLAMP",
-     "depth offset; the clamp where the context has it",
+     "depth offset; with the clamp if the context has it",
      {GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS, GL_POLYGON_OFFSET_CLAMP}, "fff",
      readPolygonOffset, setPolygonOffset},
     {"GL_LINE_WIDTH", "line width", {GL_LINE_WIDTH}, "f", readValues, set<&Gl::LineWidth>},
     {"GL_POINT_SIZE", "point size", {GL_POINT_SIZE}, "f", readValues, set<&Gl::PointSize>},
     {"GL_POINT_FADE_THRESHOLD_SIZE", "point size below which points fade",
      {GL_POINT_FADE_THRESHOLD_SIZE}, "f", readValues, setParameter<&Gl::PointParameterf>},
-    {"GL_POINT_SPRITE_COORD_ORIGIN", "where gl_PointCoord starts", {GL_POINT_SPRITE_COORD_ORIGIN},
+    {"GL_POINT_SPRITE_COORD_ORIGIN", "origin of gl_PointCoord", {GL_POINT_SPRITE_COORD_ORIGIN},
      "e", readValues, setParameter<&Gl::PointParameteri>},
     {"GL_PROVOKING_VERTEX", "vertex that flat attributes come from", {GL_PROVOKING_VERTEX}, "e",
      readValues, set<&Gl::ProvokingVertex>},
-    {"GL_PRIMITIVE_RESTART_INDEX", "index that restarts", {GL_PRIMITIVE_RESTART_INDEX}, "u",
+    {"GL_PRIMITIVE_RESTART_INDEX", "primitive restart index", {GL_PRIMITIVE_RESTART_INDEX}, "u",
      readValues, set<&Gl::PrimitiveRestartIndex>},
     {"GL_PATCH_VERTICES", "vertices a patch", {GL_PATCH_VERTICES}, "i", readValues,
      setParameter<&Gl::PatchParameteri>},
@@ -97,13 +97,13 @@ constexpr StateRow kRows[] = {
      set<&Gl::SampleCoverage>},
     {"GL_SAMPLE_MASK_VALUE", "coverage by a mask", {GL_SAMPLE_MASK_VALUE}, "u", readValues,
      setAt<&Gl::SampleMaski>, StateArray::SampleMaskWords},
-    {"GL_MIN_SAMPLE_SHADING_VALUE", "part of the samples that is shaded",
+    {"GL_MIN_SAMPLE_SHADING_VALUE", "minimum fraction of samples that is shaded",
      {GL_MIN_SAMPLE_SHADING_VALUE}, "f", readValues, set<&Gl::MinSampleShading>},
     {"GL_RASTER_SAMPLES_EXT, GL_RASTER_FIXED_SAMPLE_LOCATIONS_EXT",
-     "rasterization with a sample count of its own",
+     "rasterization with an explicit sample count",
      {GL_RASTER_SAMPLES_EXT, GL_RASTER_FIXED_SAMPLE_LOCATIONS_EXT}, "ib", readValues,
      set<&Gl::RasterSamplesEXT>, StateArray::Once, StateProfile::Any, kMixedSamples},
-    {"GL_COVERAGE_MODULATION_NV", "what coverage scales", {GL_COVERAGE_MODULATION_NV}, "e",
+    {"GL_COVERAGE_MODULATION_NV", "components that coverage modulates", {GL_COVERAGE_MODULATION_NV}, "e",
      readValues, set<&Gl::CoverageModulationNV>, StateArray::Once, StateProfile::Any,
      kMixedSamples},
 

@@ -1,4 +1,4 @@
-// One state of the context: how it is called, read and set again.
+// One row of the state table: the name of a state, and how it is read and written.
 #pragma once
 
 #include <glad/gl.h>
@@ -15,7 +15,7 @@ class StateContext;
 class StateReading;
 struct StateRow;
 
-// Up to six components, as StateRow::layout says.
+// Holds up to six components; StateRow::layout gives their types.
 class StateValue {
 public:
     int64_t integer(size_t i) const { return words_[i]; }
@@ -31,7 +31,7 @@ private:
 
 enum class StateProfile : uint8_t { Any, Core, Compatibility };
 
-// What a row is repeated for.
+// Elements for which a row is repeated.
 enum class StateArray : uint8_t {
     Once,
     TextureUnits,
@@ -54,11 +54,11 @@ struct StateNeed {
     bool (*met)(const GladGLContext&) = nullptr;
 };
 
-// element: the texture unit, binding point, draw buffer or viewport; 0 where the row stands once.
+// element: the texture unit, binding point, draw buffer or viewport; 0 with StateArray::Once.
 struct StateRow {
-    const char* name; // as in the OpenGL specification; several where one call sets them
+    const char* name; // as in the OpenGL specification; multiple names if one call sets them
     const char* description;
-    std::array<GLenum, 6> parameters; // what is read: one for all components, or one for each
+    std::array<GLenum, 6> parameters; // read by glGet: one for all components, or one for each
     // A letter for each component: b boolean, e enum, i integer, u 32-bit mask or index, l 64-bit
     // integer, f number, o name of an object.
     std::string_view layout;

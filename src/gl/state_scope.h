@@ -1,5 +1,5 @@
-// Which numbered binding points a view's frames may change: only these are saved, so that hosts do
-// not pay for the hundreds that a context has.
+// Numbered binding points that frames may change. Only these are saved: a context has hundreds, and saving all would
+// cost the host time.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace agaa::gl {
 
-// Binding points beyond the context's limits are left out, repeated ones do no harm.
+// Binding points beyond the context's limits are ignored. Repeated ones are allowed.
 struct StateScope {
     std::vector<uint32_t> textureUnits;
     std::vector<uint32_t> uniformBindings;

@@ -1,5 +1,5 @@
-// The states that come back to the host: one row each, in the order in which they are set. The
-// guard, its test and docs/state.md are all made from it.
+// The table of the states that the SDK restores, in the order in which they are written. The guard, its test and
+// docs/state.md use it.
 #pragma once
 
 #include "gl/state_row.h"
@@ -8,10 +8,10 @@
 
 namespace agaa::gl {
 
-// A row that setting another one changes stands after that one.
+// If writing one row changes the state of another row, the other row follows it.
 std::span<const StateRow> stateTable();
 
-// Its parts, by topic.
+// Parts of the table, by topic.
 std::span<const StateRow> capabilityRows();
 std::span<const StateRow> rasterRows();
 std::span<const StateRow> fragmentRows();

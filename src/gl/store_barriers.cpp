@@ -21,7 +21,7 @@ static GLbitfield barrierBit(const Access& access, bool drawsUseImages) {
         return GL_FRAMEBUFFER_BARRIER_BIT;
     case Use::CopyFrom:
     case Use::CopyTo:
-    case Use::Condition: // which the CPU reads
+    case Use::Condition: // read by the CPU
         return GL_BUFFER_UPDATE_BARRIER_BIT;
     case Use::Indirect:
         break;

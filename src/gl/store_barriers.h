@@ -1,5 +1,5 @@
-// OpenGL orders all that a context does but for what shaders store: that needs a barrier for each way in which
-// it is used next.
+// Barriers after shader stores. OpenGL orders all other commands of a context; stores need a barrier for each kind of
+// later access.
 #pragma once
 
 #include "core/plan/plan.h"
@@ -14,15 +14,15 @@ class StoreBarriers {
 public:
     explicit StoreBarriers(size_t resourceCount) : states_(resourceCount) {}
 
-    // What must be made visible before the pass; the caller issues it.
+    // Returns the barrier bits that the pass needs. The caller issues the barrier.
     GLbitfield before(const Plan& plan, const Pass& pass, bool drawsUseImages);
-    // The pass is issued next, or was.
+    // Records the accesses of a pass, immediately before or after it is issued.
     void after(const Plan& plan, const Pass& pass);
 
 private:
     struct State {
         bool stored = false;
-        bool read = false;      // by a shader, since the last barrier: stores must not overtake it
+        bool read = false;      // by a shader since the last barrier: later stores need a barrier
         GLbitfield visible = 0; // barriers issued since the last store
     };
     std::vector<State> states_;

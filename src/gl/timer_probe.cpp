@@ -11,7 +11,7 @@ namespace agaa::gl {
 
 namespace {
 
-// A triangle over the whole target, with work that a compiler cannot shorten.
+// The shaders draw a triangle over the whole target. A compiler cannot shorten the work per fragment.
 constexpr const char* vertexText = R"(#version 430
 void main() {
     gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
@@ -33,7 +33,7 @@ double milliseconds(std::chrono::steady_clock::duration duration) {
     return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-// Draws, since drivers that rasterise on the CPU put those off, and dispatches not.
+// The work is a draw because drivers that rasterise on the CPU defer draws, but not dispatches.
 class Work {
 public:
     explicit Work(const GladGLContext& context)
@@ -53,7 +53,7 @@ public:
         for (GLenum capability : {GL_SCISSOR_TEST, GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST,
                                   GL_RASTERIZER_DISCARD, GL_BLEND, GL_SAMPLE_SHADING})
             gl.Disable(capability);
-        GLint distances = 0; // undefined where the shader writes none
+        GLint distances = 0; // enabled distances that the shader does not write are undefined
         gl.GetIntegerv(GL_MAX_CLIP_DISTANCES, &distances);
         for (GLint i = 0; i < distances; ++i)
             gl.Disable(GLenum(GL_CLIP_DISTANCE0 + i));
@@ -70,7 +70,7 @@ public:
     Work(const Work&) = delete;
     Work& operator=(const Work&) = delete;
 
-    // By the CPU's clock and by the driver's timestamps.
+    // Returns the milliseconds of the CPU's clock and those of the driver's timestamps.
     void run(GLuint rounds, uint32_t bits, double& clock, double& driver) {
         gl.ProgramUniform1ui(program, 0, rounds);
         gl.Finish();
@@ -97,15 +97,15 @@ private:
 
 } // namespace
 
-static bool isRight(const GladGLContext& gl, uint32_t bits) {
+static bool isAccurate(const GladGLContext& gl, uint32_t bits) {
     const NoQueryBuffer none(gl);
     Work work(gl);
     double clock = 0, driver = 0;
-    work.run(1, bits, clock, driver); // compiles
-    // Long enough for submission not to matter; what a driver takes for it grows until it is.
+    work.run(1, bits, clock, driver); // includes compilation, so that its time is not used
+    // The work grows until submission takes a negligible part of its time.
     for (GLuint rounds = 256; rounds <= 1u << 20; rounds *= 4) {
         work.run(rounds, bits, clock, driver);
-        // A pause of the system's is no work of the device's: the shortest of three.
+        // The shortest of three runs is used: the system may have paused the others.
         for (int again = 0; clock >= 4.0 && again < 2; ++again) {
             double otherClock = 0, otherDriver = 0;
             work.run(rounds, bits, otherClock, otherDriver);
@@ -122,9 +122,9 @@ static bool isRight(const GladGLContext& gl, uint32_t bits) {
 
 bool probeTimer(const GladGLContext& gl, uint32_t bits) {
     try {
-        return bits != 0 && isRight(gl, bits);
+        return bits != 0 && isAccurate(gl, bits);
     } catch (const Error&) {
-        return false; // no reason to go without the SDK
+        return false; // the SDK works without timestamps
     }
 }
 

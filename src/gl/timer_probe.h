@@ -1,12 +1,12 @@
-// Whether a driver's timestamps tell the time that its work takes.
+// Tests whether a driver's timestamps measure the time of its work.
 #pragma once
 
 #include <glad/gl.h>
 
 namespace agaa::gl {
 
-// Draws: changes programs, bindings, viewport and tests, which the caller keeps. False as well where there are no
-// timestamps, or the probe does not compile.
+// Returns false if the timestamps are wrong or missing, or if the probe does not compile. bits: of the timestamp
+// counter. The probe draws: it changes programs, bindings, the viewport and tests, which the caller must save.
 bool probeTimer(const GladGLContext& gl, uint32_t bits);
 
 } // namespace agaa::gl

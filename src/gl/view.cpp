@@ -48,7 +48,7 @@ Compiled View::compile(const Pass& pass, size_t) {
     const Compiled compiled = compilePass(context, pass);
     try {
         context.label(GL_PROGRAM, GLuint(compiled.program), "agaa " + pass.name);
-        context.checkErrors("compiling a pass"); // before frames run with it
+        context.checkErrors("compiling a pass"); // before a frame uses the program
     } catch (...) {
         context.gl.DeleteProgram(GLuint(compiled.program));
         throw;
@@ -57,7 +57,7 @@ Compiled View::compile(const Pass& pass, size_t) {
 }
 
 void View::prepare(const ViewSettings& settings, const AgaaSceneFacts& facts) {
-    context.takeHostErrors("agaaPrepareVariants");
+    context.clearHostErrors("agaaPrepareVariants");
     ViewState::prepare(settings, facts);
 }
 
@@ -104,7 +104,7 @@ void View::createFramebuffer(size_t index) {
                     pass.name.c_str(), status));
 }
 
-// OpenGL has no standard sample locations; it tells those of the framebuffer bound.
+// OpenGL defines no standard sample locations. glGetMultisamplefv returns those of the bound framebuffer.
 SamplePositions View::readPositions() const {
     if (!plan.view.samplePositions.empty())
         return samplePositions(plan.view.samplePositions);
@@ -115,7 +115,7 @@ SamplePositions View::readPositions() const {
     const auto draw = std::find_if(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
         return pass.kind == PassKind::HostDraw;
     });
-    GLuint framebuffer = 0, texture = 0; // of the host's kind, where the plan draws nothing
+    GLuint framebuffer = 0, texture = 0; // the texture exists only if the plan has no host pass
     if (draw != plan.passes.end()) {
         framebuffer = framebuffers[size_t(draw - plan.passes.begin())];
     } else {
@@ -137,7 +137,7 @@ SamplePositions View::readPositions() const {
 }
 
 MemoryUse View::memoryUse() const {
-    // OpenGL neither aliases nor tells what a driver makes of it.
+    // OpenGL does not alias memory and does not report the driver's size.
     return {resources->payloadBytes(), 0, resources->payloadBytes()};
 }
 

@@ -1,4 +1,4 @@
-// One camera's frame on OpenGL: a plan with everything it needs to be run again and again.
+// A view on OpenGL: a plan with the objects that run it.
 #pragma once
 
 #include "gl/context.h"
@@ -45,7 +45,7 @@ private:
     void destroy();
 
     void checkContextState() const;
-    // Returns the output's format where the frame shades.
+    // Returns the output's format, or GL_NONE if the frame does not shade.
     GLenum checkTarget(const AgaaFrame& frame, const AgaaGlFrame& glFrame) const;
     void writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) override;
     void readBuffer(ResourceId buffer, uint32_t slot, uint64_t offset, std::span<std::byte> data) const override;
@@ -59,7 +59,7 @@ private:
     void dispatch(const Dispatch& dispatch, uint32_t slot);
     void clearColor(size_t pass) const;
     void clearTargets(size_t pass);
-    void bindConstants(GLuint place, ResourceId resource, uint32_t slot);
+    void bindConstants(GLuint point, ResourceId resource, uint32_t slot);
     void bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame, uint32_t slot);
     void bindForCompute(const Pass& pass, const AgaaFrame& frame, const AgaaGlFrame& glFrame,
                         uint32_t slot);

@@ -30,7 +30,7 @@ VkAccess vkAccess(const Plan& plan, const Access& access) {
         return {VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
                 VK_ACCESS_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_INPUT_ATTACHMENT_READ_BIT,
                 VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
-    case Use::Depth: // store operations count as writes
+    case Use::Depth: // store operations are writes
         return {VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT,
                 VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT, VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
                 VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
@@ -49,13 +49,13 @@ VkAccess vkAccess(const Plan& plan, const Access& access) {
 
 namespace {
 
-// Follows the resources through a frame.
+// Tracks the accesses to resources through a frame.
 class Tracker {
 public:
     Tracker(const Plan& plan, const ViewResources& resources)
         : plan_(plan), resources_(resources), states_(plan.resources.size()) {}
 
-    // Collects what a use needs.
+    // Adds the barriers that an access needs.
     void use(ResourceId id, const VkAccess& access);
     void usePass(const Pass& pass);
     void useOutput(const Step& step);
@@ -64,11 +64,11 @@ public:
 private:
     struct State {
         bool used = false;
-        VkAccess last; // the last write, or all reads since
+        VkAccess last; // the last write, or all reads since it
         bool written = false;
-        VkPipelineStageFlags writeStages = 0; // of the last write, which later reads elsewhere
-        VkAccessFlags writes = 0;             // must still see
-        std::vector<VkAccess> seenBy;         // reads that wait for the last write
+        VkPipelineStageFlags writeStages = 0; // of the last write: reads in other stages must wait for it
+        VkAccessFlags writes = 0;             // of the last write
+        std::vector<VkAccess> seenBy;         // reads that already wait for the last write
     };
     const Plan& plan_;
     const ViewResources& resources_;
@@ -83,13 +83,13 @@ void Tracker::use(ResourceId id, const VkAccess& access) {
     State& state = states_[id];
     const bool isImage = resource.kind == ResourceKind::Image;
     const bool relayout = isImage && state.last.layout != access.layout;
-    // A write that a stage already sees is seen by that stage's later reads of the same kind, too.
+    // A write that is visible to a stage is visible to all later reads of the same kind in that stage.
     const bool seen = std::any_of(state.seenBy.begin(), state.seenBy.end(), [&](const VkAccess& other) {
         return !(access.stages & ~other.stages) && !(access.reads & ~other.reads);
     });
     if (state.used && !state.written && !access.writes && !relayout && seen)
         return;
-    // The first use follows whatever used this memory before, in this frame or the one before it.
+    // The first use waits for every earlier use of this memory, in this frame or the frame before.
     const VkPipelineStageFlags source =
         state.used ? state.last.stages | state.writeStages
                    : VkPipelineStageFlags(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT);
@@ -109,7 +109,7 @@ void Tracker::use(ResourceId id, const VkAccess& access) {
         barrier.subresourceRange = {aspects(resource.format), 0, 1, 0, resource.layers};
         next_.images.push_back(barrier);
     }
-    // The image's barrier is of its own texels, not of another surface that had their memory.
+    // An image barrier covers the image's own texels, not the aliased surface that used their memory before.
     if (!isImage || (!state.used && plan_.aliases))
         next_.memory.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, sourceAccess, access.reads | access.writes});
     const bool readAfterRead = state.used && !state.written && !access.writes && !relayout;
@@ -121,14 +121,14 @@ void Tracker::use(ResourceId id, const VkAccess& access) {
     if (access.writes || relayout)
         state.seenBy.clear();
     state.seenBy.push_back(access);
-    if (access.writes || relayout) { // a layout transition writes, too
+    if (access.writes || relayout) { // a layout transition is a write
         state.writeStages = access.stages;
         state.writes = access.writes;
     }
 }
 
 void Tracker::usePass(const Pass& pass) {
-    // Writes last: they are what later passes wait for.
+    // Writes come last because later passes wait for them.
     const std::vector<Access> accesses = accessesOf(pass);
     for (const bool writes : {false, true})
         for (const Access& access : accesses)
@@ -145,7 +145,7 @@ VkImageMemoryBarrier outputBarrier() {
     return barrier;
 }
 
-// Each use follows the host's or that of an earlier step.
+// Each use of the output waits for the host's use or for that of an earlier step.
 void Tracker::useOutput(const Step& step) {
     for (const Binding& binding : plan_.passes[step.pass].bindings) {
         const Resource& resource = plan_.resources[binding.resource];
@@ -167,14 +167,14 @@ void Tracker::useOutput(const Step& step) {
 } // namespace
 
 std::vector<StepBarriers> stepBarriers(const Plan& plan, const std::vector<Step>& steps, const ViewResources& resources,
-                                       bool readsConditions) {
+                                       bool readsPredicates) {
     Tracker tracker(plan, resources);
     std::vector<StepBarriers> list;
     list.reserve(steps.size());
     for (const Step& step : steps) {
         tracker.usePass(plan.passes[step.pass]);
-        // After the pass's own use, so that what is recorded next waits for the read of the condition, too.
-        if (readsConditions && step.hasPredicate())
+        // This follows the pass's own accesses, so that later steps also wait for the read of the predicate.
+        if (readsPredicates && step.hasPredicate())
             tracker.use(step.predicateBuffer, vkAccess(plan, {step.predicateBuffer, Use::Condition, false}));
         tracker.useOutput(step);
         list.push_back(tracker.take());

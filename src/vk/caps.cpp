@@ -1,4 +1,4 @@
-// What a Vulkan device must, should and does offer.
+// Requirements and capabilities of Vulkan devices.
 #include "vk/context.h"
 
 #include "core/abi/api_guard.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* requiredFeatures[] = {
     "fragmentStoresAndAtomics",
-    "sampleRateShading", // interpolateAtCentroid() in the host's material shaders, too
+    "sampleRateShading", // also needed by interpolateAtCentroid() in the host's material shaders
     "shaderStorageImageExtendedFormats",
     "shaderStorageImageWriteWithoutFormat",
 };
@@ -40,7 +40,7 @@ std::vector<VkExtensionProperties> deviceExtensions(const InstanceTable& vk,
     return list;
 }
 
-// Of a device that has the extension.
+// The device must have the extension.
 bool rendersConditionally(const InstanceTable& vk, VkPhysicalDevice device) {
     VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{};
     conditional.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT;
@@ -49,8 +49,8 @@ bool rendersConditionally(const InstanceTable& vk, VkPhysicalDevice device) {
     return conditional.conditionalRendering;
 }
 
-// Sample counts that depth, normals and G-buffers of any layout can be rendered and fetched with, but for what the
-// device has not at all.
+// Returns the sample counts with which depth, normals and G-buffers of any layout can be rendered and fetched. Formats
+// that the device lacks are ignored.
 VkSampleCountFlags usableSamples(const InstanceTable& vk, VkPhysicalDevice device,
                                  const VkPhysicalDeviceLimits& limits, VkFormat depth) {
     VkSampleCountFlags counts = limits.framebufferColorSampleCounts &
@@ -62,7 +62,7 @@ VkSampleCountFlags usableSamples(const InstanceTable& vk, VkPhysicalDevice devic
         VkImageFormatProperties properties{};
         const VkResult result = vk.GetPhysicalDeviceImageFormatProperties(
             device, format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL, usage, 0, &properties);
-        if (result == VK_ERROR_FORMAT_NOT_SUPPORTED) // views with such a surface are refused, others are not
+        if (result == VK_ERROR_FORMAT_NOT_SUPPORTED) // only views with such a surface fail
             return;
         check(result, "vkGetPhysicalDeviceImageFormatProperties");
         counts &= properties.sampleCounts;
@@ -75,7 +75,7 @@ VkSampleCountFlags usableSamples(const InstanceTable& vk, VkPhysicalDevice devic
     return counts;
 }
 
-// Of a device that has the extension.
+// The device must have the extension.
 bool hasPixelInterlock(const InstanceTable& vk, VkPhysicalDevice device) {
     VkPhysicalDeviceFragmentShaderInterlockFeaturesEXT interlock{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADER_INTERLOCK_FEATURES_EXT, nullptr, 0, 0, 0};
@@ -84,7 +84,7 @@ bool hasPixelInterlock(const InstanceTable& vk, VkPhysicalDevice device) {
     return interlock.fragmentShaderPixelInterlock;
 }
 
-// Of a device that has the extension, for as many attachments as a tier may want.
+// Tests the feature for as many attachments as a tier can need. The device must have the extension.
 bool ordersColorAccess(const InstanceTable& vk, VkPhysicalDevice device, const VkPhysicalDeviceLimits& limits) {
     VkPhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT order{};
     order.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT;
@@ -153,7 +153,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& vk, VkPhysicalDevice device) {
     for (VkFormat depth : {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT})
         if (rendersAndSamples(vk, device, depth))
             counts &= usableSamples(vk, device, limits, depth);
-    caps.sampleCounts = counts & 0x1F; // the standard has no pattern of 32 samples
+    caps.sampleCounts = counts & 0x1F; // Vulkan defines no standard pattern of 32 samples
     return caps;
 }
 

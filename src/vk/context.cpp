@@ -9,8 +9,8 @@
 
 namespace agaa::vk {
 
-// Of what the device has, what the host enabled when it created it.
-static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& desc,
+// Removes the capabilities that the host did not enable on its device.
+static void removeDisabledCaps(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& desc,
                                  uint32_t apiVersion) {
     const auto enabled = [&](const char* name) {
         for (uint32_t i = 0; i < desc.enabledExtensionCount; ++i)
@@ -24,7 +24,7 @@ static void dropWhatIsNotEnabled(AgaaDeviceCaps& caps, const AgaaVkDeviceDesc& d
         caps.flags &= ~AGAA_DEVICE_FRAGMENT_INTERLOCK;
     if (apiVersion < VK_API_VERSION_1_3 && !enabled(VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME))
         caps.flags &= ~AGAA_DEVICE_DYNAMIC_RENDERING;
-    // Hosts that enable the extensions of AgaaVkRequirements by name need not know the features of all of them.
+    // A host may enable all extensions of AgaaVkRequirements by name without enabling their features.
     if (!enabled(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME) || !desc.enabledFeatures)
         caps.flags &= ~AGAA_DEVICE_CONDITIONAL_RENDERING;
     if (!enabled(VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME) || !desc.enabledFeatures)
@@ -81,7 +81,7 @@ static VkSampler createSampler(const Context& context, VkFilter filter, bool com
     return sampler;
 }
 
-Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, const std::optional<AgaaVkAllocator>& memoryOfHost)
+Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, const std::optional<AgaaVkAllocator>& allocatorOfHost)
     : AgaaContext_T(Backend::Vulkan, common),
       instanceFunctions(
           loadInstanceTable(desc.getProcAddr, static_cast<VkInstance>(desc.instance))),
@@ -89,7 +89,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, co
       physicalDevice(static_cast<VkPhysicalDevice>(desc.physicalDevice)),
       device(static_cast<VkDevice>(desc.device)), queueFamily(desc.queueFamily),
       secondary(desc.recording == AGAA_VK_RECORDING_SECONDARY), dialect{.descriptorSet = desc.descriptorSet},
-      pipelineCache((VkPipelineCache)desc.pipelineCache), hostMemory(memoryOfHost) {
+      pipelineCache((VkPipelineCache)desc.pipelineCache), hostMemory(allocatorOfHost) {
     caps = queryCaps(instanceFunctions, physicalDevice);
     VkPhysicalDeviceMaintenance3Properties maintenance{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES, nullptr, 0, 0};
@@ -102,7 +102,7 @@ Context::Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, co
             "the device is below Vulkan 1.2.");
     require(dialect.descriptorSet < limits.maxBoundDescriptorSets, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaVkDeviceDesc::descriptorSet is not below the device's maxBoundDescriptorSets.");
-    dropWhatIsNotEnabled(caps, desc, apiVersion);
+    removeDisabledCaps(caps, desc, apiVersion);
     maxAllocation = maintenance.maxMemoryAllocationSize;
     const bool canBeDynamic = caps.flags & AGAA_DEVICE_DYNAMIC_RENDERING;
     require(canBeDynamic || desc.rendering != AGAA_VK_RENDERING_DYNAMIC, AGAA_ERROR_UNSUPPORTED,
@@ -151,7 +151,7 @@ void Context::createObjects() {
     name(VK_OBJECT_TYPE_SAMPLER, (uint64_t)shadowSampler, "agaa shadow sampler");
     if (pipelineCache)
         return;
-    // Views are made anew when their size changes, of the same pipelines.
+    // Resizing recreates a view with the same pipelines, which the cache provides.
     VkPipelineCacheCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
     check(vk.CreatePipelineCache(device, &info, nullptr, &ownCache_), "vkCreatePipelineCache");

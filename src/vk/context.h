@@ -1,4 +1,4 @@
-// The SDK inside one host device.
+// The SDK's state for one Vulkan device of the host.
 #pragma once
 
 #include "core/abi/handles.h"
@@ -11,7 +11,7 @@ AgaaDeviceCaps queryCaps(const InstanceTable& functions, VkPhysicalDevice device
 
 class Context : public AgaaContext_T {
 public:
-    Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, const std::optional<AgaaVkAllocator>& memoryOfHost);
+    Context(const AgaaContextDesc& common, const AgaaVkDeviceDesc& desc, const std::optional<AgaaVkAllocator>& allocatorOfHost);
     ~Context() override;
 
     void name(VkObjectType type, uint64_t handle, const std::string& text) const;
@@ -24,14 +24,14 @@ public:
     uint32_t queueFamily;
     bool dynamicRendering = false;
     bool conditionalRendering = false;
-    bool secondary = true; // draw callbacks get a command buffer of ours
+    bool secondary = true; // draw callbacks record into secondary command buffers of the SDK
     HostDialect dialect;
-    VkPipelineCache pipelineCache; // the host's, or ownCache_
-    std::optional<AgaaVkAllocator> hostMemory; // else vkAllocateMemory
+    VkPipelineCache pipelineCache; // of the host, else ownCache_
+    std::optional<AgaaVkAllocator> hostMemory; // nullopt: vkAllocateMemory
     VkPhysicalDeviceMemoryProperties memory{};
     VkDeviceSize maxAllocation = 0;
-    VkDeviceSize granularity = 1; // between buffers and images in one allocation
-    float timestampPeriod = 0;    // nanoseconds a tick
+    VkDeviceSize granularity = 1; // bytes, bufferImageGranularity
+    float timestampPeriod = 0;    // nanoseconds per tick
     uint64_t timestampMask = 0;   // 0: the queue has no timestamps
     VkSampler texelSampler = VK_NULL_HANDLE;
     VkSampler linearSampler = VK_NULL_HANDLE;

@@ -1,4 +1,4 @@
-// What hosts are told of a view's draw passes and surfaces.
+// Descriptions of draw passes and surfaces for hosts.
 #include "core/base/structs.h"
 #include "vk/formats.h"
 #include "vk/view.h"
@@ -10,16 +10,17 @@ const StructRow& View::surfaceRow() const { return StructOf<AgaaVkSurface>::row;
 
 void View::describePass(size_t index, void* native) const {
     const HostPass& hostPass = hostPasses[index];
-    AgaaVkDrawPass own = AGAA_VK_DRAW_PASS_INIT;
+    AgaaVkDrawPass description = AGAA_VK_DRAW_PASS_INIT;
     for (size_t i = 0; i < hostPass.colors.size(); ++i)
-        own.colorFormats[i] = vkFormat(hostPass.colors[i].format);
-    own.depthStencilFormat = vkFormat(hostPass.depthFormat);
-    own.renderPass = (uint64_t)passes[index].target.renderPass;
-    own.descriptorSetLayout = (uint64_t)passes[index].setLayout;
-    writeStruct(static_cast<AgaaVkDrawPass*>(native), own);
+        description.colorFormats[i] = vkFormat(hostPass.colors[i].format);
+    description.depthStencilFormat = vkFormat(hostPass.depthFormat);
+    description.renderPass = (uint64_t)passes[index].target.renderPass;
+    description.descriptorSetLayout = (uint64_t)passes[index].setLayout;
+    writeStruct(static_cast<AgaaVkDrawPass*>(native), description);
 }
 
-// Where contents live on after a segment: in the layout of the last pass up to its end.
+// Returns the layout of an image after a segment, or VK_IMAGE_LAYOUT_UNDEFINED if its contents are lost. The layout is
+// that of the last pass up to the segment's end that accesses the image.
 static VkImageLayout layoutAfter(const Plan& plan, ResourceId id, uint64_t segment) {
     const bool kept = plan.view.config.flags & AGAA_CONFIG_READBACK ||
                       plan.passes[plan.resources[id].lastPass].segment > segment;
@@ -33,14 +34,14 @@ static VkImageLayout layoutAfter(const Plan& plan, ResourceId id, uint64_t segme
 
 void View::describeSurface(ResourceId id, void* native) const {
     const GpuResource& gpu = (*resources)[id];
-    AgaaVkSurface own = AGAA_VK_SURFACE_INIT;
-    own.image = (uint64_t)gpu.image;
-    own.view = (uint64_t)gpu.fetchView;
-    own.buffer = gpu.buffers.empty() ? 0 : (uint64_t)gpu.buffers[0];
-    own.format = vkFormat(plan.resources[id].format);
+    AgaaVkSurface description = AGAA_VK_SURFACE_INIT;
+    description.image = (uint64_t)gpu.image;
+    description.view = (uint64_t)gpu.fetchView;
+    description.buffer = gpu.buffers.empty() ? 0 : (uint64_t)gpu.buffers[0];
+    description.format = vkFormat(plan.resources[id].format);
     for (uint32_t i = 0; i < 3; ++i)
-        own.layouts[i] = gpu.image ? layoutAfter(plan, id, UINT64_C(1) << i) : VK_IMAGE_LAYOUT_UNDEFINED;
-    writeStruct(static_cast<AgaaVkSurface*>(native), own);
+        description.layouts[i] = gpu.image ? layoutAfter(plan, id, UINT64_C(1) << i) : VK_IMAGE_LAYOUT_UNDEFINED;
+    writeStruct(static_cast<AgaaVkSurface*>(native), description);
 }
 
 } // namespace agaa::vk

@@ -1,5 +1,5 @@
-// What the descriptor sets of passes hold. Most of it lasts as long as the view and is written once; views of the host's images
-// are given anew in each frame.
+// Contents of the passes' descriptor sets. Descriptors of the view's own resources are written once. Descriptors of
+// imported images are written in each frame.
 #include "core/plan/bindings.h"
 #include "vk/view.h"
 
@@ -84,13 +84,13 @@ void View::writeStatic(VkDescriptorSet set, const Binding& binding, uint32_t slo
                   isDepth(plan.resources[binding.resource].format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
                                                                    : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         break;
-    case BindingType::ShadowTexture: // the host's
+    case BindingType::ShadowTexture: // imported
         break;
     }
 }
 
-// Only of the passes about to be recorded: sets that an earlier segment bound must not change.
-void View::writeHostsDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot) {
+// Writes the sets of the frame's segments only: sets that an earlier segment bound must not change.
+void View::writeImportedDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot) {
     uint64_t anyShadow = 0;
     for (const Resource& resource : plan.resources)
         if (resource.kind == ResourceKind::ShadowMap && !anyShadow)
@@ -105,7 +105,7 @@ void View::writeHostsDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFr
                 bindImage(context, passes[i].sets[slot], binding, isFetched ? context.texelSampler : VK_NULL_HANDLE,
                           (VkImageView)vkFrame.outputView, VK_IMAGE_LAYOUT_GENERAL);
             } else if (resource.kind == ResourceKind::ShadowMap) {
-                // What lies beyond the frame's shadows may be stale.
+                // Views beyond the frame's shadow count may be stale.
                 const uint64_t view =
                     resource.hostSlot < frame.shadowCount ? vkFrame.shadowViews[resource.hostSlot] : anyShadow;
                 bindImage(context, passes[i].sets[slot], binding, context.shadowSampler, (VkImageView)view,

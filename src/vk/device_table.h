@@ -79,30 +79,30 @@ struct InstanceTable {
 struct DeviceTable {
     AGAA_VK_DEVICE_FUNCTIONS(AGAA_VK_MEMBER)
 #undef AGAA_VK_MEMBER
-    // Dynamic rendering; null with VkRenderPass.
+    // Dynamic rendering; null if the context uses render passes.
     PFN_vkCmdBeginRendering CmdBeginRendering = nullptr;
     PFN_vkCmdEndRendering CmdEndRendering = nullptr;
-    // Conditional rendering; null where the host did not enable it.
+    // Conditional rendering; null if the host did not enable it.
     PFN_vkCmdBeginConditionalRenderingEXT CmdBeginConditionalRenderingEXT = nullptr;
     PFN_vkCmdEndConditionalRenderingEXT CmdEndConditionalRenderingEXT = nullptr;
-    // Debug utilities; null where the host's instance has them not.
+    // Debug utilities; null if the host's instance lacks them.
     PFN_vkCmdBeginDebugUtilsLabelEXT CmdBeginDebugUtilsLabelEXT = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT CmdEndDebugUtilsLabelEXT = nullptr;
     PFN_vkSetDebugUtilsObjectNameEXT SetDebugUtilsObjectNameEXT = nullptr;
 };
 
-// What the host enabled.
+// Optional features that the host enabled.
 struct OptionalFunctions {
     bool dynamicRendering = false;
     bool conditionalRendering = false;
 };
 
-// Both throw AGAA_ERROR_UNSUPPORTED naming the first function that is missing.
+// Both throw AGAA_ERROR_UNSUPPORTED with the name of the first missing function.
 InstanceTable loadInstanceTable(AgaaVkGetInstanceProcAddr getProcAddr, VkInstance instance);
 DeviceTable loadDeviceTable(const InstanceTable& functions, AgaaVkGetInstanceProcAddr getProcAddr,
                             VkInstance instance, VkDevice device, OptionalFunctions wanted);
 
-// Throws where a Vulkan call failed.
+// Throws if a Vulkan call failed.
 void check(VkResult result, const char* call);
 
 } // namespace agaa::vk

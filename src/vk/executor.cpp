@@ -1,7 +1,8 @@
-// Recording a frame: validate, call the host, then passes with the barriers between them.
+// Records a frame: checks it, calls the draw callbacks, then records the passes and the barriers between them.
 #include "vk/view.h"
 
 #include "core/base/error.h"
+#include "core/frame/frame_checks.h"
 
 #include <new>
 
@@ -20,12 +21,11 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const
     require(vkFrame.outputLayoutOut != VK_IMAGE_LAYOUT_UNDEFINED &&
                 vkFrame.outputLayoutOut != VK_IMAGE_LAYOUT_PREINITIALIZED,
             AGAA_ERROR_OUT_OF_RANGE, "AgaaVkFrame::outputLayoutOut is not a layout to be left in.");
-    require(plan.view.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
-            "the frame composites over the output, but the view has no AGAA_VIEW_COMPOSITE.");
+    checkComposite(frame, plan);
     require(vkFrame.outputLayoutIn != VK_IMAGE_LAYOUT_UNDEFINED || frame.background[3] != 0.0f,
             AGAA_ERROR_OUT_OF_RANGE,
             "the frame composites over an output whose contents outputLayoutIn throws away.");
-    bool first = true; // one view is needed for the slots of maps that the frame has not
+    bool first = true; // the first view also fills the slots of maps that the frame lacks
     for (const Resource& resource : plan.resources) {
         if (resource.kind != ResourceKind::ShadowMap)
             continue;
@@ -39,8 +39,8 @@ void View::checkTarget(const AgaaFrame& frame, const AgaaVkFrame& vkFrame) const
 
 bool View::isConditional(const Step& step) const { return context.conditionalRendering && step.hasPredicate(); }
 
-// Draws and dispatches up to endCondition() do nothing where the step has nothing to do. Barriers, timestamps and what
-// begins and ends rendering stand outside or are not affected.
+// The device skips draws and dispatches between beginCondition() and endCondition() if the predicate is 0. Barriers,
+// timestamps, and the commands that begin and end rendering are outside or are not affected.
 void View::beginCondition(const Step& step, uint32_t slot, VkCommandBuffer commands) const {
     if (!isConditional(step))
         return;
@@ -56,7 +56,7 @@ void View::endCondition(const Step& step, VkCommandBuffer commands) const {
         context.vk.CmdEndConditionalRenderingEXT(commands);
 }
 
-// The condition begins and ends in the command buffer that the host gets, within the render pass: the device need not have
+// The condition begins and ends in the host's command buffer, inside the render pass, so that the device does not need
 // inheritedConditionalRendering.
 AgaaResult View::callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands) {
     AgaaDrawTarget target = drawTarget(plan, step, hostPasses[step.pass]);
@@ -68,7 +68,8 @@ AgaaResult View::callHost(const AgaaFrame& frame, const Step& step, uint32_t slo
     return result;
 }
 
-// Draw callbacks record into command buffers of ours first: one that fails leaves the host's untouched.
+// Draw callbacks record into secondary command buffers first: a callback that fails leaves the host's command buffer as
+// it was.
 void View::recordSecondaries(const AgaaFrame& frame, uint32_t slot) {
     size_t next = 0;
     for (const Step& step : steps) {
@@ -104,8 +105,8 @@ void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, siz
     context.vk.CmdDispatch(commands, x, y, 1);
 }
 
-// What outlives a frame begins with 0. It follows whatever used this memory before; the first use in each frame waits for all
-// that was recorded before.
+// Clears persistent buffers to 0. The barrier waits for earlier uses of their memory. No barrier follows: the first use
+// in each frame waits for all commands recorded before.
 void View::clearPersistent(VkCommandBuffer commands) {
     const VkMemoryBarrier before{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_MEMORY_WRITE_BIT,
                                  VK_ACCESS_TRANSFER_WRITE_BIT};
@@ -117,8 +118,8 @@ void View::clearPersistent(VkCommandBuffer commands) {
         }
 }
 
-// The commands that cleared are discarded with their frame.
-void View::forgetClear(const AgaaFrame& frame) {
+// If the frame cleared the persistent buffers, its commands are discarded and the next frame clears again.
+void View::discardClear(const AgaaFrame& frame) {
     if (clearedIn_ == frame.frameIndex)
         clearedIn_ = 0;
 }
@@ -153,7 +154,7 @@ void View::recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const 
     StepBarriers& before = barriers[number];
     recordBarriers(vk, commands, before, vkFrame);
     const uint32_t query = uint32_t(2 * (slot * passes.size() + index));
-    // Of a pass that repeats, from its first beginning to its last end.
+    // The time of a repeated pass lasts from its first step to its last.
     if (queries && step.isFirst)
         vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, query);
     AgaaResult result = AGAA_OK;
@@ -226,7 +227,7 @@ AgaaResult View::record(AgaaFrame frame, const AgaaVkFrame& vkFrame) {
     checkTarget(frame, vkFrame);
     const Variant& variant = variantOf(frame);
     uploadFrame(frame, slot);
-    writeHostsDescriptors(frame, vkFrame, slot);
+    writeImportedDescriptors(frame, vkFrame, slot);
     if (context.secondary)
         recordSecondaries(frame, slot);
     // Failures before this line leave the host's command buffer as it was.
@@ -236,7 +237,7 @@ AgaaResult View::record(AgaaFrame frame, const AgaaVkFrame& vkFrame) {
         // The host discards the command buffer: a frame that it begins never runs, and a frame with earlier segments
         // cannot continue.
         sequence.failed(frame);
-        forgetClear(frame);
+        discardClear(frame);
         rethrowAsPartial();
     }
     recorded(frame);

@@ -1,4 +1,4 @@
-// Plan formats and states in Vulkan's words.
+// Vulkan equivalents of plan formats.
 #pragma once
 
 #include "core/base/format.h"

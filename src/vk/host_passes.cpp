@@ -40,7 +40,7 @@ VkAttachmentDescription attachment(const Resource& resource, bool clear, VkImage
             layout};
 }
 
-// The SDK's barriers stand outside, so that the pass itself needs no dependencies.
+// The render pass needs no dependencies: the SDK records barriers outside of it.
 void createRenderPass(const Context& context, const Plan& plan, const Pass& pass, const HostPass& hostPass,
                       const ViewResources& resources, HostRenderTarget& out) {
     std::vector<VkAttachmentDescription> attachments;
@@ -101,7 +101,7 @@ VkRenderingAttachmentInfo renderingAttachment(VkImageView view, VkImageLayout la
     return info;
 }
 
-// Dynamic rendering of the Vulkan versions that the SDK takes has no input attachments.
+// Dynamic rendering has no input attachments in the Vulkan versions that the SDK supports.
 bool needsRenderPass(const Context& context, const Pass& pass) {
     return !context.dynamicRendering || pass.draw.state.readsAttachments;
 }

@@ -16,7 +16,7 @@ namespace agaa::vk {
 
 struct ViewResources::Request {
     ResourceId resource;
-    uint32_t copy; // of a buffer
+    uint32_t copy; // buffers only
     VkImage image;
     VkBuffer buffer;
     VkMemoryRequirements requirements;
@@ -31,7 +31,7 @@ ViewResources::ViewResources(const Context& context, const Plan& plan) : context
         allocateShared(requests, plan.aliases);
         for (const Request& request : requests)
             if (request.kind != ResourceKind::Image && request.kind != ResourceKind::Buffer)
-                allocateOwn(request);
+                allocateBuffer(request);
         createViews(plan);
     } catch (...) {
         destroy();
@@ -73,7 +73,7 @@ void ViewResources::create(const Plan& plan, std::vector<Request>& requests) {
     }
 }
 
-// What passes do with a resource decides its usage.
+// The usage of a resource follows from the accesses of the passes.
 static VkImageUsageFlags imageUsage(Use use) {
     switch (use) {
     case Use::ImageWrite:
@@ -82,7 +82,7 @@ static VkImageUsageFlags imageUsage(Use use) {
         return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     case Use::FetchedColor:
         return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
-    case Use::Depth: // which hosts may read between segments
+    case Use::Depth: // hosts may read depth between segments
         return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
     default:
         return VK_IMAGE_USAGE_SAMPLED_BIT;
@@ -165,7 +165,7 @@ void ViewResources::createBuffers(const Plan& plan, ResourceId id, std::vector<R
         for (const Repeat& repeat : plan.repeats)
             if (repeat.predicateBuffer == id && context_.conditionalRendering)
                 info.usage |= bufferUsage(Use::Condition);
-        if (!info.usage) // of lights in a plan without lighting
+        if (!info.usage) // the light buffer of a plan without lighting
             info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
         info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
         VkBuffer buffer = VK_NULL_HANDLE;
@@ -181,7 +181,8 @@ void ViewResources::createBuffers(const Plan& plan, ResourceId id, std::vector<R
     }
 }
 
-// The best first; one at least. Types of other kinds are for those who enabled their features, or not for all uses.
+// Returns the allowed memory types, best first. Throws if there is none. Skips protected, lazily allocated and
+// device-coherent types.
 std::vector<uint32_t> ViewResources::memoryTypes(uint32_t allowed, VkMemoryPropertyFlags wanted,
                                                  VkMemoryPropertyFlags preferred) const {
     constexpr VkMemoryPropertyFlags plain = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
@@ -198,7 +199,7 @@ std::vector<uint32_t> ViewResources::memoryTypes(uint32_t allowed, VkMemoryPrope
     return types;
 }
 
-// In the first type that has room. Where none has, the error is that of the first, which would have been the best.
+// Allocates from the first type with enough memory. If none has enough, throws the error of the first type.
 ViewResources::Allocation ViewResources::allocate(uint64_t size, std::span<const uint32_t> types) {
     std::exception_ptr first;
     for (const uint32_t type : types)
@@ -232,8 +233,8 @@ VkDeviceMemory ViewResources::allocate(uint64_t size, uint32_t type) {
     return memory;
 }
 
-// One arena for all whose best memory type is the same, in one that all of them may lie in; blocks of disjoint
-// lifetimes overlap in it.
+// Allocates one arena for all resources with the same best memory type, in a type that all of them allow. Resources
+// with disjoint lifetimes share memory in the arena.
 void ViewResources::allocateShared(std::vector<Request>& requests, bool alias) {
     struct Arena {
         std::vector<uint32_t> types;
@@ -258,7 +259,7 @@ void ViewResources::allocateShared(std::vector<Request>& requests, bool alias) {
         allocateArena(arena.types, arena.members, alias);
 }
 
-// Two of half the members each where the device does not allocate so much at once.
+// If the arena exceeds the device's maximum allocation, allocates two arenas with half the members each.
 void ViewResources::allocateArena(std::span<const uint32_t> types, std::span<const Request* const> members,
                                   bool alias) {
     std::vector<ArenaBlock> blocks;
@@ -299,14 +300,14 @@ void ViewResources::allocateArena(std::span<const uint32_t> types, std::span<con
     }
 }
 
-void ViewResources::allocateOwn(const Request& request) {
+void ViewResources::allocateBuffer(const Request& request) {
     constexpr VkMemoryPropertyFlags host =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     const VkMemoryPropertyFlags required = request.kind == ResourceKind::SmallBuffer ? 0 : host;
     const VkMemoryPropertyFlags preferred = request.kind == ResourceKind::ReadbackBuffer
                                                 ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
                                                 : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
-    // What the host sees of a device's own memory is a small window on some, which others may have filled.
+    // On some devices only a small part of device-local memory is host-visible, and other programs may have filled it.
     const Block block = allocateBlock(
         {request.requirements.size, request.requirements.alignment, required, preferred, false, "agaa buffer"},
         memoryTypes(request.requirements.memoryTypeBits, required, preferred));
@@ -316,14 +317,14 @@ void ViewResources::allocateOwn(const Request& request) {
         resources_[request.resource].mapped.push_back(block.mapped);
 }
 
-ViewResources::Block ViewResources::allocateBlock(const Wanted& wanted, std::span<const uint32_t> types) {
+ViewResources::Block ViewResources::allocateBlock(const BlockRequest& wanted, std::span<const uint32_t> types) {
     if (context_.hostMemory)
         return allocateFromHost(wanted, types);
     const Allocation own = allocate(wanted.size, types);
     return {own.memory, 0, wanted.required ? map(own.memory) : nullptr, own.type == types.front()};
 }
 
-ViewResources::Block ViewResources::allocateFromHost(const Wanted& wanted, std::span<const uint32_t> types) {
+ViewResources::Block ViewResources::allocateFromHost(const BlockRequest& wanted, std::span<const uint32_t> types) {
     AgaaVkAllocationInfo info{};
     info.size = wanted.size;
     info.alignment = wanted.alignment;
@@ -334,7 +335,7 @@ ViewResources::Block ViewResources::allocateFromHost(const Wanted& wanted, std::
     info.isImage = wanted.isImage;
     info.name = wanted.name;
     AgaaVkMemory memory{};
-    hostMemory_.reserve(hostMemory_.size() + 1); // what is allocated is not lost
+    hostMemory_.reserve(hostMemory_.size() + 1); // so that push_back() cannot throw after the allocation
     const AgaaResult result =
         contained([&] { return context_.hostMemory->allocate(context_.hostMemory->user, &info, &memory); });
     require(result == AGAA_OK, AGAA_ERROR_OUT_OF_MEMORY, "the host's AgaaVkAllocator has no memory for a surface.");
@@ -373,7 +374,7 @@ void ViewResources::createViews(const Plan& plan) {
             return handle;
         };
         const bool depth = isDepth(resource.format);
-        resources_[id].layerViews.reserve(resource.layers); // what is created is not lost
+        resources_[id].layerViews.reserve(resource.layers); // so that push_back() cannot throw after the creation
         for (uint32_t layer = 0; layer < resource.layers; ++layer)
             resources_[id].layerViews.push_back(view(aspects(resource.format), layer, 1));
         resources_[id].fetchView = view(depth ? VkImageAspectFlags(VK_IMAGE_ASPECT_DEPTH_BIT)

@@ -12,10 +12,10 @@ namespace agaa::vk {
 
 struct GpuResource {
     VkImage image = VK_NULL_HANDLE;
-    std::vector<VkImageView> layerViews;    // as attachments
-    VkImageView fetchView = VK_NULL_HANDLE; // of all layers; depth aspect only for depth formats
+    std::vector<VkImageView> layerViews;    // one per layer, for attachments
+    VkImageView fetchView = VK_NULL_HANDLE; // all layers; depth formats: depth aspect only
     std::vector<VkBuffer> buffers;          // one per copy
-    std::vector<void*> mapped;              // uploads and read-back
+    std::vector<void*> mapped;              // one per copy; uploads and read-back only
 };
 
 class ViewResources {
@@ -29,9 +29,9 @@ public:
     VkBuffer buffer(ResourceId id, uint32_t slot) const;
     std::byte* mapped(ResourceId id, uint32_t slot) const; // upload and read-back buffers only
 
-    uint64_t payloadBytes() const { return payloadBytes_; } // of per-pixel surfaces, as created
-    uint64_t driverBytes() const { return driverBytes_; }   // what the driver asked for
-    uint64_t peakBytes() const { return peakBytes_; }       // what was allocated
+    uint64_t payloadBytes() const { return payloadBytes_; } // per-pixel surfaces as created
+    uint64_t driverBytes() const { return driverBytes_; }   // as the driver requires
+    uint64_t peakBytes() const { return peakBytes_; }       // as allocated
 
 private:
     struct Request; // one image or buffer that needs memory
@@ -39,23 +39,23 @@ private:
     void createImage(const Plan& plan, ResourceId id, std::vector<Request>& requests);
     void createBuffers(const Plan& plan, ResourceId id, std::vector<Request>& requests);
     void allocateShared(std::vector<Request>& requests, bool alias);
-    void allocateOwn(const Request& request);
+    void allocateBuffer(const Request& request);
     void createViews(const Plan& plan);
     void allocateArena(std::span<const uint32_t> types, std::span<const Request* const> members, bool alias);
     struct Block {
         VkDeviceMemory memory = VK_NULL_HANDLE;
         uint64_t offset = 0;
-        void* mapped = nullptr; // where the host must see it
-        bool isBest = true;     // of the device's memory types
+        void* mapped = nullptr; // null unless the memory is host-visible
+        bool isBest = true;     // the memory has the best of the allowed types
     };
-    struct Wanted {
+    struct BlockRequest {
         uint64_t size, alignment;
         VkMemoryPropertyFlags required, preferred;
         bool isImage;
         const char* name;
     };
-    Block allocateBlock(const Wanted& wanted, std::span<const uint32_t> types);
-    Block allocateFromHost(const Wanted& wanted, std::span<const uint32_t> types);
+    Block allocateBlock(const BlockRequest& wanted, std::span<const uint32_t> types);
+    Block allocateFromHost(const BlockRequest& wanted, std::span<const uint32_t> types);
     void* map(VkDeviceMemory memory) const;
     std::vector<uint32_t> memoryTypes(uint32_t allowed, VkMemoryPropertyFlags wanted,
                                       VkMemoryPropertyFlags preferred) const;

@@ -1,4 +1,4 @@
-// Figures of finished frames.
+// Access to mapped buffers, and statistics of finished frames.
 #include "vk/view.h"
 
 #include <cstring>
@@ -26,7 +26,7 @@ std::vector<double> View::readPassTimes(uint32_t slot) const {
                                        stamps.data(), sizeof(uint64_t),
                                        VK_QUERY_RESULT_64_BIT) != VK_SUCCESS)
         return times;
-    // Subtracting under the mask survives a counter that wrapped (hard case 57).
+    // The mask makes the difference correct if the counter wrapped.
     for (size_t i = 0; i < passes.size(); ++i)
         times.push_back(double((stamps[2 * i + 1] - stamps[2 * i]) & context.timestampMask) *
                         double(context.timestampPeriod) * 1e-6);

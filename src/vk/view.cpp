@@ -141,7 +141,7 @@ void View::createPipelineLayouts() {
     }
 }
 
-// Other threads may record or compile meanwhile: this reads what the view keeps, and changes nothing.
+// Other threads may record or compile at the same time: this function does not change the view.
 Compiled View::compile(const Pass& pass, size_t index) {
     std::array<VkSpecializationMapEntry, ConstantCount> entries;
     for (uint32_t i = 0; i < ConstantCount; ++i)

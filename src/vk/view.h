@@ -1,4 +1,4 @@
-// One camera's frame on Vulkan: a plan with everything it needs to be recorded again and again.
+// A view on Vulkan: a plan with the objects that record it.
 #pragma once
 
 #include "core/plan/plan.h"
@@ -14,18 +14,18 @@ namespace agaa::vk {
 
 VkDescriptorType descriptorType(BindingType type);
 
-// Objects of a pass that live as long as the view.
+// Objects of a pass, which live as long as the view.
 struct PassObjects {
     VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
     std::vector<VkDescriptorSet> sets; // one per frame in flight
     VkPipelineLayout pipelineLayout = VK_NULL_HANDLE;
-    HostRenderTarget target;           // host draws
+    HostRenderTarget target;           // host passes only
 };
 
-// What belongs to one frame in flight.
+// Objects of one frame in flight.
 struct FrameSlot {
     VkCommandPool pool = VK_NULL_HANDLE;
-    std::vector<VkCommandBuffer> secondaries; // one per step that is a host draw, in order
+    std::vector<VkCommandBuffer> secondaries; // one for each step that is a host pass, in order
 };
 
 class View : public ViewState {
@@ -49,7 +49,7 @@ public:
     std::optional<ViewResources> resources;
     std::vector<PassObjects> passes;
     std::vector<FrameSlot> slots;
-    std::vector<StepBarriers> barriers; // of the steps
+    std::vector<StepBarriers> barriers; // by step
     VkDescriptorPool descriptorPool = VK_NULL_HANDLE;
     VkQueryPool queries = VK_NULL_HANDLE; // two timestamps per pass and slot
 
@@ -66,24 +66,24 @@ private:
                       bool begins);
     void writeStaticDescriptors();
     void writeStatic(VkDescriptorSet set, const Binding& binding, uint32_t slot);
-    void writeHostsDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot);
+    void writeImportedDescriptors(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, uint32_t slot);
     bool isConditional(const Step& step) const; // the device reads Step::predicateBuffer
     void beginCondition(const Step& step, uint32_t slot, VkCommandBuffer commands) const;
     void endCondition(const Step& step, VkCommandBuffer commands) const;
     AgaaResult callHost(const AgaaFrame& frame, const Step& step, uint32_t slot, VkCommandBuffer commands);
     void recordSecondaries(const AgaaFrame& frame, uint32_t slot);
-    // secondary: of the host draws among the steps.
+    // secondary: index into FrameSlot::secondaries. number: index of the step.
     void recordStep(const AgaaFrame& frame, const AgaaVkFrame& vkFrame, const Variant& variant, size_t number,
                     size_t secondary, uint32_t slot, VkCommandBuffer commands);
     void recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, size_t pass, uint32_t slot,
                        VkCommandBuffer commands);
     void recordTransfer(const Pass& pass, uint32_t slot, VkCommandBuffer commands);
     void clearPersistent(VkCommandBuffer commands);
-    void forgetClear(const AgaaFrame& frame);
-    bool usesHostSet(const Pass& pass) const; // set 1 is the host's
+    void discardClear(const AgaaFrame& frame);
+    bool usesHostSet(const Pass& pass) const; // the host provides set 1
     bool timed() const;
 
-    uint64_t clearedIn_ = 0; // the frame that cleared what outlives frames; 0: none yet
+    uint64_t clearedIn_ = 0; // index of the frame that cleared persistent buffers; 0: none
 };
 
 } // namespace agaa::vk

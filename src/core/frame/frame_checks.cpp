@@ -142,4 +142,9 @@ void checkFrame(const AgaaFrame& frame, const Plan& plan) {
         checkRange(double(value), 0.0, 65504.0, "AgaaFrame::background");
 }
 
+void checkComposite(const AgaaFrame& frame, const Plan& plan) {
+    require(plan.view.composite || frame.background[3] != 0.0f, AGAA_ERROR_OUT_OF_RANGE,
+            "the frame composites over the output, but the view has no AGAA_VIEW_COMPOSITE.");
+}
+
 } // namespace agaa

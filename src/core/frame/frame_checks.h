@@ -11,6 +11,8 @@ struct Plan;
 AgaaSceneFacts factsOf(const AgaaFrame& frame, const Plan& plan);
 // Against what the view was made for. The frame has its facts.
 void checkFrame(const AgaaFrame& frame, const Plan& plan);
+// Throws if the frame composites over the output and the view lacks AGAA_VIEW_COMPOSITE.
+void checkComposite(const AgaaFrame& frame, const Plan& plan);
 // Elements of the frame's arrays, which checkFrame() has accepted.
 AgaaLight lightOf(const AgaaFrame& frame, uint32_t index);
 AgaaShadow shadowOf(const AgaaFrame& frame, uint32_t index);
