@@ -33,14 +33,14 @@ void View::clearTargets(size_t index) {
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.DepthMask(GL_TRUE);
     gl.StencilMask(~0u);
-    if (pass.draw.draw.clearsColor)
+    if (pass.draw.clearsColor)
         clearColor(index);
-    if (!pass.draw.draw.clearsDepth || depth == Format::None)
+    if (!pass.draw.clearsDepth || depth == Format::None)
         return;
     if (hasStencil(depth))
-        gl.ClearNamedFramebufferfi(framebuffers[index], GL_DEPTH_STENCIL, 0, pass.draw.draw.clear.depth, GLint(pass.draw.draw.clear.stencil));
+        gl.ClearNamedFramebufferfi(framebuffers[index], GL_DEPTH_STENCIL, 0, pass.draw.clear.depth, GLint(pass.draw.clear.stencil));
     else
-        gl.ClearNamedFramebufferfv(framebuffers[index], GL_DEPTH, 0, &pass.draw.draw.clear.depth);
+        gl.ClearNamedFramebufferfv(framebuffers[index], GL_DEPTH, 0, &pass.draw.clear.depth);
 }
 
 // Returns the map's texture. If the frame lacks the map, any valid texture is bound: shaders declare it but do not read
@@ -113,7 +113,7 @@ void View::bindForHost(const Pass& pass, const AgaaFrame& frame, const AgaaGlFra
 void View::runHostDraw(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Step& step, uint32_t slot,
                        HostState& state) {
     const Pass& pass = plan.passes[step.pass];
-    if (pass.draw.draw.clearsColor || pass.draw.draw.clearsDepth)
+    if (pass.draw.clearsColor || pass.draw.clearsDepth)
         clearTargets(step.pass);
     AgaaDrawTarget target = drawTarget(plan, step, hostPasses[step.pass]);
     target.framebuffer = framebuffers[step.pass];
@@ -233,7 +233,7 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.emptyFramebuffer);
         gl.UseProgram(GLuint(variant.programs[index]));
         bindForCompute(pass, frame, glFrame, slot);
-        dispatch(pass.compute.compute.compute.dispatch, slot);
+        dispatch(pass.compute.compute.dispatch, slot);
         break;
     }
     case PassKind::Fill:

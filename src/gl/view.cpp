@@ -83,10 +83,10 @@ void View::createFramebuffer(size_t index) {
         else
             gl.NamedFramebufferTexture(framebuffer, buffers.back(), texture, 0);
     }
-    if (pass.draw.draw.depthTarget != noResource)
-        gl.NamedFramebufferTexture(framebuffer, depthAttachment(plan.resources[pass.draw.draw.depthTarget].format),
-                                   (*resources)[pass.draw.draw.depthTarget].texture, 0);
-    if (pass.draw.draw.depthTarget == noResource && buffers.empty()) {
+    if (pass.draw.depthTarget != noResource)
+        gl.NamedFramebufferTexture(framebuffer, depthAttachment(plan.resources[pass.draw.depthTarget].format),
+                                   (*resources)[pass.draw.depthTarget].texture, 0);
+    if (pass.draw.depthTarget == noResource && buffers.empty()) {
         gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, GLint(pass.draw.width));
         gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, GLint(pass.draw.height));
         const uint32_t samples = pass.draw.state.samples;

@@ -48,7 +48,7 @@ void createRenderPass(const Context& context, const Plan& plan, const Pass& pass
     std::vector<VkImageView> views;
     for (const ColorAttachment& color : hostPass.colors) {
         colors.push_back({uint32_t(attachments.size()), colorLayout(pass)});
-        attachments.push_back(attachment(plan.resources[color.resource], pass.draw.draw.clearsColor, colorLayout(pass)));
+        attachments.push_back(attachment(plan.resources[color.resource], pass.draw.clearsColor, colorLayout(pass)));
         views.push_back(resources[color.resource].layerViews[color.layer]);
     }
     const VkAttachmentReference depth{uint32_t(attachments.size()),
@@ -146,7 +146,7 @@ void beginHostRendering(const Context& context, const Pass& pass, const HostPass
     std::vector<VkRenderingAttachmentInfo> colors;
     for (const ColorAttachment& color : hostPass.colors)
         colors.push_back(renderingAttachment(resources[color.resource].layerViews[color.layer], colorLayout(pass),
-                                             pass.draw.draw.clearsColor, colorClear(color)));
+                                             pass.draw.clearsColor, colorClear(color)));
     VkRenderingAttachmentInfo depth{};
     if (hasDepth)
         depth = renderingAttachment(resources[pass.draw.depthTarget].layerViews[0],
