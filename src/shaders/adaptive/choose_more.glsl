@@ -7,7 +7,8 @@
 #include "adaptive/first_samples.glsl"
 
 // Returns the mask of chosen samples.
-// wanted      Number of samples; 0: the samples that differ enough from all chosen ones, and those that shading demands.
+// wanted      Number of samples; 0: the samples that differ enough from all chosen ones, and those that shading
+//             demands.
 // byShading   agaa_countByShading().
 // left        Receives the difference of the sample that would be next, as a share of the limit.
 uint agaa_chooseMore(uvec2 pixel, uint covered, uint chosen, uint wanted, float byShading, out float left) {

@@ -1,5 +1,5 @@
-// Counts the samples that the geometry of listed pixels demands. Plans have this pass if neighbours or limits need the counts
-// before samples are shaded.
+// Counts the samples that the geometry of listed pixels demands. Plans have this pass if neighbours or limits need the
+// counts before samples are shaded.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;

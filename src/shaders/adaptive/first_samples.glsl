@@ -12,7 +12,8 @@ layout(AGAA_BINDING_FIRST_SAMPLES) uniform sampler2D agaa_firstSamples;
 
 vec4 agaa_firstSample(ivec2 pixel) { return texelFetch(agaa_firstSamples, pixel, 0); }
 
-// Returns tone-mapped luma in [0, 1], so that one bright pixel raises the counts of its neighbours no more than an edge.
+// Returns tone-mapped luma in [0, 1], so that one bright pixel raises the counts of its neighbours no more than an
+// edge.
 float agaa_firstLuma(ivec2 pixel) {
     ivec2 at = clamp(pixel, ivec2(0), ivec2(agaa_frame.size) - 1);
     return agaa_displayLuma(agaa_firstSample(at).rgb);
@@ -34,9 +35,9 @@ float agaa_countByShading(uvec2 pixel) {
                              uintBitsToFloat(AGAA_SHADING_SCALE));
 }
 
-// Returns the number of samples that shading demands beyond those of geometry. The printed metric takes the larger count. The
-// other one scales the count by `left`, because lights show little difference between similar samples, and shadows are looked
-// up at all samples anyway.
+// Returns the number of samples that shading demands beyond those of geometry. The printed metric takes the larger
+// count. The other one scales the count by `left`, because lights show little difference between similar samples, and
+// shadows are looked up at all samples anyway.
 // byShading   agaa_countByShading().
 // left        Difference of the other samples from the chosen ones, [0, 1].
 float agaa_furtherByShading(float byShading, uint count, float left) {

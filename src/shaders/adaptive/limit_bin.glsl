@@ -3,7 +3,8 @@
 #define AGAA_LIMIT_BIN_GLSL
 #include "adaptive/stored_choice.glsl"
 
-// Returns the lowest bin such that the samples of this and all higher bins do not exceed `room`; agaa_bins() if there is none.
+// Returns the lowest bin such that the samples of this and all higher bins do not exceed `room`; agaa_bins() if there
+// is none.
 // first   Index of the word of the first bin.
 uint agaa_limitBin(uint first, float room) {
     uint bin = agaa_bins();

@@ -1,5 +1,5 @@
-// Decides the number of samples of each pixel by both metrics (Hollaender et al. 2013, section 3.1), lists the pixels with
-// several samples, and writes the others.
+// Decides the number of samples of each pixel by both metrics (Hollaender et al. 2013, section 3.1), lists the pixels
+// with several samples, and writes the others.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;

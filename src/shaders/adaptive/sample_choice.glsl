@@ -1,6 +1,6 @@
-// The choice of samples that are shaded. The next sample is the one that differs most from all chosen ones (farthest-first
-// traversal, Gonzalez 1985), or the next one in the pattern's order. Each other sample belongs to the chosen one from which it
-// differs least. Needs common/target.glsl.
+// The choice of samples that are shaded. The next sample is the one that differs most from all chosen ones
+// (farthest-first traversal, Gonzalez 1985), or the next one in the pattern's order. Each other sample belongs to the
+// chosen one from which it differs least. Needs common/target.glsl.
 #ifndef AGAA_SAMPLE_CHOICE_GLSL
 #define AGAA_SAMPLE_CHOICE_GLSL
 #include "adaptive/sample_features.glsl"

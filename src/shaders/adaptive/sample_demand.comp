@@ -1,5 +1,5 @@
-// Makes a histogram of the samples that the geometry of all pixels demands, by their difference. The next pass finds the limit
-// by which no more samples are shaded than the target allows.
+// Makes a histogram of the samples that the geometry of all pixels demands, by their difference. The next pass finds
+// the limit by which no more samples are shaded than the target allows.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;

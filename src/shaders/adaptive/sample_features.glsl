@@ -52,8 +52,8 @@ agaa_Features agaa_unpackFeatures(uvec2 pixel, uint i, uvec4 words) {
                            mat2x4(unpackUnorm4x8(words.z), unpackUnorm4x8(words.w)));
 }
 
-// Returns the difference of two samples in thresholds: the largest of those of normals, planes and materials. The weight of
-// normals rises with gloss.
+// Returns the difference of two samples in thresholds: the largest of those of normals, planes and materials. The
+// weight of normals rises with gloss.
 float agaa_differenceOf(agaa_Features a, agaa_Features b) {
     float gloss = clamp(uintBitsToFloat(AGAA_GLOSS_WEIGHT) / max(min(a.diffuse.w, b.diffuse.w), 0.01), 1.0, 20.0);
     vec4 material = max(abs(a.diffuse - b.diffuse), abs(a.specular - b.specular));

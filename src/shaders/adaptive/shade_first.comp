@@ -51,8 +51,8 @@ agaa_Comparison agaa_compareSamples(uvec2 pixel) {
     return c;
 }
 
-// Returns the number of samples by the metric as printed by Hollaender et al. 2013, section 3.1: the variance of depth, and the
-// cone around the mean normal.
+// Returns the number of samples by the metric as printed by Hollaender et al. 2013, section 3.1: the variance of depth,
+// and the cone around the mean normal.
 // covered   Mask of samples with geometry, one or more.
 float agaa_printedCount(uvec2 pixel, uint covered) {
     vec3 sum = vec3(0.0);

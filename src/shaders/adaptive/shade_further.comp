@@ -16,8 +16,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "adaptive/listed_pixels.glsl"
 #include "common/events.glsl"
 
-// Shared memory holds the owners of a pixel's samples in packed words. The owner of a sample is the chosen sample that it
-// belongs to.
+// Shared memory holds the owners of a pixel's samples in packed words. The owner of a sample is the chosen sample that
+// it belongs to.
 const uint agaa_ownerBits = AGAA_SAMPLES > 16u ? 5u : 4u;
 const uint agaa_ownersPerWord = 32u / agaa_ownerBits;
 const uint agaa_ownerWords = (AGAA_SAMPLES + agaa_ownersPerWord - 1u) / agaa_ownersPerWord;
@@ -100,7 +100,8 @@ agaa_Further agaa_furtherOf(uvec2 pixel) {
     return further;
 }
 
-// Returns the samples whose shadows sample i is shaded with. Samples similar to the first have the shadows of the first.
+// Returns the samples whose shadows sample i is shaded with. Samples similar to the first have the shadows of the
+// first.
 uint agaa_shadowedSamples(uint lane, uint i, uint samples) {
     if (agaa_isAdaptive(AGAA_ADAPTIVE_EQUAL_WEIGHTS))
         return 1u << i;

@@ -1,4 +1,5 @@
-// Finds the limit of demand above which the further samples of shading are shaded, so that all events do not exceed the target.
+// Finds the limit of demand above which the further samples of shading are shaded, so that all events do not exceed the
+// target.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;

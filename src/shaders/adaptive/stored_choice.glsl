@@ -14,8 +14,8 @@ layout(std430, AGAA_BINDING_CHOICES) buffer agaa_ChoiceBlock {
 
 uint agaa_pixelIndex(uvec2 pixel) { return pixel.y * agaa_frame.size.x + pixel.x; }
 uint agaa_pixelCount() { return agaa_frame.size.x * agaa_frame.size.y; }
-// The following functions return indices of words. The choice of a pixel is agaa_packCount(); the choice of a listed pixel
-// determines the number of its samples.
+// The following functions return indices of words. The choice of a pixel is agaa_packCount(); the choice of a listed
+// pixel determines the number of its samples.
 uint agaa_choiceAt(uvec2 pixel) { return AGAA_SUM_WORDS + agaa_pixelIndex(pixel); }
 uint agaa_listAt(uint index) { return AGAA_SUM_WORDS + agaa_pixelCount() + index; }
 uint agaa_meanAt(uvec2 pixel) { return agaa_listAt(agaa_pixelCount()) + agaa_pixelIndex(pixel); }

@@ -88,7 +88,8 @@ float agaa_sampleLight[32]; // share of a shadow's light that reaches each sampl
 // The includer defines this function. It returns sums over a pixel's samples, each times scale * agaa_sampleLight.
 agaa_Means agaa_litMeans(uvec2 pixel, uint mask, float scale);
 
-// Finds, for the shadow of each key light, the share of the samples that the light reaches and the means over these samples.
+// Finds, for the shadow of each key light, the share of the samples that the light reaches and the means over these
+// samples.
 void agaa_findLitSurfaces(uvec2 pixel, uint mask, vec3 toEye) {
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map) {
         if (!agaa_isLitShadow(map))

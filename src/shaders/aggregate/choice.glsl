@@ -1,5 +1,5 @@
-// Chooses some samples of a mask, evenly. A loop over the chosen samples has fewer iterations than a loop over all samples in
-// which lanes skip different ones.
+// Chooses some samples of a mask, evenly. A loop over the chosen samples has fewer iterations than a loop over all
+// samples in which lanes skip different ones.
 #ifndef AGAA_CHOICE_GLSL
 #define AGAA_CHOICE_GLSL
 #include "tables/lighting.inc"

@@ -1,5 +1,5 @@
-// Aggregate generation from a multisampled G-buffer: adds each sample's attributes to its aggregate. The sums equal those of
-// the tiers that accumulate fragments, and need no atomics.
+// Aggregate generation from a multisampled G-buffer: adds each sample's attributes to its aggregate. The sums equal
+// those of the tiers that accumulate fragments, and need no atomics.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;

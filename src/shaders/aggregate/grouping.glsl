@@ -1,4 +1,5 @@
-// Groups the samples of a pixel that are shaded together (AGAA section 3.3). Needs AGAA_MAX_SAMPLES and common/frame.glsl.
+// Groups the samples of a pixel that are shaded together (AGAA section 3.3). Needs AGAA_MAX_SAMPLES and
+// common/frame.glsl.
 #ifndef AGAA_GROUPING_GLSL
 #define AGAA_GROUPING_GLSL
 #include "aggregate/pixel_samples.glsl"
@@ -7,8 +8,8 @@
 // The includer defines this function. It calls agaa_weighNormal() for each of these samples.
 void agaa_weighNormals(uvec2 pixel, uint covered);
 
-// The includer defines this function. It returns whether the shading normals are those of one surface, if agaa_addSample()
-// received other normals.
+// The includer defines this function. It returns whether the shading normals are those of one surface, if
+// agaa_addSample() received other normals.
 bool agaa_shadingNormalsAgree(uvec2 pixel, uint covered);
 
 // Returns the number of aggregates of the first n samples, which agaa_setSample() set. If there are several, writes the

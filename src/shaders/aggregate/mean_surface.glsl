@@ -1,4 +1,5 @@
-// The means of an aggregate: their sums, and the surface that is shaded with them. Needs a function agaa_count(counter, amount).
+// The means of an aggregate: their sums, and the surface that is shaded with them. Needs a function agaa_count(counter,
+// amount).
 #ifndef AGAA_MEAN_SURFACE_GLSL
 #define AGAA_MEAN_SURFACE_GLSL
 #include "aggregate/means.glsl"

@@ -8,8 +8,8 @@
 #include "math/ndf.glsl"
 #include "common/camera.glsl"
 
-// Whether samples of one plane may be in several aggregates (AGAA_CONFIG_SPLIT_SURFACES). The planner then sets a cosine above
-// 1, which no two normals have.
+// Whether samples of one plane may be in several aggregates (AGAA_CONFIG_SPLIT_SURFACES). The planner then sets a
+// cosine above 1, which no two normals have.
 bool agaa_splitsSurfaces() { return AGAA_AGGREGATES > 1u && agaa_frame.surfaceCosine > 1.0; }
 
 struct agaa_PixelSamples {

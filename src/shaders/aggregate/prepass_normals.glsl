@@ -1,5 +1,5 @@
-// The plane normals of the primitives that the prepass wrote for each sample, in the frame of the pixel's view ray. Needs
-// common/target.glsl and AGAA_BINDING_NORMALS.
+// The plane normals of the primitives that the prepass wrote for each sample, in the frame of the pixel's view ray.
+// Needs common/target.glsl and AGAA_BINDING_NORMALS.
 #ifndef AGAA_PREPASS_NORMALS_GLSL
 #define AGAA_PREPASS_NORMALS_GLSL
 #if !defined(AGAA_TARGET_GLSL) || !defined(AGAA_BINDING_NORMALS)

@@ -22,8 +22,8 @@
 #endif
 
 #ifndef AGAA_HOST_FETCH
-// Loads the normal of a sample in the frame of agaa_normalFrame(), and a code that is equal for equal normals. Returns false
-// where there is no geometry.
+// Loads the normal of a sample in the frame of agaa_normalFrame(), and a code that is equal for equal normals. Returns
+// false where there is no geometry.
 bool agaa_loadNormal(uvec2 pixel, uint i, out vec3 normal, out uint code) {
 #if AGAA_FROM_GBUFFER
     if (!agaa_fetchSample(pixel, i))

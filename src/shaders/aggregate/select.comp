@@ -1,5 +1,5 @@
-// Selects the surfaces of a pixel that are kept, and the sample by which each is shaded (SBAA, Salvi and Vidimce 2012). It
-// writes 0 to the attributes of surfaces, which generation fills.
+// Selects the surfaces of a pixel that are kept, and the sample by which each is shaded (SBAA, Salvi and Vidimce 2012).
+// It writes 0 to the attributes of surfaces, which generation fills.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_COUNTING 0

@@ -1,5 +1,5 @@
-// Shades once per aggregate, weighted by its share of the pixel's samples (AGAA section 3.5), or once per surface, which one of
-// its samples represents (SBAA).
+// Shades once per aggregate, weighted by its share of the pixel's samples (AGAA section 3.5), or once per surface,
+// which one of its samples represents (SBAA).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;

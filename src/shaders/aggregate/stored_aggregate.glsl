@@ -1,5 +1,5 @@
-// Reads aggregates from memory, in passes of the SDK and of hosts. Needs AGAA_AGGREGATE_WORD(i), which reads word i of the
-// buffer, AGAA_IMAGE_WIDTH, AGAA_EMISSIVE_RANGE and AGAA_REPRESENTED.
+// Reads aggregates from memory, in passes of the SDK and of hosts. Needs AGAA_AGGREGATE_WORD(i), which reads word i of
+// the buffer, AGAA_IMAGE_WIDTH, AGAA_EMISSIVE_RANGE and AGAA_REPRESENTED.
 #ifndef AGAA_STORED_AGGREGATE_GLSL
 #define AGAA_STORED_AGGREGATE_GLSL
 #if !defined(AGAA_IMAGE_WIDTH) || !defined(AGAA_REPRESENTED)

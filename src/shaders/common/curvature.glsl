@@ -9,16 +9,16 @@
 uint agaa_sanitiseNormalChange(inout vec3 dx, inout vec3 dy) {
     bool isKnown = agaa_isFinite3(dx) && agaa_isFinite3(dy);
     float steepest = isKnown ? max(dot(dx, dx), dot(dy, dy)) : 0.0;
-    // Changes too small to widen a lobe count as 0, so that flat primitives take the fast path in spite of rounding. Normals
-    // change by at most one unit per pixel.
+    // Changes too small to widen a lobe count as 0, so that flat primitives take the fast path in spite of rounding.
+    // Normals change by at most one unit per pixel.
     float scale = steepest < 1e-8 || !agaa_isFinite(steepest) ? 0.0 : min(inversesqrt(steepest), 1.0);
     dx = scale > 0.0 ? scale * dx : vec3(0.0);
     dy = scale > 0.0 ? scale * dy : vec3(0.0);
     return isKnown ? 0u : 1u;
 }
 
-// Returns alpha2 widened by the spread of normals over the samples that a primitive covers. The mean normal is shorter than
-// 1 by half of their variance.
+// Returns alpha2 widened by the spread of normals over the samples that a primitive covers. The mean normal is shorter
+// than 1 by half of their variance.
 float agaa_widenedByCurvature(float alpha2, vec3 dx, vec3 dy, uvec4 mask) {
     if (AGAA_HAS_SPECULAR == 0u || AGAA_NDF == agaa_ndfNone)
         return alpha2;

@@ -1,5 +1,5 @@
-// Debug views: values that the output shows in place of radiance (AgaaDebugView). Needs common/lighting.glsl before it if
-// AGAA_SHADOWS is 1.
+// Debug views: values that the output shows in place of radiance (AgaaDebugView). Needs common/lighting.glsl before it
+// if AGAA_SHADOWS is 1.
 #ifndef AGAA_DEBUG_VIEW_GLSL
 #define AGAA_DEBUG_VIEW_GLSL
 #include "common/api_values.glsl"

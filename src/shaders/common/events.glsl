@@ -1,5 +1,6 @@
 // Compacts the shading events of 64 pixels so that all lanes are busy, because pixels have different numbers of events
-// (Lauritzen 2010: per-sample shading of complex pixels). Needs AGAA_MAX_EVENTS, the largest number of events of a pixel.
+// (Lauritzen 2010: per-sample shading of complex pixels). Needs AGAA_MAX_EVENTS, the largest number of events of a
+// pixel.
 #ifndef AGAA_EVENTS_GLSL
 #define AGAA_EVENTS_GLSL
 #ifndef AGAA_MAX_EVENTS
@@ -7,8 +8,8 @@
 #endif
 #include "common/pixel_work.glsl"
 
-// The includer defines this function. It returns radiance, or agaa_shownOfEvent(), times the number of samples that the event
-// represents.
+// The includer defines this function. It returns radiance, or agaa_shownOfEvent(), times the number of samples that the
+// event represents.
 // lane    The lane of the pixel.
 // which   Bit and kind of the event (agaa_PixelWork).
 vec3 agaa_shadeEvent(uint lane, uint which);
@@ -32,9 +33,9 @@ vec3 agaa_shadeWork(agaa_PixelWork work) {
     barrier();
     uint count = agaa_eventCount;
     vec3 color = vec3(0.0);
-    // Loops that all lanes leave together test at their end, because software rasterisers with masked lanes run the code
-    // after a test once more than needed. If lanes left at different iterations, Mesa 22.3's Vulkan driver would return
-    // wrong sums of loaded values.
+    // Loops that all lanes leave together test at their end, because software rasterisers with masked lanes run the
+    // code after a test once more than needed. If lanes left at different iterations, Mesa 22.3's Vulkan driver would
+    // return wrong sums of loaded values.
     uint base = 0u;
     do {
         if (base + lane < count) {

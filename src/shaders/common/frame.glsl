@@ -1,5 +1,5 @@
-// Constants of a frame (tables/frame.inc), in a uniform block or, for hosts without uniform blocks, in uniforms or texels.
-// Needs AGAA_BINDING_FRAME. With AGAA_GL_CONSTANTS_UNIFORMS it needs AGAA_CONSTANT_VECTORS instead.
+// Constants of a frame (tables/frame.inc), in a uniform block or, for hosts without uniform blocks, in uniforms or
+// texels. Needs AGAA_BINDING_FRAME. With AGAA_GL_CONSTANTS_UNIFORMS it needs AGAA_CONSTANT_VECTORS instead.
 #ifndef AGAA_FRAME_GLSL
 #define AGAA_FRAME_GLSL
 #ifndef AGAA_BINDING_FRAME
@@ -12,9 +12,9 @@
 #define AGAA_CONSTANTS_TEXELS 2
 #ifndef AGAA_FRAME_CONSTANTS
 #define AGAA_FRAME_CONSTANTS AGAA_CONSTANTS_BLOCK
-// Returns the value such that compilers do not know it. For compute passes, whose groups have no depth. Where members of a
-// uniform block decide branches and loops, Mesa 22.3's lavapipe puts their values into the shader and compiles it again in
-// each frame.
+// Returns the value such that compilers do not know it. For compute passes, whose groups have no depth. Where members
+// of a uniform block decide branches and loops, Mesa 22.3's lavapipe puts their values into the shader and compiles it
+// again in each frame.
 uint agaa_opaque(uint value) { return value + (gl_NumWorkGroups.z - 1u); }
 #define AGAA_FRAMES_LEAVE_OUT 1
 #else

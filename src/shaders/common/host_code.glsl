@@ -1,7 +1,8 @@
 // Functions of the host that a pass is compiled with, and their types.
 #ifndef AGAA_HOST_CODE_GLSL
 #define AGAA_HOST_CODE_GLSL
-// Returns the texel of sample i in a target whose pixels are AGAA_SCALE_X x AGAA_SCALE_Y texels of AGAA_HW_SAMPLES each.
+// Returns the texel of sample i in a target whose pixels are AGAA_SCALE_X x AGAA_SCALE_Y texels of AGAA_HW_SAMPLES
+// each.
 ivec2 agaaTexel(uvec2 pixel, uint i) {
     uint group = i / AGAA_HW_SAMPLES;
     return ivec2(pixel * uvec2(AGAA_SCALE_X, AGAA_SCALE_Y) +
@@ -18,9 +19,9 @@ struct AgaaMaterial { // as in AgaaSurfaceInput, but for normalDx and normalDy
     vec3 emissive;
     vec3 normal; // shading space, unit
     float alpha2;
-    // Read from materials that are fetched by id: derivatives of `normal` by the image's x and y, per pixel. If the vertex
-    // normal N changes by d per pixel, by AgaaPrimitive::dx or dy, the derivative is (d - n * dot(n, d)) / |N|, negated if
-    // the normal was negated. With 0, all samples of the primitive have one normal.
+    // Read from materials that are fetched by id: derivatives of `normal` by the image's x and y, per pixel. If the
+    // vertex normal N changes by d per pixel, by AgaaPrimitive::dx or dy, the derivative is (d - n * dot(n, d)) / |N|,
+    // negated if the normal was negated. With 0, all samples of the primitive have one normal.
     vec3 normalDx, normalDy;
     AGAA_CUSTOM_MEMBERS // custom attributes of the layout
 };
@@ -34,7 +35,8 @@ struct AgaaPrimitive {
     uint primitive;
     vec4 a, b, c; // clip coordinates of its vertices by AgaaFrame::projection, as agaaHostTriangle() gave them
     vec3 at;      // weights of the vertices at the point, perspective-correct, [0;1]
-    vec3 dx, dy;  // change of the weights per pixel of the image; in "adaptive" times the square root of the share of the
+    // change of the weights per pixel of the image; in "adaptive" times the square root of the share of the
+    vec3 dx, dy;
                   // pixel that the shaded sample represents
     float facing; // > 0 if a, b, c turn from x to y of the image, < 0 if they turn the other way
 };

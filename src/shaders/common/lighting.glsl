@@ -1,5 +1,5 @@
-// Lighting of one surface or aggregate by all lights, with shadows. Needs AGAA_SHADOWS, common/frame.glsl, and a function
-// agaa_count(counter, amount).
+// Lighting of one surface or aggregate by all lights, with shadows. Needs AGAA_SHADOWS, common/frame.glsl, and a
+// function agaa_count(counter, amount).
 #ifndef AGAA_LIGHTING_GLSL
 #define AGAA_LIGHTING_GLSL
 #if !defined(AGAA_SHADOWS) || !defined(AGAA_FRAME_GLSL)
@@ -27,8 +27,8 @@ layout(AGAA_BINDING_SHADOW1) uniform sampler2DArrayShadow agaa_shadowMap1;
 layout(AGAA_BINDING_SHADOW2) uniform sampler2DArrayShadow agaa_shadowMap2;
 layout(AGAA_BINDING_SHADOW3) uniform sampler2DArrayShadow agaa_shadowMap3;
 
-// Finds the first layer whose clip volume contains the point. Returns false for points outside all layers, which are lit.
-// Points behind a layer's eye (w <= 0) would read the mirrored map (hard case 41).
+// Finds the first layer whose clip volume contains the point. Returns false for points outside all layers, which are
+// lit. Points behind a layer's eye (w <= 0) would read the mirrored map (hard case 41).
 bool agaa_shadowCoordinate(uint map, vec3 p, out vec4 coordinate) {
     uint layer = 0u; // every map has one
     do {
@@ -187,8 +187,8 @@ vec3 agaa_allLights(agaa_Surface s, vec3 position, vec3 toEye) {
     return agaa_sumOfLights(s, position, toEye, sum);
 }
 
-// Measurements of shading cost repeat the lighting AGAA_SHADING_COST times. agaa_frame.zero keeps compilers from merging the
-// repetitions.
+// Measurements of shading cost repeat the lighting AGAA_SHADING_COST times. agaa_frame.zero keeps compilers from
+// merging the repetitions.
 vec3 agaa_lightSurface(agaa_Surface s, vec3 position) {
     vec3 toEye = agaa_toEye(position);
     vec3 sum = agaa_allLights(s, position, toEye);

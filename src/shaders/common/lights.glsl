@@ -36,7 +36,8 @@ AGAA_LIGHT_BLOCK agaa_LightBlock {
     agaa_GpuLight lights[AGAA_LIGHT_COUNT];
 } agaa_lightBuffer;
 
-// Returns the index of the first word of a tile's mask of lights. The mask of shadows whose lights reach the tile follows.
+// Returns the index of the first word of a tile's mask of lights. The mask of shadows whose lights reach the tile
+// follows.
 uint agaa_lightMaskAt(uvec2 tile) {
     return (tile.y * ((agaa_frame.size.x + 7u) / 8u) + tile.x) * (AGAA_LIGHT_WORDS + 1u);
 }

@@ -4,8 +4,8 @@
 #include "math/encoding.glsl"
 #include "common/custom.glsl"
 
-// A field is word | shift << 8 | bits << 16 | flags << 24. The bits are those of one fragment's value, 0 if the layout lacks
-// the channel. Unfiltered fields keep the largest value in place of the sum.
+// A field is word | shift << 8 | bits << 16 | flags << 24. The bits are those of one fragment's value, 0 if the layout
+// lacks the channel. Unfiltered fields keep the largest value in place of the sum.
 const uint agaa_fieldIsSigned = 1u, agaa_fieldIsUnfiltered = 2u;
 uint agaa_fieldBits(uint field) { return field >> 16u & 0xFFu; }
 bool agaa_isSignedField(uint field) { return (field >> 24u & agaa_fieldIsSigned) != 0u; }

@@ -1,6 +1,6 @@
-// Aggregates the fragments that a pixel shows and shades each aggregate once. This is the clustering of AGAA (section 3.3) over
-// visibility at coverage samples, which Wang et al. (I3D 2016) name as future work. Each fragment is clustered as a sample at the
-// centroid of the samples that show it.
+// Aggregates the fragments that a pixel shows and shades each aggregate once. This is the clustering of AGAA (section
+// 3.3) over visibility at coverage samples, which Wang et al. (I3D 2016) name as future work. Each fragment is
+// clustered as a sample at the centroid of the samples that show it.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_LISTS_QUALIFIER coherent
@@ -84,7 +84,8 @@ uint agaa_countShown(uint head, uint least) {
     return count;
 }
 
-// Adds up to agaa_maxClustered fragments, those that show at most samples, and the first of equal ones. Returns their number.
+// Adds up to agaa_maxClustered fragments, those that show at most samples, and the first of equal ones. Returns their
+// number.
 uint agaa_addLargest(inout agaa_PixelSamples samples, uvec2 pixel, uint head, uint shown) {
     // All fragments with this number of samples have room: at most 32 fragments have 4 of 128 samples.
     uint enough = 1u;
@@ -258,7 +259,8 @@ vec3 agaa_shownPlane(uint head, uint sampleOf) {
 }
 
 #if AGAA_LIT
-// Finds, for the shadow of each key light, the share of the samples that the light reaches and the means over these samples.
+// Finds, for the shadow of each key light, the share of the samples that the light reaches and the means over these
+// samples.
 void agaa_findLitSurfaces(uvec2 pixel, uint head, uint a, float weight, vec3 toEye) {
     for (uint map = 0u; map < AGAA_SHADOW_MAPS; ++map) {
         if (!agaa_isLitShadow(map))

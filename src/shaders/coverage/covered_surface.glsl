@@ -1,7 +1,8 @@
-// Surfaces of `dcaa` in memory. A surface has these words: coverage, depth at the pixel's centre, change of depth per pixel in
-// x and in y (16 bits each: sign, 8 bits of exponent, 7 of mantissa), normal (octahedral, 16 bits each), with elliptic lobes the
-// spread of normals (coverage/surface_spread.glsl), then the material (aggregate/packing.glsl). A coverage of 0 means no surface.
-// Depths increase away from the eye; reversed depths are negated. Needs common/frame.glsl.
+// Surfaces of `dcaa` in memory. A surface has these words: coverage, depth at the pixel's centre, change of depth per
+// pixel in x and in y (16 bits each: sign, 8 bits of exponent, 7 of mantissa), normal (octahedral, 16 bits each), with
+// elliptic lobes the spread of normals (coverage/surface_spread.glsl), then the material (aggregate/packing.glsl). A
+// coverage of 0 means no surface. Depths increase away from the eye; reversed depths are negated. Needs
+// common/frame.glsl.
 #ifndef AGAA_COVERED_SURFACE_GLSL
 #define AGAA_COVERED_SURFACE_GLSL
 #include "math/surface_merge.glsl"
@@ -18,7 +19,8 @@
 #define AGAA_IN_TARGETS 0
 #endif
 
-// Returns the index of the first word of surface a: in the buffer, or with AGAA_IN_TARGETS among the words of the pixel.
+// Returns the index of the first word of surface a: in the buffer, or with AGAA_IN_TARGETS among the words of the
+// pixel.
 uint agaa_surfaceBase(uvec2 pixel, uint a) {
 #if AGAA_IN_TARGETS
     return a * AGAA_STRIDE;

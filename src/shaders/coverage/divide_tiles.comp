@@ -1,4 +1,5 @@
-// Runs after the first draw of the scene. It decides whether all fragments had room and, if not, assigns tiles to further draws.
+// Runs after the first draw of the scene. It decides whether all fragments had room and, if not, assigns tiles to
+// further draws.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;

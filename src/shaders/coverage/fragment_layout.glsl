@@ -1,11 +1,11 @@
-// Layout of the buffer of fragment lists: counts, the first fragment of each pixel, a word for each tile of 8 by 8 pixels if the
-// scene may be drawn again, then the fragments.
+// Layout of the buffer of fragment lists: counts, the first fragment of each pixel, a word for each tile of 8 by 8
+// pixels if the scene may be drawn again, then the fragments.
 //
-// A fragment has the id of its primitive, the next fragment of its pixel, its coverage, and AGAA_PAYLOAD_WORDS further words.
-// Fragments are numbered from 1. The number 0 ends a list.
+// A fragment has the id of its primitive, the next fragment of its pixel, its coverage, and AGAA_PAYLOAD_WORDS further
+// words. Fragments are numbered from 1. The number 0 ends a list.
 //
-// Batches: the first draw of the scene counts the fragments of each tile. If all of them have room, it is the only draw.
-// Otherwise the tiles are divided among further draws, each of which keeps the fragments of its tiles only.
+// Batches: the first draw of the scene counts the fragments of each tile. If all of them have room, it is the only
+// draw. Otherwise the tiles are divided among further draws, each of which keeps the fragments of its tiles only.
 #ifndef AGAA_FRAGMENT_LAYOUT_GLSL
 #define AGAA_FRAGMENT_LAYOUT_GLSL
 #define AGAA_LIST_COUNT 0u   // fragments of this draw, with or without room

@@ -3,8 +3,8 @@
 #define AGAA_LIST_ORDER_GLSL
 #include "coverage/fragment_words.glsl"
 
-// Whether the first fragment precedes the second, whose id is given. Fragments of material lists may share a number; their words
-// then decide, so that frames are repeatable.
+// Whether the first fragment precedes the second, whose id is given. Fragments of material lists may share a number;
+// their words then decide, so that frames are repeatable.
 bool agaa_isBefore(uint record, uint other, uint id) {
     uint firstId = agaa_fragments.words[record];
 #ifdef AGAA_MATERIAL_LISTS
@@ -18,8 +18,8 @@ bool agaa_isBefore(uint record, uint other, uint id) {
     return firstId < id;
 }
 
-// Sorts the pixel's list in ascending order of ids and returns its first fragment. Lists are in reverse order of the draws, so
-// that the insertion of most fragments takes one step.
+// Sorts the pixel's list in ascending order of ids and returns its first fragment. Lists are in reverse order of the
+// draws, so that the insertion of most fragments takes one step.
 uint agaa_sortList(uvec2 pixel) {
     uint head = 0u;
     uint rest = agaa_fragments.words[agaa_headOf(pixel, agaa_frame.size)];

@@ -1,5 +1,6 @@
-// Visibility of the fragments of a list: their depths are compared at each sample. The includer defines agaa_keptPlane(record)
-// and agaa_keepPlanes(pixel, head), which is called before planes are read. Needs coverage/list_order.glsl.
+// Visibility of the fragments of a list: their depths are compared at each sample. The includer defines
+// agaa_keptPlane(record) and agaa_keepPlanes(pixel, head), which is called before planes are read. Needs
+// coverage/list_order.glsl.
 #ifndef AGAA_LIST_VISIBILITY_GLSL
 #define AGAA_LIST_VISIBILITY_GLSL
 #ifndef AGAA_LIST_ORDER_GLSL
@@ -11,9 +12,9 @@
 float agaa_nearestDepth[AGAA_SAMPLES];
 uint agaa_nearestFragment[AGAA_SAMPLES];
 
-// Makes the fragment the nearest of the samples where its depth is lowest. With isDecided, removes the samples from its mask that
-// show another fragment. Loops are over covered samples, not over pairs of fragments, because software rasterisers of Mesa end
-// all loops of an invocation after 65535 iterations in total.
+// Makes the fragment the nearest of the samples where its depth is lowest. With isDecided, removes the samples from its
+// mask that show another fragment. Loops are over covered samples, not over pairs of fragments, because software
+// rasterisers of Mesa end all loops of an invocation after 65535 iterations in total.
 void agaa_resolveFragment(uint fragment, uint record, bool isDecided) {
     uvec4 mask = agaa_maskOf(record);
     vec3 plane = agaa_keptPlane(record);
@@ -38,7 +39,8 @@ void agaa_resolveFragment(uint fragment, uint record, bool isDecided) {
         agaa_setMask(record, mask);
 }
 
-// Reduces the mask of each fragment to the samples that show it. Of equal depths the lower id shows. Returns the first fragment.
+// Reduces the mask of each fragment to the samples that show it. Of equal depths the lower id shows. Returns the first
+// fragment.
 uint agaa_resolveList(uvec2 pixel) {
     uint head = agaa_sortList(pixel);
     agaa_keepPlanes(pixel, head);

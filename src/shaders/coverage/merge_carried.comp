@@ -1,4 +1,5 @@
-// Merges the fragments of each pixel, whose materials are in the lists, into surfaces in memory (DCAA sections 3.2 and 3.3).
+// Merges the fragments of each pixel, whose materials are in the lists, into surfaces in memory (DCAA sections 3.2 and
+// 3.3).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,5 +1,5 @@
-// Merges fragments into a pixel's surfaces in memory (DCAA sections 3.2 and 3.3). Needs AGAA_MERGE_RULE and the functions
-// agaa_readSurfaces(word), agaa_setSurfaces(word, value) and agaa_count(counter, amount).
+// Merges fragments into a pixel's surfaces in memory (DCAA sections 3.2 and 3.3). Needs AGAA_MERGE_RULE and the
+// functions agaa_readSurfaces(word), agaa_setSurfaces(word, value) and agaa_count(counter, amount).
 #ifndef AGAA_MERGED_SURFACES_GLSL
 #define AGAA_MERGED_SURFACES_GLSL
 #include "coverage/covered_surface.glsl"

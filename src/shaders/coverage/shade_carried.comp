@@ -1,4 +1,5 @@
-// Shades each fragment of a pixel that shows at a sample, with its material in the list. This is the reference for DCAA.
+// Shades each fragment of a pixel that shows at a sample, with its material in the list. This is the reference for
+// DCAA.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;

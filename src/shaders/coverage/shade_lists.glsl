@@ -1,6 +1,6 @@
-// Shades each fragment of a pixel that shows at a sample, without merging. The includer defines
-// agaa_Surface agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle), which returns the material for the samples of
-// the mask, whose centroid is `middle`. Needs common/output.glsl and coverage/list_visibility.glsl.
+// Shades each fragment of a pixel that shows at a sample, without merging. The includer defines agaa_Surface
+// agaa_materialOf(uvec2 pixel, uint record, uvec4 mask, vec2 middle), which returns the material for the samples of the
+// mask, whose centroid is `middle`. Needs common/output.glsl and coverage/list_visibility.glsl.
 #if !defined(AGAA_OUTPUT_GLSL) || !defined(AGAA_LIST_VISIBILITY_GLSL)
 #error "shade_lists.glsl needs output.glsl and list_visibility.glsl."
 #endif

@@ -1,4 +1,5 @@
-// Position, shadows and widened lobe of a surface with coverage samples. Needs common/target.glsl and common/lighting.glsl.
+// Position, shadows and widened lobe of a surface with coverage samples. Needs common/target.glsl and
+// common/lighting.glsl.
 #ifndef AGAA_SURFACE_POSITION_GLSL
 #define AGAA_SURFACE_POSITION_GLSL
 #if !defined(AGAA_TARGET_GLSL) || !defined(AGAA_LIGHTING_GLSL)

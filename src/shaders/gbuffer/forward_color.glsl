@@ -1,5 +1,5 @@
-// Colours of the forward pass. Blending keeps the first fragment by its alpha of 1, so alpha has no room for a mark. A negative
-// red marks fragments that may have the far plane's depth.
+// Colours of the forward pass. Blending keeps the first fragment by its alpha of 1, so alpha has no room for a mark. A
+// negative red marks fragments that may have the far plane's depth.
 const float agaa_leastMarkedRed = 6.103515625e-5; // the smallest normal half, which replaces all values below it
 
 vec3 agaa_markFarPlane(vec3 color) { return vec3(-max(color.r, agaa_leastMarkedRed), color.gb); }

@@ -1,6 +1,6 @@
-// FXAA (Lottes 2009, the quality variant). If luma has contrast, the pass follows the edge through a pixel to its ends and
-// mixes in the neighbour across the edge by the edge's slope. Luma and mixing are those of the tone-mapped image. The output
-// stays linear.
+// FXAA (Lottes 2009, the quality variant). If luma has contrast, the pass follows the edge through a pixel to its ends
+// and mixes in the neighbour across the edge by the edge's slope. Luma and mixing are those of the tone-mapped image.
+// The output stays linear.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -55,7 +55,8 @@ agaa_Edge agaa_findEdge(agaa_Neighbours l) {
     return edge;
 }
 
-// Returns the distance to the edge's end in one direction. departure receives the difference from the edge's luma there.
+// Returns the distance to the edge's end in one direction. departure receives the difference from the edge's luma
+// there.
 float agaa_followEdge(ivec2 pixel, agaa_Edge edge, int direction, out float departure) {
     departure = 0.0;
     int reached = 0;

@@ -1,5 +1,6 @@
-// Reads samples of a multisampled G-buffer: from attachments by the layout, from the host's G-buffer by a function of the host,
-// or by fetching materials by id. Needs common/target.glsl. To fetch by id it needs adaptive/adaptive_flags.glsl.
+// Reads samples of a multisampled G-buffer: from attachments by the layout, from the host's G-buffer by a function of
+// the host, or by fetching materials by id. Needs common/target.glsl. To fetch by id it needs
+// adaptive/adaptive_flags.glsl.
 #ifndef AGAA_GBUFFER_GLSL
 #define AGAA_GBUFFER_GLSL
 #ifndef AGAA_TARGET_GLSL
@@ -39,8 +40,8 @@ uint agaa_samplesOfPrimitive(uvec2 pixel, uint i, uint samples) {
     return found;
 }
 
-// Fetches the material of a shading event at sample i, at the centroid of those of these samples that show its primitive.
-// Textures are filtered over their share of the pixel (Hollaender et al. 2013, section 4.1).
+// Fetches the material of a shading event at sample i, at the centroid of those of these samples that show its
+// primitive. Textures are filtered over their share of the pixel (Hollaender et al. 2013, section 4.1).
 void agaa_fetchEvent(uvec2 pixel, uint i, uint samples) {
     const uint shown = agaa_samplesOfPrimitive(pixel, i, samples | 1u << i);
     vec2 middle = vec2(0.0);

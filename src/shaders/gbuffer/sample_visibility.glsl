@@ -1,4 +1,5 @@
-// Shadows of a shading event at the samples of a G-buffer that it represents. Needs common/target.glsl and AGAA_SHADOWS.
+// Shadows of a shading event at the samples of a G-buffer that it represents. Needs common/target.glsl and
+// AGAA_SHADOWS.
 #ifndef AGAA_SAMPLE_VISIBILITY_GLSL
 #define AGAA_SAMPLE_VISIBILITY_GLSL
 #include "aggregate/choice.glsl"
@@ -9,8 +10,8 @@ vec3 agaa_samplePosition(uvec2 pixel, uint i) {
     return agaa_toShadingSpace(agaa_sampleViewPosition(pixel, i, agaa_depthOf(pixel, i)));
 }
 
-// Finds the visibility of all shadowed lights. Shadows end within surfaces, so they are looked up at each of the samples that are
-// shaded once, up to AGAA_SHADOW_TAPS.
+// Finds the visibility of all shadowed lights. Shadows end within surfaces, so they are looked up at each of the
+// samples that are shaded once, up to AGAA_SHADOW_TAPS.
 // mask   One or more samples with geometry.
 void agaa_findVisibility(uvec2 pixel, uint mask) {
     agaa_lightPixel(pixel);

@@ -1,5 +1,6 @@
-// Shades a multisampled G-buffer: each covered sample or, with AGAA_CLASSIFIED, once per pixel that shows one surface (Lauritzen
-// 2010). One surface has samples whose normals, planes and materials differ by no more than the frame's thresholds.
+// Shades a multisampled G-buffer: each covered sample or, with AGAA_CLASSIFIED, once per pixel that shows one surface
+// (Lauritzen 2010). One surface has samples whose normals, planes and materials differ by no more than the frame's
+// thresholds.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 8, local_size_y = 8) in;

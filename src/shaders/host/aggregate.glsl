@@ -1,5 +1,5 @@
-// Generation pass: adds a fragment's attributes to the aggregates of its visible samples, split exactly (AGAA algorithm 2). Sums
-// are integers, so the order of fragments does not matter. Needs the macros of core/glsl/host_glsl.cpp.
+// Generation pass: adds a fragment's attributes to the aggregates of its visible samples, split exactly (AGAA algorithm
+// 2). Sums are integers, so the order of fragments does not matter. Needs the macros of core/glsl/host_glsl.cpp.
 #if !defined(AGAA_WORDS) || !defined(AGAA_STRIDE) || !defined(AGAA_REPRESENTED)
 #error "aggregate.glsl needs AGAA_WORDS, AGAA_STRIDE and AGAA_REPRESENTED."
 #endif
@@ -98,8 +98,8 @@ void agaa_emit(AgaaSurfaceInput s) {
     uint base = (pixel.y * agaa_frame.size.x + pixel.x) * (AGAA_AGGREGATES * AGAA_STRIDE);
     const uint coverageShift = AGAA_FIELD_COVERAGE >> 8 & 0xFFu;
 #if AGAA_FIRST_SAMPLE_ROUTING
-    // Coplanar duplicates may go to different aggregates, so the coverage of one does not show that another has the sample. A
-    // word for each pixel, after all aggregates, shows it.
+    // Coplanar duplicates may go to different aggregates, so the coverage of one does not show that another has the
+    // sample. A word for each pixel, after all aggregates, shows it.
     uint pixels = agaa_frame.size.x * agaa_frame.size.y;
     uint claim = pixels * (AGAA_AGGREGATES * AGAA_STRIDE) + pixel.y * agaa_frame.size.x + pixel.x;
     uint claimed = agaa_orWord(claim, mask) & mask;

@@ -2,7 +2,8 @@
 #ifndef AGAA_CORNER_LOCATION
 #define AGAA_CORNER_LOCATION 13
 #endif
-// A corner has x, y and w in pixels. If fragments have materials, it also has z of clip coordinates, for depths in [0, 1].
+// A corner has x, y and w in pixels. If fragments have materials, it also has z of clip coordinates, for depths in [0,
+// 1].
 #if AGAA_NEEDS_MATERIAL
 #define AGAA_CORNER vec4
 #else

@@ -1,4 +1,5 @@
-// Counters of a host's fragments, which add to the frame's 64-bit counters. Needs AGAA_COUNTING and AGAA_STORAGE_IMAGES.
+// Counters of a host's fragments, which add to the frame's 64-bit counters. Needs AGAA_COUNTING and
+// AGAA_STORAGE_IMAGES.
 #if !defined(AGAA_COUNTING) || !defined(AGAA_STORAGE_IMAGES)
 #error "counters.glsl needs AGAA_COUNTING and AGAA_STORAGE_IMAGES."
 #endif

@@ -1,5 +1,6 @@
-// Samples whose stored depth is that of the far plane are background in all techniques. The first pass rejects them, because it
-// tests against the cleared depth. A second pass tests for equal depth and would accept them. Needs AGAA_FAR_DEPTH.
+// Samples whose stored depth is that of the far plane are background in all techniques. The first pass rejects them,
+// because it tests against the cleared depth. A second pass tests for equal depth and would accept them. Needs
+// AGAA_FAR_DEPTH.
 #ifndef AGAA_FAR_DEPTH
 #error "far_plane.glsl needs AGAA_FAR_DEPTH."
 #endif

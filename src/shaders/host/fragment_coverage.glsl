@@ -1,5 +1,5 @@
-// The samples of a pixel that a fragment covers, in passes that draw a fragment for each pixel that a triangle touches. Needs
-// AGAA_TABLE_SIZE.
+// The samples of a pixel that a fragment covers, in passes that draw a fragment for each pixel that a triangle touches.
+// Needs AGAA_TABLE_SIZE.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3.1.
 #ifndef AGAA_HOST_FRAGMENT_COVERAGE_GLSL
 #define AGAA_HOST_FRAGMENT_COVERAGE_GLSL
@@ -15,8 +15,9 @@
 
 AGAA_AT_CORNERS flat in AGAA_CORNER agaa_corners[3];
 
-// Returns perspective-correct weights of the triangle's corners at an offset from the pixel's centre, in pixels. Points outside
-// the triangle are moved inside. The host interpolates its flat attributes by the members at, and dx and dy, the change per pixel.
+// Returns perspective-correct weights of the triangle's corners at an offset from the pixel's centre, in pixels. Points
+// outside the triangle are moved inside. The host interpolates its flat attributes by the members at, and dx and dy,
+// the change per pixel.
 agaa_Barycentrics agaa_cornerWeights(vec2 offset) {
     return agaa_barycentrics(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz, gl_FragCoord.xy + offset, vec2(1.0));
 }
@@ -105,7 +106,7 @@ uvec4 agaa_coverageOf(AgaaSurfaceInput s) {
     return agaa_covered;
 }
 
-// Returns the centroid of the samples that s covers, as an offset from the pixel's centre for agaa_cornerWeights(). The host
-// evaluates the material there. It must set the alpha members of s before.
+// Returns the centroid of the samples that s covers, as an offset from the pixel's centre for agaa_cornerWeights(). The
+// host evaluates the material there. It must set the alpha members of s before.
 vec2 agaa_coveredMiddle(AgaaSurfaceInput s) { return agaa_coverageMiddle(agaa_coverageOf(s), AGAA_SAMPLES); }
 #endif

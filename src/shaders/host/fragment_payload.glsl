@@ -12,8 +12,8 @@
 uint agaa_payload[AGAA_MATERIAL_PAYLOAD_WORDS]; // by agaa_packFragment()
 uint agaa_wasSanitised = 0u;
 
-// Fills agaa_payload, and sets agaa_wasSanitised if a member of s was not finite or out of range. Returns false for a triangle at
-// the far plane, which is background.
+// Fills agaa_payload, and sets agaa_wasSanitised if a member of s was not finite or out of range. Returns false for a
+// triangle at the far plane, which is background.
 bool agaa_packFragment(AgaaSurfaceInput s, uvec4 mask) {
     agaa_DepthPlane plane = agaa_depthPlane(agaa_corners[0].xyz, agaa_corners[1].xyz, agaa_corners[2].xyz,
                                             vec3(agaa_corners[0].w, agaa_corners[1].w, agaa_corners[2].w), gl_FragCoord.xy);

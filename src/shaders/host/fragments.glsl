@@ -1,5 +1,5 @@
-// Fragments pass: appends the coverage of each fragment, with the id of its primitive or its material, to the list of its pixel.
-// Needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL and AGAA_HAS_BATCHES.
+// Fragments pass: appends the coverage of each fragment, with the id of its primitive or its material, to the list of
+// its pixel. Needs AGAA_STORAGE_IMAGES, AGAA_NEEDS_MATERIAL and AGAA_HAS_BATCHES.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3.1.
 #ifndef AGAA_HAS_BATCHES
 #error "fragments.glsl needs AGAA_HAS_BATCHES."

@@ -1,5 +1,5 @@
-// G-buffer pass: evaluates each fragment once and writes it to all samples that it covers. Needs agaa_store(), which writes the
-// channels to their attachments.
+// G-buffer pass: evaluates each fragment once and writes it to all samples that it covers. Needs agaa_store(), which
+// writes the channels to their attachments.
 
 void agaa_emit(AgaaSurfaceInput s) {
     agaa_checkPlacement(s.position);

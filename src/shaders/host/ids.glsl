@@ -1,5 +1,5 @@
-// Ids of primitives, by which materials are fetched and fragments are ordered. Needs AGAA_HAS_CORNERS. With AGAA_MAX_DRAWS it
-// needs AGAA_MAX_PRIMITIVES, AGAA_PRIMITIVE_BITS and AGAA_SOME_UNFETCHED.
+// Ids of primitives, by which materials are fetched and fragments are ordered. Needs AGAA_HAS_CORNERS. With
+// AGAA_MAX_DRAWS it needs AGAA_MAX_PRIMITIVES, AGAA_PRIMITIVE_BITS and AGAA_SOME_UNFETCHED.
 #ifndef AGAA_HOST_IDS_GLSL
 #define AGAA_HOST_IDS_GLSL
 #ifndef AGAA_HAS_CORNERS
@@ -9,8 +9,8 @@
 
 #ifdef AGAA_MAX_DRAWS
 uint agaa_idOfInput(AgaaSurfaceInput s) {
-    // Out-of-range primitives are shown as the last primitive of their draw. Out-of-range draws are shown as primitive 0 of
-    // the last draw. Ids must name primitives that can be fetched.
+    // Out-of-range primitives are shown as the last primitive of their draw. Out-of-range draws are shown as primitive
+    // 0 of the last draw. Ids must name primitives that can be fetched.
     bool isFetched = AGAA_SOME_UNFETCHED == 0 || s.draw != AGAA_UNFETCHED;
     if (isFetched && (s.draw >= AGAA_MAX_DRAWS || s.primitive >= AGAA_MAX_PRIMITIVES) && !AGAA_HELPER)
         agaa_countFragment(AGAA_COUNT_UNANNOUNCED, 1u);
@@ -21,8 +21,8 @@ uint agaa_idOfInput(AgaaSurfaceInput s) {
 #endif
 
 #if AGAA_HAS_CORNERS
-// Returns the number by which the fragments of a pixel are ordered. Views without an AgaaFetchFunction set no limits, so beyond
-// 65536 primitives of a draw, primitives of different draws may share a number.
+// Returns the number by which the fragments of a pixel are ordered. Views without an AgaaFetchFunction set no limits,
+// so beyond 65536 primitives of a draw, primitives of different draws may share a number.
 uint agaa_orderOfInput(AgaaSurfaceInput s) {
 #ifdef AGAA_MAX_DRAWS
     return agaa_idOfInput(s);

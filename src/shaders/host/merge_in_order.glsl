@@ -1,6 +1,7 @@
-// Fragments pass of devices that order the fragments of a pixel, by fragment shader interlock or, with AGAA_IN_TARGETS, by
-// attachments that shaders read. Each fragment merges into the surfaces of its pixel, in the order of the draws and without
-// lists (Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3). Needs AGAA_IN_TARGETS and AGAA_MERGE_RULE.
+// Fragments pass of devices that order the fragments of a pixel, by fragment shader interlock or, with AGAA_IN_TARGETS,
+// by attachments that shaders read. Each fragment merges into the surfaces of its pixel, in the order of the draws and
+// without lists (Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, section 3). Needs AGAA_IN_TARGETS and
+// AGAA_MERGE_RULE.
 #if !defined(AGAA_IN_TARGETS) || !defined(AGAA_MERGE_RULE)
 #error "merge_in_order.glsl needs AGAA_IN_TARGETS and AGAA_MERGE_RULE."
 #endif

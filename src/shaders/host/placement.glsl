@@ -1,5 +1,6 @@
-// Checks whether fragments are at the positions that the frame's camera projects them to. With a projection that differs from
-// the rasteriser's, shading would use other positions, which no other counter shows. Needs AGAA_COUNTING and AGAA_FIRST_PASS.
+// Checks whether fragments are at the positions that the frame's camera projects them to. With a projection that
+// differs from the rasteriser's, shading would use other positions, which no other counter shows. Needs AGAA_COUNTING
+// and AGAA_FIRST_PASS.
 #if !defined(AGAA_COUNTING) || !defined(AGAA_FIRST_PASS)
 #error "placement.glsl needs AGAA_COUNTING and AGAA_FIRST_PASS."
 #endif

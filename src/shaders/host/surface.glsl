@@ -1,28 +1,32 @@
-// The interface of draw passes to the host's fragment shader. Needs common/frame.glsl and the macros of core/glsl/host_glsl.cpp.
+// The interface of draw passes to the host's fragment shader. Needs common/frame.glsl and the macros of
+// core/glsl/host_glsl.cpp.
 #if !defined(AGAA_HW_SAMPLES) || !defined(AGAA_HAS_CORNERS) || !defined(AGAA_FIRST_PASS) || !defined(AGAA_CHECK_FACTS)
 #error "surface.glsl needs AGAA_HW_SAMPLES, AGAA_HAS_CORNERS, AGAA_FIRST_PASS and AGAA_CHECK_FACTS."
 #endif
 #include "common/camera.glsl"
 
-// The surface that a host's fragment shader passes to the SDK. Positions and normals are in shading space (the host's axes,
-// origin at the eye), colours are linear, alpha2 is GGX alpha squared.
+// The surface that a host's fragment shader passes to the SDK. Positions and normals are in shading space (the host's
+// axes, origin at the eye), colours are linear, alpha2 is GGX alpha squared.
 struct AgaaSurfaceInput {
     vec3 position;        // of the fragment
-    vec3 geometricNormal; // normal of the primitive's plane, on either side. Read in the visibility pass, and in all passes
+    // normal of the primitive's plane, on either side. Read in the visibility pass, and in all passes
+    vec3 geometricNormal;
                           // with AGAA_FACT_PLANE_NORMALS or AGAA_CONFIG_CHECK_FACTS
-    float alpha;          // read if AGAA_ALPHA_MASKED is 1. It must be equal in all passes: declare it precise and evaluate
+    // read if AGAA_ALPHA_MASKED is 1. It must be equal in all passes: declare it precise and evaluate
+    float alpha;
                           // it at AGAA_AT_CENTRE, because AGAA_INSIDE depends on the samples that survive. A non-finite
                           // alpha or cutoff counts as 0
     float alphaCutoff;    // > 0: a cut-out, which covers the samples with alpha >= alphaCutoff.
-                          // <= 0: a translucent surface, which covers the share alpha of the samples, [0, 1]. A cut-out at
-                          // 0 covers all samples and is not alpha-masked
+                          // <= 0: a translucent surface, which covers the share alpha of the samples, [0, 1]. A cut-out
+                          // at 0 covers all samples and is not alpha-masked
     bool hasAlphaNear;    // cut-outs: alphaNear is set; alpha is then read at n = 1 only
     vec4 alphaNear;       // alpha at agaa_alphaPoint(0) to (3), by the same rules as alpha
 #if AGAA_HAS_CORNERS
     bool hasAlphaRows;    // cut-outs, if AGAA_HAS_CORNERS is 1: alphaRows is set in place of alphaNear
     vec4 alphaRows[4];    // alpha at agaa_alphaRowPoint(r, c) in row r, column c
 #endif
-    uint primitiveSeed;   // translucent surfaces: differs between primitives that may overlap, and is equal in all passes
+    // translucent surfaces: differs between primitives that may overlap, and is equal in all passes
+    uint primitiveSeed;
     uint draw;            // visibility pass, if AGAA_WRITES_IDS is 1: the draw that AgaaFetchFunction receives
     uint primitive;       // index in the draw, as gl_PrimitiveID
     vec3 diffuse;         // [0,1]
@@ -31,7 +35,8 @@ struct AgaaSurfaceInput {
     vec3 normal;          // shading normal, unit
     float alpha2;         // [4.1e-6,1]
 #if AGAA_HAS_CORNERS
-    vec3 normalDx, normalDy; // if AGAA_HAS_CORNERS is 1: derivatives of `normal` by the image's x and y, as in AgaaMaterial
+    // if AGAA_HAS_CORNERS is 1: derivatives of `normal` by the image's x and y, as in AgaaMaterial
+    vec3 normalDx, normalDy;
 #endif
     AGAA_CUSTOM_MEMBERS   // custom attributes of the layout (AGAA_SEMANTIC_CUSTOM), in their range
 };
@@ -66,12 +71,13 @@ AgaaSurfaceInput agaa_surfaceInput() {
     return s;
 }
 
-// Returns the value of a fragment input inside its primitive. The centre of a pixel may be outside a triangle thinner than a
-// pixel, where attributes extrapolate without bound. Mesa 22.3 divides by the centre's 1/w here and changes plain reads of the
-// same input: if such drivers matter, interpolate a constant 1 too and divide by it, and take derivatives of a separate input.
+// Returns the value of a fragment input inside its primitive. The centre of a pixel may be outside a triangle thinner
+// than a pixel, where attributes extrapolate without bound. Mesa 22.3 divides by the centre's 1/w here and changes
+// plain reads of the same input: if such drivers matter, interpolate a constant 1 too and divide by it, and take
+// derivatives of a separate input.
 #if AGAA_FIRST_PASS && AGAA_HW_SAMPLES > 1
-// The first pass tests depth against earlier draws. Mesa 22.3 takes the centroid of the samples that pass, so values would depend
-// on the order of draws. gl_SampleMaskIn has the samples that the primitive covers.
+// The first pass tests depth against earlier draws. Mesa 22.3 takes the centroid of the samples that pass, so values
+// would depend on the order of draws. gl_SampleMaskIn has the samples that the primitive covers.
 bool agaa_isCentreInside() {
     uint mask = uint(gl_SampleMaskIn[0]);
     return mask == 0u || mask == 0xFFFFFFFFu >> (32u - AGAA_HW_SAMPLES); // 0: a helper invocation
@@ -83,15 +89,16 @@ int agaa_firstSampleInside() { return max(findLSB(uint(gl_SampleMaskIn[0])), 0);
 #define AGAA_INSIDE(v) interpolateAtCentroid(v)
 #endif
 
-// Returns the value of a fragment input at the centre of its texel. If a pass runs once per sample, OpenGL evaluates plain inputs
-// at the sample.
+// Returns the value of a fragment input at the centre of its texel. If a pass runs once per sample, OpenGL evaluates
+// plain inputs at the sample.
 #if defined(AGAA_PER_SAMPLE) && AGAA_PER_SAMPLE
 #define AGAA_AT_CENTRE(v) interpolateAtOffset(v, vec2(0.0))
 #else
 #define AGAA_AT_CENTRE(v) (v)
 #endif
 
-// Derivatives per pixel, independent of the target's scale. Take them of plain inputs, so that they are those at the centre.
+// Derivatives per pixel, independent of the target's scale. Take them of plain inputs, so that they are those at the
+// centre.
 #define AGAA_DERIVATIVES(T) \
     T agaa_dFdx(T v) { return dFdx(v) * float(AGAA_SCALE_X); } \
     T agaa_dFdy(T v) { return dFdy(v) * float(AGAA_SCALE_Y); }
@@ -112,7 +119,8 @@ uint agaa_hostGroup() {
     return sub.y * AGAA_SCALE_X + sub.x;
 }
 
-// Positions of AgaaSurfaceInput::alphaNear and alphaRows: offsets from the texel's centre, in the pixels of agaa_dFdx().
+// Positions of AgaaSurfaceInput::alphaNear and alphaRows: offsets from the texel's centre, in the pixels of
+// agaa_dFdx().
 #define AGAA_ALPHA_POINTS (AGAA_HW_SAMPLES > 1 || AGAA_HAS_CORNERS == 1 ? 4u : 0u)
 vec2 agaa_alphaPoint(uint k) {
     return (vec2(float(k & 1u), float(k >> 1u)) * 0.5 - 0.25) / vec2(AGAA_SCALE_X, AGAA_SCALE_Y);
@@ -148,12 +156,13 @@ uint agaa_cutoutMask(AgaaSurfaceInput s, float alpha, vec2 gradient) {
     return mask;
 }
 
-// Returns the samples of this texel that an alpha-masked surface covers. It takes derivatives, so it needs uniform control flow.
+// Returns the samples of this texel that an alpha-masked surface covers. It takes derivatives, so it needs uniform
+// control flow.
 uint agaa_alphaMask(AgaaSurfaceInput s) {
     float alpha = agaa_sanitiseAlpha(s.alpha);
     vec2 gradient = AGAA_FINE_GRADIENT(alpha);
-    // The cutoff is usually a uniform. Mesa's lavapipe (22.3) copies a shader, and never frees the copy, at every draw whose
-    // uniforms decide a branch. A term that is 0 but depends on the fragment prevents that.
+    // The cutoff is usually a uniform. Mesa's lavapipe (22.3) copies a shader, and never frees the copy, at every draw
+    // whose uniforms decide a branch. A term that is 0 but depends on the fragment prevents that.
     s.alphaCutoff = agaa_sanitiseAlpha(s.alphaCutoff + min(gl_FragCoord.x, 0.0));
     if (agaa_hasFact(AGAA_FACT_NO_TRANSLUCENCY) || (!agaa_hasFact(AGAA_FACT_NO_CUTOUTS) && s.alphaCutoff > 0.0))
         return agaa_cutoutMask(s, alpha, gradient);

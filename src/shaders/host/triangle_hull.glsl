@@ -1,6 +1,7 @@
-// Triangle hulls for the host's geometry shader, in passes that need a fragment for each pixel that a triangle touches. For each
-// triangle, the shader calls agaa_beginPrimitive(), then agaa_setVertex() and EmitVertex() for each vertex of the strip.
-// pulled_hull.glsl is for vertex shaders. Needs AGAA_NEEDS_MATERIAL, AGAA_CLIP_Z_FROM_MINUS_ONE and AGAA_FAR_DEPTH.
+// Triangle hulls for the host's geometry shader, in passes that need a fragment for each pixel that a triangle touches.
+// For each triangle, the shader calls agaa_beginPrimitive(), then agaa_setVertex() and EmitVertex() for each vertex of
+// the strip. pulled_hull.glsl is for vertex shaders. Needs AGAA_NEEDS_MATERIAL, AGAA_CLIP_Z_FROM_MINUS_ONE and
+// AGAA_FAR_DEPTH.
 #ifndef AGAA_HOST_TRIANGLE_HULL_GLSL
 #define AGAA_HOST_TRIANGLE_HULL_GLSL
 #if !defined(AGAA_NEEDS_MATERIAL) || !defined(AGAA_CLIP_Z_FROM_MINUS_ONE) || !defined(AGAA_FAR_DEPTH)
@@ -29,7 +30,8 @@ AGAA_CORNER agaa_cornerOf(vec4 clip, vec2 pixelsPerNdc) {
 #endif
 }
 
-// Returns the number of vertices of the strip, 0 if nothing is in front of the near plane. The strip has the triangle's facing.
+// Returns the number of vertices of the strip, 0 if nothing is in front of the near plane. The strip has the triangle's
+// facing.
 // a, b, c   Clip coordinates of the vertices, as the host's vertex shader outputs them.
 uint agaa_beginPrimitive(vec4 a, vec4 b, vec4 c) {
     vec2 pixelsPerNdc = 0.5 * vec2(agaa_frame.size);
@@ -48,8 +50,8 @@ uint agaa_beginPrimitive(vec4 a, vec4 b, vec4 c) {
     return agaa_hull.count;
 }
 
-// Sets gl_Position and the inputs of the SDK's fragment shader text. The host's outputs must be flat, or its fragment shader must
-// derive them from agaa_cornerWeights().
+// Sets gl_Position and the inputs of the SDK's fragment shader text. The host's outputs must be flat, or its fragment
+// shader must derive them from agaa_cornerWeights().
 // i   Vertex of the strip, in ascending order, below the number that agaa_beginPrimitive() returned.
 void agaa_setVertex(uint i) {
     // A mirrored strip swaps neighbours, except the first vertex and the last of an even number.

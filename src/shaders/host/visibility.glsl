@@ -1,6 +1,6 @@
-// Visibility pass: writes depth and a value that distinguishes samples. That value is an id, or the primitive's normal in the
-// frame of the pixel's view ray, in which visible surfaces face the viewer at any field of view. Needs AGAA_WRITES_NORMALS and
-// AGAA_WRITES_IDS.
+// Visibility pass: writes depth and a value that distinguishes samples. That value is an id, or the primitive's normal
+// in the frame of the pixel's view ray, in which visible surfaces face the viewer at any field of view. Needs
+// AGAA_WRITES_NORMALS and AGAA_WRITES_IDS.
 #if !defined(AGAA_WRITES_NORMALS) || !defined(AGAA_WRITES_IDS)
 #error "visibility.glsl needs AGAA_WRITES_NORMALS and AGAA_WRITES_IDS."
 #endif

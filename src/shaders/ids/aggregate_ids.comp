@@ -1,5 +1,5 @@
-// Aggregates the fetched materials of pixels with several primitives and shades the aggregates at once. It writes only the
-// image.
+// Aggregates the fetched materials of pixels with several primitives and shades the aggregates at once. It writes only
+// the image.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_MAX_SAMPLES AGAA_SAMPLES

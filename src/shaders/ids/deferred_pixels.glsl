@@ -1,6 +1,6 @@
-// Bit mask of the pixels deferred to a later pass, two words per tile of 8 by 8 pixels. A workgroup of the consuming pass has a
-// region of tiles, so that its lanes are busy where tiles defer few pixels. Needs common/frame.glsl, AGAA_BINDING_DEFERRED and
-// AGAA_REGION_SIDE. The consuming pass defines AGAA_CONSUMES_DEFERRED.
+// Bit mask of the pixels deferred to a later pass, two words per tile of 8 by 8 pixels. A workgroup of the consuming
+// pass has a region of tiles, so that its lanes are busy where tiles defer few pixels. Needs common/frame.glsl,
+// AGAA_BINDING_DEFERRED and AGAA_REGION_SIDE. The consuming pass defines AGAA_CONSUMES_DEFERRED.
 #ifndef AGAA_DEFERRED_PIXELS_GLSL
 #define AGAA_DEFERRED_PIXELS_GLSL
 #if !defined(AGAA_FRAME_GLSL) || !defined(AGAA_BINDING_DEFERRED) || !defined(AGAA_REGION_SIDE)

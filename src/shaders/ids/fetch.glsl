@@ -41,7 +41,8 @@ vec3 agaa_planeNormal(AgaaPrimitive p) {
     return away > 0.0 ? -n : n;
 }
 
-// Returns the sine of the angle by which rounding of the vertices may turn the plane normal; 1 for a primitive without area.
+// Returns the sine of the angle by which rounding of the vertices may turn the plane normal; 1 for a primitive without
+// area.
 float agaa_planeNormalError(AgaaPrimitive p) {
     vec3 a = agaa_vertexViewPosition(p.a), b = agaa_vertexViewPosition(p.b), c = agaa_vertexViewPosition(p.c);
     float longest = max(length(b - a), max(length(c - b), length(a - c)));
@@ -103,8 +104,8 @@ uint agaa_coveredOfTexel(AgaaPrimitive p, uint group, uint known) {
     return covered;
 }
 
-// Returns a texel's material at the position of a G-buffer's fragment (AGAA_INSIDE): the centre or, if the primitive does not
-// cover all samples, the first sample that it covers. It has one normal.
+// Returns a texel's material at the position of a G-buffer's fragment (AGAA_INSIDE): the centre or, if the primitive
+// does not cover all samples, the first sample that it covers. It has one normal.
 AgaaMaterial agaa_fetchFineMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
     uint first = uint(findLSB(samples));
     uint group = first / AGAA_MATERIAL_SAMPLES;
@@ -121,7 +122,8 @@ AgaaMaterial agaa_fetchFineMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) 
     return m;
 }
 
-// Returns the material of these samples, one or more, at their centroid. Its normal is that at the pixel's corner, not unit.
+// Returns the material of these samples, one or more, at their centroid. Its normal is that at the pixel's corner, not
+// unit.
 AgaaMaterial agaa_fetchMaterial(AgaaPrimitive p, uvec2 pixel, uint samples) {
     if (agaa_hasFineMaterials())
         return agaa_fetchFineMaterial(p, pixel, samples);

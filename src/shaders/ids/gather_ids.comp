@@ -1,4 +1,5 @@
-// Aggregates the fetched materials of a pixel and writes the aggregates in the format of the tiers that accumulate fragments.
+// Aggregates the fetched materials of a pixel and writes the aggregates in the format of the tiers that accumulate
+// fragments.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_MAX_SAMPLES AGAA_SAMPLES

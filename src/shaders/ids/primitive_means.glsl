@@ -1,4 +1,5 @@
-// Means over the samples of primitives, which have one material each in a pixel. Needs what aggregate/aggregate.glsl needs.
+// Means over the samples of primitives, which have one material each in a pixel. Needs what aggregate/aggregate.glsl
+// needs.
 #ifndef AGAA_PRIMITIVE_MEANS_GLSL
 #define AGAA_PRIMITIVE_MEANS_GLSL
 #include "aggregate/aggregate.glsl"

@@ -1,6 +1,6 @@
-// Fetches materials for the id tiers. The lanes of a workgroup collect the distinct primitives of 64 pixels and fetch one
-// material per entry, at the centroid of its samples. They also share the grouping of samples in pixels with several primitives.
-// Needs AGAA_MAX_SAMPLES, common/target.glsl and what ids/fetch.glsl needs.
+// Fetches materials for the id tiers. The lanes of a workgroup collect the distinct primitives of 64 pixels and fetch
+// one material per entry, at the centroid of its samples. They also share the grouping of samples in pixels with
+// several primitives. Needs AGAA_MAX_SAMPLES, common/target.glsl and what ids/fetch.glsl needs.
 #ifndef AGAA_PRIMITIVES_GLSL
 #define AGAA_PRIMITIVES_GLSL
 #if !defined(AGAA_MAX_SAMPLES) || !defined(AGAA_HOST_FETCH)
@@ -51,8 +51,8 @@ uint agaa_loadIds(uvec2 pixel) {
 }
 
 #ifdef AGAA_SOME_UNFETCHED
-// Returns the samples of `left` that equal its first sample `first`. With an entry per sample, a pixel would have up to n
-// entries, and a workgroup would need as many iterations.
+// Returns the samples of `left` that equal its first sample `first`. With an entry per sample, a pixel would have up to
+// n entries, and a workgroup would need as many iterations.
 uint agaa_alikeUnfetched(uvec2 pixel, uint first, uint left) {
     uint end = min((first / AGAA_HW_SAMPLES + 1u) * AGAA_HW_SAMPLES, agaa_sampleCount());
     uint alike = 1u << first;
@@ -65,8 +65,8 @@ uint agaa_alikeUnfetched(uvec2 pixel, uint first, uint left) {
 uint agaa_alikeUnfetched(uvec2 pixel, uint first, uint left) { return 1u << first; }
 #endif
 
-// Returns the number of list entries of these samples: one for each primitive and group of samples that share a material, and
-// one for each set of equal samples of unfetched draws. shown receives the number of fetched primitives.
+// Returns the number of list entries of these samples: one for each primitive and group of samples that share a
+// material, and one for each set of equal samples of unfetched draws. shown receives the number of fetched primitives.
 uint agaa_findPrimitives(uvec2 pixel, uint covered, out uint shown) {
     uint count = 0u;
     shown = 0u;
@@ -201,7 +201,8 @@ void agaa_groupListed(uint lane) {
 // uncovered   Samples with geometry that have no material.
 void agaa_shadeDeferredPixel(bool hasPixel, uvec2 pixel, uint covered, uint uncovered);
 
-// Calls agaa_shadeDeferredPixel() once for each pixel with geometry. All lanes must call it, with covered = 0 without a pixel.
+// Calls agaa_shadeDeferredPixel() once for each pixel with geometry. All lanes must call it, with covered = 0 without a
+// pixel.
 void agaa_processPixels(uvec2 pixel, uint covered) {
     const uint lane = gl_LocalInvocationIndex;
     uint primitives = agaa_findPrimitives(pixel, covered, agaa_shownPrimitives);

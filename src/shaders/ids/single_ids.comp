@@ -1,5 +1,5 @@
-// Shades pixels of one primitive, whose samples are one aggregate. Pixels that show several primitives, or whose surfaces may be
-// split, are deferred to the pass that groups samples.
+// Shades pixels of one primitive, whose samples are one aggregate. Pixels that show several primitives, or whose
+// surfaces may be split, are deferred to the pass that groups samples.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define AGAA_MAX_SAMPLES AGAA_SAMPLES
@@ -15,8 +15,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "ids/deferred_pixels.glsl"
 #include "ids/primitive_means.glsl"
 
-// A workgroup has a region of AGAA_REGION_SIDE tiles in each direction and compacts its pixels of one primitive, so that all
-// lanes are busy.
+// A workgroup has a region of AGAA_REGION_SIDE tiles in each direction and compacts its pixels of one primitive, so
+// that all lanes are busy.
 shared uint agaa_singleCount;
 shared uint agaa_singlePixel[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE]; // x | y << 16
 shared uint agaa_singleId[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
@@ -25,8 +25,8 @@ shared uint agaa_singleSamples[64u * AGAA_REGION_SIDE * AGAA_REGION_SIDE];
 // The materials of the current pixel, by groups of samples that share one.
 AgaaMaterial agaa_materials[(AGAA_MAX_SAMPLES + AGAA_MATERIAL_SAMPLES - 1u) / AGAA_MATERIAL_SAMPLES];
 
-// Fetches the materials of a pixel. Returns whether shading normals are those of one surface. It precedes all readers of
-// agaa_materials, because compilers warn about reads that precede writes.
+// Fetches the materials of a pixel. Returns whether shading normals are those of one surface. It precedes all readers
+// of agaa_materials, because compilers warn about reads that precede writes.
 bool agaa_fetchGroups(uvec2 pixel, uint id, uint samples) {
     AgaaPrimitive primitive = agaa_primitive(id);
     vec3 normal = vec3(0.0);

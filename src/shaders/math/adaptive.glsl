@@ -1,6 +1,6 @@
 // Metrics of adaptive sampling: the number of shaded samples of a pixel, and the differences that choose them.
-// Sources: Hollaender et al. 2013, "Adaptive Supersampling for Deferred Anti-Aliasing", section 3.1; hard cases 12, 13, 15
-// and 43.
+// Sources: Hollaender et al. 2013, "Adaptive Supersampling for Deferred Anti-Aliasing", section 3.1; hard cases 12, 13,
+// 15 and 43.
 #ifndef AGAA_MATH_ADAPTIVE_GLSL
 #define AGAA_MATH_ADAPTIVE_GLSL
 #include "real.glsl"
@@ -24,8 +24,8 @@ real agaa_normalStep(rvec3 a, rvec3 b, real cosine) {
     return sqrt(dot(d, d) / (real(2.0) * max(real(1.0) - cosine, real(1e-6))));
 }
 
-// Returns the distance of two samples from the plane of one of them, the smaller of both, relative to `width`. It is 0 on one
-// plane at any distance and slope.
+// Returns the distance of two samples from the plane of one of them, the smaller of both, relative to `width`. It is 0
+// on one plane at any distance and slope.
 real agaa_planeStep(rvec3 offset, rvec3 normalA, rvec3 normalB, real width) {
     return min(abs(dot(normalA, offset)), abs(dot(normalB, offset))) / max(width, real(1e-30));
 }
@@ -42,12 +42,14 @@ uint agaa_coveredIn(uint word) { return word & 0xFFu; }
 uint agaa_countIn(uint word) { return word >> 8u & 0xFFu; }
 real agaa_leftIn(uint word) { return real(word >> 16u) / real(65535.0); }
 
-// Returns the mean of sample counts, of which the share `memory`, [0, 1), is kept per frame. A mean or count of 0 restarts it.
+// Returns the mean of sample counts, of which the share `memory`, [0, 1), is kept per frame. A mean or count of 0
+// restarts it.
 real agaa_meanOfCounts(real mean, uint count, real memory) {
     return mean > real(0.0) && count != 0u ? real(count) + (mean - real(count)) * memory : real(count);
 }
 
-// Histograms of differences have eight bins per power of two, from 1/16 of a threshold to 2^28 thresholds. The last bin is open.
+// Histograms of differences have eight bins per power of two, from 1/16 of a threshold to 2^28 thresholds. The last bin
+// is open.
 uint agaa_bins() { return 256u; } // of both kinds of histogram
 real agaa_leastDifference() { return real(0.0625); }
 

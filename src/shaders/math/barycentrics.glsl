@@ -24,8 +24,8 @@ rvec2 agaa_fromRay(rvec3 clip, rvec2 ndc, rvec2 pixelsPerNdc) {
     return (rvec2(clip.x, clip.y) - ndc * clip.z) * pixelsPerNdc;
 }
 
-// Points outside the triangle, such as those of slivers that a rasteriser snapped to its grid, are moved inside. A triangle
-// without area has equal weights that do not change.
+// Points outside the triangle, such as those of slivers that a rasteriser snapped to its grid, are moved inside. A
+// triangle without area has equal weights that do not change.
 // a, b, c        Clip coordinates x, y, w.
 // pixelsPerNdc   Half of the image's size.
 agaa_Barycentrics agaa_barycentrics(rvec3 a, rvec3 b, rvec3 c, rvec2 ndc, rvec2 pixelsPerNdc) {

@@ -9,8 +9,8 @@
 #include "ndf.glsl"
 #include "real.glsl"
 
-// Returns log(1 + x) for x > -1 without the cancellation of 1 + x near x = 0. It uses the series of the inverse hyperbolic
-// tangent, because a compiler that reassociates turns Kahan's (u-1) correction into x.
+// Returns log(1 + x) for x > -1 without the cancellation of 1 + x near x = 0. It uses the series of the inverse
+// hyperbolic tangent, because a compiler that reassociates turns Kahan's (u-1) correction into x.
 real agaa_log1p(real x) {
     real result = real(0.0);
     if (abs(x) < real(0.5)) {
@@ -32,8 +32,8 @@ real agaa_log1p(real x) {
     return result;
 }
 
-// Returns GGX from |n x h|^2, because 1 - (n.h)^2 loses all digits for small alpha. The denominator of unit vectors cannot fall
-// below alpha2, so the maximum 1/(pi alpha2) is a guard.
+// Returns GGX from |n x h|^2, because 1 - (n.h)^2 loses all digits for small alpha. The denominator of unit vectors
+// cannot fall below alpha2, so the maximum 1/(pi alpha2) is a guard.
 real agaa_ggxD(real alpha2, real NoH, real NxH2) {
     const real a2 = clamp(alpha2, agaa_minAlpha2(), real(1.0));
     const real c = max(NoH, real(0.0));
@@ -51,9 +51,10 @@ real agaa_ggxV(real alpha2, real NoV, real NoL) {
     return real(0.5) / max(maskV + maskL, real(1e-7));
 }
 
-// Returns GGX of an elliptic lobe. `along` is alpha2 in the direction of an axis perpendicular to the normal, `across` is alpha2
-// perpendicular to both. h has the half vector's components in that order, then that along the normal. Numerator and denominator
-// are multiplied by the product of the widths, so that no quotient of small numbers is squared.
+// Returns GGX of an elliptic lobe. `along` is alpha2 in the direction of an axis perpendicular to the normal, `across`
+// is alpha2 perpendicular to both. h has the half vector's components in that order, then that along the normal.
+// Numerator and denominator are multiplied by the product of the widths, so that no quotient of small numbers is
+// squared.
 real agaa_ggxEllipseD(real along, real across, rvec3 h) {
     const real a = clamp(along, agaa_minAlpha2(), real(1.0));
     const real b = clamp(across, agaa_minAlpha2(), real(1.0));
@@ -63,7 +64,8 @@ real agaa_ggxEllipseD(real along, real across, rvec3 h) {
     return ab / (d * d) * sqrt(ab) / agaa_pi();
 }
 
-// Returns agaa_ggxV() with the widths in the directions of v and l (Heitz 2014). Components are in the order of agaa_ggxEllipseD().
+// Returns agaa_ggxV() with the widths in the directions of v and l (Heitz 2014). Components are in the order of
+// agaa_ggxEllipseD().
 real agaa_ggxEllipseV(real along, real across, rvec3 v, rvec3 l) {
     const real a = clamp(along, agaa_minAlpha2(), real(1.0));
     const real b = clamp(across, agaa_minAlpha2(), real(1.0));
@@ -82,8 +84,9 @@ rvec3 agaa_fresnelSchlick(rvec3 f0, real VoH) {
                  f0.z + (real(1.0) - f0.z) * m5);
 }
 
-// Returns the Blinn-Phong distribution (s+2)/(2 pi) (n.h)^s, which integrates to 1 against n.h. pow() of a cosine near 1 loses all
-// digits at high exponents, so the logarithm is computed from |n x h|^2 there, and from the cosine if that is small.
+// Returns the Blinn-Phong distribution (s+2)/(2 pi) (n.h)^s, which integrates to 1 against n.h. pow() of a cosine near
+// 1 loses all digits at high exponents, so the logarithm is computed from |n x h|^2 there, and from the cosine if that
+// is small.
 real agaa_blinnPhong(real exponent, real NxH2, real NoH) {
     const real s = max(exponent, real(0.0));
     real d = real(0.0);
@@ -100,8 +103,8 @@ real agaa_blinnPhong(real exponent, real NxH2, real NoH) {
     return d;
 }
 
-// Returns Blinn-Phong of an elliptic lobe (Ashikhmin and Shirley 2000). The exponent is the mean of those of both axes, weighted
-// by the direction of n x h.
+// Returns Blinn-Phong of an elliptic lobe (Ashikhmin and Shirley 2000). The exponent is the mean of those of both axes,
+// weighted by the direction of n x h.
 real agaa_blinnPhongEllipse(real along, real across, rvec3 h) {
     const real a = agaa_exponentFromAlpha2(along);
     const real b = agaa_exponentFromAlpha2(across);

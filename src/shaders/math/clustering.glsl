@@ -1,13 +1,12 @@
 // Aggregate definition: clusters the samples of a pixel that are shaded together.
-// Sources: AGAA (Crassin et al., TVCG 2016) section 3.3, Equation 1 and Algorithm 1, with these
-// corrections: seeds by maximin distance (the printed rule (e) picks existing seeds), a new
-// aggregate only farther than t from every earlier seed, ties broken by content, averages in
-// integers; hard cases 10, 18, 20 to 24, 29 and 30.
+// Sources: AGAA (Crassin et al., TVCG 2016) section 3.3, Equation 1 and Algorithm 1, with these corrections: seeds by
+// maximin distance (the printed rule (e) picks existing seeds), a new aggregate only farther than t from every earlier
+// seed, ties broken by content, averages in integers; hard cases 10, 18, 20 to 24, 29 and 30.
 //
-// Needs AGAA_MAX_SAMPLES; at most 32 samples are clustered. The includer sets samples by agaa_setSample(). The arrays are globals
-// in GLSL and members of a struct in C++. Results do not depend on the order of the samples, except the indices of samples with
-// equal content. Loops over samples, of which there is at least one, test at their end, because software rasterisers run the
-// code after a test once more.
+// Needs AGAA_MAX_SAMPLES; at most 32 samples are clustered. The includer sets samples by agaa_setSample(). The arrays
+// are globals in GLSL and members of a struct in C++. Results do not depend on the order of the samples, except the
+// indices of samples with equal content. Loops over samples, of which there is at least one, test at their end, because
+// software rasterisers run the code after a test once more.
 #ifndef AGAA_MATH_CLUSTERING_GLSL
 #define AGAA_MATH_CLUSTERING_GLSL
 #ifndef AGAA_MAX_SAMPLES
@@ -43,8 +42,8 @@ real agaa_maxPositionTerm() {
     return real(1e6);
 }
 
-// Returns 1/k^2 with k clamped to [1e-15, 1e15]. A k of 0, below 0 or NaN counts as 1e-15, an infinite one as 1e15. The API
-// rejects such values; here they must only not cause errors.
+// Returns 1/k^2 with k clamped to [1e-15, 1e15]. A k of 0, below 0 or NaN counts as 1e-15, an infinite one as 1e15. The
+// API rejects such values; here they must only not cause errors.
 real agaa_inverseK2(real k) {
     real kk = real(1e-15);
     if (k > kk) {
@@ -53,8 +52,9 @@ real agaa_inverseK2(real k) {
     return real(1.0) / (kk * kk);
 }
 
-// The k of Equation 1 for a pair of samples. The depth buffer may put two samples of one surface a whole step apart, so k
-// increases by perStep times the coarser step of the two. A far sample does not change the distance between near ones.
+// The k of Equation 1 for a pair of samples. The depth buffer may put two samples of one surface a whole step apart, so
+// k increases by perStep times the coarser step of the two. A far sample does not change the distance between near
+// ones.
 struct agaa_Lengths {
     real k;
     real perStep;
@@ -73,8 +73,8 @@ real agaa_pairInverseK2(agaa_Lengths lengths, real stepA, real stepB) {
     return agaa_inverseK2(lengths.k + lengths.perStep * max(stepA, stepB));
 }
 
-// Returns Equation 1, with (1 - na.nb)/2 written as |na - nb|^2 / 4. Both are equal for unit vectors, but the difference is
-// exactly 0 for equal normals and keeps its digits for similar ones.
+// Returns Equation 1, with (1 - na.nb)/2 written as |na - nb|^2 / 4. Both are equal for unit vectors, but the
+// difference is exactly 0 for equal normals and keeps its digits for similar ones.
 real agaa_sampleDistance(rvec3 pa, rvec3 pb, rvec3 na, rvec3 nb, real inverseK2) {
     const rvec3 dx = pa - pb;
     const rvec3 dn = na - nb;
@@ -82,9 +82,9 @@ real agaa_sampleDistance(rvec3 pa, rvec3 pb, rvec3 na, rvec3 nb, real inverseK2)
            min(real(0.25) * dot(dn, dn), real(1.0));
 }
 
-// Quantises a distance. From 4 on, the step is 1/8192 to 1/16384 of the value: 14 significant bits are coarser than the rounding
-// differences between devices, so that equal distances stay ties, which content breaks. The function is monotonic, so that
-// comparisons of quantised values never contradict those of exact ones.
+// Quantises a distance. From 4 on, the step is 1/8192 to 1/16384 of the value: 14 significant bits are coarser than the
+// rounding differences between devices, so that equal distances stay ties, which content breaks. The function is
+// monotonic, so that comparisons of quantised values never contradict those of exact ones.
 uint agaa_quantiseDistance(real d) {
     const real top = agaa_maxPositionTerm() + real(1.0);
     const uint q = uint(clamp(d, real(0.0), top) * agaa_distanceScale() + real(0.5));
@@ -122,8 +122,8 @@ bool agaa_contentPrecedes(agaa_Content a, agaa_Content b) {
     return precedes;
 }
 
-// The sample with the largest value so far; content breaks ties. Its values are copies in registers, because arrays of a lane are
-// in memory.
+// The sample with the largest value so far; content breaks ties. Its values are copies in registers, because arrays of
+// a lane are in memory.
 struct agaa_Farthest {
     bool any;
     uint value;
@@ -156,9 +156,9 @@ real agaa_pairDistance(uint a, uint b, agaa_Lengths lengths) {
                                agaa_pairInverseK2(lengths, agaa_sampleStep[a], agaa_sampleStep[b]));
 }
 
-// Creates aggregate `id` with seed sample `seed`. Moves all samples that are nearer to it than to their previous seeds, and returns
-// the sample that is then farthest from all seeds, the next candidate. Between two seeds at equal distance, the one that precedes
-// in content gets the sample.
+// Creates aggregate `id` with seed sample `seed`. Moves all samples that are nearer to it than to their previous seeds,
+// and returns the sample that is then farthest from all seeds, the next candidate. Between two seeds at equal distance,
+// the one that precedes in content gets the sample.
 uint agaa_addSeed(uint n, uint covered, uint id, uint seed, agaa_Lengths lengths) {
     const rvec3 position = agaa_samplePosition[seed];
     const rvec3 normal = agaa_sampleNormal[seed];
@@ -191,8 +191,8 @@ uint agaa_addSeed(uint n, uint covered, uint id, uint seed, agaa_Lengths lengths
     return best.any ? best.content.sample_ : seed;
 }
 
-// Returns the candidate of rule (e) as printed: the sample with the largest sum of squared distances from all seeds. Equation 1 is
-// a squared distance (of position/k and half the normal), so its values are summed.
+// Returns the candidate of rule (e) as printed: the sample with the largest sum of squared distances from all seeds.
+// Equation 1 is a squared distance (of position/k and half the normal), so its values are summed.
 uint agaa_literalCandidate(uint n, uint covered, uint seeds, agaa_Lengths lengths) {
     agaa_Farthest best = agaa_noneYet();
     for (uint i = 0u; i < n; ++i) {
@@ -209,8 +209,8 @@ uint agaa_literalCandidate(uint n, uint covered, uint seeds, agaa_Lengths length
     return best.content.sample_;
 }
 
-// Returns seed 0, the sample farthest from the average. Sums of floats depend on their order; sums of offsets from the lower
-// corner of the bounding box, as integer multiples of 2^-20 of its size, do not.
+// Returns seed 0, the sample farthest from the average. Sums of floats depend on their order; sums of offsets from the
+// lower corner of the bounding box, as integer multiples of 2^-20 of its size, do not.
 uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real inverseK2) {
     const real steps = real(1048576.0);
     const real longest = real(8.0); // of a normal's components, where gloss weighs them
@@ -235,8 +235,8 @@ uint agaa_firstSeed(uint n, uint covered, rvec3 lowest, real extent, real invers
     } while (++i < n);
     const real inverse = real(1.0) / (steps * real(max(count, 1u)));
     const rvec3 meanP = rvec3(real(sumP.x), real(sumP.y), real(sumP.z)) * (inverse * size);
-    // The mean normal is not normalised. Its distance is then the mean of the distances to all normals up to a constant, and
-    // cancelling normals need no substitute direction.
+    // The mean normal is not normalised. Its distance is then the mean of the distances to all normals up to a
+    // constant, and cancelling normals need no substitute direction.
     const rvec3 meanN =
         rvec3(real(sumN.x) * inverse - longest, real(sumN.y) * inverse - longest,
               real(sumN.z) * inverse - longest);
@@ -290,8 +290,8 @@ uint agaa_defineAggregates(uint n, uint covered, uint c, real k, real t, uint li
     if (any && limit > 1u) {
         const agaa_Lengths lengths = agaa_lengthsFor(k, t);
         const uint threshold = agaa_quantiseDistance(max(t, real(0.0)));
-        // Fast path: the distance of two samples never exceeds that of the corners of their bounding boxes, with the finest of
-        // their steps. The margin covers the rounding of the distances that are not computed.
+        // Fast path: the distance of two samples never exceeds that of the corners of their bounding boxes, with the
+        // finest of their steps. The margin covers the rounding of the distances that are not computed.
         const real bound = agaa_sampleDistance(lowest, highest, lowestNormal, highestNormal,
                                                agaa_pairInverseK2(lengths, finest, finest));
         if (agaa_quantiseDistance(bound * real(1.00001)) > threshold) {

@@ -44,7 +44,8 @@ uint agaa_coverageRows(uint samples) {
     return samples == 128u ? 32u : 16u;
 }
 
-// Returns the position of the first sample of a row, from the left border of the pixel, in units of the spacing of samples.
+// Returns the position of the first sample of a row, from the left border of the pixel, in units of the spacing of
+// samples.
 real agaa_coveragePhase(uint row, uint samples) {
     if (samples == 128u) {
         return (real((row * 41u) & 63u) + real(0.5)) * real(0.015625);

@@ -13,8 +13,8 @@ real agaa_maxViewDistance() {
     return real(1e12);
 }
 
-// Returns |d + p22|, which has the sign of p32 in front of the camera for every perspective projection. It is kept above 0 at an
-// infinite far plane.
+// Returns |d + p22|, which has the sign of p32 in front of the camera for every perspective projection. It is kept
+// above 0 at an infinite far plane.
 real agaa_depthDenominator(real d, real p22, real p32) {
     const real sum = p32 < real(0.0) ? -(d + p22) : d + p22;
     return max(sum, max(abs(p32) / agaa_maxViewDistance(), real(1e-25)));
@@ -30,8 +30,8 @@ real agaa_viewZFromDepth(real d, real p22, real p32, uint orthographic) {
     return clamp(z, -agaa_maxViewDistance(), agaa_maxViewDistance());
 }
 
-// Returns the step in view z of one step `quantum` of the depth buffer at depth d, |dz/dd| * quantum. The quantum is 2^-24 for a
-// 24-bit format, and the spacing of floats at d for a float format.
+// Returns the step in view z of one step `quantum` of the depth buffer at depth d, |dz/dd| * quantum. The quantum is
+// 2^-24 for a 24-bit format, and the spacing of floats at d for a float format.
 real agaa_depthQuantum(real z, real d, real p22, real p32, uint orthographic, real quantum) {
     const real q = agaa_saturate(quantum);
     real dz = real(0.0);
@@ -44,8 +44,8 @@ real agaa_depthQuantum(real z, real d, real p22, real p32, uint orthographic, re
     return min(dz, agaa_maxViewDistance());
 }
 
-// Returns the view-space position of a point of the image at view z. offsetX and offsetY shift the image (an off-centre frustum,
-// jitter): P[2][0] and P[2][1], or P[3][0] and P[3][1] of an orthographic projection.
+// Returns the view-space position of a point of the image at view z. offsetX and offsetY shift the image (an off-centre
+// frustum, jitter): P[2][0] and P[2][1], or P[3][0] and P[3][1] of an orthographic projection.
 rvec3 agaa_viewPosition(rvec2 ndc, real z, real p00, real p11, real offsetX, real offsetY,
                         uint orthographic) {
     const real ix = agaa_guardedReciprocal(p00);
@@ -58,14 +58,14 @@ rvec3 agaa_viewPosition(rvec2 ndc, real z, real p00, real p11, real offsetX, rea
     return p;
 }
 
-// Returns the distance with which lengths in a view scale. An orthographic view has one scale and an arbitrary eye, so half of the
-// view's width replaces the distance, as in a perspective view of 90 degrees.
+// Returns the distance with which lengths in a view scale. An orthographic view has one scale and an arbitrary eye, so
+// half of the view's width replaces the distance, as in a perspective view of 90 degrees.
 real agaa_scaleDistance(real fromEye, real p00, uint orthographic) {
     return orthographic != 0u ? abs(agaa_guardedReciprocal(p00)) : fromEye;
 }
 
-// Returns the characteristic length of Equation 1 at this distance: the larger of k and perDistance * distance. clustering.glsl
-// adds the step of the depth buffer, which depends on the pair of samples.
+// Returns the characteristic length of Equation 1 at this distance: the larger of k and perDistance * distance.
+// clustering.glsl adds the step of the depth buffer, which depends on the pair of samples.
 real agaa_characteristicLength(real k, real perDistance, real distance) {
     return max(k, perDistance * abs(distance));
 }

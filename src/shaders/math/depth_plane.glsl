@@ -7,15 +7,16 @@
 #include "sanitise.glsl"
 #include "triangle_coverage.glsl"
 
-// The depth at an offset from the pixel's centre in pixels is depth + slope * offset, clamped to the range. All members are finite.
+// The depth at an offset from the pixel's centre in pixels is depth + slope * offset, clamped to the range. All members
+// are finite.
 struct agaa_DepthPlane {
     real depth;  // at the centre; may be outside the range where the triangle misses the centre
     rvec2 slope; // per pixel
     rvec2 range; // lowest and highest depth of the plane in the pixel, within the triangle's depths
 };
 
-// Limit of the plane's slope per pixel, in units of the range of the triangle's depths. A triangle with a steeper plane is narrower
-// than 1/1024 of a pixel and covers hardly any sample.
+// Limit of the plane's slope per pixel, in units of the range of the triangle's depths. A triangle with a steeper plane
+// is narrower than 1/1024 of a pixel and covers hardly any sample.
 real agaa_steepestSlope() {
     return real(1024.0);
 }
@@ -47,8 +48,8 @@ rvec2 agaa_depthRange(rvec3 z, rvec3 w) {
     return range;
 }
 
-// Returns the depth plane of a triangle in a pixel. A triangle without area has the middle of its range as depth; a triangle that
-// covers nothing has depth 0.
+// Returns the depth plane of a triangle in a pixel. A triangle without area has the middle of its range as depth; a
+// triangle that covers nothing has depth 0.
 // a, b, c   Vertices of agaa_triangleCoverage().
 // z         clip.z of the vertices, with depths z / w in [0, 1], in either direction.
 // centre    Centre of the pixel, in pixels.
@@ -103,8 +104,8 @@ real agaa_depthAt(agaa_DepthPlane plane, rvec2 offset) {
     return clamp(plane.depth + (plane.slope.x * offset.x + plane.slope.y * offset.y), plane.range.x, plane.range.y);
 }
 
-// Returns the plane that surfaces store, without a range: depth at the centre and change per pixel, flattened so that it stays in
-// the range over the whole pixel.
+// Returns the plane that surfaces store, without a range: depth at the centre and change per pixel, flattened so that
+// it stays in the range over the whole pixel.
 rvec3 agaa_planeInRange(agaa_DepthPlane plane) {
     const real reach = (abs(plane.slope.x) + abs(plane.slope.y)) * real(0.5);
     const real halfRange = (plane.range.y - plane.range.x) * real(0.5);

@@ -1,7 +1,7 @@
 // The display curve y = (x / (1 + x))^(1 / 2.2), which filters apply to colours, and its inverse.
 //
-// Bright light has y near 1, where y keeps no digits of x: in float, 6e4 returned with an error of 45 %. So functions use the
-// complement 1 - y, and compute 1 - (1 - u)^p without a difference of nearly equal numbers.
+// Bright light has y near 1, where y keeps no digits of x: in float, 6e4 returned with an error of 45 %. So functions
+// use the complement 1 - y, and compute 1 - (1 - u)^p without a difference of nearly equal numbers.
 #ifndef AGAA_MATH_DISPLAY_GLSL
 #define AGAA_MATH_DISPLAY_GLSL
 #include "real.glsl"

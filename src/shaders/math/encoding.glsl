@@ -10,8 +10,8 @@
 
 // ---- frame of a view ray ---------------------------------------------------------------------
 
-// Computes orthonormal t, b with cross(t, b) == v for unit v (Duff et al. 2017). The sign of v.z moves the singularity away, so
-// v.z == -1 needs no branch and is as exact as v.z == 1.
+// Computes orthonormal t, b with cross(t, b) == v for unit v (Duff et al. 2017). The sign of v.z moves the singularity
+// away, so v.z == -1 needs no branch and is as exact as v.z == 1.
 void agaa_viewBasis(rvec3 v, OUT(rvec3) t, OUT(rvec3) b) {
     const real s = v.z < real(0.0) ? real(-1.0) : real(1.0);
     const real a = real(-1.0) / (s + v.z);
@@ -27,8 +27,9 @@ uint agaa_maxCode(uint bits) {
     return (1u << min(bits, 24u)) - 1u;
 }
 
-// Returns the value to write to a UNORM channel of `bits` bits, [2, 16], so that it stores this code. The value is a quarter of a
-// step above the code, for drivers that round and for drivers that truncate, such as Mesa 22.3 with 10 bits.
+// Returns the value to write to a UNORM channel of `bits` bits, [2, 16], so that it stores this code. The value is a
+// quarter of a step above the code, for drivers that round and for drivers that truncate, such as Mesa 22.3 with 10
+// bits.
 rvec2 agaa_unormOfCode(rvec2 code, uint bits) {
     return (code + rvec2(real(0.25))) / real(agaa_maxCode(bits));
 }
@@ -39,8 +40,8 @@ real agaa_unormOf(real x, uint bits) {
     return agaa_unormOfCode(rvec2(code), bits).x;
 }
 
-// Signed codes are in [1, 2^bits-1] around the centre 2^(bits-1). Their number is odd, so that 0 is exact, and code 0 means "no
-// geometry".
+// Signed codes are in [1, 2^bits-1] around the centre 2^(bits-1). Their number is odd, so that 0 is exact, and code 0
+// means "no geometry".
 uint agaa_signedCode(real v, uint bits) {
     const uint centre = 1u << (clamp(bits, 2u, 24u) - 1u);
     const real span = real(centre - 1u);
@@ -55,8 +56,8 @@ real agaa_fromSignedCode(uint code, uint bits) {
     return clamp((real(code) - real(centre)) / span, real(-1.0), real(1.0));
 }
 
-// Returns the vector scaled so that its largest component is 1, or +z if it has no direction. The scale prevents overflow and
-// underflow of sums of components.
+// Returns the vector scaled so that its largest component is 1, or +z if it has no direction. The scale prevents
+// overflow and underflow of sums of components.
 rvec3 agaa_directionOrZ(rvec3 n) {
     rvec3 result = rvec3(real(0.0), real(0.0), real(1.0));
     if (agaa_isFinite3(n)) {
@@ -78,8 +79,8 @@ rvec3 agaa_sanitiseNormal(rvec3 n, INOUT(uint) bad) {
 
 // ---- hemi-octahedral, two times 8 bits -------------------------------------------------------
 
-// Encodes n in the frame whose +z points to the viewer. Below the horizon z is set to 0, which keeps the azimuth and does not
-// mirror the normal. If no direction remains, the code is that of +z.
+// Encodes n in the frame whose +z points to the viewer. Below the horizon z is set to 0, which keeps the azimuth and
+// does not mirror the normal. If no direction remains, the code is that of +z.
 uvec2 agaa_encodeHemiOct8(rvec3 n) {
     const rvec3 d = agaa_directionOrZ(n);
     const real z = max(d.z, real(0.0));
@@ -143,8 +144,8 @@ rvec3 agaa_decodeOct(rvec2 u, uint bits) {
 
 // ---- unsigned fixed point --------------------------------------------------------------------
 
-// Clamps to [0, 1] and rounds to the nearest code. Non-finite values become 0. The result is exact for up to 16 bits; between 17
-// and 24 bits the float sum rounds by at most one code.
+// Clamps to [0, 1] and rounds to the nearest code. Non-finite values become 0. The result is exact for up to 16 bits;
+// between 17 and 24 bits the float sum rounds by at most one code.
 uint agaa_quantise(real v, uint bits) {
     const uint top = agaa_maxCode(bits);
     uint code = 0u;
@@ -154,8 +155,8 @@ uint agaa_quantise(real v, uint bits) {
     return code;
 }
 
-// Returns the mean, in [0, 1], of `count` codes whose integer sum is `sum`; 0 without codes. Sums up to 2^24 (32 samples of 16
-// bits are 2^21) and the divisor are exact in a float.
+// Returns the mean, in [0, 1], of `count` codes whose integer sum is `sum`; 0 without codes. Sums up to 2^24 (32
+// samples of 16 bits are 2^21) and the divisor are exact in a float.
 real agaa_meanOfSum(uint sum, uint count, uint bits) {
     real mean = real(0.0);
     if (count > 0u) {
@@ -164,8 +165,8 @@ real agaa_meanOfSum(uint sum, uint count, uint bits) {
     return mean;
 }
 
-// Returns the mean, in [-1, 1], of `count` signed codes whose integer sum is `sum`; 0 without codes. The centres are subtracted as
-// integers, so that a mean of zeros is exactly 0.
+// Returns the mean, in [-1, 1], of `count` signed codes whose integer sum is `sum`; 0 without codes. The centres are
+// subtracted as integers, so that a mean of zeros is exactly 0.
 real agaa_signedMeanOfSum(uint sum, uint count, uint bits) {
     real mean = real(0.0);
     if (count > 0u) {

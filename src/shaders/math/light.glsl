@@ -9,8 +9,8 @@
 
 #define agaa_brdfBlinnPhong 0u // AGAA_BRDF_BLINN_PHONG; GGX otherwise
 
-// Returns the inverse square law with a window that reaches 0 at `range`; a range of 0 has no window. d2 is the squared distance,
-// rMin2 the squared radius of the lamp, within which the law would diverge.
+// Returns the inverse square law with a window that reaches 0 at `range`; a range of 0 has no window. d2 is the squared
+// distance, rMin2 the squared radius of the lamp, within which the law would diverge.
 real agaa_pointAttenuation(real d2, real range, real rMin2) {
     real window = real(1.0);
     if (range > real(0.0)) {
@@ -20,14 +20,16 @@ real agaa_pointAttenuation(real d2, real range, real rMin2) {
     return window / max(d2, max(rMin2, real(1e-12)));
 }
 
-// Returns the unit vector along toLight. At the position of the light it approaches the zero vector, which lights nothing.
+// Returns the unit vector along toLight. At the position of the light it approaches the zero vector, which lights
+// nothing.
 rvec3 agaa_lightDirection(rvec3 toLight, real rMin2) {
     const real d2 = dot(toLight, toLight);
     const real scale = real(1.0) / sqrt(max(d2, max(min(rMin2, real(1e-6)), real(1e-12))));
     return rvec3(toLight.x * scale, toLight.y * scale, toLight.z * scale);
 }
 
-// Returns the attenuation of a spot light, linear in the cosine between the two cones. Equal cones make a step of width 1e-4.
+// Returns the attenuation of a spot light, linear in the cosine between the two cones. Equal cones make a step of width
+// 1e-4.
 real agaa_spotCone(real cosAngle, real cosInner, real cosOuter) {
     return agaa_saturate((cosAngle - cosOuter) / max(cosInner - cosOuter, real(1e-4)));
 }
@@ -84,12 +86,12 @@ rvec3 agaa_shadeDiffuse(agaa_Surface s, rvec3 l, uint filterDiffuse) {
     return rvec3(albedo.x * diffuse, albedo.y * diffuse, albedo.z * diffuse);
 }
 
-// Returns the diffuse and specular terms times cosine for unit radiance from l. The Fresnel factor is not 0 where `specular` is 0.
-// Vectors and reflectances are clamped to their valid ranges first, so that finite inputs give a finite colour. Both lobes have
-// Schlick's Fresnel term, so that a change of lobe changes the lobe only.
+// Returns the diffuse and specular terms times cosine for unit radiance from l. The Fresnel factor is not 0 where
+// `specular` is 0. Vectors and reflectances are clamped to their valid ranges first, so that finite inputs give a
+// finite colour. Both lobes have Schlick's Fresnel term, so that a change of lobe changes the lobe only.
 // v          Unit vector away from the surface, to the eye.
-// brdf       0: Blinn-Phong with the exponent of the same width and the implicit visibility 1/4; 1: GGX with height-correlated
-//            Smith.
+// brdf       0: Blinn-Phong with the exponent of the same width and the implicit visibility 1/4; 1: GGX with
+//            height-correlated Smith.
 // elliptic   1: the lobe has the width alpha2Along along axis.
 rvec3 agaa_shade(agaa_Surface s, rvec3 v, rvec3 l, uint brdf, uint filterDiffuse,
                  uint elliptic) {

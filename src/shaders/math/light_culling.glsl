@@ -1,6 +1,6 @@
 // Light culling: tests whether lights may reach anything within a box.
-// Sources: Olsson, Billeter and Assarsson 2012, "Clustered Deferred and Forward Shading", section 4; Wronski 2017, "Cull that
-// cone!" for cones against spheres.
+// Sources: Olsson, Billeter and Assarsson 2012, "Clustered Deferred and Forward Shading", section 4; Wronski 2017,
+// "Cull that cone!" for cones against spheres.
 #ifndef AGAA_MATH_LIGHT_CULLING_GLSL
 #define AGAA_MATH_LIGHT_CULLING_GLSL
 #include "real.glsl"
@@ -28,8 +28,10 @@ bool agaa_coneReaches(rvec3 light, rvec3 direction, real cosOuter, rvec3 centre,
     const real along = dot(v, direction);
     const real across = sqrt(max(dot(v, v) - along * along, real(0.0)));
     const real sinOuter = sqrt(max(real(1.0) - cosOuter * cosOuter, real(0.0)));
-    const real outside = across * cosOuter - along * sinOuter; // distance from the cone, if its nearest point is on the side
-    // The difference of squares is exact to a thousandth. Views are rotations up to a thousandth, so their angles are, too.
+    // distance from the cone, if its nearest point is on the side
+    const real outside = across * cosOuter - along * sinOuter;
+    // The difference of squares is exact to a thousandth. Views are rotations up to a thousandth, so their angles are,
+    // too.
     const real reach = radius * real(1.002) + real(3e-3) * (abs(along) + across) +
                        agaa_positionError(max(agaa_largestOf(light), agaa_largestOf(centre)));
     return !(outside > reach || along < -reach); // NaN: true

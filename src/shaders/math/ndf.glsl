@@ -1,11 +1,11 @@
 // Normal distributions: conversions between roughness conventions, round and elliptic widening.
-// Sources: AGAA (Crassin et al., TVCG 2016) sections 3.4.1 and 3.5.2; Toksvig 2005, "Mipmapping
-// Normal Maps"; Olano and Baker 2010, "LEAN Mapping"; Heitz et al. 2015, "The SGGX Microflake
-// Distribution"; Duff et al. 2017, "Building an Orthonormal Basis, Revisited"; hard cases 1 to 5 and 9.
+// Sources: AGAA (Crassin et al., TVCG 2016) sections 3.4.1 and 3.5.2; Toksvig 2005, "Mipmapping Normal Maps"; Olano and
+// Baker 2010, "LEAN Mapping"; Heitz et al. 2015, "The SGGX Microflake Distribution"; Duff et al. 2017, "Building an
+// Orthonormal Basis, Revisited"; hard cases 1 to 5 and 9.
 //
-// alpha is the width of the GGX lobe (the paper's r), alpha2 its square, perceptual roughness the square root of alpha. All other
-// code uses alpha2. All conversions are in this file, because widening alpha in place of alpha2 filters too little without
-// visible errors.
+// alpha is the width of the GGX lobe (the paper's r), alpha2 its square, perceptual roughness the square root of alpha.
+// All other code uses alpha2. All conversions are in this file, because widening alpha in place of alpha2 filters too
+// little without visible errors.
 #ifndef AGAA_MATH_NDF_GLSL
 #define AGAA_MATH_NDF_GLSL
 #include "encoding.glsl"
@@ -27,8 +27,9 @@ real agaa_exponentFromAlpha2(real a2) {
     return real(2.0) / clamp(a2, agaa_minAlpha2(), real(1.0)) - real(2.0);
 }
 
-// Returns alpha2 widened by the variance of normals, from the length of their mean. The five steps of section 3.5.2 (alpha2 ->
-// exponent -> Toksvig factor -> exponent -> alpha2) are one fraction, which is finite for alpha2 = 0 and lengths above 1.
+// Returns alpha2 widened by the variance of normals, from the length of their mean. The five steps of section 3.5.2
+// (alpha2 -> exponent -> Toksvig factor -> exponent -> alpha2) are one fraction, which is finite for alpha2 = 0 and
+// lengths above 1.
 real agaa_toksvigAlpha2(real alpha2, real meanLength) {
     const real a = agaa_saturate(alpha2);
     const real len = agaa_saturate(meanLength);
@@ -41,15 +42,16 @@ real agaa_toksvigAlpha2(real alpha2, real meanLength) {
     return widened;
 }
 
-// Returns the bound of 1 - length for the mean of equal stored normals. Rounding changes each of three components by half a step
-// of its signed code, 2/(2^bits-2): once if integer codes are summed exactly (roundings = 1), n times if blending rounds after
-// each of n additions (roundings = n).
+// Returns the bound of 1 - length for the mean of equal stored normals. Rounding changes each of three components by
+// half a step of its signed code, 2/(2^bits-2): once if integer codes are summed exactly (roundings = 1), n times if
+// blending rounds after each of n additions (roundings = n).
 real agaa_storedLengthBound(uint roundings, uint bits) {
     return real(1.7320508075688772) * real(roundings) / real(max(agaa_maxCode(bits), 2u) - 1u);
 }
 
-// Returns the mean length without the rounding error: deficits 1-L up to `bound` become 0, by deficit' = max(0, deficit - bound) /
-// (1 - bound). The function is continuous and maps 1 to 1 and 0 to 0, so that fully scattered normals stay fully scattered.
+// Returns the mean length without the rounding error: deficits 1-L up to `bound` become 0, by deficit' = max(0, deficit
+// - bound) / (1 - bound). The function is continuous and maps 1 to 1 and 0 to 0, so that fully scattered normals stay
+// fully scattered.
 real agaa_varianceFloor(real meanLength, real bound) {
     const real b = clamp(bound, real(0.0), real(0.5));
     const real deficit = real(1.0) - agaa_saturate(meanLength);
@@ -57,8 +59,8 @@ real agaa_varianceFloor(real meanLength, real bound) {
 }
 
 // Returns the length of the normal in which the paper's folded layout stores roughness: L = s/(1+s), in terms of alpha2
-// (2-2a)/(2-a), which is its own inverse. The length is at least 1/256, because alpha2 = 1 would otherwise store a zero vector
-// and lose the direction.
+// (2-2a)/(2-a), which is its own inverse. The length is at least 1/256, because alpha2 = 1 would otherwise store a zero
+// vector and lose the direction.
 real agaa_foldedLength(real alpha2) {
     const real a = clamp(alpha2, agaa_minAlpha2(), real(1.0));
     const real folded = real(2.0) * (real(1.0) - a) / (real(2.0) - a);
@@ -71,8 +73,8 @@ real agaa_alpha2FromFoldedLength(real meanLength) {
     return max(a, agaa_minAlpha2());
 }
 
-// Computes direction and length of a mean normal. If opposite normals cancel, the direction is the fallback (the normal of a
-// sample) and the length is 0, which gives the widest lobe.
+// Computes direction and length of a mean normal. If opposite normals cancel, the direction is the fallback (the normal
+// of a sample) and the length is 0, which gives the widest lobe.
 void agaa_meanDirection(rvec3 sumDir, rvec3 fallback, OUT(rvec3) n, OUT(real) len) {
     const real m = max(abs(sumDir.x), max(abs(sumDir.y), abs(sumDir.z)));
     // The sum of 32 cancelling unit vectors is about 1e-6 by rounding, which is no direction.
@@ -107,11 +109,12 @@ real agaa_momentAlong(agaa_NormalMoments m, rvec3 a, rvec3 b) {
     return dot(a, r);
 }
 
-// Widens a lobe in each direction by the spread of normals there. axis receives the widest direction (unit, perpendicular to the
-// mean direction n), along and across receive alpha2 in that direction and perpendicular to it. LEAN mapping (sggx 0) adds twice
-// the variance of slopes, as for a Gaussian in place of GGX. SGGX (sggx 1) adds projected areas. A variance up to `bound` counts as
-// rounding. Second moments do not distinguish a normal from its opposite, but the length of the mean does: below 1/2, normals
-// point in all directions, and the lobe approaches the widest.
+// Widens a lobe in each direction by the spread of normals there. axis receives the widest direction (unit,
+// perpendicular to the mean direction n), along and across receive alpha2 in that direction and perpendicular to it.
+// LEAN mapping (sggx 0) adds twice the variance of slopes, as for a Gaussian in place of GGX. SGGX (sggx 1) adds
+// projected areas. A variance up to `bound` counts as rounding. Second moments do not distinguish a normal from its
+// opposite, but the length of the mean does: below 1/2, normals point in all directions, and the lobe approaches the
+// widest.
 void agaa_spreadAlpha2(agaa_NormalMoments m, rvec3 n, real meanLength, real alpha2, uint sggx,
                        real bound, OUT(rvec3) axis, OUT(real) along, OUT(real) across) {
     const real a2 = clamp(alpha2, agaa_minAlpha2(), real(1.0));
@@ -122,7 +125,8 @@ void agaa_spreadAlpha2(agaa_NormalMoments m, rvec3 n, real meanLength, real alph
     const real bb = agaa_momentAlong(m, b, b);
     const real tb = agaa_momentAlong(m, t, b);
     const real nn = agaa_momentAlong(m, n, n);
-    // Computes the eigenvalues and the eigenvector of the larger one, in the form of the vector whose terms have one sign.
+    // Computes the eigenvalues and the eigenvector of the larger one, in the form of the vector whose terms have one
+    // sign.
     const real skew = real(0.5) * (tt - bb);
     const real root = sqrt(skew * skew + tb * tb);
     const real mean = real(0.5) * (tt + bb);

@@ -1,13 +1,13 @@
-// Spread of a surface's unit normals around their mean: second moments in its tangent plane, which merge with those of other
-// surfaces as if all normals were known. Lobes widen in each direction by the spread there.
+// Spread of a surface's unit normals around their mean: second moments in its tangent plane, which merge with those of
+// other surfaces as if all normals were known. Lobes widen in each direction by the spread there.
 // Source: Olano and Baker 2010, "LEAN Mapping": moments of normals are linear.
 #ifndef AGAA_MATH_NORMAL_SPREAD_GLSL
 #define AGAA_MATH_NORMAL_SPREAD_GLSL
 #include "encoding.glsl"
 #include "ndf.glsl"
 
-// Computes axes perpendicular to a stored normal. A z below the distance of codes is a rounding error, whose sign differs between
-// shaders; it counts as 0, so that its sign does not mirror the axes.
+// Computes axes perpendicular to a stored normal. A z below the distance of codes is a rounding error, whose sign
+// differs between shaders; it counts as 0, so that its sign does not mirror the axes.
 void agaa_spreadBasis(rvec3 n, OUT(rvec3) t, OUT(rvec3) b) {
     agaa_viewBasis(rvec3(n.x, n.y, abs(n.z) < real(1e-5) ? real(0.0) : n.z), t, b);
 }
@@ -26,8 +26,8 @@ rvec3 agaa_mixedProducts(rvec3 a, rvec3 b) {
     return rvec3(a.y * b.z, a.z * b.x, a.x * b.y);
 }
 
-// Adds the moments of a spread. The remainder of the moments in the tangent plane is along the normal, because the squares of a
-// unit vector's components sum to 1.
+// Adds the moments of a spread. The remainder of the moments in the tangent plane is along the normal, because the
+// squares of a unit vector's components sum to 1.
 void agaa_addSpread(INOUT(agaa_NormalMoments) m, real weight, agaa_NormalSpread s) {
     rvec3 t;
     rvec3 b;

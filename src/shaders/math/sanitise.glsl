@@ -12,8 +12,8 @@ bool agaa_isFinite3(rvec3 v) {
     return agaa_isFinite(v.x) && agaa_isFinite(v.y) && agaa_isFinite(v.z);
 }
 
-// Clamps finite values. Non-finite values become lo and set bad to 1, which other values do not change, so that one flag serves a
-// whole material.
+// Clamps finite values. Non-finite values become lo and set bad to 1, which other values do not change, so that one
+// flag serves a whole material.
 real agaa_sanitise(real x, real lo, real hi, INOUT(uint) bad) {
     real result = lo;
     if (agaa_isFinite(x)) {
@@ -32,8 +32,8 @@ rvec3 agaa_sanitise3(rvec3 v, real lo, real hi, INOUT(uint) bad) {
     return result;
 }
 
-// Returns radiance in [0, range]. Brighter emission is scaled so that its largest channel is `range`, because clamping each channel
-// would shift its hue.
+// Returns radiance in [0, range]. Brighter emission is scaled so that its largest channel is `range`, because clamping
+// each channel would shift its hue.
 rvec3 agaa_sanitiseEmission(rvec3 v, real range, INOUT(uint) bad) {
     const rvec3 e = agaa_sanitise3(v, real(0.0), real(3.0e38), bad);
     const real largest = max(e.x, max(e.y, e.z));

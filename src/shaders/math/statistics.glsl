@@ -5,8 +5,8 @@
 #define AGAA_MATH_STATISTICS_GLSL
 #include "real.glsl"
 
-// Sums of differences to `shift`, which should be the first of the samples. E[x^2] - E[x]^2 of the values cancels if the mean
-// exceeds the spread by a few thousand.
+// Sums of differences to `shift`, which should be the first of the samples. E[x^2] - E[x]^2 of the values cancels if
+// the mean exceeds the spread by a few thousand.
 struct agaa_Moments {
     real shift;
     real sum;
@@ -40,17 +40,18 @@ real agaa_momentsVariance(agaa_Moments m) {
     return variance;
 }
 
-// Returns the depth of shadow tap j of four along the view ray. Taps have equal weights and are at +-0.45 and +-1.34 sigma, so that
-// their spread is that of a Gaussian. They stay between the nearest and the farthest sample, which a Gaussian would exceed.
+// Returns the depth of shadow tap j of four along the view ray. Taps have equal weights and are at +-0.45 and +-1.34
+// sigma, so that their spread is that of a Gaussian. They stay between the nearest and the farthest sample, which a
+// Gaussian would exceed.
 real agaa_depthTap(uint j, real mean, real sigma, real lowest, real highest) {
     const real quantile = j < 2u ? real(0.45) : real(1.34);
     const real offset = (j & 1u) != 0u ? sigma * quantile : -sigma * quantile;
     return clamp(mean + offset, lowest, highest);
 }
 
-// Returns the normal metric of a sample count: sqrt(1 - smallest n.n). The dot products are those of normals that face the viewer
-// and have signs, so that an opposite normal counts as different. Rounded unit vectors have products above 1, whose root would
-// be NaN.
+// Returns the normal metric of a sample count: sqrt(1 - smallest n.n). The dot products are those of normals that face
+// the viewer and have signs, so that an opposite normal counts as different. Rounded unit vectors have products above
+// 1, whose root would be NaN.
 real agaa_normalMetric(real smallestDot) {
     return sqrt(max(real(1.0) - smallestDot, real(0.0)));
 }

@@ -1,10 +1,10 @@
-// Merges the fragments of a pixel into a few surfaces, in the order of the draws. A surface has a coverage mask, one depth plane
-// and one normal.
+// Merges the fragments of a pixel into a few surfaces, in the order of the draws. A surface has a coverage mask, one
+// depth plane and one normal.
 // Source: Wang et al., "Decoupled Coverage Anti-Aliasing", I3D 2016, sections 3.2 and 3.3, algorithm 1; for the cost of
 // merging, Ward 1963, "Hierarchical Grouping to Optimize an Objective Function".
 //
-// The surfaces are global; in C++ they are members of a struct. The caller has the attributes of surfaces and applies the merges
-// that agaa_insertSurface() returns to them.
+// The surfaces are global; in C++ they are members of a struct. The caller has the attributes of surfaces and applies
+// the merges that agaa_insertSurface() returns to them.
 #ifndef AGAA_MATH_SURFACE_MERGE_GLSL
 #define AGAA_MATH_SURFACE_MERGE_GLSL
 #include "coverage_pattern.glsl"
@@ -21,10 +21,10 @@ struct agaa_CoveredSurface {
     rvec3 normal; // unit
 };
 
-// Merge rules, the values of AgaaMerge.
-// VISIBLE counts the samples that show a surface. At first a fragment merges only with a surface that shares no sample with it,
-// because two fragments of one continuous surface share none. In a full pixel the cheapest pair merges, and no sample that shows
-// a surface is lost. PAPER is algorithm 1. NONE is PAPER without its second merge.
+// Merge rules, the values of AgaaMerge. VISIBLE counts the samples that show a surface. At first a fragment merges only
+// with a surface that shares no sample with it, because two fragments of one continuous surface share none. In a full
+// pixel the cheapest pair merges, and no sample that shows a surface is lost. PAPER is algorithm 1. NONE is PAPER
+// without its second merge.
 #define AGAA_RULE_VISIBLE 0u
 #define AGAA_RULE_PAPER 1u
 #define AGAA_RULE_NONE 2u
@@ -36,9 +36,9 @@ struct agaa_MergeRules {
     uint rule;
 };
 
-// The merges of one insertion. First, surface `from` merges into `into` and has the share `moved` of the result. Then the fragment
-// merges into `to` and has the share `share`. AGAA_NO_SURFACE means no merge, or that the fragment is discarded. into = limit means
-// the fragment.
+// The merges of one insertion. First, surface `from` merges into `into` and has the share `moved` of the result. Then
+// the fragment merges into `to` and has the share `share`. AGAA_NO_SURFACE means no merge, or that the fragment is
+// discarded. into = limit means the fragment.
 struct agaa_Insertion {
     uint from, into;
     real moved;
@@ -80,8 +80,8 @@ real agaa_depthOverlap(agaa_CoveredSurface a, agaa_CoveredSurface b) {
     return min(x.y, y.y) - max(x.x, y.x);
 }
 
-// Merges b into a by weights, whose sum is above 0. Depths are averaged only if they overlap. Returns the share of b and the length
-// of the mean normal.
+// Merges b into a by weights, whose sum is above 0. Depths are averaged only if they overlap. Returns the share of b
+// and the length of the mean normal.
 // mask   The part of b's coverage that a receives.
 rvec2 agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 mask, uint ofA, uint ofB, real slack) {
     const real share = real(ofB) / real(ofA + ofB);
@@ -97,7 +97,8 @@ rvec2 agaa_mergeKept(INOUT(agaa_CoveredSurface) a, agaa_CoveredSurface b, uvec4 
     return rvec2(share, min(sqrt(l2), real(1.0)));
 }
 
-// Returns the surface with aligned normal and overlapping depths (section 3.2). The closest normal wins, then the largest overlap.
+// Returns the surface with aligned normal and overlapping depths (section 3.2). The closest normal wins, then the
+// largest overlap.
 uint agaa_findAligned(agaa_CoveredSurface s, agaa_MergeRules rules) {
     uint best = AGAA_NO_SURFACE;
     real closest = real(0.0);
@@ -123,7 +124,8 @@ bool agaa_isInFront(uint a, uint b) {
     return x < y || (x == y && a < b);
 }
 
-// Returns the samples of surface i that none of `count` surfaces covers in front of it. This is the coarse depth resolve.
+// Returns the samples of surface i that none of `count` surfaces covers in front of it. This is the coarse depth
+// resolve.
 uvec4 agaa_visibleOf(uint i, uint count) {
     uvec4 visible = agaa_kept[i].mask;
     for (uint k = 0u; k < count; ++k) {
@@ -133,8 +135,8 @@ uvec4 agaa_visibleOf(uint i, uint count) {
     return visible;
 }
 
-// Returns the surface with the fewest visible samples except the closest one, without which thin objects would pop (section 3.3).
-// The last one wins ties. count: 2 or more.
+// Returns the surface with the fewest visible samples except the closest one, without which thin objects would pop
+// (section 3.3). The last one wins ties. count: 2 or more.
 uint agaa_findLeast(uint count) {
     uint closest = 0u;
     for (uint i = 1u; i < count; ++i)
@@ -165,8 +167,8 @@ uint agaa_findOverlapping(uint i, uint count, real slack) {
     return best;
 }
 
-// Returns the best merge target of surface i, of `count` surfaces, 2 or more: the one with the closest normal among those whose
-// depths overlap, otherwise the nearest in depth.
+// Returns the best merge target of surface i, of `count` surfaces, 2 or more: the one with the closest normal among
+// those whose depths overlap, otherwise the nearest in depth.
 uint agaa_findMergeTarget(uint i, uint count) {
     uint best = AGAA_NO_SURFACE;
     bool bestOverlaps = false;
@@ -185,8 +187,9 @@ uint agaa_findMergeTarget(uint i, uint count) {
     return best;
 }
 
-// Returns the surface with the cheapest merge into its target. The cost is the number of its visible samples times the difference
-// of both surfaces. The weights of a difference in depth, and of each sample, come from measurement. The last one wins ties.
+// Returns the surface with the cheapest merge into its target. The cost is the number of its visible samples times the
+// difference of both surfaces. The weights of a difference in depth, and of each sample, come from measurement. The
+// last one wins ties.
 uint agaa_findCheapest(uint count) {
     uint cheapest = 0u;
     real lowest = real(0.0);

@@ -92,8 +92,8 @@ uint agaa_centralSample(uint n, uint mask) {
     return best;
 }
 
-// Inserts a surface into the kept ones, in descending order of samples and after equal ones. A full list drops its last surface.
-// Returns the number of kept surfaces.
+// Inserts a surface into the kept ones, in descending order of samples and after equal ones. A full list drops its last
+// surface. Returns the number of kept surfaces.
 uint agaa_keepSurface(uint kept, uint limit, uint mask) {
     const uint count = uint(bitCount(mask));
     uint index = kept;

@@ -11,16 +11,16 @@
 #include "real.glsl"
 #include "sanitise.glsl"
 
-// Converts clip coordinates x, y, w to a vertex in pixels. pixelsPerNdc: half of the image's size, negative if an axis of the
-// image is opposite to ndc.
+// Converts clip coordinates x, y, w to a vertex in pixels. pixelsPerNdc: half of the image's size, negative if an axis
+// of the image is opposite to ndc.
 rvec3 agaa_vertexInPixels(rvec3 clip, rvec2 pixelsPerNdc) {
     PRECISE real x = clip.x * pixelsPerNdc.x + clip.z * abs(pixelsPerNdc.x);
     PRECISE real y = clip.y * pixelsPerNdc.y + clip.z * abs(pixelsPerNdc.y);
     return rvec3(x, y, clip.z);
 }
 
-// Returns a power of two, which causes no rounding, that scales sizes to [2^-36, 2^38], so that products of three vertices neither
-// overflow nor underflow.
+// Returns a power of two, which causes no rounding, that scales sizes to [2^-36, 2^38], so that products of three
+// vertices neither overflow nor underflow.
 real agaa_vertexScale(real size) {
     if (size > real(1.152921504606846976e18)) // 2^60
         return real(8.0779356694631608874e-28); // 2^-90
@@ -31,7 +31,8 @@ real agaa_vertexScale(real size) {
     return size < real(9.5367431640625e-7) ? real(1099511627776.0) : real(1.0);
 }
 
-// Returns x - centre * w. The product is split, so that its rounding error is 2^-9 of that of a plain product at 16384 pixels.
+// Returns x - centre * w. The product is split, so that its rounding error is 2^-9 of that of a plain product at 16384
+// pixels.
 real agaa_fromCentre(real x, real w, real centre) {
     PRECISE real carry = w * real(32769.0);
     PRECISE real high = carry - (carry - w);
@@ -59,8 +60,8 @@ bool agaa_isOrdered(rvec3 a, rvec3 b) {
     return a.z < b.z;
 }
 
-// Returns the line through two vertices as a x + b y + c, positive on the left of a to b if both w are positive. The line from b
-// to a is its exact negative.
+// Returns the line through two vertices as a x + b y + c, positive on the left of a to b if both w are positive. The
+// line from b to a is its exact negative.
 rvec3 agaa_edgeLine(rvec3 a, rvec3 b) {
     const bool ordered = agaa_isOrdered(a, b);
     const rvec3 p = ordered ? a : b;
@@ -71,11 +72,12 @@ rvec3 agaa_edgeLine(rvec3 a, rvec3 b) {
     return ordered ? rvec3(x, y, c) : rvec3(-x, -y, -c);
 }
 
-// An edge for intersection with rows. Samples on the line count as right of it, or as above it if it is parallel to the rows, as
-// if all samples were moved right a little and up by still less. Exactly one of the triangles around a vertex at a sample covers
-// the sample.
+// An edge for intersection with rows. Samples on the line count as right of it, or as above it if it is parallel to the
+// rows, as if all samples were moved right a little and up by still less. Exactly one of the triangles around a vertex
+// at a sample covers the sample.
 struct agaa_Edge {
-    rvec2 pointA; // two points of the line, the vertices if they are near the pixel, because the error increases with distance
+    // two points of the line, the vertices if they are near the pixel, because the error increases with distance
+    rvec2 pointA;
     rvec2 pointB;
     real slope;   // x of the line decreases by this for each pixel of y
     bool level;   // parallel to the rows
@@ -157,8 +159,8 @@ uvec4 agaa_edgeCoverage(agaa_Edge edge, uint samples) {
     return mask;
 }
 
-// Returns the mask of a triangle from the masks of its edges bc, ca and ab. The vertices are those of agaa_vertexFromCentre().
-// Triangles with non-finite vertices, or without area, cover nothing.
+// Returns the mask of a triangle from the masks of its edges bc, ca and ab. The vertices are those of
+// agaa_vertexFromCentre(). Triangles with non-finite vertices, or without area, cover nothing.
 uvec4 agaa_joinEdges(rvec3 a, rvec3 b, rvec3 c, uvec4 bc, uvec4 ca, uvec4 ab, uint samples) {
     const real facing = a.z * agaa_edgeLine(b, c).z + b.z * agaa_edgeLine(c, a).z + c.z * agaa_edgeLine(a, b).z;
     const bool finite = agaa_isFinite3(a) && agaa_isFinite3(b) && agaa_isFinite3(c) && agaa_isFinite(facing);

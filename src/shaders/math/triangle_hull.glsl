@@ -1,10 +1,10 @@
-// Triangle hulls: polygons whose rasterisation gives a fragment to each pixel that a triangle touches, without conservative
-// rasterisation.
+// Triangle hulls: polygons whose rasterisation gives a fragment to each pixel that a triangle touches, without
+// conservative rasterisation.
 // Sources: DCAA (Wang et al., I3D 2016) section 4.1, which needs that; Hasselgren et al. 2005, "Conservative
 // Rasterization", GPU Gems 2, chapter 42; hard case 50.
 //
-// These pixels have their centres in the Minkowski sum of triangle and pixel square. The sum is convex and has a vertex for each
-// vertex of the triangle and each corner of the square.
+// These pixels have their centres in the Minkowski sum of triangle and pixel square. The sum is convex and has a vertex
+// for each vertex of the triangle and each corner of the square.
 #ifndef AGAA_MATH_TRIANGLE_HULL_GLSL
 #define AGAA_MATH_TRIANGLE_HULL_GLSL
 #include "real.glsl"
@@ -54,7 +54,8 @@ agaa_ClippedTriangle agaa_clippedToNear(rvec4 a, rvec4 b, rvec4 c, rvec2 nearPla
     return clipped;
 }
 
-// Returns the corner of the square that is furthest in a direction. Corners are counted anticlockwise from the upper right.
+// Returns the corner of the square that is furthest in a direction. Corners are counted anticlockwise from the upper
+// right.
 uint agaa_furthestCorner(rvec2 direction) {
     if (direction.x > real(0.0) && direction.y >= real(0.0))
         return 0u;
@@ -67,8 +68,8 @@ rvec2 agaa_squareCorner(uint corner, real halfWidth) {
     return rvec2(corner == 0u || corner == 3u ? halfWidth : -halfWidth, corner < 2u ? halfWidth : -halfWidth);
 }
 
-// Simplifies a polygon so that it turns anticlockwise at every vertex. A thin polygon becomes its longest distance; vertices closer
-// than rounding become one. Returns the largest distance by which the border may have moved.
+// Simplifies a polygon so that it turns anticlockwise at every vertex. A thin polygon becomes its longest distance;
+// vertices closer than rounding become one. Returns the largest distance by which the border may have moved.
 real agaa_simplifyClipped(INOUT(agaa_ClippedTriangle) p, real rounding) {
     rvec2 first = p.at[0];
     rvec2 second = p.at[0];
@@ -117,7 +118,8 @@ bool agaa_isFiniteVertex(rvec4 v) {
     return agaa_isFinite3(rvec3(v.x, v.y, v.z)) && agaa_isFinite(v.w);
 }
 
-// Returns a value > 0 if vertices with clip coordinates x, y, w turn from x to y of ndc, < 0 if they turn the other way.
+// Returns a value > 0 if vertices with clip coordinates x, y, w turn from x to y of ndc, < 0 if they turn the other
+// way.
 real agaa_facing(rvec3 a, rvec3 b, rvec3 c) {
     const rvec3 s = cross(b, c);
     return a.x * s.x + a.y * s.y + a.z * s.z;
@@ -135,8 +137,8 @@ agaa_Hull agaa_wholeImage() {
 
 // Returns the hull of a triangle of either winding.
 // a, b, c        Clip coordinates.
-// nearPlane      Points in front of the eye have nearPlane.x * z + nearPlane.y * w >= 0: (1, 0) if depth 0 is near, (-1, 1) if
-//                depth 1 is near, (1, 1) for depths from -1.
+// nearPlane      Points in front of the eye have nearPlane.x * z + nearPlane.y * w >= 0: (1, 0) if depth 0 is near,
+//                (-1, 1) if depth 1 is near, (1, 1) for depths from -1.
 // pixelsPerNdc   Half of the image's size.
 agaa_Hull agaa_triangleHull(rvec4 a, rvec4 b, rvec4 c, rvec2 nearPlane, rvec2 pixelsPerNdc) {
     agaa_Hull hull = agaa_wholeImage();
