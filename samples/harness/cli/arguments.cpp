@@ -198,8 +198,8 @@ Configuration::Configuration(const PlanArguments& arguments) {
     config.coverage.merge =
         choice(arguments.merge, "--merge", {{"visible", AGAA_MERGE_VISIBLE}, {"paper", AGAA_MERGE_PAPER}, {"none", AGAA_MERGE_NONE}});
     vertexPulling = choice(arguments.expand, "--expand", {{"geometry", 0}, {"pulling", 1}});
-    fitsFragments = arguments.fragmentsPerPixel == "auto";
-    if (!fitsFragments)
+    fitsFragmentCapacity = arguments.fragmentsPerPixel == "auto";
+    if (!fitsFragmentCapacity)
         config.coverage.fragmentsPerPixel =
             finite(parseNumbers(arguments.fragmentsPerPixel, 1, "--fragments-per-pixel")[0], "--fragments-per-pixel");
     config.coverage.maxBatches = arguments.maxBatches;

@@ -83,7 +83,7 @@ void runReference(const RenderArguments& arguments, bool json);
 void runCompare(const CompareArguments& arguments, bool json);
 
 // Removes an effect from the facts, so that the plan drops it. Throws BadArgument for unknown names.
-void leaveOut(const std::string& effect, AgaaSceneFacts& facts);
+void removeEffect(const std::string& effect, AgaaSceneFacts& facts);
 // Returns the lights that remain after --without.
 std::vector<Light> remainingLights(const RenderArguments& arguments, std::vector<Light> lights);
 

@@ -2,7 +2,7 @@
 #include "cli/commands.h"
 
 #include "image/metrics.h"
-#include "render/fragment_room.h"
+#include "render/fragment_capacity.h"
 #include "render/reference.h"
 
 #include <nlohmann/json.hpp>
@@ -23,20 +23,20 @@ void runReference(const RenderArguments& arguments, bool asJson) {
     RenderSettings settings = renderSettings(arguments, configuration, scene);
     const auto renderer = makeRenderer(arguments.device);
     renderer->load(scene);
-    if (configuration.fitsFragments)
-        fitFragmentRoom(*renderer, settings);
+    if (configuration.fitsFragmentCapacity)
+        fitFragmentCapacity(*renderer, settings);
     const auto begin = std::chrono::steady_clock::now();
-    auto told = begin;
-    const auto tell = [&](uint32_t done) {
+    auto lastReport = begin;
+    const auto report = [&](uint32_t done) {
         const auto now = std::chrono::steady_clock::now();
-        if (now - told <= std::chrono::seconds(5))
+        if (now - lastReport <= std::chrono::seconds(5))
             return;
-        told = now;
+        lastReport = now;
         const double elapsed = std::chrono::duration<double>(now - begin).count();
         std::fprintf(stderr, "%u of %u samples, %.0f s left\n", done, arguments.spp,
                      elapsed * (arguments.spp - done) / done);
     };
-    const Reference reference = renderReference(*renderer, settings, arguments.spp, tell,
+    const Reference reference = renderReference(*renderer, settings, arguments.spp, report,
                                                 arguments.footprint == "sample" ? Footprint::Sample : Footprint::Pixel);
     const Image& image = reference.image;
     if (!arguments.exr.empty())

@@ -1,6 +1,6 @@
 // render: frames through the SDK, with times, counters and bytes.
 #include "cli/commands.h"
-#include "render/fragment_room.h"
+#include "render/fragment_capacity.h"
 #include "render/quantiles.h"
 
 #include "image/image.h"
@@ -14,7 +14,7 @@ namespace harness {
 
 using nlohmann::json;
 
-void leaveOut(const std::string& effect, AgaaSceneFacts& facts) {
+void removeEffect(const std::string& effect, AgaaSceneFacts& facts) {
     if (effect == "specular")
         facts.flags &= ~AGAA_FACT_SPECULAR;
     else if (effect == "emissive")
@@ -44,7 +44,7 @@ std::vector<Light> remainingLights(const RenderArguments& arguments, std::vector
 
 void changeFacts(const RenderArguments& arguments, AgaaSceneFacts& facts) {
     for (const std::string& effect : arguments.without)
-        leaveOut(effect, facts);
+        removeEffect(effect, facts);
     if (arguments.plainFacts)
         facts.flags &= AGAA_FACT_ALL_SHADED | AGAA_FACT_CUSTOM_DEPTH;
 }
@@ -149,8 +149,8 @@ json messagesJson(Renderer& renderer) {
     return messages;
 }
 
-// Measures in three runs. Frame times come from frames without pass times and counters, pass times from frames without
-// counters.
+// The results of three runs. Frame times come from frames without pass times and counters, pass times from frames
+// without counters.
 struct Measurement {
     RenderResult plain;
     std::optional<RenderResult> timed;
@@ -202,7 +202,7 @@ json resultJson(const Measurement& m, const RenderArguments& arguments, Renderer
     out["compiledPipelines"] = last.compiledPipelines;
     out["compileMilliseconds"] = last.compileMilliseconds;
     if (arguments.switchFacts)
-        out["frameMilliseconds"] = m.plain.wholeFrameMs;
+        out["frameMilliseconds"] = m.plain.recordToFinishMs;
     if (m.plain.facts)
         out["facts"] = factsJson(*m.plain.facts);
     out["passes"] = m.timed ? passesJson(*m.timed) : json::array();
@@ -231,8 +231,8 @@ void runRender(const RenderArguments& arguments, bool asJson) {
     RenderSettings settings = renderSettings(arguments, configuration, scene);
     const auto renderer = makeRenderer(arguments.device);
     renderer->load(scene);
-    if (configuration.fitsFragments)
-        fitFragmentRoom(*renderer, settings);
+    if (configuration.fitsFragmentCapacity)
+        fitFragmentCapacity(*renderer, settings);
     const Measurement m = measure(*renderer, settings, arguments);
     if (!arguments.png.empty()) {
         Image shown = m.plain.image;
@@ -257,10 +257,10 @@ void runRender(const RenderArguments& arguments, bool asJson) {
                 m.plain.statistics.back().geometryPasses);
     if (arguments.switchFacts)
         std::printf("%u variants; recorded and run in %.1f ms (median), %.1f ms at most\n", m.plain.statistics.back().variantCount,
-                    quantile(m.plain.wholeFrameMs, 0.5), quantile(m.plain.wholeFrameMs, 1));
+                    quantile(m.plain.recordToFinishMs, 0.5), quantile(m.plain.recordToFinishMs, 1));
     if (m.plain.facts)
         std::printf("%s\n", m.plain.facts->explanation);
-    if (configuration.fitsFragments && out.contains("fragmentsPerPixel"))
+    if (configuration.fitsFragmentCapacity && out.contains("fragmentsPerPixel"))
         std::printf("lists have room for %.2f fragments per pixel\n", out["fragmentsPerPixel"].get<double>());
     for (const json& pass : out["passes"])
         if (!pass["ms"].is_null())

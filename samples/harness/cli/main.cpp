@@ -117,7 +117,7 @@ void addGoalOptions(CLI::App& app, ChooseArguments& a) {
 
 // Prints the messages of the graphics API from the destruction of devices, for example about leaked objects. Returns
 // the exit status.
-int tellLeftovers() {
+int reportLeftovers() {
     const std::vector<ApiMessage> messages = takeLeftoverMessages();
     for (const ApiMessage& message : messages)
         std::fprintf(stderr, "agaa-harness: %s: %s\n", message.id.c_str(), message.text.c_str());
@@ -229,7 +229,7 @@ int run(int argc, char** argv) {
 #endif
     else
         runCompare(compareArguments, json);
-    return tellLeftovers();
+    return reportLeftovers();
 }
 
 } // namespace

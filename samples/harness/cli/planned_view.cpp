@@ -12,7 +12,7 @@ void AGAA_CALL Sdk::keepMessage(void* user, uint32_t, AgaaResult, const char* me
 }
 
 std::optional<AgaaDeviceCaps> planningDevice(const Configuration& configuration, const DeviceArguments& device) {
-    if (configuration.fitsFragments)
+    if (configuration.fitsFragmentCapacity)
         throw BadArgument("--fragments-per-pixel auto draws a frame; it is for render and reference.");
     if (!device.backend.empty())
         return makeRenderer(device)->caps();
@@ -44,11 +44,11 @@ AgaaViewDesc viewOf(const Configuration& configuration, const AgaaSceneFacts& fa
     return view;
 }
 
-AgaaFetchFunction anyFetch(bool ofAllDraws) {
+AgaaFetchFunction anyFetch(bool forAllDraws) {
     AgaaFetchFunction function = AGAA_FETCH_FUNCTION_INIT;
     function.glsl = "";
     function.maxDraws = function.maxPrimitives = 1u << 15;
-    function.flags = ofAllDraws ? 0 : AGAA_FETCH_NOT_ALL_DRAWS;
+    function.flags = forAllDraws ? 0 : AGAA_FETCH_NOT_ALL_DRAWS;
     return function;
 }
 

@@ -116,7 +116,7 @@ void Device::destroy() {
             eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display_, context_);
     }
-    messages_.giveUp();
+    messages_.handOver();
 }
 
 AgaaGlFunction AGAA_CALL Device::getProcAddr(void*, const char* name) {

@@ -9,7 +9,7 @@
 namespace harness::gl {
 
 // Bindings of shaders/interface.glsl.
-constexpr GLuint cameraPlace = 6, firstUnit = 20;
+constexpr GLuint cameraBinding = 6, firstUnit = 20;
 
 static bool isTexels(GLuint i) { return i >= 2 && i <= 5; }
 
@@ -77,7 +77,7 @@ void GpuFetch::update(const Scene& scene, const std::vector<Draw>& draws, const 
 }
 
 void GpuFetch::bind() const {
-    gl_->BindBufferBase(GL_UNIFORM_BUFFER, cameraPlace, camera_.get());
+    gl_->BindBufferBase(GL_UNIFORM_BUFFER, cameraBinding, camera_.get());
     for (GLuint i = 0; i < std::size(textures_); ++i) {
         gl_->BindTextureUnit(firstUnit + i, textures_[i].get());
         gl_->BindSampler(firstUnit + i, isTexels(i) ? 0 : sampler_.get());

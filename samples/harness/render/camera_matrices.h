@@ -11,7 +11,7 @@ namespace harness {
 enum class ClipY { Up, Down };
 
 struct CameraMatrices {
-    glm::dvec3 eye{0}; // in world space, with the settings' offset
+    glm::dvec3 eye{0}; // position in world space, with the settings' offset
     glm::dvec3 forward{0, 0, -1};
     double targetDistance = 1;
     double nearPlane = 0;

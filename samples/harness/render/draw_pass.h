@@ -17,7 +17,7 @@ template <class Native> struct DrawPass : AgaaDrawPass {
 // Returns the outputs that the vertex shader of a pass needs: FOR_CORNERS of material.vert. Geometry shaders read a
 // part of them.
 inline int cornerOutputs(const AgaaDrawPass& pass) {
-    if (!pass.glslGeometry) // no geometry shader, or another vertex shader
+    if (!pass.glslGeometry) // the pass needs no geometry shader, or another vertex shader
         return 0;
     return std::string_view(pass.glslDeclarations).find("#define AGAA_NEEDS_MATERIAL 1") == std::string_view::npos ? 1 : 2;
 }

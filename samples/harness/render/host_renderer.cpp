@@ -80,7 +80,7 @@ RenderResult HostRenderer::render(const RenderSettings& settings) {
         if (frame < settings.warmup)
             continue;
         result.frameMs.push_back(milliseconds);
-        result.wholeFrameMs.push_back(whole.count());
+        result.recordToFinishMs.push_back(whole.count());
         result.recordMs.push_back(std::chrono::duration<double, std::milli>(recordTime_ - drawTime_).count());
         AgaaFrameStatistics statistics = AGAA_FRAME_STATISTICS_INIT;
         log().check(agaaGetFrameStatistics(view, frameIndex_, &statistics),

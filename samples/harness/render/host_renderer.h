@@ -41,7 +41,7 @@ protected:
     // Returns the function that fetches the materials of scene(), for views that fetch. `coversByEdges` is true if the
     // tier is not IDS.
     virtual const AgaaFetchFunction* fetchFunction(bool coversByEdges) = 0;
-    // Runs before all other steps, so that the SDK reports unsupported settings itself.
+    // Returns the view of a description. It runs before all other steps, so that the SDK reports unsupported settings.
     virtual AgaaView useView(const AgaaViewDesc& desc) = 0;
     // Creates the output, shadow maps and pipelines that the frames need.
     virtual void prepare(const FrameInput& input) = 0;

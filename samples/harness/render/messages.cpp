@@ -92,7 +92,7 @@ std::vector<ApiMessage> MessageCollector::take() {
     return std::exchange(messages_, {});
 }
 
-void MessageCollector::giveUp() {
+void MessageCollector::handOver() {
     const std::vector<ApiMessage> rest = take();
     const std::lock_guard lock(leftovers().mutex);
     leftovers().messages.insert(leftovers().messages.end(), rest.begin(), rest.end());

@@ -33,7 +33,7 @@ public:
     void add(ApiMessage message); // ignored if the allow-list has it
     std::vector<ApiMessage> take();
     // Hands the messages to takeLeftoverMessages() when no more can arrive.
-    void giveUp();
+    void handOver();
 
 private:
     std::mutex mutex_; // drivers may report from any thread

@@ -66,7 +66,7 @@ struct PlanSummary {
 struct RenderResult {
     Image image; // image of the last frame, linear
     std::vector<double> frameMs; // time from submission to completion per counted frame, without warm-up
-    std::vector<double> wholeFrameMs; // time from the beginning of recording to completion
+    std::vector<double> recordToFinishMs; // time from the beginning of recording to completion
     std::vector<double> recordMs; // time in the SDK's recording calls, without the draw callbacks
     std::vector<AgaaFrameStatistics> statistics; // per counted frame
     std::optional<AgaaFactReport> facts; // report of the last frame, with AGAA_CONFIG_CHECK_FACTS

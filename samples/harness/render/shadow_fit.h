@@ -10,7 +10,7 @@ namespace harness {
 
 struct ShadowFit {
     std::vector<glm::dmat4> layers; // shading space to clip space, z in [0, w], y in the direction of the map's rows
-    double depthBias = 0;           // in units of the map's depth
+    double depthBias = 0;           // bias in units of the map's depth
 };
 
 ShadowFit fitShadow(const Light& light, const Scene& scene, const CameraMatrices& camera,

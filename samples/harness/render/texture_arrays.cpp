@@ -8,7 +8,7 @@ namespace harness {
 namespace {
 
 constexpr uint32_t largestLayer = 1024;
-constexpr double leastSaving = 0.25; // share of one array's memory that justifies a second sampler
+constexpr double minSaving = 0.25; // share of one array's memory that justifies a second sampler
 
 struct Size {
     uint32_t width = 1, height = 1;
@@ -50,7 +50,7 @@ Split bestSplit(const Scene& scene, const std::set<int>& used) {
     for (uint32_t side = 1; side < largestLayer; side *= 2)
         if (const Split split(scene, used, side); split.texels() < best.texels())
             best = split;
-    return double(best.texels()) <= (1 - leastSaving) * double(one.texels()) ? best : one;
+    return double(best.texels()) <= (1 - minSaving) * double(one.texels()) ? best : one;
 }
 
 uint32_t levelSide(uint32_t side, size_t level) { return std::max(side >> level, 1u); }

@@ -36,21 +36,21 @@ std::vector<Light> defaultLights(const Scene& scene) {
 
 namespace {
 
-// The lights are around the camera's target, because a scene's bounds may extend far beyond its view.
+// Returns the extent of lights around the camera's target. A scene's bounds may extend far beyond its view.
 double reachOf(const Scene& scene, const Camera& camera) {
     const double distance = glm::length(camera.target - camera.eye);
     return distance > 0 ? std::min(sizeOf(scene), 1.5 * distance) : sizeOf(scene);
 }
 
-// leastRange and mostRange are shares of reachOf(). `irradiance` is the irradiance at half the range.
-Light randomPointLight(const Scene& scene, const Camera& camera, Random& random, float leastRange, float mostRange, float irradiance) {
+// minRange and maxRange are shares of reachOf(). `irradiance` is the irradiance at half the range.
+Light randomPointLight(const Scene& scene, const Camera& camera, Random& random, float minRange, float maxRange, float irradiance) {
     const double reach = reachOf(scene, camera);
     Light light;
     light.type = LightType::Point;
     // Braces define the order of evaluation.
     const glm::dvec3 offset{random.in(-0.5f, 0.5f), random.in(-0.2f, 0.3f), random.in(-0.5f, 0.5f)};
     light.position = glm::clamp(camera.target + reach * offset, scene.boundsMin, scene.boundsMax);
-    light.range = float(reach * random.in(leastRange, mostRange));
+    light.range = float(reach * random.in(minRange, maxRange));
     const float intensity = irradiance * light.range * light.range * 0.25f;
     const float hue = random.unit() * 6.2832f;
     light.color = intensity * glm::vec3(1.0f + 0.5f * std::cos(hue), 1.0f + 0.5f * std::cos(hue - 2.1f),

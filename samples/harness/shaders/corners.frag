@@ -71,8 +71,8 @@ void setMaterial(inout AgaaSurfaceInput surface) {
     surface.emissive = model.emissive;
     surface.normal = model.normal;
     surface.alpha2 = model.alpha2;
-    surface.normalDx = ofUnitNormal(p, weighed(there.dx, cornerNormal).xyz);
-    surface.normalDy = ofUnitNormal(p, weighed(there.dy, cornerNormal).xyz);
+    surface.normalDx = unitNormalChange(p, weighed(there.dx, cornerNormal).xyz);
+    surface.normalDy = unitNormalChange(p, weighed(there.dy, cornerNormal).xyz);
 }
 #endif
 

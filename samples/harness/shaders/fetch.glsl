@@ -75,8 +75,7 @@ float fetchWrapped(float x, uint wrap, float halfTexel) {
 vec4 fetchTexel(sampler2DArray textures, int layer, uint wrap, vec2 uv, vec2 dx, vec2 dy) {
     if (layer < 0)
         return vec4(1.0);
-    vec2 share = exp2(-vec2(wrap >> 4u & 15u, wrap >> 8u & 15u)); // share of the layer that one repetition of the
-                                                                  // texture takes
+    vec2 share = exp2(-vec2(wrap >> 4u & 15u, wrap >> 8u & 15u)); // size of one repetition in the layer
     vec2 halfTexel = 0.5 / (vec2(textureSize(textures, 0).xy) * share);
     uv = vec2(fetchWrapped(uv.x, wrap & 3u, halfTexel.x), fetchWrapped(uv.y, wrap >> 2u & 3u, halfTexel.y));
     return textureGrad(textures, vec3(uv * share, float(layer)), dx * share, dy * share);
@@ -133,8 +132,7 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     int m = materialTexels * draw.material;
     vec4 emissive = uintBitsToFloat(texelFetch(fetchMaterials, m + 1));
     vec4 numbers = uintBitsToFloat(texelFetch(fetchMaterials, m + 2));
-    ivec4 layers = ivec4(texelFetch(fetchMaterials, m + 3)); // layers of base colour, normal, metallic-roughness,
-                                                             // emissive
+    ivec4 layers = ivec4(texelFetch(fetchMaterials, m + 3)); // base, normal, metallic-roughness, emissive
     uvec4 wraps = texelFetch(fetchMaterials, m + 4);
     MaterialValues values = MaterialValues(uintBitsToFloat(texelFetch(fetchMaterials, m)), emissive.xyz, emissive.w,
                                            numbers.x, numbers.y, numbers.z);
@@ -149,6 +147,6 @@ void agaaHostMaterial(AgaaPrimitive primitive, inout AgaaMaterial result) {
     result.emissive = model.emissive;
     result.normal = model.normal;
     result.alpha2 = model.alpha2;
-    result.normalDx = ofUnitNormal(p, fetchRotate(draw, 3, normalDx));
-    result.normalDy = ofUnitNormal(p, fetchRotate(draw, 3, normalDy));
+    result.normalDx = unitNormalChange(p, fetchRotate(draw, 3, normalDx));
+    result.normalDy = unitNormalChange(p, fetchRotate(draw, 3, normalDy));
 }

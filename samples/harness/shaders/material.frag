@@ -31,8 +31,8 @@ void setAlpha(inout AgaaSurfaceInput surface, vec2 uv, vec2 dx, vec2 dy) {
     for (uint k = 0u; k < AGAA_ALPHA_POINTS; ++k) {
         vec2 point = agaa_alphaPoint(k);
         precise vec2 place = uv + (uvDx * point.x + uvDy * point.y);
-        precise float ownAlpha = vertexAlpha + (alphaStep.x * point.x + alphaStep.y * point.y);
-        surface.alphaNear[k] = alphaAt(ownAlpha, place, dx, dy);
+        precise float pointAlpha = vertexAlpha + (alphaStep.x * point.x + alphaStep.y * point.y);
+        surface.alphaNear[k] = alphaAt(pointAlpha, place, dx, dy);
     }
 }
 

@@ -61,7 +61,7 @@ vec3 shadingNormal(SurfacePoint p, float normalScale) {
 }
 
 // Converts a change of the vertex normal to a change of the unit normal. A normal map turns with it.
-vec3 ofUnitNormal(SurfacePoint p, vec3 change) {
+vec3 unitNormalChange(SurfacePoint p, vec3 change) {
     float squared = dot(p.normal, p.normal);
     if (squared <= 0.0)
         return vec3(0.0);

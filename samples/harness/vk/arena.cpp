@@ -27,7 +27,7 @@ uint32_t Arena::memoryType(uint32_t allowed, VkMemoryPropertyFlags wanted,
     throw std::runtime_error("The device \"" + device_->name() + "\" has no fitting memory type.");
 }
 
-Arena::Place Arena::allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
+Arena::Allocation Arena::allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
                              VkMemoryPropertyFlags preferred, bool isImage) {
     const uint32_t type = memoryType(requirements.memoryTypeBits, wanted, preferred);
     for (Block& block : blocks_) {
@@ -73,10 +73,10 @@ BufferResource Arena::buffer(VkDeviceSize size, VkBufferUsageFlags usage,
     result.buffer = make<Buffer>(device_->get(), vkCreateBuffer, info, "create a buffer");
     VkMemoryRequirements requirements;
     vkGetBufferMemoryRequirements(device_->get(), result.buffer.get(), &requirements);
-    const Place place = allocate(requirements, wanted, preferred, false);
-    check(vkBindBufferMemory(device_->get(), result.buffer.get(), place.memory, place.offset),
+    const Allocation allocation = allocate(requirements, wanted, preferred, false);
+    check(vkBindBufferMemory(device_->get(), result.buffer.get(), allocation.memory, allocation.offset),
           "bind a buffer's memory");
-    result.mapped = place.mapped;
+    result.mapped = allocation.mapped;
     return result;
 }
 
@@ -96,8 +96,8 @@ ImageResource Arena::image(const VkImageCreateInfo& info, VkImageViewType viewTy
     result.image = make<ImageHandle>(device_->get(), vkCreateImage, info, "create an image");
     VkMemoryRequirements requirements;
     vkGetImageMemoryRequirements(device_->get(), result.image.get(), &requirements);
-    const Place place = allocate(requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, true);
-    check(vkBindImageMemory(device_->get(), result.image.get(), place.memory, place.offset),
+    const Allocation allocation = allocate(requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, true);
+    check(vkBindImageMemory(device_->get(), result.image.get(), allocation.memory, allocation.offset),
           "bind an image's memory");
     VkImageViewCreateInfo view{};
     view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;

@@ -39,12 +39,12 @@ private:
         VkDeviceSize used = 0;
         std::byte* mapped = nullptr;
     };
-    struct Place {
+    struct Allocation {
         VkDeviceMemory memory;
         VkDeviceSize offset;
         std::byte* mapped;
     };
-    Place allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
+    Allocation allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
                    VkMemoryPropertyFlags preferred, bool isImage);
     uint32_t memoryType(uint32_t allowed, VkMemoryPropertyFlags wanted,
                         VkMemoryPropertyFlags preferred) const;

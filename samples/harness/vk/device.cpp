@@ -288,7 +288,7 @@ void Device::destroy() {
     }
     if (instance_ != VK_NULL_HANDLE)
         vkDestroyInstance(instance_, nullptr);
-    messages_.giveUp();
+    messages_.handOver();
 }
 
 VkCommandBuffer Device::beginCommands() const {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kStalks = 120;
 constexpr int kVariants = 6;
-constexpr int kSegments = 16; // between two nodes
+constexpr int kSegments = 16; // segments of a stalk, between two nodes each
 constexpr int kLeavesPerStalk = 180;
 
 struct Stalk {

@@ -40,13 +40,13 @@ std::vector<Leaf> leavesOf(const LeafPicture& picture) {
     return leaves;
 }
 
-struct Place {
+struct LeafPoint {
     float inside; // distance to the outline, positive inside
     float along;  // 0 at the foot, 1 at the tip
     float across; // -1 to 1 between the edges
 };
 
-Place placeOn(const Leaf& leaf, const glm::vec2& p) {
+LeafPoint leafPoint(const Leaf& leaf, const glm::vec2& p) {
     const glm::vec2 d = p - leaf.foot;
     const float along = glm::dot(d, leaf.axis) / leaf.length;
     const float across = d.x * leaf.axis.y - d.y * leaf.axis.x;
@@ -78,7 +78,7 @@ Texture leafTexture(const LeafPicture& picture) {
             glm::vec3 color = wood;
             float nearest = twig;
             for (const Leaf& leaf : leaves) {
-                const Place at = placeOn(leaf, p);
+                const LeafPoint at = leafPoint(leaf, p);
                 inside = std::max(inside, at.inside);
                 // Later leaves lie above earlier ones.
                 if (at.inside <= nearest && at.inside < 0)

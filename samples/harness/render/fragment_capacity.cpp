@@ -1,15 +1,15 @@
-#include "render/fragment_room.h"
+#include "render/fragment_capacity.h"
 
 #include <algorithm>
 
 namespace harness {
 
-float roomForFragments(uint64_t fragments, uint32_t width, uint32_t height) {
+float capacityForFragments(uint64_t fragments, uint32_t width, uint32_t height) {
     const double perPixel = double(fragments) / (double(width) * double(height));
     return float(std::clamp(1.125 * perPixel, 1.0, 256.0));
 }
 
-void fitFragmentRoom(Renderer& renderer, RenderSettings& settings) {
+void fitFragmentCapacity(Renderer& renderer, RenderSettings& settings) {
     if (!settings.config.keepsLists())
         return;
     RenderSettings counting = settings;
@@ -20,7 +20,7 @@ void fitFragmentRoom(Renderer& renderer, RenderSettings& settings) {
     counting.warmup = 0;
     const RenderResult counted = renderer.render(counting);
     settings.config.coverage.fragmentsPerPixel =
-        roomForFragments(counted.statistics.back().counters.fragments, settings.width, settings.height);
+        capacityForFragments(counted.statistics.back().counters.fragments, settings.width, settings.height);
 }
 
 } // namespace harness
