@@ -140,7 +140,8 @@ def table(sweep, passes):
     Errors are squared after tone mapping, against the sweep's reference, in shares of the error of `single`.
     """
     backend = sweep["backends"][0]
-    scenes = [next(scene for scene in backend["scenes"] if scene["name"] == name and not scene["plain"]) for name in SCENES]
+    by_name = {scene["name"]: scene for scene in backend["scenes"] if not scene["plain"]}
+    scenes = [by_name[name] for name in SCENES]
 
     def swept(scene, technique, samples, aggregates, tier, preset):
         def is_wanted(row):
@@ -152,8 +153,8 @@ def table(sweep, passes):
         """Milliseconds of all passes by API, or "–" where they were not measured."""
         found = {}
         for row in passes["rows"]:
-            if ((row["technique"], row["samples"], row["aggregates"], row["scene"]) == (technique, samples, aggregates, PASSES_SCENE)
-                    and tier_of(row) == tier and not preset):
+            if ((row["technique"], row["samples"], row["aggregates"], row["scene"], tier_of(row), "")
+                    == (technique, samples, aggregates, PASSES_SCENE, tier, preset)):
                 found[row["backend"]] = f"{sum(one['ms']['median'] for one in row['passes']):.2f}"
         return f"{found.get('vk', '–')} / {found.get('gl', '–')}"
 
@@ -164,7 +165,8 @@ def table(sweep, passes):
     for heading, *settings in ROWS:
         rows = [swept(scene, *settings) for scene in scenes]
         singles = [swept(scene, "single", 1, 0, "", "") for scene in scenes]
-        errors = [row["errorReference"]["mseTm"] / single["errorReference"]["mseTm"] for row, single in zip(rows, singles)]
+        errors = [row["errorReference"]["mseTm"] / single["errorReference"]["mseTm"]
+                  for row, single in zip(rows, singles)]
         lines.append([heading, both(errors, lambda x: f"{100 * x:.3g} %"),
                       " / ".join(sorted({f"{row['bytesPerPixel']:.0f}" for row in rows})),
                       both([row["eventsPerCoveredPixel"] for row in rows], "{:.1f}".format),
@@ -172,8 +174,8 @@ def table(sweep, passes):
     first, second = (f"`{name}`" for name in SCENES)
     samples = {scene["reference"]["spp"] for scene in scenes}
     text = (f"Pairs are the scenes {first} / {second} at {sweep['size']}, and for the GPU Vulkan / OpenGL in "
-            f"`{PASSES_SCENE}` at {gpu['size']}. The error is the mean square after tone mapping against {max(samples)} "
-            f"samples per pixel; `single` has 100 %. CPU: {backend['device']}, Mesa's software rasteriser. GPU: "
+            f"`{PASSES_SCENE}` at {gpu['size']}. The error is the mean square after tone mapping against "
+            f"{max(samples)} samples per pixel; `single` has 100 %. CPU: {backend['device']}, Mesa's software rasteriser. GPU: "
             f"{gpu['device']}, sums of the medians of pass times; “–” was not measured.")
     return "".join("| " + " | ".join(line) + " |\n" for line in lines) + "\n" + textwrap.fill(text, 118) + "\n"
 

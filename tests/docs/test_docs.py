@@ -37,6 +37,9 @@ static int other(int a) {
 static const char text[] =
     "used(";
 #define LIMIT 3
+
+static const char code[] = "int used;\\n"
+                           "int b;\\n";
 """
 DOCUMENT = """Text.
 
@@ -58,6 +61,12 @@ static int other(int a) {
 static const char text[] =
     "used(";
 #define LIMIT 3
+```
+
+<!-- quote host.c code -->
+```c
+static const char code[] = "int used;\\n"
+                           "int b;\\n";
 ```
 """
 
