@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Renders the picture of the README: one detail of a scene with three techniques, side by side.
+"""Makes the picture and the table of the README.
 
-    tools/comparison_picture.py docs/images/comparison.png      renders and writes the picture
-    tools/comparison_picture.py --table RESULTS.json            prints the table below it, from a sweep's results
+    tools/comparison_picture.py docs/images/comparison.png     renders one detail of a scene with three techniques
+    tools/comparison_picture.py --table SWEEP.json PASSES.json prints the table, from the results of a sweep
+                                                               (agaa-harness sweep) and from benchmark/passes.py
 
-The picture needs a built agaa-harness. The table needs nothing but the file.
+The picture needs a built agaa-harness. The table needs the two files only.
 """
 import json
 import pathlib
@@ -12,6 +13,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import textwrap
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -22,10 +24,25 @@ from markdown_table import row as table_row
 SCENE, SIZE = "bamboo", "480x270"
 CROP = 356, 52, 112, 92  # x, y, width, height in pixels
 SCALE, GAP = 3, 6        # texels of the picture
-COLUMNS = [              # heading, technique, n, c
+COLUMNS = [              # of the picture: heading, technique, n, c
     ("no anti-aliasing: `single`", "single", 1, 0),
     ("supersampling: `ssaa`, n = 8", "ssaa", 8, 0),
     ("`agaa`, n = 8, c = 2", "agaa", 8, 2),
+]
+
+
+# The table: heading, technique, n, c or S, tier, preset
+SCENES = "bamboo", "metal"
+PASSES_SCENE = "metal"
+ROWS = [
+    ("`single`, one sample", "single", 1, 0, "", ""),
+    ("MSAA: `msaa`", "msaa", 8, 0, "", ""),
+    ("supersampling: `ssaa`", "ssaa", 8, 0, "", ""),
+    ("`sbaa`, S = 2", "sbaa", 8, 2, "", ""),
+    ("`sbaa`, S = 4", "sbaa", 8, 4, "", ""),
+    ("`agaa`, c = 2", "agaa", 8, 2, "", ""),
+    ("`agaa`, c = 2, by id", "agaa", 8, 2, "ids", ""),
+    ("`agaa`, preset accurate, by id", "agaa", 8, 4, "ids", "accurate"),
 ]
 
 
@@ -110,40 +127,71 @@ def picture(harness, out):
     write_png(out, lines, SCALE)
 
 
-def table(results):
-    """Markdown: frame times and bytes per pixel of the scene, as measured by a sweep on its first device."""
-    backend = results["backends"][0]
-    scene = next(scene for scene in backend["scenes"] if scene["name"] == SCENE and not scene["plain"])
+def tier_of(row):
+    """The generation tier if a row requests one, otherwise ""."""
+    tier = row["tiers"].get("generation")
+    return tier if tier in ("gbuffer", "ids") else ""
 
-    def row(technique, samples, aggregates, tiers=(None, "post-depth-atomics", "per-sample")):
+
+def both(values, form):
+    return " / ".join(form(value) for value in values)
+
+
+def table(sweep, passes):
+    """Markdown: error, memory, events and times of ROWS in SCENES, as measured on the first device of each file.
+
+    Errors are squared after tone mapping, against the sweep's reference, in shares of the error of `single`.
+    """
+    backend = sweep["backends"][0]
+    by_name = {scene["name"]: scene for scene in backend["scenes"] if not scene["plain"]}
+    scenes = [by_name[name] for name in SCENES]
+
+    def swept(scene, technique, samples, aggregates, tier, preset):
         def is_wanted(row):
             return ((row["technique"], row["n"], row["c"], row["shadingCost"], row["preset"])
-                    == (technique, samples, aggregates, 1, "") and row["tiers"].get("generation") in tiers)
+                    == (technique, samples, aggregates, 1, preset) and tier_of(row) == tier)
         return next(filter(is_wanted, scene["rows"]))
 
-    rows = [row(*settings) for _, *settings in COLUMNS]
-    cells = [
-        [f"`{SCENE}`, {results['size']}", *(heading for heading, *_ in COLUMNS)],
-        ["---"] * (len(COLUMNS) + 1),
-        ["frame time", *(f"{row['frameMs']['median']:.0f} ms" for row in rows)],
-        ["memory per pixel", *(f"{row['bytesPerPixel']:.0f} bytes" for row in rows)],
-        ["shading events per covered pixel", *(f"{row['eventsPerCoveredPixel']:.1f}" for row in rows)],
-    ]
-    by_id = row("agaa", 8, 2, ("ids",))
-    return ("".join(table_row(line) + "\n" for line in cells) +
-            f"\nWith materials by id, the same aggregates take {by_id['frameMs']['median']:.0f} ms and "
-            f"{by_id['bytesPerPixel']:.0f} bytes per pixel.\n")
+    def timed(technique, samples, aggregates, tier, preset):
+        """Milliseconds of all passes by API, or "–" where they were not measured."""
+        found = {}
+        for row in passes["rows"]:
+            if ((row["technique"], row["samples"], row["aggregates"], row["scene"], tier_of(row), "")
+                    == (technique, samples, aggregates, PASSES_SCENE, tier, preset)):
+                found[row["backend"]] = f"{sum(one['ms']['median'] for one in row['passes']):.2f}"
+        return f"{found.get('vk', '–')} / {found.get('gl', '–')}"
+
+    gpu = next(row for row in passes["rows"] if (row["scene"], row["backend"]) == (PASSES_SCENE, "vk"))
+    lines = [["8 samples per pixel", "error", "bytes per pixel", "shading events per covered pixel",
+              "frame, CPU, ms", "passes, GPU, ms"],
+             ["---"] * 6]
+    for heading, *settings in ROWS:
+        rows = [swept(scene, *settings) for scene in scenes]
+        singles = [swept(scene, "single", 1, 0, "", "") for scene in scenes]
+        errors = [row["errorReference"]["mseTm"] / single["errorReference"]["mseTm"]
+                  for row, single in zip(rows, singles)]
+        lines.append([heading, both(errors, lambda x: f"{100 * x:.3g} %"),
+                      " / ".join(sorted({f"{row['bytesPerPixel']:.0f}" for row in rows})),
+                      both([row["eventsPerCoveredPixel"] for row in rows], "{:.1f}".format),
+                      both([row["frameMs"]["median"] for row in rows], "{:.0f}".format), timed(*settings)])
+    first, second = (f"`{name}`" for name in SCENES)
+    samples = {scene["reference"]["spp"] for scene in scenes}
+    text = (f"Pairs are the scenes {first} / {second} at {sweep['size']}, and for the GPU Vulkan / OpenGL in "
+            f"`{PASSES_SCENE}` at {gpu['size']}. The error is the mean square after tone mapping against "
+            f"{max(samples)} samples per pixel; `single` has 100 %. CPU: {backend['device']}, Mesa's software rasteriser. GPU: "
+            f"{gpu['device']}, sums of the medians of pass times; “–” was not measured.")
+    return "".join(table_row(line) + "\n" for line in lines) + "\n" + textwrap.fill(text, 118) + "\n"
 
 
 def main():
     parser = tool_parser(__doc__)
-    parser.add_argument("--table", type=pathlib.Path, metavar="RESULTS.json")
+    parser.add_argument("--table", type=pathlib.Path, nargs=2, metavar=("SWEEP.json", "PASSES.json"))
     parser.add_argument("out", type=pathlib.Path, nargs="?", metavar="OUT.png")
     arguments = parser.parse_args()
     if bool(arguments.table) == bool(arguments.out):
-        parser.error("give either OUT.png or --table RESULTS.json")
+        parser.error("give either OUT.png or --table SWEEP.json PASSES.json")
     if arguments.table:
-        print(table(json.loads(arguments.table.read_text())), end="")
+        print(table(*(json.loads(path.read_text()) for path in arguments.table)), end="")
     elif not arguments.harness.exists():
         raise Error(f"{arguments.harness} does not exist; run scripts/build first.")
     else:

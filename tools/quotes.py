@@ -14,7 +14,7 @@ import re
 import sys
 
 QUOTE = re.compile(r"^(<!-- quote (\S+) (\w+) -->\n```\w*\n)(.*?)(^```$)", re.MULTILINE | re.DOTALL)
-DEFINITION = r"^(?:\w[^;\n]*\b{0}(?:\(|\[| = )|#define {0}\b|struct {0} {{)[^;\n]*$"
+DEFINITION = r"^(?:(?:\w[^;\n]*\b{0}(?:\(|\[| = )|#define {0}\b|struct {0} {{)[^;\n]*|\w[^;\n]*\b{0}\[\w*\] = \".*)$"
 
 
 class Error(Exception):

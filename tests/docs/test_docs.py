@@ -37,6 +37,9 @@ static int other(int a) {
 static const char text[] =
     "used(";
 #define LIMIT 3
+
+static const char code[] = "int used;\\n"
+                           "int b;\\n";
 """
 DOCUMENT = """Text.
 
@@ -59,6 +62,12 @@ static const char text[] =
     "used(";
 #define LIMIT 3
 ```
+
+<!-- quote host.c code -->
+```c
+static const char code[] = "int used;\\n"
+                           "int b;\\n";
+```
 """
 
 
@@ -75,7 +84,7 @@ def links(document):
 
 class Guides(unittest.TestCase):
     def test_quotes_are_current(self):
-        quoting = [guide for guide in WRITTEN if "<!-- quote " in guide.read_text()]
+        quoting = [guide for guide in (README, *WRITTEN) if "<!-- quote " in guide.read_text()]
         self.assertGreater(len(quoting), 5)
         result = quotes(*quoting)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -126,11 +135,17 @@ class Guides(unittest.TestCase):
                 for name in re.findall(r"\bdocs/(?:integration/)?[a-z-]+\.md\b", path.read_text()):
                     self.assertTrue((ROOT / name).exists(), f"{path}: {name}")
 
-    def test_table_of_the_picture_is_current(self):
-        results = ROOT / "docs/results/lavapipe/sweep/results.json"
-        printed = subprocess.run([sys.executable, PICTURE, "--table", results], stdout=subprocess.PIPE, text=True)
+    def test_table_of_the_readme_is_current(self):
+        command = re.search(r"^    tools/comparison_picture\.py (.*)$", README.read_text(), flags=re.MULTILINE)[1].split()
+        printed = subprocess.run([sys.executable, PICTURE, *command], stdout=subprocess.PIPE, text=True, cwd=ROOT)
         self.assertEqual(printed.returncode, 0)
         self.assertIn(printed.stdout, README.read_text())
+
+    def test_readme_is_short(self):
+        self.assertLessEqual(len(README.read_text().splitlines()), 120)
+        code = re.findall(r"^```c\n(.*?)^```", README.read_text(), flags=re.MULTILINE | re.DOTALL)
+        lines = [line for line in "".join(code).splitlines() if not line.strip().startswith("/*")]
+        self.assertLessEqual(len(lines), 15)
 
 
     def test_glossary_is_alphabetical(self):

@@ -16,7 +16,8 @@ VkBool32* featureOf(VkPhysicalDeviceFeatures& features, const std::string& name)
 #define FEATURE(member)    \
     if (name == #member)   \
         return &features.member;
-    // clang-format off: it takes a list of macros for one expression.
+    // clang-format takes a list of macros for one expression.
+    // clang-format off
     FEATURE(robustBufferAccess) FEATURE(fullDrawIndexUint32) FEATURE(imageCubeArray) FEATURE(independentBlend)
     FEATURE(geometryShader) FEATURE(tessellationShader) FEATURE(sampleRateShading) FEATURE(dualSrcBlend) FEATURE(logicOp)
     FEATURE(multiDrawIndirect) FEATURE(drawIndirectFirstInstance) FEATURE(depthClamp) FEATURE(depthBiasClamp)
