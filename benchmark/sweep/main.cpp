@@ -40,7 +40,7 @@ int reportLeftovers() {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("AGAA SDK sweep: measures techniques and writes results.json and report.html");
+    CLI::App app("AGAA SDK sweep: measures techniques and writes results.json and report.html", "agaa-sweep");
     SweepArguments arguments;
     bool json = false;
     addOptions(app, arguments, json);
