@@ -109,9 +109,11 @@ def error_lines(scenes):
         for side in SIDES:
             found = [scene["errors"][side]["ways"][configuration] for scene in scenes]
             noise = [decibels(each["mse"]) for each in found]
-            cells += [f"{statistics.mean(each['share'] for each in found):.3f}", f"{statistics.mean(noise):.1f}", f"{min(noise):.1f}"]
+            cells += [f"{statistics.mean(each['share'] for each in found):.3f}", f"{statistics.mean(noise):.1f}",
+                      f"{min(noise):.1f}"]
         rows.append([configuration, *cells])
-    paper = [cell for share, mse in (PAPER[side] for side in SIDES) for cell in (f"{share:.3f}", f"{decibels(mse):.1f}", "–")]
+    paper = [cell for share, mse in (PAPER[side] for side in SIDES)
+             for cell in (f"{share:.3f}", f"{decibels(mse):.1f}", "–")]
     return table(["way", *(cell for side in SIDES for cell in (f"{side} × {side}: samples", "dB", "worst dB"))],
                  [*rows, ["the paper, Sponza", *paper]])
 

@@ -60,7 +60,7 @@ class Comparison:
         return row
 
     def times(self, view, configuration, frames):
-        """Medians of frames and passes, and the ratio of the frames. The runs alternate: Vulkan, OpenGL, OpenGL, Vulkan."""
+        """Medians of frames and passes, and the ratio of the frames. The order is Vulkan, OpenGL, OpenGL, Vulkan."""
         runs = {"vk": [], "gl": []}
         for backend in ("vk", "gl", "gl", "vk"):
             runs[backend].append(self.render(backend, view, configuration, "--no-validation",
@@ -90,17 +90,19 @@ def first_cells(row):
 
 
 def image_table(results):
-    return table(["scene", "technique", "n", "c", "way", "mean difference /255", "pixels above 4/255, %", "largest, linear",
-                  "PSNR, dB"],
-                 [[*first_cells(r), f"{255 * r['meanAbsTm']:.4f}", f"{100 * r['above4of255']:.4f}", f"{r['maxAbs']:.3g}",
-                   "equal" if r["psnr"] is None else f"{r['psnr']:.1f}"] for r in results])
+    return table(["scene", "technique", "n", "c", "way", "mean difference /255", "pixels above 4/255, %",
+                  "largest, linear", "PSNR, dB"],
+                 [[*first_cells(r), f"{255 * r['meanAbsTm']:.4f}", f"{100 * r['above4of255']:.4f}",
+                   f"{r['maxAbs']:.3g}", "equal" if r["psnr"] is None else f"{r['psnr']:.1f}"] for r in results])
 
 
 def time_table(results):
     rows = []
     for r in results:
-        passes = [", ".join(f"{name} {ms:.0f}" for name, ms in r[backend]["passes"].items()) for backend in ("vk", "gl")]
-        rows.append([*first_cells(r), f"{r['vk']['frameMs']:.0f}", f"{r['gl']['frameMs']:.0f}", f"{r['ratio']:.2f}", *passes])
+        passes = [", ".join(f"{name} {ms:.0f}" for name, ms in r[backend]["passes"].items())
+                  for backend in ("vk", "gl")]
+        rows.append([*first_cells(r), f"{r['vk']['frameMs']:.0f}", f"{r['gl']['frameMs']:.0f}", f"{r['ratio']:.2f}",
+                     *passes])
     return table(["scene", "technique", "n", "c", "way", "Vulkan frame", "OpenGL frame", "ratio", "Vulkan passes",
                   "OpenGL passes"], rows)
 
@@ -121,7 +123,8 @@ def write(out, devices, size, images, times):
                   f"Milliseconds, medians of A B B A runs; frames without times of passes. Passes on Vulkan by "
                   f"{times[0]['vk']['timeSource']}, on OpenGL by {times[0]['gl']['timeSource']}.", "",
                   *time_table(times)]
-    write_results(out, "backends", {"devices": devices, "size": size, "images": images, "times": times}, "\n".join(lines) + "\n")
+    data = {"devices": devices, "size": size, "images": images, "times": times}
+    write_results(out, "backends", data, "\n".join(lines) + "\n")
 
 
 def main():

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Measures the settings of agaaChooseSettings in a scene of your own: errors against a reference, and times.
 
-`agaa-harness choose --measured` reads OUT/measured.json, whose rows a host passes as AgaaGoal::measured. An interrupted run
-continues with the results in OUT/work.
+`agaa-harness choose --measured` reads OUT/measured.json, whose rows a host passes as AgaaGoal::measured. An interrupted
+run continues with the results in OUT/work.
 """
 import json
 import sys

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Prints src/core/tuning/choice_table.inc, the settings that agaaChooseSettings chooses among, with their errors and times.
+"""Prints src/core/tuning/choice_table.inc: the settings of agaaChooseSettings with their errors and times.
 
-Errors, and the coefficients of the times, follow from a sweep (benchmark/full_sweep.py). The argument selects another one.
+Errors, and the coefficients of the times, follow from a sweep (benchmark/full_sweep.py). The argument selects another
+sweep.
 """
 import json
 import pathlib

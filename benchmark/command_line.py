@@ -19,7 +19,8 @@ def tool_parser(description, out=None, size=None, scenes=False, backends=False, 
     if harness:
         parser.add_argument("--harness", default=HARNESS, type=pathlib.Path, help="the program agaa-harness")
     if out is not None:
-        parser.add_argument("--out", default=out or None, required=not out, type=pathlib.Path, help="folder of the results")
+        parser.add_argument("--out", default=out or None, required=not out, type=pathlib.Path,
+                            help="folder of the results")
     if size:
         parser.add_argument("--size", default=size, help=f"WxH, {size} by default")
     if scenes:

@@ -1,23 +1,22 @@
 #!/usr/bin/env python3
-"""Runs `agaa-harness sweep` over the built-in scenes and the shared ones, on both backends, and prints the time.
+"""Runs agaa-sweep over the built-in scenes and the shared ones, on both backends, and prints the time.
 
-Each scene is a process of its own, because drivers keep memory: below OUT/scenes. Their results and images are merged into
-OUT. A run that is broken off goes on where it stopped when it is started again with the same --out. Nothing else should
-run meanwhile: times are measured.
+Each scene has its own process, because drivers keep memory, and its own folder below OUT/scenes. Results and images of
+all scenes are merged into OUT. An interrupted run continues when it is started again with the same --out. Times are
+measured: nothing else should run meanwhile.
 """
-import argparse
 import json
-import pathlib
 import shutil
 import subprocess
 import sys
 import time
 
-from runs import HARNESS, ROOT, find_scenes, require_harness
+from command_line import tool_parser
+from runs import ROOT, find_scenes, require_harness, write_json
 
-# Scenes that are hard come first, so that a run that is broken off has them.
+# Hard scenes come first, so that an interrupted run has them.
 FIRST = ["bamboo", "foliage", "furball", "metal", "sh3d_foliage"]
-# Has emission and normal maps, too: effects where they are called for and where they are not.
+# This scene has all effects, emission and normal maps included, so that each is measured with and without need for it.
 PLAIN = "city"
 
 
@@ -26,7 +25,7 @@ def scenes(wanted):
 
 
 def merge(folders, out):
-    """Scenes of several sweeps with the same options into one, with their images."""
+    """Merges the scenes and images of sweeps with the same options into one folder."""
     merged = None
     (out / "images").mkdir(parents=True, exist_ok=True)
     for folder in folders:
@@ -38,23 +37,19 @@ def merge(folders, out):
             continue
         for backend, more in zip(merged["backends"], results["backends"], strict=True):
             backend["scenes"] += more["scenes"]
-    (out / "results.json").write_text(json.dumps(merged, indent=1) + "\n")
+    write_json(out / "results.json", merged)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--harness", default=HARNESS, type=pathlib.Path)
-    parser.add_argument("--out", default="sweep", type=pathlib.Path)
-    parser.add_argument("--size", default="640x360")
-    parser.add_argument("--backend", action="append", choices=["vk", "gl"], help="repeatable; none: both")
-    parser.add_argument("--scene", action="append", help="only these; repeatable")
-    parser.add_argument("--rounds", help="frames of each row; none: the usual number, 101 suits a GPU")
-    parser.add_argument("--row", action="append", help="only these, as of agaa-harness sweep; repeatable")
-    parser.add_argument("--no-ablation", action="store_true", help="not what each effect costs and removes")
+    parser = tool_parser(__doc__, out="sweep", size="640x360", scenes=True, backends=True)
+    parser.add_argument("--rounds", help="frames of each row; 101 suits a GPU")
+    parser.add_argument("--row", action="append", help="only this row of agaa-sweep; repeatable")
+    parser.add_argument("--no-ablation", action="store_true", help="do not measure what each effect costs and removes")
     parser.add_argument("--jpeg", help="images as JPEG of this quality, 1 to 100, not as PNG")
     arguments = parser.parse_args()
-    require_harness("full_sweep", arguments.harness)
-    common = [arguments.harness, "sweep", "--size", arguments.size]
+    sweep = arguments.harness.with_name("agaa-sweep")
+    require_harness("full_sweep", sweep)
+    common = [sweep, "--size", arguments.size]
     for backend in arguments.backend or ["vk", "gl"]:
         common += ["--backend", backend]
     for option in ("rounds", "jpeg"):

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Compares the choices of agaaChooseSettings with their measured errors, and with the fastest settings for the same target.
+"""Compares the choices of agaaChooseSettings with their measured errors, and with the fastest settings.
 
-For each scene and each target, `agaa-harness choose --observe` chooses by frames of `single`. All settings of the table are
-rendered, and their errors measured against the reference. With --measured, choices are also made by the measurements of
-another frame, whose camera is moved to the side. OUT/goals.json has all numbers; tables in Markdown are printed.
+For each scene and each target of the error, `agaa-harness choose --observe` chooses by frames of `single`. All settings of
+the table are rendered, and their errors measured against the reference. With --measured, choices are also made by the
+measurements of another frame, whose camera is moved to the side. OUT/goals.json has all numbers; tables in Markdown are
+printed.
 """
 import math
 

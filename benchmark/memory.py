@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints docs/memory.md: bytes per pixel of each configuration, beside the papers' models, from `agaa-harness memory`."""
+"""Prints docs/memory.md: bytes per pixel of each configuration and of the papers' models, by `agaa-harness memory`."""
 from command_line import tool_parser
 from markdown_table import table
 from runs import ask_json, require_harness
@@ -67,7 +67,7 @@ def below(ours, theirs):
 
 
 def models(agaa, sbaa):
-    """A sentence about the difference of the papers' models of agaa and SBAA. The arguments are reports by n."""
+    """A sentence that compares the papers' models of agaa and SBAA. The arguments are reports by n."""
     agaa, sbaa = ([memory["bytesPerPixel"] for memory in each] for each in (agaa, sbaa))
     return (f"\nOf the papers' models `agaa` c=2 keeps {below(agaa, sbaa)} % less than `sbaa` S=2, and by the paper's own "
             f"count\n{below(PAPER, sbaa)} %.")

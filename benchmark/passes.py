@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Renders a scene by each technique on both backends and tabulates what their passes cost on this device.
 
-Writes OUT/passes.json and OUT/passes.md: the bytes, the shading events and the medians of pass times by the device's own
-timestamps. Pass times of a GPU vary less than frame times, which include the host's work. `--table` writes OUT/passes.md
-again from OUT/passes.json.
+Writes OUT/passes.json and OUT/passes.md: the bytes, the shading events and the medians of pass times by the device's
+own timestamps. Pass times of a GPU vary less than frame times, which include the host's work. `--table` writes
+OUT/passes.md again from OUT/passes.json.
 """
 import json
 

@@ -52,9 +52,3 @@ if(AGAA_SAMPLES)
   install(TARGETS agaa-harness RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
   install(FILES samples/harness/agaa-harness.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
 endif()
-if(AGAA_SAMPLES AND AGAA_BENCHMARK)
-  install(FILES benchmark/report/sweep_report.py benchmark/report/sweep_images.py
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/agaa/report COMPONENT tools)
-  install(DIRECTORY benchmark/report/sweep benchmark/report/vendor
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/agaa/report COMPONENT tools)
-endif()

@@ -3,8 +3,8 @@
 
 usage: choosing.py RESULTS.json [MORE.json ...] OUT.md
 
-docs/sweep.md describes RESULTS.json. Errors that differ by less than ten times the reference's own error count as equal.
-The most accurate row is the fastest of such rows.
+docs/sweep.md describes RESULTS.json. Errors that differ by less than ten times the reference's own error count as
+equal. The most accurate row is the fastest of such rows.
 """
 
 import sys

@@ -1,4 +1,4 @@
-"""Compares adaptive with ssaa, simple_complex and agaa at the same n: error, flicker, events, frame times, the quickest."""
+"""Compares adaptive with ssaa, simple_complex and agaa at the same n: error, flicker, events and frame times."""
 
 from collections import Counter
 
@@ -33,13 +33,13 @@ def figures(scenes, figure, columns):
     for scene in scenes:
         whole = find(scene, "ssaa", SAMPLES)
         rows.append([escaped(scene["name"])] + [fixed(ratio(figure(row), figure(whole)) if (row := pick(scene)) else None)
-                                      for _, pick in columns])
+                                                for _, pick in columns])
     return paragraph(["scene"] + [title for title, _ in columns], rows)
 
 
 def quickest(scene, cost):
-    """The fastest of ssaa and the rows that the eye cannot distinguish from it: their error against ssaa of the same n is at
-    most a tenth of the error of ssaa against the reference."""
+    """The fastest of ssaa and the rows that the eye cannot distinguish from it: their error against ssaa of the same n is
+    at most a tenth of the error of ssaa against the reference."""
     limit = 0.1 * error(find(scene, "ssaa", SAMPLES))
     picks = [(title, row) for title, pick in ALL if (row := pick(scene, cost))
              and (row["technique"] == "ssaa" or (row["errorSameSamples"] and row["errorSameSamples"]["mseTm"] <= limit))]
@@ -49,8 +49,8 @@ def quickest(scene, cost):
 def times(scenes):
     columns = [(f"{title}, cost {cost}", pick, cost) for cost in COSTS for title, pick in RIVALS
                if any(pick(scene, cost) for scene in scenes)]
-    rows = [[escaped(scene["name"])] + [paired.shown(paired.ratios(pick(scene, cost), adaptive(scene, cost))) for _, pick, cost in columns]
-            for scene in scenes]
+    rows = [[escaped(scene["name"])] + [paired.shown(paired.ratios(pick(scene, cost), adaptive(scene, cost)))
+                                        for _, pick, cost in columns] for scene in scenes]
     return paragraph(["scene"] + [title for title, *_ in columns], rows)
 
 

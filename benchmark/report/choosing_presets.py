@@ -81,7 +81,7 @@ def aim_sentences(scenes, figures):
 
 
 def steady_sentence(scenes):
-    """Compares bias and variance under sub-pixel shifts of the most accurate preset with those of the paper's settings."""
+    """Compares bias and variance of the most accurate preset under sub-pixel shifts with those of the paper's settings."""
     more, within, known = [], 0, 0
     for scene in scenes:
         paper = preset_row(scene, "paper", 8, None)

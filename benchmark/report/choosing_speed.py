@@ -1,4 +1,4 @@
-"""Ratios of simple_complex to agaa c=2 in a sweep: events, shading, frames, and the shading cost from which agaa wins."""
+"""Ratios of simple_complex to agaa c=2: events, shading, frames, and the shading cost from which agaa wins."""
 
 import math
 
@@ -11,8 +11,10 @@ PAPER_SOURCE = "from AGAA's table 1 and the slides' counts, Old City"
 
 
 def shading(row, grouping=False):
-    """The time of shading, or None without pass times. grouping: include the clustering of aggregates. The classification
-    of pixels always counts, because it may be in the same pass."""
+    """The time of shading, or None without pass times. grouping: include the clustering of aggregates.
+
+    The classification of pixels always counts, because it may be in the same pass.
+    """
     times = row["stageMs"] or {}
     if not times.get("shading"):
         return None
@@ -34,8 +36,8 @@ def ratios(scene, n, by=None, cost=1):
 def win_cost(scene, n, by=None):
     """The largest measured shading cost of both, and the cost from which agaa's frame is shorter, or None.
 
-    The second follows from the lines through the frames at the smallest and the largest cost. It is 0 if agaa's frame is
-    shorter up to the largest cost, and infinite if it never is.
+    The second follows from the lines through the frames at the smallest and the largest cost. It is 0 if agaa's frame
+    is shorter up to the largest cost, and infinite if it never is.
     """
     def rows(cost):
         return find(scene, "simple_complex", n, 0, cost), find(scene, "agaa", n, 2, cost, by)

@@ -40,13 +40,14 @@ def beside(scene):
 
 
 def ratios_of(scenes, figure):
-    """A table of figure(row) as a multiple of that of ssaa n=8, without columns that no scene has, and an empty line."""
+    """A table of figure(row) as a multiple of that of ssaa n=8, without columns that no scene has."""
     compared = [beside(scene) for scene in scenes]
     columns = [i for i in range(len(compared[0])) if any(rows[i][1] for rows in compared)]
     lines = []
     for scene, rows in zip(scenes, compared, strict=True):
         eight = find(scene, "ssaa", 8)
-        lines.append([escaped(scene["name"])] + [fixed(ratio(figure(rows[i][1]) if rows[i][1] else None, figure(eight))) for i in columns])
+        lines.append([escaped(scene["name"])] + [fixed(ratio(figure(rows[i][1]) if rows[i][1] else None, figure(eight)))
+                                                 for i in columns])
     return paragraph(["scene"] + [compared[0][i][0] for i in columns], lines)
 
 
@@ -54,8 +55,9 @@ def times(scenes, row_of):
     """A table of frame times of row_of(scene, cost) as multiples of those of the columns, and an empty line."""
     columns = [(f"`{technique}` n=8" + (f", cost {cost}" if cost > 1 else ""), technique, cost)
                for cost in (1, 4, 16) for technique in ("ssaa", "simple_complex")]
-    rows = [[escaped(scene["name"])] + [paired.shown(paired.ratios(row_of(scene, cost), find(scene, technique, 8, 0, cost)))
-                              for _, technique, cost in columns] for scene in scenes]
+    rows = [[escaped(scene["name"])] + [
+        paired.shown(paired.ratios(row_of(scene, cost), find(scene, technique, 8, 0, cost)))
+        for _, technique, cost in columns] for scene in scenes]
     return paragraph(["scene"] + [name for name, *_ in columns], rows)
 
 

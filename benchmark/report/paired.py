@@ -9,8 +9,8 @@ from markdown_table import MISSING
 def bounds(values, wanted=0.95):
     """Two of the values between which the median lies with the wanted confidence, whatever their distribution.
 
-    The number of values below the median has a binomial distribution. If there are too few values, the outermost two are
-    returned.
+    The number of values below the median has a binomial distribution. If there are too few values, the outermost two
+    are returned.
     """
     values, n = sorted(values), len(values)
     outside = 0  # the number of values left out on either side
@@ -24,8 +24,8 @@ def frames(row):
 
 
 def shading(row):
-    """Times of shading in each turn, or None without pass times. They include the classification of pixels, which may be in
-    the same pass, but not the clustering of aggregates."""
+    """Times of shading in each turn, or None without pass times. They include the classification of pixels, which may be
+    in the same pass, but not the clustering of aggregates."""
     stages = ("shading", "definition") if row["technique"] == "simple_complex" else ("shading",)
     passes = [each["ms"] for each in row["passes"] if each["stage"] in stages]
     if not passes or any(not ms or "turns" not in ms for ms in passes):

@@ -3,8 +3,8 @@
 
 usage: speed.py RESULTS.json [MORE.json ...] OUT.md
 
-docs/sweep.md describes RESULTS.json. The turns of rows that are compared should be close together: on a machine whose speed
-changes within minutes, sweep only a few rows.
+docs/sweep.md describes RESULTS.json. The turns of rows that are compared should be close together: on a machine whose
+speed changes within minutes, sweep only a few rows.
 """
 
 import sys

@@ -80,7 +80,7 @@ def dicts(value):
 
 
 def wanted(results):
-    """(position, holder, key, scene's prefix of image names) of each image that the page may show, in the order of the queue.
+    """Position, holder, key and the scene's prefix of file names, for each image that the page may show, in order.
 
     The images that a reader compares first come first, scene by scene, for the first backend and then for the others,
     whose images are alike. The other images follow over all scenes.
@@ -97,7 +97,7 @@ def wanted(results):
                 in_pair = rank(row) <= PAIR
                 found.append((pair if in_pair else (rank(row), which, index), row, "image", prefix))
                 found.append((pair if in_pair else (rank(row) + 5, which, index), row, "heat", prefix))
-                # The page subtracts any two images itself. It needs the written difference only if there is no reference.
+                # The page subtracts any two images itself. It needs the written difference only without a reference.
                 if scene.get("referenceImage"):
                     row.pop("difference", None)
                 else:
@@ -110,7 +110,7 @@ def is_selected(file, prefix, names):
 
 
 def take_images(results, folder, most_bytes, names=()):
-    """Replaces file names in the results by ids. Returns the base64 texts of the ids, and the number of images left out.
+    """Replaces file names in the results by ids. Returns the base64 texts of the ids, and how many images are left out.
 
     names: only these images of each scene, such as "reference" and "agaa-8-2"; empty: all.
     """

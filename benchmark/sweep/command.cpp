@@ -6,8 +6,6 @@
 #include "scene/builtin.h"
 #include "sweep/scene_sweep.h"
 
-#include <CLI/CLI.hpp>
-
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -22,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Written beside and moved, so that a sweep that is killed leaves a whole file.
+// Replaces the file atomically, so that an interrupted sweep leaves a complete one.
 void writeJson(const fs::path& path, const json& value) {
     const fs::path part = path.string() + ".part";
     {
@@ -34,7 +32,7 @@ void writeJson(const fs::path& path, const json& value) {
     fs::rename(part, path);
 }
 
-// What was measured before with the same arguments.
+// Returns the results of an earlier run, or `fresh` if there is none. Throws if that run had other arguments.
 json readResults(const fs::path& path, const json& fresh) {
     std::ifstream in(path);
     if (!in)
@@ -56,7 +54,7 @@ struct Task {
     std::string backend;
     std::string scene;
     std::string camera;
-    bool isPlain = false; // without what effects are for
+    bool isPlain = false; // a scene that needs no effect
 
     std::string name() const { return fs::path(scene).stem().string() + (isPlain ? "-plain" : ""); }
 };
@@ -80,10 +78,10 @@ bool isDone(json& results, const Task& task) {
     return false;
 }
 
-// "scene" or "scene@ex,ey,ez,tx,ty,tz,fov".
+// Parses "scene" or "scene@ex,ey,ez,tx,ty,tz,fov".
 Task parseTask(const std::string& backend, const std::string& text, bool isPlain = false) {
     const size_t at = text.rfind('@');
-    if (at == std::string::npos || fs::exists(text)) // paths may hold one
+    if (at == std::string::npos || fs::exists(text)) // a path may contain an "@"
         return {backend, text, "", isPlain};
     return {backend, text.substr(0, at), text.substr(at + 1), isPlain};
 }
@@ -119,9 +117,9 @@ public:
                 ++skipped_;
                 continue;
             }
-            if (tasks_[i].name() != referencesOf_) {
+            if (tasks_[i].name() != referenceScene_) {
                 references_ = {};
-                referencesOf_ = tasks_[i].name();
+                referenceScene_ = tasks_[i].name();
             }
             measure(tasks_[i], i);
             writeJson(out_ / "results.json", results_);
@@ -135,8 +133,8 @@ private:
         options.jpegQuality = arguments_.jpegQuality;
         options.effectsOfRows = !arguments_.rows.empty() && !task.isPlain;
         options.ablation = !arguments_.noAblation;
-        // Mesa leaves what another program had for a sampler in the places of texel buffers, and compiles a pass that
-        // reads materials from such anew for it.
+        // Mesa keeps the sampler state of an earlier program at the bindings of texel buffers. If it changed, Mesa
+        // recompiles passes that read materials from such buffers.
         options.untimedFrames = task.backend == "gl" ? 1 : 0;
         return options;
     }
@@ -144,7 +142,7 @@ private:
     void measure(const Task& task, size_t index) {
         RenderArguments a;
         a.device.backend = task.backend;
-        a.device.noValidation = true; // measured are drivers, not the layers above them
+        a.device.noValidation = true; // the drivers are measured, not the layers above them
         a.device.keptViews = 64;
         a.scene = task.scene;
         a.camera = task.camera;
@@ -164,8 +162,8 @@ private:
         const std::vector<SweepRow> rows = task.isPlain ? namedSweepRows({"agaa-8-2"}) : rows_;
         SceneSweep sweep(*renderer, scene, settings, options(task), rows, references_,
                          out_ / "images", task.backend + "-" + name,
-                         [&](const std::string& step, uint32_t done, uint32_t of) {
-                             tell(task, name, step, double(index) + double(done) / of);
+                         [&](const std::string& step, uint32_t done, uint32_t total) {
+                             reportProgress(task, name, step, double(index) + double(done) / total);
                          });
         json result = sweep.run();
         result["name"] = name;
@@ -177,24 +175,25 @@ private:
         backend["scenes"].push_back(std::move(result));
     }
 
-    // Times of a backend are compared with each other: all are of one device and driver.
+    // Records the device and driver of a backend. Throws if the results have others: their times are compared.
     void claimDevice(const std::string& name, const AgaaDeviceCaps& caps) {
         json& backend = backendOf(results_, name);
-        for (const auto& [key, here] : {std::pair{"device", caps.deviceName}, {"driver", caps.driverName}}) {
-            const std::string kept = backend.emplace(key, here).first.value();
-            if (kept != here)
+        for (const auto& [key, current] : {std::pair{"device", caps.deviceName}, {"driver", caps.driverName}}) {
+            const std::string kept = backend.emplace(key, current).first.value();
+            if (kept != current)
                 throw std::runtime_error("The sweep holds " + name + " of the " + key + " \"" + kept +
-                                         "\", and this is \"" + here + "\"; take another folder.");
+                                         "\", and this is \"" + current + "\"; take another folder.");
         }
     }
 
-    void tell(const Task& task, const std::string& name, const std::string& step, double done) const {
+    // done: completed tasks, with the fraction of the current one.
+    void reportProgress(const Task& task, const std::string& name, const std::string& step, double done) const {
         const double elapsed =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-        const double worked = done - double(skipped_);
+        const double measured = done - double(skipped_);
         std::fprintf(stderr, "%s %s: %s", task.backend.c_str(), name.c_str(), step.c_str());
-        if (worked > 0.05)
-            std::fprintf(stderr, ", %.0f s left", elapsed * (double(tasks_.size()) - done) / worked);
+        if (measured > 0.05)
+            std::fprintf(stderr, ", %.0f s left", elapsed * (double(tasks_.size()) - done) / measured);
         std::fprintf(stderr, "\n");
     }
 
@@ -203,8 +202,8 @@ private:
     std::vector<SweepRow> rows_;
     json results_;
     std::vector<Task> tasks_;
-    SceneReferences references_; // of the scene that was measured last
-    std::string referencesOf_; // its name
+    SceneReferences references_; // reference images of referenceScene_
+    std::string referenceScene_; // the name of the scene that was measured last
     size_t skipped_ = 0;
     std::chrono::steady_clock::time_point begin_;
 };
@@ -218,7 +217,8 @@ void writeReport(const fs::path& out) {
         throw std::runtime_error("The page was not written; results.json is whole. The command was: " + command);
 }
 
-// names: by which results and images are told apart; those of earlier options stay.
+// Adds the names of the scenes to `names`, which identify results and images. Throws if a name is taken or a scene is
+// unknown.
 void checkScenes(const std::string& option, const std::vector<std::string>& scenes, bool arePlain,
                  std::set<std::string>& names) {
     for (const std::string& text : scenes) {
@@ -242,24 +242,6 @@ void setDefaults(SweepArguments& arguments) {
 }
 
 } // namespace
-
-void addSweepOptions(CLI::App& command, SweepArguments& arguments) {
-    command.add_option("--scene", arguments.scenes,
-                      "built-in scenes, .gltf or .glb; @ex,ey,ez,tx,ty,tz,fovDegrees after it sets the camera");
-    command.add_option("--plain", arguments.plain,
-                      "also what effects cost where nothing calls for them: such a scene without highlights, emission, "
-                      "ambient light, shadows and normal maps; repeatable");
-    command.add_option("--backend", arguments.backends, "vk, gl");
-    command.add_option("--out", arguments.out, "folder; a sweep that it holds is gone on with");
-    command.add_option("--size", arguments.size, "WxH");
-    command.add_option("--row", arguments.rows, "only these of a full sweep, such as agaa-8-2; repeatable");
-    command.add_option("--rounds", arguments.rounds, "frames of each row, which take turns: 7; 101 suits a GPU")
-        ->check(CLI::Range(1u, 10000u));
-    command.add_flag("--no-ablation", arguments.noAblation, "not what each effect costs and removes");
-    command.add_option("--jpeg", arguments.jpegQuality, "images as JPEG of this quality, 1 to 100, not as PNG")
-        ->check(CLI::Range(1u, 100u));
-    command.add_flag("--quick", arguments.quick, "two scenes, few rows, 320x180: minutes, not hours");
-}
 
 void runSweep(SweepArguments arguments, bool asJson) {
     setDefaults(arguments);

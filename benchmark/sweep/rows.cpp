@@ -20,13 +20,13 @@ std::string SweepRow::name() const {
     return text.str();
 }
 
-constexpr float roomForAll = 48; // fragments per pixel of the densest scene
+constexpr float fragmentsOfDensestScene = 48; // per pixel
 
-// No row loses fragments: lists that are merged are drawn again where a scene is dense, exact ones have room for it.
+// No row loses fragments: merged lists are drawn in batches where a scene is dense, and exact lists have room for all.
 static void applyCoverage(const std::string& preset, TechniqueConfig& config) {
     if (preset == "exact") {
         config.coverage.flags = AGAA_COVERAGE_EXACT;
-        config.coverage.fragmentsPerPixel = roomForAll;
+        config.coverage.fragmentsPerPixel = fragmentsOfDensestScene;
         return;
     }
     config.coverage.maxBatches = 8;
@@ -49,14 +49,15 @@ void SweepRow::apply(TechniqueConfig& config) const {
     else if (!preset.empty() && config.applyPreset(preset.c_str()) != AGAA_OK)
         throw std::invalid_argument("There is no preset \"" + preset + "\".");
     if (generationTier == AGAA_TIER_FRAGMENTS)
-        config.coverage.fragmentsPerPixel = roomForAll;
+        config.coverage.fragmentsPerPixel = fragmentsOfDensestScene;
 }
 
 std::vector<SweepRow> sweepRows(bool quick) {
     if (quick)
         return {{"single"}, {"fxaa"}, {"msaa", 8}, {"ssaa", 8}, {"simple_complex", 8}, {"sbaa", 8, 2},
                 {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER}, {"agaa", 8, 2, 1, AGAA_TIER_IDS},
-                {"agaa", 8, 4, 1, AGAA_TIER_IDS, "accurate"}, {"dcaa", 64, 4}, {"adaptive", 8, 0, 1, AGAA_TIER_AUTO, "device"}};
+                {"agaa", 8, 4, 1, AGAA_TIER_IDS, "accurate"}, {"dcaa", 64, 4},
+                {"adaptive", 8, 0, 1, AGAA_TIER_AUTO, "device"}};
     std::vector<SweepRow> rows = {{"single"}, {"fxaa"}, {"msaa", 8}};
     for (uint32_t n : {4u, 8u, 16u, 32u}) {
         rows.push_back({"ssaa", n});
@@ -89,25 +90,27 @@ std::vector<SweepRow> sweepRows(bool quick) {
     rows.push_back({"agaa", 64, 2, 1, AGAA_TIER_FRAGMENTS});
     rows.push_back({"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"});
     rows.push_back({"dcaa", 64, 4, 1, AGAA_TIER_MATERIAL_LISTS});
-    // At the device's places, where "ssaa" has samples; three by three, both have an ordered grid.
+    // With the preset "device", adaptive has the sample locations of "ssaa". With 9 samples, both have an ordered grid.
     for (uint32_t n : {4u, 8u, 16u, 32u})
         rows.push_back({"adaptive", n, 0, 1, AGAA_TIER_AUTO, "device"});
     for (const char* technique : {"ssaa", "simple_complex", "adaptive"})
         rows.push_back({technique, 9});
-    // The axis of shading cost: where the share of lighting in a frame is that of heavier engines.
+    // Rows with a higher shading cost show frames in which lighting has the share that it has in heavier engines.
     const auto addHeavier = [&](SweepRow row, std::initializer_list<uint32_t> costs) {
         for (uint32_t cost : costs) {
             row.shadingCost = cost;
             rows.push_back(row);
         }
     };
-    for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"simple_complex", 8}, {"agaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_IDS},
-                                {"dcaa", 64, 4}, {"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"},
+    for (const SweepRow& row : {SweepRow{"ssaa", 8}, {"simple_complex", 8}, {"agaa", 8, 2},
+                                {"agaa", 8, 2, 1, AGAA_TIER_IDS}, {"dcaa", 64, 4},
+                                {"agaa", 64, 4, 1, AGAA_TIER_FRAGMENTS, "accurate"},
                                 {"adaptive", 8, 0, 1, AGAA_TIER_AUTO, "device"}})
         addHeavier(row, {4, 16});
     for (const SweepRow& row : {SweepRow{"sbaa", 8, 2}, {"agaa", 8, 2, 1, AGAA_TIER_GBUFFER},
                                 {"agaa", 8, 4, 1, AGAA_TIER_GBUFFER, "accurate"}, {"simple_complex", 32},
-                                {"agaa", 32, 2}, {"agaa", 32, 2, 1, AGAA_TIER_GBUFFER}, {"agaa", 32, 2, 1, AGAA_TIER_IDS}})
+                                {"agaa", 32, 2}, {"agaa", 32, 2, 1, AGAA_TIER_GBUFFER},
+                                {"agaa", 32, 2, 1, AGAA_TIER_IDS}})
         addHeavier(row, {4});
     return rows;
 }
@@ -137,7 +140,8 @@ const std::vector<SweepEffect>& sweepEffects() {
         {.name = "shadow-filter",
          .off = [](TechniqueConfig& config) { config.measurement.flags |= AGAA_MEASURE_NO_SHADOW_FILTER; },
          .ofShadows = true},
-        {.name = "filtered-diffuse", .off = [](TechniqueConfig& config) { config.measurement.flags |= AGAA_MEASURE_NO_DIFFUSE_FILTER; }},
+        {.name = "filtered-diffuse",
+         .off = [](TechniqueConfig& config) { config.measurement.flags |= AGAA_MEASURE_NO_DIFFUSE_FILTER; }},
         {.name = "ndf-widening",
          .fact = AGAA_FACT_SPECULAR,
          .off = [](TechniqueConfig& config) { config.ndf = AGAA_NDF_NONE; }},

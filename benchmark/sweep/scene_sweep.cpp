@@ -10,17 +10,17 @@ namespace harness {
 
 using nlohmann::json;
 
-SweepOptions sweepOptions(bool quick, bool ofEffects, uint32_t rounds) {
+SweepOptions sweepOptions(bool quick, bool effectsOnly, uint32_t rounds) {
     SweepOptions options;
     if (quick)
         options = {.timedRounds = 2, .effectRounds = 2};
     if (rounds)
         options.rounds = options.timedRounds = options.effectRounds = rounds;
-    if (rounds >= 32) // of a GPU, whose clocks rise with work
+    if (rounds >= 32) // a GPU, whose clock rises with load
         options.warmUpTurns = 32;
-    if (ofEffects)
+    if (effectsOnly)
         options.rounds = options.timedRounds = 1;
-    if (quick || ofEffects) {
+    if (quick || effectsOnly) {
         options.referenceSamples = 64;
         options.pathFrames = options.temporalSamples = 0;
     }
@@ -29,10 +29,10 @@ SweepOptions sweepOptions(bool quick, bool ofEffects, uint32_t rounds) {
 
 namespace {
 
-// Heavier lighting does not change the image.
+// Such rows evaluate the lighting repeatedly, which does not change the image.
 bool isHeavier(const SweepRow& row) { return row.shadingCost > 1; }
 
-// milliseconds: in the order of the turns.
+// Returns the statistics of times in milliseconds, which are in the order of the turns.
 json timesJson(const std::vector<double>& milliseconds) {
     const MedianBounds bounds = medianBounds(milliseconds);
     json turns = json::array();
@@ -44,7 +44,7 @@ json timesJson(const std::vector<double>& milliseconds) {
             {"turns", turns}};
 }
 
-// noise: the sum of the references' own errors.
+// Returns the errors over time. noise: the sum of the references' own errors.
 json temporalJson(const TemporalAccumulator& accumulator, double noise) {
     const TemporalError error = accumulator.result();
     return {{"frames", accumulator.count()},
@@ -90,7 +90,7 @@ json SceneSweep::run() {
     reference_ = &references_.get("still", renderer_, base_, options_.referenceSamples);
     step("counters");
     countEvents();
-    step("images"); // and warm-up: makes the views of the timed frames, of which enough are kept, and compiles
+    step("images"); // also a warm-up: creates the views of the timed frames, which are kept, and compiles shaders
     takeTurn(0, 0, true, [](Measured& m, RenderResult& result) { m.still = std::move(result); });
     measureErrors();
     measureFrames();
@@ -115,7 +115,7 @@ json SceneSweep::run() {
             {"ablation", effects}};
 }
 
-// Shown as a light of a quarter each: one event is mid-grey, eight are near white.
+// The image shows each event as a light of 0.25: one event is mid-grey, eight are near white.
 void SceneSweep::countEvents() {
     for (Measured& m : rows_) {
         if (const Measured* same = sameButCost(m)) {
@@ -134,7 +134,7 @@ void SceneSweep::countEvents() {
     }
 }
 
-// The table has rows of heavier lighting after those that they repeat.
+// In the table, rows of heavier lighting follow the rows that they repeat.
 const SceneSweep::Measured* SceneSweep::sameButCost(const Measured& row) const {
     SweepRow same = row.row;
     same.shadingCost = 1;
@@ -158,7 +158,7 @@ void SceneSweep::takeTurn(uint32_t round, uint64_t flags, bool withHeavier,
 }
 
 const Image* SceneSweep::sameSamples(const SweepRow& row) {
-    if (row.samples == 1 || row.samples > 32 || row.technique == "ssaa") // ssaa has 32 at most
+    if (row.samples == 1 || row.samples > 32 || row.technique == "ssaa") // ssaa has at most 32 samples
         return nullptr;
     const auto found = sameSamples_.find(row.samples);
     if (found != sameSamples_.end())
@@ -171,10 +171,10 @@ const Image* SceneSweep::sameSamples(const SweepRow& row) {
     return &(sameSamples_[row.samples] = renderer_.render(settings).image);
 }
 
-// On two threads: nothing is timed meanwhile.
+// Two threads are used, because nothing is timed meanwhile.
 void SceneSweep::measureErrors() {
     for (Measured& m : rows_)
-        sameSamples(m.row); // renders what is not there yet
+        sameSamples(m.row); // renders the missing images
     const auto everySecond = [this](size_t first) {
         for (size_t i = first; i < rows_.size(); i += 2)
             measureErrors(rows_[i]);
@@ -250,14 +250,14 @@ void SceneSweep::measurePath() {
     base_ = still;
 }
 
-const Reference& SceneSweep::temporalReference(const char* of, uint32_t frame) {
+const Reference& SceneSweep::temporalReference(const char* kind, uint32_t frame) {
     RenderSettings settings = base_;
-    // Random numbers that all frames' references share would count as bias of what is measured.
+    // If the references of all frames shared random numbers, these would count as bias of the measured rows.
     settings.ditherFrame = 1 + frame;
-    return references_.get(of + std::to_string(frame), renderer_, settings, options_.temporalSamples);
+    return references_.get(kind + std::to_string(frame), renderer_, settings, options_.temporalSamples);
 }
 
-// Each effect off and on in turns; errors against ssaa with all effects.
+// Alternates frames with and without each effect. Errors are against ssaa with all effects.
 json SceneSweep::ablation() {
     const Image& reference = *sameSamples(SweepRow{"agaa", 8, 2});
     Scene bare = scene_;
@@ -286,7 +286,7 @@ json SceneSweep::ablation() {
             settings.warmup = loads || round < 2 ? 1 : options_.untimedFrames;
             const RenderResult result = renderer_.render(settings);
             ms[off].push_back(result.frameMs.back());
-            if (round < 2) // one of each: nothing moves
+            if (round < 2) // one frame with and one without, because the image does not change
                 error[off] = compareImages(reference, result.image).mseTm;
         }
         if (effect.ofNormalMaps && calledFor)

@@ -10,7 +10,7 @@ namespace harness {
 Camera pathCamera(Camera camera, uint32_t frame, uint32_t height) {
     const glm::dvec3 forward = camera.target - camera.eye;
     glm::dvec3 right = glm::cross(forward, camera.up);
-    if (glm::length(right) <= 1e-9 * glm::length(forward) * glm::length(camera.up)) // looking along up
+    if (glm::length(right) <= 1e-9 * glm::length(forward) * glm::length(camera.up)) // looks along up
         right = std::abs(forward.x) <= std::abs(forward.y) ? glm::dvec3(0, forward.z, -forward.y)
                                                            : glm::dvec3(-forward.z, 0, forward.x);
     const double pixel = 2 * std::tan(glm::radians(camera.fovDegrees) / 2) * glm::length(forward) / height;
@@ -38,7 +38,7 @@ void TemporalAccumulator::add(const Image& image, const Image& reference) {
 
 TemporalError TemporalAccumulator::result() const {
     const double count = double(count_);
-    // Of values in [0;1] and a few frames: the difference of sums keeps its digits.
+    // With values in [0, 1] and few frames, the difference of sums keeps enough digits.
     const auto variance = [&](double sum, double sum2) {
         return std::max(sum2 / count - (sum / count) * (sum / count), 0.0);
     };

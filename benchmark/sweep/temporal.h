@@ -1,4 +1,4 @@
-// How an image's error moves when the camera does: by parts of a pixel, and along a path.
+// Errors over time while the camera moves: by sub-pixel shifts, and along a path.
 #pragma once
 
 #include "image/image.h"
@@ -9,23 +9,23 @@
 
 namespace harness {
 
-// After tone mapping, means over pixels and channels. The mean squared error over time is biasSquared + variance.
+// Means over pixels and channels after tone mapping. The mean squared error over time is biasSquared + variance.
 struct TemporalError {
-    double biasSquared = 0; // of the error's mean over time
-    double variance = 0;    // of the error over time
-    double flicker = 0;     // standard deviation of the image over time, by that of the reference; 0 / 0 is 1
+    double biasSquared = 0; // the square of the error's mean over time
+    double variance = 0;    // the variance of the error over time
+    double flicker = 0;     // standard deviation of the image over time, divided by the reference's; 0 / 0 is 1
 };
 
-// Frame t of a walk to the side, with which what the camera aims at moves 1.3 pixels a frame, what is nearer more
-// and what is farther less. height: of the image, in pixels.
+// Returns the camera of a frame of a walk to the side. Geometry at the distance of the first target moves by 1.3 pixels a
+// frame in the image, and nearer geometry by more. height: of the image, in pixels.
 Camera pathCamera(Camera camera, uint32_t frame, uint32_t height);
 
 class TemporalAccumulator {
 public:
-    // Of one frame; all of one size.
+    // Adds a frame. All images have the same size.
     void add(const Image& image, const Image& reference);
     uint32_t count() const { return count_; }
-    TemporalError result() const; // of at least one frame
+    TemporalError result() const; // requires at least one frame
 
 private:
     struct Sums {

@@ -1,4 +1,4 @@
-// What a sweep measures: every technique and n, no row twice, files of their own.
+// Tests of the rows of a sweep: every technique and n, no row twice, unique file names.
 #include "sweep/rows.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(SweepRows, EveryTechniqueIsThere) {
         }
 }
 
-// Rows of errors against ssaa at the same n need that row's times beside them.
+// Rows with errors against ssaa at the same n are compared with its times.
 TEST(SweepRows, SupersamplingIsThereAtEveryN) {
     for (bool quick : {false, true}) {
         std::set<uint32_t> wanted, there;

@@ -1,4 +1,4 @@
-// Temporal errors against a second computation, two passes over all frames in long double.
+// Tests of temporal errors against a second computation: two passes over all frames in long double.
 #include "sweep/temporal.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ long double shown(float linear) {
     return std::pow(x / (1 + x), 1 / 2.2L);
 }
 
-// The target's image stands still, that of a point on the plane before the walk moves 1.3 pixels a frame.
+// The target's image stands still. The image of a point on the plane before the walk moves by 1.3 pixels a frame.
 TEST(Temporal, TheCameraWalksToTheSide) {
     Camera camera;
     camera.eye = {3, 4, 5};

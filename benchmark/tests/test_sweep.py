@@ -1,7 +1,9 @@
-"""A sweep over one small scene: the fields of docs/sweep.md, its page, going on where it stopped."""
+"""Tests of agaa-sweep over one small scene: the fields of docs/sweep.md, the page, and continuing a sweep."""
 import json
 import os
 import re
+import shutil
+import subprocess
 import tempfile
 import unittest
 
@@ -59,14 +61,14 @@ class Sweep(unittest.TestCase):
                     if name:
                         self.assertTrue(os.path.exists(os.path.join(self.folder.name, name)), name)
 
-    def test_scenes_are_told_apart(self):
+    def test_scenes_have_unique_names(self):
         seen_otherwise = harness.run(*(text + "@0,1,4,0,0,0,50" if text == "metal" else text for text in self.arguments))
         self.assertEqual(seen_otherwise.returncode, 1)
         self.assertIn("another camera", seen_otherwise.stderr)
         twice = harness.run(*self.arguments, "--scene", "metal@0,1,4,0,0,0,50")
         self.assertEqual(twice.returncode, 2)
         self.assertIn("a second scene called", twice.stderr)
-        with tempfile.TemporaryDirectory() as folder: # by the name of a plain scene's images
+        with tempfile.TemporaryDirectory() as folder:  # the name collides with the images of a plain scene
             named = os.path.join(folder, "metal-plain.glb")
             open(named, "w").close()
             plain = harness.run("sweep", "--scene", named, "--plain", "metal", "--out", os.path.join(folder, "out"))
@@ -89,7 +91,7 @@ class Sweep(unittest.TestCase):
         self.assertEqual([row["technique"] for row in shown],
                          [row["technique"] for row in self.results["backends"][0]["scenes"][0]["rows"]])
 
-    def test_goes_on_where_it_stopped(self):
+    def test_continues_where_it_stopped(self):
         again = harness.run(*self.arguments)
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertNotIn("times of frames", again.stderr, "nothing is measured twice")
@@ -181,6 +183,27 @@ class Sweep(unittest.TestCase):
             for term in ("biasSquared", "variance", "flicker"):
                 self.assertAlmostEqual(a[over_time][term] / b[over_time][term], 1, delta=0.02)
         self.assertAlmostEqual(a["errorReference"]["mseTm"] / b["errorReference"]["mseTm"], 1, delta=0.02)
+
+
+class Forwarding(unittest.TestCase):
+    def test_the_harness_runs_the_program_beside_it(self):
+        forwarded = harness.run("sweep", "--help")
+        self.assertEqual(forwarded.returncode, 0, forwarded.stderr)
+        program = os.path.join(os.path.dirname(harness.HARNESS), "agaa-sweep")
+        direct = subprocess.run([program, "--help"], capture_output=True, text=True)
+        self.assertEqual(forwarded.stdout, direct.stdout)
+        self.assertIn("--no-ablation", direct.stdout)
+        refused = harness.run("sweep", "--row", "agaa 8")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn('agaa-sweep: --row: There is no row "agaa 8"', refused.stderr)
+
+    def test_a_missing_program_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            alone = shutil.copy(harness.HARNESS, folder)
+            result = subprocess.run([alone, "sweep", "--quick"], capture_output=True, text=True)
+            self.assertEqual((result.returncode, result.stdout), (1, ""))
+            self.assertEqual(result.stderr, f"agaa-harness: The command sweep needs the program {folder}/agaa-sweep, which "
+                                            "cannot be run: No such file or directory.\n")
 
 
 if __name__ == "__main__":

@@ -1,14 +1,18 @@
 // agaa-harness: the sample engine's command line.
 #include "cli/commands.h"
 #include "render/messages.h"
-#ifdef AGAA_BENCHMARK
-#include "sweep/command.h"
-#endif
 
 #include <CLI/CLI.hpp>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <string_view>
+
+#include <unistd.h>
 
 using namespace harness;
 
@@ -124,7 +128,19 @@ int reportLeftovers() {
     return messages.empty() ? 0 : 1;
 }
 
+// Replaces this process by the agaa-sweep beside it. arguments: null-terminated, as of main(); the first one is replaced.
+[[noreturn]] void execSweep(char** arguments) {
+    const std::string program = std::filesystem::read_symlink("/proc/self/exe").replace_filename("agaa-sweep");
+    std::string name = "agaa-sweep";
+    arguments[0] = name.data();
+    execv(program.c_str(), arguments);
+    throw std::runtime_error("The command sweep needs the program " + program + ", which cannot be run: " +
+                             std::strerror(errno) + ".");
+}
+
 int run(int argc, char** argv) {
+    if (argc > 1 && std::string_view(argv[1]) == "sweep")
+        execSweep(argv + 1);
     CLI::App app("AGAA SDK sample engine");
     app.require_subcommand(1);
     bool json = false;
@@ -192,11 +208,7 @@ int run(int argc, char** argv) {
     compare->add_option("--difference", compareArguments.difference, "PNG of |a-b|");
     compare->add_option("--gain", compareArguments.gain, "of the difference image");
 
-#ifdef AGAA_BENCHMARK
-    SweepArguments sweepArguments;
-    CLI::App* sweep = command("sweep", "techniques beside each other: results.json and report.html");
-    addSweepOptions(*sweep, sweepArguments);
-#endif
+    app.add_subcommand("sweep", "runs agaa-sweep: techniques beside each other, as results.json and report.html");
 
     try {
         app.parse(argc, argv);
@@ -223,10 +235,6 @@ int run(int argc, char** argv) {
         runRender(renderArguments, json);
     else if (*reference)
         runReference(referenceArguments, json);
-#ifdef AGAA_BENCHMARK
-    else if (*sweep)
-        runSweep(sweepArguments, json);
-#endif
     else
         runCompare(compareArguments, json);
     return reportLeftovers();
