@@ -341,32 +341,6 @@ TEST(Goals, ACurrentChoiceStaysWithinTheMargin) {
 
 // ---- errors --------------------------------------------------------------------------------------
 
-TEST(Goals, BadInputLeavesTheOutput) {
-    const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
-    Host host;
-    host.fresh();
-    const AgaaChoice before = host.choice;
-    const auto refused = [&](AgaaResult expected, const AgaaObservation* o = nullptr) {
-        EXPECT_EQ(host.choose(o), expected) << host.message;
-        EXPECT_EQ(std::memcmp(&before, &host.choice, sizeof before), 0);
-        host.goal = AGAA_GOAL_INIT;
-    };
-    for (const float number : {nan, infinity, -1.0f}) {
-        for (float AgaaGoal::*member : {&AgaaGoal::maxErrorShare, &AgaaGoal::maxError, &AgaaGoal::sceneShare, &AgaaGoal::maxMilliseconds}) {
-            host.goal.*member = number;
-            refused(AGAA_ERROR_OUT_OF_RANGE);
-        }
-        AgaaObservation frame = frameOfSingle(number);
-        refused(AGAA_ERROR_OUT_OF_RANGE, &frame);
-    }
-    host.goal.prefer = 2;
-    refused(AGAA_ERROR_OUT_OF_RANGE);
-    host.goal.flags = 2;
-    refused(AGAA_ERROR_OUT_OF_RANGE);
-    host.goal.sType = 0;
-    refused(AGAA_ERROR_STRUCT);
-}
-
 TEST(Goals, ApplyingAChoiceMakesItsView) {
     Host host;
     for (const ChoiceRow& row : choiceRows()) {

@@ -253,37 +253,6 @@ TEST(Presets, SetWhatTheyDecideAndLeaveTheRest) {
         EXPECT_EQ(config.aggregation.litShadows != 0, grouped);
         EXPECT_EQ(config.ndf, uint32_t(grouped ? AGAA_NDF_LEAN : AGAA_NDF_TOKSVIG));
     }
-    TechniqueConfig config;
-    config.aggregates = 4;
-    const TechniqueConfig before = config;
-    EXPECT_EQ(config.applyPreset("best"), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(config.applyPreset(nullptr), AGAA_ERROR_INVALID_ARGUMENT);
-    const auto expectUnchanged = [&] {
-        EXPECT_EQ(std::memcmp(&config.technique, &before.technique, sizeof(AgaaConfig) - offsetof(AgaaConfig, technique)), 0);
-        EXPECT_EQ(std::memcmp(&config.aggregation.characteristicLength, &before.aggregation.characteristicLength,
-                              sizeof(AgaaAggregation) - offsetof(AgaaAggregation, characteristicLength)), 0);
-        EXPECT_EQ(std::memcmp(&config.measurement.shadingCost, &before.measurement.shadingCost,
-                              sizeof(AgaaMeasurement) - offsetof(AgaaMeasurement, shadingCost)), 0);
-    };
-    expectUnchanged();
-    EXPECT_EQ(agaaApplyPreset("paper", nullptr, &config.aggregation, &config.measurement), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(agaaApplyPreset("paper", &config, nullptr, &config.measurement), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(agaaApplyPreset("paper", &config, &config.aggregation, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
-    expectUnchanged();
-    EXPECT_EQ(agaaApplyPreset("fast", &config, &config.aggregation, nullptr), AGAA_OK);
-    EXPECT_EQ(config.aggregates, 1u);
-    config = before;
-    static const AgaaStructHeader unknown = {77, sizeof(AgaaStructHeader), nullptr};
-    const void* const chained = config.aggregation.pNext;
-    config.aggregation.pNext = &unknown;
-    EXPECT_EQ(config.applyPreset("paper"), AGAA_ERROR_UNKNOWN_STRUCT);
-    config.aggregation.pNext = chained;
-    config.aggregation.structSize = 1;
-    EXPECT_EQ(config.applyPreset("paper"), AGAA_ERROR_STRUCT);
-    config.aggregation.structSize = before.aggregation.structSize;
-    expectUnchanged();
-    config.structSize = 1;
-    EXPECT_EQ(config.applyPreset("paper"), AGAA_ERROR_STRUCT);
 }
 
 } // namespace

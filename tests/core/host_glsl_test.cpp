@@ -80,7 +80,7 @@ void forEveryHostPass(const Visit& visit) {
                             spec.aggregates = aggregates;
                             spec.generationTier = tier;
                             spec.configFlags = flags & ~routed;
-                            spec.change = [&](harness::TechniqueConfig& config) {
+                            spec.change = [&](TechniqueConfig& config) {
                                 config.measurement.flags = flags & routed ? AGAA_MEASURE_FIRST_SAMPLE_ROUTING : 0;
                             };
                             const Plan plan = planFor(spec, fourSampleDevice());

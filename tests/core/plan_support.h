@@ -4,13 +4,35 @@
 #include "core/plan/planner.h"
 #include "core/view/technique.h"
 
-#include "render/technique_config.h"
-
 #include <functional>
 
 namespace agaa::test {
 
-using harness::TechniqueConfig;
+// A configuration with the settings of all techniques chained to it. The chain stays its own when it is copied.
+struct TechniqueConfig : AgaaConfig {
+    AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
+    AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT;
+    AgaaAdaptiveSampling adaptive = AGAA_ADAPTIVE_SAMPLING_INIT;
+    AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
+
+    TechniqueConfig() : AgaaConfig AGAA_CONFIG_INIT { chain(); }
+    TechniqueConfig(const TechniqueConfig& other)
+        : AgaaConfig(other), aggregation(other.aggregation), coverage(other.coverage), adaptive(other.adaptive),
+          measurement(other.measurement) {
+        chain();
+    }
+    TechniqueConfig& operator=(const TechniqueConfig&) = delete;
+
+    AgaaResult applyPreset(const char* name) { return agaaApplyPreset(name, this, &aggregation, &measurement); }
+
+private:
+    void chain() {
+        aggregation.pNext = &coverage;
+        coverage.pNext = &adaptive;
+        adaptive.pNext = &measurement;
+        pNext = &aggregation;
+    }
+};
 
 struct ViewSpec {
     const char* technique = "agaa";

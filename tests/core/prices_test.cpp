@@ -463,27 +463,4 @@ TEST(Prices, HugeViewsAreErrorsAndHugeStepsAreNotPossible) {
     EXPECT_EQ(pricesOf(host).result, AGAA_ERROR_TOO_LARGE);
 }
 
-TEST(Prices, WrongArgumentsHaveCodes) {
-    Host host("agaa");
-    uint32_t count = 77;
-    EXPECT_EQ(agaaQueryPrices(host.view(), nullptr, nullptr, nullptr, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(agaaQueryPrices(nullptr, nullptr, nullptr, &count, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(count, 77u);
-    ASSERT_EQ(agaaQueryPrices(host.view(), nullptr, nullptr, &count, nullptr), AGAA_OK);
-    const AgaaPrice initial = AGAA_PRICE_INIT;
-    std::vector<AgaaPrice> prices(count, initial);
-    uint32_t less = count - 1;
-    EXPECT_EQ(agaaQueryPrices(host.view(), nullptr, nullptr, &less, prices.data()), AGAA_ERROR_BUFFER_TOO_SMALL);
-    EXPECT_EQ(less, count - 1);
-    prices.back().sType = 0;
-    EXPECT_EQ(agaaQueryPrices(host.view(), nullptr, nullptr, &count, prices.data()), AGAA_ERROR_STRUCT);
-    EXPECT_EQ(std::memcmp(&prices[0], &initial, sizeof initial), 0);
-    host.config.samples = 3;
-    EXPECT_EQ(pricesOf(host).result, AGAA_ERROR_OUT_OF_RANGE);
-    Host unknown("agaa");
-    unknown.config.technique = "taa";
-    EXPECT_EQ(pricesOf(unknown).result, AGAA_ERROR_UNSUPPORTED);
-    EXPECT_EQ(pricesOf(unknown).message.rfind("agaaQueryPrices: ", 0), 0u);
-}
-
 } // namespace

@@ -257,31 +257,8 @@ TYPED_TEST_P(ValidationTest, NothingDrawnIsInvalid) {
     expectExplanation(v, "Nothing is visible");
 }
 
-TYPED_TEST_P(ValidationTest, NeedsAFrameAndCounters) {
-    typename TypeParam::Context context;
-    AgaaFrameValidation validation = AGAA_FRAME_VALIDATION_INIT;
-    typename TypeParam::View counting(context, validatedSettings());
-    EXPECT_EQ(agaaValidateFrame(counting.get(), 1, &validation), AGAA_NOT_READY);
-    EXPECT_TRUE(context.lines.empty());
-    EXPECT_EQ(agaaValidateFrame(nullptr, 1, &validation), AGAA_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(agaaValidateFrame(counting.get(), 1, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
-    validation.structSize = 8;
-    EXPECT_EQ(agaaValidateFrame(counting.get(), 1, &validation), AGAA_ERROR_STRUCT);
-    validation.structSize = sizeof validation;
-    context.lines.clear();
-    ViewSettings settings = validatedSettings();
-    settings.config.flags = 0;
-    typename TypeParam::View silent(context, settings);
-    silent.setTriangles(validatedScene());
-    silent.render(silent.frame());
-    EXPECT_EQ(agaaValidateFrame(silent.get(), 1, &validation), AGAA_ERROR_WRONG_ORDER);
-    ASSERT_EQ(context.lines.size(), 1u);
-    EXPECT_NE(context.lines[0].text.find("AGAA_CONFIG_COUNTERS"), std::string::npos);
-}
-
-REGISTER_TYPED_TEST_SUITE_P(ValidationTest, ARightFrameIsValid, AnObjectLeftOutIsMissed,
-                            AnObjectTooManyIsMulti, DifferentObjectsAreBoth, AnotherPositionIsMissed,
-                            AnotherMaskIsMissed, WithoutTheStencilTestDuplicatesAreTies,
-                            AnotherCameraMisplaces, NothingDrawnIsInvalid, NeedsAFrameAndCounters);
+REGISTER_TYPED_TEST_SUITE_P(ValidationTest, ARightFrameIsValid, AnObjectLeftOutIsMissed, AnObjectTooManyIsMulti,
+                            DifferentObjectsAreBoth, AnotherPositionIsMissed, AnotherMaskIsMissed,
+                            WithoutTheStencilTestDuplicatesAreTies, AnotherCameraMisplaces, NothingDrawnIsInvalid);
 
 } // namespace agaa::test

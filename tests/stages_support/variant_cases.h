@@ -3,7 +3,6 @@
 #pragma once
 
 #include "agreement.h"
-#include "frame_misuse.h"
 #include "hard_case_test.h"
 #include "host_bench.h"
 
@@ -244,58 +243,6 @@ TYPED_TEST_P(VariantCases, ForwardShadingShowsTheViewsEffects) {
     EXPECT_EQ(rig.show(sceneFacts(0, 1)), all);
 }
 
-TYPED_TEST_P(VariantCases, FactsBeyondTheViewsAreRefused) {
-    using Frame = typename TypeParam::Frame;
-    ViewSettings settings = benchSettings();
-    settings.facts = sceneFacts(AGAA_FACT_SPECULAR | AGAA_FACT_AMBIENT, 1, 10);
-    BenchOf<TypeParam> bench(settings);
-    const std::vector<float> expected = bench.picture();
-    AgaaSceneFacts noType = settings.facts, small = settings.facts, chained = settings.facts;
-    noType.sType = 0;
-    small.structSize = 8;
-    chained.pNext = &unknownStruct;
-    const std::pair<AgaaSceneFacts, AgaaResult> rows[] = {
-        {sceneFacts(AGAA_FACT_EMISSIVE, 1, 10), AGAA_ERROR_OUT_OF_RANGE},
-        {sceneFacts(AGAA_FACT_SPECULAR | AGAA_FACT_ALPHA_MASKED, 1, 10), AGAA_ERROR_OUT_OF_RANGE},
-        {sceneFacts(AGAA_FACT_CUSTOM_DEPTH, 1, 10), AGAA_ERROR_OUT_OF_RANGE},
-        {sceneFacts(UINT64_C(1) << 60, 1, 10), AGAA_ERROR_OUT_OF_RANGE},
-        {sceneFacts(0, 2, 10), AGAA_ERROR_OUT_OF_RANGE},
-        {sceneFacts(0, 1, 11), AGAA_ERROR_OUT_OF_RANGE},
-        {sceneFacts(0, 0, 10), AGAA_ERROR_OUT_OF_RANGE}, // the frame has a shadow
-        {sceneFacts(0, 1, 0), AGAA_ERROR_OUT_OF_RANGE},  // and a light
-        {noType, AGAA_ERROR_STRUCT},
-        {small, AGAA_ERROR_STRUCT},
-        {chained, AGAA_ERROR_UNKNOWN_STRUCT},
-    };
-    bench.view.drawCalls = 0;
-    for (const auto& [facts, code] : rows)
-        bench.run([&](Frame& native) {
-            AgaaFrame frame = bench.frame();
-            frame.facts = &facts;
-            EXPECT_EQ(bench.record(frame, native), code) << facts.flags;
-            expectOneSentence(bench.context.lines, code, "facts of a frame");
-        });
-    EXPECT_EQ(bench.view.drawCalls, 0u);
-    EXPECT_EQ(bench.image(), expected);
-    EXPECT_EQ(bench.picture(), expected);
-
-    // Preparing them.
-    for (size_t i = 0; i < std::size(rows); ++i) {
-        if (i == 6 || i == 7)
-            continue; // of frames alone
-        const AgaaSceneFacts two[] = {sceneFacts(0, 0, 0), rows[i].first};
-        bench.context.lines.clear();
-        EXPECT_EQ(agaaPrepareVariants(bench.view.get(), 2, two), rows[i].second);
-        expectOneSentence(bench.context.lines, rows[i].second, "facts of a variant");
-    }
-    EXPECT_EQ(bench.view.statistics().variantCount, 1u) << "not even those that are valid";
-    EXPECT_EQ(agaaPrepareVariants(nullptr, 0, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
-    bench.context.lines.clear();
-    EXPECT_EQ(agaaPrepareVariants(bench.view.get(), 1, nullptr), AGAA_ERROR_INVALID_ARGUMENT);
-    expectOneSentence(bench.context.lines, AGAA_ERROR_INVALID_ARGUMENT, "no facts");
-    EXPECT_EQ(agaaPrepareVariants(bench.view.get(), 0, nullptr), AGAA_OK);
-}
-
 TYPED_TEST_P(VariantCases, SegmentsHaveTheSameFactsAndVariant) {
     using Frame = typename TypeParam::Frame;
     BenchOf<TypeParam> bench;
@@ -368,7 +315,7 @@ TYPED_TEST_P(VariantCases, ResizedViewsKeepTheirVariants) {
 
 REGISTER_TYPED_TEST_SUITE_P(VariantCases, SamplesShowTheEffectsOfTheFrame, AggregatesShowTheEffectsOfTheFrame,
                             SurfacesMayHaveMore, FactsChangeEachFrameWithoutCompiling, EqualVariantsSharePipelines,
-                            ForwardShadingShowsTheViewsEffects, FactsBeyondTheViewsAreRefused,
-                            SegmentsHaveTheSameFactsAndVariant, FailedFramesChangeNoVariant, ResizedViewsKeepTheirVariants);
+                            ForwardShadingShowsTheViewsEffects, SegmentsHaveTheSameFactsAndVariant,
+                            FailedFramesChangeNoVariant, ResizedViewsKeepTheirVariants);
 
 } // namespace agaa::test

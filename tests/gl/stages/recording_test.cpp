@@ -2,7 +2,6 @@
 #include "bench.h"
 #include "recording_cases.h"
 
-#include <memory>
 #include <stdexcept>
 
 namespace agaa::test {
@@ -20,17 +19,6 @@ Texture texture(GLenum target, GLenum format, GLsizei width, GLsizei height) {
     return made;
 }
 
-NativeMisuse<AgaaGlFrame> badOutput(const char* what, AgaaResult expected, GLenum target, GLenum format,
-                                    GLsizei width = 48) {
-    const auto made = std::make_shared<Texture>(texture(target, format, width, 32));
-    return {what, expected, [made](auto&, auto& gl) { gl.outputTexture = made->get(); }};
-}
-
-NativeMisuse<AgaaGlFrame> badMap(const char* what, GLenum target, GLenum format) {
-    const auto made = std::make_shared<Texture>(texture(target, format, 4, 4));
-    return {what, AGAA_ERROR_INVALID_ARGUMENT, [made](auto&, auto& gl) { gl.shadowTextures[0] = made->get(); }};
-}
-
 struct RecordingHost : OpenGLHost {
     static constexpr bool driverTellsBytes = false;
     static std::vector<OpenGLContextDesc> storages() {
@@ -38,28 +26,6 @@ struct RecordingHost : OpenGLHost {
                 changed([](auto& desc) { desc.device.storage = AGAA_GL_STORAGE_IMAGES; })};
     }
     static void spoilSecondMap(AgaaGlFrame& frame) { frame.shadowTextures[1] = deletedTexture(sharedEgl().gl()); }
-
-    static std::vector<NativeMisuse<AgaaGlFrame>> misuses() {
-        return {
-            {"backend: reserved", AGAA_ERROR_OUT_OF_RANGE, [](auto&, auto& gl) { gl.reserved = 1; }},
-            {"backend: reserved, before the output is needed", AGAA_ERROR_OUT_OF_RANGE,
-             [](auto& f, auto& gl) {
-                 f.segments = AGAA_SEGMENT_PREPASS;
-                 gl.reserved = 1;
-             }},
-            {"no output", AGAA_ERROR_INVALID_ARGUMENT, [](auto&, auto& gl) { gl.outputTexture = 0; }},
-            {"output of no name", AGAA_ERROR_INVALID_ARGUMENT, [](auto&, auto& gl) { gl.outputTexture = 54321; }},
-            badOutput("output of another size", AGAA_ERROR_OUT_OF_RANGE, GL_TEXTURE_2D, GL_RGBA16F, 47),
-            badOutput("output of integers", AGAA_ERROR_UNSUPPORTED, GL_TEXTURE_2D, GL_RGBA32UI),
-            badOutput("output of sRGB", AGAA_ERROR_UNSUPPORTED, GL_TEXTURE_2D, GL_SRGB8_ALPHA8),
-            badOutput("output of layers", AGAA_ERROR_INVALID_ARGUMENT, GL_TEXTURE_2D_ARRAY, GL_RGBA16F),
-            {"no shadow map", AGAA_ERROR_INVALID_ARGUMENT, [](auto&, auto& gl) { gl.shadowTextures[0] = 0; }},
-            badMap("shadow map without layers", GL_TEXTURE_2D, GL_DEPTH_COMPONENT32F),
-            badMap("shadow map of colours", GL_TEXTURE_2D_ARRAY, GL_RGBA16F),
-            {"composites without the view's flag", AGAA_ERROR_OUT_OF_RANGE,
-             [](auto& f, auto&) { f.background[3] = 0; }},
-        };
-    }
 
     static void setCounter(const StageView& view, const AgaaGlFrame&, size_t offset, GLuint value) {
         const GLuint buffer = view.executor().resources->buffer(findResource(view.plan(), "counters"), 0);
@@ -89,45 +55,6 @@ TEST(GlRecording, ErrorsOfTheHostAreTold) {
     EXPECT_EQ(bench.record(bench.frame(), bench.glFrame()), AGAA_OK);
     EXPECT_EQ(sharedEgl().gl().GetError(), GLenum{GL_INVALID_ENUM});
     sharedEgl().takeMessages();
-}
-
-GLuint programWithFeedback(const GladGLContext& gl) {
-    const char* text = "#version 430\nvoid main() { gl_Position = vec4(0.0); }\n";
-    const char* varying = "gl_Position";
-    const GLuint program = gl.CreateProgram(), shader = gl.CreateShader(GL_VERTEX_SHADER);
-    gl.ShaderSource(shader, 1, &text, nullptr);
-    gl.CompileShader(shader);
-    gl.AttachShader(program, shader);
-    gl.TransformFeedbackVaryings(program, 1, &varying, GL_INTERLEAVED_ATTRIBS);
-    gl.LinkProgram(program);
-    gl.DeleteShader(shader);
-    return program;
-}
-
-TEST(GlRecording, TransformFeedbackMustPause) {
-    const GladGLContext& gl = sharedEgl().gl();
-    Bench bench;
-    const std::vector<float> expected = bench.picture();
-    const GLuint program = programWithFeedback(gl);
-    const harness::gl::Buffer buffer = harness::gl::createBuffer(gl);
-    gl.NamedBufferData(buffer.get(), 256, nullptr, GL_STATIC_DRAW);
-    gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer.get());
-    gl.UseProgram(program);
-    gl.BeginTransformFeedback(GL_POINTS);
-    bench.view.drawCalls = 0;
-    const AgaaFrame frame = bench.frame();
-    EXPECT_EQ(bench.record(frame, bench.glFrame()), AGAA_ERROR_WRONG_ORDER);
-    expectOneSentence(bench.context.lines, AGAA_ERROR_WRONG_ORDER, "active", "transform feedback");
-    EXPECT_EQ(bench.view.drawCalls, 0u);
-    gl.PauseTransformFeedback();
-    EXPECT_EQ(bench.record(frame, bench.glFrame()), AGAA_OK);
-    EXPECT_EQ(bench.view.image(), expected);
-    gl.ResumeTransformFeedback();
-    gl.EndTransformFeedback();
-    gl.UseProgram(0);
-    gl.DeleteProgram(program);
-    gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
-    EXPECT_EQ(sharedEgl().takeMessages(), "");
 }
 
 // The SDK can still give the host its state back.

@@ -14,7 +14,6 @@
 #include "ids_cases.h"
 #include "interlock_cases.h"
 #include "left_handed_cases.h"
-#include "lifetime_cases.h"
 #include "pattern_cases.h"
 #include "plan_cases.h"
 #include "pulling_cases.h"
@@ -44,7 +43,6 @@ INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, CoverageCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, IdsCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, LeftHandedCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, DebugViewCases, OpenGLHost);
-INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, LifetimeCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, ShadowFunctionCases, OpenGLHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(OpenGL, VariantCases, OpenGLHost);
 

@@ -40,15 +40,10 @@ struct OpenGLHost {
     using View = StageView;
     using Options = OpenGLContextDesc;
     using Frame = AgaaGlFrame;
-    using NativePass = AgaaGlDrawPass;
-    using NativeSurface = AgaaGlSurface;
     using ShadowMap = harness::gl::Texture;
     using FunctionData = FunctionBuffer;
     using Ids = IdsView;
-    static constexpr auto createView = agaaGlCreateView;
     static constexpr auto recordFrame = agaaGlRecordFrame;
-    static constexpr NativePass nativePass = AGAA_GL_DRAW_PASS_INIT;
-    static constexpr NativeSurface nativeSurface = AGAA_GL_SURFACE_INIT;
 
     // Of configurations that differ little some are left to Vulkan: drivers are slow to compile each view's passes.
     static constexpr bool runsAll = false;

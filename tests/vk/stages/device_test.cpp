@@ -306,25 +306,6 @@ TEST(DeviceTest, ViewsShareACacheOfPipelines) {
     EXPECT_EQ(std::count(card.caches.begin(), card.caches.end(), card.caches.front()), ptrdiff_t(card.caches.size()));
 }
 
-// A cache of the host's is used, and stays the host's.
-TEST(DeviceTest, APipelineCacheMayBeTheHosts) {
-    const VkDevice device = sharedDevice().get();
-    VkPipelineCacheCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
-    VkPipelineCache cache = VK_NULL_HANDLE;
-    ASSERT_EQ(vkCreatePipelineCache(device, &info, nullptr, &cache), VK_SUCCESS);
-    card = {};
-    {
-        StageContext context({.getProcAddr = procAddr, .change = [&](auto& desc) {
-            desc.device.pipelineCache = uint64_t(cache);
-        }});
-        const StageView view(context, ViewSettings{});
-    }
-    ASSERT_FALSE(card.caches.empty());
-    EXPECT_EQ(std::count(card.caches.begin(), card.caches.end(), cache), ptrdiff_t(card.caches.size()));
-    vkDestroyPipelineCache(device, cache, nullptr); // validation would tell of one that is gone
-}
-
 // A driver that has no memory left: an error, no view, and the next view is made.
 TEST(DeviceTest, AViewThatFindsNoMemoryIsNone) {
     card = {};

@@ -13,22 +13,6 @@ struct RecordingHost : VulkanHost {
     static std::vector<HostOptions> storages() { return {HostOptions{}}; }
     static void spoilSecondMap(AgaaVkFrame& frame) { frame.shadowViews[1] = ~uint64_t{0} - 5; } // no view
 
-    static std::vector<NativeMisuse<AgaaVkFrame>> misuses() {
-        return {
-            {"no command buffer", AGAA_ERROR_INVALID_ARGUMENT, [](auto&, auto& vk) { vk.commandBuffer = nullptr; }},
-            {"no output image", AGAA_ERROR_INVALID_ARGUMENT, [](auto&, auto& vk) { vk.outputImage = 0; }},
-            {"no output view", AGAA_ERROR_INVALID_ARGUMENT, [](auto&, auto& vk) { vk.outputView = 0; }},
-            {"output left in no layout", AGAA_ERROR_OUT_OF_RANGE,
-             [](auto&, auto& vk) { vk.outputLayoutOut = VK_IMAGE_LAYOUT_UNDEFINED; }},
-            {"composites without the view's flag", AGAA_ERROR_OUT_OF_RANGE,
-             [](auto& f, auto& vk) {
-                 f.background[3] = 0;
-                 vk.outputLayoutIn = VK_IMAGE_LAYOUT_GENERAL;
-             }},
-            {"no shadow view", AGAA_ERROR_INVALID_ARGUMENT, [](auto&, auto& vk) { vk.shadowViews[0] = 0; }},
-        };
-    }
-
     static void setCounter(const StageView& view, const AgaaVkFrame& frame, size_t offset, uint32_t value) {
         const auto commands = static_cast<VkCommandBuffer>(frame.commandBuffer);
         const VkBuffer buffer = (*view.executor().resources)[findResource(view.plan(), "counters")].buffers[0];
@@ -53,25 +37,6 @@ struct Bench : BenchOf<VulkanHost> {
         return frame;
     }
 };
-
-// Inline callbacks have recorded into the host's own commands, which it must throw away.
-TEST(VkRecording, AFailingCallbackInlineIsPartial) {
-    Bench bench({.inlineRecording = true});
-    const std::vector<float> expected = bench.picture();
-    for (bool throws : {false, true}) {
-        SCOPED_TRACE(throws);
-        bench.view.drawResults[AGAA_DRAW_PASS_AGGREGATE] = 5;
-        const VkCommandBuffer commands = sharedDevice().beginCommands();
-        AgaaFrame frame = bench.frame();
-        if (throws)
-            frame.draw = throwingDraw;
-        EXPECT_EQ(bench.record(frame, bench.vkFrame(commands)), AGAA_ERROR_PARTIAL);
-        expectOneSentence(bench.context.lines, AGAA_ERROR_PARTIAL, "inline");
-        sharedDevice().discardCommands(commands);
-        bench.view.drawResults.clear();
-        EXPECT_EQ(bench.picture(), expected);
-    }
-}
 
 // A device whose dispatches throw what the library does not.
 bool dispatchThrows = false;

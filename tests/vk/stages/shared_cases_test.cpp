@@ -14,7 +14,6 @@
 #include "ids_cases.h"
 #include "interlock_cases.h"
 #include "left_handed_cases.h"
-#include "lifetime_cases.h"
 #include "pattern_cases.h"
 #include "plan_cases.h"
 #include "pulling_cases.h"
@@ -46,7 +45,6 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, CoverageCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, IdsCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LeftHandedCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, DebugViewCases, VulkanHost);
-INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, LifetimeCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, ShadowFunctionCases, VulkanHost);
 INSTANTIATE_TYPED_TEST_SUITE_P(Vulkan, VariantCases, VulkanHost);
 

@@ -24,15 +24,10 @@ struct VulkanHost {
     using View = StageView;
     using Options = HostOptions;
     using Frame = AgaaVkFrame;
-    using NativePass = AgaaVkDrawPass;
-    using NativeSurface = AgaaVkSurface;
     using ShadowMap = ShadowLayers;
     using FunctionData = FunctionBuffer;
     using Ids = IdsView;
-    static constexpr auto createView = agaaVkCreateView;
     static constexpr auto recordFrame = agaaVkRecordFrame;
-    static constexpr NativePass nativePass = AGAA_VK_DRAW_PASS_INIT;
-    static constexpr NativeSurface nativeSurface = AGAA_VK_SURFACE_INIT;
     static constexpr bool runsAll = true;
 
     // Of a context that change(desc) changes.

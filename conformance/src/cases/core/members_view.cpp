@@ -2,6 +2,8 @@
 #include "cases.h"
 #include "members.h"
 
+#include <cmath>
+
 namespace agaa::conformance {
 
 namespace {
@@ -143,6 +145,14 @@ void addViewMemberCases(Suite& suite) {
                [](Test& test) { testExtensions(test, &ViewParts::fetch, "AgaaFetchFunction"); });
     suite.core("AgaaShadowFunction" + invalid,
                [](Test& test) { testExtensions(test, &ViewParts::shadow, "AgaaShadowFunction"); });
+    suite.core("AgaaGBufferFunction.samplePositions/of_one_sample", [](Test& test) {
+        static const float positions[] = {0.5f, 0.5f, NAN, NAN};
+        ViewParts parts(test.sdk, nullptr);
+        parts.config.technique = "single"; // one sample, whatever AgaaConfig::samples is
+        parts.chain(parts.gbuffer);
+        parts.gbuffer.samplePositions = positions;
+        expectAccepted(test, parts, "\"single\" and AgaaGBufferFunction::samplePositions of one sample");
+    });
     suite.core("AgaaGBufferFunction.samplePositions/null", [](Test& test) {
         ViewParts parts(test.sdk, nullptr);
         parts.chain(parts.gbuffer);

@@ -93,6 +93,10 @@ void addRanges(Rows& rows) {
     add("AgaaDecoupledCoverage::merge = 0x7FFFFFFF", "merge", [](ViewParts& p) { p.coverage.merge = 0x7FFFFFFF; });
     add("AgaaDecoupledCoverage::maxBatches = 0", "maxBatches", [](ViewParts& p) { p.coverage.maxBatches = 0; });
     add("AgaaAdaptiveSampling::shadingScale = NaN", "shadingScale", [](ViewParts& p) { p.adaptive.shadingScale = NAN; });
+    add("\"ssaa\" and AgaaMeasurement::seeds = 0x7FFFFFFF", "seeds", [](ViewParts& p) {
+        p.config.technique = "ssaa";
+        p.measurement.seeds = 0x7FFFFFFF;
+    });
     add("AgaaMeasurement::shadingCost = 0", "shadingCost", [](ViewParts& p) { p.measurement.shadingCost = 0; });
     add("AgaaSceneFacts::maxLights = 4097", "maxLights", [](ViewParts& p) { p.facts.maxLights = 4097; });
     add("AgaaSceneFacts::shadowMapCount = 5", "shadowMapCount", [](ViewParts& p) { p.facts.shadowMapCount = 5; });
@@ -183,6 +187,12 @@ void addOthers(Rows& rows) {
                     }});
     rows.push_back({"AgaaViewDesc::width = 0xFFFFFFFF", AGAA_ERROR_TOO_LARGE, "",
                     [](ViewParts& p) { p.desc.width = 0xFFFFFFFF; }});
+    rows.push_back({"\"single\", an AgaaGBufferFunction and AgaaViewDesc::width = 0xFFFFFFFF", AGAA_ERROR_TOO_LARGE, "",
+                    [](ViewParts& p) {
+                        p.config.technique = "single";
+                        p.chain(p.gbuffer);
+                        p.desc.width = 0xFFFFFFFF;
+                    }});
     rows.push_back({"AgaaViewDesc::height = 0xFFFFFFFF", AGAA_ERROR_TOO_LARGE, "",
                     [](ViewParts& p) { p.desc.height = 0xFFFFFFFF; }});
     rows.push_back({"AgaaViewDesc::width and height = 0xFFFFFFFF", AGAA_ERROR_TOO_LARGE, "",

@@ -1,6 +1,6 @@
-# Compiles each public header alone with Clang, as each standard: the sources that tests/abi/CMakeLists.txt writes into
-# SOURCES for the build's own compiler.
-if(NOT CLANG)
+# Compiles each public header alone, in each language that it promises, with every warning an error. SOURCES holds the
+# sources that tests/abi/CMakeLists.txt writes; C and CXX are the compilers.
+if(NOT C OR NOT CXX)
   message(STATUS "clang is not installed")
   return()
 endif()
@@ -13,9 +13,13 @@ endif()
 foreach(source ${sources})
   string(REGEX REPLACE ".*_(c[^_]*)\\.c(pp)?$" "\\1" standard ${source})
   string(REPLACE "c++23" "c++2b" standard ${standard}) # its name before Clang 17
-  execute_process(COMMAND ${CLANG} -std=${standard} -fsyntax-only -pedantic-errors -Wall -Wextra -Wpadded -Werror
+  set(compiler ${C})
+  if(source MATCHES "\\.cpp$")
+    set(compiler ${CXX})
+  endif()
+  execute_process(COMMAND ${compiler} -std=${standard} -fsyntax-only -pedantic-errors -Wall -Wextra -Wpadded -Werror
                   ${includes} ${source} RESULT_VARIABLE result ERROR_VARIABLE messages)
   if(NOT result EQUAL 0)
-    message(FATAL_ERROR "Clang refuses ${source}:\n${messages}")
+    message(FATAL_ERROR "${compiler} refuses ${source}:\n${messages}")
   endif()
 endforeach()
