@@ -49,7 +49,7 @@ TEST(CoveragePlan, EllipticLobesTakeEightBytes) {
         EXPECT_TRUE(std::ranges::count(plan.effects, "elliptic-lobes"));
     }
     spec.facts = AGAA_FACT_EMISSIVE; // no highlights
-    EXPECT_EQ(planFor(spec, idealDevice()).config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
+    EXPECT_EQ(planFor(spec, idealDevice()).view.config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
 }
 
 // AUTO fetches where the host can for all draws. Otherwise fragments carry their materials.
@@ -63,7 +63,7 @@ TEST(CoveragePlan, FragmentsCarryMaterialsThatCannotBeFetched) {
     const auto tierWith = [&](const AgaaFetchFunction* fetch, uint32_t tier) {
         spec.chained = fetch;
         spec.generationTier = tier;
-        return planFor(spec, fourSampleDevice()).generationTier;
+        return planFor(spec, fourSampleDevice()).view.generationTier;
     };
     EXPECT_EQ(tierWith(&all, AGAA_TIER_AUTO), AGAA_TIER_FRAGMENT_LISTS);
     for (const AgaaFetchFunction* fetch : std::initializer_list<const AgaaFetchFunction*>{&some, nullptr})
@@ -112,7 +112,7 @@ TEST(CoveragePlan, VertexPullingReplacesGeometryShaders) {
         const Plan expanded = planFor(spec, idealDevice());
         spec.viewFlags = AGAA_VIEW_VERTEX_PULLING;
         const Plan pulled = planFor(spec, caps);
-        EXPECT_EQ(pulled.generationTier, expanded.generationTier);
+        EXPECT_EQ(pulled.view.generationTier, expanded.view.generationTier);
         EXPECT_EQ(pulled.totalBytes(), expanded.totalBytes());
         EXPECT_TRUE(std::ranges::any_of(pulled.notes, [](const std::string& note) {
             return note.find("AGAA_VIEW_VERTEX_PULLING") != std::string::npos;
@@ -158,7 +158,7 @@ TEST(CoveragePlan, InterlockKeepsSurfacesAlone) {
     EXPECT_THROW(planFor(spec, idealDevice()), Error);
     spec = carried();
     spec.generationTier = AGAA_TIER_AUTO;
-    EXPECT_EQ(planFor(spec, idealDevice()).generationTier, AGAA_TIER_MATERIAL_LISTS);
+    EXPECT_EQ(planFor(spec, idealDevice()).view.generationTier, AGAA_TIER_MATERIAL_LISTS);
 }
 
 // The texels of seven attachments are the surfaces; AUTO does not select the tier.
@@ -217,8 +217,8 @@ TEST(CoveragePlan, OwnPatternsTakeATable) {
         const Plan own = planFor(spec, idealDevice());
         EXPECT_EQ(own.totalBytes(), library.totalBytes());
         EXPECT_EQ(own.constantBytes(), library.constantBytes() + 128 * 128 * 16);
-        EXPECT_EQ(own.samplePositions, std::vector<float>(2 * 64, 0.25f));
-        EXPECT_TRUE(library.samplePositions.empty());
+        EXPECT_EQ(own.view.samplePositions, std::vector<float>(2 * 64, 0.25f));
+        EXPECT_TRUE(library.view.samplePositions.empty());
         std::vector<std::string> names;
         for (const Pass& pass : own.passes)
             if (pass.name != "fill coverage table")

@@ -71,14 +71,14 @@ TEST(GroupedPlan, MaterialsAreWantedWhereShadowsAreLit) {
     ViewSpec spec;
     spec.change = [](TechniqueConfig& config) { config.aggregation.litShadows = 1; };
     const Plan lit = planFor(spec, fourSampleDevice());
-    EXPECT_EQ(lit.generationTier, AGAA_TIER_GBUFFER);
+    EXPECT_EQ(lit.view.generationTier, AGAA_TIER_GBUFFER);
     EXPECT_TRUE(has(lit.notes, "lit shadows"));
     EXPECT_TRUE(has(lit.effects, "lit-aggregates"));
     EXPECT_TRUE(has(lit.notes, "shadows looked up at each sample: 1, up to 8 taps")) << "its price";
     EXPECT_TRUE(has(lit.notes, "whole frames took 1.0"));
     spec.shadowMaps = 0; // an effect that the scene does not call for
     const Plan dark = planFor(spec, fourSampleDevice());
-    EXPECT_EQ(dark.aggregation.litShadows, 0u);
+    EXPECT_EQ(dark.view.aggregation.litShadows, 0u);
     EXPECT_FALSE(has(dark.effects, "lit-aggregates"));
     EXPECT_TRUE(has(dark.notes, "does not declare"));
 }
@@ -95,14 +95,14 @@ TEST(GroupedPlan, EllipticLobesWantEachNormal) {
         EXPECT_FALSE(has(plan.effects, "gloss-weight"));
         spec.facts &= ~AGAA_FACT_SPECULAR; // no lobe, no wish
         const Plan dull = planFor(spec, fourSampleDevice());
-        EXPECT_EQ(dull.config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
+        EXPECT_EQ(dull.view.config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
         EXPECT_FALSE(has(dull.effects, "elliptic-lobes"));
-        EXPECT_EQ(dull.generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
+        EXPECT_EQ(dull.view.generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
         spec.change = [=](TechniqueConfig& config) { // where nothing is aggregated, nothing is widened
             config.ndf = ndf;
             config.technique = "simple_complex";
         };
-        EXPECT_EQ(planFor(spec, fourSampleDevice()).config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
+        EXPECT_EQ(planFor(spec, fourSampleDevice()).view.config.ndf, uint32_t(AGAA_NDF_TOKSVIG));
     }
 }
 
@@ -110,12 +110,12 @@ TEST(GroupedPlan, GlossPartsOnlyWhatShines) {
     ViewSpec spec;
     spec.change = [](TechniqueConfig& config) { config.aggregation.glossWeight = 0.03f; };
     const Plan shiny = planFor(spec, fourSampleDevice());
-    EXPECT_EQ(shiny.generationTier, AGAA_TIER_GBUFFER);
+    EXPECT_EQ(shiny.view.generationTier, AGAA_TIER_GBUFFER);
     EXPECT_TRUE(has(shiny.effects, "gloss-weight"));
     spec.facts &= ~AGAA_FACT_SPECULAR;
     const Plan dull = planFor(spec, fourSampleDevice());
-    EXPECT_EQ(dull.generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
-    EXPECT_EQ(dull.aggregation.glossWeight, 0.0f);
+    EXPECT_EQ(dull.view.generationTier, AGAA_TIER_POST_DEPTH_ATOMICS);
+    EXPECT_EQ(dull.view.aggregation.glossWeight, 0.0f);
     EXPECT_FALSE(has(dull.effects, "gloss-weight"));
 }
 

@@ -34,7 +34,7 @@ TEST(Planner, ScaledTargetsGiveTheAskedSamplesOnAFourSampleDevice) {
     }
     ViewSpec four;
     four.samples = 4;
-    EXPECT_EQ(planFor(four, fourSampleDevice()).visibilityTier, AGAA_TIER_NATIVE);
+    EXPECT_EQ(planFor(four, fourSampleDevice()).view.visibilityTier, AGAA_TIER_NATIVE);
 }
 
 // A bit of AgaaDeviceCaps::sampleCounts names a power of two only.
@@ -254,9 +254,9 @@ TEST(Planner, FragmentsAreATierOfCoverageSamples) {
         EXPECT_EQ(plan.totalBytes(), bytesOf(plan, "fragments"));
     }
     spec.samples = 32;
-    EXPECT_EQ(planFor(spec, idealDevice()).generationTier, AGAA_TIER_IDS);
+    EXPECT_EQ(planFor(spec, idealDevice()).view.generationTier, AGAA_TIER_IDS);
     spec.generationTier = AGAA_TIER_FRAGMENTS;
-    EXPECT_EQ(planFor(spec, idealDevice()).generationTier, AGAA_TIER_FRAGMENTS);
+    EXPECT_EQ(planFor(spec, idealDevice()).view.generationTier, AGAA_TIER_FRAGMENTS);
     spec.technique = "sbaa";
     EXPECT_THROW(planFor(spec, idealDevice()), Error);
 }
@@ -318,9 +318,9 @@ TEST(Planner, AggregatesThatNoBufferHoldsAreNotKept) {
 TEST(Planner, ForcedTiersAreKeptOrRefused) {
     ViewSpec spec;
     spec.generationTier = AGAA_TIER_PER_SAMPLE;
-    EXPECT_EQ(planFor(spec, fourSampleDevice()).generationTier, AGAA_TIER_PER_SAMPLE);
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).view.generationTier, AGAA_TIER_PER_SAMPLE);
     spec.generationTier = AGAA_TIER_GBUFFER;
-    EXPECT_EQ(planFor(spec, fourSampleDevice()).generationTier, AGAA_TIER_GBUFFER);
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).view.generationTier, AGAA_TIER_GBUFFER);
     spec.generationTier = AGAA_TIER_NATIVE; // of another stage
     EXPECT_THROW(planFor(spec, fourSampleDevice()), Error);
     spec.generationTier = AGAA_TIER_AUTO;
@@ -328,7 +328,7 @@ TEST(Planner, ForcedTiersAreKeptOrRefused) {
     EXPECT_THROW(planFor(spec, fourSampleDevice()), Error); // no 8 samples
     spec.visibilityTier = AGAA_TIER_SCALED_TARGET;
     spec.samples = 4;
-    EXPECT_EQ(planFor(spec, fourSampleDevice()).hwSamples, 1u);
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).view.hwSamples, 1u);
     spec.samples = 1;
     EXPECT_THROW(planFor(spec, fourSampleDevice()), Error);
 }
@@ -486,7 +486,7 @@ TEST(Planner, EveryShaderOfEveryWayOfAgaaIsInTheLibrary) {
 TEST(Planner, SingleRunsAtOneSampleWhateverIsAsked) {
     ViewSpec spec;
     spec.technique = "single";
-    EXPECT_EQ(planFor(spec, fourSampleDevice()).samples, 1u);
+    EXPECT_EQ(planFor(spec, fourSampleDevice()).view.samples, 1u);
 }
 
 TEST(Planner, PipelineKeysChangeOnlyWithWhatPipelinesDependOn) {

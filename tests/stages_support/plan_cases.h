@@ -255,7 +255,7 @@ TYPED_TEST_P(PlanCases, DrawsWithoutDepthAreClearedToColours) {
         draw.draw.state.colorAttachmentCount = 1;
         draw.draw.colorTargets = {color};
         draw.draw.clearsColor = true;
-        draw.clear.color[0] = {0.25f, 0.5f, 0.75f, 1.0f};
+        draw.draw.clear.color[0] = {0.25f, 0.5f, 0.75f, 1.0f};
         setFields(draw.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.plan.view.layout).fields);
         b.plan.repeats.push_back({first, first, 2});
         const std::string textures = "layout(AGAA_BINDING_GBUFFER0) uniform sampler2D nearest;\n"
