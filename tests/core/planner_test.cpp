@@ -81,7 +81,7 @@ TEST(Planner, APlanHasNoMorePassesThanStatisticsHold) {
     view.config = &config;
     view.facts = &facts;
     const auto build = [&](size_t passes) {
-        PlanBuilder builder(resolveView(&view), idealDevice(), 2);
+        PlanBuilder builder(resolveForDevice(resolveView(&view), idealDevice()), idealDevice(), 2);
         const ResourceId buffer = builder.pixelBuffer("words", 4);
         while (builder.plan.passes.size() < passes)
             builder.fill("clear", AGAA_STAGE_OTHER, buffer, AGAA_SEGMENT_SHADING);

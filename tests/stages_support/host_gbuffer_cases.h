@@ -74,7 +74,7 @@ protected:
         AgaaGBufferFunction function = AGAA_GBUFFER_FUNCTION_INIT;
         function.glsl = text.c_str();
         function.descriptorSetLayout = samples.layout();
-        function.depthBits = drawn.plan().view.depthBits;
+        function.depthBits = drawn.plan().depthBits();
         ViewSettings own = settings;
         own.chained = &function;
         View view(context, own);

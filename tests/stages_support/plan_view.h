@@ -10,7 +10,7 @@ namespace agaa::test {
 template <class View, class Context>
 AgaaView makePlanView(AgaaContext context, const AgaaViewDesc& desc, void (*build)(PlanBuilder&)) {
     const agaa::ViewSettings settings = resolveView(&desc);
-    PlanBuilder builder(settings, context->caps, context->framesInFlight);
+    PlanBuilder builder(resolveForDevice(settings, context->caps), context->caps, context->framesInFlight);
     build(builder);
     return createView<View>(static_cast<Context&>(*context), settings, builder.finish());
 }

@@ -31,7 +31,7 @@ FrameConstants frameConstants(const Plan& plan, const AgaaFrame& frame,
     out.projection32 = half * p[14] + shift * p[15];
     out.isOrthographic = orthographic;
     // Fixed point has equal steps. Steps of float are relative to the depth.
-    out.depthQuantum = plan.view.depthBits ? std::ldexp(1.0f, -int(plan.view.depthBits)) : -std::ldexp(1.0f, -24);
+    out.depthQuantum = plan.depthBits() ? std::ldexp(1.0f, -int(plan.depthBits())) : -std::ldexp(1.0f, -24);
     out.size[0] = plan.view.width;
     out.size[1] = plan.view.height;
     if (frame.facts)

@@ -8,6 +8,12 @@
 
 namespace agaa {
 
+uint32_t Plan::depthBits() const {
+    if (depthFormat == Format::None)
+        return view.depthBits;
+    return depthFormat == Format::D24S8 ? 24 : 0;
+}
+
 uint64_t Plan::totalBytes() const {
     uint64_t total = 0;
     for (const Resource& resource : resources)

@@ -4,7 +4,7 @@
 
 #include "agaa_sdk.h"
 #include "core/base/format.h"
-#include "core/view/view_settings.h"
+#include "core/view/resolved_view.h"
 
 #include <algorithm>
 #include <array>
@@ -219,17 +219,10 @@ struct Step {
     bool hasPredicate() const { return predicateBuffer != noResource; }
 };
 
-// A view as a device runs it.
-struct ResolvedView : ViewSettings {
-    uint32_t hwSamples = 1;           // samples per texel of the target
-    uint32_t scaleX = 1, scaleY = 1;  // texels of the target per pixel
-    AgaaTier visibilityTier = AGAA_TIER_NATIVE;
-    AgaaTier generationTier = AGAA_TIER_AUTO; // AUTO: the technique has no generation stage
-};
-
+// A frame of a view on a device.
 struct Plan {
     ResolvedView view;
-    std::vector<std::string> notes; // why a tier or a format was chosen
+    std::vector<std::string> notes; // why tiers and formats were chosen
     std::vector<std::string> effects; // that run
     bool aliases = true; // resources of disjoint lifetimes may share memory
     Format depthFormat = Format::None; // of the target; None where the host draws
@@ -244,6 +237,7 @@ struct Plan {
     uint32_t payloadWords = 0;    // of each, beside id, next fragment and coverage
     bool runnable = true; // false: a model to be priced, not to be run
 
+    uint32_t depthBits() const;     // of a fixed-point depth buffer; 0: it holds floats
     uint64_t totalBytes() const;    // per-pixel payload
     uint64_t constantBytes() const;
     uint64_t peakBytes() const;     // per-pixel payload with disjoint lifetimes aliased

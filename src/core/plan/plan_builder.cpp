@@ -12,22 +12,14 @@
 
 namespace agaa {
 
-PlanBuilder::PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight)
-    : caps_(caps), framesInFlight_(framesInFlight) {
-    static_cast<ViewSettings&>(plan.view) = view;
+PlanBuilder::PlanBuilder(ResolvedView view, const AgaaDeviceCaps& caps, uint32_t framesInFlight)
+    : caps_(caps), constants_(constantsOf(view)), framesInFlight_(framesInFlight) {
     shadowMaps_.fill(noResource);
     frames_.fill(noResource);
+    plan.view = std::move(view);
+    plan.notes = std::move(plan.view.notes);
+    plan.runnable = !plan.view.isModel();
     plan.aliases = !(caps.flags & AGAA_DEVICE_NO_ALIASING) && !(plan.view.config.flags & AGAA_CONFIG_READBACK);
-    const Technique& technique = *findTechnique(plan.view.technique);
-    stripUnusedFeatures(technique);
-    checkFacts(technique);
-    chooseVisibilityTier(technique);
-    if (!technique.tiers.empty())
-        chooseGenerationTier(technique);
-    checkTierOptions(technique);
-    require(!counts() || caps_.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
-            "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");
-    setConstants();
     lights_ = add({.name = "lights",
                    .kind = ResourceKind::UploadBuffer,
                    .content = UploadContent::Lights,
@@ -117,7 +109,6 @@ ResourceId PlanBuilder::depth(bool needsStencil) {
         note(format("depth: %s, because the device has no D24_UNORM_S8_UINT.",
                     formatName(plan.depthFormat)));
     }
-    plan.view.depthBits = plan.depthFormat == Format::D24S8 ? 24 : 0;
     return image("depth", plan.depthFormat, true);
 }
 
@@ -155,7 +146,7 @@ bool PlanBuilder::isSwitchedOn(Switch which) const {
     case Switch::MultipleAggregates:
         return plan.view.aggregates > 1;
     case Switch::FromGBuffer:
-        return generation_ && generation_->readsGBuffer;
+        return plan.view.readsGBuffer();
     case Switch::Lit:
         return variantLitShadows() != 0;
     case Switch::Classified:
@@ -239,13 +230,6 @@ void PlanBuilder::consumeDeferred(Pass& pass, ResourceId deferred) {
 void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
                        bool writes) {
     pass.bindings.push_back({slot, type, resource, writes});
-}
-
-void PlanBuilder::defaultSurface(float cosine, float distance, float material) {
-    const auto set = [](float& value, float otherwise) { value = value > 0 ? value : otherwise; };
-    set(plan.view.config.surfaceCosine, cosine);
-    set(plan.view.config.surfaceDistance, distance);
-    set(plan.view.config.surfaceMaterial, material);
 }
 
 // Segments have a buffer each, because later ones bring other values (ambient, background) while an

@@ -4,8 +4,7 @@
 #include "core/plan/bindings.h"
 #include "core/plan/permutations.h"
 #include "core/plan/plan.h"
-#include "core/view/technique.h"
-#include "core/view/tiers.h"
+#include "core/view/resolved_view.h"
 
 #include <functional>
 #include <initializer_list>
@@ -14,20 +13,17 @@ namespace agaa {
 
 class PlanBuilder {
 public:
-    PlanBuilder(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight);
+    PlanBuilder(ResolvedView view, const AgaaDeviceCaps& caps, uint32_t framesInFlight);
 
     Plan finish(); // lifetimes, limits
 
-    const AgaaConfig& config() const { return plan.view.config; }
+    const ResolvedView& view() const { return plan.view; }
     const AgaaDeviceCaps& caps() const { return caps_; }
-    bool counts() const { return plan.view.config.flags & AGAA_CONFIG_COUNTERS; }
+    bool counts() const { return plan.view.hasCounters(); }
     bool hasFact(uint64_t fact) const { return plan.view.facts.flags & fact; }
     // Plans that draw twice keep the first of equal depths by a stencil test, where the depth format has a stencil.
     bool wantsStencil() const { return !(plan.view.measurement.flags & AGAA_MEASURE_NO_STENCIL); }
     bool keepsFirst() const { return wantsStencil() && hasStencil(plan.depthFormat); }
-    // Bytes a pixel, beside its aggregates in memory, that say which samples have an aggregate: two passes need them
-    // where a sample may go to any aggregate.
-    uint64_t claimBytes() const { return plan.view.measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING ? 4 : 0; }
 
     // One texel a pixel, or with atTargetRate the scaled, multisampled target.
     ResourceId image(std::string name, Format format, bool atTargetRate);
@@ -61,8 +57,6 @@ public:
 
     void bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
               bool writes = false);
-    // What counts as one surface where the config does not say.
-    void defaultSurface(float cosine, float distance, float material);
     ResourceId frameConstants(uint64_t segment);
     // Frame constants and, where counted, counters.
     void bindCommon(Pass& pass);
@@ -90,14 +84,7 @@ private:
     uint32_t variantLitShadows() const; // of the shadows that the variant has
     void specialiseForVariant(); // that the variant has not
     uint32_t listLength() const; // of primitives that a group of lanes takes at a time
-    void checkFacts(const Technique& technique) const;
-    void chooseVisibilityTier(const Technique& technique);
-    void setConstants();
     void checkLimits() const;
-    void chooseGenerationTier(const Technique& technique);
-    uint64_t aggregateBytes() const;
-    void stripUnusedFeatures(const Technique& technique);
-    void checkTierOptions(const Technique& technique) const;
     static void addHostCode(Pass& pass, const HostText& text, const char* origin);
     void bindShadows(Pass& pass);
     void listEffects(bool readsFolded); // whether the shading pass reads aggregates whose roughness is folded
@@ -108,7 +95,6 @@ private:
     ResourceId add(Resource resource);
 
     AgaaDeviceCaps caps_;
-    const GenerationTier* generation_ = nullptr; // of techniques that have some
     Constants constants_{};
     std::array<ResourceId, 3> frames_; // frame constants by segment
     ResourceId lights_ = noResource;
@@ -118,6 +104,9 @@ private:
     std::array<ResourceId, AGAA_MAX_SHADOW_MAPS> shadowMaps_;
     uint32_t framesInFlight_;
 };
+
+// Constants that all passes of a view share.
+Constants constantsOf(const ResolvedView& view);
 
 // Fields of a packing as specialisation constants from AGAA_FIELD_DIFFUSE_R or AGAA_SOURCE_DIFFUSE_R on.
 void setFields(Constants& constants, Constant first, const Fields& fields);

@@ -1,7 +1,7 @@
 #include "core/plan/planner.h"
 
 #include "core/plan/plan_builder.h"
-#include "core/view/technique.h"
+#include "core/view/resolved_view.h"
 
 namespace agaa {
 
@@ -19,9 +19,9 @@ AgaaDeviceCaps idealDevice() {
     return caps;
 }
 
-Plan makePlan(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
-    PlanBuilder builder(view, caps, framesInFlight);
-    findTechnique(builder.plan.view.technique)->build(builder);
+Plan makePlan(const ViewSettings& settings, const AgaaDeviceCaps& caps, uint32_t framesInFlight) {
+    PlanBuilder builder(resolveForDevice(settings, caps), caps, framesInFlight);
+    findTechnique(settings.technique)->build(builder);
     return builder.finish();
 }
 

@@ -1,4 +1,7 @@
-// layout + config + capabilities + scene facts -> Plan. Pure: no GPU, no graphics header.
+// Plans frames. The functions are pure and need no GPU. A host's description becomes a plan in three steps:
+//   AgaaViewDesc -> ViewSettings   resolveView()        checks everything that does not depend on the device
+//   ViewSettings -> ResolvedView   resolveForDevice()   strips unused features, chooses tiers, sets defaults
+//   ResolvedView -> Plan           Technique::build()   adds resources and passes to a PlanBuilder
 #pragma once
 
 #include "core/plan/plan.h"
@@ -8,7 +11,8 @@ namespace agaa {
 // A device that has every feature and the papers' native paths.
 AgaaDeviceCaps idealDevice();
 
-// Throws Error where the device cannot run the view; the message says why.
-Plan makePlan(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight);
+// Resolves the settings for the device and builds the plan. Throws Error if the device cannot run the view; the message
+// says why.
+Plan makePlan(const ViewSettings& settings, const AgaaDeviceCaps& caps, uint32_t framesInFlight);
 
 } // namespace agaa

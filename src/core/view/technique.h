@@ -19,6 +19,7 @@ inline constexpr uint32_t gridOnlySamples = 9;
 
 class PlanBuilder;
 struct ViewSettings;
+struct ResolvedView;
 
 // What decides whether a generation tier runs.
 struct GenerationQuery {
@@ -83,6 +84,9 @@ struct Technique {
     // Of the settings of a plan.
     ShadingWork (*work)(const ViewSettings& plan);
 
+    // Sets defaults of the technique and checks what its row cannot express, after the tiers are chosen. Throws Error. May be
+    // null.
+    void (*resolve)(ResolvedView& view) = nullptr;
     // Whether AUTO takes an ordered grid where n can be placed on one; null: no.
     bool (*prefersOrderedGrid)(const ViewSettings& view) = nullptr;
     bool storesWidenedLobes = false; // as roughness, unless lobes are elliptic

@@ -41,7 +41,7 @@ void readAdaptive(const AgaaConfig& config, ViewSettings& view) {
 
 // Sets constants of all passes that are added later.
 void setAdaptiveConstants(PlanBuilder& b) {
-    const AgaaAdaptiveSampling& a = b.plan.view.adaptive;
+    const AgaaAdaptiveSampling& a = b.view().adaptive;
     Constants& c = b.passConstants();
     c[AGAA_ADAPTIVE_FLAGS] = uint32_t(a.flags);
     const auto set = [&](Constant constant, float value) { c[constant] = value > 0 ? std::bit_cast<uint32_t>(value) : 0; };
@@ -58,12 +58,13 @@ void setAdaptiveConstants(PlanBuilder& b) {
         c[AGAA_ORDER0 + j / 4] |= order[j] << 8 * (j % 4);
 }
 
-bool has(const PlanBuilder& b, uint64_t flag) { return b.plan.view.adaptive.flags & flag; }
+bool has(const ViewSettings& view, uint64_t flag) { return view.adaptive.flags & flag; }
+bool hasTarget(const ViewSettings& view) { return view.adaptive.targetEvents > 0; }
 
 // Passes write to the sums, choices and lists of one buffer.
 ResourceId choiceBuffer(PlanBuilder& b) {
-    const bool remembers = b.plan.view.adaptive.countMemory > 0;
-    const uint64_t words = 2 + (remembers ? 1 : 0) + (has(b, AGAA_ADAPTIVE_SORTED) ? 2 : 0);
+    const bool remembers = b.view().adaptive.countMemory > 0;
+    const uint64_t words = 2 + (remembers ? 1 : 0) + (has(b.view(), AGAA_ADAPTIVE_SORTED) ? 2 : 0);
     const ResourceId choices = b.pixelBuffer("sample-choices", 4 * words);
     Resource& buffer = b.plan.resources[choices];
     buffer.bytes = checkedAdd(buffer.bytes, 4 * AGAA_SUM_WORDS);
@@ -73,11 +74,11 @@ ResourceId choiceBuffer(PlanBuilder& b) {
 
 // Where numbers of samples by geometry are found.
 uint32_t whereCountsAreFound(const PlanBuilder& b) {
-    if (!has(b, AGAA_ADAPTIVE_GEOMETRY) || has(b, AGAA_ADAPTIVE_PRINTED_METRIC))
+    if (!has(b.view(), AGAA_ADAPTIVE_GEOMETRY) || has(b.view(), AGAA_ADAPTIVE_PRINTED_METRIC))
         return AGAA_FOUND_WITH_FIRST;
-    const bool limitsShading = b.plan.view.adaptive.targetEvents > 0 && has(b, AGAA_ADAPTIVE_SHADING);
-    const bool changesCounts = has(b, AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM) ||
-                               b.plan.view.adaptive.countMemory > 0;
+    const bool limitsShading = hasTarget(b.view()) && has(b.view(), AGAA_ADAPTIVE_SHADING);
+    const bool changesCounts = has(b.view(), AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM) ||
+                               b.view().adaptive.countMemory > 0;
     return limitsShading || changesCounts ? AGAA_FOUND_BETWEEN : AGAA_FOUND_WITH_FURTHER;
 }
 
@@ -90,7 +91,7 @@ struct Adaptive {
         if (!ids)
             return gbuffer.bind(b, pass);
         ids->bind(b, pass);
-        setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.plan.view.layout).fields); // how precise features are
+        setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.view().layout).fields); // how precise features are
     }
 
     void bindDepth(PlanBuilder& b, Pass& pass) const {
@@ -148,7 +149,7 @@ void addCounts(PlanBuilder& b, const Adaptive& a) {
     Pass& counts = addChoice(b, "count samples", "count_samples", a);
     b.bindCommon(counts);
     counts.compute.dispatch = listed(a, AGAA_COMPLEX_PIXELS_AT);
-    if (b.plan.view.adaptive.targetEvents > 0) {
+    if (hasTarget(b.view())) {
         addNumbers(b, "count shading's demand", "shading_demand", a, true);
         addNumbers(b, "find shading's limit", "shading_limit", a).compute.dispatch = once;
     }
@@ -161,32 +162,35 @@ void addList(PlanBuilder& b, const Adaptive& a) {
     bindChoices(b, list, a);
     b.bind(list, slot::FirstSamples, BindingType::Texture, a.firstSamples);
     b.bindOutput(list);
-    if (has(b, AGAA_ADAPTIVE_SORTED)) {
+    if (has(b.view(), AGAA_ADAPTIVE_SORTED)) {
         addNumbers(b, "place counts", "place_counts", a).compute.dispatch = once;
         addNumbers(b, "place pixels", "place_pixels", a).compute.dispatch = listed(a, AGAA_FURTHER_AT);
     }
 }
 
 // Refuses options that shade more samples than the differences call for.
-void checkTarget(const PlanBuilder& b, bool hasTarget) {
+void checkTarget(const ViewSettings& view) {
     constexpr uint64_t excluded = AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_BUCKETS |
                                   AGAA_ADAPTIVE_TILE_MAXIMUM;
-    require(!hasTarget || (has(b, AGAA_ADAPTIVE_GEOMETRY) && !has(b, excluded) && b.plan.view.adaptive.countMemory == 0),
+    require(!hasTarget(view) ||
+                (has(view, AGAA_ADAPTIVE_GEOMETRY) && !has(view, excluded) && view.adaptive.countMemory == 0),
             AGAA_ERROR_UNSUPPORTED,
             "AgaaAdaptiveSampling::targetEvents needs AGAA_ADAPTIVE_GEOMETRY, and neither countMemory nor the flags "
             "PRINTED_METRIC, IN_ORDER, BUCKETS and TILE_MAXIMUM, by which more samples are shaded.");
 }
 
-void build(PlanBuilder& b) {
-    b.defaultSurface(0.95f, 1.5f, 0.08f);
-    const bool hasTarget = b.plan.view.adaptive.targetEvents > 0;
-    checkTarget(b, hasTarget);
-    const uint64_t pixels = checkedMultiply(b.plan.view.width, b.plan.view.height);
-    if (has(b, AGAA_ADAPTIVE_SORTED) && pixels > 1u << AGAA_RANK_BITS)
+void resolve(ResolvedView& view) {
+    setSurfaceDefaults(view, 0.95f, 1.5f, 0.08f);
+    checkTarget(view);
+    const uint64_t pixels = checkedMultiply(view.width, view.height);
+    if (has(view, AGAA_ADAPTIVE_SORTED) && pixels > 1u << AGAA_RANK_BITS)
         fail(AGAA_ERROR_TOO_LARGE, format("AGAA_ADAPTIVE_SORTED sorts at most %u pixels.", 1u << AGAA_RANK_BITS));
+}
+
+void build(PlanBuilder& b) {
     setAdaptiveConstants(b);
     Adaptive a;
-    if (b.plan.view.generationTier == AGAA_TIER_IDS)
+    if (b.view().generationTier == AGAA_TIER_IDS)
         a.ids = drawIds(b);
     else
         a.gbuffer = makeGBuffer(b);
@@ -194,7 +198,7 @@ void build(PlanBuilder& b) {
     a.choices = choiceBuffer(b);
     b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fill.bytes = 4 * AGAA_SUM_WORDS;
     const uint32_t found = b.passConstants()[AGAA_COUNTS_FOUND] = whereCountsAreFound(b);
-    if (hasTarget)
+    if (hasTarget(b.view()))
         addLimit(b, a);
     b.cullLights([&](Pass& pass) { a.bindDepth(b, pass); });
     Pass& first = addShading(b, "shade first samples", "shade_first", a);
@@ -224,7 +228,7 @@ static const TechniqueSettings adaptiveSettings = {.sType = AGAA_STRUCTURE_TYPE_
 static constexpr const GenerationTier* tiers[] = {&sampleIdsTier, &sampleGBufferTier};
 static constexpr const TechniqueSettings* settings[] = {&adaptiveSettings};
 const Technique adaptiveTechnique = {.name = "adaptive", .maxSamples = 32, .tiers = tiers, .settings = settings,
-                                     .build = build, .work = work,
+                                     .build = build, .work = work, .resolve = resolve,
                                      .prefersOrderedGrid = prefersOrderedGrid};
 
 } // namespace agaa

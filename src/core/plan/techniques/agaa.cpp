@@ -22,10 +22,10 @@ Format metadataFormat(uint32_t samples, uint32_t aggregates) {
 
 // With one aggregate there is nothing to define: no metadata, no pass.
 ResourceId defineAggregates(PlanBuilder& b, const std::function<void(Pass&)>& bindSamples) {
-    if (b.plan.view.aggregates == 1)
+    if (b.view().aggregates == 1)
         return noResource;
     const ResourceId metadata =
-        b.image("metadata", metadataFormat(b.plan.view.samples, b.plan.view.aggregates), false);
+        b.image("metadata", metadataFormat(b.view().samples, b.view().aggregates), false);
     Pass& define = b.compute("define aggregates", AGAA_STAGE_DEFINITION, "definition",
                              AGAA_SEGMENT_GENERATION);
     b.bindCommon(define);
@@ -41,27 +41,23 @@ void buildNative(PlanBuilder& b) {
         b.bind(define, slot::Depth, BindingType::Texture, prepass.depth);
         b.bind(define, slot::Normals, BindingType::Texture, prepass.normals);
     });
-    const uint32_t slots = std::bit_ceil(b.plan.view.aggregates); // no device has 3 samples
+    const uint32_t slots = std::bit_ceil(b.view().aggregates); // no device has 3 samples
     uint64_t bytes = 0;
     const auto surface = [&](const std::string& name, Format format) {
         b.modelSurface(name, format, slots);
         bytes += bytesPerTexel(format);
     };
-    for (const NativeSurface& native : packNativeAggregate(twoPassLayout(b.plan.view.layout, b.plan.view.facts.flags)))
+    for (const NativeSurface& native : packNativeAggregate(twoPassLayout(b.view().layout, b.view().facts.flags)))
         surface(native.name, native.format);
     surface("aggregate-coverage", Format::R8U);
-    if (b.plan.view.samples > 8)
+    if (b.view().samples > 8)
         surface("aggregate-coverage-beyond-8-bits",
-                b.plan.view.samples > 16 ? Format::R32U : Format::R8U);
+                b.view().samples > 16 ? Format::R32U : Format::R8U);
     b.plan.bytesPerAggregate = uint32_t(bytes);
 }
 
 // What lists of fragments show at coverage samples is clustered and shaded at once.
 void shadeFromFragments(PlanBuilder& b) {
-    require(!hasBatches(b), AGAA_ERROR_UNSUPPORTED,
-            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; the tier fragments needs all fragments at once.");
-    require(!(b.plan.view.config.flags & AGAA_CONFIG_BUFFERED), AGAA_ERROR_UNSUPPORTED,
-            "AGAA_CONFIG_BUFFERED is not for the tier fragments, which shades aggregates at once.");
     const FragmentLists lists = drawFragments(b, 4); // a depth plane, the aggregate
     Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_fragments", AGAA_SEGMENT_SHADING);
     b.bindCommon(shade);
@@ -71,21 +67,30 @@ void shadeFromFragments(PlanBuilder& b) {
     b.copyCounters();
 }
 
+void resolve(ResolvedView& view) {
+    setSurfaceDefaults(view, 0.98f, 1.0f, 1.0f);
+    if (view.config.flags & AGAA_CONFIG_SPLIT_SURFACES)
+        view.config.surfaceCosine = 2.0f; // no two normals have it
+    if (view.generationTier != AGAA_TIER_FRAGMENTS)
+        return;
+    require(!hasBatches(view), AGAA_ERROR_UNSUPPORTED,
+            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; the tier fragments needs all fragments at once.");
+    require(!(view.config.flags & AGAA_CONFIG_BUFFERED), AGAA_ERROR_UNSUPPORTED,
+            "AGAA_CONFIG_BUFFERED is not for the tier fragments, which shades aggregates at once.");
+}
+
 void build(PlanBuilder& b) {
-    if (b.plan.view.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
+    if (b.view().generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
         return buildNative(b);
-    b.defaultSurface(0.98f, 1.0f, 1.0f);
-    if (b.plan.view.config.flags & AGAA_CONFIG_SPLIT_SURFACES)
-        b.plan.view.config.surfaceCosine = 2.0f; // that no two normals have
-    if (b.plan.view.generationTier == AGAA_TIER_FRAGMENTS)
+    if (b.view().generationTier == AGAA_TIER_FRAGMENTS)
         return shadeFromFragments(b);
-    const bool byIds = b.plan.view.generationTier == AGAA_TIER_IDS;
-    const bool fromGBuffer = b.plan.view.generationTier == AGAA_TIER_GBUFFER;
-    if ((byIds || fromGBuffer) && !(b.plan.view.config.flags & AGAA_CONFIG_BUFFERED))
+    const bool byIds = b.view().generationTier == AGAA_TIER_IDS;
+    const bool fromGBuffer = b.view().generationTier == AGAA_TIER_GBUFFER;
+    if ((byIds || fromGBuffer) && !(b.view().config.flags & AGAA_CONFIG_BUFFERED))
         return byIds ? shadeFromIds(b) : shadeFromGBuffer(b);
     Aggregation sums;
-    sums.layout = byIds || fromGBuffer ? b.plan.view.layout : twoPassLayout(b.plan.view.layout, b.plan.view.facts.flags);
-    sums.packing = packAggregate(sums.layout, b.plan.view.samples);
+    sums.layout = byIds || fromGBuffer ? b.view().layout : twoPassLayout(b.view().layout, b.view().facts.flags);
+    sums.packing = packAggregate(sums.layout, b.view().samples);
     sums.stride = sums.packing.words;
     sums.define = [&](const auto& bindSamples, ResourceId) { return defineAggregates(b, bindSamples); };
     byIds ? buildFromIds(b, sums) : fromGBuffer ? buildFromGBuffer(b, sums) : buildTwoPasses(b, sums);
@@ -97,6 +102,6 @@ static constexpr const GenerationTier* tiers[] = {&idsTier, &postDepthTier, &per
                                                   &mixedSamplesTier, &fragmentsTier};
 static constexpr const TechniqueSettings* settings[] = {&aggregationSettings, &coverageSettings};
 const Technique agaaTechnique = {.name = "agaa", .maxSamples = 32, .maxAggregates = 4, .groupsSamples = true, .tiers = tiers,
-                                 .settings = settings, .build = build, .work = workOfAggregates};
+                                 .settings = settings, .build = build, .work = workOfAggregates, .resolve = resolve};
 
 } // namespace agaa

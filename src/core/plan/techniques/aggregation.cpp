@@ -40,7 +40,7 @@ Prepass drawPrepass(PlanBuilder& b, bool stencil, const char* name, Format forma
                                AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
     prepass.draw.sampleContent = content;
-    prepass.draw.state.depthCompare = b.plan.view.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    prepass.draw.state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
     prepass.draw.state.depthWrite = 1;
     prepass.draw.state.colorAttachmentCount = 1;
     prepass.draw.colorTargets = {s.normals};
@@ -76,7 +76,7 @@ constexpr uint32_t anyComponent = 4; // of AGAA_COVERAGE_COMPONENT
 // claimBytes: of each pixel, after all aggregates.
 ResourceId aggregateBuffer(PlanBuilder& b, const Aggregation& a, uint64_t claimBytes = 0) {
     b.plan.bytesPerAggregate = 4 * a.stride;
-    return b.pixelBuffer("aggregates", checkedMultiply(b.plan.view.aggregates, 4 * a.stride) + claimBytes);
+    return b.pixelBuffer("aggregates", checkedMultiply(b.view().aggregates, 4 * a.stride) + claimBytes);
 }
 
 // metadata: or noResource.
@@ -86,7 +86,7 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     if (b.wantsStencil() && !stencil)
         b.note("no format of depth and stencil: of equal depths the first to come is kept, which is "
                "not repeatable.");
-    const bool perSample = b.plan.view.generationTier == AGAA_TIER_PER_SAMPLE && b.plan.view.hwSamples > 1;
+    const bool perSample = b.view().generationTier == AGAA_TIER_PER_SAMPLE && b.view().hwSamples > 1;
     Pass& pass = b.hostDraw("generate aggregates", AGAA_STAGE_GENERATION,
                             AGAA_DRAW_PASS_AGGREGATE, AGAA_SEGMENT_GENERATION);
     b.bindCommon(pass);
@@ -101,10 +101,10 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
         b.bind(pass, host_slot::Metadata, BindingType::Texture, metadata);
     // Samples at the far plane, which the prepass does not show, are equal in depth all the same: the normals tell them.
     // Floats reach 0, the far plane of a reversed depth, at the plane itself.
-    if (!a.represented && !b.plan.view.reversedZ)
+    if (!a.represented && !b.view().reversedZ)
         b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.normals);
     b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
-    if (!perSample && b.plan.view.hwSamples > 1)
+    if (!perSample && b.view().hwSamples > 1)
         pass.draw.extensions.push_back("ARB_post_depth_coverage");
     setRecord(pass, a);
 }
@@ -129,7 +129,7 @@ void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates
 
 void buildTwoPasses(PlanBuilder& b, const Aggregation& a) {
     const Prepass prepass = drawPrepass(b, b.wantsStencil());
-    const ResourceId aggregates = aggregateBuffer(b, a, b.claimBytes());
+    const ResourceId aggregates = aggregateBuffer(b, a, b.view().claimBytes());
     const ResourceId metadata = a.define(
         [&](Pass& pass) {
             b.bind(pass, slot::Depth, BindingType::Texture, prepass.depth);

@@ -26,27 +26,37 @@ bool isExact(const ViewSettings& view) { return view.coverage.flags & AGAA_COVER
 // A sample shows one fragment.
 ShadingWork work(const ViewSettings& view) { return {isExact(view) ? view.samples : view.aggregates, view.samples}; }
 
-bool carriesMaterials(const PlanBuilder& b) { return b.plan.view.generationTier == AGAA_TIER_MATERIAL_LISTS; }
-bool mergesInTargets(const PlanBuilder& b) { return b.plan.view.generationTier == AGAA_TIER_RASTER_ORDER; }
-bool mergesInOrder(const PlanBuilder& b) {
-    return b.plan.view.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK || mergesInTargets(b);
+bool carriesMaterials(const ResolvedView& view) { return view.generationTier == AGAA_TIER_MATERIAL_LISTS; }
+bool mergesInTargets(const ResolvedView& view) { return view.generationTier == AGAA_TIER_RASTER_ORDER; }
+bool mergesInOrder(const ResolvedView& view) {
+    return view.generationTier == AGAA_TIER_FRAGMENT_INTERLOCK || mergesInTargets(view);
+}
+
+void resolve(ResolvedView& view) {
+    if (!isExact(view))
+        return setSurfaceDefaults(view, 0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
+    require(!hasBatches(view), AGAA_ERROR_UNSUPPORTED,
+            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; AGAA_COVERAGE_EXACT needs all fragments at once.");
+    if (mergesInOrder(view))
+        fail(AGAA_ERROR_UNSUPPORTED, format("AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier %s does not keep.",
+                                            agaaTierName(view.generationTier)));
 }
 
 Aggregation keptSurfaces(const PlanBuilder& b) {
     Aggregation surfaces;
-    surfaces.layout = surfaceLayout(b.plan.view.layout);
+    surfaces.layout = surfaceLayout(b.view().layout);
     surfaces.packing = packMaterial(surfaces.layout);
-    const uint32_t geometryWords = b.plan.view.samples / 32 + 3; // of src/shaders/coverage/covered_surface.glsl
-    surfaces.spreadWords = b.plan.view.config.ndf > AGAA_NDF_TOKSVIG ? 2 : 0; // of src/shaders/coverage/surface_spread.glsl
+    const uint32_t geometryWords = b.view().samples / 32 + 3; // of src/shaders/coverage/covered_surface.glsl
+    surfaces.spreadWords = b.view().config.ndf > AGAA_NDF_TOKSVIG ? 2 : 0; // of src/shaders/coverage/surface_spread.glsl
     surfaces.stride = geometryWords + surfaces.spreadWords + surfaces.packing.words;
     return surfaces;
 }
 
 // otherWords: of fragments that do not carry the words of a surface.
 FragmentLists drawScene(PlanBuilder& b, const Aggregation& surfaces, uint32_t otherWords) {
-    if (!carriesMaterials(b))
+    if (!carriesMaterials(b.view()))
         return drawFragments(b, otherWords);
-    const FragmentLists lists = drawFragments(b, surfaces.stride - b.plan.view.samples / 32);
+    const FragmentLists lists = drawFragments(b, surfaces.stride - b.view().samples / 32);
     b.plan.passes[lists.firstPass].draw.fragmentContent = FragmentContent::Materials;
     setRecord(b.plan.passes[lists.firstPass], surfaces);
     return lists;
@@ -54,7 +64,7 @@ FragmentLists drawScene(PlanBuilder& b, const Aggregation& surfaces, uint32_t ot
 
 void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& surfaces, Pass& pass) {
     b.bindCommon(pass);
-    if (carriesMaterials(b))
+    if (carriesMaterials(b.view()))
         lists.bindAlone(b, pass);
     else
         lists.bind(b, pass);
@@ -63,14 +73,9 @@ void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& su
 
 // What shows of each fragment is shaded: the reference of the merging ways.
 void buildExact(PlanBuilder& b) {
-    require(!hasBatches(b), AGAA_ERROR_UNSUPPORTED,
-            "AgaaDecoupledCoverage::maxBatches is for lists that are merged; AGAA_COVERAGE_EXACT needs all fragments at once.");
-    if (mergesInOrder(b))
-        fail(AGAA_ERROR_UNSUPPORTED, format("AGAA_COVERAGE_EXACT needs lists of all fragments, which the tier %s does not keep.",
-                                            agaaTierName(b.plan.view.generationTier)));
     const Aggregation surfaces = keptSurfaces(b);
     const FragmentLists lists = drawScene(b, surfaces, 3); // a depth plane
-    Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING, carriesMaterials(b) ? "shade_carried" : "shade_fragments",
+    Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING, carriesMaterials(b.view()) ? "shade_carried" : "shade_fragments",
                             AGAA_SEGMENT_SHADING);
     readLists(b, lists, surfaces, shade);
     b.bindLighting(shade);
@@ -79,13 +84,13 @@ void buildExact(PlanBuilder& b) {
 }
 
 ResourceId surfaceBuffer(PlanBuilder& b) {
-    return b.pixelBuffer("surfaces", checkedMultiply(b.plan.view.aggregates, b.plan.bytesPerAggregate));
+    return b.pixelBuffer("surfaces", checkedMultiply(b.view().aggregates, b.plan.bytesPerAggregate));
 }
 
 Pass& drawMerging(PlanBuilder& b, const Aggregation& surfaces) {
     Pass& pass = drawTriangles(b);
     pass.draw.fragmentContent = FragmentContent::Merged;
-    pass.constants[AGAA_MERGE_RULE] = b.plan.view.coverage.merge;
+    pass.constants[AGAA_MERGE_RULE] = b.view().coverage.merge;
     setRecord(pass, surfaces);
     return pass;
 }
@@ -101,12 +106,12 @@ ResourceId mergeInBuffer(PlanBuilder& b, const Aggregation& surfaces) {
 
 ResourceId mergeInTargets(PlanBuilder& b, const Aggregation& surfaces) {
     constexpr uint32_t words = 4; // of a texel
-    const uint32_t bytes = 4 * b.plan.view.aggregates * surfaces.stride;
+    const uint32_t bytes = 4 * b.view().aggregates * surfaces.stride;
     if (bytes > 4 * words * maxFetchedTargets)
         fail(AGAA_ERROR_UNSUPPORTED,
              format("the tier raster-order keeps up to 128 bytes a pixel in attachments; %u surfaces of this layout take %u.",
-                    b.plan.view.aggregates, bytes));
-    const uint32_t attachments = (b.plan.view.aggregates * surfaces.stride + words - 1) / words;
+                    b.view().aggregates, bytes));
+    const uint32_t attachments = (b.view().aggregates * surfaces.stride + words - 1) / words;
     const ResourceId kept = b.layeredImage("surfaces", Format::RGBA32U, attachments);
     Pass& pass = drawMerging(b, surfaces);
     pass.draw.colorTargets = {kept};
@@ -118,38 +123,37 @@ ResourceId mergeInTargets(PlanBuilder& b, const Aggregation& surfaces) {
 
 ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
     const FragmentLists lists = drawScene(b, surfaces, 0);
-    if (hasBatches(b))
+    if (hasBatches(b.view()))
         addBatchPass(b, "divide tiles", "divide_tiles", lists.buffer);
     const ResourceId kept = surfaceBuffer(b);
     // A repetition lies in one segment.
-    Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, carriesMaterials(b) ? "merge_carried" : "merge_fragments",
-                            hasBatches(b) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
+    Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, carriesMaterials(b.view()) ? "merge_carried" : "merge_fragments",
+                            hasBatches(b.view()) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
     readLists(b, lists, surfaces, merge);
-    merge.constants[AGAA_MERGE_RULE] = b.plan.view.coverage.merge;
+    merge.constants[AGAA_MERGE_RULE] = b.view().coverage.merge;
     b.bind(merge, slot::Surfaces, BindingType::StorageBuffer, kept, true);
-    if (hasBatches(b)) {
+    if (hasBatches(b.view())) {
         addBatchPass(b, "next batch", "next_batch", lists.buffer);
-        b.plan.repeats.push_back({lists.firstPass, uint32_t(b.plan.passes.size() - 1), b.plan.view.coverage.maxBatches,
+        b.plan.repeats.push_back({lists.firstPass, uint32_t(b.plan.passes.size() - 1), b.view().coverage.maxBatches,
                                   lists.buffer, predicateOffset});
     }
     return kept;
 }
 
 void build(PlanBuilder& b) {
-    if (isExact(b.plan.view))
+    if (isExact(b.view()))
         return buildExact(b);
-    b.defaultSurface(0.98078528f, 1.0f, 1.0f); // the cosine of pi/16 (section 3.2)
     const Aggregation surfaces = keptSurfaces(b);
     b.plan.bytesPerAggregate = 4 * surfaces.stride;
-    const ResourceId kept = mergesInTargets(b) ? mergeInTargets(b, surfaces)
-                            : mergesInOrder(b) ? mergeInBuffer(b, surfaces)
+    const ResourceId kept = mergesInTargets(b.view()) ? mergeInTargets(b, surfaces)
+                            : mergesInOrder(b.view()) ? mergeInBuffer(b, surfaces)
                                                : mergeLists(b, surfaces);
     Pass& shade = b.compute("shade surfaces", AGAA_STAGE_SHADING, "shade_surfaces", AGAA_SEGMENT_SHADING,
-                            {{Switch::InTargets, mergesInTargets(b)}});
+                            {{Switch::InTargets, mergesInTargets(b.view())}});
     b.bindCommon(shade);
     b.bindLighting(shade);
     b.bindOutput(shade);
-    if (mergesInTargets(b))
+    if (mergesInTargets(b.view()))
         b.bind(shade, slot::SurfaceTargets, BindingType::Texture, kept);
     else
         b.bind(shade, slot::Surfaces, BindingType::StorageBuffer, kept);
@@ -164,7 +168,7 @@ constexpr const TechniqueSettings* settings[] = {&coverageSettings};
 } // namespace
 
 const Technique dcaaTechnique = {.name = "dcaa", .maxSamples = 0, .maxAggregates = 8, .tiers = tiers, .settings = settings,
-                                 .build = build, .work = work, .storesWidenedLobes = true,
+                                 .build = build, .work = work, .resolve = resolve, .storesWidenedLobes = true,
                                  .keepsSpread = true, .facts = knownCoverageFacts};
 
 } // namespace agaa

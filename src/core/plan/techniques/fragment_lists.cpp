@@ -11,7 +11,7 @@
 
 namespace agaa {
 
-bool hasBatches(const PlanBuilder& b) { return b.plan.view.coverage.maxBatches > 1; }
+bool hasBatches(const ViewSettings& view) { return view.coverage.maxBatches > 1; }
 
 namespace {
 
@@ -52,13 +52,13 @@ constexpr uint64_t countWords = 16;
 
 ListSizes listSizes(const PlanBuilder& b) {
     const auto tiles = [](uint32_t pixels) { return (uint64_t(pixels) + 7) / 8; };
-    const uint64_t words = hasBatches(b) ? tiles(b.plan.view.width) * tiles(b.plan.view.height) : 0;
-    return {countWords + uint64_t(b.plan.view.width) * b.plan.view.height + words, 2 + b.plan.view.samples / 32 + b.plan.payloadWords};
+    const uint64_t words = hasBatches(b.view()) ? tiles(b.view().width) * tiles(b.view().height) : 0;
+    return {countWords + uint64_t(b.view().width) * b.view().height + words, 2 + b.view().samples / 32 + b.plan.payloadWords};
 }
 
 ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
-    const uint64_t pixels = uint64_t(b.plan.view.width) * b.plan.view.height;
-    const double wanted = double(pixels) * double(b.plan.view.coverage.fragmentsPerPixel);
+    const uint64_t pixels = uint64_t(b.view().width) * b.view().height;
+    const double wanted = double(pixels) * double(b.view().coverage.fragmentsPerPixel);
     const uint64_t most = b.caps().maxStorageRange / 4;
     const uint64_t room = std::min<uint64_t>(most > sizes.heads ? (most - sizes.heads) / sizes.words : 0, 0x7FFFFFFF / sizes.words);
     b.plan.fragmentCapacity = std::min<uint64_t>(std::max<uint64_t>(uint64_t(wanted), 65536), room);
@@ -81,10 +81,9 @@ namespace {
 // Masks of half-planes, for a pattern of samples that has no rows.
 ResourceId makeCoverageTable(PlanBuilder& b) {
     constexpr uint32_t usualSize = 128; // as in the paper
-    const uint32_t size = b.plan.view.coverage.tableSize ? b.plan.view.coverage.tableSize : usualSize;
-    require(b.plan.view.coveragePositions.size() == 2 * b.plan.view.samples, AGAA_ERROR_INTERNAL,
+    const uint32_t size = b.view().coverage.tableSize ? b.view().coverage.tableSize : usualSize;
+    require(b.view().coveragePositions.size() == 2 * b.view().samples, AGAA_ERROR_INTERNAL,
             "positions of coverage samples are of another number of samples.");
-    b.plan.view.samplePositions = b.plan.view.coveragePositions;
     b.passConstants()[AGAA_TABLE_SIZE] = size;
     const ResourceId table = b.squareImage("coverage-table", Format::RGBA32U, size);
     Pass& fill = b.compute("fill coverage table", AGAA_STAGE_GENERATION, "coverage_table", AGAA_SEGMENT_PREPASS);
@@ -98,15 +97,15 @@ ResourceId makeCoverageTable(PlanBuilder& b) {
 } // namespace
 
 Pass& drawTriangles(PlanBuilder& b) {
-    const ResourceId table = b.plan.view.coveragePositions.empty() ? noResource : makeCoverageTable(b);
+    const ResourceId table = b.view().coveragePositions.empty() ? noResource : makeCoverageTable(b);
     Pass& pass = b.hostDraw("fragments", AGAA_STAGE_GENERATION, AGAA_DRAW_PASS_FRAGMENTS, AGAA_SEGMENT_PREPASS);
     b.bindCommon(pass);
     if (table != noResource)
         b.bind(pass, host_slot::CoverageTable, BindingType::Texture, table);
     pass.draw.state.depthCompare = AGAA_COMPARE_ALWAYS;
-    pass.draw.state.vertexPulling = b.plan.view.vertexPulling;
-    pass.draw.expansionText = b.plan.view.vertexPulling ? "#include \"host/pulled_hull.glsl\"" : "#include \"host/triangle_hull.glsl\"";
-    if (b.plan.view.vertexPulling)
+    pass.draw.state.vertexPulling = b.view().vertexPulling;
+    pass.draw.expansionText = b.view().vertexPulling ? "#include \"host/pulled_hull.glsl\"" : "#include \"host/triangle_hull.glsl\"";
+    if (b.view().vertexPulling)
         b.note("triangles: vertex shaders of the host expand them (AGAA_VIEW_VERTEX_PULLING).");
     return pass;
 }

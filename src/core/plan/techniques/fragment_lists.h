@@ -19,7 +19,7 @@ struct FragmentLists {
 Pass& drawTriangles(PlanBuilder& b);
 
 // The scene is drawn again where fragments found no room.
-bool hasBatches(const PlanBuilder& b);
+bool hasBatches(const ViewSettings& view);
 inline constexpr uint64_t predicateOffset = 12; // of the word that ends the repetition, in bytes
 
 // payloadWords: of a fragment, that passes after the draw of the scene write, or the draw with materials.

@@ -8,7 +8,7 @@ namespace {
 
 // Into attachments of its own, which it clears; over the depth that `g` has.
 Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const char* name) {
-    g.packing = packGBuffer(b.plan.view.layout);
+    g.packing = packGBuffer(b.view().layout);
     for (size_t i = 0; i < g.packing.attachments.size(); ++i)
         g.attachments.push_back(
             b.image("gbuffer-" + std::to_string(i), g.packing.attachments[i], true));
@@ -26,13 +26,13 @@ Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const char* name) {
 
 GBuffer makeGBuffer(PlanBuilder& b) {
     GBuffer g;
-    if (b.plan.view.hostGBuffer) {
-        g.packing = packGBuffer(b.plan.view.layout);
+    if (b.view().hostGBuffer) {
+        g.packing = packGBuffer(b.view().layout);
         return g;
     }
     g.depth = b.depth(false);
     Pass& pass = drawGBuffer(b, g, "gbuffer");
-    pass.draw.state.depthCompare = b.plan.view.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    pass.draw.state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
     pass.draw.state.depthWrite = 1;
     pass.draw.clearsDepth = true;
     return g;

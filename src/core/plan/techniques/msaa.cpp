@@ -11,7 +11,7 @@ static void build(PlanBuilder& b) {
     Pass& prepass = b.hostDraw("prepass", AGAA_STAGE_PREPASS, AGAA_DRAW_PASS_VISIBILITY,
                                AGAA_SEGMENT_PREPASS);
     b.bindCommon(prepass);
-    prepass.draw.state.depthCompare = b.plan.view.reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
+    prepass.draw.state.depthCompare = b.view().reversedZ ? AGAA_COMPARE_GREATER : AGAA_COMPARE_LESS;
     prepass.draw.state.depthWrite = 1;
     prepass.draw.depthTarget = depth;
     prepass.draw.clearsDepth = true;

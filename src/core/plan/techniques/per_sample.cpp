@@ -26,7 +26,7 @@ void buildPerSample(PlanBuilder& b) {
 
 // Lottes 2009: edges of the shaded image are found and softened.
 void buildFxaa(PlanBuilder& b) {
-    if (b.plan.view.measurement.debugView != AGAA_DEBUG_VIEW_NONE)
+    if (b.view().measurement.debugView != AGAA_DEBUG_VIEW_NONE)
         return buildPerSample(b); // numbers, that are not to be filtered
     const GBuffer gbuffer = makeGBuffer(b);
     const ResourceId shaded = b.image("shaded", Format::RGBA16F, false);
@@ -40,10 +40,11 @@ void buildFxaa(PlanBuilder& b) {
 
 // Lauritzen 2010: pixels that show one surface are shaded once.
 void buildSimpleComplex(PlanBuilder& b) {
-    b.defaultSurface(0.98f, 1.0f, 0.05f);
     shadeSamples(b, makeGBuffer(b), true);
     b.copyCounters();
 }
+
+void resolveSimpleComplex(ResolvedView& view) { setSurfaceDefaults(view, 0.98f, 1.0f, 0.05f); }
 
 ShadingWork eachSample(const ViewSettings& view) { return {view.samples, 1}; }
 ShadingWork someSamples(const ViewSettings& view) { return {view.samples, view.samples}; }
@@ -54,6 +55,6 @@ const Technique singleTechnique = {.name = "single", .maxSamples = 1, .build = b
 const Technique ssaaTechnique = {.name = "ssaa", .maxSamples = 32, .build = buildPerSample, .work = eachSample};
 const Technique fxaaTechnique = {.name = "fxaa", .maxSamples = 1, .build = buildFxaa, .work = eachSample};
 const Technique simpleComplexTechnique = {.name = "simple_complex", .maxSamples = 32, .build = buildSimpleComplex,
-                                          .work = someSamples};
+                                          .work = someSamples, .resolve = resolveSimpleComplex};
 
 } // namespace agaa

@@ -14,8 +14,8 @@ void Ids::bind(PlanBuilder& b, Pass& pass) const {
 }
 
 Ids drawIds(PlanBuilder& b) {
-    Ids ids{drawPrepass(b, b.plan.view.someUnfetched && b.wantsStencil(), "ids", Format::RGBA8, SampleContent::Id), {}};
-    if (b.plan.view.someUnfetched) {
+    Ids ids{drawPrepass(b, b.view().someUnfetched && b.wantsStencil(), "ids", Format::RGBA8, SampleContent::Id), {}};
+    if (b.view().someUnfetched) {
         require(!b.hasFact(AGAA_FACT_CUSTOM_DEPTH), AGAA_ERROR_UNSUPPORTED,
                 "materials that write depth or discard on their own (AGAA_FACT_CUSTOM_DEPTH) cannot be drawn a second "
                 "time at equal depth, which AGAA_FETCH_NOT_ALL_DRAWS asks for.");

@@ -17,26 +17,27 @@ void buildNative(PlanBuilder& b) {
     b.image("primitive-ids", Format::R8, true);
     b.image("depth-slopes", Format::RG8, true);
     uint64_t bytes = bytesPerTexel(Format::R16U);
-    const GBufferPacking packing = packGBuffer(b.plan.view.layout);
+    const GBufferPacking packing = packGBuffer(b.view().layout);
     for (size_t i = 0; i < packing.attachments.size(); ++i) {
-        b.modelSurface("surface-gbuffer-" + std::to_string(i), packing.attachments[i], b.plan.view.aggregates);
+        b.modelSurface("surface-gbuffer-" + std::to_string(i), packing.attachments[i], b.view().aggregates);
         bytes += bytesPerTexel(packing.attachments[i]);
     }
-    b.modelSurface("surface-data", Format::R16U, b.plan.view.aggregates);
+    b.modelSurface("surface-data", Format::R16U, b.view().aggregates);
     b.plan.bytesPerAggregate = uint32_t(bytes);
 }
 
+void resolve(ResolvedView& view) { setSurfaceDefaults(view, 0.9f, 1.0f, 1.0f); }
+
 void build(PlanBuilder& b) {
-    b.defaultSurface(0.9f, 1.0f, 1.0f);
-    if (b.plan.view.generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
+    if (b.view().generationTier == AGAA_TIER_NV_MIXED_SAMPLES)
         return buildNative(b);
     Aggregation surfaces;
-    const bool fromGBuffer = b.plan.view.generationTier == AGAA_TIER_GBUFFER;
-    surfaces.layout = surfaceLayout(b.plan.view.layout);
+    const bool fromGBuffer = b.view().generationTier == AGAA_TIER_GBUFFER;
+    surfaces.layout = surfaceLayout(b.view().layout);
     if (!fromGBuffer)
-        surfaces.layout = twoPassLayout(surfaces.layout, b.plan.view.facts.flags);
+        surfaces.layout = twoPassLayout(surfaces.layout, b.view().facts.flags);
     surfaces.packing = packAggregate(surfaces.layout, 1);
-    const uint32_t payloadWords = b.plan.view.samples > 16 ? 2 : 1; // of src/shaders/math/records.glsl
+    const uint32_t payloadWords = b.view().samples > 16 ? 2 : 1; // of src/shaders/math/records.glsl
     surfaces.stride = surfaces.packing.words + payloadWords;
     surfaces.represented = true;
     surfaces.definitionClears = true;
@@ -57,6 +58,6 @@ void build(PlanBuilder& b) {
 static constexpr const GenerationTier* tiers[] = {&postDepthTier, &perSampleTier, &gbufferTier, &mixedSamplesTier};
 static constexpr const TechniqueSettings* settings[] = {&aggregationSettings};
 const Technique sbaaTechnique = {.name = "sbaa", .maxSamples = 32, .maxAggregates = 6, .tiers = tiers, .settings = settings,
-                                 .build = build, .work = workOfAggregates};
+                                 .build = build, .work = workOfAggregates, .resolve = resolve};
 
 } // namespace agaa

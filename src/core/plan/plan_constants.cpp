@@ -1,0 +1,82 @@
+// Specialisation constants of a plan's passes, and those of its variants.
+#include "core/plan/plan_builder.h"
+
+#include "core/base/embedded.h"
+
+#include "shaders/tables/lighting.inc"
+
+#include <algorithm>
+#include <bit>
+
+namespace agaa {
+
+Constants constantsOf(const ResolvedView& view) {
+    const AgaaConfig& config = view.config;
+    const AgaaMeasurement& measurement = view.measurement;
+    Constants c{};
+    c[AGAA_SAMPLES] = view.samples;
+    c[AGAA_HW_SAMPLES] = view.hwSamples;
+    c[AGAA_SCALE_X] = view.scaleX;
+    c[AGAA_SCALE_Y] = view.scaleY;
+    c[AGAA_AGGREGATES] = std::max(view.aggregates, 1u);
+    c[AGAA_BRDF] = config.brdf;
+    c[AGAA_NDF] = config.ndf;
+    c[AGAA_FILTER_DIFFUSE] = !(measurement.flags & AGAA_MEASURE_NO_DIFFUSE_FILTER);
+    c[AGAA_SHADOW_MAPS] = view.facts.shadowMapCount;
+    c[AGAA_SHADOW_TAPS] = config.shadowTaps;
+    c[AGAA_SHADOW_FILTER] = measurement.flags & AGAA_MEASURE_NO_SHADOW_FILTER     ? AGAA_SHADOW_AT_MEAN
+                            : measurement.flags & AGAA_MEASURE_SHADOW_ALONG_DEPTH ? AGAA_SHADOW_ALONG_DEPTH
+                                                                                  : AGAA_SHADOW_AT_SAMPLES;
+    c[AGAA_COUNTERS] = view.hasCounters();
+    c[AGAA_SEEDS] = measurement.seeds;
+    c[AGAA_EMISSIVE_CHANNELS] = view.layout[AGAA_SEMANTIC_EMISSIVE].channels;
+    c[AGAA_HAS_SPECULAR] = view.layout.hasSpecularLight;
+    c[AGAA_HAS_AMBIENT] = (view.facts.flags & AGAA_FACT_AMBIENT) != 0;
+    c[AGAA_FACTS] = uint32_t(view.facts.flags);
+    c[AGAA_CHECK_FACTS] = (config.flags & AGAA_CONFIG_CHECK_FACTS) != 0;
+    c[AGAA_ONE_ALPHA2] = std::bit_cast<uint32_t>(view.facts.alpha2);
+    c[AGAA_ONE_SPECULAR] = std::bit_cast<uint32_t>(view.facts.specular);
+    c[AGAA_SHADING_COST] = measurement.shadingCost;
+    c[AGAA_GLOSS_WEIGHT] = view.aggregation.glossWeight > 0 ? std::bit_cast<uint32_t>(view.aggregation.glossWeight) : 0; // not -0
+    c[AGAA_LIT_SHADOWS] = view.aggregation.litShadows;
+    c[AGAA_DEBUG_VIEW] = measurement.debugView;
+    c[AGAA_FAR_DEPTH] = !view.reversedZ;
+    c[AGAA_GENERATION_TIER] = view.generationTier;
+    // The samples of a texel share a fragment, for which a G-buffer has one material.
+    c[AGAA_FINE_MATERIALS] = (config.flags & AGAA_CONFIG_FINE_MATERIALS) != 0;
+    c[AGAA_MATERIAL_SAMPLES] = c[AGAA_FINE_MATERIALS] ? view.hwSamples : view.samples;
+    return c;
+}
+
+uint32_t PlanBuilder::variantLitShadows() const {
+    return plan.view.aggregation.litShadows & ((1u << plan.view.variantFacts.shadowMapCount) - 1);
+}
+
+// Of the compute passes' constants. Those that a shader does not read stay, so that variants share its pipeline.
+void PlanBuilder::specialiseForVariant() {
+    const uint32_t shadows = plan.view.variantFacts.shadowMapCount;
+    if (plan.view.variantFacts.flags == plan.view.facts.flags && shadows == plan.view.facts.shadowMapCount)
+        return;
+    for (Pass& pass : plan.passes) {
+        if (pass.kind != PassKind::Compute)
+            continue;
+        // Passes with text that is compiled with the view may read any.
+        const std::span<const uint32_t> spirv =
+            pass.compute.hostCode.empty() && pass.compute.text.empty() ? embeddedSpirv(pass.compute.shader) : std::span<const uint32_t>();
+        const auto limit = [&](Constant constant, uint32_t value) {
+            uint32_t& own = pass.constants[constant];
+            if (own != value && (spirv.empty() || readsConstant(spirv, constant)))
+                own = value;
+        };
+        if (!variantHas(AGAA_FACT_SPECULAR))
+            limit(AGAA_HAS_SPECULAR, 0);
+        if (!variantHas(AGAA_FACT_EMISSIVE))
+            limit(AGAA_EMISSIVE_CHANNELS, 0);
+        if (!variantHas(AGAA_FACT_AMBIENT))
+            limit(AGAA_HAS_AMBIENT, 0);
+        limit(AGAA_SHADOW_MAPS, shadows);
+        limit(AGAA_LIT_SHADOWS, variantLitShadows());
+    }
+}
+
+} // namespace agaa

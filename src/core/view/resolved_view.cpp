@@ -1,0 +1,164 @@
+#include "core/view/resolved_view.h"
+
+#include "core/base/checked.h"
+#include "core/base/error.h"
+#include "core/view/tiers.h"
+
+#include <algorithm>
+
+namespace agaa {
+
+namespace {
+
+// Removes what neither the scene nor the technique uses.
+void stripUnusedFeatures(ResolvedView& view, const Technique& technique) {
+    AgaaConfig& config = view.config;
+    const bool showsFacts = view.measurement.debugView == AGAA_DEBUG_VIEW_FACTS;
+    config.flags |= showsFacts ? AGAA_CONFIG_CHECK_FACTS : 0;
+    config.flags |= config.flags & AGAA_CONFIG_CHECK_FACTS ? AGAA_CONFIG_COUNTERS : 0;
+    // The debug view of facts stores its colours as diffuse albedo.
+    view.layout = reduceLayout(view.layout, view.facts.flags & ~(showsFacts ? AGAA_FACT_NO_DIFFUSE : 0),
+                               technique.storesWidenedLobes);
+    if (!technique.groupsSamples) { // hosts may leave the settings of "agaa" set while they measure other techniques
+        view.aggregation.litShadows = 0;
+        config.flags &= ~(AGAA_CONFIG_BUFFERED | AGAA_CONFIG_FINE_MATERIALS);
+        view.measurement.flags &= ~AGAA_MEASURE_FIRST_SAMPLE_ROUTING;
+    }
+    if (view.aggregates < 2) // all samples go to the same aggregate
+        view.measurement.flags &= ~AGAA_MEASURE_FIRST_SAMPLE_ROUTING;
+    // Elliptic lobes need a specular lobe and a technique that keeps the spread of normals.
+    if (!(technique.groupsSamples || technique.keepsSpread) || !view.layout.hasSpecularLight)
+        config.ndf = std::min<uint32_t>(config.ndf, AGAA_NDF_TOKSVIG);
+    if (!technique.groupsSamples || !view.layout.hasSpecularLight)
+        view.aggregation.glossWeight = 0;
+    const uint32_t lit = view.aggregation.litShadows & ((1u << view.facts.shadowMapCount) - 1);
+    if (lit != view.aggregation.litShadows)
+        view.notes.push_back("lit aggregates: AgaaAggregation::litShadows names shadows that AgaaSceneFacts does not declare; "
+                             "they are left out.");
+    view.aggregation.litShadows = lit;
+}
+
+void checkFacts(const ResolvedView& view, const Technique& technique) {
+    const uint64_t refused = view.facts.flags & ~technique.facts;
+    if (refused & AGAA_FACT_CUSTOM_DEPTH)
+        fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\" does not take materials that write depth or discard on their own "
+                                            "(AGAA_FACT_CUSTOM_DEPTH).", technique.name));
+    if (refused)
+        fail(AGAA_ERROR_UNSUPPORTED, format("\"%s\" does not take the bits 0x%llx of AgaaSceneFacts::flags.", technique.name,
+                                            static_cast<unsigned long long>(refused)));
+}
+
+void chooseVisibilityTier(ResolvedView& view, const Technique& technique, const AgaaDeviceCaps& caps) {
+    if (technique.countsCoverage(view.config.generationTier, view.samples)) {
+        const uint32_t forced = view.config.visibilityTier;
+        if (forced != AGAA_TIER_AUTO && forced != AGAA_TIER_NATIVE)
+            fail(AGAA_ERROR_UNSUPPORTED, format("visibility cannot run: coverage samples of \"%s\" are found by edges, so that "
+                                                "the tier %s is not for them.", technique.name, agaaTierName(forced)));
+        if (!view.coveragePositions.empty())
+            view.samplePositions = view.coveragePositions;
+        view.notes.push_back("visibility: " + coverageByEdges(view.samples).reason);
+        return;
+    }
+    if (!view.samplePositions.empty()) {
+        view.hwSamples = view.samples;
+        view.notes.push_back("visibility: the host says where the samples of its G-buffer lie.");
+        return;
+    }
+    // If the target of an ordered grid is too large for the device, other tiers may have smaller ones.
+    const bool fits = uint64_t(std::max(view.width, view.height)) * gridSide(view.samples) <= caps.maxImageSize;
+    const VisibilityChoice choice =
+        chooseVisibility(caps, view.samples, view.config.visibilityTier,
+                         fits && technique.prefersOrderedGrid && technique.prefersOrderedGrid(view));
+    if (choice.tier == AGAA_TIER_AUTO)
+        fail(AGAA_ERROR_UNSUPPORTED, "visibility cannot run: " + choice.reason);
+    view.visibilityTier = choice.tier;
+    view.hwSamples = choice.hwSamples;
+    view.scaleX = choice.scaleX;
+    view.scaleY = choice.scaleY;
+    view.notes.push_back("visibility: " + choice.reason);
+}
+
+// The aggregates in memory that two geometry passes fill.
+uint64_t aggregateBytes(const ResolvedView& view) {
+    const uint64_t words = packAggregate(twoPassLayout(view.layout, view.facts.flags), view.samples).words;
+    return checkedMultiply(uint64_t(view.width) * view.height, 4 * words * view.aggregates + view.claimBytes());
+}
+
+void chooseGenerationTier(ResolvedView& view, const Technique& technique, const AgaaDeviceCaps& caps) {
+    if (technique.tiers.empty())
+        return;
+    const AgaaConfig& config = view.config;
+    GenerationQuery query{.caps = caps,
+                          .hwSamples = view.hwSamples,
+                          .customDepth = (view.facts.flags & AGAA_FACT_CUSTOM_DEPTH) != 0,
+                          .hostGBuffer = view.hostGBuffer,
+                          .fetches = view.maxDraws > 0,
+                          .someUnfetched = view.someUnfetched,
+                          .vertexPulling = view.vertexPulling,
+                          .coverageSamples = technique.countsCoverage(config.generationTier, view.samples),
+                          .needsMaterials = view.aggregation.litShadows || view.aggregation.glossWeight > 0 ||
+                                            config.ndf > AGAA_NDF_TOKSVIG};
+    // The other tiers shade at once, without aggregates in memory.
+    if (technique.groupsSamples && !query.coverageSamples && !(config.flags & AGAA_CONFIG_BUFFERED))
+        query.aggregateBytes = aggregateBytes(view);
+    const GenerationChoice choice = chooseGeneration(technique, query, config.generationTier);
+    if (!choice.row)
+        fail(AGAA_ERROR_UNSUPPORTED, "generation cannot run: " + choice.reason);
+    view.generation = choice.row;
+    view.generationTier = choice.row->tier;
+    view.notes.push_back("generation: " + choice.reason);
+}
+
+void checkTierOptions(const ResolvedView& view, const Technique& technique) {
+    const AgaaConfig& config = view.config;
+    const bool buffered = config.flags & AGAA_CONFIG_BUFFERED;
+    require(view.aggregation.glossWeight == 0 || view.knowsMaterials(), AGAA_ERROR_UNSUPPORTED,
+            "AgaaAggregation::glossWeight needs the tier ids, fragments or gbuffer, which know materials when they group "
+            "samples.");
+    require(view.aggregation.litShadows == 0 || (view.knowsMaterials() && !buffered), AGAA_ERROR_UNSUPPORTED,
+            "AgaaAggregation::litShadows needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED, which know "
+            "materials and shadows in one pass.");
+    require(config.ndf <= AGAA_NDF_TOKSVIG || (view.knowsMaterials() && !buffered), AGAA_ERROR_UNSUPPORTED,
+            "AgaaConfig::ndf needs the tier fragments, or ids or gbuffer without AGAA_CONFIG_BUFFERED for elliptic lobes, "
+            "whose spread is not kept in memory.");
+    const uint32_t shown = view.measurement.debugView;
+    const bool showsAggregates = shown == AGAA_DEBUG_VIEW_AGGREGATES || shown == AGAA_DEBUG_VIEW_CLUSTERS ||
+                                 shown == AGAA_DEBUG_VIEW_WIDENED;
+    require(!showsAggregates || technique.maxAggregates, AGAA_ERROR_UNSUPPORTED,
+            "AgaaMeasurement::debugView shows aggregates, of which this technique makes none.");
+    require(shown != AGAA_DEBUG_VIEW_WIDENED || !view.layout.foldsRoughness(), AGAA_ERROR_UNSUPPORTED,
+            "AgaaMeasurement::debugView shows widened lobes, which a layout with folded roughness cannot tell.");
+    require(shown != AGAA_DEBUG_VIEW_PRIMITIVES || (view.countsPrimitives() && !buffered), AGAA_ERROR_UNSUPPORTED,
+            "AgaaMeasurement::debugView shows primitives, which only the tiers fragments, and ids without "
+            "AGAA_CONFIG_BUFFERED, count.");
+}
+
+} // namespace
+
+void setSurfaceDefaults(ViewSettings& view, float cosine, float distance, float material) {
+    const auto set = [](float& value, float otherwise) { value = value > 0 ? value : otherwise; };
+    set(view.config.surfaceCosine, cosine);
+    set(view.config.surfaceDistance, distance);
+    set(view.config.surfaceMaterial, material);
+}
+
+ResolvedView resolveForDevice(const ViewSettings& settings, const AgaaDeviceCaps& caps) {
+    ResolvedView view(settings);
+    const Technique& technique = *findTechnique(view.technique);
+    stripUnusedFeatures(view, technique);
+    checkFacts(view, technique);
+    chooseVisibilityTier(view, technique, caps);
+    chooseGenerationTier(view, technique, caps);
+    checkTierOptions(view, technique);
+    require(!view.hasCounters() || caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
+            "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");
+    // With eight taps at n = 8 visibility is exact, because every sample of the pixel is one. At higher n eight of an
+    // aggregate's samples still span it.
+    if (view.config.shadowTaps == 0)
+        view.config.shadowTaps = 8;
+    if (technique.resolve)
+        technique.resolve(view);
+    return view;
+}
+
+} // namespace agaa

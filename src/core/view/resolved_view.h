@@ -1,0 +1,41 @@
+// A view as a device runs it: the value that planning reads.
+#pragma once
+
+#include "core/view/technique.h"
+#include "core/view/view_settings.h"
+
+#include <string>
+#include <vector>
+
+namespace agaa {
+
+// Settings without features that the scene or the technique does not use, with all defaults set.
+struct ResolvedView : ViewSettings {
+    ResolvedView() = default;
+    explicit ResolvedView(const ViewSettings& settings) : ViewSettings(settings) {}
+
+    AgaaTier visibilityTier = AGAA_TIER_NATIVE;
+    uint32_t hwSamples = 1;             // samples per texel of the target
+    uint32_t scaleX = 1, scaleY = 1;    // texels of the target per pixel
+    AgaaTier generationTier = AGAA_TIER_AUTO;    // AUTO: the technique has no generation stage
+    const GenerationTier* generation = nullptr;  // the row of generationTier, or null
+    std::vector<std::string> notes;     // why tiers were chosen and settings ignored, one sentence each
+
+    bool knowsMaterials() const { return generation && generation->knowsMaterials; }
+    bool countsPrimitives() const { return generation && generation->countsPrimitives; }
+    bool readsGBuffer() const { return generation && generation->readsGBuffer; }
+    bool isModel() const { return generation && generation->isModel; } // it is priced and never run
+    bool hasCounters() const { return config.flags & AGAA_CONFIG_COUNTERS; }
+    // Bytes per pixel, besides the aggregates in memory, that record which samples have an aggregate. Two geometry passes
+    // need them if a sample may go to any aggregate.
+    uint64_t claimBytes() const { return measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING ? 4 : 0; }
+};
+
+// Throws Error if the device cannot run the view; the message says why.
+ResolvedView resolveForDevice(const ViewSettings& settings, const AgaaDeviceCaps& caps);
+
+// Sets the limits within which fragments count as one surface, except those that the host set: the lowest cosine between
+// normals, the distance in pixels and the difference of materials in [0;1].
+void setSurfaceDefaults(ViewSettings& view, float cosine, float distance, float material);
+
+} // namespace agaa
