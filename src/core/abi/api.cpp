@@ -2,6 +2,7 @@
 #include "core/abi/api_guard.h"
 #include "core/abi/draw_passes.h"
 #include "core/abi/handles.h"
+#include "core/abi/tuning_inputs.h"
 #include "core/base/arguments.h"
 #include "core/base/checked.h"
 #include "core/base/error.h"
@@ -181,7 +182,7 @@ AgaaResult AGAA_CALL agaaObserve(const AgaaViewDesc* view, const AgaaDeviceCaps*
         const ViewSettings settings = resolveView(view);
         const Plan plan = makePlan(settings, capsOrIdeal(caps), 2);
         const AgaaObservation previous = readStruct(outObservation);
-        writeStruct(outObservation, observe(settings, plan, readStruct(statistics), previous));
+        writeStruct(outObservation, observe(observedSettings(settings, plan), readStruct(statistics), previous));
         return AGAA_OK;
     });
 }
@@ -196,7 +197,7 @@ AgaaResult AGAA_CALL agaaChooseSettings(const AgaaViewDesc* view, const AgaaDevi
         const AgaaObservation seen = observation ? readStruct(observation) : AgaaObservation AGAA_OBSERVATION_INIT;
         const AgaaChoice last = current ? readStruct(current) : AgaaChoice AGAA_CHOICE_INIT;
         checkOutput(outChoice);
-        writeStruct(outChoice, chooseSettings(settings, device, known, seen, last));
+        writeStruct(outChoice, chooseSettings(tunedView(settings, device), known, seen, last));
         return AGAA_OK;
     });
 }

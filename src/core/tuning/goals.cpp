@@ -2,7 +2,6 @@
 
 #include "core/base/arguments.h"
 #include "core/base/error.h"
-#include "core/plan/planner.h"
 #include "core/tuning/choice_memory.h"
 #include "core/tuning/choice_reason.h"
 #include "core/tuning/observations.h"
@@ -31,32 +30,11 @@ void checkGoal(const AgaaGoal& goal) {
     checkFlags(goal.flags, AGAA_GOAL_ONE_GEOMETRY_PASS, "AgaaGoal::flags");
 }
 
-void applyRow(const ChoiceRow& row, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
-    if (*row.preset)
-        applyPreset(row.preset, config, aggregation, measurement);
-    else
-        applyDefaults(config, aggregation, measurement);
-    config.technique = row.technique;
-    config.samples = row.samples;
-    config.aggregates = std::max(row.aggregates, 1u);
-    config.visibilityTier = AGAA_TIER_AUTO;
-    config.generationTier = row.tier;
-}
-
-ViewSettings withRow(ViewSettings view, const ChoiceRow& row) {
-    require(view.samplePositions.empty() || row.samples == view.samples, AGAA_ERROR_UNSUPPORTED,
-            "AgaaGBufferFunction::samplePositions has the positions of the described samples alone.");
-    applyRow(row, view.config, view.aggregation, &view.measurement);
-    view.technique = row.technique;
-    setCounts(view, row.samples, view.config.aggregates);
-    return view;
-}
-
-uint64_t plannedBytes(const ViewSettings& view, const AgaaDeviceCaps& caps, const AgaaGoal& goal) {
-    const Plan plan = makePlan(view, caps, 2);
-    require(!(goal.flags & AGAA_GOAL_ONE_GEOMETRY_PASS) || plan.geometryPasses() <= 1, AGAA_ERROR_UNSUPPORTED,
+uint64_t plannedBytes(const TunedView& view, const ChoiceRow& row, const AgaaGoal& goal) {
+    const PlannedCost cost = view.plan(row);
+    require(!(goal.flags & AGAA_GOAL_ONE_GEOMETRY_PASS) || cost.geometryPasses <= 1, AGAA_ERROR_UNSUPPORTED,
             "the settings draw the scene more than once.");
-    return plan.totalBytes();
+    return cost.bytes;
 }
 
 // The settings that are predicted and can be planned.
@@ -66,14 +44,13 @@ struct Candidates {
     Error firstReason{AGAA_ERROR_UNSUPPORTED, {}}; // of those left out
 };
 
-Candidates listCandidates(const ViewSettings& view, const AgaaDeviceCaps& caps, const AgaaGoal& goal,
-                          const Predictions& predictions, const ChoiceMemory& memory) {
+Candidates listCandidates(const TunedView& view, const AgaaGoal& goal, const Predictions& predictions,
+                          const ChoiceMemory& memory) {
     Candidates found;
-    const uint64_t pixels = uint64_t(view.width) * view.height;
     for (const Prediction& prediction : predictions.list()) {
         try {
-            const uint64_t bytes = plannedBytes(withRow(view, *prediction.row), caps, goal);
-            found.list.push_back({prediction, memory.milliseconds(*prediction.row, view.facts, pixels), bytes});
+            const uint64_t bytes = plannedBytes(view, *prediction.row, goal);
+            found.list.push_back({prediction, memory.milliseconds(*prediction.row, view.facts, view.pixels), bytes});
         } catch (const Error& error) {
             if (error.code == AGAA_ERROR_INTERNAL)
                 throw;
@@ -179,8 +156,20 @@ AgaaChoice describe(const Candidate& chosen, const AgaaGoal& goal, const ChoiceM
 
 } // namespace
 
-AgaaChoice chooseSettings(const ViewSettings& view, const AgaaDeviceCaps& caps, const AgaaGoal& goal,
-                          const AgaaObservation& observation, const AgaaChoice& current) {
+void applySettings(const ChoiceRow& row, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
+    if (*row.preset)
+        applyPreset(row.preset, config, aggregation, measurement);
+    else
+        applyDefaults(config, aggregation, measurement);
+    config.technique = row.technique;
+    config.samples = row.samples;
+    config.aggregates = std::max(row.aggregates, 1u);
+    config.visibilityTier = AGAA_TIER_AUTO;
+    config.generationTier = row.tier;
+}
+
+AgaaChoice chooseSettings(const TunedView& view, const AgaaGoal& goal, const AgaaObservation& observation,
+                          const AgaaChoice& current) {
     checkGoal(goal);
     checkObservation(observation);
     const Predictions predictions(goal);
@@ -190,7 +179,7 @@ AgaaChoice chooseSettings(const ViewSettings& view, const AgaaDeviceCaps& caps, 
     if (currentRow && (observation.flags & AGAA_OBSERVED_TIMES) && rowOf(observation) == currentRow)
         memory.countObservation();
 
-    const Candidates candidates = listCandidates(view, caps, goal, predictions, memory);
+    const Candidates candidates = listCandidates(view, goal, predictions, memory);
     const auto& list = candidates.list;
     const auto held = std::find_if(list.begin(), list.end(), [&](const Candidate& c) { return c.row == currentRow; });
     const Candidate& chosen = held == list.end() ? Order(goal).best(list) : choose(list, *held, goal, memory);
@@ -211,7 +200,7 @@ AgaaChoice chooseSettings(const ViewSettings& view, const AgaaDeviceCaps& caps, 
 void applyChoice(const AgaaChoice& choice, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement) {
     const ChoiceRow* row = chosenRow(choice);
     require(row, AGAA_ERROR_INVALID_ARGUMENT, "nothing is chosen yet: AgaaChoice::technique is null.");
-    applyRow(*row, config, aggregation, measurement);
+    applySettings(*row, config, aggregation, measurement);
 }
 
 } // namespace agaa

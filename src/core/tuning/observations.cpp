@@ -3,25 +3,12 @@
 #include "core/base/arguments.h"
 #include "core/base/error.h"
 #include "core/base/names.h"
-#include "core/view/presets.h"
 
 #include <algorithm>
 
 namespace agaa {
 
 namespace {
-
-// Without what a frame showed.
-AgaaObservation describe(const ViewSettings& view, const Plan& plan) {
-    AgaaObservation o = AGAA_OBSERVATION_INIT;
-    o.technique = plan.view.config.technique;
-    o.preset = presetOf(view.config, view.aggregation, view.measurement); // plans drop what has no effect
-    o.samples = plan.view.samples;
-    o.aggregates = plan.view.aggregates;
-    o.generationTier = plan.view.generationTier;
-    o.pixels = uint64_t(plan.view.width) * plan.view.height;
-    return o;
-}
 
 bool isSame(const char* a, const char* b) { return a && b ? isSameName(a, b) : a == b; }
 
@@ -67,16 +54,15 @@ bool checkTimes(const AgaaFrameStatistics& statistics) {
 
 } // namespace
 
-AgaaObservation observe(const ViewSettings& view, const Plan& plan, const AgaaFrameStatistics& statistics,
+AgaaObservation observe(const AgaaObservation& settings, const AgaaFrameStatistics& statistics,
                         const AgaaObservation& previous) {
     checkReserved(statistics.reserved, "AgaaFrameStatistics::reserved");
     const bool areTimed = checkTimes(statistics);
-    AgaaObservation o = describe(view, plan);
-    if (areSameSettings(o, previous)) {
-        const AgaaObservation own = o;
+    AgaaObservation o = settings;
+    if (areSameSettings(settings, previous)) {
         o = previous;
-        o.technique = own.technique; // static storage
-        o.preset = own.preset;
+        o.technique = settings.technique; // static storage
+        o.preset = settings.preset;
     }
     if (statistics.counters.shadingEvents > 0)
         readCounts(statistics.counters, o);

@@ -1,16 +1,16 @@
-// What finished frames showed, in the numbers that choices are made of.
+// The numbers of finished frames that choices are made of.
 #pragma once
 
-#include "core/plan/plan.h"
+#include "agaa_sdk.h"
 
 namespace agaa {
 
-// view: what the plan was made of. previous: its counts or times stay where the statistics have none, if they are of the same
-// settings. Throws Error where the statistics are not valid.
-AgaaObservation observe(const ViewSettings& view, const Plan& plan, const AgaaFrameStatistics& statistics,
+// settings: the settings of the frames, without counts and times. previous: its counts or times are kept if the statistics
+// have none and it has the same settings. Throws Error if the statistics are not valid.
+AgaaObservation observe(const AgaaObservation& settings, const AgaaFrameStatistics& statistics,
                         const AgaaObservation& previous);
 
-// Throws Error where a member is out of its range.
+// Throws Error if a member is out of its range.
 void checkObservation(const AgaaObservation& observation);
 
 } // namespace agaa

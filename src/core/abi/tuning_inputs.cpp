@@ -1,0 +1,42 @@
+#include "core/abi/tuning_inputs.h"
+
+#include "core/base/error.h"
+#include "core/plan/planner.h"
+#include "core/view/presets.h"
+
+namespace agaa {
+
+namespace {
+
+ViewSettings withSettings(ViewSettings view, const ChoiceRow& row) {
+    require(view.samplePositions.empty() || row.samples == view.samples, AGAA_ERROR_UNSUPPORTED,
+            "AgaaGBufferFunction::samplePositions has the positions of the described samples alone.");
+    applySettings(row, view.config, view.aggregation, &view.measurement);
+    view.technique = row.technique;
+    setCounts(view, row.samples, view.config.aggregates);
+    return view;
+}
+
+} // namespace
+
+TunedView tunedView(const ViewSettings& settings, const AgaaDeviceCaps& caps) {
+    const auto plan = [settings, caps](const ChoiceRow& row) {
+        const Plan planned = makePlan(withSettings(settings, row), caps, 2);
+        return PlannedCost{.bytes = planned.totalBytes(), .geometryPasses = planned.geometryPasses()};
+    };
+    return {.facts = settings.facts, .pixels = uint64_t(settings.width) * settings.height, .plan = plan};
+}
+
+AgaaObservation observedSettings(const ViewSettings& settings, const Plan& plan) {
+    AgaaObservation o = AGAA_OBSERVATION_INIT;
+    o.technique = plan.view.config.technique;
+    // Plans have dropped what has no effect, so that the preset is recognised by the settings.
+    o.preset = presetOf(settings.config, settings.aggregation, settings.measurement);
+    o.samples = plan.view.samples;
+    o.aggregates = plan.view.aggregates;
+    o.generationTier = plan.view.generationTier;
+    o.pixels = uint64_t(plan.view.width) * plan.view.height;
+    return o;
+}
+
+} // namespace agaa
