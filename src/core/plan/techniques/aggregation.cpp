@@ -153,7 +153,7 @@ void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {
     const ResourceId aggregates = aggregateBuffer(b, a);
     const ResourceId metadata = a.define([&](Pass& pass) { gbuffer.bind(b, pass); }, aggregates);
     Pass& gather = b.compute("gather aggregates", AGAA_STAGE_GENERATION, "gather", AGAA_SEGMENT_GENERATION,
-                             {{Switch::MultipleAggregates, !a.represented && b.plan.view.aggregates > 1},
+                             {{Switch::MultipleAggregates, !a.represented && b.view().aggregates > 1},
                               {Switch::Represented, a.represented}});
     b.bindCommon(gather);
     gbuffer.bind(b, gather);
