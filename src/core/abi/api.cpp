@@ -63,7 +63,7 @@ std::vector<const char*> namesOf(uint32_t kind) {
     fail(AGAA_ERROR_INVALID_ARGUMENT, format("%u is not an AgaaNameKind.", kind));
 }
 
-// Two-call convention for text.
+// Writes text by the two-call convention.
 AgaaResult writeText(const std::string& source, size_t* size, char* text) {
     require(size, AGAA_ERROR_INVALID_ARGUMENT, "the size pointer is null.");
     if (text) {
@@ -155,7 +155,7 @@ AgaaResult AGAA_CALL agaaQueryTarget(const AgaaViewDesc* view, const AgaaDeviceC
     return guarded(log, "agaaQueryTarget", [&]() -> AgaaResult {
         const ViewSettings settings = resolveView(view);
         checkOutput(outTarget);
-        const Plan plan = makePlan(settings, capsOrIdeal(caps), 2); // refuses targets beyond maxImageSize
+        const Plan plan = makePlan(settings, capsOrIdeal(caps), 2); // throws for targets larger than maxImageSize
         AgaaTarget target = AGAA_TARGET_INIT;
         target.width = plan.view.width * plan.view.scaleX;
         target.height = plan.view.height * plan.view.scaleY;

@@ -1,4 +1,4 @@
-// The boundary of the C ABI: nothing throws across it, every failure is logged in one sentence.
+// The boundary of the C ABI. Nothing throws across it, and each failure is logged in one sentence.
 #pragma once
 
 #include "core/base/error.h"
@@ -15,7 +15,7 @@ AgaaResult guarded(const Log& log, const char* function, Body&& body) noexcept {
         try {
             log.write(AGAA_SEVERITY_ERROR, code, std::string(function) + ": " + text);
         } catch (...) {
-            // Out of memory while reporting: the code alone has to do.
+            // Memory ran out while the message was made. The host gets the code only.
         }
         return code;
     };
@@ -30,7 +30,7 @@ AgaaResult guarded(const Log& log, const char* function, Body&& body) noexcept {
     }
 }
 
-// The same for functions that take the host's log, which must be right, too.
+// Like guarded() above, for functions that get the host's log. An invalid log is an error.
 template <typename Body>
 AgaaResult guarded(const AgaaLog* log, const char* function, Body&& body) noexcept {
     return guarded(checkedLog(log), function, [&]() -> AgaaResult {
@@ -40,7 +40,8 @@ AgaaResult guarded(const AgaaLog* log, const char* function, Body&& body) noexce
     });
 }
 
-// Two-call convention: without an array writes the count; with one copies all, for which *count must suffice.
+// Writes by the two-call convention: without an array, the count; with an array, all elements. Throws Error if *count
+// is too small.
 template <typename Container, typename Element>
 AgaaResult writeArray(const Container& source, uint32_t* count, Element* destination) {
     require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");

@@ -1,4 +1,4 @@
-// What the backends' parts of the C ABI have in common.
+// Helpers that the ABI functions of both backends share.
 #pragma once
 
 #include "core/abi/api_guard.h"
@@ -26,7 +26,7 @@ inline AgaaContextDesc readContextDesc(const AgaaContextDesc* pointer, const std
     return desc;
 }
 
-// The chained description of the host's device, which a context cannot do without.
+// Returns the chained description of the device. Throws Error if there is none.
 template <class DeviceDesc> DeviceDesc readDeviceDesc(const AgaaContextDesc& desc) {
     const std::optional<DeviceDesc> device = readChained<DeviceDesc>(&desc);
     if (!device)

@@ -1,11 +1,11 @@
-// Draw passes of a view as hosts see them.
+// Draw passes as the public structs describe them.
 #pragma once
 
 #include "core/abi/handles.h"
 
 namespace agaa {
 
-// Two-call convention.
+// Writes all draw passes by the two-call convention.
 AgaaResult writeDrawPasses(const ViewState& view, uint32_t* count, AgaaDrawPass* passes);
 
 } // namespace agaa

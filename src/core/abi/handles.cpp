@@ -51,7 +51,7 @@ void resizeView(AgaaView_T& view, uint32_t width, uint32_t height) {
     ViewState* recreated = view.current->recreate(settings);
     try {
         for (const AgaaSceneFacts& facts : view.current->variants.facts())
-            if (!isWithin(settings.facts, facts)) // it has that of the view's own
+            if (!isWithin(settings.facts, facts)) // the new state already has the variant of the view's own facts
                 recreated->prepare(settings, facts);
     } catch (...) {
         destroy(view.owner.allocator, recreated);

@@ -8,7 +8,7 @@ struct Text {
     const char* description;
 };
 
-// A switch over the enumeration, so that compilers tell of an enumerator without a text.
+// The switch covers the enumeration, so that compilers warn about an enumerator without a text.
 Text textOf(AgaaResultCode code) {
     switch (code) {
 #define AGAA_ROW(name, description)                                                                                     \

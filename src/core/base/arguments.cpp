@@ -6,7 +6,7 @@
 namespace agaa {
 
 void checkRange(double value, double low, double high, const char* name) {
-    if (!(value >= low && value <= high)) // false for NaN too
+    if (!(value >= low && value <= high)) // also false for NaN
         fail(AGAA_ERROR_OUT_OF_RANGE, format("%s is %g, outside [%g;%g].", name, value, low, high));
 }
 

@@ -14,14 +14,14 @@ inline void checkFinite(float value, const char* name) {
 }
 
 void checkRange(double value, double low, double high, const char* name);
-// The numbers of samples a pixel that sums, coverage masks and targets are made for.
+// Accepts the sample counts of sums, coverage masks and targets: powers of two in [1, 32].
 void checkSampleCount(uint32_t samples, const char* name);
 void checkRange(uint64_t value, uint64_t low, uint64_t high, const char* name);
-// Bits of `flags` beyond the known ones.
+// Fails if `flags` has bits other than the known ones.
 void checkFlags(uint64_t flags, uint64_t known, const char* name);
 void checkReserved(uint64_t value, const char* name);
 
-// The version that a host was built for.
+// Fails if the host was built for an incompatible version.
 void checkHeaderVersion(uint32_t version);
 
 } // namespace agaa

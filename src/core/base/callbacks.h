@@ -5,7 +5,8 @@
 
 namespace agaa {
 
-// Callbacks must not throw. One that does counts as failed, because what the SDK began around it must come to an end.
+// Calls a host function. Callbacks must not throw; one that does counts as failed, so that the SDK can finish what it
+// began.
 template <typename Call>
 AgaaResult contained(Call&& call) noexcept {
     try {

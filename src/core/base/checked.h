@@ -1,4 +1,4 @@
-// 64-bit arithmetic that reports overflow: sizes of surfaces come from the host (hard case 38).
+// 64-bit arithmetic that reports overflow. Surface sizes depend on values of the host (hard case 38).
 #pragma once
 
 #include "core/base/error.h"

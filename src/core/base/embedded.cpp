@@ -44,7 +44,7 @@ std::string_view embeddedGlsl(std::string_view path) {
 bool readsConstant(std::span<const uint32_t> spirv, uint32_t specId) {
     enum Op : uint32_t { Source = 3, Line = 8, Constant = 43, SpecConstant = 50, Decorate = 71 };
     constexpr uint32_t header = 5, decoratesSpecId = 1;
-    // visit(op, operands) of each instruction, until it returns true.
+    // Calls visit(op, operands) for each instruction until it returns true.
     const auto any = [&](const auto& visit) {
         for (size_t at = header; at < spirv.size();) {
             const size_t words = std::max(spirv[at] >> 16, 1u);
@@ -60,7 +60,7 @@ bool readsConstant(std::span<const uint32_t> spirv, uint32_t specId) {
             id = operands[0];
         return id != 0;
     });
-    // Names, and words that are numbers, are no uses.
+    // Debug instructions and constants contain words that may equal the id without using it.
     return id != 0 && any([&](uint32_t op, std::span<const uint32_t> operands) {
         return !(op >= Source && op <= Line) && op != Constant && op != SpecConstant && op != Decorate &&
                std::ranges::find(operands, id) != operands.end();

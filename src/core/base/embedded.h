@@ -8,11 +8,11 @@
 
 namespace agaa {
 
-// SPIR-V of a pass permutation by name, empty where there is none.
+// Returns the SPIR-V of a pass permutation, or nothing if there is none of this name.
 std::span<const uint32_t> embeddedSpirv(std::string_view name);
-// Whether SPIR-V uses its specialisation constant of this id.
+// Returns whether the SPIR-V uses its specialisation constant of this id.
 bool readsConstant(std::span<const uint32_t> spirv, uint32_t specId);
-// GLSL text by path below src/shaders, empty where there is none.
+// Returns the GLSL text of a path below src/shaders, or nothing if there is none.
 std::string_view embeddedGlsl(std::string_view path);
 
 } // namespace agaa

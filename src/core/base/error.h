@@ -1,4 +1,4 @@
-// Errors inside the library: thrown as values, turned into result codes at the ABI (api_guard.h).
+// Errors inside the library. They are thrown as values; the ABI turns them into result codes (api_guard.h).
 #pragma once
 
 #include "agaa_sdk.h"
@@ -16,7 +16,7 @@ struct Error {
     std::string message; // one sentence
 };
 
-// For sentences; what compilers and parsers read is written without the locale.
+// Formats sentences. It uses the locale: text for compilers and parsers must not contain its floating-point output.
 [[gnu::format(printf, 1, 2)]] inline std::string format(const char* pattern, ...) {
     va_list arguments;
     va_start(arguments, pattern);
@@ -30,7 +30,7 @@ struct Error {
     throw Error{code, std::move(message)};
 }
 
-// The code must reach the host even where there is no memory for the sentence.
+// The code reaches the host even if there is no memory for the sentence.
 [[noreturn]] inline void failPartial(const char* message) {
     Error error{AGAA_ERROR_PARTIAL, {}};
     try {

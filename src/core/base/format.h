@@ -16,7 +16,7 @@ enum class Format {
     RGBA8,
     R16,
     RG16,
-    RGB16, // model of the papers only: no device renders to it
+    RGB16, // only in models of the papers; no device renders to it
     RGBA16,
     RGBA16F,
     RGB10A2,
@@ -27,7 +27,7 @@ enum class Format {
     RGBA32U,
 };
 
-// Payload: the bits that carry data (D32S8 counts 5 bytes, whatever a driver pads it to).
+// Returns the bytes that carry data. D32S8 has 5, regardless of the driver's padding.
 uint32_t bytesPerTexel(Format format);
 const char* formatName(Format format);
 constexpr bool isDepth(Format format) {

@@ -5,7 +5,7 @@
 
 namespace agaa {
 
-// A float literal. The decimal point does not depend on the process's locale.
+// Returns a float literal. The decimal point does not depend on the process's locale.
 std::string glslNumber(float value);
 
 } // namespace agaa

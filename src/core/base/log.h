@@ -7,7 +7,7 @@
 
 namespace agaa {
 
-// A copy of the host's log; safe to keep.
+// A copy of the host's log. It stays valid when the host's struct is gone.
 class Log {
 public:
     Log() = default;
@@ -27,7 +27,7 @@ private:
     void* user_ = nullptr;
 };
 
-// A log of a host's that is not what it should be is not called.
+// Returns the host's log, or a log that writes nothing if the struct is not valid.
 inline Log checkedLog(const AgaaLog* log) {
     constexpr uint32_t firstSize = 32; // in version 0.2, as in structs.inc
     const bool valid = log && log->sType == AGAA_STRUCTURE_TYPE_LOG && log->structSize >= firstSize && log->structSize % 8 == 0;

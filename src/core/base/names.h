@@ -8,7 +8,7 @@
 
 namespace agaa {
 
-// Of names that hosts pass: '-' and '_' are equal.
+// Compares names that hosts pass. '-' equals '_'.
 bool isSameName(std::string_view a, std::string_view b);
 
 bool isTier(uint32_t tier);

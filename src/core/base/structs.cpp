@@ -4,9 +4,9 @@ namespace agaa {
 
 namespace {
 
-constexpr uint32_t largest = 1 << 16; // bytes of a struct: more is not initialised
+constexpr uint32_t largest = 1 << 16; // bytes of a struct; a larger size is taken for uninitialised memory
 
-// Bytes that a later version's struct has beyond this one's must say what this version does anyway.
+// A later version's struct may be longer. The bytes that this version does not know must be 0, the defaults.
 void checkTail(const void* structure, size_t from, size_t to, const char* name) {
     const auto* bytes = static_cast<const unsigned char*>(structure);
     for (size_t i = from; i < to; ++i)
@@ -16,7 +16,7 @@ void checkTail(const void* structure, size_t from, size_t to, const char* name) 
                         AGAA_VERSION_MAJOR, AGAA_VERSION_MINOR, AGAA_VERSION_PATCH));
 }
 
-// Only the host knows the sizes of other structs in its version.
+// The sizes of the structs in arrays depend on the host's version, so that only the host can set them.
 template <class T> void leaveToHost(T&) {}
 void leaveToHost(AgaaFrame& frame) { frame.lightSize = frame.shadowSize = 0; }
 
@@ -52,7 +52,7 @@ void checkChain(const void* structure, const char* name, const std::vector<uint3
     const auto* mark = static_cast<const AgaaStructHeader*>(structure);
     uint32_t length = 0, markAt = 0;
     for (const auto* link = next(mark); link; link = next(link)) {
-        // A chain that closes on itself comes back to the mark, which moves on each time the length has doubled (Brent 1980).
+        // A cyclic chain reaches the mark again. The mark moves each time the length has doubled (Brent 1980).
         if (link == mark)
             fail(AGAA_ERROR_UNKNOWN_STRUCT, format("the chain of %s does not end.", name));
         if (++length >= 2 * markAt + 1) {

@@ -1,4 +1,4 @@
-// Versioned structs of hosts that were compiled against this version of the headers or another one.
+// Versioned structs. Hosts may have been compiled against another version of the headers.
 #pragma once
 
 #include "agaa_gl.h"
@@ -17,10 +17,10 @@ struct StructRow {
     uint32_t sType;
     const char* name;
     size_t size;      // in this version
-    size_t firstSize; // in version 0.2: no host has a smaller one
+    size_t firstSize; // in version 0.2; no host has a smaller struct
 };
 
-template <class T> struct StructOf; // row, and the value that AGAA_…_INIT gives
+template <class T> struct StructOf; // the row, and the value of AGAA_…_INIT
 #define AGAA_STRUCT(Name, TYPE, bytes)                                                                          \
     template <> struct StructOf<Agaa##Name> {                                                                   \
         static constexpr StructRow row = {AGAA_STRUCTURE_TYPE_##TYPE, "Agaa" #Name, sizeof(Agaa##Name), bytes}; \
@@ -32,23 +32,23 @@ template <class T> struct StructOf; // row, and the value that AGAA_…_INIT giv
     };
 #include "core/base/structs.inc"
 
-// Throw Error where a host's struct is null, of another type, too small, or has data beyond what the row knows.
+// They throw Error if a host's struct is null, of another type, too small, or has data after the members of the row.
 void checkStruct(const void* structure, const StructRow& row);
 void checkStructSize(const void* structure, const StructRow& row);
-// known: the types that may be chained to the struct, each once.
+// Throws Error if the chain holds a type that is not in `known`, or a type twice, or does not end.
 void checkChain(const void* structure, const char* name, const std::vector<uint32_t>& known = {});
-// The struct of this type in a chain, or null.
+// Returns the struct of this type in a chain, or null.
 const void* findChained(const void* structure, uint32_t sType);
 
-// The chained struct of a row for output, whose size is checked, or null.
+// Returns the chained output struct of a row, or null. Throws Error if its size is not valid.
 void* nativePart(void* structure, const StructRow& row);
 
-// What both the host's struct, which was checked, and the library's of `size` bytes have: read over the defaults, or
-// written behind the header.
+// Copy the members that both the host's checked struct and the library's struct of `size` bytes have. Reading
+// overwrites defaults; writing skips the header.
 void copyKnown(const void* structure, void* value, size_t size);
 void writeKnown(void* structure, const void* value, size_t size);
 
-// known: as of checkChain(). Members that the host's struct lacks have their defaults.
+// Members that the host's struct lacks have their defaults. known: see checkChain().
 template <class T> T readStruct(const T* structure, const std::vector<uint32_t>& known = {}) {
     checkStruct(structure, StructOf<T>::row);
     checkChain(structure, StructOf<T>::row.name, known);
@@ -57,7 +57,7 @@ template <class T> T readStruct(const T* structure, const std::vector<uint32_t>&
     return value;
 }
 
-// The struct in a chain that checkChain() has accepted.
+// Returns the struct of type T in a chain that checkChain() has accepted.
 template <class T> std::optional<T> readChained(const void* structure) {
     const auto* chained = static_cast<const T*>(findChained(structure, StructOf<T>::row.sType));
     if (!chained)
@@ -68,17 +68,17 @@ template <class T> std::optional<T> readChained(const void* structure) {
     return value;
 }
 
-// For output: checks now, so that nothing is written where the call fails.
+// Checks an output struct before the call does its work, so that a failed call writes nothing.
 template <class T> void checkOutput(const T* structure, const std::vector<uint32_t>& known = {}) {
     checkStruct(structure, StructOf<T>::row);
     checkChain(structure, StructOf<T>::row.name, known);
 }
-// All but the first three members, as far as the host's struct has room.
+// Writes all members after the header that the host's struct has room for.
 template <class T> void writeStruct(T* structure, const T& value) {
     writeKnown(structure, &value, sizeof value);
 }
 
-// Element i of an array of a host's, whose elements all have the size of the first.
+// Returns element i of a host's array. All elements have the size of the first.
 template <class T> T* elementOf(T* first, uint32_t i) {
     using Byte = std::conditional_t<std::is_const_v<T>, const char, char>;
     return reinterpret_cast<T*>(reinterpret_cast<Byte*>(first) + size_t(i) * first->structSize);
@@ -96,7 +96,7 @@ template <class T> void checkOutputs(T* first, uint32_t count, const std::vector
     }
 }
 
-// Two-call convention for arrays of structs.
+// Writes structs by the two-call convention.
 template <class T> AgaaResult writeStructs(const std::vector<T>& source, uint32_t* count, T* first) {
     require(count, AGAA_ERROR_INVALID_ARGUMENT, "the count pointer is null.");
     const auto available = uint32_t(source.size());
@@ -112,19 +112,21 @@ template <class T> AgaaResult writeStructs(const std::vector<T>& source, uint32_
     return AGAA_OK;
 }
 
-// Element i of an array without headers, whose elements are `bytes` apart. T{} has the defaults of what it lacks.
+// Returns element i of an array without headers. Elements are `bytes` apart. Members that they lack are those of
+// `value`.
 template <class T> T readElement(const T* first, uint32_t bytes, uint32_t i, T value) {
     const char* element = reinterpret_cast<const char*>(first) + size_t(i) * bytes;
-    if (bytes >= sizeof value) // mostly: a size that compilers know is copied at once
+    if (bytes >= sizeof value) // the usual case; a constant size compiles to few instructions
         std::memcpy(&value, element, sizeof value);
     else
         std::memcpy(&value, element, bytes);
     return value;
 }
-// bytes: from one element to the next, as the host says in `name`. firstSize: as of StructRow.
+// Checks an array without headers. The host's member `name` holds `bytes`, the stride of its elements. firstSize: see
+// StructRow.
 void checkElements(const void* first, uint32_t bytes, uint32_t count, size_t size, size_t firstSize, const char* name);
 
-// What AGAA_…_INIT gives, as far as structSize bytes have room.
+// Writes the value of AGAA_…_INIT into the first structSize bytes.
 void initialise(void* structure, size_t structSize, const void* initial, size_t size);
 
 } // namespace agaa

@@ -37,13 +37,13 @@ struct AgaaContext_T {
     agaa::Log log;
     agaa::HostAllocator allocator;
     uint32_t framesInFlight;
-    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT; // less what the host did not enable
+    AgaaDeviceCaps caps = AGAA_DEVICE_CAPS_INIT; // without features that the host did not enable
     uint32_t viewCount = 0;
 };
 
 namespace agaa {
 
-// Objects behind handles live in the host's memory.
+// Create and destroy the objects behind handles, in the host's memory.
 template <typename T, typename... Arguments>
 T* construct(const HostAllocator& allocator, Arguments&&... arguments) {
     void* memory = allocator.allocate(sizeof(T), alignof(T));

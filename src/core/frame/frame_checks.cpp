@@ -37,12 +37,12 @@ static void checkMatrices(const AgaaFrame& frame, bool reversedZ) {
     const bool orthographic = p[11] == 0.0f && p[15] == 1.0f;
     require(perspective || orthographic, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::projection is neither perspective (looking down -z) nor orthographic.");
-    // Elements that are zero in every projection without shear, roll or an oblique near plane.
+    // These elements are zero in every projection without shear, roll and oblique near plane.
     bool plain = p[1] == 0 && p[2] == 0 && p[3] == 0 && p[4] == 0 && p[6] == 0 && p[7] == 0;
     plain = plain && (perspective ? p[12] == 0 && p[13] == 0 : p[8] == 0 && p[9] == 0);
     require(plain, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::projection has shear, roll or an oblique near plane.");
-    // Depth grows away from the eye, or falls.
+    // A reversed depth falls with the distance from the eye.
     const bool reversed = (perspective ? p[14] : p[10]) > 0;
     require(reversed == reversedZ, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaFrame::projection and AGAA_VIEW_REVERSED_Z do not agree on which depth is near.");
@@ -61,7 +61,7 @@ static void checkLight(const AgaaLight& light, uint32_t index, uint32_t shadowCo
     if (light.shadowMap != AGAA_NO_SHADOW && light.shadowMap >= shadowCount)
         bad("its shadow map is not among the frame's shadows");
     for (int i = 0; i < 3; ++i) {
-        if (!(std::fabs(light.position[i]) <= 1e18f)) // its square is a float
+        if (!(std::fabs(light.position[i]) <= 1e18f)) // its square fits a float
             bad("its position is not in [-1e18;1e18]");
         if (!std::isfinite(light.direction[i]))
             bad("its direction is not finite");
@@ -121,7 +121,7 @@ void checkFrame(const AgaaFrame& frame, const Plan& plan) {
     require(frame.draw || plan.geometryPasses() == 0, AGAA_ERROR_INVALID_ARGUMENT, "AgaaFrame::draw is null.");
     checkMatrices(frame, plan.view.reversedZ);
     if (!(frame.segments & AGAA_SEGMENT_SHADING))
-        return; // nothing else is read
+        return; // other segments read no lights, shadows and colours
     checkRange(uint64_t(frame.lightCount), 0, facts.maxLights,
                "AgaaFrame::lightCount (against AgaaSceneFacts::maxLights)");
     checkRange(uint64_t(frame.shadowCount), 0, facts.shadowMapCount,

@@ -1,4 +1,4 @@
-// Checks of a frame's description, before anything is recorded or changed.
+// Checks of a frame's description. They run before anything is recorded or changed.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -7,13 +7,14 @@ namespace agaa {
 
 struct Plan;
 
-// The frame's own facts, or those that the view announced. Throws where they are not valid or not within these.
+// Returns the facts of the frame, or those of the view if it has none. Throws Error if they are not valid or not within
+// the facts of the view.
 AgaaSceneFacts factsOf(const AgaaFrame& frame, const Plan& plan);
-// Against what the view was made for. The frame has its facts.
+// Checks the frame against the plan of its view. frame.facts must be set.
 void checkFrame(const AgaaFrame& frame, const Plan& plan);
 // Throws if the frame composites over the output and the view lacks AGAA_VIEW_COMPOSITE.
 void checkComposite(const AgaaFrame& frame, const Plan& plan);
-// Elements of the frame's arrays, which checkFrame() has accepted.
+// Return elements of the frame's arrays, which checkFrame() has accepted.
 AgaaLight lightOf(const AgaaFrame& frame, uint32_t index);
 AgaaShadow shadowOf(const AgaaFrame& frame, uint32_t index);
 

@@ -93,7 +93,7 @@ static uint64_t writeLights(const AgaaFrame& frame, void* destination) {
             const AgaaShadow source = shadowOf(frame, i);
             std::memcpy(shadow.matrices, source.matrices, sizeof shadow.matrices);
             shadow.bias = source.depthBias;
-            shadow.layerCount = std::max(source.layerCount, 1u); // a function of the host's has none
+            shadow.layerCount = std::max(source.layerCount, 1u); // shadows of a host function have 0 layers
         }
         shadow.lightCount = i == 0 ? frame.lightCount : 0;
         std::memcpy(&shadows[i], &shadow, sizeof shadow);

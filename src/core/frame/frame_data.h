@@ -1,4 +1,4 @@
-// A frame's data as the shaders read it.
+// The data of a frame in the layout that shaders read.
 #pragma once
 
 #include "core/plan/gpu_layout.h"

@@ -24,14 +24,14 @@ void FrameSequence::startAfter(const FrameSequence& other) {
 
 void FrameSequence::check(const AgaaFrame& frame) const {
     const uint64_t lowest = frame.segments & (~frame.segments + 1);
-    // Contiguous segments only: 101 would shade what was not generated.
+    // Segments must be contiguous: 101 would shade aggregates that were not generated.
     const uint64_t run = frame.segments / lowest;
     require((run & (run + 1)) == 0, AGAA_ERROR_WRONG_ORDER,
             "AgaaFrame::segments leaves one out between others.");
     if (frame.frameIndex == frame_) {
         require((frame.segments & segments_) == 0, AGAA_ERROR_WRONG_ORDER,
                 "a segment of this frame was recorded before.");
-        // Segments come in order: each bit needs all lower ones.
+        // Segments must come in order: each bit needs all lower ones.
         require((segments_ & (lowest - 1)) == lowest - 1, AGAA_ERROR_WRONG_ORDER,
                 "an earlier segment of this frame is missing.");
         require(cameraOf(frame) == camera_, AGAA_ERROR_OUT_OF_RANGE,

@@ -1,4 +1,4 @@
-// Which frame and segments may come next, and which of the frames in flight's slots they use.
+// The order of frames and segments, and the slots of frames in flight.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -9,7 +9,7 @@
 
 namespace agaa {
 
-// What a frame's lights call for.
+// The lighting of a frame, for fact reports.
 struct FrameContent {
     uint32_t lights = 0, localLights = 0, shadows = 0;
     bool hasAmbient = false;
@@ -19,25 +19,26 @@ class FrameSequence {
 public:
     explicit FrameSequence(uint32_t slotCount) : slots_(slotCount) {}
 
-    // The frames of another sequence are over: one that it began cannot go on.
+    // Continues the frame numbers of another sequence. A frame that it began cannot continue.
     void startAfter(const FrameSequence& other);
-    // Throws where frame, which has its facts, does not follow from what was recorded before.
+    // Throws Error if the frame may not follow what was recorded before. frame.facts must be set.
     void check(const AgaaFrame& frame) const;
     bool begins(const AgaaFrame& frame) const { return frame.frameIndex != frame_; }
     uint32_t slotOf(const AgaaFrame& frame) const;
 
     void recorded(const AgaaFrame& frame);
-    // The frame's commands are discarded or in part: one that began before cannot go on.
+    // Recording failed, and the host discards the commands. If earlier segments were recorded, the frame cannot
+    // continue.
     void failed(const AgaaFrame& frame);
-    // The same where what came before the failure has run: the slot no longer holds the frame it did.
+    // Like failed(), but earlier commands were already executed: the previous contents of the slot are lost.
     void abortedAfterExecution(const AgaaFrame& frame);
 
-    // Newest frame recorded whole, not after completedFrame; null where there is none.
     struct Slot {
-        uint64_t frame = 0; // that used it last
+        uint64_t frame = 0; // that used the slot last
         bool complete = false;
         FrameContent content;
     };
+    // Returns the newest completely recorded frame up to completedFrame, or null if there is none.
     const Slot* newest(uint64_t completedFrame) const;
     uint32_t indexOf(const Slot& slot) const { return uint32_t(&slot - slots_.data()); }
 
@@ -45,7 +46,7 @@ private:
     std::vector<Slot> slots_;
     uint64_t frame_ = 0;
     uint32_t slot_ = 0;
-    uint64_t segments_ = 0;           // recorded of the frame
+    uint64_t segments_ = 0;           // of the frame that were recorded
     std::array<float, 32> camera_{};  // view and projection of the frame
     uint32_t ditherFrame_ = 0;        // of the frame
     AgaaSceneFacts facts_{};          // of the frame

@@ -30,7 +30,7 @@ uint64_t Variants::find(const Pass& pass, size_t index) const {
 Compiled Variants::compileTimed(const Compile& compile, const Pass& pass, size_t index) {
     {
         const std::lock_guard lock(mutex_);
-        programs_.reserve(programs_.size() + 1); // what is compiled is not lost
+        programs_.reserve(programs_.size() + 1); // so that push_back cannot fail and lose the program
     }
     const auto start = std::chrono::steady_clock::now();
     const Compiled compiled = compile(pass, index);
@@ -44,7 +44,7 @@ Compiled Variants::compileTimed(const Compile& compile, const Pass& pass, size_t
 }
 
 void Variants::add(const Plan& plan, const Compile& compile) {
-    // Only this thread changes the variants, so that it reads them without the other lock.
+    // Only this thread changes variants_, so that it may read it without mutex_.
     const std::lock_guard adding(adding_);
     const AgaaSceneFacts& facts = plan.view.variantFacts;
     for (const auto& variant : variants_)

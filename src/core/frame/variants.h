@@ -1,4 +1,4 @@
-// Compute pipelines of a view by the facts of frames: a variant has those of a plan that leaves effects out.
+// Variants: the compute pipelines of a view for frames whose facts have fewer effects than the view.
 #pragma once
 
 #include "core/plan/plan.h"
@@ -10,58 +10,60 @@
 
 namespace agaa {
 
-// A pipeline or program of the graphics API's.
+// A pipeline or program of the graphics API.
 struct Compiled {
     uint64_t program = 0;
-    bool isCached = false; // it was not compiled from its text
+    bool isCached = false; // it came from a cache
 };
 
 struct Variant {
     AgaaSceneFacts facts{};
     std::vector<Pass> passes;
-    std::vector<uint64_t> programs; // by pass; 0 where it is no compute pass
+    std::vector<uint64_t> programs; // by pass; 0 for passes that are not compute passes
 };
 
 struct CompileFigures {
     uint32_t variants = 0;
     uint32_t programs = 0;
-    uint32_t cached = 0; // of these
+    uint32_t cached = 0; // of the programs
     double milliseconds = 0;
 };
 
-// Any thread may call any function at any time; additions wait for each other, and nothing else waits for them. A variant stays
-// where it is until all of them are destroyed.
+// Any thread may call any function at any time. Additions wait for each other; nothing else waits for them. The address
+// of a variant is stable.
 class Variants {
 public:
     using Compile = std::function<Compiled(const Pass& pass, size_t index)>;
 
-    explicit Variants(const Plan& base) : base_(base) {} // which lives longer
+    explicit Variants(const Plan& base) : base_(base) {} // must outlive the variants
 
-    // Nothing where there is a variant of the plan's facts. The first is that of the base; others differ from it in nothing but
-    // the programs of compute passes. Equal passes share a program. What was compiled stays where compile throws.
+    // Adds the variant of the plan's facts, unless there is one. The first one must be that of the base plan; others
+    // may differ from it in the programs of compute passes only. Equal passes share a program. If compile throws,
+    // programs that were compiled before are kept.
     void add(const Plan& plan, const Compile& compile);
 
-    // The smallest that has what these facts have. There is one at least, which has all.
+    // Returns the variant with the fewest effects that has all effects of the facts. The first variant has all.
     const Variant& smallest(const AgaaSceneFacts& facts) const;
-    // In the order in which they were added.
+    // Returns the facts of the variants in the order in which they were added.
     std::vector<AgaaSceneFacts> facts() const;
     CompileFigures figures() const;
-    // All that were compiled, each once.
+    // Returns each compiled program once.
     std::vector<uint64_t> programs() const;
 
 private:
-    uint64_t find(const Pass& pass, size_t index) const; // 0: none is equal
+    uint64_t find(const Pass& pass, size_t index) const; // 0: no program is equal
     Compiled compileTimed(const Compile& compile, const Pass& pass, size_t index);
 
     const Plan& base_;
-    std::mutex adding_;         // held while compiling
-    mutable std::mutex mutex_;  // of what follows
+    std::mutex adding_;         // locked during an addition
+    mutable std::mutex mutex_;  // guards the members below
     std::vector<std::unique_ptr<const Variant>> variants_;
     std::vector<uint64_t> programs_;
     CompileFigures figures_;
 };
 
-// Whether a plan's resources, bindings and passes are those of another, so that programs of both run in one view.
+// Returns whether both plans have the same resources, bindings and passes, so that the programs of both run in one
+// view.
 bool isVariantOf(const Plan& plan, const Plan& base);
 
 } // namespace agaa

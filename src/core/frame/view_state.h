@@ -18,14 +18,14 @@ namespace agaa {
 
 struct StructRow;
 
-// Bytes of a view's surfaces as created.
+// The memory of a view's surfaces as created, in bytes.
 struct MemoryUse {
     uint64_t payload = 0; // per-pixel surfaces
-    uint64_t driver = 0;  // what the driver asked for; 0: it does not tell
-    uint64_t peak = 0;    // what was allocated
+    uint64_t driver = 0;  // required by the driver; 0: unknown
+    uint64_t peak = 0;    // allocated
 };
 
-// A view at one size.
+// A view at one size. It is replaced when the view is resized.
 class ViewState {
 public:
     ViewState(AgaaContext_T& context, Plan framePlan);
@@ -33,7 +33,7 @@ public:
     ViewState(const ViewState&) = delete;
     ViewState& operator=(const ViewState&) = delete;
 
-    // What hosts chain to AgaaDrawPass and AgaaSurface for what is the graphics API's own.
+    // Return the rows of the structs of the graphics API that hosts chain to AgaaDrawPass and AgaaSurface.
     virtual const StructRow& drawPassRow() const = 0;
     virtual const StructRow& surfaceRow() const = 0;
     // native: a struct of that row. describePass() is called for host passes only.
@@ -47,22 +47,22 @@ public:
     virtual std::vector<double> readPassTimes(uint32_t slot) const = 0;
     virtual AgaaTimeSource timeSource() const = 0;
 
-    // The variant that the frame in this slot ran with.
+    // Returns the variant that the frame in this slot used.
     const Variant& variantIn(uint32_t slot) const { return *ran_[slot]; }
 
-    // Of the newest finished frame, where the plan's frame constants hold counters of it and there is one.
+    // Returns the counters of the newest finished frame, or nothing if there is none or the plan does not read them.
     std::optional<CounterBuffer> feedback(const AgaaFrame& frame) const;
 
-    // The same with other settings, in the host's memory.
+    // Creates the state for other settings, in the host's memory.
     virtual ViewState* recreate(const ViewSettings& settings) const = 0;
 
-    // Adds a variant. settings: those of the view. facts: within its own.
+    // Adds a variant. settings: the view's. facts: within the facts of the view.
     virtual void prepare(const ViewSettings& settings, const AgaaSceneFacts& facts);
-    // That of the frame, which has its facts: the same in all its segments.
+    // Returns the variant of this frame, which is the same for all its segments. frame.facts must be set.
     const Variant& variantOf(const AgaaFrame& frame);
 
     AgaaContext_T& owner;
-    const Plan plan; // of all effects; its variants differ in programs alone
+    const Plan plan; // with all effects; variants differ in the programs of compute passes only
     const std::vector<Step> steps;
     FrameSequence sequence;
     Variants variants{plan};
@@ -70,7 +70,7 @@ public:
     std::vector<HostPass> hostPasses; // by pass; set by the backend's constructor
 
 protected:
-    // A compute pass, which has the bindings of plan.passes[index].
+    // Compiles a compute pass, which has the bindings of plan.passes[index].
     virtual Compiled compile(const Pass& pass, size_t index) = 0;
     // Copies data to the beginning of an upload buffer.
     virtual void writeBuffer(ResourceId buffer, uint32_t slot, std::span<const std::byte> data) = 0;
@@ -84,12 +84,12 @@ protected:
     void uploadFrame(const AgaaFrame& frame, uint32_t slot);
 
     void addVariant(const Plan& variantPlan);
-    void recorded(const AgaaFrame& frame); // with its variant
+    void recorded(const AgaaFrame& frame); // remembers its variant
 
 private:
     std::vector<std::byte> upload_;      // as large as the largest upload buffer
-    const Variant* chosen_ = nullptr;    // of the frame that is recorded now
-    const Variant* running_ = nullptr;   // of the frame whose segments are recorded
+    const Variant* chosen_ = nullptr;    // of the frame that is being recorded
+    const Variant* running_ = nullptr;   // of the frame that was recorded last
     std::vector<const Variant*> ran_;    // by slot
 };
 

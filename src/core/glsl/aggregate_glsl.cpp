@@ -14,7 +14,7 @@ std::string aggregateGlsl(const Plan& plan) {
     for (const Pass& pass : plan.passes)
         if (pass.compute.shadesAggregates)
             shade = &pass;
-    // Surfaces of "sbaa" keep records beside their words.
+    // Surfaces of "sbaa" have records in addition to their words.
     require(shade && shade->constants[AGAA_STRIDE] == shade->constants[AGAA_WORDS], AGAA_ERROR_UNSUPPORTED,
             "the view leaves no aggregates in memory: it is not of \"agaa\" by two passes, and not of the tiers ids "
             "or gbuffer with AGAA_CONFIG_BUFFERED.");

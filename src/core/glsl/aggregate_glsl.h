@@ -1,4 +1,4 @@
-// GLSL by which a host's own shading pass reads the aggregates of a plan.
+// GLSL with which a shading pass of the host reads the aggregates of a plan.
 #pragma once
 
 #include "core/plan/plan.h"
@@ -7,7 +7,7 @@
 
 namespace agaa {
 
-// Throws Error where the plan leaves none in memory.
+// Throws Error if the plan has no aggregates in memory.
 std::string aggregateGlsl(const Plan& plan);
 
 } // namespace agaa

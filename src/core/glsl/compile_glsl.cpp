@@ -10,7 +10,7 @@ namespace agaa {
 
 namespace {
 
-// glslang counts its users in a process.
+// glslang counts its users in the process.
 struct Glslang {
     Glslang() { glslang::InitializeProcess(); }
     ~Glslang() { glslang::FinalizeProcess(); }
@@ -48,7 +48,7 @@ std::vector<uint32_t> compileCompute(const std::string& text, const char* what) 
         refuse(program.getInfoLog());
     std::vector<uint32_t> words;
     glslang::SpvOptions options;
-    options.disableOptimizer = true; // the host waits for this
+    options.disableOptimizer = true; // the host waits for the compilation
     glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), words, &options);
     return words;
 }

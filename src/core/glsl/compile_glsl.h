@@ -1,4 +1,4 @@
-// GLSL to SPIR-V at run time, for passes that hold code of the host's.
+// Compilation of GLSL to SPIR-V at run time, for passes with GLSL of the host.
 #pragma once
 
 #include <cstdint>

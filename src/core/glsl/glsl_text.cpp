@@ -8,7 +8,7 @@
 
 namespace agaa {
 
-// Lines of a text in this folder, with what they include.
+// Appends the lines of a text. Its #include lines are relative to the folder and replaced by the files.
 static void appendLines(std::string& out, std::string_view text, const std::string& folder, std::set<std::string>& seen,
                         const std::string& hostCode) {
     size_t begin = 0;
@@ -16,9 +16,9 @@ static void appendLines(std::string& out, std::string_view text, const std::stri
         const size_t end = std::min(text.find('\n', begin), text.size());
         const std::string_view line = text.substr(begin, end - begin);
         if (line.starts_with("#extension GL_GOOGLE_include_directive")) {
-            // Nothing is left to include.
+            // The file was included before.
         } else if (line == "#include \"host-code\"") {
-            // Compilers count the host's own lines, and say 100000 and more for ours.
+            // Messages about the host's text count its lines. Lines of the library after it count from 100000.
             out += hostCode + "#line 100000\n";
         } else if (line.starts_with("#include \"")) {
             std::string name(line.substr(10, line.find('"', 10) - 10));
@@ -34,7 +34,7 @@ static void appendLines(std::string& out, std::string_view text, const std::stri
 
 void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
                 const std::string& hostCode) {
-    const bool isTable = path.ends_with(".inc"); // read once for each macro that its rows call
+    const bool isTable = path.ends_with(".inc"); // a table is included for each macro that its rows use
     if (!seen.insert(path).second && !isTable)
         return;
     const std::string_view text = embeddedGlsl(path);
@@ -47,7 +47,7 @@ void appendGlslText(std::string& out, const std::string& text, std::set<std::str
     appendLines(out, text, "", seen, {});
 }
 
-// The macros of math/real.glsl, which the host may use for something else, are written out.
+// Expands the macros of math/real.glsl, because the host may define the same names.
 std::string coverageGlsl() {
     std::string text;
     std::set<std::string> seen;
@@ -72,7 +72,7 @@ static std::string assemble(const Pass& pass, std::set<std::string> seen, const 
         appendGlsl(text, pass.compute.file, seen, pass.compute.hostCode);
     else
         appendLines(text, pass.compute.text, "", seen, pass.compute.hostCode);
-    // #version stays first.
+    // #version must be the first line.
     const std::string_view line = "#version 450\n";
     const size_t at = text.find(line);
     if (at == std::string::npos)

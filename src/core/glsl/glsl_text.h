@@ -1,4 +1,4 @@
-// GLSL of the library put together: compilers that hosts and the library use know no #include.
+// Assembles the library's GLSL. The compilers that hosts and the library use do not support #include.
 #pragma once
 
 #include "core/plan/plan.h"
@@ -8,20 +8,20 @@
 
 namespace agaa {
 
-// Appends a file below src/shaders with its #include lines replaced, each file once. hostCode stands
-// where the text includes "host-code".
+// Appends a file below src/shaders. Its #include lines are replaced by the files, each file once. hostCode replaces the
+// line that includes "host-code".
 void appendGlsl(std::string& out, const std::string& path, std::set<std::string>& seen,
                 const std::string& hostCode = {});
 
-// The same of a text whose #include lines name such files.
+// Appends a text whose #include lines name such files.
 void appendGlslText(std::string& out, const std::string& text, std::set<std::string>& seen);
 
-// The coverage of alpha-masked surfaces, for shaders of the host's own (agaaGetCoverageGlsl).
+// Returns the coverage functions of alpha-masked surfaces, for shaders of the host (agaaGetCoverageGlsl).
 std::string coverageGlsl();
 
-// The whole text of a compute pass, for Vulkan. Its specialisation constants stay.
+// Returns the text of a compute pass for Vulkan, with specialisation constants.
 std::string passGlsl(const Pass& pass);
-// For OpenGL: the pass's constants are written into it.
+// Returns the text for OpenGL, with the values of the pass's constants.
 std::string passGlslForOpenGl(const Pass& pass, uint32_t glslVersion);
 
 } // namespace agaa

@@ -20,12 +20,12 @@ void define(std::string& out, const char* name, uint32_t value) {
     out += format("#define %s %uu\n", name, value);
 }
 
-// Preprocessor conditions cannot hold a `u` suffix in every compiler's eyes, so switches are plain.
+// Some compilers reject the suffix `u` in preprocessor conditions. Switches have none.
 void defineSwitch(std::string& out, const char* name, uint32_t value) {
     out += format("#define %s %u\n", name, value);
 }
 
-// Where an aggregate has each channel.
+// Returns the macros with the position of each channel in an aggregate.
 std::string fields(const Constants& constants) {
     std::string out;
 #define AGAA_ATTRIBUTE(semantic, name)
@@ -37,7 +37,7 @@ std::string fields(const Constants& constants) {
 bool mergesInOrder(const Pass& pass) { return pass.draw.fragmentContent == FragmentContent::Merged; }
 bool mergesInTargets(const Pass& pass) { return mergesInOrder(pass) && pass.draw.state.readsAttachments; }
 
-// Attachments that the shader reads and writes: the words of their texels, one attachment after the other.
+// Declares attachments that the shader reads and writes. They form one array of words, attachment by attachment.
 std::string fetchedTargets(const Pass& pass, const HostDialect& dialect) {
     const uint32_t attachments = pass.draw.state.colorAttachmentCount;
     std::string out, fetch = "    uvec4 held;\n", store;
@@ -65,7 +65,7 @@ std::string outputs(const Pass& pass, const HostDialect& dialect) {
     return out;
 }
 
-// Where the host's set or binding points hold each of the SDK's resources.
+// Returns the macros with the binding of each resource in the host's set or binding points.
 std::string bindingDefines(const HostDialect& dialect) {
     std::string out;
     for (const BindingRow& row : hostBindingTable)
@@ -114,13 +114,13 @@ std::string lightingDefines(const Plan& plan, const Pass& pass, const HostDialec
     defineSwitch(out, "AGAA_SHADOWS", plan.view.facts.shadowMapCount > 0);
     if (!dialect.storageImages)
         return out;
-    // Without storage blocks lights come in a uniform block, which promises no more than this.
-    constexpr uint64_t most = 16384;
-    if (lightBufferBytes(plan.view.facts.maxLights) > most)
+    // If there are no storage blocks, lights are in a uniform block. OpenGL guarantees this size only.
+    constexpr uint64_t maxBlockBytes = 16384;
+    if (lightBufferBytes(plan.view.facts.maxLights) > maxBlockBytes)
         fail(AGAA_ERROR_UNSUPPORTED,
              format("forward shading without storage blocks takes %u lights; AgaaSceneFacts::maxLights is "
                     "%u.",
-                    uint32_t((most - lightBufferBytes(1)) / sizeof(GpuLight) + 1), plan.view.facts.maxLights));
+                    uint32_t((maxBlockBytes - lightBufferBytes(1)) / sizeof(GpuLight) + 1), plan.view.facts.maxLights));
     out += "#define AGAA_LIGHT_BLOCK layout(std140, AGAA_BINDING_LIGHTS) uniform\n";
     defineSwitch(out, "AGAA_LIGHT_COUNT", std::max(plan.view.facts.maxLights, 1u));
     return out;
@@ -132,7 +132,7 @@ bool needsMaterial(const Pass& pass) {
     return pass.draw.id != AGAA_DRAW_PASS_VISIBILITY;
 }
 
-// Of passes that pack attributes (aggregate/packing.glsl).
+// Returns the macros of passes that pack attributes (aggregate/packing.glsl).
 std::string packing(const Constants& c) {
     std::string out;
     define(out, "AGAA_MAX_WORDS", c[AGAA_WORDS]);
@@ -142,7 +142,7 @@ std::string packing(const Constants& c) {
     return out;
 }
 
-// Those that the pass reads: pipelines of other facts keep their keys.
+// Returns the macros of facts that the pass reads. Facts that it does not read do not change its key.
 std::string facts(const Pass& pass) {
     const Constants& c = pass.constants;
     const uint64_t ofLights = AGAA_FACT_NO_LOCAL_LIGHTS;
@@ -167,7 +167,7 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
     defineSwitch(out, "AGAA_FRAME_CONSTANTS", dialect.constants);
     if (dialect.constants == AGAA_GL_CONSTANTS_UNIFORMS)
         defineSwitch(out, "AGAA_CONSTANT_VECTORS", constantVectors(plan));
-    // Helper invocations store nothing in any version; knowing them only saves work.
+    // Helper invocations never store anything. The macro only saves work.
     out += dialect.glslVersion >= 450 ? "#define AGAA_HELPER gl_HelperInvocation\n"
                                       : "#define AGAA_HELPER false\n";
     defineSwitch(out, "AGAA_PASS", pass.draw.id);
@@ -243,12 +243,12 @@ std::string defines(const Plan& plan, const Pass& pass, const HostDialect& diale
 std::string hostExtensions(const Pass& pass, const HostDialect& dialect) {
     std::string out;
     const auto extension = [&](const char* name) { out += format("#extension GL_%s : require\n", name); };
-    // What older languages lack.
+    // Older versions need extensions.
     if (dialect.glslVersion < 400) {
         extension("ARB_gpu_shader5");
         extension("ARB_sample_shading");
     }
-    if (dialect.glslVersion < 410) // locations between stages
+    if (dialect.glslVersion < 410) // for locations between stages
         extension("ARB_separate_shader_objects");
     if (dialect.glslVersion < 420) {
         extension("ARB_shading_language_420pack");
@@ -329,7 +329,7 @@ std::string hostVertex(const Plan& plan, const Pass& pass, const HostDialect& di
 }
 
 uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect) {
-    // FNV-1a over everything a host's shaders and pipelines depend on.
+    // The key is FNV-1a over all inputs of the host's shaders and pipelines.
     uint64_t key = 1469598103934665603ull;
     const auto mix = [&](const void* data, size_t size) {
         for (size_t i = 0; i < size; ++i)

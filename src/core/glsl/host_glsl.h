@@ -11,24 +11,24 @@
 
 namespace agaa {
 
-// What a host's shaders are written in and where it wants the SDK's resources.
+// The GLSL version and features of a host's shaders, and the bindings of the SDK's resources.
 struct HostDialect {
     bool openGl = false;
     uint32_t glslVersion = 450;
-    bool storageImages = false; // buffers are reached as images
+    bool storageImages = false; // buffers are accessed as images
     bool hostOutputs = false;   // the host declares the outputs
     AgaaGlConstants constants = AGAA_GL_CONSTANTS_BLOCK;
-    uint32_t descriptorSet = 0; // Vulkan: of the SDK's set
+    uint32_t descriptorSet = 0; // Vulkan: index of the SDK's set
     std::array<uint32_t, hostBindingCount> bindings{}; // OpenGL: by host_slot
 };
 
 std::string hostExtensions(const Pass& pass, const HostDialect& dialect);
 std::string hostDeclarations(const Plan& plan, const Pass& pass, const HostDialect& dialect);
-// Of the geometry shader and of the vertex shader; empty where the pass has no text for them.
+// Return the text for the geometry shader and for the vertex shader, or empty text if the pass has none for it.
 std::string hostGeometry(const Plan& plan, const Pass& pass, const HostDialect& dialect);
 std::string hostVertex(const Plan& plan, const Pass& pass, const HostDialect& dialect);
 
-// Differs between passes for which a host needs other shaders or pipelines, and only then.
+// Returns a key that is equal for passes that can share the host's shaders and pipelines, and differs for others.
 uint64_t hostPassKey(const Plan& plan, const Pass& pass, const HostDialect& dialect);
 
 // Returns one element for each pass of the plan, by index. Elements of passes that the host does not draw are empty.

@@ -1,4 +1,5 @@
-// What passes do with resources. Usage flags, barriers and layouts of all graphics APIs follow from it.
+// The accesses of passes to resources. The usage flags, barriers and layouts of both graphics APIs are derived from
+// them.
 #pragma once
 
 #include "core/plan/plan.h"
@@ -14,23 +15,23 @@ enum class Use {
     Fetch,       // texture
     ImageWrite,  // image stores
     Color,       // target
-    FetchedColor, // target whose contents the shader reads, too
-    Depth,       // target: the stencil is written where depth is only compared
+    FetchedColor, // target that the shader also reads
+    Depth,       // target; a pass that only compares depth may write the stencil
     CopyFrom,
-    CopyTo,      // or filled
+    CopyTo,      // copied to or filled
     Indirect,    // arguments of a dispatch
-    Condition,   // word that says whether a step has anything to do (Step::predicateBuffer)
+    Condition,   // predicate of a step (Step::predicateBuffer)
 };
 
 struct Access {
     ResourceId resource = noResource;
     Use use = Use::Uniform;
-    bool isDraw = false; // by fragments, else by compute shaders
+    bool isDraw = false; // by fragment shaders; otherwise by compute shaders
 
     bool writes() const { return isTarget() || use == Use::CopyTo || stores(); }
-    bool reads() const { return !writes() || use == Use::FetchedColor; } // what earlier passes left, or the same pass
+    bool reads() const { return !writes() || use == Use::FetchedColor; } // results of earlier passes or of this one
     bool isTarget() const { return use == Use::Color || use == Use::FetchedColor || use == Use::Depth; }
-    bool stores() const { return use == Use::StorageWrite || use == Use::ImageWrite; } // of shaders
+    bool stores() const { return use == Use::StorageWrite || use == Use::ImageWrite; } // by shaders
 };
 std::vector<Access> accessesOf(const Pass& pass);
 

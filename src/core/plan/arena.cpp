@@ -7,7 +7,8 @@
 namespace agaa {
 
 uint64_t placeBlocks(std::vector<ArenaBlock>& blocks) {
-    // Largest first, each at the lowest offset that no block alive at the same time covers.
+    // Blocks are placed in descending order of size, each at the lowest offset that no block with an overlapping
+    // lifetime covers.
     std::vector<size_t> order(blocks.size());
     for (size_t i = 0; i < order.size(); ++i)
         order[i] = i;

@@ -1,4 +1,4 @@
-// Where resources are bound, by src/shaders/tables/bindings.inc.
+// Bindings of resources, from src/shaders/tables/bindings.inc.
 #pragma once
 
 #include "agaa_gl.h"
@@ -32,7 +32,7 @@ struct BindingRow {
     const char* macro; // after AGAA_BINDING_
     uint32_t slot;     // in plans and on Vulkan
     BindingKind kind;
-    uint32_t openGl;   // place of the kind
+    uint32_t openGl;   // binding point among those of the kind
 };
 
 inline constexpr BindingRow bindingTable[] = { // by slot
@@ -50,7 +50,7 @@ template <size_t count> constexpr bool isInOrder(const BindingRow (&table)[count
 }
 static_assert(isInOrder(bindingTable) && isInOrder(hostBindingTable), "slots count from 0, each once");
 static_assert(hostBindingCount == AGAA_GL_BINDING_COUNT);
-// Vulkan's array of input attachments, after all others.
+// The slot of Vulkan's array of input attachments, after all others.
 inline constexpr uint32_t fetchedTargetsSlot = hostBindingCount;
 #define AGAA_HOST_BINDING(macro, name, slot, kind, openGl) static_assert(AGAA_GL_BINDING_##macro == slot);
 #include "shaders/tables/bindings.inc"

@@ -1,5 +1,5 @@
-// A frame as a value: resources and passes. Executors run it, memory is accounted from it, tests read
-// it. It knows no graphics API; executors know no technique.
+// A plan: the resources and passes of a frame as a value. Executors run it, memory reports sum it, tests read it. It
+// does not depend on a graphics API, and executors do not depend on techniques.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -41,17 +41,18 @@ inline constexpr ResourceId noResource = ~0u;
 inline constexpr uint32_t noCounter = ~0u;
 
 enum class ResourceKind {
-    Image,        // per pixel, unless it has a size of its own
+    Image,        // per pixel, unless it has a fixed size
     Buffer,       // per pixel
-    SmallBuffer,  // device local, does not grow with the target
+    SmallBuffer,  // device local; its size does not depend on the target
     UploadBuffer, // written by the CPU, one per frame in flight
     ReadbackBuffer, // read by the CPU, one per frame in flight
     Output,       // the host's image
     ShadowMap,    // the host's, sampled with comparison
 };
 
-// What the executor writes into an upload buffer each frame (src/core/frame/frame_data.h), when it records the segment that
-// reads the buffer. Each is read in one segment only: the device may run an earlier one while the CPU writes for the next.
+// The data that the executor writes into an upload buffer (src/core/frame/frame_data.h) when it records the segment
+// that reads the buffer. Only one segment reads a buffer, because the device may run an earlier segment while the CPU
+// writes.
 enum class UploadContent { None, FrameConstants, Lights };
 
 struct Resource {
@@ -64,13 +65,13 @@ struct Resource {
     uint32_t samples = 1;
     uint32_t layers = 1;
     uint64_t bytes = 0;      // payload of one copy
-    uint32_t copies = 1;     // frames in flight for uploads and read-back
-    uint32_t hostSlot = 0;   // ShadowMap: which of the frame's
+    uint32_t copies = 1;     // frames in flight, for uploads and read-back
+    uint32_t hostSlot = 0;   // ShadowMap: index among the frame's shadows
     uint32_t firstPass = 0;  // lifetime, by index into Plan::passes
     uint32_t lastPass = 0;
-    uint64_t segments = 0;   // of the passes that use it
-    bool hasFixedSize = false;    // Image: that of the view does not matter
-    bool isPersistent = false; // Buffer: keeps its contents from frame to frame, which are 0 before the first
+    uint64_t segments = 0;   // of all passes that use it
+    bool hasFixedSize = false;    // Image: its size does not depend on the view
+    bool isPersistent = false; // Buffer: its contents persist between frames; they are 0 before the first
 
     bool isPerPixel() const { return !hasFixedSize && (kind == ResourceKind::Image || kind == ResourceKind::Buffer); }
     bool isImported() const { return kind == ResourceKind::Output || kind == ResourceKind::ShadowMap; }
@@ -85,7 +86,7 @@ enum class BindingType {
     ShadowTexture, // 2D array, compared
 };
 
-// How a Texture is sampled: clamped to its edge, at one level.
+// The filter of a Texture. It is clamped to the edge and has one level.
 enum class Filter { Nearest, Linear };
 
 struct Binding {
@@ -97,22 +98,22 @@ struct Binding {
     bool operator==(const Binding&) const = default;
 };
 
-// Attachments of a draw with AgaaDrawState::readsAttachments.
+// The largest number of attachments of a draw with AgaaDrawState::readsAttachments.
 inline constexpr uint32_t maxFetchedTargets = 8;
 
 enum class PassKind { HostDraw, Compute, Fill, Copy };
 
-// How many groups a compute pass has.
+// The number of workgroups of a compute pass.
 enum class DispatchKind {
     Pixels,   // a group for each square of groupSide pixels
     Items,    // a group for each 64 items, in rows of groupsPerRow: row * groupsPerRow + column is the group
-    Indirect, // three words of an earlier pass say it; 0 skips the pass
+    Indirect, // three words that an earlier pass writes; 0 skips the pass
 };
 inline constexpr uint32_t itemsPerGroup = 64, groupsPerRow = 32768;
 
 struct Dispatch {
     DispatchKind kind = DispatchKind::Pixels;
-    uint32_t groupSide = 8; // 8 a tile; a multiple of it a region of tiles
+    uint32_t groupSide = 8; // 8 for a tile, a multiple of 8 for a region of tiles
     uint64_t items = 0;
     ResourceId arguments = noResource;
     uint64_t argumentsOffset = 0; // bytes, a multiple of 4
@@ -122,14 +123,14 @@ struct Dispatch {
 // The value that a prepass draw stores per sample.
 enum class SampleContent { Normal, Id };
 
-// How fragments of AGAA_DRAW_PASS_FRAGMENTS are stored.
+// The storage of fragments of AGAA_DRAW_PASS_FRAGMENTS.
 enum class FragmentContent {
-    Ids,       // a list of each pixel keeps their ids
-    Materials, // the same, with their attributes
-    Merged,    // merged at once, in the order of the draws
+    Ids,       // a list for each pixel has their ids
+    Materials, // the list has their attributes, too
+    Merged,    // fragments are merged in the order of the draws
 };
 
-// Of the targets that a draw clears.
+// The values to which a draw clears its targets.
 struct ClearValues {
     std::array<std::array<float, 4>, 4> color{};
     float depth = 1;
@@ -143,15 +144,15 @@ struct DrawPart {
     SampleContent sampleContent = SampleContent::Normal;
     FragmentContent fragmentContent = FragmentContent::Ids;
     std::vector<ResourceId> colorTargets;
-    ResourceId depthTarget = noResource; // or none
+    ResourceId depthTarget = noResource; // may be noResource
     uint32_t width = 0, height = 0;      // of the targets
     bool clearsColor = false;
-    bool clearsDepth = false; // and the stencil
+    bool clearsDepth = false; // and clears the stencil
     ClearValues clear;
     std::vector<std::string> extensions; // GLSL extensions that the host's shaders need
     std::string text;                    // GLSL that defines agaa_emit() in place of the library's
-    // GLSL for the host's geometry shader, or with state.vertexPulling for its vertex shader. It reads the frame constants
-    // only.
+    // GLSL for the host's geometry shader, or with state.vertexPulling for its vertex shader. It reads the frame
+    // constants only.
     std::string expansionText;
 };
 
@@ -182,7 +183,7 @@ struct CopyPart {
     ResourceId destination = noResource;
 };
 
-// `kind` says which of the four parts is used; the others keep their defaults.
+// `kind` says which of the four parts is used; the others have their defaults.
 struct Pass {
     std::string name;
     AgaaStage stage = AGAA_STAGE_OTHER;
@@ -196,24 +197,24 @@ struct Pass {
     CopyPart copy;
 };
 
-// Passes that run several times, one after the other. Indirect passes of a group that has nothing left to do dispatch no
-// groups: that is how a buffer ends a repetition early.
+// A range of passes that is repeated. Indirect passes dispatch no groups in iterations without work, which ends a
+// repetition early.
 struct Repeat {
     uint32_t firstPass = 0, lastPass = 0;
     uint32_t times = 1;
-    // A word of this buffer is 0 from the turn on that has nothing to do. Executors that can read it may end the repetition
-    // there, or run only the last pass of such a turn. After the first turn the last pass alone changes the word. The group
-    // draws without clearing, and dispatches: nothing else can be skipped.
+    // A word of this buffer is 0 in all iterations without work. Executors that can read it may end the repetition, or
+    // run only the last pass of such an iteration. After the first iteration only the last pass changes the word. The
+    // range has only dispatches and draws that do not clear, because nothing else can be skipped.
     ResourceId predicateBuffer = noResource;
     uint64_t predicateOffset = 0; // bytes
 };
 
-// A pass as it runs. batch: of the repetitions of its group, from 0.
+// One execution of a pass. batch: the iteration of its range, from 0.
 struct Step {
     uint32_t pass = 0;
     uint32_t batch = 0;
-    bool isFirst = true, isLast = true; // of the pass's steps
-    // The step has nothing to do where this word of a buffer is 0.
+    bool isFirst = true, isLast = true; // among the steps of the pass
+    // The step has no work if this word of a buffer is 0.
     ResourceId predicateBuffer = noResource;
     uint64_t predicateOffset = 0; // bytes
     bool hasPredicate() const { return predicateBuffer != noResource; }
@@ -223,32 +224,32 @@ struct Step {
 struct Plan {
     ResolvedView view;
     std::vector<std::string> notes; // why tiers and formats were chosen
-    std::vector<std::string> effects; // that run
+    std::vector<std::string> effects; // effects that the frame uses
     bool aliases = true; // resources of disjoint lifetimes may share memory
-    Format depthFormat = Format::None; // of the target; None where the host draws
+    Format depthFormat = Format::None; // of the target; None if the plan has no depth surface
     std::vector<Resource> resources;
     std::vector<Pass> passes;
     std::vector<Repeat> repeats; // in the order of passes; they do not overlap, and each lies in one segment
-    // Counters of the newest finished frame whose low words the frame constants hold (members feedback0 to feedback2): indices of
-    // Counter, or noCounter. 0 before the first has finished, and without AGAA_CONFIG_COUNTERS.
+    // Counters of the newest finished frame whose low words are frame constants (feedback0 to feedback2): values of Counter, or
+    // noCounter. They are 0 before the first frame has finished and without AGAA_CONFIG_COUNTERS.
     std::array<uint32_t, 3> feedback{noCounter, noCounter, noCounter};
     uint32_t bytesPerAggregate = 0;
-    uint64_t fragmentCapacity = 0; // fragments that lists of all pixels have room for
-    uint32_t payloadWords = 0;    // of each, beside id, next fragment and coverage
-    bool runnable = true; // false: a model to be priced, not to be run
+    uint64_t fragmentCapacity = 0; // of the lists of all pixels together
+    uint32_t payloadWords = 0;    // of a fragment, in addition to id, next fragment and coverage
+    bool runnable = true; // false: the plan is a model that is priced and never run
 
-    uint32_t depthBits() const;     // of a fixed-point depth buffer; 0: it holds floats
+    uint32_t depthBits() const;     // of a fixed-point depth buffer; 0: it has floats
     uint64_t totalBytes() const;    // per-pixel payload
     uint64_t constantBytes() const;
     uint64_t peakBytes() const;     // per-pixel payload with disjoint lifetimes aliased
     double bytesPerPixel() const { return double(totalBytes()) / (double(view.width) * view.height); }
     uint32_t geometryPasses() const;
     std::vector<Step> steps() const; // in the order in which they run
-    std::pair<uint32_t, uint32_t> groups(const Dispatch& dispatch) const; // across and down; not of indirect ones
-    ResourceId surface(const char* surfaceName) const; // per pixel; throws where there is none
+    std::pair<uint32_t, uint32_t> groups(const Dispatch& dispatch) const; // across and down; not for indirect dispatches
+    ResourceId surface(const char* surfaceName) const; // per pixel; throws Error if there is none
 };
 
-// Fails where a repetition that a word ends holds what an executor could not skip.
+// Throws Error if a repetition with a predicate has passes that executors cannot skip.
 void checkRepeats(const Plan& plan);
 
 std::string planToJson(const Plan& plan);

@@ -209,22 +209,22 @@ uint32_t PlanBuilder::scaledHeight() const { return uint32_t(std::min<uint64_t>(
 
 ResourceId PlanBuilder::deferredPixels() { return tileBuffer("deferred-pixels", 8, 8); }
 
-// A group of the pass has so many tiles of 8 by 8 pixels across and down.
-static void takeTiles(Pass& pass, uint32_t side) {
+// Each workgroup covers side x side tiles of 8x8 pixels.
+static void setRegionSide(Pass& pass, uint32_t side) {
     pass.compute.dispatch.groupSide = 8 * side;
     pass.compute.defines += format("#define AGAA_REGION_SIDE %uu\n", side);
 }
 
 void PlanBuilder::deferPixels(Pass& pass, ResourceId deferred) {
     bind(pass, slot::Deferred, BindingType::StorageBuffer, deferred, true);
-    takeTiles(pass, 2);
+    setRegionSide(pass, 2);
 }
 
-// Software rasterisers of Mesa end all loops of an invocation once they have turned 65535 times together: at many samples
-// a group has fewer pixels, which fill its lanes all the same.
+// Software rasterisers of Mesa end all loops of an invocation after 65535 iterations in total. With many samples a
+// workgroup covers fewer pixels, which are enough to keep its lanes busy.
 void PlanBuilder::consumeDeferred(Pass& pass, ResourceId deferred) {
     bind(pass, slot::Deferred, BindingType::StorageBuffer, deferred);
-    takeTiles(pass, plan.view.samples > 8 ? 1 : 2);
+    setRegionSide(pass, plan.view.samples > 8 ? 1 : 2);
 }
 
 void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId resource,
@@ -232,8 +232,8 @@ void PlanBuilder::bind(Pass& pass, uint32_t slot, BindingType type, ResourceId r
     pass.bindings.push_back({slot, type, resource, writes});
 }
 
-// Segments have a buffer each, because later ones bring other values (ambient, background) while an
-// earlier one may still run.
+// Each segment has a buffer. A later segment brings other values (ambient, background) while an earlier one may still
+// run.
 ResourceId PlanBuilder::frameConstants(uint64_t segment) {
     const char* const names[] = {"frame-constants-prepass", "frame-constants-generation", "frame-constants-shading"};
     const size_t index = size_t(std::countr_zero(segment));
@@ -256,7 +256,7 @@ void PlanBuilder::bindCommon(Pass& pass) {
              BindingType::StorageBuffer, counters_, true);
 }
 
-// Compilers count the lines of each text by themselves.
+// Each text starts at line 1, so that messages of compilers refer to the host's lines.
 void PlanBuilder::addHostCode(Pass& pass, const HostText& text, const char* origin) {
     pass.compute.hostCode += "#line 1\n" + text.glsl + "\n";
     pass.compute.hostCodeOrigin += (pass.compute.hostCodeOrigin.empty() ? "" : " with ") + std::string(origin) + "::glsl";
@@ -271,20 +271,20 @@ void PlanBuilder::bindHostGBuffer(Pass& pass) {
     pass.compute.defines += "#define AGAA_HOST_GBUFFER 1\n" + customGlsl(plan.view.layout);
 }
 
-// A graphics processor hides how long fetches take by groups that share its memory, so that lists are short there: a
-// primitive a lane at most. By arithmetic, not by measurement.
+// GPUs hide the latency of fetches by workgroups that share their memory. Lists are short there: one primitive per lane
+// at most. The limit is computed, not measured.
 uint32_t PlanBuilder::listLength() const {
-    // What a listed primitive takes of shared memory by the rules of std430, and what else does.
-    constexpr uint32_t others = 8704;
-    // Its material comes to 92 bytes, the host's own attributes follow; 28 are beside it.
+    // Bytes of shared memory by the rules of std430, besides the list.
+    constexpr uint32_t otherBytes = 8704;
+    // A listed primitive has 28 bytes and its material: 92 bytes and the custom attributes.
     uint64_t material = 92;
     for (const CustomAttribute& custom : plan.view.layout.customs) {
         const uint32_t channels = custom.attribute.channels;
         material = alignUp(material, channels == 1 ? 4 : channels == 2 ? 8 : 16) + 4 * channels;
     }
     const auto listed = uint32_t(28 + alignUp(material, 16));
-    const uint32_t room = (std::max(caps_.maxSharedBytes, others) - others) / listed;
-    return std::clamp(room / 32 * 32, 32u, caps_.flags & AGAA_DEVICE_SOFTWARE ? 256u : 64u);
+    const uint32_t maxListed = (std::max(caps_.maxSharedBytes, otherBytes) - otherBytes) / listed;
+    return std::clamp(maxListed / 32 * 32, 32u, caps_.flags & AGAA_DEVICE_SOFTWARE ? 256u : 64u);
 }
 
 void PlanBuilder::bindHostFetch(Pass& pass) {
@@ -343,18 +343,17 @@ void PlanBuilder::findLifetimes() {
             use(access.resource);
     }
     for (Resource& resource : plan.resources)
-        if (resource.firstPass == ~0u) { // a model's surface that no pass of ours names
+        if (resource.firstPass == ~0u) { // a surface of a model, which no pass uses
             resource.firstPass = 0;
             resource.lastPass = plan.passes.empty() ? 0 : uint32_t(plan.passes.size() - 1);
         }
     keepAlive();
 }
 
-// What a repeated pass uses may not share memory with what its group uses before or after, nor what outlives a frame with
-// anything.
+// Extends lifetimes. A resource of a repeated range lives as long as the range, and a persistent one always.
 void PlanBuilder::keepAlive() {
     for (Resource& resource : plan.resources) {
-        if (resource.isImported()) // its first and last use say when the executor takes it and gives it back
+        if (resource.isImported()) // executors acquire and release imported resources at their first and last use
             continue;
         for (const Repeat& repeat : plan.repeats)
             if (resource.firstPass <= repeat.lastPass && resource.lastPass >= repeat.firstPass) {
@@ -369,11 +368,11 @@ void PlanBuilder::keepAlive() {
 }
 
 void PlanBuilder::checkLimits() const {
-    // Statistics tell of every pass.
+    // Statistics have an entry for each pass.
     if (plan.passes.size() > AGAA_MAX_PASSES)
         fail(AGAA_ERROR_INTERNAL, format("the plan has %zu passes; AgaaFrameStatistics::passes holds %d.",
                                          plan.passes.size(), AGAA_MAX_PASSES));
-    // The host's own targets and output, which are no resources with a size of ours.
+    // This also limits targets and outputs of the host, which are not resources of the plan.
     const uint64_t width = uint64_t(plan.view.width) * plan.view.scaleX, height = uint64_t(plan.view.height) * plan.view.scaleY;
     if (std::max(width, height) > caps_.maxImageSize)
         fail(AGAA_ERROR_TOO_LARGE,
@@ -394,7 +393,7 @@ void PlanBuilder::checkLimits() const {
                         r.name.c_str(), static_cast<unsigned long long>(r.bytes),
                         static_cast<unsigned long long>(caps_.maxStorageRange)));
     }
-    plan.totalBytes(); // throws where the sum overflows
+    plan.totalBytes(); // throws Error if the sum overflows
 }
 
 Plan PlanBuilder::finish() {

@@ -52,7 +52,8 @@ uint32_t PlanBuilder::variantLitShadows() const {
     return plan.view.aggregation.litShadows & ((1u << plan.view.variantFacts.shadowMapCount) - 1);
 }
 
-// Of the compute passes' constants. Those that a shader does not read stay, so that variants share its pipeline.
+// Changes constants of compute passes. Constants that a shader does not read keep their values, so that variants share
+// its pipeline.
 void PlanBuilder::specialiseForVariant() {
     const uint32_t shadows = plan.view.variantFacts.shadowMapCount;
     if (plan.view.variantFacts.flags == plan.view.facts.flags && shadows == plan.view.facts.shadowMapCount)
@@ -60,13 +61,13 @@ void PlanBuilder::specialiseForVariant() {
     for (Pass& pass : plan.passes) {
         if (pass.kind != PassKind::Compute)
             continue;
-        // Passes with text that is compiled with the view may read any.
+        // A pass that is compiled with the view may read any constant.
         const std::span<const uint32_t> spirv =
             pass.compute.hostCode.empty() && pass.compute.text.empty() ? embeddedSpirv(pass.compute.shader) : std::span<const uint32_t>();
         const auto limit = [&](Constant constant, uint32_t value) {
-            uint32_t& own = pass.constants[constant];
-            if (own != value && (spirv.empty() || readsConstant(spirv, constant)))
-                own = value;
+            uint32_t& current = pass.constants[constant];
+            if (current != value && (spirv.empty() || readsConstant(spirv, constant)))
+                current = value;
         };
         if (!variantHas(AGAA_FACT_SPECULAR))
             limit(AGAA_HAS_SPECULAR, 0);

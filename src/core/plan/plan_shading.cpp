@@ -1,4 +1,4 @@
-// What passes that shade are bound to: lights, the masks of those that reach a tile, shadows; and the effects that run.
+// Bindings of passes that shade (lights, light masks of tiles, shadows), and the list of effects that a plan uses.
 #include "core/plan/plan_builder.h"
 
 #include "core/base/error.h"
@@ -10,8 +10,8 @@
 
 namespace agaa {
 
-// Whole frames with lit aggregates against those without: median of the scenes of docs/results/lavapipe/sweep,
-// n = 8, preset accurate.
+// The time of whole frames with lit aggregates relative to those without: median of the scenes of
+// docs/results/lavapipe/sweep, n = 8, preset accurate.
 constexpr float litCost = 1.04f;
 
 void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
@@ -19,7 +19,7 @@ void PlanBuilder::cullLights(const std::function<void(Pass&)>& bindDepth) {
         (plan.view.measurement.flags & AGAA_MEASURE_NO_LIGHT_CULLING))
         return;
     const uint32_t words = (plan.view.facts.maxLights + 31) / 32;
-    lightMasks_ = tileBuffer("light-masks", 8, 4 * (words + 1)); // and a word for shadows
+    lightMasks_ = tileBuffer("light-masks", 8, 4 * (words + 1)); // the last word is for shadows
     constants_[AGAA_LIGHT_WORDS] = words;
     Pass& cull = compute("cull lights", AGAA_STAGE_SHADING, "cull_lights", AGAA_SEGMENT_SHADING);
     bind(cull, slot::Frame, BindingType::UniformBuffer, frameConstants(cull.segment));
@@ -34,7 +34,7 @@ void PlanBuilder::bindLighting(Pass& pass) {
             "AgaaMeasurement::debugView is for techniques that shade in the SDK's passes; this one shades in the host's.");
     bind(pass, host ? uint32_t(host_slot::Lights) : uint32_t(slot::Lights), BindingType::StorageBuffer,
          lights_);
-    // Shaders name the masks where there are none, too.
+    // Shaders declare the masks even if there are none.
     if (!host)
         bind(pass, slot::LightMasks, BindingType::StorageBuffer, lightMasks_ != noResource ? lightMasks_ : lights_);
     bindShadows(pass);
@@ -42,21 +42,21 @@ void PlanBuilder::bindLighting(Pass& pass) {
         listEffects(plan.view.layout.foldsRoughness() && pass.compute.shadesAggregates);
 }
 
-// The shader names all four maps; slots without one of their own repeat another and are not read.
+// Shaders declare all four maps. If the frame lacks one, another is bound in its place and not read.
 void PlanBuilder::bindShadows(Pass& pass) {
-    ResourceId any = noResource;
+    ResourceId anyMap = noResource;
     for (uint32_t i = 0; i < plan.view.facts.shadowMapCount; ++i) {
         if (plan.view.functionShadows >> i & 1)
             continue;
         if (shadowMaps_[i] == noResource)
             shadowMaps_[i] =
                 add({.name = format("shadow-map-%u", i), .kind = ResourceKind::ShadowMap, .hostSlot = i});
-        any = shadowMaps_[i];
+        anyMap = shadowMaps_[i];
     }
     const bool host = pass.kind == PassKind::HostDraw;
     const uint32_t first = host ? uint32_t(host_slot::Shadow0) : uint32_t(slot::Shadow0);
-    for (uint32_t i = 0; any != noResource && i < AGAA_MAX_SHADOW_MAPS; ++i)
-        bind(pass, first + i, BindingType::ShadowTexture, shadowMaps_[i] != noResource ? shadowMaps_[i] : any);
+    for (uint32_t i = 0; anyMap != noResource && i < AGAA_MAX_SHADOW_MAPS; ++i)
+        bind(pass, first + i, BindingType::ShadowTexture, shadowMaps_[i] != noResource ? shadowMaps_[i] : anyMap);
     if (!plan.view.functionShadows)
         return;
     require(!host, AGAA_ERROR_UNSUPPORTED,
@@ -64,7 +64,7 @@ void PlanBuilder::bindShadows(Pass& pass) {
             "host's.");
     addHostCode(pass, plan.view.shadowFunction, "AgaaShadowFunction");
     pass.compute.defines += format("#define AGAA_HOST_SHADOWS %uu\n#define AGAA_SHADOW_TEXTURES %d\n",
-                           plan.view.functionShadows, any != noResource);
+                           plan.view.functionShadows, anyMap != noResource);
 }
 
 void PlanBuilder::listEffects(bool readsFolded) {

@@ -8,7 +8,7 @@
 
 namespace agaa {
 
-// A device that has every feature and the papers' native paths.
+// Returns a device with all features, including those of the papers' native paths.
 AgaaDeviceCaps idealDevice();
 
 // Resolves the settings for the device and builds the plan. Throws Error if the device cannot run the view; the message

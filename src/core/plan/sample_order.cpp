@@ -12,8 +12,8 @@ std::vector<SamplePosition> positionsOf(const Plan& plan) {
     return {all.begin(), all.begin() + plan.view.samples};
 }
 
-// Squares of distances to the chosen samples, on a pixel whose edges meet, in ascending order; rounded, so that equal ones are
-// equal.
+// Returns the squared distances to the chosen samples in ascending order, on a pixel whose opposite edges are joined.
+// They are rounded, so that equal distances compare equal.
 static std::vector<uint32_t> distances(const std::vector<SamplePosition>& positions, const std::vector<uint32_t>& chosen,
                                        uint32_t i) {
     std::vector<uint32_t> out;
@@ -40,9 +40,9 @@ std::vector<uint32_t> sampleOrder(const std::vector<SamplePosition>& positions) 
         for (uint32_t i = 0; i < count; ++i) {
             if (std::find(order.begin(), order.end(), i) != order.end())
                 continue;
-            std::vector<uint32_t> own = distances(positions, order, i);
-            if (farthest.empty() || own > farthest) {
-                farthest = std::move(own);
+            std::vector<uint32_t> toChosen = distances(positions, order, i);
+            if (farthest.empty() || toChosen > farthest) {
+                farthest = std::move(toChosen);
                 best = i;
             }
         }

@@ -1,4 +1,4 @@
-// In which order the samples of a pixel are taken, so that few of them lie far apart.
+// An order of the samples of a pixel in which the first few are far apart.
 #pragma once
 
 #include "core/plan/plan.h"
@@ -9,12 +9,12 @@
 
 namespace agaa {
 
-// Of the plan's samples, as many as it has.
+// Returns the positions of the plan's samples.
 std::vector<SamplePosition> positionsOf(const Plan& plan);
 
-// Indices of the positions: the one nearest to the middle, then always the one farthest from all before it, on a pixel whose
-// opposite edges meet. The next nearest distances decide between equals, then the index. On grids of 2 by 2 and 4 by 4 samples,
-// these are the orders of Bayer 1973.
+// Returns indices of the positions. The first is nearest to the middle; each next one is farthest from all before it,
+// on a pixel whose opposite edges are joined. The next nearest distances break ties, then the index. On grids of 2 by 2
+// and 4 by 4 samples these are the orders of Bayer 1973.
 std::vector<uint32_t> sampleOrder(const std::vector<SamplePosition>& positions);
 
 } // namespace agaa

@@ -2,7 +2,7 @@
 
 namespace agaa {
 
-// Vulkan's standard sample locations (also those of Direct3D), in sixteenths of a pixel.
+// The standard sample locations of Vulkan and Direct3D, in sixteenths of a pixel.
 static const uint8_t (*standardPattern(uint32_t samples))[2] {
     static constexpr uint8_t one[][2] = {{8, 8}};
     static constexpr uint8_t two[][2] = {{12, 12}, {4, 4}};

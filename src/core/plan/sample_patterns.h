@@ -1,4 +1,4 @@
-// Where the samples of a pixel lie.
+// Positions of the samples of a pixel.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@ struct SamplePosition {
     float x, y; // in the pixel, [0;1), y down
 };
 
-// Where a device rasterises the samples of a texel; as many as it has.
+// Returns the positions at which a device rasterises the samples of a texel.
 std::vector<SamplePosition> standardPositions(uint32_t hwSamples);
 
-// Sample i of a target of scaleX x scaleY sub-pixels, each with samples at these positions:
-// i = (sy scaleX + sx) hwSamples + s.
+// Returns the samples of a target with scaleX x scaleY texels per pixel, each with samples at these positions. The
+// index is (sy scaleX + sx) hwSamples + s.
 using SamplePositions = std::array<SamplePosition, 128>;
 SamplePositions samplePositions(std::span<const SamplePosition> texel, uint32_t scaleX,
                                 uint32_t scaleY);

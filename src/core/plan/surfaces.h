@@ -1,4 +1,4 @@
-// Surfaces of a plan as hosts see them.
+// Surfaces of a plan as the public struct describes them.
 #pragma once
 
 #include "core/plan/plan.h"

@@ -10,12 +10,12 @@ namespace agaa {
 
 namespace {
 
-// Bits of AgaaSceneFacts::flags that are effects, and that say what all materials have in common.
+// Bits of AgaaSceneFacts::flags: effects of materials, and properties that all materials share.
 constexpr uint64_t effects = AGAA_FACT_SPECULAR | AGAA_FACT_EMISSIVE | AGAA_FACT_ALPHA_MASKED | AGAA_FACT_AMBIENT;
 constexpr uint64_t ofSpecular = AGAA_FACT_ONE_ROUGHNESS | AGAA_FACT_GREY_SPECULAR | AGAA_FACT_ONE_SPECULAR;
 constexpr uint64_t ofMasks = AGAA_FACT_NO_TRANSLUCENCY | AGAA_FACT_NO_CUTOUTS;
 
-// A fact, and what demands that an effect's bit is set or that a common value's is not.
+// A fact, and the number of materials that demand the bit of an effect or contradict a shared property.
 struct FactRow {
     uint64_t fact;
     const char* name;
@@ -36,7 +36,7 @@ constexpr FactRow rows[] = {
     {AGAA_FACT_NO_LOCAL_LIGHTS, "NO_LOCAL_LIGHTS", nullptr},
 };
 
-// Those that do without what nothing demands.
+// Returns the smallest facts that suffice for the counted materials.
 uint64_t sufficientFacts(const AgaaFactReport& report, uint64_t viewFlags) {
     uint64_t flags = viewFlags & AGAA_FACT_CUSTOM_DEPTH;
     for (const FactRow& row : rows)
@@ -46,7 +46,7 @@ uint64_t sufficientFacts(const AgaaFactReport& report, uint64_t viewFlags) {
         }
     flags |= report.hasAmbient ? AGAA_FACT_AMBIENT : 0;
     flags |= report.localLights ? 0 : AGAA_FACT_NO_LOCAL_LIGHTS;
-    if (!(flags & AGAA_FACT_SPECULAR)) // of which nothing is shaded
+    if (!(flags & AGAA_FACT_SPECULAR)) // without specular light its properties do not matter
         flags &= ~ofSpecular;
     if (!(flags & AGAA_FACT_ALPHA_MASKED))
         flags &= ~ofMasks;
@@ -73,7 +73,7 @@ std::string namesOf(uint64_t flags) {
     return names;
 }
 
-// Masks of materials that are fetched are counted for each fragment, of which there are more.
+// Counts of fetched, masked materials are per fragment; there are more fragments than materials.
 double shareOf(uint64_t part, uint64_t whole) { return whole ? std::min(100.0 * double(part) / double(whole), 100.0) : 100.0; }
 
 std::string explain(const AgaaFactReport& report, uint64_t viewFlags) {
@@ -120,7 +120,7 @@ AgaaFactReport reportOf(const Plan& plan, const FrameSequence::Slot& frame, cons
     report.hasAmbient = frame.content.hasAmbient;
     report.contradicted = contradictedFacts(report, plan.view.facts.flags);
     report.sufficient = sufficientFacts(report, plan.view.facts.flags);
-    if (plan.view.hostGBuffer) // of whose masks and planes nothing is known
+    if (plan.view.hostGBuffer) // its masks and planes are unknown
         report.sufficient = (report.sufficient & ~AGAA_FACT_PLANE_NORMALS) |
                             (plan.view.facts.flags & (AGAA_FACT_ALPHA_MASKED | ofMasks | AGAA_FACT_PLANE_NORMALS));
     std::strncpy(report.explanation, explain(report, plan.view.facts.flags).c_str(), sizeof report.explanation - 1);

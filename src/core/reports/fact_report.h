@@ -1,11 +1,11 @@
-// What counts of materials and lights say of a view's scene facts.
+// The fact report: counts of materials and lights compared with the scene facts of a view.
 #pragma once
 
 #include "core/frame/view_state.h"
 
 namespace agaa {
 
-// Returns AGAA_NOT_READY where no frame up to completedFrame was recorded whole. Throws Error for a view without
+// Returns AGAA_NOT_READY if no frame up to completedFrame was recorded completely. Throws Error for a view without
 // AGAA_CONFIG_CHECK_FACTS.
 AgaaResult factReport(const ViewState& view, uint64_t completedFrame, AgaaFactReport& out);
 

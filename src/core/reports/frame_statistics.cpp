@@ -44,7 +44,7 @@ AgaaResult frameStatistics(const ViewState& view, uint64_t completedFrame, AgaaF
     const std::vector<double> times = view.readPassTimes(slot);
     if (!times.empty())
         out.timeSource = view.timeSource();
-    out.passCount = uint32_t(plan.passes.size()); // at most AGAA_MAX_PASSES: the planner refuses more
+    out.passCount = uint32_t(plan.passes.size()); // at most AGAA_MAX_PASSES; the planner rejects more
     for (size_t i = 0; i < plan.passes.size(); ++i) {
         AgaaPassTime& time = out.passes[i];
         time = {};

@@ -7,7 +7,8 @@ namespace agaa {
 
 AgaaCounters countersOf(const CounterBuffer& source);
 
-// Returns AGAA_NOT_READY where no frame up to completedFrame was recorded whole; memory and compilation are written all the same.
+// Returns AGAA_NOT_READY if no frame up to completedFrame was recorded completely. Memory and compilation are written
+// in any case.
 AgaaResult frameStatistics(const ViewState& view, uint64_t completedFrame, AgaaFrameStatistics& out);
 
 } // namespace agaa

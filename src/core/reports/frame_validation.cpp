@@ -8,10 +8,10 @@
 
 namespace agaa {
 
-// A few fragments of slivers lie outside their primitives; a wrong camera displaces nearly all.
+// Some fragments of slivers lie outside their primitives. A wrong camera displaces nearly all fragments.
 static bool isMisplaced(const AgaaFrameValidation& v) { return v.misplaced > v.visible / 100; }
 
-// What was found and what usually causes it, the more basic mistake first.
+// Returns the most basic mistake that was found and its usual causes.
 static const char* explain(const AgaaFrameValidation& v, uint32_t geometryPasses) {
     if (v.visible == 0 && geometryPasses == 0)
         return "Nothing is visible: agaaHostSample says of no sample that it shows geometry. Usual causes: its "

@@ -34,7 +34,7 @@ int64_t checkedSigned(uint64_t number) {
     return int64_t(number);
 }
 
-// What pipelines of passes differ in.
+// Returns the members in which the pipelines of passes differ.
 auto pipelineOf(const Pass& pass) {
     return std::tie(pass.kind, pass.compute.file, pass.compute.shader, pass.compute.defines, pass.compute.text, pass.draw.text, pass.compute.hostCode, pass.constants, pass.draw.id,
                     pass.draw.sampleContent, pass.draw.fragmentContent, pass.draw.expansionText);
@@ -48,7 +48,7 @@ uint64_t pipelineCount(const Plan& plan) {
     return different.size();
 }
 
-// Of the targets of geometry passes.
+// Returns the bits per sample of all targets of geometry passes.
 uint64_t sampleBits(const Plan& plan) {
     std::set<ResourceId> targets;
     for (const Pass& pass : plan.passes) {
@@ -73,7 +73,7 @@ Traffic trafficOf(const Access& access, const Pass& pass) {
     case Use::Fetch:
     case Use::CopyFrom:
         return {.reads = true};
-    case Use::StorageWrite: // and reads, or not
+    case Use::StorageWrite: // it may read, too
     case Use::ImageWrite:
     case Use::Color:
     case Use::FetchedColor:
@@ -81,7 +81,7 @@ Traffic trafficOf(const Access& access, const Pass& pass) {
         return {.writes = true};
     case Use::Depth:
         return {.reads = !pass.draw.clearsDepth, .writes = pass.draw.state.depthWrite != 0};
-    case Use::Indirect: // a few words
+    case Use::Indirect: // both access only a few words
     case Use::Condition:
         break;
     }
@@ -110,7 +110,7 @@ uint64_t trafficBytes(const Plan& plan) {
     return total;
 }
 
-// Of one shadow map that an event does not look up at each sample.
+// Returns the taps for a shadow map that an event does not look up at each sample.
 uint64_t tapsOfMap(const Technique& technique, const Plan& plan, const Constants& constants, uint32_t samples) {
     constexpr uint64_t depthTaps = 4; // of agaa_tapAlongDepth()
     const uint32_t filter = constants[AGAA_SHADOW_FILTER];
@@ -166,7 +166,7 @@ public:
         const Plan more = planOf(with), less = planOf(without);
         AgaaPrice price = priceOf(more);
         const AgaaPrice other = priceOf(less);
-        for (const Number number : numbers) // neither is negative
+        for (const Number number : numbers) // both are at least 0, so that the difference does not overflow
             price.*number -= other.*number;
         price.changesTier = more.view.visibilityTier != less.view.visibilityTier || more.view.generationTier != less.view.generationTier;
         return price;
@@ -222,7 +222,7 @@ void changeSamples(ViewSettings& view, uint32_t samples) {
 
 void changeAggregates(ViewSettings& view, uint32_t aggregates) { setCounts(view, view.samples, aggregates); }
 
-// What a price is of.
+// The subject of a price.
 struct Subject {
     AgaaPriceKind kind;
     const char* name;
@@ -237,7 +237,7 @@ AgaaPrice named(AgaaPrice price, const Subject& subject, bool isOn) {
     return price;
 }
 
-// Between neighbouring counts.
+// Adds the prices of the steps between neighbouring counts.
 void addSteps(std::vector<AgaaPrice>& list, const Comparison& comparison, const Subject& subject,
               const std::vector<uint32_t>& counts, uint32_t described, void (*change)(ViewSettings&, uint32_t)) {
     for (size_t i = 1; i < counts.size(); ++i) {

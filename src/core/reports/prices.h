@@ -1,4 +1,4 @@
-// What effects, samples and aggregates of a view cost: differences of plans. It needs no device.
+// Prices of the effects, samples and aggregates of a view: differences between plans. They need no device.
 #pragma once
 
 #include "core/plan/planner.h"
@@ -7,7 +7,7 @@
 
 namespace agaa {
 
-// As agaaQueryPrices lists them. Throws Error where the view itself cannot be planned.
+// Implements agaaQueryPrices. Throws Error if the view itself cannot be planned.
 std::vector<AgaaPrice> listPrices(const ViewSettings& view, const AgaaDeviceCaps& caps, uint32_t framesInFlight);
 
 } // namespace agaa

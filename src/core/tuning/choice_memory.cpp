@@ -10,13 +10,13 @@ namespace agaa {
 
 namespace {
 
-constexpr float meanOf = 16; // observations
+constexpr float meanLength = 16; // observations
 
 void addTo(float& mean, double value, float count) {
-    mean += (float(value) - mean) / std::min(count, meanOf);
+    mean += (float(value) - mean) / std::min(count, meanLength);
 }
 
-// Hosts may measure the whole frame as one part: then one ratio is that of both.
+// Hosts may measure the whole frame as one part. Both parts then have the same ratio.
 FrameTimes ratioOf(const FrameTimes& observed, const FrameTimes& predicted) {
     const auto ratio = [](double a, double b) { return std::clamp(a / std::max(b, 1e-12), 1e-6, 1e12); };
     const auto isWhole = [](const FrameTimes& t) { return t.geometry <= 0 || t.shading <= 0; };
@@ -36,7 +36,7 @@ ChoiceMemory::ChoiceMemory(const AgaaChoice& choice, const Predictions& predicti
     if (numbers_.timesNumber == predictions.timesNumber())
         return;
     numbers_.timesNumber = predictions.timesNumber();
-    numbers_.geometry = numbers_.shading = numbers_.held = 0; // they are by other times
+    numbers_.geometry = numbers_.shading = numbers_.sinceChange = 0; // they are relative to other times
     std::fill(std::begin(numbers_.rows), std::end(numbers_.rows), Row{});
 }
 
@@ -78,7 +78,7 @@ void ChoiceMemory::learnCounts(const AgaaObservation& o, const ChoiceRow& row) {
         addTo(numbers_.shadows, std::min(o.shadowTapsPerEvent * events / taps, double(AGAA_MAX_SHADOW_MAPS)), count);
 }
 
-// A row that did not run yet starts with the prediction, so that its first frame does not decide alone.
+// A row that did not run yet starts with the prediction, so that its first frame alone does not decide.
 void ChoiceMemory::learnTimes(const AgaaObservation& o, const ChoiceRow& row, const AgaaSceneFacts& facts) {
     const std::optional<FrameTimes> predicted = predictions_.times(row, terms(facts), o.pixels);
     if (!predicted)
@@ -96,9 +96,9 @@ void ChoiceMemory::learnTimes(const AgaaObservation& o, const ChoiceRow& row, co
 
 double ChoiceMemory::milliseconds(const ChoiceRow& row, const AgaaSceneFacts& facts, uint64_t pixels) const {
     const FrameTimes predicted = predictions_.times(row, terms(facts), pixels).value();
-    const Row& own = numbers_.rows[indexOf(row)];
-    if (own.count > 0)
-        return predicted.geometry * own.geometry + predicted.shading * own.shading;
+    const Row& observed = numbers_.rows[indexOf(row)];
+    if (observed.count > 0)
+        return predicted.geometry * observed.geometry + predicted.shading * observed.shading;
     if (hasTimes())
         return predicted.geometry * numbers_.geometry + predicted.shading * numbers_.shading;
     return predicted.geometry + predicted.shading;

@@ -1,39 +1,40 @@
-// What choices remember of the frames that were observed.
+// The memory of choices: statistics of observed frames.
 #pragma once
 
 #include "core/tuning/predictions.h"
 
 namespace agaa {
 
-// As AgaaChoice::memory holds it. 0 is what no frame has shown.
+// The layout of AgaaChoice::memory. Numbers that no frame has shown are 0.
 class ChoiceMemory {
 public:
-    // Throws Error where a number is not finite or negative. Forgets times that were learned by other predictions.
+    // Throws Error if a number is negative or not finite. Forgets times that were learned with other predictions.
     ChoiceMemory(const AgaaChoice& choice, const Predictions& predictions);
     void store(AgaaChoice& choice) const;
 
     void learn(const AgaaObservation& observation, const AgaaSceneFacts& facts);
-    // Of the settings that run now.
-    void countObservation() { numbers_.held += 1; }
-    void startHolding() { numbers_.held = 0; }
-    float held() const { return numbers_.held; }
+    // Count the observations of the current settings since they were chosen.
+    void countObservation() { numbers_.sinceChange += 1; }
+    void restartCount() { numbers_.sinceChange = 0; }
+    float observationsSinceChange() const { return numbers_.sinceChange; }
 
     bool hasTimes() const { return numbers_.geometry > 0; }
-    // Of a frame: by the times of these settings, or else by those of the settings that ran last. The row has a prediction.
+    // Returns the time of a frame, scaled by the observed times of these settings, or else of the settings that ran
+    // last. The row must have a prediction.
     double milliseconds(const ChoiceRow& row, const AgaaSceneFacts& facts, uint64_t pixels) const;
 
 private:
     static constexpr size_t maxRows = 63;
     struct Row {
-        float geometry, shading; // times by the predicted ones
+        float geometry, shading; // observed times relative to the predicted ones
         float count;             // of observations
     };
     struct Numbers {
-        float held;  // observations of the current choice, since it was chosen
-        float count; // of observed counts
-        float coverage, complexity, lights, shadows; // means; complexity plus 1
+        float sinceChange; // observations of the current choice since it was chosen
+        float count; // of observations with counts
+        float coverage, complexity, lights, shadows; // means; complexity is stored plus 1
         float geometry, shading; // of the row that ran last
-        float timesNumber; // of the predictions that times are by
+        float timesNumber; // of the predictions that the times are relative to
         float unused[2];
         Row rows[maxRows];
     };

@@ -34,9 +34,9 @@ std::string limitsText(uint32_t missed) {
     return text;
 }
 
-std::string whyText(const AgaaChoice& choice, const AgaaGoal& goal, size_t holding, size_t count, bool waits) {
-    const char* least = goal.prefer == AGAA_PREFER_TIME ? "time" : "error";
-    if (holding == 0)
+std::string whyText(const AgaaChoice& choice, const AgaaGoal& goal, size_t satisfying, size_t count, bool waits) {
+    const char* criterion = goal.prefer == AGAA_PREFER_TIME ? "time" : "error";
+    if (satisfying == 0)
         return format("comes nearest: none of %zu settings holds all limits, and it misses %s", count,
                       limitsText(choice.missedLimits).c_str());
     const char* until = waits ? " until more of its frames were observed" : "";
@@ -45,8 +45,8 @@ std::string whyText(const AgaaChoice& choice, const AgaaGoal& goal, size_t holdi
                       waits ? "" : ": others would gain too little");
     if (!choice.hasChanged)
         return waits ? format("is kept%s", until)
-                     : format("is kept: no other of the %zu settings that hold all limits gains enough %s", holding, least);
-    return format("is chosen for its %s: %zu of %zu settings hold all limits", least, holding, count);
+                     : format("is kept: no other of the %zu settings that hold all limits gains enough %s", satisfying, criterion);
+    return format("is chosen for its %s: %zu of %zu settings hold all limits", criterion, satisfying, count);
 }
 
 std::string errorsText(const AgaaChoice& choice, const Predictions& predictions) {
@@ -58,14 +58,14 @@ std::string errorsText(const AgaaChoice& choice, const Predictions& predictions)
 
 } // namespace
 
-void explain(AgaaChoice& choice, const AgaaGoal& goal, const Predictions& predictions, size_t holding, size_t count, bool waits,
-             const std::string& leftOutBecause) {
-    std::string text = settingsText(choice) + " " + whyText(choice, goal, holding, count, waits) + ". ";
+void explain(AgaaChoice& choice, const AgaaGoal& goal, const Predictions& predictions, size_t satisfying, size_t count,
+             bool waits, const std::string& firstExclusion) {
+    std::string text = settingsText(choice) + " " + whyText(choice, goal, satisfying, count, waits) + ". ";
     const bool isOfDevice = choice.hasTimes || predictions.hasMeasuredTimes();
     text += errorsText(choice, predictions) + format("%.3g ms%s, %.3g MB.", choice.milliseconds,
                                                      isOfDevice ? "" : " on the table's device", double(choice.bytes) * 1e-6);
     if (choice.leftOut)
-        text += format(" %u settings are left out, the first because %s", choice.leftOut, leftOutBecause.c_str());
+        text += format(" %u settings are left out, the first because %s", choice.leftOut, firstExclusion.c_str());
     const size_t length = std::min(text.size(), sizeof choice.reason - 1);
     std::memcpy(choice.reason, text.data(), length);
     choice.reason[length] = 0;

@@ -75,7 +75,7 @@ FrameTimes predictTimes(const ChoiceRow& row, const SceneTerms& terms, uint64_t 
     const double events = eventsOf(row, terms.complexity) * terms.coverage;
     const double taps = tapsOf(row, terms.complexity) * terms.coverage * terms.shadows;
     const double lights = terms.lights * row.lightRatio;
-    const double milliseconds = double(pixels) * 1e-6; // of a nanosecond for each pixel
+    const double milliseconds = double(pixels) * 1e-6; // a nanosecond per pixel
     return {(row.geometryRatio * double(common.singleGeometry) + row.geometryTime) * milliseconds,
             (row.pixelTime + events * (row.eventTime + lights * common.lightTime) + taps * common.tapTime) * milliseconds};
 }
@@ -83,8 +83,8 @@ FrameTimes predictTimes(const ChoiceRow& row, const SceneTerms& terms, uint64_t 
 double tapsOf(const ChoiceRow& row, double complexity) { return row.taps + row.tapsByComplexity * complexity; }
 
 std::optional<double> complexityOf(const ChoiceRow& row, double events) {
-    constexpr float least = 0.5f; // below, differences of other scenes are larger
-    if (row.eventsByComplexity < least)
+    constexpr float minSlope = 0.5f; // below this, the scenes of the table differ more
+    if (row.eventsByComplexity < minSlope)
         return std::nullopt;
     return std::clamp((events - row.events) / row.eventsByComplexity, 0.0, 1.0);
 }

@@ -1,4 +1,4 @@
-// Errors and times of frames that were not rendered: what the table of choices says of settings, and of a scene in view.
+// Predicted errors and times of frames, from the table of choices and properties of the scene in view.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -11,7 +11,7 @@ namespace agaa {
 
 inline constexpr size_t tableScenes = 10;
 
-// Settings that agaaChooseSettings chooses among. choice_table.inc says what the numbers are.
+// Settings that agaaChooseSettings chooses among. choice_table.inc describes the numbers.
 struct ChoiceRow {
     const char* technique;
     uint32_t samples;
@@ -25,36 +25,37 @@ struct ChoiceRow {
 };
 std::span<const ChoiceRow> choiceRows();
 
-// The row of these settings, or null. preset: null or empty: none.
+// Returns the row of these settings, or null. A preset of null or "" means none.
 const ChoiceRow* findRow(const char* technique, uint32_t samples, uint32_t aggregates, const char* preset, uint32_t tier);
-// Of an AgaaObservation, AgaaChoice or AgaaMeasuredSettings.
+// Returns the row of an AgaaObservation, AgaaChoice or AgaaMeasuredSettings, or null.
 template <class Settings> const ChoiceRow* rowOf(const Settings& s) {
     return findRow(s.technique, s.samples, s.aggregates, s.preset, s.generationTier);
 }
 
-// Of the scenes at least `share` have at most this error: by that of "single", or as it is.
+// Return the error that at least `share` of the scenes do not exceed: relative to that of "single", or absolute.
 float errorShareIn(const ChoiceRow& row, float share);
 float errorIn(const ChoiceRow& row, float share);
 
-// What the times of a frame depend on.
+// Properties of a scene that determine the times of a frame.
 struct SceneTerms {
     double coverage;   // share of the samples with geometry
     double complexity; // share of the samples beyond a pixel's first that simple_complex shades at n = 8
-    double lights;     // of a shading event of "single"
+    double lights;     // per shading event of "single"
     double shadows;    // maps that shading events look up
 };
-// Of a scene that no frame has shown yet.
+// Returns the terms of a scene of which no frame was observed yet.
 SceneTerms usualTerms(const AgaaSceneFacts& facts);
 
 struct FrameTimes {
     double geometry = 0, shading = 0; // milliseconds
 };
-// On the device of the table.
+// Returns the times on the device of the table.
 FrameTimes predictTimes(const ChoiceRow& row, const SceneTerms& terms, uint64_t pixels);
 
-// Look-ups for a covered pixel, with one shadow map.
+// Returns the shadow taps per covered pixel with one shadow map.
 double tapsOf(const ChoiceRow& row, double complexity);
-// That so many shading events of a covered pixel mean; empty where they hardly depend on it.
+// Returns the complexity that causes so many shading events per covered pixel, or nothing if the events hardly depend
+// on it.
 std::optional<double> complexityOf(const ChoiceRow& row, double events);
 
 } // namespace agaa

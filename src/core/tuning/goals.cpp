@@ -14,9 +14,9 @@ namespace agaa {
 
 namespace {
 
-constexpr double timeMargin = 0.1; // of the limit of time, on either side
-constexpr double timeGain = 0.15;  // that another choice must have
-constexpr float heldFor = 16;      // observations
+constexpr double timeMargin = 0.1; // share of the time limit, on either side
+constexpr double timeGain = 0.15;  // share of the time that another choice must save
+constexpr float minObservations = 16; // of a choice before its times may replace it
 
 void checkGoal(const AgaaGoal& goal) {
     constexpr double largest = std::numeric_limits<float>::max();
@@ -37,11 +37,11 @@ uint64_t plannedBytes(const TunedView& view, const ChoiceRow& row, const AgaaGoa
     return cost.bytes;
 }
 
-// The settings that are predicted and can be planned.
+// The settings that have a prediction and can be planned.
 struct Candidates {
     std::vector<Candidate> list;
-    uint32_t leftOut = 0;
-    Error firstReason{AGAA_ERROR_UNSUPPORTED, {}}; // of those left out
+    uint32_t excluded = 0;
+    Error firstReason{AGAA_ERROR_UNSUPPORTED, {}}; // for the first excluded settings
 };
 
 Candidates listCandidates(const TunedView& view, const AgaaGoal& goal, const Predictions& predictions,
@@ -54,7 +54,7 @@ Candidates listCandidates(const TunedView& view, const AgaaGoal& goal, const Pre
         } catch (const Error& error) {
             if (error.code == AGAA_ERROR_INTERNAL)
                 throw;
-            if (found.leftOut++ == 0)
+            if (found.excluded++ == 0)
                 found.firstReason.message = error.message;
         }
     }
@@ -65,7 +65,7 @@ Candidates listCandidates(const TunedView& view, const AgaaGoal& goal, const Pre
 
 double ratioOf(double number, double limit) { return limit > 0 ? number / limit : 0; }
 
-// Compares candidates by a goal. timeScale: of the limit of time.
+// Compares candidates by a goal. timeScale: a factor of the time limit.
 class Order {
 public:
     explicit Order(const AgaaGoal& goal, double timeScale = 1) : goal_(goal), timeScale_(timeScale) {}
@@ -99,17 +99,17 @@ bool isWorthSwitching(const Candidate& other, const Candidate& current, const Ag
                                            : other.errorShare < current.errorShare;
 }
 
-// What replaces the current choice, or the current choice.
+// Returns the candidate that replaces the current choice, or the current choice.
 const Candidate& choose(const std::vector<Candidate>& list, const Candidate& current, const AgaaGoal& goal,
                         const ChoiceMemory& memory) {
     const Order exact(goal), tolerant(goal, 1 + timeMargin), reserved(goal, 1 - timeMargin);
     const Candidate& nearest = exact.best(list);
-    // What the current choice misses here does not depend on times: noise does not make it alternate.
+    // These misses do not depend on times, so that noise cannot make choices alternate.
     if (exact.bytes(current) > 1 && exact.bytes(nearest) <= 1)
         return nearest;
     if (exact.error(current) > 1 && exact.satisfies(nearest))
         return nearest;
-    if (memory.hasTimes() && memory.held() < heldFor)
+    if (memory.hasTimes() && memory.observationsSinceChange() < minObservations)
         return current;
     const Candidate& best = reserved.best(list);
     if (tolerant.satisfies(current))
@@ -126,7 +126,7 @@ uint32_t missedLimits(const Candidate& c, const AgaaGoal& goal) {
            missed(double(c.bytes), double(goal.maxBytes), AGAA_LIMIT_BYTES);
 }
 
-// Null: nothing is chosen yet.
+// Returns the row of a choice, or null if nothing is chosen yet.
 const ChoiceRow* chosenRow(const AgaaChoice& choice) {
     if (!choice.technique)
         return nullptr;
@@ -181,19 +181,19 @@ AgaaChoice chooseSettings(const TunedView& view, const AgaaGoal& goal, const Aga
 
     const Candidates candidates = listCandidates(view, goal, predictions, memory);
     const auto& list = candidates.list;
-    const auto held = std::find_if(list.begin(), list.end(), [&](const Candidate& c) { return c.row == currentRow; });
-    const Candidate& chosen = held == list.end() ? Order(goal).best(list) : choose(list, *held, goal, memory);
+    const auto kept = std::find_if(list.begin(), list.end(), [&](const Candidate& c) { return c.row == currentRow; });
+    const Candidate& chosen = kept == list.end() ? Order(goal).best(list) : choose(list, *kept, goal, memory);
     const bool hasChanged = chosen.row != currentRow;
     if (hasChanged)
-        memory.startHolding();
+        memory.restartCount();
 
     AgaaChoice choice = describe(chosen, goal, memory);
     choice.hasChanged = hasChanged;
-    choice.leftOut = candidates.leftOut;
+    choice.leftOut = candidates.excluded;
     memory.store(choice);
-    const auto holding = size_t(std::count_if(list.begin(), list.end(), [&](const Candidate& c) { return Order(goal).satisfies(c); }));
-    const bool waits = !hasChanged && memory.hasTimes() && memory.held() < heldFor;
-    explain(choice, goal, predictions, holding, list.size(), waits, candidates.firstReason.message);
+    const auto satisfying = size_t(std::count_if(list.begin(), list.end(), [&](const Candidate& c) { return Order(goal).satisfies(c); }));
+    const bool waits = !hasChanged && memory.hasTimes() && memory.observationsSinceChange() < minObservations;
+    explain(choice, goal, predictions, satisfying, list.size(), waits, candidates.firstReason.message);
     return choice;
 }
 

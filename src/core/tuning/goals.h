@@ -1,5 +1,5 @@
-// Settings for a goal: the table of choices against limits of error, time and memory. It needs public data only; the caller
-// plans the view.
+// Settings for a goal: the table of choices against limits of error, time and memory. It needs public data only; the
+// caller plans the view.
 #pragma once
 
 #include "core/tuning/cost_model.h"
@@ -8,7 +8,7 @@
 
 namespace agaa {
 
-// The cost of settings that a plan tells.
+// The cost of settings, known from their plan.
 struct PlannedCost {
     uint64_t bytes = 0;          // of all surfaces, as AgaaMemoryReport::totalBytes
     uint32_t geometryPasses = 0; // as AgaaTarget::geometryPasses

@@ -39,7 +39,7 @@ void readTimes(const AgaaFrameStatistics& statistics, AgaaObservation& o) {
     }
 }
 
-// Whether all passes are timed.
+// Checks the times and returns whether all passes are timed.
 bool checkTimes(const AgaaFrameStatistics& statistics) {
     checkRange(uint64_t(statistics.passCount), 0, AGAA_MAX_PASSES, "AgaaFrameStatistics::passCount");
     bool areTimed = statistics.passCount > 0;

@@ -5,8 +5,8 @@
 
 namespace agaa {
 
-// settings: the settings of the frames, without counts and times. previous: its counts or times are kept if the statistics
-// have none and it has the same settings. Throws Error if the statistics are not valid.
+// settings: the settings of the frames, without counts and times. previous: its counts or times are kept if the
+// statistics have none and it has the same settings. Throws Error if the statistics are not valid.
 AgaaObservation observe(const AgaaObservation& settings, const AgaaFrameStatistics& statistics,
                         const AgaaObservation& previous);
 

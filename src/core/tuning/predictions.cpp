@@ -24,7 +24,7 @@ void checkNumbers(const AgaaMeasuredSettings& m, const std::string& name) {
 
 bool isTimed(const AgaaMeasuredSettings& m) { return m.geometryMilliseconds > 0 || m.shadingMilliseconds > 0; }
 
-// An error of 0 would hold every limit: it must not stand for one that is not known.
+// An error of 0 would satisfy every limit, so that it must not represent an unknown one.
 void checkErrors(const AgaaMeasuredSettings& m, const AgaaGoal& goal, const std::string& name) {
     if (m.errorShare <= 0)
         refuse(name + ".errorShare is 0, as if it was not measured.");
@@ -68,7 +68,8 @@ void Predictions::addMeasured(const AgaaMeasuredSettings& m, const AgaaGoal& goa
     measuredTimes_.push_back({m.geometryMilliseconds / double(m.pixels), m.shadingMilliseconds / double(m.pixels)});
 }
 
-// The sum of FNV-1a of each row, whatever their order, in 24 bits: AgaaChoice::memory has floats.
+// The number is the sum of FNV-1a over each row, independent of their order. It has 24 bits, because AgaaChoice::memory
+// has floats.
 void Predictions::numberTimes() {
     uint32_t sum = 0;
     for (size_t i = 0; i < list_.size(); ++i) {

@@ -1,4 +1,5 @@
-// What settings are predicted to have: by the table of ten scenes, or by what the host measured in its own.
+// Predicted errors and times of settings: from the table of ten scenes, or from measurements of the host in its own
+// scenes.
 #pragma once
 
 #include "core/tuning/cost_model.h"
@@ -7,24 +8,24 @@
 
 namespace agaa {
 
-// Errors of settings to choose among.
+// The predicted errors of settings.
 struct Prediction {
     const ChoiceRow* row;
-    float errorShare, errorShareMedian, errorShareWorst; // by that of "single": by AgaaGoal::sceneShare, of half, of all scenes
-    float error;                                         // by AgaaGoal::sceneShare
+    float errorShare, errorShareMedian, errorShareWorst; // relative to "single": for AgaaGoal::sceneShare, half and all of the scenes
+    float error;                                         // for AgaaGoal::sceneShare of the scenes
 };
 
 class Predictions {
 public:
-    // Throws Error where AgaaGoal::measured is not valid.
+    // Throws Error if AgaaGoal::measured is not valid.
     explicit Predictions(const AgaaGoal& goal);
 
     const std::vector<Prediction>& list() const { return list_; }
     bool areMeasured() const { return areMeasured_; }
     bool hasMeasuredTimes() const { return !measuredTimes_.empty(); }
-    // Of a frame. Empty: there are measured times, and the row has none.
+    // Returns the times of a frame, or nothing if other rows have measured times and this one has none.
     std::optional<FrameTimes> times(const ChoiceRow& row, const SceneTerms& terms, uint64_t pixels) const;
-    // Distinguishes measured times from others, and from those of the table, whose number is 0.
+    // Returns a number that identifies the measured times. It is 0 for the times of the table.
     float timesNumber() const { return timesNumber_; }
 
 private:
@@ -33,7 +34,7 @@ private:
 
     std::vector<Prediction> list_;
     bool areMeasured_;
-    std::vector<FrameTimes> measuredTimes_; // of a pixel, in the order of the list
+    std::vector<FrameTimes> measuredTimes_; // per pixel, in the order of the list
     float timesNumber_ = 0;
 };
 

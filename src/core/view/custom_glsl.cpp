@@ -5,7 +5,7 @@
 
 namespace agaa {
 
-// Parameters of macros begin with agaa_, which names of attributes do not.
+// Parameters of the macros begin with agaa_. Names of attributes never do.
 std::string customGlsl(const Layout& layout) {
     if (layout.customs.empty())
         return {};

@@ -1,4 +1,4 @@
-// GLSL for attributes of the host's own: the macros of src/shaders/common/custom.glsl.
+// GLSL for custom attributes: the macros of src/shaders/common/custom.glsl.
 #pragma once
 
 #include "core/view/layout.h"
@@ -7,6 +7,7 @@
 
 namespace agaa {
 
-std::string customGlsl(const Layout& layout); // empty where the layout has none
+// Returns empty text if the layout has no custom attributes.
+std::string customGlsl(const Layout& layout);
 
 } // namespace agaa

@@ -6,7 +6,7 @@ namespace agaa {
 
 namespace {
 
-// A flag of a part of the description. means: the effect if the flag has this value.
+// An effect that is on if a flag of a part of the description equals `means`.
 template <auto part, uint64_t flag, bool means = true> constexpr Effect flagEffect(const char* name, const char* need) {
     return {.name = name,
             .need = need,
@@ -21,7 +21,7 @@ template <uint64_t flag> constexpr Effect fact(const char* name, const char* nee
     return flagEffect<&ViewSettings::facts, flag>(name, need);
 }
 
-// On unless the facts say that all materials or lights have something in common.
+// An effect that is on unless a fact says that all materials or lights share a property.
 template <uint64_t flag> constexpr Effect unlessFact(const char* name, const char* need) {
     return flagEffect<&ViewSettings::facts, flag, false>(name, need);
 }
@@ -30,12 +30,12 @@ template <uint64_t flag> constexpr Effect option(const char* name, const char* n
     return flagEffect<&ViewSettings::config, flag>(name, need);
 }
 
-// On unless a flag of AgaaMeasurement says otherwise.
+// An effect that is on unless a flag of AgaaMeasurement disables it.
 template <uint64_t flag> constexpr Effect usual(const char* name, const char* need) {
     return flagEffect<&ViewSettings::measurement, flag, false>(name, need);
 }
 
-// A shadow map beside those before it.
+// Shadow map number `index`. All lower ones are on, too.
 template <uint32_t index> constexpr Effect shadowMap(const char* name, const char* need) {
     return {.name = name,
             .need = need,
@@ -46,7 +46,7 @@ template <uint32_t index> constexpr Effect shadowMap(const char* name, const cha
             }};
 }
 
-// Strengths that are 0 without the effect: the description's, or where it has none a usual one.
+// Sets a strength that is 0 without the effect. If the description has none, the usual strength is set.
 template <class T> void setStrength(T& strength, bool on, T usual) {
     strength = !on ? T(0) : strength > T(0) ? strength : usual;
 }

@@ -1,5 +1,5 @@
-// Effects that a scene or a host may have or not: rows of a table. A price (core/reports/prices.h) is the difference of the plans with
-// and without one.
+// Table of the effects that a scene or a host may use. The price of an effect is the difference between the plans with
+// and without it (core/reports/prices.h).
 #pragma once
 
 #include "core/view/view_settings.h"
@@ -10,10 +10,11 @@ namespace agaa {
 
 struct Effect {
     const char* name;
-    const char* need; // when a scene needs it, one sentence
-    // Whether the description has it, used or not.
+    const char* need; // says in one sentence which scenes need it
+    // Returns whether the description has the effect, even if the technique ignores it.
     bool (*isOn)(const ViewSettings& view);
-    // Plans of a view that is as `on` says already stay the same, except that a shadow map drops the maps after it.
+    // Switches the effect. If the view already matches `on`, its plan does not change, except that a shadow map removes
+    // all higher ones.
     void (*set)(ViewSettings& view, bool on);
 };
 

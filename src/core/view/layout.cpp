@@ -14,7 +14,7 @@
 
 namespace agaa {
 
-// 0 in aggregateBits stands for "as many as a 16-bit sum holds": 16 - log2(n).
+// A value of 0 in aggregateBits means as many bits as a 16-bit sum allows: 16 - log2(n).
 static constexpr uint32_t bitsOfHalfWord = 0;
 
 static AgaaLayout makeLayout(std::initializer_list<AgaaLayoutAttribute> attributes) {
@@ -64,7 +64,7 @@ static const char* semanticName(uint32_t semantic) {
     return semantic < AGAA_SEMANTIC_COUNT ? names[semantic] : "unknown";
 }
 
-// Of a fragment's value, where nothing is summed.
+// Returns the bits of one fragment's value, if nothing is summed.
 static uint32_t aggregateBitsOf(const AgaaLayoutAttribute& a) {
     return a.aggregateBits == bitsOfHalfWord ? 16 : a.aggregateBits;
 }
@@ -113,7 +113,7 @@ static void checkAttribute(const AgaaLayoutAttribute& a) {
         bad("aggregateBits is neither 0 (fill 16-bit sums) nor in [6;16]");
 }
 
-// Words that mean something else where the name is used: keywords of GLSL, reserved words, macros of src/shaders/math.
+// The list has all words that cannot name a member: keywords and reserved words of GLSL and macros of src/shaders/math.
 static bool isWordOfGlsl(std::string_view name) {
     static constexpr std::string_view words[] = {
         "active", "asm", "atomic_uint", "attribute", "bool", "break", "buffer", "bvec2", "bvec3", "bvec4", "case",
@@ -137,7 +137,7 @@ static bool isIdentifier(std::string_view name) {
            !name.starts_with("AGAA") && !isWordOfGlsl(name);
 }
 
-// Adds an attribute of the host's own, after it was checked by itself.
+// Adds a custom attribute that checkAttribute() has accepted.
 static void addCustom(Layout& layout, AgaaLayoutAttribute attribute) {
     static constexpr std::string_view members[] = {
         "position",      "geometricNormal", "alpha",     "alphaCutoff", "hasAlphaNear", "alphaNear", "hasAlphaRows",
@@ -192,11 +192,11 @@ Layout checkLayout(const AgaaLayout* pointer) {
         fail(AGAA_ERROR_LAYOUT, "AgaaLayout has no diffuse or no normal attribute.");
     if (layout.has(AGAA_SEMANTIC_SPECULAR) && !layout.has(AGAA_SEMANTIC_ROUGHNESS))
         fail(AGAA_ERROR_LAYOUT, "AgaaLayout has a specular but no roughness attribute, by which lobes are wide.");
-    packGBuffer(layout); // throws where the samples do not fit the attachments
+    packGBuffer(layout); // throws if the samples do not fit the attachments
     return layout;
 }
 
-// One channel in place of three.
+// Reduces three channels to one.
 static void makeGrey(AgaaLayoutAttribute& attribute) {
     attribute.channels = 1;
     attribute.encoding = AGAA_ENCODING_UNORM;
@@ -223,15 +223,15 @@ Layout reduceLayout(Layout layout, uint64_t factFlags, bool keepsRoughness) {
 }
 
 Layout twoPassLayout(Layout layout, uint64_t factFlags) {
-    // Highlights, and lights near a flat surface, would show the steps of 16 bits as stripes. Diffuse light of one direction is
-    // the same all over a plane.
+    // The normals of the prepass have 16 bits. Highlights and nearby lights would show their steps as stripes; diffuse
+    // light from one direction is constant on a plane.
     constexpr uint64_t even = AGAA_FACT_PLANE_NORMALS | AGAA_FACT_NO_LOCAL_LIGHTS;
     if ((factFlags & even) == even && !layout.hasSpecularLight)
         layout.attributes[AGAA_SEMANTIC_NORMAL] = {};
     return layout;
 }
 
-// Calls visit(attribute, its first channel) of what the layout has.
+// Calls visit(attribute, its first channel) for each attribute of the layout.
 template <typename Visit>
 static void forEachAttribute(const Layout& layout, const Visit& visit) {
     static constexpr uint32_t semantics[] = {
@@ -256,7 +256,7 @@ static AggregatePacking pack(const Layout& layout, uint32_t samples, bool hasCov
     const uint32_t growth = uint32_t(std::countr_zero(samples));
     AggregatePacking packing;
     struct Piece {
-        uint32_t bits; // in the word, growth included
+        uint32_t bits; // in the word, including log2(n) bits of growth
         Field* field;
     };
     std::vector<Piece> pieces;
@@ -278,7 +278,7 @@ static AggregatePacking pack(const Layout& layout, uint32_t samples, bool hasCov
         packing.coverage.bits = samples;
         pieces.push_back({samples, &packing.coverage});
     }
-    // First fit, longest first: few enough pieces that nothing better is needed.
+    // First fit, longest first. The pieces are few, so that a better packing would not save a word.
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const Piece& a, const Piece& b) { return a.bits > b.bits; });
     std::vector<uint32_t> used;
@@ -292,7 +292,7 @@ static AggregatePacking pack(const Layout& layout, uint32_t samples, bool hasCov
         *word += piece.bits;
     }
     packing.words = uint32_t(used.size());
-    // The largest word is that of one sample: each has a word of its own, channel 0 in its highest bits.
+    // An unfiltered attribute gets a word, of which the largest value is kept. Channel 0 has the highest bits.
     forEachAttribute(layout, [&](const AgaaLayoutAttribute& a, uint32_t first) {
         if (a.filter != AGAA_FILTER_NONE)
             return;
@@ -333,7 +333,7 @@ GBufferPacking packGBuffer(const Layout& layout) {
     GBufferPacking packing;
     for (uint32_t bits : {16u, 8u, 10u}) {
         const uint32_t capacity = bits == 10 ? 3 : 4;
-        uint32_t component = capacity; // of the attachment being filled
+        uint32_t component = capacity; // next free one of the last attachment
         const auto close = [&] {
             if (!packing.attachments.empty() && component < capacity &&
                 packing.attachments.back() == Format::None)

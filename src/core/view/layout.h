@@ -1,5 +1,5 @@
-// G-buffer layouts and how they are packed: into attachments of a multisampled G-buffer, and into the
-// 32-bit words that integer atomics sum fragments of an aggregate in.
+// G-buffer layouts and their packings: into attachments of a multisampled G-buffer, and into 32-bit words in which
+// integer atomics sum the fragments of an aggregate.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -23,10 +23,11 @@ enum Channel : uint32_t {
 #include "shaders/tables/channels.inc"
 };
 
-// Where a channel lies. bits == 0: absent. The shader constant is described at src/shaders/common/stored.glsl.
+// The position of a channel. If `bits` is 0, the channel is absent. src/shaders/common/stored.glsl describes the shader
+// constant.
 struct Field {
-    uint32_t word = 0;  // or attachment
-    uint32_t shift = 0; // or component
+    uint32_t word = 0;  // or the attachment
+    uint32_t shift = 0; // or the component
     uint32_t bits = 0;  // of one fragment's value
     bool isSigned = false;
     bool isUnfiltered = false;
@@ -37,17 +38,17 @@ struct Field {
 };
 using Fields = std::array<Field, ChannelCount>;
 
-// An attribute of the host's own, AGAA_SEMANTIC_CUSTOM.
+// An attribute that the host defines, AGAA_SEMANTIC_CUSTOM.
 struct CustomAttribute {
     std::string name;
     AgaaLayoutAttribute attribute{}; // its name is null
 };
 
-// A validated layout: attributes by semantic; absent ones have channels == 0.
+// A validated layout. The index of an attribute is its semantic. Absent attributes have 0 channels.
 struct Layout {
     std::array<AgaaLayoutAttribute, AGAA_SEMANTIC_CUSTOM> attributes{};
-    std::vector<CustomAttribute> customs; // their channels come in sequence
-    bool hasSpecularLight = false; // stored, or the same for all materials
+    std::vector<CustomAttribute> customs; // channels are numbered in this order
+    bool hasSpecularLight = false; // stored per sample, or the same for all materials
 
     const AgaaLayoutAttribute& operator[](AgaaSemantic semantic) const {
         return attributes[semantic];
@@ -66,37 +67,39 @@ struct Layout {
     }
 };
 
-// Throws AGAA_ERROR_LAYOUT with the reason where the layout is not valid. null: "precise".
+// Returns the checked layout; for null that is "precise". Throws AGAA_ERROR_LAYOUT with the reason if it is not valid.
 Layout checkLayout(const AgaaLayout* layout);
 AgaaLayout builtinLayout(const char* name); // throws for unknown names
 std::vector<const char*> layoutNames();
-// Without the attributes that the scene does not call for. keepsRoughness: the technique stores lobes that it widened.
+// Returns the layout without the attributes that the scene does not need. keepsRoughness: the technique stores widened
+// lobes as roughness.
 Layout reduceLayout(Layout layout, uint64_t factFlags, bool keepsRoughness = false);
 
-// Of aggregates of two geometry passes: without normals where those of the prepass are precise enough. layout: reduced.
+// Returns the layout of aggregates that two geometry passes fill: without normals if those of the prepass are precise
+// enough. The layout is reduced already.
 Layout twoPassLayout(Layout layout, uint64_t factFlags);
 
-// Sums of n fragments in 32-bit words. A field has bits + log2(n) bits, so that n values of full scale
-// do not carry into the next (hard case 36); a coverage mask of n bits is one more field. Numbers that are no
-// power of two, or above 32, throw AGAA_ERROR_OUT_OF_RANGE: log2(n) bits do not hold their sums.
+// Sums of n fragments in 32-bit words. A field has bits + log2(n) bits, so that n values of full scale do not carry
+// into the next field (hard case 36). A coverage mask of n bits is one more field. Values of n other than powers of two
+// in [1, 32] throw AGAA_ERROR_OUT_OF_RANGE, because log2(n) bits are too few for their sums.
 struct AggregatePacking {
     uint32_t words = 0;
-    uint32_t unfilteredWords = 0; // bit w: word w keeps the largest value
+    uint32_t unfilteredWords = 0; // bit w: word w is the largest value, not a sum
     Fields fields;
     Field coverage; // bits == n
     uint32_t bytes() const { return 4 * words; }
 };
 AggregatePacking packAggregate(const Layout& layout, uint32_t samples);
-// The same of one surface whose coverage and normal are kept apart.
+// Packs one surface whose coverage and normal are stored separately.
 AggregatePacking packMaterial(const Layout& layout);
 
 struct GBufferPacking {
     std::vector<Format> attachments; // at most 4
-    Fields fields;                   // NormalX and NormalY hold the octahedral code
+    Fields fields;                   // NormalX and NormalY are the octahedral code
 };
 GBufferPacking packGBuffer(const Layout& layout);
 
-// The paper's surfaces of one aggregate (figure 7), for native additive blending.
+// The render targets of one aggregate in the paper (figure 7), for native additive blending.
 struct NativeSurface {
     std::string name;
     Format format;

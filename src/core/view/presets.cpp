@@ -1,4 +1,4 @@
-// Named settings, chosen among those that benchmark/presets.py measures; docs/choosing.md has what they cost.
+// Named settings. benchmark/presets.py measures the candidates; docs/choosing.md lists their costs.
 #include "core/view/presets.h"
 
 #include "core/base/error.h"
@@ -17,7 +17,7 @@ struct Preset {
     uint32_t litShadows = 0;
     float glossWeight = 0;
     uint32_t ndf = AGAA_NDF_TOKSVIG;
-    uint64_t flags = 0, measurementFlags = 0; // of those that presets decide
+    uint64_t flags = 0, measurementFlags = 0; // only bits that presets decide
 };
 
 constexpr uint64_t decided = AGAA_CONFIG_SPLIT_SURFACES | AGAA_CONFIG_FINE_MATERIALS;
@@ -58,7 +58,7 @@ void setPreset(const Preset& preset, AgaaConfig& config, AgaaAggregation& aggreg
     config.technique = "agaa";
 }
 
-// Whether it would change nothing.
+// Returns whether applying the preset would change nothing.
 bool isApplied(const Preset& preset, const AgaaConfig& config, const AgaaAggregation& aggregation,
                const AgaaMeasurement& measurement) {
     AgaaConfig c = config;

@@ -8,11 +8,12 @@
 namespace agaa {
 
 std::vector<const char*> presetNames();
-// Throws Error where there is none of that name, or it needs a measurement that is null. All are then unchanged.
+// Throws Error if there is no preset of that name, or if it needs a measurement that is null. The arguments are then
+// unchanged.
 void applyPreset(const char* name, AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement);
-// What presets set, as AGAA_…_INIT has it; the technique stays.
+// Sets all members that presets set to the values of AGAA_…_INIT. The technique does not change.
 void applyDefaults(AgaaConfig& config, AgaaAggregation& aggregation, AgaaMeasurement* measurement);
-// The preset that would change nothing; null where there is none. Static storage.
+// Returns the preset whose settings these are, in static storage, or null.
 const char* presetOf(const AgaaConfig& config, const AgaaAggregation& aggregation, const AgaaMeasurement& measurement);
 
 } // namespace agaa

@@ -152,7 +152,7 @@ ResolvedView resolveForDevice(const ViewSettings& settings, const AgaaDeviceCaps
     checkTierOptions(view, technique);
     require(!view.hasCounters() || caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS, AGAA_ERROR_UNSUPPORTED,
             "AGAA_CONFIG_COUNTERS needs atomics in fragment shaders, which the device has not.");
-    // With eight taps at n = 8 visibility is exact, because every sample of the pixel is one. At higher n eight of an
+    // Eight taps at n = 8 include every sample of the pixel, so that visibility is exact. At higher n eight of an
     // aggregate's samples still span it.
     if (view.config.shadowTaps == 0)
         view.config.shadowTaps = 8;

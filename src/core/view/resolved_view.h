@@ -26,16 +26,16 @@ struct ResolvedView : ViewSettings {
     bool readsGBuffer() const { return generation && generation->readsGBuffer; }
     bool isModel() const { return generation && generation->isModel; } // it is priced and never run
     bool hasCounters() const { return config.flags & AGAA_CONFIG_COUNTERS; }
-    // Bytes per pixel, besides the aggregates in memory, that record which samples have an aggregate. Two geometry passes
-    // need them if a sample may go to any aggregate.
+    // Bytes per pixel, besides the aggregates in memory, that record which samples have an aggregate. Two geometry
+    // passes need them if a sample may go to any aggregate.
     uint64_t claimBytes() const { return measurement.flags & AGAA_MEASURE_FIRST_SAMPLE_ROUTING ? 4 : 0; }
 };
 
 // Throws Error if the device cannot run the view; the message says why.
 ResolvedView resolveForDevice(const ViewSettings& settings, const AgaaDeviceCaps& caps);
 
-// Sets the limits within which fragments count as one surface, except those that the host set: the lowest cosine between
-// normals, the distance in pixels and the difference of materials in [0;1].
+// Sets the limits within which fragments count as one surface, except those that the host set: the lowest cosine
+// between normals, the distance in pixels and the difference of materials in [0;1].
 void setSurfaceDefaults(ViewSettings& view, float cosine, float distance, float material);
 
 } // namespace agaa

@@ -1,4 +1,4 @@
-// What a technique is: a row of a table. src/core/techniques/ has them.
+// The interface of techniques. Each is a row of a table; src/core/plan/techniques/ has the rows.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -14,35 +14,35 @@
 
 namespace agaa {
 
-// n that only an ordered grid has, 3 by 3.
+// The value of n that only an ordered grid of 3 by 3 samples has.
 inline constexpr uint32_t gridOnlySamples = 9;
 
 class PlanBuilder;
 struct ViewSettings;
 struct ResolvedView;
 
-// What decides whether a generation tier runs.
+// The conditions on which a generation tier runs.
 struct GenerationQuery {
     const AgaaDeviceCaps& caps;
     uint32_t hwSamples = 1;
     bool isForced = false;        // AgaaConfig::generationTier names the tier
-    bool customDepth = false;     // materials write depth or discard on their own, so that no pass can compare with the
-                                  // depth of an earlier one before it runs them
-    bool hostGBuffer = false;     // the host draws it
+    bool customDepth = false;     // materials write depth or discard, so that no pass can compare with the depth of an
+                                  // earlier pass before it runs them
+    bool hostGBuffer = false;     // the host draws the G-buffer
     bool fetches = false;         // the view has an AgaaFetchFunction
-    bool someUnfetched = false;   // it does not answer for all draws
+    bool someUnfetched = false;   // the function does not fetch all draws
     bool vertexPulling = false;   // the view has AGAA_VIEW_VERTEX_PULLING
-    bool coverageSamples = false; // AUTO: of the tiers that have them
-    bool needsMaterials = false;  // settings need materials where samples are grouped
-    uint64_t aggregateBytes = 0;  // of one buffer, where another tier would need none; 0: not asked
+    bool coverageSamples = false; // AUTO selects among tiers with coverage samples
+    bool needsMaterials = false;  // settings need materials when samples are grouped
+    uint64_t aggregateBytes = 0;  // of one buffer, if another tier needs none; 0: not checked
 };
 
 struct TierAnswer {
     bool runs = false;
-    std::string reason; // one sentence, either way
+    std::string reason; // one sentence, whether it runs or not
 };
 
-// A way to generate aggregates. src/core/plan/techniques/generation_tiers.cpp has them.
+// A method to generate aggregates. src/core/plan/techniques/generation_tiers.cpp has the rows.
 struct GenerationTier {
     AgaaTier tier;
     float relativeCost = 1;        // of whole frames, against post-depth atomics
@@ -56,20 +56,20 @@ struct GenerationTier {
     TierAnswer (*answer)(const GenerationQuery& query);
 };
 
-// The most that a frame shades, whatever the scene.
+// Upper bounds of the shading work of a frame, for all scenes.
 struct ShadingWork {
     uint32_t eventsPerPixel = 0;  // 0: the technique has no bound
-    uint32_t samplesPerEvent = 1; // that a shading event stands for, and looks up in shadows
+    uint32_t samplesPerEvent = 1; // that a shading event represents and looks up in shadow maps
 };
 
 // A struct that may be chained to AgaaConfig.
 struct TechniqueSettings {
     uint32_t sType;
-    // Where the struct is chained; its chain was checked. Throws Error where a member is out of range.
+    // Reads the struct if it is chained. The chain was checked. Throws Error if a member is out of range.
     void (*read)(const AgaaConfig& config, ViewSettings& view);
 };
 
-// Of techniques that find coverage by triangles, or draw again at equal depth.
+// Facts for techniques that compute coverage from triangles or draw again at equal depth.
 inline constexpr uint64_t knownCoverageFacts = (grantingFacts | commonValues) & ~AGAA_FACT_CUSTOM_DEPTH;
 
 struct Technique {
@@ -81,28 +81,29 @@ struct Technique {
     std::span<const GenerationTier* const> tiers = {}; // of materials, in the order in which AUTO prefers them
     std::span<const TechniqueSettings* const> settings = {};
     void (*build)(PlanBuilder& builder);
-    // Of the settings of a plan.
-    ShadingWork (*work)(const ViewSettings& plan);
+    // Gets the settings of a plan.
+    ShadingWork (*work)(const ViewSettings& view);
 
-    // Sets defaults of the technique and checks what its row cannot express, after the tiers are chosen. Throws Error. May be
-    // null.
+    // Sets defaults of the technique and checks what its row cannot express, after the tiers are chosen. Throws Error.
+    // May be null.
     void (*resolve)(ResolvedView& view) = nullptr;
-    // Whether AUTO takes an ordered grid where n can be placed on one; null: no.
+    // Returns whether AUTO prefers an ordered grid if n samples form one. Null: it does not.
     bool (*prefersOrderedGrid)(const ViewSettings& view) = nullptr;
-    bool storesWidenedLobes = false; // as roughness, unless lobes are elliptic
+    bool storesWidenedLobes = false; // as roughness, except elliptic lobes
     bool keepsSpread = false;        // of normals, for elliptic lobes
-    // Bits of AgaaSceneFacts::flags that views may announce. Tiers may refuse more; what facts save follows from plans.
+    // Bits of AgaaSceneFacts::flags that views may announce. Tiers may refuse some of them.
     uint64_t facts = grantingFacts | commonValues;
 
-    // Whether n counts coverage samples: the tier, or with AUTO n itself, decides.
+    // Returns whether n counts coverage samples. The tier decides, or with AUTO the value of n.
     bool countsCoverage(uint32_t generationTier, uint32_t samples) const;
-    // Sums of aggregates count samples by powers of two.
-    bool takesGridOnlySamples() const { return maxAggregates == 0; }
+    // Returns whether n may be gridOnlySamples. Sums of aggregates need powers of two.
+    bool allowsGridOnlySamples() const { return maxAggregates == 0; }
 };
 const std::vector<const Technique*>& techniques();
-const Technique* findTechnique(std::string_view name); // null where there is none
+const Technique* findTechnique(std::string_view name); // null if there is none
 
-// Of the structs that may be chained to AgaaConfig: settings of all techniques, so that a host may chain several.
+// Returns the types of settings that may be chained to AgaaConfig, those of all techniques. A host may chain multiple
+// ones.
 std::vector<uint32_t> settingsTypes();
 
 } // namespace agaa

@@ -21,7 +21,7 @@ static VisibilityChoice scaledTarget(const AgaaDeviceCaps& caps, uint32_t sample
         if (!hasSamples(caps, hw))
             continue;
         const uint32_t groups = samples / hw;
-        // 1x2, 2x2, 2x4, 4x4, 4x8: of these the taller ones measured better near vertical edges.
+        // The scales are 1x2, 2x2, 2x4, 4x4 and 4x8. Tall pixels measured better near vertical edges than wide ones.
         choice.scaleX = 1u << (std::bit_width(groups) - 1) / 2;
         choice.scaleY = groups / choice.scaleX;
         choice.hwSamples = hw;
@@ -38,7 +38,7 @@ static VisibilityChoice scaledTarget(const AgaaDeviceCaps& caps, uint32_t sample
 
 uint32_t gridSide(uint32_t samples) { return samples == 4 ? 2 : samples == 9 ? 3 : samples == 16 ? 4 : 0; }
 
-// A texel of one sample for each sample of the pixel, as ordered supersampling has them.
+// Each sample of the pixel gets a texel of one sample, as in ordered-grid supersampling.
 static VisibilityChoice orderedGrid(uint32_t samples) {
     VisibilityChoice choice;
     const uint32_t side = gridSide(samples);
@@ -90,7 +90,7 @@ VisibilityChoice coverageByEdges(uint32_t samples) {
     return choice;
 }
 
-// The techniques that have the tier.
+// Returns the names of the techniques that have the tier.
 static std::string owners(uint32_t tier) {
     std::string names;
     for (const Technique* technique : techniques())
@@ -115,7 +115,7 @@ GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery qu
             return choice;
         }
     }
-    if (choice.reason.empty()) { // no such row
+    if (choice.reason.empty()) { // the technique lacks the tier
         const std::string names = owners(forced);
         choice.reason = names.empty() ? format("the tier %s is not built for generation.", agaaTierName(forced))
                                       : format("the tier %s is for %s.", agaaTierName(forced), names.c_str());
@@ -124,7 +124,7 @@ GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery qu
 }
 
 static AgaaCapability capability(const Technique& technique, uint32_t samples, AgaaStage stage,
-                                 AgaaTier tier, bool native, float price,
+                                 AgaaTier tier, bool native, float cost,
                                  const std::string& reason) {
     AgaaCapability row = AGAA_CAPABILITY_INIT;
     row.technique = technique.name;
@@ -132,12 +132,12 @@ static AgaaCapability capability(const Technique& technique, uint32_t samples, A
     row.stage = stage;
     row.tier = tier;
     row.isNative = native;
-    row.relativeCost = price;
+    row.relativeCost = cost;
     std::strncpy(row.reason, reason.c_str(), sizeof row.reason - 1);
     return row;
 }
 
-// What the host must provide stands before the reason.
+// Puts the features that the host must provide before the reason.
 static std::string withNeeds(bool fetches, bool pulls, const std::string& reason) {
     if (!fetches && !pulls)
         return reason;
@@ -145,7 +145,7 @@ static std::string withNeeds(bool fetches, bool pulls, const std::string& reason
                   pulls ? "AGAA_VIEW_VERTEX_PULLING" : "", reason.c_str());
 }
 
-// What is taken where the host asks for nothing, then all else that runs, then what needs an AgaaFetchFunction.
+// The first choice is that of AUTO. The other tiers that run follow, then those that need an AgaaFetchFunction.
 static std::vector<GenerationChoice> runningChoices(const Technique& technique, const GenerationQuery& query) {
     GenerationQuery offered = query;
     offered.fetches = true;
@@ -168,7 +168,7 @@ static std::vector<GenerationChoice> runningChoices(const Technique& technique, 
     return choices;
 }
 
-// If nothing runs, what runs with vertex pulling.
+// If nothing runs, the list has the tiers that run with vertex pulling.
 static std::vector<GenerationChoice> generationChoices(const Technique& technique, GenerationQuery query) {
     for (const bool pulls : {false, true}) {
         query.vertexPulling = pulls;
@@ -198,7 +198,7 @@ void addShading(std::vector<AgaaCapability>& rows, const Technique& technique, u
     rows.push_back(capability(technique, samples, AGAA_STAGE_SHADING, AGAA_TIER_NATIVE, true, 1, "a compute pass."));
 }
 
-// Of samples that the device rasterises.
+// Adds rows for samples that the device rasterises.
 void addDeviceSamples(std::vector<AgaaCapability>& rows, const AgaaDeviceCaps& caps, const Technique& technique,
                       uint32_t samples) {
     const bool prefersGrid = technique.prefersOrderedGrid && technique.prefersOrderedGrid({});
@@ -231,9 +231,9 @@ std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps) {
     for (const Technique* technique : techniques()) {
         for (uint32_t samples = 1; samples <= technique->maxSamples; samples *= 2)
             addDeviceSamples(rows, caps, *technique, samples);
-        if (technique->takesGridOnlySamples() && technique->maxSamples > gridOnlySamples)
+        if (technique->allowsGridOnlySamples() && technique->maxSamples > gridOnlySamples)
             addDeviceSamples(rows, caps, *technique, gridOnlySamples);
-        // At 32, where tiers of both kinds may run, AUTO takes samples of the device.
+        // At n = 32 tiers of both kinds may run. AUTO then uses samples of the device.
         for (uint32_t samples : {32u, 64u, 128u})
             if (technique->countsCoverage(AGAA_TIER_AUTO, samples))
                 addCoverageSamples(rows, caps, *technique, samples);

@@ -1,4 +1,4 @@
-// Which way each stage runs on a device, and why.
+// The choice of a tier for each stage on a device, and its reasons.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -10,25 +10,25 @@
 namespace agaa {
 
 struct VisibilityChoice {
-    AgaaTier tier = AGAA_TIER_AUTO; // AUTO: cannot run
+    AgaaTier tier = AGAA_TIER_AUTO; // AUTO: the stage cannot run
     uint32_t hwSamples = 1;
     uint32_t scaleX = 1;
     uint32_t scaleY = 1;
     float relativeCost = 1;
     std::string reason; // one sentence
 };
-// Texels across a pixel of an ordered grid of n samples; 0: there is none.
+// Returns the texels across a pixel of an ordered grid of n samples, or 0 if there is no such grid.
 uint32_t gridSide(uint32_t samples);
 VisibilityChoice chooseVisibility(const AgaaDeviceCaps& caps, uint32_t samples, uint32_t forced, bool prefersGrid = false);
 
-// Of techniques that find coverage by themselves, on any device.
+// Returns the choice for techniques that compute coverage from the edges of triangles. It runs on all devices.
 VisibilityChoice coverageByEdges(uint32_t samples);
 
 struct GenerationChoice {
-    const GenerationTier* row = nullptr; // null: cannot run
+    const GenerationTier* row = nullptr; // null: the stage cannot run
     std::string reason;                  // one sentence
 };
-// Of the technique's tiers the forced one, or with AUTO the first that runs. The query's isForced is set here.
+// Returns the forced tier of the technique, or with AUTO the first that runs. The function sets query.isForced.
 GenerationChoice chooseGeneration(const Technique& technique, GenerationQuery query, uint32_t forced);
 
 std::vector<AgaaCapability> listCapabilities(const AgaaDeviceCaps& caps);

@@ -66,7 +66,7 @@ static AgaaConfig checkConfig(const AgaaConfig* pointer) {
 
 static uint32_t checkSamples(uint32_t samples, const Technique& technique, uint32_t generationTier) {
     if (!technique.countsCoverage(generationTier, samples)) {
-        if (samples == gridOnlySamples && technique.takesGridOnlySamples())
+        if (samples == gridOnlySamples && technique.allowsGridOnlySamples())
             return std::min(samples, technique.maxSamples);
         checkSampleCount(samples, "AgaaConfig::samples");
         return std::min(samples, technique.maxSamples);
@@ -90,7 +90,7 @@ static AgaaViewDesc checkViewDesc(const AgaaViewDesc* pointer) {
     return desc;
 }
 
-// Text of the host's, and the lines that go before all else.
+// Checks the text of a host's function and its extension lines.
 static void checkGlsl(const char* glsl, const char* extensions, const char* structure) {
     if (!glsl)
         fail(AGAA_ERROR_INVALID_ARGUMENT, format("%s::glsl is null.", structure));
@@ -102,7 +102,7 @@ static void checkGlsl(const char* glsl, const char* extensions, const char* stru
                  format("%s::glslExtensions has more than lines \"#extension NAME : BEHAVIOUR\".", structure));
 }
 
-// Of a host's function that is chained to the view: its text is checked.
+// Returns a host's function that is chained to the view, after its text was checked.
 template <typename Function> static std::optional<Function> chainedFunction(const AgaaViewDesc& desc) {
     const std::optional<Function> function = readChained<Function>(&desc);
     if (function)
@@ -110,8 +110,8 @@ template <typename Function> static std::optional<Function> chainedFunction(cons
     return function;
 }
 
-// Functions of one view find their resources in the same set.
-template <typename Function> static HostText takeFunction(const Function& function, ViewSettings& view) {
+// Copies the text of a function. All functions of a view use the same set of resources.
+template <typename Function> static HostText copyFunction(const Function& function, ViewSettings& view) {
     const uint64_t setLayout = function.descriptorSetLayout;
     require(!setLayout || !view.functionSetLayout || setLayout == view.functionSetLayout, AGAA_ERROR_INVALID_ARGUMENT,
             "functions of the view have different set layouts; all find their resources in set 1.");
@@ -129,7 +129,7 @@ static void readShadowFunction(const AgaaViewDesc& desc, ViewSettings& view) {
     require(function->shadows != 0 && (function->shadows & ~declared) == 0, AGAA_ERROR_OUT_OF_RANGE,
             "AgaaShadowFunction::shadows names no shadow, or more than AgaaSceneFacts declares.");
     view.functionShadows = function->shadows;
-    view.shadowFunction = takeFunction(*function, view);
+    view.shadowFunction = copyFunction(*function, view);
 }
 
 static void readGBufferFunction(const AgaaViewDesc& desc, ViewSettings& view) {
@@ -146,7 +146,7 @@ static void readGBufferFunction(const AgaaViewDesc& desc, ViewSettings& view) {
     view.depthBits = function->depthBits;
     if (const float* positions = function->samplePositions)
         view.samplePositions.assign(positions, positions + 2 * view.samples);
-    view.gbufferFunction = takeFunction(*function, view);
+    view.gbufferFunction = copyFunction(*function, view);
 }
 
 static void readFetchFunction(const AgaaViewDesc& desc, ViewSettings& view) {
@@ -157,7 +157,7 @@ static void readFetchFunction(const AgaaViewDesc& desc, ViewSettings& view) {
             "AgaaFetchFunction::maxDraws or ::maxPrimitives is 0.");
     checkFlags(function->flags, AGAA_FETCH_NOT_ALL_DRAWS, "AgaaFetchFunction::flags");
     const int bits = std::bit_width(function->maxPrimitives - 1);
-    // One id is of what cannot be fetched, one of no geometry.
+    // One id is reserved for samples without geometry, and one for draws that cannot be fetched.
     const uint32_t ids = function->flags & AGAA_FETCH_NOT_ALL_DRAWS ? 0xFFFFFFFEu : 0xFFFFFFFFu;
     if ((uint64_t(function->maxDraws) << bits) > ids)
         fail(AGAA_ERROR_TOO_LARGE,
@@ -169,7 +169,7 @@ static void readFetchFunction(const AgaaViewDesc& desc, ViewSettings& view) {
     view.maxPrimitives = function->maxPrimitives;
     view.someUnfetched = function->flags & AGAA_FETCH_NOT_ALL_DRAWS;
     view.primitiveBits = uint32_t(bits);
-    view.fetchFunction = takeFunction(*function, view);
+    view.fetchFunction = copyFunction(*function, view);
 }
 
 std::vector<uint32_t> configChain() {

@@ -1,5 +1,5 @@
-// A host's description of a view after validation: complete, in range, without pointers to the host's memory. Planning
-// reads this and checks only what depends on the device.
+// A host's description of a view after validation: complete, in range and without pointers to the host's memory.
+// resolveForDevice() (resolved_view.h) checks what depends on the device.
 #pragma once
 
 #include "agaa_sdk.h"
@@ -10,7 +10,7 @@
 
 namespace agaa {
 
-// GLSL of a host's function.
+// The GLSL text of a host's function.
 struct HostText {
     std::string glsl, extensions;
 };
@@ -20,41 +20,41 @@ struct ViewSettings {
     uint32_t width = 0;
     uint32_t height = 0;
     bool reversedZ = false;
-    bool composite = false; // over what the output holds
+    bool composite = false; // over the contents of the output
     bool clipZFromMinusOne = false;
     bool vertexPulling = false; // the host's vertex shaders expand triangles
     AgaaConfig config{}; // technique: static storage; layout: null
     AgaaAggregation aggregation = AGAA_AGGREGATION_INIT;
     AgaaDecoupledCoverage coverage = AGAA_DECOUPLED_COVERAGE_INIT; // samplePositions: null
-    std::vector<float> coveragePositions; // pairs, of the host's own pattern of coverage samples
+    std::vector<float> coveragePositions; // x and y of each, if the host sets the positions of coverage samples
     AgaaAdaptiveSampling adaptive = AGAA_ADAPTIVE_SAMPLING_INIT;
     AgaaMeasurement measurement = AGAA_MEASUREMENT_INIT;
-    AgaaSceneFacts facts{};        // that the host announced: of layouts, tiers, resources and draw passes
-    AgaaSceneFacts variantFacts{}; // of the compute passes' constants and switches; within the facts
-    Layout layout; // the host's; planning drops what the facts do not call for
-    uint32_t samples = 1;    // no more than the technique takes
-    uint32_t aggregates = 0; // 0 where nothing is aggregated
+    AgaaSceneFacts facts{};        // announced by the host; they determine layouts, tiers, resources and draw passes
+    AgaaSceneFacts variantFacts{}; // within `facts`; they determine the constants and switches of compute passes
+    Layout layout; // of the host; resolveForDevice() removes attributes that the facts do not need
+    uint32_t samples = 1;    // at most Technique::maxSamples
+    uint32_t aggregates = 0; // 0: the technique has no aggregates
 
-    uint32_t functionShadows = 0; // bit i: the host's function answers for shadow i
+    uint32_t functionShadows = 0; // bit i: the host's function looks up shadow i
     HostText shadowFunction;
-    bool hostGBuffer = false;     // the host draws it; a function of the host's reads its samples
+    bool hostGBuffer = false;     // the host draws the G-buffer; gbufferFunction reads its samples
     HostText gbufferFunction;
-    std::vector<float> samplePositions; // n pairs, where the host says them
-    uint32_t depthBits = 0;             // of fixed point; 0: float
-    uint32_t maxDraws = 0, maxPrimitives = 0; // that ids tell apart; 0: nothing fetches materials by id
-    uint32_t primitiveBits = 0;         // of an id, the low ones
-    bool someUnfetched = false;         // draws that ids cannot name go into a G-buffer
+    std::vector<float> samplePositions; // x and y of each sample, if the host sets them
+    uint32_t depthBits = 0;             // of the host's fixed-point depth buffer; 0: it has floats
+    uint32_t maxDraws = 0, maxPrimitives = 0; // that ids distinguish; 0: materials are not fetched by id
+    uint32_t primitiveBits = 0;         // low bits of an id that number the primitive
+    bool someUnfetched = false;         // draws that cannot be fetched go into a G-buffer
     HostText fetchFunction;
-    uint64_t functionSetLayout = 0;     // of set 1 in passes with code of the host's
+    uint64_t functionSetLayout = 0;     // of set 1 in passes with GLSL of the host
 };
 
-// Changes n and c of a view: as many aggregates as its technique makes of so many samples.
+// Changes n and c of a view. A technique without aggregates has none, and no view has more aggregates than samples.
 void setCounts(ViewSettings& view, uint32_t samples, uint32_t aggregates);
 
-// Types of the structs that may be chained to AgaaConfig.
+// Returns the types of the structs that may be chained to AgaaConfig.
 std::vector<uint32_t> configChain();
 
-// Throws Error where the description is not valid, whatever the device; the message says why. null is not valid.
+// Returns the checked description. Throws Error if it is null or not valid on any device; the message says why.
 ViewSettings resolveView(const AgaaViewDesc* desc);
 
 } // namespace agaa

@@ -1,5 +1,5 @@
-// `adaptive`: a G-buffer at n samples, one of which is shaded in each pixel, and further ones where geometry or shading say so
-// (Hollaender et al., "Adaptive Supersampling for Deferred Anti-Aliasing", JCGT 2013).
+// `adaptive`: a G-buffer at n samples. One sample of each pixel is shaded, and further ones if geometry or shading
+// differ (Hollaender et al., "Adaptive Supersampling for Deferred Anti-Aliasing", JCGT 2013).
 #include "core/base/arguments.h"
 #include "core/base/checked.h"
 #include "core/base/error.h"
@@ -39,7 +39,7 @@ void readAdaptive(const AgaaConfig& config, ViewSettings& view) {
     checkReserved(a.reserved, "AgaaAdaptiveSampling::reserved");
 }
 
-// Sets constants of all passes that are added later.
+// Sets the constants of all passes that are added later.
 void setAdaptiveConstants(PlanBuilder& b) {
     const AgaaAdaptiveSampling& a = b.view().adaptive;
     Constants& c = b.passConstants();
@@ -61,7 +61,7 @@ void setAdaptiveConstants(PlanBuilder& b) {
 bool has(const ViewSettings& view, uint64_t flag) { return view.adaptive.flags & flag; }
 bool hasTarget(const ViewSettings& view) { return view.adaptive.targetEvents > 0; }
 
-// Passes write to the sums, choices and lists of one buffer.
+// Adds the buffer of sums, choices and lists. All passes write to it.
 ResourceId choiceBuffer(PlanBuilder& b) {
     const bool remembers = b.view().adaptive.countMemory > 0;
     const uint64_t words = 2 + (remembers ? 1 : 0) + (has(b.view(), AGAA_ADAPTIVE_SORTED) ? 2 : 0);
@@ -72,26 +72,26 @@ ResourceId choiceBuffer(PlanBuilder& b) {
     return choices;
 }
 
-// Where numbers of samples by geometry are found.
-uint32_t whereCountsAreFound(const PlanBuilder& b) {
-    if (!has(b.view(), AGAA_ADAPTIVE_GEOMETRY) || has(b.view(), AGAA_ADAPTIVE_PRINTED_METRIC))
+// Returns the pass that counts the samples that geometry demands.
+uint32_t countingPass(const ViewSettings& view) {
+    if (!has(view, AGAA_ADAPTIVE_GEOMETRY) || has(view, AGAA_ADAPTIVE_PRINTED_METRIC))
         return AGAA_FOUND_WITH_FIRST;
-    const bool limitsShading = hasTarget(b.view()) && has(b.view(), AGAA_ADAPTIVE_SHADING);
-    const bool changesCounts = has(b.view(), AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM) ||
-                               b.view().adaptive.countMemory > 0;
+    const bool limitsShading = hasTarget(view) && has(view, AGAA_ADAPTIVE_SHADING);
+    const bool changesCounts = has(view, AGAA_ADAPTIVE_BUCKETS | AGAA_ADAPTIVE_SORTED | AGAA_ADAPTIVE_TILE_MAXIMUM) ||
+                               view.adaptive.countMemory > 0;
     return limitsShading || changesCounts ? AGAA_FOUND_BETWEEN : AGAA_FOUND_WITH_FURTHER;
 }
 
 struct Adaptive {
     GBuffer gbuffer;
-    std::optional<Ids> ids; // in place of it
+    std::optional<Ids> ids; // replaces the G-buffer
     ResourceId firstSamples = noResource, choices = noResource;
 
     void bindSamples(PlanBuilder& b, Pass& pass) const {
         if (!ids)
             return gbuffer.bind(b, pass);
         ids->bind(b, pass);
-        setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.view().layout).fields); // how precise features are
+        setFields(pass.constants, AGAA_SOURCE_DIFFUSE_R, packGBuffer(b.view().layout).fields); // for the precision of features
     }
 
     void bindDepth(PlanBuilder& b, Pass& pass) const {
@@ -105,7 +105,7 @@ void bindChoices(PlanBuilder& b, Pass& pass, const Adaptive& a) {
     b.bind(pass, slot::Choices, BindingType::StorageBuffer, a.choices, true);
 }
 
-// A pass that reads samples, and chooses some.
+// Adds a pass that reads samples and chooses some.
 Pass& addChoice(PlanBuilder& b, const char* name, const char* shader, const Adaptive& a) {
     Pass& pass = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
     a.bindSamples(b, pass);
@@ -120,7 +120,7 @@ Pass& addShading(PlanBuilder& b, const char* name, const char* shader, const Ada
     return pass;
 }
 
-// A pass over numbers. reads: the image of first samples.
+// Adds a pass over counts. reads: it reads the image of first samples.
 Pass& addNumbers(PlanBuilder& b, const char* name, const char* shader, const Adaptive& a, bool reads = false) {
     Pass& pass = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
     b.bind(pass, slot::Frame, BindingType::UniformBuffer, b.frameConstants(AGAA_SEGMENT_SHADING));
@@ -132,19 +132,19 @@ Pass& addNumbers(PlanBuilder& b, const char* name, const char* shader, const Ada
 
 const Dispatch once = {.kind = DispatchKind::Items, .items = 1};
 
-// A lane for each pixel of a list. list: its place among the sums.
+// Returns a dispatch with one lane per pixel of a list. list: its index among the sums.
 Dispatch listed(const Adaptive& a, uint32_t list) {
     return {.kind = DispatchKind::Indirect, .arguments = a.choices, .argumentsOffset = 4 * (list + 1)};
 }
 
-// The limit of differences at which the target is met.
+// Adds passes that find the limit of differences at which the target is met.
 void addLimit(PlanBuilder& b, const Adaptive& a) {
     Pass& demand = addChoice(b, "count demanded samples", "sample_demand", a);
     b.bindCommon(demand);
     addNumbers(b, "find limit", "sample_limit", a).compute.dispatch = once;
 }
 
-// Numbers of samples by geometry, and from which demand on the shading has more.
+// Adds passes that count the samples that geometry demands, and find from which demand on shading adds more.
 void addCounts(PlanBuilder& b, const Adaptive& a) {
     Pass& counts = addChoice(b, "count samples", "count_samples", a);
     b.bindCommon(counts);
@@ -155,7 +155,7 @@ void addCounts(PlanBuilder& b, const Adaptive& a) {
     }
 }
 
-// The pixels that have further samples.
+// Adds passes that list the pixels with further samples.
 void addList(PlanBuilder& b, const Adaptive& a) {
     Pass& list = b.compute("list further samples", AGAA_STAGE_SHADING, "list_further", AGAA_SEGMENT_SHADING);
     b.bindCommon(list);
@@ -168,7 +168,7 @@ void addList(PlanBuilder& b, const Adaptive& a) {
     }
 }
 
-// Refuses options that shade more samples than the differences call for.
+// Rejects options that shade more samples than the differences demand.
 void checkTarget(const ViewSettings& view) {
     constexpr uint64_t excluded = AGAA_ADAPTIVE_PRINTED_METRIC | AGAA_ADAPTIVE_IN_ORDER | AGAA_ADAPTIVE_BUCKETS |
                                   AGAA_ADAPTIVE_TILE_MAXIMUM;
@@ -197,7 +197,7 @@ void build(PlanBuilder& b) {
     a.firstSamples = b.image("first-samples", Format::RGBA16F, false);
     a.choices = choiceBuffer(b);
     b.fill("clear sums", AGAA_STAGE_SHADING, a.choices, AGAA_SEGMENT_SHADING).fill.bytes = 4 * AGAA_SUM_WORDS;
-    const uint32_t found = b.passConstants()[AGAA_COUNTS_FOUND] = whereCountsAreFound(b);
+    const uint32_t found = b.passConstants()[AGAA_COUNTS_FOUND] = countingPass(b.view());
     if (hasTarget(b.view()))
         addLimit(b, a);
     b.cullLights([&](Pass& pass) { a.bindDepth(b, pass); });
@@ -215,7 +215,7 @@ void build(PlanBuilder& b) {
 
 } // namespace
 
-// A host's G-buffer has the device's pattern, unless the host says otherwise.
+// A host's G-buffer has the device's sample pattern, unless the host sets the positions.
 static bool prefersOrderedGrid(const ViewSettings& view) {
     return !view.hostGBuffer && !(view.adaptive.flags & AGAA_ADAPTIVE_DEVICE_PATTERN);
 }

@@ -11,7 +11,7 @@ namespace agaa {
 
 namespace {
 
-// Which aggregate each sample belongs to: ceil(log2 c) bit planes of n bits.
+// Returns the format of the metadata, the aggregate of each sample: ceil(log2 c) bit planes of n bits.
 Format metadataFormat(uint32_t samples, uint32_t aggregates) {
     const uint32_t bits = samples * uint32_t(std::bit_width(aggregates - 1));
     return bits <= 8    ? Format::R8U
@@ -20,7 +20,7 @@ Format metadataFormat(uint32_t samples, uint32_t aggregates) {
                         : Format::RG32U;
 }
 
-// With one aggregate there is nothing to define: no metadata, no pass.
+// Adds the definition pass and returns its metadata. A single aggregate needs neither.
 ResourceId defineAggregates(PlanBuilder& b, const std::function<void(Pass&)>& bindSamples) {
     if (b.view().aggregates == 1)
         return noResource;
@@ -34,7 +34,7 @@ ResourceId defineAggregates(PlanBuilder& b, const std::function<void(Pass&)>& bi
     return metadata;
 }
 
-// The papers' way, priced only: additive blending into c samples of colour targets.
+// The method of the papers, which is priced and never run: additive blending into c samples of colour targets.
 void buildNative(PlanBuilder& b) {
     const Prepass prepass = drawPrepass(b, true);
     defineAggregates(b, [&](Pass& define) {
@@ -56,7 +56,7 @@ void buildNative(PlanBuilder& b) {
     b.plan.bytesPerAggregate = uint32_t(bytes);
 }
 
-// What lists of fragments show at coverage samples is clustered and shaded at once.
+// One compute pass clusters and shades the fragments that are visible at coverage samples.
 void shadeFromFragments(PlanBuilder& b) {
     const FragmentLists lists = drawFragments(b, 4); // a depth plane, the aggregate
     Pass& shade = b.compute("aggregate and shade", AGAA_STAGE_SHADING, "aggregate_fragments", AGAA_SEGMENT_SHADING);

@@ -54,7 +54,7 @@ Layout surfaceLayout(Layout layout) {
         attribute.encoding = AGAA_ENCODING_UNORM;
         attribute.aggregateBits = std::max(attribute.sampleBits, 6u);
     }
-    layout.customs.clear(); // nothing reads them: agaaGetAggregateGlsl() is for "agaa"
+    layout.customs.clear(); // no shader reads them: agaaGetAggregateGlsl() is for "agaa"
     return layout;
 }
 
@@ -73,13 +73,13 @@ namespace {
 
 constexpr uint32_t anyComponent = 4; // of AGAA_COVERAGE_COMPONENT
 
-// claimBytes: of each pixel, after all aggregates.
+// claimBytes: bytes per pixel after all aggregates.
 ResourceId aggregateBuffer(PlanBuilder& b, const Aggregation& a, uint64_t claimBytes = 0) {
     b.plan.bytesPerAggregate = 4 * a.stride;
     return b.pixelBuffer("aggregates", checkedMultiply(b.view().aggregates, 4 * a.stride) + claimBytes);
 }
 
-// metadata: or noResource.
+// metadata may be noResource.
 void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass, ResourceId metadata,
                     ResourceId aggregates) {
     const bool stencil = b.keepsFirst();
@@ -92,15 +92,15 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     b.bindCommon(pass);
     pass.draw.state.depthCompare = AGAA_COMPARE_EQUAL;
     pass.draw.state.stencilTest = stencil;
-    // A masked fragment may pass depth and stencil where its mask has no sample; were it to take the
-    // stencil, the coplanar fragment that owns the sample would be refused.
+    // A masked fragment may pass the depth and stencil tests at a sample that its mask excludes. If it wrote the
+    // stencil, the coplanar fragment that owns the sample would be rejected.
     pass.draw.state.stencilTestMasked = 0;
     pass.draw.state.sampleShading = perSample;
     pass.draw.depthTarget = prepass.depth;
     if (metadata != noResource)
         b.bind(pass, host_slot::Metadata, BindingType::Texture, metadata);
-    // Samples at the far plane, which the prepass does not show, are equal in depth all the same: the normals tell them.
-    // Floats reach 0, the far plane of a reversed depth, at the plane itself.
+    // Fragments at the far plane equal the cleared depth, although the prepass does not show them. The normals
+    // distinguish the two. A reversed depth has no such fragments, because floats reach 0 only at the plane itself.
     if (!a.represented && !b.view().reversedZ)
         b.bind(pass, host_slot::Normals, BindingType::Texture, prepass.normals);
     b.bind(pass, host_slot::Aggregates, BindingType::StorageBuffer, aggregates, true);
@@ -109,7 +109,7 @@ void drawAggregates(PlanBuilder& b, const Aggregation& a, const Prepass& prepass
     setRecord(pass, a);
 }
 
-// bindDepth: the samples' depth, and what tells those that show geometry.
+// bindDepth: binds the depth of samples and the image that shows where geometry is.
 void shadeAggregates(PlanBuilder& b, const Aggregation& a, ResourceId aggregates,
                      const std::function<void(Pass&)>& bindDepth) {
     b.cullLights(bindDepth);
@@ -166,7 +166,7 @@ void buildFromGBuffer(PlanBuilder& b, const Aggregation& a) {
 
 namespace {
 
-// samples: what binds them.
+// samples: an object that binds them.
 template <typename Samples>
 Pass& shadeAtOnce(PlanBuilder& b, const char* name, const char* shader, const Samples& samples) {
     Pass& shade = b.compute(name, AGAA_STAGE_SHADING, shader, AGAA_SEGMENT_SHADING);
@@ -189,9 +189,9 @@ void shadeFromGBuffer(PlanBuilder& b) {
 void shadeFromIds(PlanBuilder& b) {
     const Ids ids = drawIds(b);
     b.cullLights([&](Pass& pass) { b.bind(pass, slot::Depth, BindingType::Texture, ids.prepass.depth); });
-    const ResourceId several = b.deferredPixels();
-    b.deferPixels(shadeAtOnce(b, "shade single primitives", "single_ids", ids), several);
-    b.consumeDeferred(shadeAtOnce(b, "aggregate and shade", "aggregate_ids", ids), several);
+    const ResourceId complexPixels = b.deferredPixels();
+    b.deferPixels(shadeAtOnce(b, "shade single primitives", "single_ids", ids), complexPixels);
+    b.consumeDeferred(shadeAtOnce(b, "aggregate and shade", "aggregate_ids", ids), complexPixels);
     b.copyCounters();
 }
 

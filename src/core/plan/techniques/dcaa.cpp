@@ -1,5 +1,5 @@
-// `dcaa`: all fragments of a pixel with their coverage, merged into a few surfaces that are shaded once each (Wang et al.,
-// "Decoupled Coverage Anti-Aliasing", I3D 2016).
+// `dcaa`: the fragments of a pixel, with their coverage, are merged into a few surfaces that are shaded once each (Wang
+// et al., "Decoupled Coverage Anti-Aliasing", I3D 2016).
 #include "core/base/checked.h"
 #include "core/base/error.h"
 #include "core/plan/techniques/aggregation.h"
@@ -13,7 +13,7 @@ namespace agaa {
 
 namespace {
 
-// A group that decides what a draw of the scene is for.
+// Adds a pass of one workgroup that decides which fragments a draw of the scene processes.
 void addBatchPass(PlanBuilder& b, const char* name, const char* shader, ResourceId fragments) {
     Pass& pass = b.compute(name, AGAA_STAGE_GENERATION, shader, AGAA_SEGMENT_PREPASS);
     b.bindCommon(pass);
@@ -23,7 +23,7 @@ void addBatchPass(PlanBuilder& b, const char* name, const char* shader, Resource
 
 bool isExact(const ViewSettings& view) { return view.coverage.flags & AGAA_COVERAGE_EXACT; }
 
-// A sample shows one fragment.
+// A sample shows one fragment, so that exact coverage shades at most n fragments.
 ShadingWork work(const ViewSettings& view) { return {isExact(view) ? view.samples : view.aggregates, view.samples}; }
 
 bool carriesMaterials(const ResolvedView& view) { return view.generationTier == AGAA_TIER_MATERIAL_LISTS; }
@@ -52,7 +52,7 @@ Aggregation keptSurfaces(const PlanBuilder& b) {
     return surfaces;
 }
 
-// otherWords: of fragments that do not carry the words of a surface.
+// otherWords: payload of fragments that do not carry the words of a surface.
 FragmentLists drawScene(PlanBuilder& b, const Aggregation& surfaces, uint32_t otherWords) {
     if (!carriesMaterials(b.view()))
         return drawFragments(b, otherWords);
@@ -71,10 +71,10 @@ void readLists(PlanBuilder& b, const FragmentLists& lists, const Aggregation& su
     setRecord(pass, surfaces);
 }
 
-// What shows of each fragment is shaded: the reference of the merging ways.
+// Shades the visible part of each fragment. It is the reference for the merge rules.
 void buildExact(PlanBuilder& b) {
     const Aggregation surfaces = keptSurfaces(b);
-    const FragmentLists lists = drawScene(b, surfaces, 3); // a depth plane
+    const FragmentLists lists = drawScene(b, surfaces, 3); // the words of a depth plane
     Pass& shade = b.compute("shade fragments", AGAA_STAGE_SHADING, carriesMaterials(b.view()) ? "shade_carried" : "shade_fragments",
                             AGAA_SEGMENT_SHADING);
     readLists(b, lists, surfaces, shade);
@@ -105,7 +105,7 @@ ResourceId mergeInBuffer(PlanBuilder& b, const Aggregation& surfaces) {
 }
 
 ResourceId mergeInTargets(PlanBuilder& b, const Aggregation& surfaces) {
-    constexpr uint32_t words = 4; // of a texel
+    constexpr uint32_t words = 4; // per texel
     const uint32_t bytes = 4 * b.view().aggregates * surfaces.stride;
     if (bytes > 4 * words * maxFetchedTargets)
         fail(AGAA_ERROR_UNSUPPORTED,
@@ -126,7 +126,7 @@ ResourceId mergeLists(PlanBuilder& b, const Aggregation& surfaces) {
     if (hasBatches(b.view()))
         addBatchPass(b, "divide tiles", "divide_tiles", lists.buffer);
     const ResourceId kept = surfaceBuffer(b);
-    // A repetition lies in one segment.
+    // All passes of a repetition must be in one segment.
     Pass& merge = b.compute("merge fragments", AGAA_STAGE_GENERATION, carriesMaterials(b.view()) ? "merge_carried" : "merge_fragments",
                             hasBatches(b.view()) ? AGAA_SEGMENT_PREPASS : AGAA_SEGMENT_GENERATION);
     readLists(b, lists, surfaces, merge);

@@ -15,7 +15,7 @@ bool hasBatches(const ViewSettings& view) { return view.coverage.maxBatches > 1;
 
 namespace {
 
-// The struct may be chained for all techniques: other counts have no coverage samples, and no positions.
+// Hosts may chain the struct for all techniques. Other values of n have no coverage samples and no positions.
 void readPositions(uint32_t samples, ViewSettings& view) {
     const float* positions = std::exchange(view.coverage.samplePositions, nullptr);
     if (!positions || (samples != 32 && samples != 64 && samples != 128))
@@ -43,10 +43,11 @@ void readCoverage(const AgaaConfig& config, ViewSettings& view) {
     readPositions(config.samples, view);
 }
 
-// Words of the buffer of lists: its counts, then the first fragment of each pixel, then the fragments
+// The buffer of lists has counts, then the first fragment of each pixel, then the fragments
 // (src/shaders/coverage/fragment_layout.glsl).
 struct ListSizes {
-    uint64_t heads, words; // before the fragments; of a fragment
+    uint64_t heads; // words before the fragments
+    uint64_t words; // of a fragment
 };
 constexpr uint64_t countWords = 16;
 
@@ -59,9 +60,10 @@ ListSizes listSizes(const PlanBuilder& b) {
 ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
     const uint64_t pixels = uint64_t(b.view().width) * b.view().height;
     const double wanted = double(pixels) * double(b.view().coverage.fragmentsPerPixel);
-    const uint64_t most = b.caps().maxStorageRange / 4;
-    const uint64_t room = std::min<uint64_t>(most > sizes.heads ? (most - sizes.heads) / sizes.words : 0, 0x7FFFFFFF / sizes.words);
-    b.plan.fragmentCapacity = std::min<uint64_t>(std::max<uint64_t>(uint64_t(wanted), 65536), room);
+    const uint64_t maxWords = b.caps().maxStorageRange / 4;
+    const uint64_t forFragments = maxWords > sizes.heads ? maxWords - sizes.heads : 0;
+    const uint64_t maxFragments = std::min<uint64_t>(forFragments / sizes.words, 0x7FFFFFFF / sizes.words);
+    b.plan.fragmentCapacity = std::min<uint64_t>(std::max<uint64_t>(uint64_t(wanted), 65536), maxFragments);
     if (b.plan.fragmentCapacity < pixels)
         fail(AGAA_ERROR_TOO_LARGE, format("lists of fragments need room for a fragment a pixel; one storage buffer of the device "
                                           "has room for %llu, and the view has %llu pixels.",
@@ -78,7 +80,7 @@ ResourceId makeLists(PlanBuilder& b, const ListSizes& sizes) {
 
 namespace {
 
-// Masks of half-planes, for a pattern of samples that has no rows.
+// Adds a table with the coverage masks of half-planes, for sample positions that the host sets.
 ResourceId makeCoverageTable(PlanBuilder& b) {
     constexpr uint32_t usualSize = 128; // as in the paper
     const uint32_t size = b.view().coverage.tableSize ? b.view().coverage.tableSize : usualSize;

@@ -6,7 +6,7 @@ namespace agaa {
 
 namespace {
 
-// Into attachments of its own, which it clears; over the depth that `g` has.
+// Adds a draw into new attachments, which it clears, with the depth of `g`.
 Pass& drawGBuffer(PlanBuilder& b, GBuffer& g, const char* name) {
     g.packing = packGBuffer(b.view().layout);
     for (size_t i = 0; i < g.packing.attachments.size(); ++i)
@@ -44,7 +44,7 @@ GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth) {
     Pass& pass = drawGBuffer(b, g, "gbuffer of unfetched draws");
     pass.draw.state.depthCompare = AGAA_COMPARE_EQUAL;
     // The first pass shows the first of equal depths. Masks apply before this stencil test, because the shader's depth
-    // and stencil tests are late: masked materials take part.
+    // and stencil tests are late. The test therefore includes masked materials.
     pass.draw.state.stencilTest = pass.draw.state.stencilTestMasked = b.keepsFirst();
     return g;
 }
@@ -54,7 +54,7 @@ void GBuffer::bind(PlanBuilder& b, Pass& pass) const {
     if (attachments.empty())
         return b.bindHostGBuffer(pass);
     b.bind(pass, slot::Depth, BindingType::Texture, depth);
-    // Shaders name four attachments; slots beyond the layout's repeat the last and are not used.
+    // Shaders declare four attachments. Slots that the layout does not need repeat the last one and are not read.
     for (uint32_t i = 0; i < 4; ++i)
         b.bind(pass, slot::GBuffer0 + i, BindingType::Texture,
                attachments[std::min<size_t>(i, attachments.size() - 1)]);

@@ -1,5 +1,5 @@
-// A G-buffer at the target's rate, which several techniques begin with: the host's geometry pass into it, or the
-// host's own.
+// A G-buffer at the rate of the target, the first step of multiple techniques. The host draws into it, or the host has
+// one of its own.
 #pragma once
 
 #include "core/plan/plan_builder.h"
@@ -9,19 +9,19 @@
 namespace agaa {
 
 struct GBuffer {
-    ResourceId depth = noResource; // and no attachments: the host's own
+    ResourceId depth = noResource; // noResource without attachments: the G-buffer of the host
     std::vector<ResourceId> attachments;
     GBufferPacking packing;
 
-    // Depth, attachments and where their channels lie, for a pass that reads samples
+    // Binds depth and attachments and sets the positions of channels, for a pass that reads samples
     // (src/shaders/gbuffer/gbuffer.glsl).
     void bind(PlanBuilder& b, Pass& pass) const;
-    // The depth alone, and to count what a pass misses, the attachment that tells where geometry is.
+    // Binds the depth only. With counters it also binds the attachment that shows where geometry is.
     void bindDepth(PlanBuilder& b, Pass& pass) const;
 };
 
 GBuffer makeGBuffer(PlanBuilder& b);
-// Over a depth that an earlier pass left, where it is equal.
+// Draws a G-buffer at depths that equal those of an earlier pass.
 GBuffer drawGBufferOver(PlanBuilder& b, ResourceId depth);
 
 } // namespace agaa

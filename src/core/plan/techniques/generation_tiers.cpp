@@ -6,21 +6,22 @@ namespace agaa {
 
 namespace {
 
-// Whole frames against those by post-depth atomics: medians of the scenes of docs/results/lavapipe/sweep, n = 8, c = 2.
+// Times of whole frames relative to post-depth atomics: medians of the scenes of docs/results/lavapipe/sweep, n = 8, c
+// = 2.
 constexpr float gbufferCost = 0.64f, idsCost = 0.61f;
-// Against lists, n = 64, S = 4. On lavapipe, foliage and metal, 320x180; on an NVIDIA H200, where material lists take 2.8,
-// bamboo and metal, 1280x720.
+// Times relative to lists, n = 64, S = 4: on lavapipe, foliage and metal, 320x180; on an NVIDIA H200, bamboo and metal,
+// 1280x720. Material lists take 2.8 on the H200.
 constexpr float materialListsCost = 1.15f;
 constexpr float interlockCost = 8.5f;   // H200
 constexpr float rasterOrderCost = 2.5f; // lavapipe, bamboo and metal
-constexpr float perSampleCost = 2; // 376 against 183 ms: bamboo, n = 4, lavapipe
+constexpr float perSampleCost = 2; // 376 ms relative to 183 ms: bamboo, n = 4, lavapipe
 
 constexpr const char* hostGBufferReason = "a G-buffer that the host draws leaves only the tier gbuffer.";
 
 bool hasAtomics(const GenerationQuery& q) { return q.caps.flags & AGAA_DEVICE_FRAGMENT_ATOMICS; }
 bool isTooLarge(const GenerationQuery& q) { return q.aggregateBytes > q.caps.maxStorageRange; }
 
-// Why two geometry passes cannot run, whatever the device; empty where they can.
+// Returns why two geometry passes cannot run on any device, or empty text if they can.
 std::string twoPassRefusal(const GenerationQuery& q) {
     if (q.hostGBuffer)
         return hostGBufferReason;
@@ -31,7 +32,7 @@ std::string twoPassRefusal(const GenerationQuery& q) {
     return {};
 }
 
-// The same of passes that accumulate by atomics.
+// Returns why passes that accumulate by atomics cannot run, or empty text if they can.
 std::string atomicsRefusal(const GenerationQuery& q) {
     if (std::string refusal = twoPassRefusal(q); !refusal.empty())
         return refusal;
@@ -70,7 +71,7 @@ TierAnswer answerMixedSamples(const GenerationQuery& q) {
     return {true, "mixed samples with additive blending; priced, not yet run."};
 }
 
-// It always runs; the reason is why AUTO came to it.
+// The tier always runs. The reason says why AUTO selected it.
 TierAnswer answerGBuffer(const GenerationQuery& q) {
     const std::string aggregated = "a multisampled G-buffer is aggregated by a compute pass.";
     if (q.hostGBuffer)
@@ -118,13 +119,13 @@ TierAnswer answerSampleGBuffer(const GenerationQuery& q) {
 }
 
 constexpr const char* noCoverageReason = "a G-buffer that the host draws has no coverage beyond its samples.";
-// What gives a fragment to every pixel that a triangle touches.
+// Returns whether triangles can be expanded to cover every pixel that they touch.
 bool expandsTriangles(const GenerationQuery& q) { return q.vertexPulling || q.caps.flags & AGAA_DEVICE_GEOMETRY_SHADERS; }
 constexpr const char* noExpansionReason =
     "the device has no geometry shaders, which give a fragment to every pixel that a triangle touches; vertex shaders of the "
     "host can (AGAA_VIEW_VERTEX_PULLING).";
 
-// Why fragments that are fetched cannot be kept in lists; empty where they can.
+// Returns why fetched fragments cannot be stored in lists, or empty text if they can.
 std::string listsRefusal(const GenerationQuery& q, AgaaTier tier) {
     if (q.hostGBuffer)
         return noCoverageReason;

@@ -1,4 +1,4 @@
-// The ways to generate aggregates.
+// The tiers that generate aggregates.
 #pragma once
 
 #include "core/view/technique.h"

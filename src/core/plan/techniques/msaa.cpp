@@ -1,5 +1,5 @@
-// `msaa`: forward shading once per fragment into a multisampled target, which is resolved. A depth pass first,
-// so that what is hidden is not shaded.
+// `msaa`: forward shading once per fragment into a multisampled target, which is resolved. A depth
+// prepass avoids the shading of hidden fragments.
 #include "core/plan/plan_builder.h"
 #include "core/plan/techniques/techniques.h"
 
@@ -20,8 +20,8 @@ static void build(PlanBuilder& b) {
     b.bindLighting(forward);
     forward.draw.state.depthCompare = AGAA_COMPARE_EQUAL;
     forward.draw.state.stencilTest = b.keepsFirst();
-    // The stencil test comes before the mask of a masked material. It would refuse the coplanar fragment that owns the
-    // sample, so blending keeps the first there. Each coplanar masked fragment is still shaded.
+    // The stencil test precedes the mask of a masked material. It would reject the coplanar fragment that owns the
+    // sample, so that blending keeps the first fragment instead. Each coplanar masked fragment is still shaded.
     forward.draw.state.stencilTestMasked = 0;
     forward.draw.state.keepFirst = b.hasFact(AGAA_FACT_ALPHA_MASKED) || !b.keepsFirst();
     forward.draw.state.colorAttachmentCount = 1;
@@ -36,7 +36,7 @@ static void build(PlanBuilder& b) {
     b.copyCounters();
 }
 
-// Fragments of one surface are shaded once for each primitive that shows.
+// There is no bound, because each visible primitive of a pixel is shaded.
 static ShadingWork work(const ViewSettings&) { return {}; }
 
 const Technique msaaTechnique = {.name = "msaa", .maxSamples = 32, .build = build, .work = work, .facts = knownCoverageFacts};

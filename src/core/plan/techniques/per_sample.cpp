@@ -1,5 +1,5 @@
-// `single`, `fxaa`, `ssaa` and `simple_complex`: a G-buffer at n samples, from which samples are shaded. Materials are
-// evaluated once per fragment, lighting once per sample, as multisampled deferred engines do.
+// `single`, `fxaa`, `ssaa` and `simple_complex`: a G-buffer at n samples is shaded per sample. Materials are evaluated
+// once per fragment and lighting once per sample, as in multisampled deferred engines.
 #include "core/plan/techniques/gbuffer.h"
 #include "core/plan/techniques/techniques.h"
 
@@ -7,7 +7,7 @@ namespace agaa {
 
 namespace {
 
-// isClassified: pixels that show one surface are shaded once. image: to be shaded; noResource: the output.
+// isClassified: pixels that show one surface are shaded once. image: receives the result; noResource: the output does.
 Pass& shadeSamples(PlanBuilder& b, const GBuffer& gbuffer, bool isClassified, ResourceId image = noResource) {
     b.cullLights([&](Pass& pass) { gbuffer.bindDepth(b, pass); });
     Pass& shade = b.compute("shade samples", AGAA_STAGE_SHADING, "shade_samples", AGAA_SEGMENT_SHADING,
@@ -24,10 +24,10 @@ void buildPerSample(PlanBuilder& b) {
     b.copyCounters();
 }
 
-// Lottes 2009: edges of the shaded image are found and softened.
+// A filter finds and softens the edges of the shaded image (Lottes 2009).
 void buildFxaa(PlanBuilder& b) {
     if (b.view().measurement.debugView != AGAA_DEBUG_VIEW_NONE)
-        return buildPerSample(b); // numbers, that are not to be filtered
+        return buildPerSample(b); // the image shows numbers, which must not be filtered
     const GBuffer gbuffer = makeGBuffer(b);
     const ResourceId shaded = b.image("shaded", Format::RGBA16F, false);
     shadeSamples(b, gbuffer, false, shaded).constants[AGAA_LUMA_IN_ALPHA] = 1;
@@ -38,7 +38,7 @@ void buildFxaa(PlanBuilder& b) {
     b.copyCounters();
 }
 
-// Lauritzen 2010: pixels that show one surface are shaded once.
+// Pixels that show one surface are shaded once (Lauritzen 2010).
 void buildSimpleComplex(PlanBuilder& b) {
     shadeSamples(b, makeGBuffer(b), true);
     b.copyCounters();

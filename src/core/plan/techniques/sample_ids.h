@@ -1,4 +1,4 @@
-// A prepass that leaves the id of the primitive at each sample, by which materials are fetched.
+// A prepass that stores the id of the primitive at each sample. Later passes fetch materials by it.
 #pragma once
 
 #include "core/plan/techniques/aggregation.h"
@@ -8,7 +8,7 @@
 
 namespace agaa {
 
-// Depth, ids and, where some draws cannot be fetched, their G-buffer.
+// Depth, ids and, if some draws cannot be fetched, their G-buffer.
 struct Ids {
     Prepass prepass;
     std::optional<GBuffer> unfetched;

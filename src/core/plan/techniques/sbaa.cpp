@@ -1,5 +1,5 @@
-// `sbaa`: prepass, selection of the surfaces that cover most, their attributes, shading once each (Salvi and
-// Vidimce 2012, merge mode).
+// `sbaa`: a prepass, the selection of the surfaces that cover most samples, their attributes, and shading once per
+// surface (Salvi and Vidimce 2012, merge mode).
 #include "core/plan/techniques/aggregation.h"
 #include "core/plan/techniques/generation_tiers.h"
 #include "core/plan/techniques/techniques.h"
@@ -10,8 +10,8 @@ namespace agaa {
 
 namespace {
 
-// The papers' memory (AGAA section 5.4 and its slides): nine bytes a sample, and the G-buffer of a sample
-// and two bytes more a surface.
+// The memory of the papers (AGAA section 5.4 and its slides): nine bytes per sample; per surface the G-buffer of a
+// sample and two bytes.
 void buildNative(PlanBuilder& b) {
     drawPrepass(b, true);
     b.image("primitive-ids", Format::R8, true);

@@ -1,4 +1,4 @@
-// One row a technique; the files beside this one hold them.
+// The row of each technique. Each is defined in a file of this folder.
 #pragma once
 
 #include "core/plan/plan_builder.h"
