@@ -233,7 +233,7 @@ void View::runStep(const AgaaFrame& frame, const AgaaGlFrame& glFrame, const Var
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, context.emptyFramebuffer);
         gl.UseProgram(GLuint(variant.programs[index]));
         bindForCompute(pass, frame, glFrame, slot);
-        dispatch(pass.compute.compute.dispatch, slot);
+        dispatch(pass.compute.dispatch, slot);
         break;
     }
     case PassKind::Fill:

@@ -96,7 +96,7 @@ void View::recordCompute(const AgaaVkFrame& vkFrame, const Variant& variant, siz
     context.vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE,
                                      objects.pipelineLayout, 0, usesHostSet(plan.passes[pass]) ? 2 : 1, sets, 0,
                                      nullptr);
-    const Dispatch& dispatch = plan.passes[pass].compute.compute.dispatch;
+    const Dispatch& dispatch = plan.passes[pass].compute.dispatch;
     if (dispatch.kind == DispatchKind::Indirect) {
         context.vk.CmdDispatchIndirect(commands, resources->buffer(dispatch.arguments, slot), dispatch.argumentsOffset);
         return;

@@ -147,13 +147,13 @@ Compiled View::compile(const Pass& pass, size_t index) {
     for (uint32_t i = 0; i < ConstantCount; ++i)
         entries[i] = {i, i * uint32_t(sizeof(uint32_t)), sizeof(uint32_t)};
     std::vector<uint32_t> compiled;
-    if (!pass.compute.text.empty() || !pass.compute.compute.hostCode.empty())
-        compiled = compileCompute(passGlsl(pass), pass.compute.compute.hostCode.empty() ? pass.name.c_str()
-                                                                        : pass.compute.compute.hostCodeOrigin.c_str());
+    if (!pass.compute.text.empty() || !pass.compute.hostCode.empty())
+        compiled = compileCompute(passGlsl(pass), pass.compute.hostCode.empty() ? pass.name.c_str()
+                                                                        : pass.compute.hostCodeOrigin.c_str());
     const std::span<const uint32_t> words =
-        compiled.empty() ? embeddedSpirv(pass.compute.compute.shader) : compiled;
+        compiled.empty() ? embeddedSpirv(pass.compute.shader) : compiled;
     if (words.empty())
-        fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.compute.compute.shader + ".");
+        fail(AGAA_ERROR_INTERNAL, "the library has no shader " + pass.compute.shader + ".");
     VkShaderModuleCreateInfo moduleInfo{};
     moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     moduleInfo.codeSize = words.size_bytes();
@@ -218,7 +218,7 @@ void View::createSlots() {
 }
 
 bool View::usesHostSet(const Pass& pass) const {
-    return !pass.compute.compute.hostCode.empty() && plan.view.functionSetLayout != 0;
+    return !pass.compute.hostCode.empty() && plan.view.functionSetLayout != 0;
 }
 
 bool View::timed() const {
