@@ -17,53 +17,54 @@ constexpr const char* kBefore = R"(# OpenGL state
 <!-- Written by state_document from the table in src/gl/state_*.cpp: change that, then run
      build/bin/state_document docs/state.md -->
 
-A frame changes the state of the host's context. What becomes of the host's is chosen when the context is made,
-by `AgaaGlDeviceDesc::statePolicy`:
+A frame changes the state of the host's context. `AgaaGlDeviceDesc::statePolicy` selects how the SDK treats the host's
+state:
 
-| Policy | Before each draw callback | When `agaaGlRecordFrame` returns | Costs |
+| Policy | Before each draw callback | When `agaaGlRecordFrame` returns | Cost |
 |---|---|---|---|
-| `AGAA_GL_STATE_RESTORE` | the listed states are as on entry | the listed states are as on entry | a few hundred queries on entry |
-| `AGAA_GL_STATE_CALLBACKS` | what `popState` makes of it | what `popState` makes of it | the host's own |
+| `AGAA_GL_STATE_RESTORE` | the listed states have their values on entry | the listed states have their values on entry | a few hundred queries on entry |
+| `AGAA_GL_STATE_CALLBACKS` | as `popState` sets it | as `popState` sets it | that of the host's callbacks |
 | `AGAA_GL_STATE_NONE` | undefined | undefined | nothing |
 
-With `AGAA_GL_STATE_RESTORE`, "entry" is the entry of the call that records: what a draw callback leaves behind
-does not come back, neither for the next callback nor at return. It holds as well when a callback or the frame
-fails. A frame that is refused changes nothing, whatever the policy. The bindings that `AgaaGlDeviceDesc` names,
-which the host's shaders read, are the SDK's during draw callbacks and the host's again at return.
+With `AGAA_GL_STATE_RESTORE`, "entry" is the entry of the call that records. Changes of a draw callback do not
+persist, neither for the next callback nor at return. The SDK also restores the state when a callback or the frame
+fails. A frame that is refused changes nothing, whatever the policy. During draw callbacks, the bindings that
+`AgaaGlDeviceDesc` names hold the SDK's resources, which the host's shaders read. At return they hold the host's
+objects again.
 
-With `AGAA_GL_STATE_CALLBACKS`, `pushState` is called on entry and after each draw callback, `popState` before each
-draw callback and at return; the SDK leaves what lies between in any state. The SDK binds at the places named in
-`AgaaGlDeviceDesc` after `popState`, and binds there again what the host had before the callback's `pushState`
-is called or the frame fails. Engines that cache what they have set are served best by this or by
-`AGAA_GL_STATE_RESTORE`: telling them afterwards that their cache is stale does not always repair it.
+With `AGAA_GL_STATE_CALLBACKS`, the SDK calls `pushState` on entry and after each draw callback. It calls `popState`
+before each draw callback and at return. Between the two it leaves the context in any state. After `popState` the SDK
+binds its resources at the bindings named in `AgaaGlDeviceDesc`. Before the callback's `pushState`, or when the frame
+fails, it restores the host's objects there. Engines that cache their state should use this policy or
+`AGAA_GL_STATE_RESTORE`: invalidating the cache afterwards does not always repair it.
 
-## What comes back
+## Restored states
 
-States that are repeated come back for all of their elements, or for those that frames use: texture units and
+States with multiple elements are restored for all elements, or for those that frames use: the texture units and
 binding points of the SDK's own passes, and those named in `AgaaGlDeviceDesc`.
 
 )";
 
 constexpr const char* kAfter = R"(
-## What does not
+## States that are not restored
 
-- States that frames do not change and that the table therefore does not hold: matrices, lights, materials and
-  other fixed functions, texture units and binding points beyond those above, texture targets beyond those
-  above, evaluators, feedback and selection.
-- Conditional rendering, queries of `GL_TIME_ELAPSED` and rectangles of `GL_EXT_window_rectangles`: they must not be
-  active. Transform feedback must be paused, or the frame is refused.
-- What belongs to objects: the draw buffers of a framebuffer, the attributes of a vertex array, the uniforms of
-  a program. The SDK does not touch the host's objects, except the output texture: frames write its contents, and set its
-  base level and swizzle to 0 and to the channels in order while a pass uses it, where they are not. If its filter uses mip
-  levels and its storage is not immutable, they set its last level to 0 too. Textures with bindless handles must have these
-  values already, because OpenGL refuses to change them.
-- Objects that a callback deletes: their bindings are 0 afterwards. A program linked anew without success is not
-  used again.
-- A program that the host has deleted while it is in use, which is legal: OpenGL drops it as soon as a frame uses
-  another, and 0 is in use afterwards. Delete it after the frame.
-- Subroutine uniforms: OpenGL forgets them whenever a program is put into use.
-- Errors: those that were pending on entry stay pending, but for a frame that brings a texture of a wrong target:
-  it takes them and tells them to the log. What OpenGL raises in a frame is the host's to find by `glGetError`.
+- States that frames do not change and that the table therefore omits: matrices, lights, materials and other fixed
+  functions, evaluators, feedback, selection, and texture units, binding points and texture targets that the table
+  does not list.
+- Conditional rendering, queries of `GL_TIME_ELAPSED` and rectangles of `GL_EXT_window_rectangles` must not be active.
+  Transform feedback must be paused; otherwise the frame is refused.
+- State of objects: the draw buffers of a framebuffer, the attributes of a vertex array, the uniforms of a program.
+  The SDK does not change the host's objects, except the output texture. Frames write its contents. While a pass uses
+  the texture, its base level is 0 and its swizzle is the identity. If its filter uses mip levels and its storage is
+  not immutable, its last level is 0, too. Textures with bindless handles must already have these values, because
+  OpenGL refuses to change them.
+- Objects that a callback deletes: their bindings are 0 afterwards. A program whose latest link failed is not used
+  again.
+- A program that the host deletes while it is in use, which is legal. OpenGL drops the program as soon as a frame uses
+  another one, and program 0 is in use afterwards. Delete the program after the frame.
+- Subroutine uniforms: OpenGL resets them whenever a program is put into use.
+- Errors: those that were pending on entry stay pending. Exception: a frame with a texture of a wrong target clears
+  and logs them. The host finds errors that OpenGL raises during a frame with `glGetError`.
 )";
 
 const char* many(StateArray array) {
@@ -111,7 +112,7 @@ std::string codeNames(std::string names) {
 
 std::string document() {
     std::ostringstream out;
-    out << kBefore << "| State | What | Profile | Needs | How many |\n|---|---|---|---|---|\n";
+    out << kBefore << "| State | Description | Profile | Requires | Elements |\n|---|---|---|---|---|\n";
     for (const StateRow& row : stateTable())
         out << "| " << codeNames(row.name) << " | " << row.description << " | "
             << profile(row.profile) << " | " << (row.need.name == nullptr ? "" : row.need.name)
