@@ -219,8 +219,8 @@ struct Plan : ViewSettings {
     std::vector<Resource> resources;
     std::vector<Pass> passes;
     std::vector<Repeat> repeats; // in the order of passes; they do not overlap, and each lies in one segment
-    // Counters of the newest finished frame whose low words the frame constants hold (members feedback0 to feedback2): indices of
-    // Counter, or noCounter. 0 before the first has finished, and without AGAA_CONFIG_COUNTERS.
+    // Counters whose low words of the newest finished frame are in the frame constants (members feedback0 to feedback2):
+    // indices of Counter, or noCounter. The words are 0 before a frame has finished, and without AGAA_CONFIG_COUNTERS.
     std::array<uint32_t, 3> feedback{noCounter, noCounter, noCounter};
     uint32_t bytesPerAggregate = 0;
     uint64_t fragmentCapacity = 0; // fragments that lists of all pixels have room for
