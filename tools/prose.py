@@ -93,6 +93,7 @@ NEVER = "of", "that", "what", "those", "whether", "and", "but", "or", "nor", "th
 INTRODUCES = "with", "without", "for", "by", "as", "where", "like", "in"
 NO_CLAUSE = ("and", "but", "or", "nor", "with", "without", "where", "which", "that", "whose", "who", "except", "for",
              "of", "in", "by", "as", "to", "from", "not", "so", "than", "each", "both", "one", "beside")
+VERB = re.compile(r"\b(?:is|are|has|have|does|do|must|may|can|cannot|needs?|comes?|appl(?:y|ies)|ties)\b")
 
 
 def first_sentence(text):
@@ -104,7 +105,7 @@ def first_sentence(text):
 def is_fragment(text):
     sentence = first_sentence(text)
     words = re.findall(r"[A-Za-z_][\w']*", sentence)
-    if not words or sentence.endswith("?") or not re.match(r"[A-Za-z]", sentence):
+    if not words or sentence.endswith("?") or not re.match(r"[A-Za-z]", sentence) or re.match(r"\w+:", sentence):
         return False
     first, rest = words[0], words[1:]
     if not (first.islower() or first.istitle()):
@@ -120,6 +121,8 @@ def is_fragment(text):
     if first == "less":
         return rest[:1] == ["than"] or rest[:1] == ["where"]
     if first in INTRODUCES:
+        if first.startswith("with") and VERB.search(re.split(r"\b(?:that|which|what|whose)\b", sentence)[0]):
+            return False
         clauses = re.findall(r", +(\w+)", sentence)
         return not any(word.lower() not in NO_CLAUSE for word in clauses)
     return False

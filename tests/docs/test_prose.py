@@ -30,21 +30,49 @@ class Sources(unittest.TestCase):
 
 
 class Fragments(unittest.TestCase):
+    FRAGMENTS = """Of the targets that a draw clears.
+What a technique is: a row of a table.
+That of the frame.
+Whether sample i lies on the plane.
+Those of whole numbers become 0.
+The same as JPEG.
+The same where it has run.
+The same, for sizes.
+For thin things that shine narrowly.
+With its variant.
+Without what is not used.
+As agaaChooseSettings. Throws Error.
+By where they lie, and what they show.
+And it interpolates inside.
+Less than it was.
+of the set that hosts bind
+In memory, as before.
+Where an aggregate has each channel."""
+    OTHERS = """Returns the variant of this frame.
+Plans and their passes.
+bytes, a multiple of 4
+The same buffer holds both.
+If there is none, it throws.
+For each pixel, the pass writes one word.
+With one sample, a pass reads it.
+Without a mask all samples are covered.
+By default, views have no counters.
+As in the paper, lanes take turns.
+what: the call, as a reader of the failure would write it.
+---- results ----
+Whether or not a layer is used, the slot exists.
+OF_ALL names a constant.
+What is a tier?
+Less memory is used.
+(of the frame)"""
+
     def test_fragments(self):
-        for text in ("Of the targets that a draw clears.", "What a technique is: a row of a table.", "That of the frame.",
-                     "Whether sample i lies on the plane.", "Those of whole numbers become 0.", "The same as JPEG.",
-                     "The same where it has run.", "The same,\nfor sizes.", "For thin things that shine narrowly.",
-                     "With its variant.", "As agaaChooseSettings. Throws Error.", "By where they lie, and what they show.",
-                     "And it interpolates inside.", "Less than it was.", "of the set that hosts bind", "In memory, as before.",
-                     "Where an aggregate has\neach channel."):
+        for text in self.FRAGMENTS.splitlines():
             self.assertTrue(prose.is_fragment(text), text)
+            self.assertTrue(prose.is_fragment(text.replace(" ", "\n")), text)
 
     def test_sentences_titles_and_labels(self):
-        for text in ("Returns the variant of this frame.", "Plans and their passes.", "bytes, a multiple of 4", "The same buffer holds both.",
-                     "If there is none, it throws.", "For each pixel, the pass writes one word.", "With one sample, a pass reads it.",
-                     "By default, views have no counters.", "As in the paper, lanes take turns.", "---- results ----",
-                     "Whether or not a layer is used, the slot exists.", "OF_ALL names a constant.", "What is a tier?",
-                     "Less memory is used.", "(of the frame)", ""):
+        for text in ("", *self.OTHERS.splitlines()):
             self.assertFalse(prose.is_fragment(text), text)
 
 
@@ -62,7 +90,8 @@ class Files(unittest.TestCase):
                                     "       // of those, in the second line of a label\n"), [])
         self.assertEqual(self.check("/* Of these. */\nint a;\n\n    // That of b.\n"),
                          [(1, "fragment", "Of these."), (4, "fragment", "That of b.")])
-        self.assertEqual(self.check('const char* a = "// Of these";\nauto b = R"(\n// Of these\n)";\nint c = 1\'000;\n'), [])
+        self.assertEqual(self.check('const char* a = "// Of these";\nauto b = R"(\n// Of these\n)";\n'), [])
+        self.assertEqual(self.check("int c = 1'000;\n// That of c.\nint d = 2'000;\n"), [(2, "fragment", "That of c.")])
 
     def test_comments_of_scripts(self):
         self.assertEqual(self.check('set(A "# Of these") # of those\n# Of these.\n', "src/CMakeLists.txt"),
@@ -77,8 +106,9 @@ class Files(unittest.TestCase):
         self.assertEqual(self.check("x" * 120 + "\n" + "x" * 121 + "\n"), [(2, "columns", "121 columns")])
 
     def test_references(self):
-        self.assertEqual(self.check("// See src/core/a.cpp, core/a.cpp, a.cpp, src/shaders/NAME.comp and <stdio.h>.\n"), [])
-        found = self.check("// See src/core/b.cpp, gone.glsl and docs/none/gone.md.\n// And ../a.cpp, the SDK design.\n")
+        self.assertEqual(self.check("// See src/core/a.cpp, core/a.cpp, a.cpp, src/NAME.comp and <stdio.h>.\n"), [])
+        found = self.check("// See src/core/b.cpp, gone.glsl and docs/none/gone.md.\n"
+                           "// And ../a.cpp, the SDK design.\n")
         self.assertEqual({text for _, rule, text in found if rule == "reference"},
                          {"src/core/b.cpp", "gone.glsl", "docs/none/gone.md", "../", "SDK design"})
 
